@@ -1,0 +1,152 @@
+//! Which angles may a joint take?
+
+use std::f64::consts::PI;
+
+/// A closed range `min..=max`, in the unit of what it limits; possibly unbounded at either end, never empty.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    min: f64,
+    max: f64,
+}
+
+impl Range {
+    /// No limit at all.
+    pub const ALL: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
+
+    /// `None` where `min <= max` does not hold (NaN included).
+    pub fn new(min: f64, max: f64) -> Option<Self> {
+        (min <= max).then_some(Self { min, max })
+    }
+
+    /// The range of the one value `x`.
+    ///
+    /// # Panics
+    /// Where `x` is NaN.
+    pub fn point(x: f64) -> Self {
+        Self::new(x, x).expect("a number")
+    }
+
+    /// The smallest range that holds both values.
+    ///
+    /// # Panics
+    /// Where both are NaN.
+    pub fn spanning(a: f64, b: f64) -> Self {
+        Self::new(a.min(b), a.max(b)).expect("numbers")
+    }
+
+    /// Lower end.
+    pub const fn min(self) -> f64 {
+        self.min
+    }
+
+    /// Upper end.
+    pub const fn max(self) -> f64 {
+        self.max
+    }
+
+    /// `max - min`.
+    pub fn width(self) -> f64 {
+        self.max - self.min
+    }
+
+    /// The middle; meaningful for a bounded range only.
+    pub fn middle(self) -> f64 {
+        f64::midpoint(self.min, self.max)
+    }
+
+    /// Both ends are finite.
+    pub fn is_bounded(self) -> bool {
+        self.min.is_finite() && self.max.is_finite()
+    }
+
+    /// Neither end is finite.
+    pub fn is_all(self) -> bool {
+        self == Self::ALL
+    }
+
+    /// `x` lies in the range, or outside by no more than `slack`.
+    pub fn contains(self, x: f64, slack: f64) -> bool {
+        self.min - slack <= x && x <= self.max + slack
+    }
+
+    /// The value in the range that is nearest to `x`.
+    pub fn clamp(self, x: f64) -> f64 {
+        x.clamp(self.min, self.max)
+    }
+
+    /// What both ranges share.
+    pub fn intersect(self, other: Self) -> Option<Self> {
+        Self::new(self.min.max(other.min), self.max.min(other.max))
+    }
+
+    /// `{ a x + b : x in self }`.
+    ///
+    /// # Panics
+    /// Where `a` is zero and the range unbounded.
+    pub fn affine(self, a: f64, b: f64) -> Self {
+        Self::spanning(a * self.min + b, a * self.max + b)
+    }
+
+    /// The sum of two independent values.
+    pub fn plus(self, other: Self) -> Self {
+        Self { min: self.min + other.min, max: self.max + other.max }
+    }
+
+    /// The smallest whole `n` for which `x + n period` is not below the range.
+    fn first_period(self, x: f64, period: f64) -> f64 {
+        ((self.min - x) / period).ceil()
+    }
+
+    /// An angle equal to `x` up to whole turns that lies in the range (within `slack`), if there is one.
+    pub fn turn_to(self, x: f64, slack: f64) -> Option<f64> {
+        if self.min == f64::NEG_INFINITY {
+            return self.contains(x, slack).then_some(x).or_else(|| Some(x - ((x - self.max) / (2.0 * PI)).ceil() * 2.0 * PI));
+        }
+        let wide = Self { min: self.min - slack, max: self.max + slack };
+        let turned = x + wide.first_period(x, 2.0 * PI) * 2.0 * PI;
+        wide.contains(turned, 0.0).then_some(turned)
+    }
+}
+
+/// What the number means that a controller reports as joint 3.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ThirdAxis {
+    /// The angle of the forearm relative to the upper arm: `theta3 = sign3 q3 - offset3`.
+    Elbow,
+    /// The absolute angle of the forearm: `theta2 + theta3 = sign3 q3 - offset3`.
+    Forearm,
+}
+
+/// The ranges a maker states, in the coordinates in which they are stated; radians.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// On the joint angles as the robot reports them.
+    pub joints: [Range; 6],
+    /// What joint 3 reports.
+    pub third_axis: ThirdAxis,
+    /// On the angle enclosed by upper arm and forearm axis, `pi - theta3`: pi is straight, smaller is folded forwards.
+    pub elbow: Range,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_is_found_in_a_range_whole_turns_away() {
+        let range = Range::new(3.0, 4.0).unwrap();
+        assert_eq!(range.turn_to(3.5 - 4.0 * PI, 0.0).map(|x| (x * 1e9).round()), Some(3.5e9));
+        assert_eq!(range.turn_to(5.0, 0.0), None);
+        let below = Range::new(f64::NEG_INFINITY, -10.0).unwrap();
+        let found = below.turn_to(0.0, 0.0).unwrap();
+        assert!(found <= -10.0 && (found / (2.0 * PI)).fract().abs() < 1e-12);
+        assert_eq!(Range::ALL.turn_to(7.0, 0.0), Some(7.0));
+    }
+
+    #[test]
+    fn nan_makes_no_range() {
+        assert!(Range::new(f64::NAN, 1.0).is_none());
+        assert!(Range::new(0.0, f64::NAN).is_none());
+        assert!(Range::new(2.0, 1.0).is_none());
+    }
+}

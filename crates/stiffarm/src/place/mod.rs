@@ -1,0 +1,220 @@
+//! Verb 3: where must the zone stand, how far is the tool pushed off there, and who proves that no place is better?
+
+mod exact;
+mod search;
+
+use nalgebra::Vector2;
+
+use crate::limits::Range;
+use crate::plane::{Elbow, InvalidArm, PlanarArm};
+use crate::task::Zone;
+
+/// Which angles of a rectangle are tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Orientation {
+    /// First side horizontal or vertical, as in the paper.
+    Axes,
+    /// First side at this angle, rad.
+    Fixed(f64),
+    /// Any angle.
+    Free,
+}
+
+/// Where the zone may stand, in m from the joint-2 axis: all of it inside both ranges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Within {
+    /// Forwards.
+    pub x: Range,
+    /// Upwards.
+    pub z: Range,
+}
+
+impl Within {
+    /// Anywhere.
+    pub const ANYWHERE: Self = Self { x: Range::ALL, z: Range::ALL };
+}
+
+/// What is asked for besides arm and zone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaceOptions {
+    /// Cutting force, N.
+    pub force: f64,
+    /// Which angles are tried.
+    pub orientation: Orientation,
+    /// Where the zone may stand.
+    pub within: Within,
+    /// Largest relative distance between the value and its lower bound.
+    pub gap: f64,
+}
+
+impl PlaceOptions {
+    /// As in the paper: horizontal or vertical, anywhere; a certificate of 1e-4.
+    pub const fn paper(force: f64) -> Self {
+        Self { force, orientation: Orientation::Axes, within: Within::ANYWHERE, gap: 1e-4 }
+    }
+}
+
+/// The best place of a zone.
+///
+/// Frame of [`PlanarArm`]; deflections in m under the given force in its worst direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placement {
+    /// The paper's eq. (2) at the best place, eq. (3): the worst deflection inside the zone.
+    pub deflection: f64,
+    /// No place that was allowed has less.
+    pub lower_bound: f64,
+    /// Centre of the zone.
+    pub centre: [f64; 2],
+    /// Angle of the first side, rad, in `[0, pi)`; zero for a circle.
+    pub angle: f64,
+    /// Elbow side of the whole zone.
+    pub elbow: Elbow,
+    /// Where in the zone the deflection is largest.
+    pub worst_point: [f64; 2],
+    /// Shoulder and elbow angle there, rad.
+    pub worst_posture: [f64; 2],
+}
+
+/// Why a zone has no place.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Misfit {
+    /// No orientation fits between the nearest and the farthest point the arm reaches.
+    TooLarge {
+        /// Those two, m, of the widest elbow side.
+        ring: [f64; 2],
+    },
+    /// It fits the ring, but the joint limits leave no place for it with one elbow side.
+    Limits,
+    /// It fits the arm, but not where it may stand.
+    Within,
+}
+
+impl std::fmt::Display for Misfit {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Self::TooLarge { ring: [near, far] } => write!(
+                f,
+                "does not fit the reachable set: too long for any orientation between the nearest ({near:.3} m) and the farthest ({far:.3} m) distance from the joint-2 axis"
+            ),
+            Self::Limits => f.write_str("does not fit the reachable set: the joint limits leave no place for it without a change of posture"),
+            Self::Within => f.write_str("does not fit where it may stand: no allowed place is reachable as a whole"),
+        }
+    }
+}
+
+/// The answer of [`place`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Placed {
+    /// There is a best place.
+    Feasible(Placement),
+    /// There is none.
+    Infeasible {
+        /// Why.
+        reason: Misfit,
+        /// The largest scale, found to 1e-4, at which a zone of this shape has a place; zero where none has.
+        largest_scale: f64,
+    },
+}
+
+impl Placed {
+    /// The placement, where there is one.
+    pub fn feasible(&self) -> Option<&Placement> {
+        match self {
+            Self::Feasible(placement) => Some(placement),
+            Self::Infeasible { .. } => None,
+        }
+    }
+}
+
+/// A question that has no answer.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PlaceError {
+    /// The arm makes no sense.
+    #[error(transparent)]
+    Arm(#[from] InvalidArm),
+    /// Force outside `0 < force <= 1e6`.
+    #[error("a force of {0} N; expected more than 0 and at most 1e6 N")]
+    Force(f64),
+    /// Gap outside `1e-9..=0.5`.
+    #[error("a gap of {0}; expected 1e-9 to 0.5 (relative)")]
+    Gap(f64),
+    /// An angle that is not finite.
+    #[error("an angle of {0} rad; expected a finite number")]
+    Angle(f64),
+    /// The search grew too large.
+    #[error("the search stopped after {nodes} boxes between {lower:e} and {upper:e} m; ask for a larger gap")]
+    Unfinished {
+        /// Boxes looked at.
+        nodes: usize,
+        /// Bound reached, m.
+        lower: f64,
+        /// Best value found, m (infinite where no place was found).
+        upper: f64,
+    },
+}
+
+/// Checks a force in N.
+///
+/// # Errors
+/// Where it is not positive, or above 1 MN.
+pub fn check_force(force: f64) -> Result<(), PlaceError> {
+    if 0.0 < force && force <= 1e6 { Ok(()) } else { Err(PlaceError::Force(force)) }
+}
+
+/// Finds the place of `zone` that minimises the worst deflection inside it, with a certificate ([paper], eq. 3).
+///
+/// The zone lies in the arm plane, is reached with one elbow side throughout, and leaves the joint-2 axis outside.
+/// Over a zone only the nearest and the farthest distance from that axis matter, `max(sigma(near), sigma(far))`,
+/// because sigma has one valley. Where no limit on absolute angles binds, the optimum is exact (value = lower bound);
+/// else a branch and bound over positions (and angle) proves it to `gap`.
+///
+/// # Errors
+/// Where an argument makes no sense, or the search does not end.
+pub fn place(arm: &PlanarArm, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+    check_force(options.force)?;
+    if !(1e-9..=0.5).contains(&options.gap) {
+        return Err(PlaceError::Gap(options.gap));
+    }
+    if let Orientation::Fixed(angle) = options.orientation
+        && !angle.is_finite()
+    {
+        return Err(PlaceError::Angle(angle));
+    }
+    let sides = arm.sides()?;
+    let search = search::Search::new(arm, &sides, options);
+    match search.best(zone)? {
+        Some(placement) => Ok(Placed::Feasible(placement)),
+        None => infeasible(arm, zone, options, &search),
+    }
+}
+
+fn infeasible(arm: &PlanarArm, zone: Zone, options: &PlaceOptions, search: &search::Search) -> Result<Placed, PlaceError> {
+    let sides = search.sides();
+    let roomiest = sides.iter().max_by(|a, b| a.ring.width().total_cmp(&b.ring.width())).expect("a side");
+    let fits = sides.iter().map(|side| exact::largest_scale(side.ring, zone)).fold(0.0, f64::max);
+    let reason = if fits < 1.0 {
+        Misfit::TooLarge { ring: [roomiest.ring.min(), roomiest.ring.max()] }
+    } else if options.within == Within::ANYWHERE {
+        Misfit::Limits
+    } else {
+        let anywhere = PlaceOptions { within: Within::ANYWHERE, ..*options };
+        if search::Search::new(arm, sides, &anywhere).has_place(zone)? { Misfit::Within } else { Misfit::Limits }
+    };
+    // Zones of one shape nest about a common centre, so what fits is monotone in the scale.
+    let (mut fit, mut misfit) = (0.0, fits.min(1.0));
+    while 1e-4 * misfit < misfit - fit {
+        let scale = if fit == 0.0 && misfit < 1e-4 { break } else { f64::midpoint(fit, misfit) };
+        if search.has_place(zone.scaled(scale))? {
+            fit = scale;
+        } else {
+            misfit = scale;
+        }
+    }
+    Ok(Placed::Infeasible { reason, largest_scale: fit })
+}
+
+/// `v` turned by `angle`.
+pub(crate) fn turned(v: Vector2<f64>, angle: f64) -> Vector2<f64> {
+    let (s, c) = angle.sin_cos();
+    Vector2::new(c * v.x - s * v.y, s * v.x + c * v.y)
+}

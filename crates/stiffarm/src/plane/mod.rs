@@ -1,0 +1,128 @@
+//! How compliant is the paper's planar two-link arm, and what does it reach?
+
+mod radial;
+mod shape;
+mod side;
+
+use nalgebra::{Matrix2, SymmetricEigen, Vector2};
+
+pub use radial::RadialCompliance;
+pub(crate) use shape::Shape;
+pub use side::{Elbow, ElbowSide};
+
+use crate::drive::Architecture;
+use crate::limits::Range;
+
+/// Slack on angles (rad) and, per metre of arm, on lengths within which a posture at a limit still counts as reachable.
+pub(crate) const SLACK: f64 = 1e-9;
+
+/// Two links, two springs: drives 2 and 3 compliant, all else rigid, the tool point at the wrist centre.
+///
+/// Frame: the joint-2 axis is the origin, x forward, z up; angles counter-clockwise seen with x to the right.
+/// `p = l2 e(shoulder) + l3 e(shoulder + elbow)`. Any limits may be combined; all hold at once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanarArm {
+    /// Upper arm, m.
+    pub l2: f64,
+    /// Elbow to wrist centre, m.
+    pub l3: f64,
+    /// Compliance of drive 2, rad/(N m).
+    pub k2: f64,
+    /// Compliance of drive 3, rad/(N m).
+    pub k3: f64,
+    /// Where drive 3 acts.
+    pub architecture: Architecture,
+    /// Absolute angle of the upper arm, rad.
+    pub shoulder: Range,
+    /// Angle of the forearm relative to the upper arm, rad.
+    pub elbow: Range,
+    /// Absolute angle of the forearm, `shoulder + elbow`, rad.
+    pub forearm: Range,
+}
+
+/// A planar arm with which nothing can be computed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum InvalidArm {
+    /// A length or a compliance outside the range in which the model is meant.
+    #[error("{quantity} is {value:e} {unit}; expected a number from {min:e} to {max:e} {unit}")]
+    Quantity {
+        /// Which one.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// Smallest accepted.
+        min: f64,
+        /// Largest accepted.
+        max: f64,
+    },
+    /// The limits contradict each other.
+    #[error("the joint limits leave nothing reachable (shoulder, elbow and forearm ranges share no posture)")]
+    NothingReachable,
+}
+
+impl PlanarArm {
+    /// An arm without limits.
+    pub fn free(l2: f64, l3: f64, k2: f64, k3: f64, architecture: Architecture) -> Self {
+        Self { l2, l3, k2, k3, architecture, shoulder: Range::ALL, elbow: Range::ALL, forearm: Range::ALL }
+    }
+
+    /// The elbow sides that the limits leave.
+    ///
+    /// # Errors
+    /// Where a length or compliance is not a sensible number, or the limits leave nothing.
+    pub fn sides(&self) -> Result<Vec<ElbowSide>, InvalidArm> {
+        let quantities = [
+            ("l2", self.l2, "m", 1e-3, 100.0),
+            ("l3", self.l3, "m", 1e-3, 100.0),
+            ("k2", self.k2, "rad/(N m)", 1e-12, 1.0),
+            ("k3", self.k3, "rad/(N m)", 1e-12, 1.0),
+        ];
+        for (quantity, value, unit, min, max) in quantities {
+            if !(min <= value && value <= max) {
+                return Err(InvalidArm::Quantity { quantity, value, unit, min, max });
+            }
+        }
+        let sides = ElbowSide::of(self);
+        if sides.is_empty() { Err(InvalidArm::NothingReachable) } else { Ok(sides) }
+    }
+
+    /// The largest compliance as a function of the distance from the joint-2 axis.
+    pub fn radial(&self) -> RadialCompliance {
+        RadialCompliance::of(self)
+    }
+
+    /// Wrist centre, m, at a shoulder and an elbow angle, rad.
+    pub fn forward(&self, shoulder: f64, elbow: f64) -> Vector2<f64> {
+        let forearm = shoulder + elbow;
+        Vector2::new(
+            self.l2 * shoulder.cos() + self.l3 * forearm.cos(),
+            self.l2 * shoulder.sin() + self.l3 * forearm.sin(),
+        )
+    }
+
+    /// Cartesian compliance at the wrist centre, m/N, base axes (x, z): `C = (J A) k (J A)^T`.
+    ///
+    /// `J = [e x p, e x (p - E)]` with the elbow at `E`; no inverse, so every posture has one.
+    pub fn compliance(&self, shoulder: f64, elbow: f64) -> Matrix2<f64> {
+        let p = self.forward(shoulder, elbow);
+        let upper = self.l2 * Vector2::new(shoulder.cos(), shoulder.sin());
+        self.compliance_of_links(upper, p - upper)
+    }
+
+    /// The same from the two link vectors, m.
+    pub(crate) fn compliance_of_links(&self, upper: Vector2<f64>, forearm: Vector2<f64>) -> Matrix2<f64> {
+        let turned = |v: Vector2<f64>| Vector2::new(-v.y, v.x);
+        let j = Matrix2::from_columns(&[turned(upper + forearm), turned(forearm)]);
+        let ja = j * self.architecture.transmission();
+        ja * Matrix2::from_diagonal(&Vector2::new(self.k2, self.k3)) * ja.transpose()
+    }
+
+    /// Worst-direction compliance, m/N, and the unit direction in which it acts, at a posture.
+    pub fn worst_direction(&self, shoulder: f64, elbow: f64) -> (f64, Vector2<f64>) {
+        let eigen = SymmetricEigen::new(self.compliance(shoulder, elbow));
+        let i = eigen.eigenvalues.imax();
+        (eigen.eigenvalues[i], eigen.eigenvectors.column(i).into())
+    }
+}

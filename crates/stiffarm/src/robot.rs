@@ -1,0 +1,119 @@
+//! What is a robot, and what is its arm plane?
+
+use std::collections::BTreeMap;
+
+use crate::drive::{Architecture, JointCompliance};
+use crate::geometry::Geometry;
+use crate::limits::{Limits, Range, ThirdAxis};
+use crate::plane::PlanarArm;
+
+/// How well a robot's numbers are known; shown wherever the robot is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Status {
+    /// Measured on the machine.
+    Identified,
+    /// Published for this very model.
+    DataSheet,
+    /// Partly published, the rest follows from published figures of this or a sister model.
+    Derived,
+    /// Partly assumed.
+    Estimated,
+}
+
+impl Status {
+    /// All, the best first.
+    pub const ALL: [Self; 4] = [Self::Identified, Self::DataSheet, Self::Derived, Self::Estimated];
+
+    /// The name that robot files and reports use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Identified => "identified",
+            Self::DataSheet => "data-sheet",
+            Self::Derived => "derived",
+            Self::Estimated => "estimated",
+        }
+    }
+}
+
+impl std::fmt::Display for Status {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A robot: geometry, drives, limits and pedigree.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Robot {
+    /// The maker's name for it.
+    pub name: String,
+    /// The maker.
+    pub vendor: String,
+    /// Serial or quasi-serial.
+    pub architecture: Architecture,
+    /// How well the numbers are known.
+    pub status: Status,
+    /// Nominal payload, kg.
+    pub payload_kg: Option<f64>,
+    /// Reach by the data sheet, m (from the joint 1 axis, as makers state it).
+    pub reach: Option<f64>,
+    /// What moves.
+    pub arm: Arm,
+    /// Where each group of numbers comes from.
+    pub source: BTreeMap<String, String>,
+}
+
+/// What is known of the arm itself.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Arm {
+    /// Six axes with a spherical wrist.
+    SixAxis {
+        /// Lengths, offsets, signs.
+        geometry: Geometry,
+        /// Ranges as the maker states them.
+        limits: Limits,
+        /// Of the six drives.
+        compliance: JointCompliance,
+    },
+    /// Only the paper's two links.
+    Planar(PlanarArm),
+}
+
+/// A robot reduced to the two links of the paper, and where its joint-2 axis stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ArmPlane {
+    /// The two links.
+    pub arm: PlanarArm,
+    /// The joint-2 axis from the base, forwards and up, m; zero for a robot of which only the plane is known.
+    pub axis_from_base: [f64; 2],
+}
+
+impl Robot {
+    /// The planar model of this robot: links 2 and 3, drives 2 and 3, the tool point at the wrist centre.
+    ///
+    /// Limits, offsets, signs and the meaning of joint 3 are carried into angles of the arm plane, counter-clockwise
+    /// seen with x to the right and z up. Left out: the other drives, and the sideways offset `b` of the plane.
+    /// `None` where a limit on joint 3 and one on the enclosed angle share no posture.
+    pub fn arm_plane(&self) -> Option<ArmPlane> {
+        let (geometry, limits, compliance) = match &self.arm {
+            Arm::Planar(arm) => return Some(ArmPlane { arm: arm.clone(), axis_from_base: [0.0; 2] }),
+            Arm::SixAxis { geometry, limits, compliance } => (geometry, limits, compliance),
+        };
+        let enclosed = geometry.elbow(limits.elbow);
+        let third = geometry.third(limits.joints[2], limits.third_axis);
+        let (elbow, forearm) = match limits.third_axis {
+            ThirdAxis::Elbow => (enclosed.intersect(third)?, Range::ALL),
+            ThirdAxis::Forearm => (enclosed, third),
+        };
+        let arm = PlanarArm {
+            l2: geometry.c2,
+            l3: geometry.l3(),
+            k2: compliance.0[1],
+            k3: compliance.0[2],
+            architecture: self.architecture,
+            shoulder: geometry.shoulder(limits.joints[1]),
+            elbow,
+            forearm,
+        };
+        Some(ArmPlane { arm, axis_from_base: [geometry.a1, geometry.c1] })
+    }
+}
