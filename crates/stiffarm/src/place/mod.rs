@@ -7,6 +7,7 @@ use nalgebra::Vector2;
 
 use crate::limits::Range;
 use crate::plane::{Elbow, InvalidArm, PlanarArm};
+use crate::robot::Robot;
 use crate::task::Zone;
 
 /// Which angles of a rectangle are tried.
@@ -32,6 +33,12 @@ pub struct Within {
 impl Within {
     /// Anywhere.
     pub const ANYWHERE: Self = Self { x: Range::ALL, z: Range::ALL };
+
+    /// The same place seen from a point at `origin`.
+    #[must_use]
+    pub fn seen_from(self, origin: [f64; 2]) -> Self {
+        Self { x: self.x.affine(1.0, -origin[0]), z: self.z.affine(1.0, -origin[1]) }
+    }
 }
 
 /// What is asked for besides arm and zone.
@@ -186,6 +193,25 @@ pub fn place(arm: &PlanarArm, zone: Zone, options: &PlaceOptions) -> Result<Plac
         Some(placement) => Ok(Placed::Feasible(placement)),
         None => infeasible(arm, zone, options, &search),
     }
+}
+
+/// [`place`] for a robot: `options.within` counts from its base, the answer from its joint-2 axis.
+///
+/// # Errors
+/// As [`place`].
+pub fn place_robot(robot: &Robot, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+    let plane = robot.arm_plane().ok_or(InvalidArm::NothingReachable)?;
+    let options = PlaceOptions { within: options.within.seen_from(plane.axis_from_base), ..*options };
+    place(&plane.arm, zone, &options)
+}
+
+/// The value of the best place, m/N, of a zone for an arm whose limits are left aside; `None` where it does not fit.
+///
+/// Exact: the paper's section III, where any angle of a rectangle is as good as another.
+pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Option<f64> {
+    let sigma = arm.radial();
+    let ring = Range::spanning(sigma.folded, sigma.stretched);
+    exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance)
 }
 
 fn infeasible(arm: &PlanarArm, zone: Zone, options: &PlaceOptions, search: &search::Search) -> Result<Placed, PlaceError> {

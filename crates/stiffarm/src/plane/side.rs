@@ -125,6 +125,25 @@ impl ElbowSide {
         Some((bearing - s * psi2, s * (psi2 + psi3) + self.turn))
     }
 
+    /// The wrist centre can be put at `p` within the limits.
+    pub fn reaches(&self, p: Vector2<f64>) -> bool {
+        self.posture(p).is_some()
+    }
+
+    /// The upper arm as a vector, m, when the wrist centre stands at `p`; `None` beyond the links, or at the axis.
+    ///
+    /// Without an angle: `E = a p + b e x p` with `a = (r^2 + l2^2 - l3^2)/(2 r^2)` and `|E| = l2`.
+    pub(crate) fn upper_arm(&self, p: Vector2<f64>) -> Option<Vector2<f64>> {
+        let Self { l2, l3, .. } = *self;
+        let t = p.norm_squared();
+        let a = (t + l2 * l2 - l3 * l3) / (2.0 * t);
+        let b = (l2 * l2 / t - a * a).max(0.0).sqrt();
+        (0.0 < t && a * a * t <= l2 * l2 * (1.0 + SLACK)).then(|| {
+            let across = -self.elbow.sign() * b;
+            Vector2::new(a * p.x - across * p.y, a * p.y + across * p.x)
+        })
+    }
+
     /// The posture at a point that is reached but for rounding, without a look at the limits.
     pub(crate) fn posture_near(&self, p: Vector2<f64>) -> (f64, f64) {
         let (psi2, psi3) = self.triangle(p.norm());

@@ -1,0 +1,122 @@
+//! Verb 4: which robot holds the force best, for several tasks?
+
+use rayon::prelude::*;
+
+use crate::place::{PlaceError, PlaceOptions, Placed, place_robot};
+use crate::robot::{Robot, Status};
+use crate::task::Task;
+
+/// One robot in a ranking.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Which.
+    pub robot: Robot,
+    /// Deflection, m, at the stiffest posture the links allow: no placement of any task can have less.
+    pub floor: f64,
+    /// One answer per task.
+    pub cells: Vec<Placed>,
+    /// How much worse than the best robot of each task, as a geometric mean over the tasks it can do; 1 is the best.
+    pub score: f64,
+}
+
+impl Row {
+    /// How many tasks have no place.
+    pub fn misfits(&self) -> usize {
+        self.cells.iter().filter(|cell| cell.feasible().is_none()).count()
+    }
+
+    /// Deflection of a task, m.
+    pub fn deflection(&self, task: usize) -> Option<f64> {
+        self.cells[task].feasible().map(|placement| placement.deflection)
+    }
+}
+
+/// Robots in order: those that can do more of the tasks first, then by [`Row::score`].
+#[derive(Clone, Debug)]
+pub struct Ranking {
+    /// What was asked.
+    pub tasks: Vec<Task>,
+    /// Cutting force, N.
+    pub force: f64,
+    /// The best first.
+    pub rows: Vec<Row>,
+}
+
+impl Ranking {
+    /// The stiffest robot for a task among those that `filter` lets pass; of equals the one that ranks higher.
+    pub fn best(&self, task: usize, filter: impl Fn(&Robot) -> bool) -> Option<&Row> {
+        self.rows
+            .iter()
+            .filter(|row| filter(&row.robot))
+            .filter_map(|row| Some((row.deflection(task)?, row)))
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, row)| row)
+    }
+
+    /// The same among robots of which no number is assumed.
+    pub fn best_published(&self, task: usize) -> Option<&Row> {
+        self.best(task, |robot| robot.status != Status::Estimated)
+    }
+}
+
+/// A robot or task that could not be judged.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{robot}, task {task}: {error}")]
+pub struct RankError {
+    /// Which robot.
+    pub robot: String,
+    /// Which task.
+    pub task: String,
+    /// Why.
+    pub error: PlaceError,
+}
+
+/// Places every task on every robot ([paper], section IV) and puts the robots in order.
+///
+/// `options.within` counts from each robot's base. `done` is called once per cell, from any thread. The order does not
+/// depend on the order of `robots`: ties go by name.
+///
+/// # Errors
+/// The first robot (in the order given) that cannot be judged.
+pub fn rank(
+    robots: &[Robot],
+    tasks: &[Task],
+    options: &PlaceOptions,
+    done: impl Fn() + Sync,
+) -> Result<Ranking, RankError> {
+    let pairs: Vec<(&Robot, &Task)> = robots.iter().flat_map(|robot| tasks.iter().map(move |task| (robot, task))).collect();
+    let cells: Vec<Placed> = pairs
+        .par_iter()
+        .with_max_len(1)
+        .map(|(robot, task)| {
+            let placed = place_robot(robot, task.zone, options);
+            done();
+            placed.map_err(|error| RankError { robot: robot.name.clone(), task: task.label.clone(), error })
+        })
+        .collect::<Result<_, _>>()?;
+    let mut cells = cells.into_iter();
+    let mut rows: Vec<Row> = robots
+        .iter()
+        .map(|robot| Row {
+            robot: robot.clone(),
+            floor: robot.arm_plane().map_or(f64::NAN, |plane| plane.arm.radial().floor() * options.force),
+            cells: cells.by_ref().take(tasks.len()).collect(),
+            score: f64::INFINITY,
+        })
+        .collect();
+    let best: Vec<f64> = (0..tasks.len())
+        .map(|task| rows.iter().filter_map(|row| row.deflection(task)).fold(f64::INFINITY, f64::min))
+        .collect();
+    for row in &mut rows {
+        let ratios: Vec<f64> =
+            (0..tasks.len()).filter_map(|task| Some((row.deflection(task)? / best[task]).ln())).collect();
+        if !ratios.is_empty() {
+            row.score = (ratios.iter().sum::<f64>() / ratios.len() as f64).exp();
+        }
+    }
+    rows.sort_by(|a, b| {
+        let names = || (&a.robot.vendor, &a.robot.name).cmp(&(&b.robot.vendor, &b.robot.name));
+        a.misfits().cmp(&b.misfits()).then(a.score.total_cmp(&b.score)).then_with(names)
+    });
+    Ok(Ranking { tasks: tasks.to_vec(), force: options.force, rows })
+}

@@ -1,0 +1,276 @@
+//! Verb 5: which architecture suits which link ratio and task size, and where does the better one change?
+
+use rayon::prelude::*;
+
+use crate::drive::Architecture;
+use crate::limits::Range;
+use crate::place::best_without_limits;
+use crate::plane::PlanarArm;
+use crate::root::{bisect, minimum};
+use crate::task::{Task, Zone};
+
+/// An architecture with its joint compliances, in units of a reference compliance `k`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contender {
+    /// Serial or quasi-serial.
+    pub architecture: Architecture,
+    /// Of drive 2, over `k`.
+    pub k2: f64,
+    /// Of drive 3, over `k`.
+    pub k3: f64,
+}
+
+impl Contender {
+    /// Both springs equal, as in the paper.
+    pub const fn equal(architecture: Architecture) -> Self {
+        Self { architecture, k2: 1.0, k3: 1.0 }
+    }
+
+    /// The worst deflection at the best place over `k F (l2 + l3)^2` for `mu = l3/l2`; `None` where the zone does not fit.
+    ///
+    /// Zone in units of `l2 + l3`; no joint limits ([paper], Table I).
+    pub fn accuracy(&self, zone: Zone, mu: f64) -> Option<f64> {
+        let (l2, l3) = (1.0 / (1.0 + mu), mu / (1.0 + mu));
+        best_without_limits(&PlanarArm::free(l2, l3, self.k2, self.k3, self.architecture), zone)
+    }
+
+    /// The ratio in `ratios` with the best accuracy, and that accuracy.
+    ///
+    /// A scan of 201 ratios finds the valleys, golden sections their floors; the paper's mu = 1 is among those scanned.
+    pub fn best_ratio(&self, zone: Zone, ratios: Range) -> Option<(f64, f64)> {
+        const STEPS: usize = 200;
+        let ratio = |i: usize| ratios.min() + ratios.width() * i as f64 / STEPS as f64;
+        let value = |mu: f64| self.accuracy(zone, mu).unwrap_or(f64::INFINITY);
+        let scan: Vec<f64> = (0..=STEPS).map(|i| value(ratio(i))).collect();
+        let mut best: Option<(f64, f64)> = None;
+        for i in 0..=STEPS {
+            let (low, high) = (i.saturating_sub(1), (i + 1).min(STEPS));
+            if !scan[i].is_finite() || scan[low] < scan[i] || scan[high] < scan[i] {
+                continue;
+            }
+            let found = minimum(ratio(low), ratio(high), value);
+            for candidate in [(ratio(i), scan[i]), found] {
+                if best.is_none_or(|best| candidate.1 < best.1) {
+                    best = Some(candidate);
+                }
+            }
+        }
+        best
+    }
+}
+
+/// The ratio of a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ratio {
+    /// `l3/l2`.
+    pub mu: f64,
+    /// It is the best in the range studied.
+    pub is_best: bool,
+}
+
+/// One accuracy.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Which of the tasks.
+    pub task: usize,
+    /// Its size over `l2 + l3`.
+    pub size: f64,
+    /// Which of the two contenders.
+    pub contender: usize,
+    /// `l3/l2`; absent where even the best is not one (nothing fits).
+    pub ratio: Option<Ratio>,
+    /// Over `k F (l2 + l3)^2`; absent where the zone does not fit.
+    pub accuracy: Option<f64>,
+}
+
+/// A size at which the better of the two contenders changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Boundary {
+    /// Which of the tasks.
+    pub task: usize,
+    /// `l3/l2` of both; `None`: each at its best ratio.
+    pub mu: Option<f64>,
+    /// The size over `l2 + l3`.
+    pub size: f64,
+    /// The contender that is better just below.
+    pub below: usize,
+}
+
+/// What is studied.
+#[derive(Clone, Debug)]
+pub struct StudyOptions {
+    /// The two that are compared.
+    pub contenders: [Contender; 2],
+    /// Shapes at size 1; sizes scale them.
+    pub tasks: Vec<Task>,
+    /// Sizes over `l2 + l3`.
+    pub sizes: Vec<f64>,
+    /// Ratios `l3/l2` that are tabulated.
+    pub ratios: Vec<f64>,
+    /// Ratios among which the best is sought.
+    pub range: Range,
+}
+
+impl StudyOptions {
+    /// The paper's Table I.
+    ///
+    /// # Panics
+    /// Never: its notation is fixed.
+    pub fn paper() -> Self {
+        let task = |letter: &str| Task { label: letter.into(), ..format!("{letter}:1").parse().expect("a task of the paper") };
+        Self {
+            contenders: Architecture::ALL.map(Contender::equal),
+            tasks: ["A", "B", "C"].map(task).to_vec(),
+            sizes: vec![0.1, 0.3, 0.5, 0.8],
+            ratios: vec![0.8, 1.0, 1.2],
+            range: Range::spanning(0.5, 1.5),
+        }
+    }
+}
+
+/// What a study found.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// What was asked.
+    pub options: StudyOptions,
+    /// Per task, ratio (the best last), size and contender.
+    pub rows: Vec<Row>,
+    /// Per task and ratio, in order of size.
+    pub boundaries: Vec<Boundary>,
+}
+
+/// A study that makes no sense.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StudyError {
+    /// A quantity outside what is meant.
+    #[error("{quantity} is {value}; expected a number from {min} to {max}")]
+    Quantity {
+        /// Which.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Smallest accepted.
+        min: f64,
+        /// Largest accepted.
+        max: f64,
+    },
+    /// Too many rows.
+    #[error("{0} rows; expected at most 1000000")]
+    Size(usize),
+}
+
+/// Compares two architectures over link ratio and task size ([paper], Fig. 4-9 and Table I), without joint limits.
+///
+/// # Errors
+/// Where a ratio, size or compliance is out of range.
+pub fn study(options: &StudyOptions) -> Result<Study, StudyError> {
+    check(options)?;
+    let ratios: Vec<Option<f64>> = options.ratios.iter().copied().map(Some).chain([None]).collect();
+    let mut keys = Vec::new();
+    for task in 0..options.tasks.len() {
+        for &mu in &ratios {
+            for &size in &options.sizes {
+                keys.extend([0, 1].map(|contender| (task, mu, size, contender)));
+            }
+        }
+    }
+    let rows = keys
+        .into_par_iter()
+        .map(|(task, mu, size, contender)| {
+            let zone = options.tasks[task].zone.scaled(size);
+            let found = value(options, contender, zone, mu);
+            let ratio = found.map(|(mu, _)| mu).or(mu).map(|chosen| Ratio { mu: chosen, is_best: mu.is_none() });
+            Row { task, size, contender, ratio, accuracy: found.map(|(_, accuracy)| accuracy) }
+        })
+        .collect();
+    let pairs: Vec<(usize, Option<f64>)> =
+        (0..options.tasks.len()).flat_map(|task| ratios.iter().map(move |&mu| (task, mu))).collect();
+    let boundaries = pairs.into_par_iter().flat_map_iter(|(task, mu)| boundaries(options, task, mu)).collect();
+    Ok(Study { options: options.clone(), rows, boundaries })
+}
+
+/// `(mu, accuracy)` at a ratio, or at the best one.
+fn value(options: &StudyOptions, contender: usize, zone: Zone, mu: Option<f64>) -> Option<(f64, f64)> {
+    let contender = &options.contenders[contender];
+    match mu {
+        Some(mu) => contender.accuracy(zone, mu).map(|accuracy| (mu, accuracy)),
+        None => contender.best_ratio(zone, options.range),
+    }
+}
+
+/// The sizes at which the order changes, by bisection between the steps of a scan, as long as both fit.
+fn boundaries(options: &StudyOptions, task: usize, mu: Option<f64>) -> Vec<Boundary> {
+    const STEPS: usize = 50;
+    // Nothing larger than the circle that the stretched arm sweeps has a place.
+    let shape = options.tasks[task].zone;
+    let widest = shape.stances().into_iter().map(|(depth, half_width)| depth.hypot(half_width)).fold(f64::INFINITY, f64::min);
+    let difference = |size: f64| {
+        let accuracy = |contender| value(options, contender, shape.scaled(size), mu).map(|(_, accuracy)| accuracy);
+        Some(accuracy(0)? - accuracy(1)?)
+    };
+    let size = |i: usize| i as f64 / STEPS as f64 / widest;
+    let scan: Vec<Option<f64>> = (1..=STEPS).map(|i| difference(size(i))).collect();
+    let mut found = Vec::new();
+    for (i, pair) in scan.windows(2).enumerate() {
+        let (Some(before), Some(after)) = (pair[0], pair[1]) else { continue };
+        if before.signum() * after.signum() < 0.0 {
+            let sign = -before.signum();
+            let root = bisect(size(i + 1), size(i + 2), |size| sign * difference(size).unwrap_or(f64::NAN));
+            found.push(Boundary { task, mu, size: root, below: usize::from(0.0 < before) });
+        }
+    }
+    found
+}
+
+fn check(options: &StudyOptions) -> Result<(), StudyError> {
+    let within = |quantity, min: f64, max: f64, values: &mut dyn Iterator<Item = f64>| {
+        for value in values {
+            if !(min <= value && value <= max) {
+                return Err(StudyError::Quantity { quantity, value, min, max });
+            }
+        }
+        Ok(())
+    };
+    within("a link ratio", 0.05, 20.0, &mut options.ratios.iter().copied().chain([options.range.min(), options.range.max()]))?;
+    within("a size over l2 + l3", 1e-4, 10.0, &mut options.sizes.iter().copied())?;
+    within("a joint compliance", 1e-3, 1e3, &mut options.contenders.iter().flat_map(|c| [c.k2, c.k3]))?;
+    let rows = [options.tasks.len(), options.sizes.len(), options.ratios.len() + 1, 2].into_iter().fold(1, usize::saturating_mul);
+    if rows <= 1_000_000 { Ok(()) } else { Err(StudyError::Size(rows)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_boundary_of_task_a_is_where_the_paper_puts_it() {
+        let study = study(&StudyOptions::paper()).unwrap();
+        let best: Vec<&Boundary> = study.boundaries.iter().filter(|b| b.task == 0 && b.mu.is_none()).collect();
+        assert_eq!(best.len(), 1);
+        assert!((best[0].size - 0.549).abs() < 0.0005, "{best:?}");
+        assert_eq!(best[0].below, 0);
+    }
+
+    #[test]
+    fn at_a_boundary_both_are_equal() {
+        let study = study(&StudyOptions::paper()).unwrap();
+        for Boundary { task, mu, size, .. } in &study.boundaries {
+            let zone = study.options.tasks[*task].zone.scaled(*size);
+            let [a, b] = [0, 1].map(|contender| value(&study.options, contender, zone, *mu).unwrap().1);
+            assert!((a - b).abs() <= 1e-9 * a, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_quasi_serial_circle_stands_where_the_hand_calculation_puts_it() {
+        // sigma depends on |t - l2^2 - l3^2| alone, so both ends are equal at R^2 = l2^2 + l3^2 - d^2/4.
+        let (mu, d) = (0.8_f64, 0.3_f64);
+        let (l2, l3) = (1.0 / (1.0 + mu), mu / (1.0 + mu));
+        let centre = (l2 * l2 + l3 * l3 - d * d / 4.0).sqrt();
+        let c = ((centre + d / 2.0).powi(2) - l2 * l2 - l3 * l3) / (2.0 * l2 * l3);
+        let (trace, determinant) = (l2 * l2 + l3 * l3, (l2 * l3).powi(2) * (1.0 - c * c));
+        let expected = f64::midpoint(trace, (trace * trace - 4.0 * determinant).sqrt());
+        let found = Contender::equal(Architecture::QuasiSerial).accuracy(Zone::Circle { diameter: d }, mu).unwrap();
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+    }
+}
