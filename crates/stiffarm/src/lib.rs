@@ -2,6 +2,7 @@
 pub mod catalogue;
 pub mod drive;
 pub mod geometry;
+pub mod ledger;
 pub mod limits;
 pub mod map;
 pub mod place;

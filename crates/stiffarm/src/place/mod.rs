@@ -214,6 +214,12 @@ pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Option<f64> {
     exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance)
 }
 
+/// The largest scale at which a zone fits an arm whose limits are left aside.
+pub fn largest_scale_without_limits(arm: &PlanarArm, zone: Zone) -> f64 {
+    let sigma = arm.radial();
+    exact::largest_scale(Range::spanning(sigma.folded, sigma.stretched), zone)
+}
+
 fn infeasible(arm: &PlanarArm, zone: Zone, options: &PlaceOptions, search: &search::Search) -> Result<Placed, PlaceError> {
     let sides = search.sides();
     let roomiest = sides.iter().max_by(|a, b| a.ring.width().total_cmp(&b.ring.width())).expect("a side");
