@@ -90,22 +90,39 @@ pub fn validate(printed: &Printed) -> Result<Vec<Entry>, LedgerError> {
     let mut add = |source: &'static str, item: &str, cell: &str, printed: &str, computed: Option<f64>| {
         let note = listed.remove(&(source.to_owned(), item.to_owned(), cell.to_owned()));
         let agrees = agrees(printed, computed);
-        entries.push(Entry { source, item: item.into(), cell: cell.into(), printed: printed.into(), computed, agrees, note });
+        entries.push(Entry {
+            source,
+            item: item.into(),
+            cell: cell.into(),
+            printed: printed.into(),
+            computed,
+            agrees,
+            note,
+        });
     };
     for [item, cell, figure] in rows("text.csv", printed.text)? {
-        let computed = text_figure(&robots, &study, &item, &cell)
-            .ok_or_else(|| LedgerError::Unknown { file: "text.csv", item: item.clone(), cell: cell.clone() })?;
+        let computed = text_figure(&robots, &study, &item, &cell).ok_or_else(|| LedgerError::Unknown {
+            file: "text.csv",
+            item: item.clone(),
+            cell: cell.clone(),
+        })?;
         add("text", &item, &cell, &figure, computed);
     }
     for [task, mu, d, architecture, figure] in rows("table1.csv", printed.table_1)? {
         let cell = format!("mu {mu}, d {d}, {architecture}");
-        let computed = table_1(&study, &task, &mu, &d, &architecture)
-            .ok_or_else(|| LedgerError::Unknown { file: "table1.csv", item: task.clone(), cell: cell.clone() })?;
+        let computed = table_1(&study, &task, &mu, &d, &architecture).ok_or_else(|| LedgerError::Unknown {
+            file: "table1.csv",
+            item: task.clone(),
+            cell: cell.clone(),
+        })?;
         add("Table I", &format!("Task {task}"), &cell, &figure, computed);
     }
     for [robot, ratio, radius] in rows("table2.csv", printed.table_2)? {
-        let links = links(&robots, &robot)
-            .ok_or_else(|| LedgerError::Unknown { file: "table2.csv", item: robot.clone(), cell: String::new() })?;
+        let links = links(&robots, &robot).ok_or_else(|| LedgerError::Unknown {
+            file: "table2.csv",
+            item: robot.clone(),
+            cell: String::new(),
+        })?;
         add("Table II", &robot, "l2/l3", &ratio, Some(links.l2 / links.l3));
         add("Table II", &robot, "working radius, m", &radius, Some(links.a1 + links.l2 + links.l3));
     }
@@ -113,9 +130,9 @@ pub fn validate(printed: &Printed) -> Result<Vec<Entry>, LedgerError> {
     for row in rows::<7>("table3.csv", printed.table_3)? {
         for (column, figure) in tasks.iter().zip(&row[1..]) {
             let label = column.replace('_', ":");
-            let computed = find(&robots, &row[0])
-                .map(|robot| deflection_mm(robot, &label))
-                .ok_or_else(|| LedgerError::Unknown { file: "table3.csv", item: row[0].clone(), cell: label.clone() })?;
+            let computed = find(&robots, &row[0]).map(|robot| deflection_mm(robot, &label)).ok_or_else(|| {
+                LedgerError::Unknown { file: "table3.csv", item: row[0].clone(), cell: label.clone() }
+            })?;
             add("Table III", &row[0], &label, figure, computed);
         }
     }

@@ -100,7 +100,10 @@ impl Range {
     /// An angle equal to `x` up to whole turns that lies in the range (within `slack`), if there is one.
     pub fn turn_to(self, x: f64, slack: f64) -> Option<f64> {
         if self.min == f64::NEG_INFINITY {
-            return self.contains(x, slack).then_some(x).or_else(|| Some(x - ((x - self.max) / (2.0 * PI)).ceil() * 2.0 * PI));
+            return self
+                .contains(x, slack)
+                .then_some(x)
+                .or_else(|| Some(x - ((x - self.max) / (2.0 * PI)).ceil() * 2.0 * PI));
         }
         let wide = Self { min: self.min - slack, max: self.max + slack };
         let turned = x + wide.first_period(x, 2.0 * PI) * 2.0 * PI;

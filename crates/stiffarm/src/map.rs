@@ -5,9 +5,10 @@ mod spans;
 use nalgebra::Vector2;
 use rayon::prelude::*;
 
+use crate::limits::Range;
 use crate::place::{PlaceError, check_force};
 use crate::plane::{Elbow, ElbowSide, InvalidArm, PlanarArm, RadialCompliance};
-use spans::RowSpans;
+use spans::{RowSpans, Scratch};
 
 /// More cells than this are refused before memory is taken (800 MB).
 pub const MOST_CELLS: usize = 100_000_000;
@@ -91,7 +92,9 @@ pub enum MapError {
     #[error(transparent)]
     Arm(#[from] PlaceError),
     /// Too many cells, or none.
-    #[error("a map of {columns} x {rows} cells; expected at least 2 x 2 and at most {MOST_CELLS} cells: choose a larger step")]
+    #[error(
+        "a map of {columns} x {rows} cells; expected at least 2 x 2 and at most {MOST_CELLS} cells: choose a larger step"
+    )]
     Size {
         /// Along x.
         columns: usize,
@@ -156,6 +159,33 @@ pub fn map(arm: &PlanarArm, options: &MapOptions) -> Result<Map, MapError> {
     Ok(Map { x: options.x, z: options.z, cells })
 }
 
+/// The upright box, m from the joint-2 axis, outside which the arm reaches nothing: forwards, upwards.
+///
+/// Found on a 256 x 256 grid and widened by one step, so that it holds all of the reached set that a map can show.
+///
+/// # Errors
+/// Where the arm makes no sense.
+pub fn reached_box(arm: &PlanarArm) -> Result<[Range; 2], MapError> {
+    const CELLS: usize = 256;
+    let far = arm.sides()?.iter().map(|side| side.ring.max()).fold(0.0, f64::max);
+    let axis = Axis::between(-far, far, CELLS);
+    let options = MapOptions { x: axis, z: axis, force: 1.0, direction: Direction::Worst, elbow: None };
+    let map = map(arm, &options)?;
+    let reached: Vec<(usize, usize)> = (0..CELLS)
+        .flat_map(|j| {
+            map.row(j).enumerate().filter(|(_, cell)| cell.is_some()).map(move |(i, _)| (i, j)).collect::<Vec<_>>()
+        })
+        .collect();
+    let span = |pick: fn(&(usize, usize)) -> usize| {
+        let (min, max) = (reached.iter().map(pick).min(), reached.iter().map(pick).max());
+        match (min, max) {
+            (Some(min), Some(max)) => Range::spanning(axis.at(min) - axis.step, axis.at(max) + axis.step),
+            _ => Range::spanning(-far, far),
+        }
+    };
+    Ok([span(|cell| cell.0), span(|cell| cell.1)])
+}
+
 /// [`map`] into memory that is there already, row by row; NaN where the arm does not reach.
 ///
 /// # Errors
@@ -209,12 +239,14 @@ fn worst_rows(sigma: &RadialCompliance, spans: &RowSpans, options: &MapOptions, 
     let (a, e) = (sigma.a * force * force, sigma.e * force * force);
     let t0 = sigma.t0;
     let squares: &[f64] = &spans.squares;
+    let mut scratch = Scratch::default();
     pulp::Arch::new().dispatch(|| {
         for (j, row) in cells.chunks_mut(squares.len()).enumerate() {
             let z = options.z.at(first + j);
             let z2 = z * z;
             let mut blank_from = 0;
-            for span in spans.reached(z) {
+            spans.reached(z, &mut scratch);
+            for span in &scratch.spans {
                 row[blank_from..span.start].fill(f64::NAN);
                 for (cell, x2) in row[span.clone()].iter_mut().zip(&squares[span.clone()]) {
                     let t = x2 + z2;
@@ -241,11 +273,15 @@ fn directed_row(
     let force = options.force * Vector2::new(angle.cos(), angle.sin());
     let z = options.z.at(j);
     row.fill(f64::NAN);
+    let mut scratch = Scratch::default();
     for (i, side) in sides.iter().enumerate() {
-        for span in spans.reached_by(i, z) {
-            for column in span {
+        spans.reached_by(i, z, &mut scratch);
+        for span in &scratch.spans {
+            for column in span.clone() {
                 let p = Vector2::new(options.x.at(column), z);
-                let Some(upper) = side.upper_arm(p) else { continue };
+                let Some(upper) = side.upper_arm(p) else {
+                    continue;
+                };
                 let moved = arm.compliance_of_links(upper, p - upper) * force;
                 let deflection = match component {
                     Component::Total => moved.norm(),

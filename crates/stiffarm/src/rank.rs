@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::place::{PlaceError, PlaceOptions, Placed, place_robot};
+use crate::place::{PlaceError, PlaceOptions, Placed, find_robot, place_robot};
 use crate::robot::{Robot, Status};
 use crate::task::Task;
 
@@ -71,6 +71,29 @@ pub struct RankError {
     pub error: PlaceError,
 }
 
+/// Deflection, m, of a zone at each scale for every robot; absent where it has no place. Row by robot, in their order.
+///
+/// # Errors
+/// As [`rank`].
+pub fn curves(
+    robots: &[Robot],
+    shape: &Task,
+    scales: &[f64],
+    options: &PlaceOptions,
+    done: impl Fn() + Sync,
+) -> Result<Vec<Vec<Option<f64>>>, RankError> {
+    let curve = |robot: &Robot| {
+        let values = scales.iter().map(|&scale| {
+            let placement = find_robot(robot, shape.zone.scaled(scale), options);
+            done();
+            Ok(placement?.map(|placement| placement.deflection))
+        });
+        let values: Result<Vec<_>, PlaceError> = values.collect();
+        values.map_err(|error| RankError { robot: robot.name.clone(), task: shape.label.clone(), error })
+    };
+    robots.par_iter().with_max_len(1).map(curve).collect()
+}
+
 /// Places every task on every robot ([paper], section IV) and puts the robots in order.
 ///
 /// `options.within` counts from each robot's base. `done` is called once per cell, from any thread. The order does not
@@ -84,7 +107,8 @@ pub fn rank(
     options: &PlaceOptions,
     done: impl Fn() + Sync,
 ) -> Result<Ranking, RankError> {
-    let pairs: Vec<(&Robot, &Task)> = robots.iter().flat_map(|robot| tasks.iter().map(move |task| (robot, task))).collect();
+    let pairs: Vec<(&Robot, &Task)> =
+        robots.iter().flat_map(|robot| tasks.iter().map(move |task| (robot, task))).collect();
     let cells: Vec<Placed> = pairs
         .par_iter()
         .with_max_len(1)

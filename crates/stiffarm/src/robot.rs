@@ -95,7 +95,9 @@ impl Robot {
     /// `None` where a limit on joint 3 and one on the enclosed angle share no posture.
     pub fn arm_plane(&self) -> Option<ArmPlane> {
         let (geometry, limits, compliance) = match &self.arm {
-            Arm::Planar(arm) => return Some(ArmPlane { arm: arm.clone(), axis_from_base: [0.0; 2] }),
+            Arm::Planar(arm) => {
+                return Some(ArmPlane { arm: arm.clone(), axis_from_base: [0.0; 2] });
+            }
             Arm::SixAxis { geometry, limits, compliance } => (geometry, limits, compliance),
         };
         let enclosed = geometry.elbow(limits.elbow);

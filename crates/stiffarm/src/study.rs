@@ -6,7 +6,7 @@ use crate::drive::Architecture;
 use crate::limits::Range;
 use crate::place::best_without_limits;
 use crate::plane::PlanarArm;
-use crate::root::{bisect, minimum};
+use crate::root::{minimum, root};
 use crate::task::{Task, Zone};
 
 /// An architecture with its joint compliances, in units of a reference compliance `k`.
@@ -36,9 +36,9 @@ impl Contender {
 
     /// The ratio in `ratios` with the best accuracy, and that accuracy.
     ///
-    /// A scan of 201 ratios finds the valleys, golden sections their floors; the paper's mu = 1 is among those scanned.
+    /// A scan of 101 ratios finds the valleys, golden sections their floors; the paper's mu = 1 is among those scanned.
     pub fn best_ratio(&self, zone: Zone, ratios: Range) -> Option<(f64, f64)> {
-        const STEPS: usize = 200;
+        const STEPS: usize = 100;
         let ratio = |i: usize| ratios.min() + ratios.width() * i as f64 / STEPS as f64;
         let value = |mu: f64| self.accuracy(zone, mu).unwrap_or(f64::INFINITY);
         let scan: Vec<f64> = (0..=STEPS).map(|i| value(ratio(i))).collect();
@@ -117,7 +117,8 @@ impl StudyOptions {
     /// # Panics
     /// Never: its notation is fixed.
     pub fn paper() -> Self {
-        let task = |letter: &str| Task { label: letter.into(), ..format!("{letter}:1").parse().expect("a task of the paper") };
+        let task =
+            |letter: &str| Task { label: letter.into(), ..format!("{letter}:1").parse().expect("a task of the paper") };
         Self {
             contenders: Architecture::ALL.map(Contender::equal),
             tasks: ["A", "B", "C"].map(task).to_vec(),
@@ -198,25 +199,27 @@ fn value(options: &StudyOptions, contender: usize, zone: Zone, mu: Option<f64>) 
     }
 }
 
-/// The sizes at which the order changes, by bisection between the steps of a scan, as long as both fit.
+/// The sizes at which the order changes, by root finding between the steps of a scan, as long as both fit.
 fn boundaries(options: &StudyOptions, task: usize, mu: Option<f64>) -> Vec<Boundary> {
     const STEPS: usize = 50;
     // Nothing larger than the circle that the stretched arm sweeps has a place.
     let shape = options.tasks[task].zone;
-    let widest = shape.stances().into_iter().map(|(depth, half_width)| depth.hypot(half_width)).fold(f64::INFINITY, f64::min);
+    let largest = shape.largest_size();
     let difference = |size: f64| {
         let accuracy = |contender| value(options, contender, shape.scaled(size), mu).map(|(_, accuracy)| accuracy);
         Some(accuracy(0)? - accuracy(1)?)
     };
-    let size = |i: usize| i as f64 / STEPS as f64 / widest;
+    let size = |i: usize| largest * i as f64 / STEPS as f64;
     let scan: Vec<Option<f64>> = (1..=STEPS).map(|i| difference(size(i))).collect();
     let mut found = Vec::new();
     for (i, pair) in scan.windows(2).enumerate() {
-        let (Some(before), Some(after)) = (pair[0], pair[1]) else { continue };
+        let (Some(before), Some(after)) = (pair[0], pair[1]) else {
+            continue;
+        };
         if before.signum() * after.signum() < 0.0 {
             let sign = -before.signum();
-            let root = bisect(size(i + 1), size(i + 2), |size| sign * difference(size).unwrap_or(f64::NAN));
-            found.push(Boundary { task, mu, size: root, below: usize::from(0.0 < before) });
+            let size = root(size(i + 1), size(i + 2), |size| sign * difference(size).unwrap_or(f64::NAN));
+            found.push(Boundary { task, mu, size, below: usize::from(0.0 < before) });
         }
     }
     found
@@ -231,10 +234,17 @@ fn check(options: &StudyOptions) -> Result<(), StudyError> {
         }
         Ok(())
     };
-    within("a link ratio", 0.05, 20.0, &mut options.ratios.iter().copied().chain([options.range.min(), options.range.max()]))?;
+    within(
+        "a link ratio",
+        0.05,
+        20.0,
+        &mut options.ratios.iter().copied().chain([options.range.min(), options.range.max()]),
+    )?;
     within("a size over l2 + l3", 1e-4, 10.0, &mut options.sizes.iter().copied())?;
     within("a joint compliance", 1e-3, 1e3, &mut options.contenders.iter().flat_map(|c| [c.k2, c.k3]))?;
-    let rows = [options.tasks.len(), options.sizes.len(), options.ratios.len() + 1, 2].into_iter().fold(1, usize::saturating_mul);
+    let rows = [options.tasks.len(), options.sizes.len(), options.ratios.len() + 1, 2]
+        .into_iter()
+        .fold(1, usize::saturating_mul);
     if rows <= 1_000_000 { Ok(()) } else { Err(StudyError::Size(rows)) }
 }
 

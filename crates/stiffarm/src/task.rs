@@ -40,7 +40,9 @@ pub struct Task {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TaskError {
     /// Not of the form `shape:size`.
-    #[error("task '{text}' is not understood; expected circle:D, rect:AxB, A:d, B:d or C:d with sizes in m, e.g. rect:0.5x1.0")]
+    #[error(
+        "task '{text}' is not understood; expected circle:D, rect:AxB, A:d, B:d or C:d with sizes in m, e.g. rect:0.5x1.0"
+    )]
     Form {
         /// What was given.
         text: String,
@@ -81,6 +83,14 @@ impl Zone {
         }
     }
 
+    /// The lengths that make the shape, m: the diameter twice, or both sides.
+    pub fn sides(self) -> [f64; 2] {
+        match self {
+            Self::Circle { diameter } => [diameter; 2],
+            Self::Rectangle { width, height } => [width, height],
+        }
+    }
+
     /// The figure in its own axes with its centre at `centre`.
     pub(crate) fn shape(self, centre: Vector2<f64>) -> Shape {
         match self {
@@ -101,19 +111,27 @@ impl Zone {
     }
 
     /// How the zone can stand symmetrically about a ray from the joint-2 axis: its depth along the ray and half its
-    /// width across.
-    pub(crate) fn stances(self) -> [(f64, f64); 2] {
-        match self {
-            Self::Circle { diameter } => [(diameter, 0.0); 2],
-            Self::Rectangle { width, height } => [(width, height / 2.0), (height, width / 2.0)],
-        }
+    /// width across; for a rectangle first with the first side along the ray, then across.
+    pub(crate) fn stances(self) -> impl Iterator<Item = (f64, f64)> {
+        let (along, across) = match self {
+            Self::Circle { diameter } => ((diameter, 0.0), None),
+            Self::Rectangle { width, height } => ((width, height / 2.0), Some((height, width / 2.0))),
+        };
+        std::iter::once(along).chain(across)
+    }
+
+    /// The factor by which the zone may grow before not even a fully folding arm of `l2 + l3 = 1` holds it.
+    pub fn largest_size(self) -> f64 {
+        self.stances().map(|(depth, half_width)| 1.0 / depth.hypot(half_width)).fold(0.0, f64::max)
     }
 
     /// The shape with the side lengths in mm, for people.
     pub fn describe(self) -> String {
         match self {
             Self::Circle { diameter } => format!("circle of {:.0} mm", diameter * 1e3),
-            Self::Rectangle { width, height } => format!("{:.0} x {:.0} mm", width * 1e3, height * 1e3),
+            Self::Rectangle { width, height } => {
+                format!("{:.0} x {:.0} mm", width * 1e3, height * 1e3)
+            }
         }
     }
 }
@@ -140,7 +158,8 @@ impl FromStr for Task {
     fn from_str(text: &str) -> Result<Self, TaskError> {
         let form = || TaskError::Form { text: text.into() };
         let side = |size: &str| {
-            let size: f64 = size.trim().parse().map_err(|_| TaskError::Number { text: text.into(), size: size.into() })?;
+            let size: f64 =
+                size.trim().parse().map_err(|_| TaskError::Number { text: text.into(), size: size.into() })?;
             if SIZES.contains(&size) { Ok(size) } else { Err(TaskError::Size { text: text.into(), size }) }
         };
         let (shape, sizes) = text.split_once(':').ok_or_else(form)?;

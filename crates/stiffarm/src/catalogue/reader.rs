@@ -127,7 +127,12 @@ impl<'a, 'i> Table<'a, 'i> {
     }
 
     /// One of several words.
-    pub(super) fn choice<T: Copy>(&mut self, key: &'static str, choices: &[(&str, T)], default: Option<T>) -> Option<T> {
+    pub(super) fn choice<T: Copy>(
+        &mut self,
+        key: &'static str,
+        choices: &[(&str, T)],
+        default: Option<T>,
+    ) -> Option<T> {
         let words: Vec<String> = choices.iter().map(|(word, _)| format!("\"{word}\"")).collect();
         let expected = words.join(" or ");
         let value = if default.is_some() { self.optional(key) } else { self.required(key, &expected) };
@@ -195,13 +200,19 @@ impl<'a, 'i> Table<'a, 'i> {
         if min <= max {
             return Some((min, max));
         }
-        self.log.add(value.span().start, &self.name(key), format!("[{min}, {max}]: the lower end lies above the upper end"));
+        self.log.add(
+            value.span().start,
+            &self.name(key),
+            format!("[{min}, {max}]: the lower end lies above the upper end"),
+        );
         None
     }
 
     /// `[min, max]`; the outer `None` is a fault, the inner an absent key.
     pub(super) fn range(&mut self, key: &'static str, quantity: Quantity) -> Option<Option<(f64, f64)>> {
-        let Some(value) = self.optional(key) else { return Some(None) };
+        let Some(value) = self.optional(key) else {
+            return Some(None);
+        };
         self.pair(key, value, quantity).map(Some)
     }
 

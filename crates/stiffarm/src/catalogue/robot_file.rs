@@ -85,7 +85,16 @@ fn robot(mut root: Table) -> Option<Robot> {
     };
     root.finish(&["geometry", "limits", "compliance", "planar"]);
     let vendor = vendor.unwrap_or_else(|| "-".into());
-    Some(Robot { name: name?, vendor, architecture: architecture?, status: status?, payload_kg, reach, arm: arm?, source })
+    Some(Robot {
+        name: name?,
+        vendor,
+        architecture: architecture?,
+        status: status?,
+        payload_kg,
+        reach,
+        arm: arm?,
+        source,
+    })
 }
 
 fn planar(mut table: Table, architecture: Option<Architecture>) -> Option<PlanarArm> {

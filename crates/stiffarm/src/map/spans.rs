@@ -1,10 +1,12 @@
 //! Which cells of a row does the arm reach? Exactly, and once per stretch instead of once per cell.
 
+use std::f64::consts::PI;
 use std::ops::Range as Span;
 
 use nalgebra::Vector2;
 
 use super::Axis;
+use crate::limits::Range;
 use crate::plane::ElbowSide;
 
 /// The reached stretches of rows of a grid.
@@ -15,64 +17,149 @@ pub(super) struct RowSpans<'a> {
     x: Axis,
     /// The square of every column's x.
     pub(super) squares: Vec<f64>,
-    sides: Vec<(&'a ElbowSide, Vec<(Vector2<f64>, f64)>)>,
+    gates: Vec<Gate<'a>>,
+}
+
+/// Memory that rows share.
+#[derive(Default)]
+pub(super) struct Scratch {
+    crossings: Vec<f64>,
+    of_side: Vec<Span<usize>>,
+    /// Columns found by the last call: disjoint, in order.
+    pub(super) spans: Vec<Span<usize>>,
 }
 
 impl<'a> RowSpans<'a> {
     pub(super) fn new(sides: &'a [ElbowSide], x: Axis) -> Self {
-        Self {
-            x,
-            squares: x.points().iter().map(|x| x * x).collect(),
-            sides: sides.iter().map(|side| (side, side.boundary_circles())).collect(),
+        Self { x, squares: x.points().iter().map(|x| x * x).collect(), gates: sides.iter().map(Gate::new).collect() }
+    }
+
+    /// Finds the columns of the row at height `z` that some side reaches.
+    pub(super) fn reached(&self, z: f64, scratch: &mut Scratch) {
+        scratch.spans.clear();
+        for gate in &self.gates {
+            self.append(gate, z, scratch);
+            scratch.spans.append(&mut scratch.of_side);
+        }
+        if 1 < self.gates.len() {
+            merge(&mut scratch.spans);
         }
     }
 
-    /// Columns of the row at height `z` that some side reaches: disjoint, in order.
-    pub(super) fn reached(&self, z: f64) -> Vec<Span<usize>> {
-        let mut spans: Vec<Span<usize>> = (0..self.sides.len()).flat_map(|i| self.reached_by(i, z)).collect();
-        spans.sort_by_key(|span| span.start);
-        let mut merged: Vec<Span<usize>> = Vec::with_capacity(spans.len());
-        for span in spans {
-            match merged.last_mut() {
-                Some(last) if span.start <= last.end => last.end = last.end.max(span.end),
-                _ => merged.push(span),
-            }
-        }
-        merged
+    /// Finds the columns of the row at height `z` that side `i` reaches.
+    pub(super) fn reached_by(&self, i: usize, z: f64, scratch: &mut Scratch) {
+        self.append(&self.gates[i], z, scratch);
+        scratch.spans.clear();
+        scratch.spans.append(&mut scratch.of_side);
     }
 
-    /// Columns of the row at height `z` that side `i` reaches: disjoint, in order.
-    pub(super) fn reached_by(&self, i: usize, z: f64) -> Vec<Span<usize>> {
-        let (side, circles) = &self.sides[i];
+    fn append(&self, gate: &Gate, z: f64, scratch: &mut Scratch) {
         let half_row = |radius: f64, height: f64| {
             let square = radius * radius - height * height;
             (0.0 <= square).then(|| square.sqrt())
         };
-        let Some(far) = half_row(side.ring.max(), z) else { return Vec::new() };
-        let mut crossings: Vec<f64> = Vec::with_capacity(2 * circles.len());
-        for (centre, radius) in circles {
+        let Some(far) = half_row(gate.side.ring.max(), z) else {
+            return;
+        };
+        let crossings = &mut scratch.crossings;
+        crossings.clear();
+        for (centre, radius) in &gate.circles {
             if let Some(half) = half_row(*radius, z - centre.y) {
                 crossings.extend([centre.x - half, centre.x + half].into_iter().filter(|x| x.abs() <= far));
             }
         }
-        crossings.sort_by(f64::total_cmp);
-        let mut spans: Vec<Span<usize>> = Vec::new();
+        crossings.sort_unstable_by(f64::total_cmp);
         for pair in crossings.windows(2) {
             let span = self.columns(pair[0], pair[1]);
-            if span.is_empty() || !side.reaches(Vector2::new(f64::midpoint(pair[0], pair[1]), z)) {
+            if span.is_empty() || !gate.admits(Vector2::new(f64::midpoint(pair[0], pair[1]), z)) {
                 continue;
             }
-            match spans.last_mut() {
+            match scratch.of_side.last_mut() {
                 Some(last) if last.end == span.start => last.end = span.end,
-                _ => spans.push(span),
+                _ => scratch.of_side.push(span),
             }
         }
-        spans
     }
 
     /// Columns in the half-open stretch `from <= x < to`.
     fn columns(&self, from: f64, to: f64) -> Span<usize> {
         let first = |x: f64| (((x - self.x.start) / self.x.step).ceil().max(0.0) as usize).min(self.x.count);
         first(from)..first(to)
+    }
+}
+
+/// Puts spans in order and joins those that overlap or touch.
+fn merge(spans: &mut Vec<Span<usize>>) {
+    spans.sort_unstable_by_key(|span| span.start);
+    spans.dedup_by(|next, last| {
+        let joined = next.start <= last.end;
+        if joined {
+            last.end = last.end.max(next.end);
+        }
+        joined
+    });
+}
+
+/// Decides whether one side reaches a point, without angles where the limits allow it.
+struct Gate<'a> {
+    side: &'a ElbowSide,
+    circles: Vec<(Vector2<f64>, f64)>,
+    /// The sectors in which upper arm and forearm must point; `None` where whole turns must be counted.
+    sectors: Option<[Sector; 2]>,
+}
+
+impl<'a> Gate<'a> {
+    fn new(side: &'a ElbowSide) -> Self {
+        let sectors = [Sector::new(side.shoulder), Sector::new(side.forearm)];
+        let [Some(upper), Some(forearm)] = sectors else {
+            return Self { side, circles: side.boundary_circles(), sectors: None };
+        };
+        // The forearm a whole turn away from an allowed angle must be out of reach for every allowed shoulder angle.
+        let both = side.shoulder.is_bounded() && side.forearm.is_bounded();
+        let reached = side.shoulder.plus(Range::spanning(0.0, side.elbow.sign() * PI));
+        let alias = |turns: f64| side.forearm.affine(1.0, turns * 2.0 * PI).intersect(reached).is_some();
+        let plain = !both || !(alias(1.0) || alias(-1.0) || alias(2.0) || alias(-2.0));
+        Self { side, circles: side.boundary_circles(), sectors: plain.then_some([upper, forearm]) }
+    }
+
+    fn admits(&self, p: Vector2<f64>) -> bool {
+        let Some([upper_sector, forearm_sector]) = &self.sectors else {
+            return self.side.reaches(p);
+        };
+        self.side.ring.contains(p.norm(), 0.0)
+            && self.side.upper_arm(p).is_some_and(|upper| upper_sector.holds(upper) && forearm_sector.holds(p - upper))
+    }
+}
+
+/// The directions of a range of angles.
+enum Sector {
+    All,
+    /// Between two unit vectors, counter-clockwise, at most half a turn.
+    Narrow(Vector2<f64>, Vector2<f64>),
+    /// The same, more than half a turn.
+    Wide(Vector2<f64>, Vector2<f64>),
+}
+
+impl Sector {
+    /// `None` for a range that is bounded at one end only.
+    fn new(range: Range) -> Option<Self> {
+        let unit = |angle: f64| Vector2::new(angle.cos(), angle.sin());
+        if range.is_all() || 2.0 * PI <= range.width() && range.is_bounded() {
+            Some(Self::All)
+        } else if !range.is_bounded() {
+            None
+        } else if range.width() <= PI {
+            Some(Self::Narrow(unit(range.min()), unit(range.max())))
+        } else {
+            Some(Self::Wide(unit(range.min()), unit(range.max())))
+        }
+    }
+
+    fn holds(&self, v: Vector2<f64>) -> bool {
+        match self {
+            Self::All => true,
+            Self::Narrow(first, last) => 0.0 <= first.perp(&v) && 0.0 <= v.perp(last),
+            Self::Wide(first, last) => 0.0 <= first.perp(&v) || 0.0 <= v.perp(last),
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::limits::Range;
 use crate::plane::RadialCompliance;
-use crate::root::bisect;
+use crate::root::root;
 use crate::task::Zone;
 
 /// A zone standing symmetrically about a ray from the joint-2 axis.
@@ -24,7 +24,6 @@ pub(super) struct Stance {
 pub(super) fn stances(sigma: &RadialCompliance, ring: Range, zone: Zone) -> Vec<Stance> {
     let mut stances: Vec<Stance> = zone
         .stances()
-        .into_iter()
         .zip([false, true])
         .filter_map(|((depth, half_width), across)| {
             let far = |near: f64| (near + depth).hypot(half_width);
@@ -36,7 +35,7 @@ pub(super) fn stances(sigma: &RadialCompliance, ring: Range, zone: Zone) -> Vec<
             } else if worse_outside(nears.max()) <= 0.0 {
                 nears.max()
             } else {
-                bisect(nears.min(), nears.max(), worse_outside)
+                root(nears.min(), nears.max(), worse_outside)
             };
             let compliance = sigma.at(near).max(sigma.at(far(near)));
             Some(Stance { compliance, distance: near + depth / 2.0, across })
@@ -52,7 +51,6 @@ pub(super) fn stances(sigma: &RadialCompliance, ring: Range, zone: Zone) -> Vec<
 pub(super) fn largest_scale(ring: Range, zone: Zone) -> f64 {
     let (near, far) = (ring.min(), ring.max());
     zone.stances()
-        .into_iter()
         .map(|(depth, half_width)| {
             let a = depth * depth + half_width * half_width;
             let b = near * depth;

@@ -7,7 +7,7 @@ use nalgebra::Vector2;
 
 use crate::limits::Range;
 use crate::plane::{Elbow, InvalidArm, PlanarArm};
-use crate::robot::Robot;
+use crate::robot::{ArmPlane, Robot};
 use crate::task::Zone;
 
 /// Which angles of a rectangle are tried.
@@ -103,7 +103,9 @@ impl std::fmt::Display for Misfit {
                 f,
                 "does not fit the reachable set: too long for any orientation between the nearest ({near:.3} m) and the farthest ({far:.3} m) distance from the joint-2 axis"
             ),
-            Self::Limits => f.write_str("does not fit the reachable set: the joint limits leave no place for it without a change of posture"),
+            Self::Limits => f.write_str(
+                "does not fit the reachable set: the joint limits leave no place for it without a change of posture",
+            ),
             Self::Within => f.write_str("does not fit where it may stand: no allowed place is reachable as a whole"),
         }
     }
@@ -145,9 +147,12 @@ pub enum PlaceError {
     /// Gap outside `1e-9..=0.5`.
     #[error("a gap of {0}; expected 1e-9 to 0.5 (relative)")]
     Gap(f64),
-    /// An angle that is not finite.
-    #[error("an angle of {0} rad; expected a finite number")]
+    /// An angle that is not a sensible number.
+    #[error("an angle of {0} rad; expected a number from -1000 to 1000")]
     Angle(f64),
+    /// A side of the zone that is not a sensible number.
+    #[error("a zone with a side of {0} m; expected 1e-9 to 1000 m")]
+    Side(f64),
     /// The search grew too large.
     #[error("the search stopped after {nodes} boxes between {lower:e} and {upper:e} m; ask for a larger gap")]
     Unfinished {
@@ -178,15 +183,7 @@ pub fn check_force(force: f64) -> Result<(), PlaceError> {
 /// # Errors
 /// Where an argument makes no sense, or the search does not end.
 pub fn place(arm: &PlanarArm, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    check_force(options.force)?;
-    if !(1e-9..=0.5).contains(&options.gap) {
-        return Err(PlaceError::Gap(options.gap));
-    }
-    if let Orientation::Fixed(angle) = options.orientation
-        && !angle.is_finite()
-    {
-        return Err(PlaceError::Angle(angle));
-    }
+    check(zone, options)?;
     let sides = arm.sides()?;
     let search = search::Search::new(arm, &sides, options);
     match search.best(zone)? {
@@ -195,14 +192,54 @@ pub fn place(arm: &PlanarArm, zone: Zone, options: &PlaceOptions) -> Result<Plac
     }
 }
 
+/// [`place`] without a word about why a zone has no place, which costs more than finding out that it has none.
+///
+/// # Errors
+/// As [`place`].
+pub fn find(arm: &PlanarArm, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
+    check(zone, options)?;
+    let sides = arm.sides()?;
+    search::Search::new(arm, &sides, options).best(zone)
+}
+
+fn check(zone: Zone, options: &PlaceOptions) -> Result<(), PlaceError> {
+    check_force(options.force)?;
+    if !(1e-9..=0.5).contains(&options.gap) {
+        return Err(PlaceError::Gap(options.gap));
+    }
+    if let Orientation::Fixed(angle) = options.orientation
+        && !(angle.abs() <= 1e3)
+    {
+        return Err(PlaceError::Angle(angle));
+    }
+    match zone.sides().into_iter().find(|side| !(1e-9 <= *side && *side <= 1e3)) {
+        Some(side) => Err(PlaceError::Side(side)),
+        None => Ok(()),
+    }
+}
+
 /// [`place`] for a robot: `options.within` counts from its base, the answer from its joint-2 axis.
 ///
 /// # Errors
 /// As [`place`].
 pub fn place_robot(robot: &Robot, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    let plane = robot.arm_plane().ok_or(InvalidArm::NothingReachable)?;
-    let options = PlaceOptions { within: options.within.seen_from(plane.axis_from_base), ..*options };
+    let (plane, options) = plane_and_options(robot, options)?;
     place(&plane.arm, zone, &options)
+}
+
+/// [`find`] for a robot, as [`place_robot`].
+///
+/// # Errors
+/// As [`place`].
+pub fn find_robot(robot: &Robot, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
+    let (plane, options) = plane_and_options(robot, options)?;
+    find(&plane.arm, zone, &options)
+}
+
+fn plane_and_options(robot: &Robot, options: &PlaceOptions) -> Result<(ArmPlane, PlaceOptions), PlaceError> {
+    let plane = robot.arm_plane().ok_or(InvalidArm::NothingReachable)?;
+    let within = options.within.seen_from(plane.axis_from_base);
+    Ok((plane, PlaceOptions { within, ..*options }))
 }
 
 /// The value of the best place, m/N, of a zone for an arm whose limits are left aside; `None` where it does not fit.
@@ -220,7 +257,12 @@ pub fn largest_scale_without_limits(arm: &PlanarArm, zone: Zone) -> f64 {
     exact::largest_scale(Range::spanning(sigma.folded, sigma.stretched), zone)
 }
 
-fn infeasible(arm: &PlanarArm, zone: Zone, options: &PlaceOptions, search: &search::Search) -> Result<Placed, PlaceError> {
+fn infeasible(
+    arm: &PlanarArm,
+    zone: Zone,
+    options: &PlaceOptions,
+    search: &search::Search,
+) -> Result<Placed, PlaceError> {
     let sides = search.sides();
     let roomiest = sides.iter().max_by(|a, b| a.ring.width().total_cmp(&b.ring.width())).expect("a side");
     let fits = sides.iter().map(|side| exact::largest_scale(side.ring, zone)).fold(0.0, f64::max);
@@ -235,7 +277,11 @@ fn infeasible(arm: &PlanarArm, zone: Zone, options: &PlaceOptions, search: &sear
     // Zones of one shape nest about a common centre, so what fits is monotone in the scale.
     let (mut fit, mut misfit) = (0.0, fits.min(1.0));
     while 1e-4 * misfit < misfit - fit {
-        let scale = if fit == 0.0 && misfit < 1e-4 { break } else { f64::midpoint(fit, misfit) };
+        let scale = if fit == 0.0 && misfit < 1e-4 {
+            break;
+        } else {
+            f64::midpoint(fit, misfit)
+        };
         if search.has_place(zone.scaled(scale))? {
             fit = scale;
         } else {

@@ -129,7 +129,9 @@ impl<'a> Search<'a> {
         let mut queue = BinaryHeap::new();
         for (i, side) in self.sides.iter().enumerate() {
             let stances = exact::stances(&self.sigma, side.ring, zone);
-            let Some(first) = stances.first() else { continue };
+            let Some(first) = stances.first() else {
+                continue;
+            };
             for node in self.roots(zone, i, first.compliance * (1.0 - ROUNDING)) {
                 for stance in &stances {
                     let unit = if stance.across { Vector2::y() } else { Vector2::x() };
@@ -155,11 +157,17 @@ impl<'a> Search<'a> {
         let free = self.options.within == Within::ANYWHERE;
         let turns = |first: f64, last: f64| Range::spanning(first, last);
         let boxes: Vec<(Range, Range, Range)> = match (zone, self.options.orientation) {
-            (Zone::Circle { .. }, _) if free => vec![(half, Range::point(0.0), turns(0.0, 2.0 * PI))],
+            (Zone::Circle { .. }, _) if free => {
+                vec![(half, Range::point(0.0), turns(0.0, 2.0 * PI))]
+            }
             (Zone::Circle { .. }, _) => vec![(across, across, turns(0.0, 0.0))],
-            (Zone::Rectangle { .. }, Orientation::Free) if free => vec![(half, across, turns(0.0, 2.0 * PI))],
+            (Zone::Rectangle { .. }, Orientation::Free) if free => {
+                vec![(half, across, turns(0.0, 2.0 * PI))]
+            }
             (Zone::Rectangle { .. }, Orientation::Free) => vec![(across, across, turns(0.0, PI))],
-            (Zone::Rectangle { .. }, Orientation::Fixed(angle)) => vec![(across, across, turns(angle, angle))],
+            (Zone::Rectangle { .. }, Orientation::Fixed(angle)) => {
+                vec![(across, across, turns(angle, angle))]
+            }
             (Zone::Rectangle { width, height }, Orientation::Axes) => {
                 let count = if width == height { 1 } else { 2 };
                 let both = [(across, across, turns(0.0, 0.0)), (across, across, turns(FRAC_PI_2, FRAC_PI_2))];
@@ -280,9 +288,8 @@ impl<'a> Search<'a> {
         let (cos, sin) = (cosine_over(node.turn), cosine_over(node.turn.affine(1.0, -FRAC_PI_2)));
         let slack = BOX_SLACK * self.arm.l2;
         let half = least_half_extents(zone, node.turn);
-        let may = |range: Range, c: Range, h: f64| {
-            range.min() - slack <= c.max() - h && c.min() + h <= range.max() + slack
-        };
+        let may =
+            |range: Range, c: Range, h: f64| range.min() - slack <= c.max() - h && c.min() + h <= range.max() + slack;
         let centre_x = product(node.u, cos).plus(product(node.v, sin).affine(-1.0, 0.0));
         let centre_z = product(node.u, sin).plus(product(node.v, cos));
         may(x, centre_x, half.x) && may(z, centre_z, half.y)
@@ -316,9 +323,11 @@ impl<'a> Search<'a> {
         let (near, far) = (shape.nearest(), shape.farthest());
         let worst = if self.sigma.at(near.norm()) <= self.sigma.at(far.norm()) { far } else { near };
         let side = &self.sides[found.side];
-        let worst = turned(worst, found.turn);
+        // A quarter turn leaves a trace of rounding in what is zero.
+        let clean = |v: Vector2<f64>| v.map(|x| if x.abs() < 1e-12 { 0.0 } else { x });
+        let worst = clean(turned(worst, found.turn));
         let (shoulder, elbow) = side.posture(worst).unwrap_or_else(|| side.posture_near(worst));
-        let centre = turned(found.centre, found.turn);
+        let centre = clean(turned(found.centre, found.turn));
         let angle = match zone {
             Zone::Circle { .. } => 0.0,
             Zone::Rectangle { .. } => found.turn.rem_euclid(PI),
@@ -393,9 +402,9 @@ fn meets(allowed: Range, turn: Range) -> bool {
 /// The turn in `allowed` (up to whole turns) that comes nearest to `wished`.
 fn straight_ahead(allowed: Range, wished: f64) -> f64 {
     let away = |x: f64| ((x - wished + PI).rem_euclid(2.0 * PI) - PI).abs();
-    allowed.turn_to(wished, 0.0).unwrap_or_else(|| {
-        if away(allowed.min()) <= away(allowed.max()) { allowed.min() } else { allowed.max() }
-    })
+    allowed
+        .turn_to(wished, 0.0)
+        .unwrap_or_else(|| if away(allowed.min()) <= away(allowed.max()) { allowed.min() } else { allowed.max() })
 }
 
 /// The range of the cosine over a range of angles.
@@ -422,8 +431,6 @@ fn least_half_extents(zone: Zone, turn: Range) -> Vector2<f64> {
     let (cos, sin) = (least(cosine_over(turn)), least(cosine_over(turn.affine(1.0, -FRAC_PI_2))));
     match zone {
         Zone::Circle { diameter } => Vector2::repeat(diameter / 2.0),
-        Zone::Rectangle { width, height } => {
-            Vector2::new(width * cos + height * sin, width * sin + height * cos) / 2.0
-        }
+        Zone::Rectangle { width, height } => Vector2::new(width * cos + height * sin, width * sin + height * cos) / 2.0,
     }
 }

@@ -115,7 +115,11 @@ mod tests {
                 let elbow = PI * f64::from(i) / 60.0;
                 let (worst, _) = arm.worst_direction(0.7, elbow);
                 let r = arm.forward(0.7, elbow).norm();
-                assert!((sigma.at(r) - worst).abs() <= 1e-12 * worst, "{arm:?} at elbow {elbow}: {} {worst}", sigma.at(r));
+                assert!(
+                    (sigma.at(r) - worst).abs() <= 1e-12 * worst,
+                    "{arm:?} at elbow {elbow}: {} {worst}",
+                    sigma.at(r)
+                );
             }
         }
     }

@@ -26,7 +26,7 @@ impl Elbow {
     }
 
     /// The sign of the elbow angle.
-    const fn sign(self) -> f64 {
+    pub(crate) const fn sign(self) -> f64 {
         match self {
             Self::Up => -1.0,
             Self::Down => 1.0,
@@ -67,7 +67,9 @@ impl ElbowSide {
         } else {
             Range::spanning(-PI, PI)
         };
-        let Some(elbow) = arm.elbow.intersect(implied).filter(|range| range.is_bounded()) else { return Vec::new() };
+        let Some(elbow) = arm.elbow.intersect(implied).filter(|range| range.is_bounded()) else {
+            return Vec::new();
+        };
         let first = (elbow.min() / PI).floor() as i64;
         let last = (elbow.max() / PI).ceil() as i64;
         let mut sides: Vec<Self> = (first..last).filter_map(|half_turn| Self::within(arm, elbow, half_turn)).collect();
