@@ -64,6 +64,9 @@ pub enum LedgerError {
         /// What is wrong.
         message: String,
     },
+    /// The paper's study cannot be made.
+    #[error(transparent)]
+    Study(#[from] crate::study::StudyError),
     /// A row names what the ledger cannot compute.
     #[error("{file}: '{item}', '{cell}' is not known")]
     Unknown {
@@ -84,7 +87,7 @@ type Key = (String, String, String);
 /// Where a text is not a table of the expected columns, or lists a disagreement that is not printed anywhere.
 pub fn validate(printed: &Printed) -> Result<Vec<Entry>, LedgerError> {
     let robots = paper_robots();
-    let study = study(&StudyOptions::paper()).expect("the paper's own study");
+    let study = study(&StudyOptions::paper())?;
     let mut listed = listed(printed)?;
     let mut entries = Vec::new();
     let mut add = |source: &'static str, item: &str, cell: &str, printed: &str, computed: Option<f64>| {

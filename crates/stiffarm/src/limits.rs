@@ -83,11 +83,13 @@ impl Range {
     ///
     /// # Panics
     /// Where `a` is zero and the range unbounded.
+    #[must_use]
     pub fn affine(self, a: f64, b: f64) -> Self {
         Self::spanning(a * self.min + b, a * self.max + b)
     }
 
     /// The sum of two independent values.
+    #[must_use]
     pub fn plus(self, other: Self) -> Self {
         Self { min: self.min + other.min, max: self.max + other.max }
     }

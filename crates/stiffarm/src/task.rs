@@ -99,8 +99,8 @@ impl Zone {
         }
     }
 
-    /// Half the width and height of the upright box around the zone turned by `angle`.
-    pub(crate) fn half_extents(self, angle: f64) -> Vector2<f64> {
+    /// Half the width and height, m, of the upright box around the zone turned by `angle`, rad.
+    pub fn half_extents(self, angle: f64) -> Vector2<f64> {
         match self {
             Self::Circle { diameter } => Vector2::repeat(diameter / 2.0),
             Self::Rectangle { width, height } => {

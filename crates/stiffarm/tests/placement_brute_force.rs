@@ -26,12 +26,7 @@ struct Trial {
 /// The outline of a zone, in order, and the points nearest to and farthest from the axis.
 fn outline(zone: Zone, trial: Trial, grown: f64) -> Vec<[f64; 2]> {
     let (s, c) = trial.angle.sin_cos();
-    let place = |x: f64, z: f64| {
-        [
-            trial.centre[0] + c * x - s * z,
-            trial.centre[1] + s * x + c * z,
-        ]
-    };
+    let place = |x: f64, z: f64| [trial.centre[0] + c * x - s * z, trial.centre[1] + s * x + c * z];
     let mut points = Vec::new();
     match zone {
         Zone::Circle { diameter } => {
@@ -39,32 +34,21 @@ fn outline(zone: Zone, trial: Trial, grown: f64) -> Vec<[f64; 2]> {
             let away = trial.centre[1].atan2(trial.centre[0]);
             for i in 0..4 * SAMPLES {
                 let angle = away + 2.0 * PI * i as f64 / (4 * SAMPLES) as f64;
-                points.push([
-                    trial.centre[0] + radius * angle.cos(),
-                    trial.centre[1] + radius * angle.sin(),
-                ]);
+                points.push([trial.centre[0] + radius * angle.cos(), trial.centre[1] + radius * angle.sin()]);
             }
         }
         Zone::Rectangle { width, height } => {
             let (a, b) = (grown * width / 2.0, grown * height / 2.0);
             let corners = [(a, b), (-a, b), (-a, -b), (a, -b), (a, b)];
-            let axis = [
-                -(c * trial.centre[0] + s * trial.centre[1]),
-                -(-s * trial.centre[0] + c * trial.centre[1]),
-            ];
+            let axis = [-(c * trial.centre[0] + s * trial.centre[1]), -(-s * trial.centre[0] + c * trial.centre[1])];
             for pair in corners.windows(2) {
                 let ((x0, z0), (x1, z1)) = (pair[0], pair[1]);
                 let length = (x1 - x0).hypot(z1 - z0);
-                let foot =
-                    ((axis[0] - x0) * (x1 - x0) + (axis[1] - z0) * (z1 - z0)) / (length * length);
+                let foot = ((axis[0] - x0) * (x1 - x0) + (axis[1] - z0) * (z1 - z0)) / (length * length);
                 let mut steps: Vec<f64> = (0..SAMPLES).map(|i| i as f64 / SAMPLES as f64).collect();
                 steps.push(foot.clamp(0.0, 1.0));
                 steps.sort_by(f64::total_cmp);
-                points.extend(
-                    steps
-                        .into_iter()
-                        .map(|t| place(x0 + t * (x1 - x0), z0 + t * (z1 - z0))),
-                );
+                points.extend(steps.into_iter().map(|t| place(x0 + t * (x1 - x0), z0 + t * (z1 - z0))));
             }
         }
     }
@@ -75,24 +59,15 @@ fn outline(zone: Zone, trial: Trial, grown: f64) -> Vec<[f64; 2]> {
 fn worst(arm: &PlanarArm, shoulder: f64, elbow: f64) -> f64 {
     let forearm = shoulder + elbow;
     // d p / d shoulder, d p / d elbow
-    let jx = [
-        -arm.l2 * shoulder.sin() - arm.l3 * forearm.sin(),
-        -arm.l3 * forearm.sin(),
-    ];
-    let jz = [
-        arm.l2 * shoulder.cos() + arm.l3 * forearm.cos(),
-        arm.l3 * forearm.cos(),
-    ];
+    let jx = [-arm.l2 * shoulder.sin() - arm.l3 * forearm.sin(), -arm.l3 * forearm.sin()];
+    let jz = [arm.l2 * shoulder.cos() + arm.l3 * forearm.cos(), arm.l3 * forearm.cos()];
     // A k A^T, written out
     let k = match arm.architecture {
         Architecture::Serial => [[arm.k2, 0.0], [0.0, arm.k3]],
         Architecture::QuasiSerial => [[arm.k2, -arm.k2], [-arm.k2, arm.k2 + arm.k3]],
     };
-    let form = |a: [f64; 2], b: [f64; 2]| {
-        (0..2)
-            .map(|i| (0..2).map(|j| a[i] * k[i][j] * b[j]).sum::<f64>())
-            .sum::<f64>()
-    };
+    let form =
+        |a: [f64; 2], b: [f64; 2]| (0..2).map(|i| (0..2).map(|j| a[i] * k[i][j] * b[j]).sum::<f64>()).sum::<f64>();
     let (xx, zz, xz) = (form(jx, jx), form(jz, jz), form(jx, jz));
     f64::midpoint(xx, zz) + ((xx - zz) / 2.0).hypot(xz)
 }
@@ -112,9 +87,7 @@ fn brute(arm: &PlanarArm, points: &[[f64; 2]], slack: f64) -> Option<f64> {
             }
             let here = p[1].atan2(p[0]);
             bearing += (here - bearing + PI).rem_euclid(2.0 * PI) - PI;
-            let inner = ((r * r + arm.l2.powi(2) - arm.l3.powi(2)) / (2.0 * r * arm.l2))
-                .clamp(-1.0, 1.0)
-                .acos();
+            let inner = ((r * r + arm.l2.powi(2) - arm.l3.powi(2)) / (2.0 * r * arm.l2)).clamp(-1.0, 1.0).acos();
             postures.push((bearing - side * inner, side * c.clamp(-1.0, 1.0).acos()));
         }
         // The outline must come back to its first bearing: else the axis is inside.
@@ -130,11 +103,7 @@ fn brute(arm: &PlanarArm, points: &[[f64; 2]], slack: f64) -> Option<f64> {
         }
         let turn = |n: i32| 2.0 * PI * f64::from(n);
         let turns = |range: Range| {
-            if arm.forearm.is_all() {
-                free_turns(range)
-            } else {
-                -3..=3
-            }
+            if arm.forearm.is_all() { free_turns(range) } else { -3..=3 }
         };
         for i in turns(arm.shoulder) {
             for j in turns(arm.elbow) {
@@ -144,9 +113,7 @@ fn brute(arm: &PlanarArm, points: &[[f64; 2]], slack: f64) -> Option<f64> {
                         && arm.forearm.contains(shoulder + elbow + turn(i + j), slack)
                 });
                 if ok {
-                    let values = postures
-                        .iter()
-                        .map(|&(shoulder, elbow)| worst(arm, shoulder, elbow));
+                    let values = postures.iter().map(|&(shoulder, elbow)| worst(arm, shoulder, elbow));
                     return Some(values.fold(0.0, f64::max));
                 }
             }
@@ -169,11 +136,7 @@ fn random_arm(rng: &mut fastrand::Rng) -> PlanarArm {
         l2: 0.5 + rng.f64(),
         l3: 0.5 + rng.f64(),
         k2: 1e-6 * (0.3 + 2.0 * rng.f64()),
-        k3: if rng.bool() {
-            1e-6
-        } else {
-            1e-6 * (0.3 + 2.0 * rng.f64())
-        },
+        k3: if rng.bool() { 1e-6 } else { 1e-6 * (0.3 + 2.0 * rng.f64()) },
         architecture: rng.choice(Architecture::ALL).unwrap(),
         shoulder: random_range(rng, 0.6, 1.2, 2.0),
         elbow: random_range(rng, 0.5, -1.2, 3.0),
@@ -184,21 +147,10 @@ fn random_arm(rng: &mut fastrand::Rng) -> PlanarArm {
 fn random_zone(rng: &mut fastrand::Rng, reach: f64) -> Zone {
     let size = reach * 0.4 * rng.f64().powi(2) + 0.01;
     match rng.u8(0..4) {
-        0 => Zone::Circle {
-            diameter: 2.0 * size,
-        },
-        1 => Zone::Rectangle {
-            width: size,
-            height: 2.0 * size,
-        },
-        2 => Zone::Rectangle {
-            width: size / 2.0,
-            height: 5.0 * size / 2.0,
-        },
-        _ => Zone::Rectangle {
-            width: size,
-            height: size * (0.3 + rng.f64()),
-        },
+        0 => Zone::Circle { diameter: 2.0 * size },
+        1 => Zone::Rectangle { width: size, height: 2.0 * size },
+        2 => Zone::Rectangle { width: size / 2.0, height: 5.0 * size / 2.0 },
+        _ => Zone::Rectangle { width: size, height: size * (0.3 + rng.f64()) },
     }
 }
 
@@ -214,12 +166,7 @@ fn options(rng: &mut fastrand::Rng, reach: f64, gap: f64) -> PlaceOptions {
         within.x = Range::new(reach * (rng.f64() - 0.4), reach * 2.0).unwrap();
         within.z = Range::new(low, low + reach * (0.4 + rng.f64())).unwrap();
     }
-    PlaceOptions {
-        force: FORCE,
-        orientation,
-        within,
-        gap,
-    }
+    PlaceOptions { force: FORCE, orientation, within, gap }
 }
 
 /// The trial stands, all of it, where it may.
@@ -231,20 +178,12 @@ fn stands_within(zone: Zone, trial: Trial, within: Within) -> bool {
             .map(|(dx, dz)| [x + dx * diameter / 2.0, z + dz * diameter / 2.0])
             .to_vec();
     }
-    points
-        .iter()
-        .all(|p| within.x.contains(p[0], 1e-9) && within.z.contains(p[1], 1e-9))
+    points.iter().all(|p| within.x.contains(p[0], 1e-9) && within.z.contains(p[1], 1e-9))
 }
 
 fn random_trial(rng: &mut fastrand::Rng, reach: f64, orientation: Orientation) -> Trial {
-    let centre = [
-        reach * (2.0 * rng.f64() - 1.0),
-        reach * (2.0 * rng.f64() - 1.0),
-    ];
-    Trial {
-        centre,
-        angle: random_angle(rng, orientation),
-    }
+    let centre = [reach * (2.0 * rng.f64() - 1.0), reach * (2.0 * rng.f64() - 1.0)];
+    Trial { centre, angle: random_angle(rng, orientation) }
 }
 
 fn random_angle(rng: &mut fastrand::Rng, orientation: Orientation) -> f64 {
@@ -268,11 +207,7 @@ fn no_placement_beats_the_answer_or_lies_under_its_bound() {
         let answer = match place(&arm, zone, &options) {
             Ok(answer) => answer,
             Err(error) => {
-                assert_eq!(
-                    error.to_string(),
-                    InvalidArm::NothingReachable.to_string(),
-                    "{case}"
-                );
+                assert_eq!(error.to_string(), InvalidArm::NothingReachable.to_string(), "{case}");
                 nothing += 1;
                 continue;
             }
@@ -286,11 +221,8 @@ fn no_placement_beats_the_answer_or_lies_under_its_bound() {
                         let step = reach * 0.3 * 10_f64.powf(-5.0 * rng.f64());
                         let mut nudge = || step * (2.0 * rng.f64() - 1.0);
                         let centre = [best.centre[0] + nudge(), best.centre[1] + nudge()];
-                        let angle = if options.orientation == Orientation::Free {
-                            best.angle + nudge()
-                        } else {
-                            best.angle
-                        };
+                        let angle =
+                            if options.orientation == Orientation::Free { best.angle + nudge() } else { best.angle };
                         Trial { centre, angle }
                     }
                     _ => random_trial(&mut rng, reach, options.orientation),
@@ -302,13 +234,9 @@ fn no_placement_beats_the_answer_or_lies_under_its_bound() {
                 if brute(&arm, &outline(zone, trial, grown), 0.0).is_some() {
                     let value = brute(&arm, &outline(zone, trial, 1.0), 1e-12);
                     compared += 1;
-                    let value = value.unwrap_or_else(|| {
-                        panic!("{case}: the grown zone fits, the zone does not: {trial:?}")
-                    });
-                    assert!(
-                        floor <= value * FORCE * (1.0 + 1e-9),
-                        "{case}: {trial:?} has {value}, floor {floor}"
-                    );
+                    let value =
+                        value.unwrap_or_else(|| panic!("{case}: the grown zone fits, the zone does not: {trial:?}"));
+                    assert!(floor <= value * FORCE * (1.0 + 1e-9), "{case}: {trial:?} has {value}, floor {floor}");
                 }
             }
         };
@@ -316,28 +244,14 @@ fn no_placement_beats_the_answer_or_lies_under_its_bound() {
             Placed::Feasible(best) => {
                 feasible += 1;
                 assert!(best.lower_bound <= best.deflection, "{case}");
-                assert!(
-                    best.deflection - best.lower_bound <= 1e-4 * best.deflection,
-                    "{case}: {best:?}"
-                );
-                searched +=
-                    usize::from(1e-9 * best.deflection < best.deflection - best.lower_bound);
-                let trial = Trial {
-                    centre: best.centre,
-                    angle: best.angle,
-                };
-                let value = brute(&arm, &outline(zone, trial, 1.0), 1e-6).unwrap_or_else(|| {
-                    panic!("{case}: the witness calls the answer unreachable: {best:?}")
-                });
+                assert!(best.deflection - best.lower_bound <= 1e-4 * best.deflection, "{case}: {best:?}");
+                searched += usize::from(1e-9 * best.deflection < best.deflection - best.lower_bound);
+                let trial = Trial { centre: best.centre, angle: best.angle };
+                let value = brute(&arm, &outline(zone, trial, 1.0), 1e-6)
+                    .unwrap_or_else(|| panic!("{case}: the witness calls the answer unreachable: {best:?}"));
                 // The worst point is among the samples, or where the witness takes another elbow side just as good.
-                assert!(
-                    (value * FORCE - best.deflection).abs() <= 1e-6 * best.deflection,
-                    "{case}: {value} {best:?}"
-                );
-                assert!(
-                    stands_within(zone, trial, options.within),
-                    "{case}: {best:?}"
-                );
+                assert!((value * FORCE - best.deflection).abs() <= 1e-6 * best.deflection, "{case}: {value} {best:?}");
+                assert!(stands_within(zone, trial, options.within), "{case}: {best:?}");
                 try_all(best.lower_bound, Some(trial));
             }
             Placed::Infeasible { largest_scale, .. } => {
@@ -345,10 +259,7 @@ fn no_placement_beats_the_answer_or_lies_under_its_bound() {
                 try_all(f64::INFINITY, None);
                 if 0.0 < *largest_scale {
                     let smaller = place(&arm, zone.scaled(*largest_scale), &options).unwrap();
-                    assert!(
-                        smaller.feasible().is_some(),
-                        "{case}: scale {largest_scale}"
-                    );
+                    assert!(smaller.feasible().is_some(), "{case}: scale {largest_scale}");
                     let larger = place(&arm, zone.scaled(largest_scale * 1.001), &options).unwrap();
                     assert!(
                         larger.feasible().is_none() || 1.0 <= largest_scale * 1.001,
@@ -361,12 +272,6 @@ fn no_placement_beats_the_answer_or_lies_under_its_bound() {
     println!(
         "{feasible} feasible ({searched} searched), {infeasible} infeasible, {nothing} with nothing reachable, {compared} placements compared"
     );
-    assert!(
-        2000 <= feasible + infeasible,
-        "too few cases: {feasible} + {infeasible}"
-    );
-    assert!(
-        200 <= searched && 200 <= infeasible && 20_000 <= compared,
-        "the cases do not exercise the search"
-    );
+    assert!(2000 <= feasible + infeasible, "too few cases: {feasible} + {infeasible}");
+    assert!(200 <= searched && 200 <= infeasible && 20_000 <= compared, "the cases do not exercise the search");
 }

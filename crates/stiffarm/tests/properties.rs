@@ -20,18 +20,12 @@ const GAP: f64 = 1e-3;
 const ROUNDING: f64 = 1e-12;
 
 fn fixed(cases: u32, seed: u64) -> Config {
-    Config {
-        cases,
-        failure_persistence: None,
-        rng_seed: RngSeed::Fixed(seed),
-        ..Config::default()
-    }
+    Config { cases, failure_persistence: None, rng_seed: RngSeed::Fixed(seed), ..Config::default() }
 }
 
 fn limit(centre: f64) -> impl Strategy<Value = Range> {
-    let some = (-1.0..1.0, 0.2..1.8).prop_map(move |(shift, half)| {
-        Range::spanning(centre + shift - half, centre + shift + half)
-    });
+    let some = (-1.0..1.0, 0.2..1.8)
+        .prop_map(move |(shift, half)| Range::spanning(centre + shift - half, centre + shift + half));
     prop_oneof![2 => Just(Range::ALL), 3 => some]
 }
 
@@ -43,12 +37,7 @@ fn free_arms() -> impl Strategy<Value = PlanarArm> {
 
 fn arms() -> impl Strategy<Value = PlanarArm> {
     (free_arms(), limit(1.2), limit(-1.4), limit(-0.2))
-        .prop_map(|(arm, shoulder, elbow, forearm)| PlanarArm {
-            shoulder,
-            elbow,
-            forearm,
-            ..arm
-        })
+        .prop_map(|(arm, shoulder, elbow, forearm)| PlanarArm { shoulder, elbow, forearm, ..arm })
         .prop_filter("limits that leave something", |arm| arm.sides().is_ok())
 }
 
@@ -61,20 +50,13 @@ fn zones() -> impl Strategy<Value = Zone> {
 }
 
 fn withins() -> impl Strategy<Value = Within> {
-    let some = (-1.0..1.0, 0.5..2.0, -1.5..0.5, 0.5..2.0).prop_map(|(x, dx, z, dz)| Within {
-        x: Range::spanning(x, x + dx),
-        z: Range::spanning(z, z + dz),
-    });
+    let some = (-1.0..1.0, 0.5..2.0, -1.5..0.5, 0.5..2.0)
+        .prop_map(|(x, dx, z, dz)| Within { x: Range::spanning(x, x + dx), z: Range::spanning(z, z + dz) });
     prop_oneof![2 => Just(Within::ANYWHERE), 1 => some]
 }
 
 fn asked(within: Within) -> PlaceOptions {
-    PlaceOptions {
-        force: FORCE,
-        orientation: Orientation::Axes,
-        within,
-        gap: GAP,
-    }
+    PlaceOptions { force: FORCE, orientation: Orientation::Axes, within, gap: GAP }
 }
 
 fn answer(arm: &PlanarArm, zone: Zone, within: Within) -> Option<Placement> {
@@ -90,21 +72,11 @@ fn scaled(range: Range, scale: f64) -> Range {
 }
 
 /// Each value proves a bound that the other optimum keeps: two answers to one question, the second `scale` times larger.
-fn assert_equivalent(
-    a: &Option<Placement>,
-    b: &Option<Placement>,
-    scale: f64,
-) -> Result<(), TestCaseError> {
+fn assert_equivalent(a: Option<&Placement>, b: Option<&Placement>, scale: f64) -> Result<(), TestCaseError> {
     prop_assert_eq!(a.is_some(), b.is_some(), "{:?} {:?}", a, b);
     if let (Some(a), Some(b)) = (a, b) {
-        prop_assert!(
-            a.lower_bound * scale <= b.deflection * (1.0 + 1e-9),
-            "{a:?} {b:?}"
-        );
-        prop_assert!(
-            b.lower_bound <= a.deflection * scale * (1.0 + 1e-9),
-            "{a:?} {b:?}"
-        );
+        prop_assert!(a.lower_bound * scale <= b.deflection * (1.0 + 1e-9), "{a:?} {b:?}");
+        prop_assert!(b.lower_bound <= a.deflection * scale * (1.0 + 1e-9), "{a:?} {b:?}");
         let ratio = b.deflection / (a.deflection * scale);
         prop_assert!((ratio - 1.0).abs() <= 1.01 * GAP, "{a:?} {b:?}");
     }
@@ -123,14 +95,14 @@ proptest! {
     #[test]
     fn springs_that_are_c_times_softer_deflect_c_times_as_far(arm in arms(), zone in zones(), within in withins(), c in 0.1..10.0) {
         let softer = PlanarArm { k2: arm.k2 * c, k3: arm.k3 * c, ..arm.clone() };
-        assert_equivalent(&answer(&arm, zone, within), &answer(&softer, zone, within), c)?;
+        assert_equivalent(answer(&arm, zone, within).as_ref(), answer(&softer, zone, within).as_ref(), c)?;
     }
 
     #[test]
     fn an_arm_and_a_zone_s_times_as_long_deflect_s_squared_times_as_far(arm in arms(), zone in zones(), within in withins(), s in 0.2..5.0) {
         let longer = PlanarArm { l2: arm.l2 * s, l3: arm.l3 * s, ..arm.clone() };
         let apart = Within { x: scaled(within.x, s), z: scaled(within.z, s) };
-        assert_equivalent(&answer(&arm, zone, within), &answer(&longer, zone.scaled(s), apart), s * s)?;
+        assert_equivalent(answer(&arm, zone, within).as_ref(), answer(&longer, zone.scaled(s), apart).as_ref(), s * s)?;
     }
 
     // Seen from behind, every angle a becomes pi - a: shoulder and forearm are absolute, the elbow is a difference.
@@ -144,7 +116,7 @@ proptest! {
         };
         let behind = Within { x: within.x.affine(-1.0, 0.0), z: within.z };
         let (found, found_behind) = (answer(&arm, zone, within), answer(&mirrored, zone, behind));
-        assert_equivalent(&found, &found_behind, 1.0)?;
+        assert_equivalent(found.as_ref(), found_behind.as_ref(), 1.0)?;
         // The place itself need not be unique, but a zone that may stand only at the mirror image of the answer does.
         if let Some(found) = found {
             let (x, z) = (-found.centre[0], found.centre[1]);
@@ -329,22 +301,9 @@ proptest! {
     }
 }
 
-// ---- maps against a witness ----
-
-/// Is there `n` with `x + 2 pi n` in the range, tightened by `margin` on either side?
-fn holds(range: Range, x: f64, margin: f64) -> bool {
-    (-4..=4).any(|n| range.contains(x + 2.0 * PI * f64::from(n), -margin))
-}
-
 /// Law of cosines, every combination of whole turns, largest eigenvalue from joint coordinates (or `n^T C n`).
 /// `sign` is that of the elbow angle; `margin` tightens limits and reach.
-fn witness(
-    arm: &PlanarArm,
-    p: [f64; 2],
-    force: Direction,
-    elbows: &[f64],
-    margin: f64,
-) -> Option<f64> {
+fn witness(arm: &PlanarArm, p: [f64; 2], force: Direction, elbows: &[f64], margin: f64) -> Option<f64> {
     let r2 = p[0] * p[0] + p[1] * p[1];
     let cosine = (r2 - arm.l2.powi(2) - arm.l3.powi(2)) / (2.0 * arm.l2 * arm.l3);
     if 1.0 - margin < cosine.abs() {
@@ -357,25 +316,17 @@ fn witness(
         // The forearm's whole turn is that of shoulder and elbow together.
         let turn = |n: i32| 2.0 * PI * f64::from(n);
         let turns = || -4..=4_i32;
-        let allowed = turns()
-            .filter(|&i| arm.shoulder.contains(shoulder + turn(i), -margin))
-            .any(|i| {
-                turns()
-                    .filter(|&j| arm.elbow.contains(elbow + turn(j), -margin))
-                    .any(|j| {
-                        arm.forearm
-                            .contains(shoulder + elbow + turn(i + j), -margin)
-                    })
-            });
+        let allowed = turns().filter(|&i| arm.shoulder.contains(shoulder + turn(i), -margin)).any(|i| {
+            turns()
+                .filter(|&j| arm.elbow.contains(elbow + turn(j), -margin))
+                .any(|j| arm.forearm.contains(shoulder + elbow + turn(i + j), -margin))
+        });
         if !allowed {
             continue;
         }
         let forearm = shoulder + elbow;
         let outer = [-arm.l3 * forearm.sin(), arm.l3 * forearm.cos()];
-        let both = [
-            outer[0] - arm.l2 * shoulder.sin(),
-            outer[1] + arm.l2 * shoulder.cos(),
-        ];
+        let both = [outer[0] - arm.l2 * shoulder.sin(), outer[1] + arm.l2 * shoulder.cos()];
         // Serial: turning joint 2 carries both links. Parallelogram: drive 2 carries the upper arm alone.
         let first = match arm.architecture {
             Architecture::Serial => both,
@@ -383,9 +334,7 @@ fn witness(
         };
         let c = |i: usize, j: usize| arm.k2 * first[i] * first[j] + arm.k3 * outer[i] * outer[j];
         let value = match force {
-            Direction::Worst => {
-                f64::midpoint(c(0, 0), c(1, 1)) + ((c(0, 0) - c(1, 1)) / 2.0).hypot(c(0, 1))
-            }
+            Direction::Worst => f64::midpoint(c(0, 0), c(1, 1)) + ((c(0, 0) - c(1, 1)) / 2.0).hypot(c(0, 1)),
             Direction::Given(angle, component) => {
                 let (s, k) = angle.sin_cos();
                 let moved = [c(0, 0) * k + c(0, 1) * s, c(0, 1) * k + c(1, 1) * s];
@@ -407,31 +356,16 @@ fn asked_map(arm: &PlanarArm, direction: Direction, elbow: Option<Elbow>) -> Map
     let reach = 1.05 * (arm.l2 + arm.l3);
     // No cell on an axis of symmetry, where many limits meet a grid line exactly.
     let x = Axis::between(-reach, 0.98 * reach, COLUMNS);
-    MapOptions {
-        x,
-        z: Axis::between(-0.97 * reach, reach, ROWS),
-        force: FORCE,
-        direction,
-        elbow,
-    }
+    MapOptions { x, z: Axis::between(-0.97 * reach, reach, ROWS), force: FORCE, direction, elbow }
 }
 
 fn cells(map: &Map) -> impl Iterator<Item = ([f64; 2], Option<f64>)> {
-    (0..ROWS)
-        .flat_map(move |j| (0..COLUMNS).map(move |i| ([map.x.at(i), map.z.at(j)], map.get(i, j))))
+    (0..ROWS).flat_map(move |j| (0..COLUMNS).map(move |i| ([map.x.at(i), map.z.at(j)], map.get(i, j))))
 }
 
 fn directions() -> impl Strategy<Value = Direction> {
-    let given = (-4.0..4.0, prop::bool::ANY).prop_map(|(angle, along)| {
-        Direction::Given(
-            angle,
-            if along {
-                Component::Along
-            } else {
-                Component::Total
-            },
-        )
-    });
+    let given = (-4.0..4.0, prop::bool::ANY)
+        .prop_map(|(angle, along)| Direction::Given(angle, if along { Component::Along } else { Component::Total }));
     prop_oneof![Just(Direction::Worst), given]
 }
 
@@ -504,20 +438,10 @@ fn the_random_arms_exercise_every_limit_and_both_answers() {
     let (mut fits, mut misfits, mut limited) = (0, 0, [0; 3]);
     for _ in 0..150 {
         let (arm, zone) = (arms(), zones()).new_tree(&mut runner).unwrap().current();
-        for (count, range) in limited
-            .iter_mut()
-            .zip([arm.shoulder, arm.elbow, arm.forearm])
-        {
+        for (count, range) in limited.iter_mut().zip([arm.shoulder, arm.elbow, arm.forearm]) {
             *count += usize::from(!range.is_all());
         }
-        if answer(&arm, zone, Within::ANYWHERE).is_some() {
-            fits += 1
-        } else {
-            misfits += 1
-        }
+        if answer(&arm, zone, Within::ANYWHERE).is_some() { fits += 1 } else { misfits += 1 }
     }
-    assert!(
-        40 < fits && 10 < misfits && limited.iter().all(|&count| 50 < count),
-        "{fits} {misfits} {limited:?}"
-    );
+    assert!(40 < fits && 10 < misfits && limited.iter().all(|&count| 50 < count), "{fits} {misfits} {limited:?}");
 }

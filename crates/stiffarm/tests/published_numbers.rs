@@ -27,9 +27,5 @@ fn every_published_number_agrees_or_is_listed_with_its_reason() {
             e.note.is_some()
         );
     }
-    assert!(
-        unsettled.is_empty(),
-        "{} unsettled entries, see above",
-        unsettled.len()
-    );
+    assert!(unsettled.is_empty(), "{} unsettled entries, see above", unsettled.len());
 }

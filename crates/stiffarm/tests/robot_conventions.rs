@@ -1,7 +1,7 @@
 //! Do robot files carry limits, zero offsets, signs and the meaning of joint 3 correctly into the arm plane?
 //!
 //! Every case starts from a pose a person can draw: reported joint angles of the maker, the pose they stand for, and the
-//! wrist centre by plain trigonometry. The random tests then multiply out the chain of transforms of [theory], section 4.
+//! wrist centre by plain trigonometry. The random tests multiply out the chain of transforms that [Geometry] states.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -10,7 +10,9 @@ use proptest::test_runner::{Config, RngSeed};
 use stiffarm::catalogue::{names, paper_robots};
 use stiffarm::geometry::Geometry;
 use stiffarm::limits::{Limits, Range, ThirdAxis};
+use stiffarm::place::{PlaceOptions, Within, place_robot};
 use stiffarm::robot::{Arm, Robot};
+use stiffarm::task::Zone;
 
 /// Lengths are below 4 m and a dozen operations round each: 1e-12 m is a thousand times more than that.
 const METRE: f64 = 1e-12;
@@ -18,17 +20,12 @@ const METRE: f64 = 1e-12;
 const DEGREE: f64 = 1e-10;
 
 fn robot(name: &str) -> Robot {
-    paper_robots()
-        .into_iter()
-        .find(|robot| names(robot, name))
-        .unwrap()
+    paper_robots().into_iter().find(|robot| names(robot, name)).unwrap()
 }
 
 fn six_axis(robot: &Robot) -> (&Geometry, &Limits) {
     match &robot.arm {
-        Arm::SixAxis {
-            geometry, limits, ..
-        } => (geometry, limits),
+        Arm::SixAxis { geometry, limits, .. } => (geometry, limits),
         Arm::Planar(_) => panic!("{} has six axes", robot.name),
     }
 }
@@ -39,20 +36,14 @@ fn assert_wrist(robot: &Robot, reported_deg: [f64; 3], expected: [f64; 3]) {
     let [q1, q2, q3] = reported_deg.map(f64::to_radians);
     let found = geometry.wrist_centre([q1, q2, q3, 0.3, -0.4, 0.5], limits.third_axis);
     for i in 0..3 {
-        assert!(
-            (found[i] - expected[i]).abs() < METRE,
-            "{}: {found:?}, by hand {expected:?}",
-            robot.name
-        );
+        assert!((found[i] - expected[i]).abs() < METRE, "{}: {found:?}, by hand {expected:?}", robot.name);
     }
 }
 
 /// The same pose in the arm plane: absolute angles of the upper arm and of the line elbow - wrist centre, degrees.
 fn assert_plane(robot: &Robot, [upper_arm, line]: [f64; 2], expected: [f64; 3]) {
     let plane = robot.arm_plane().unwrap();
-    let p = plane
-        .arm
-        .forward(upper_arm.to_radians(), (line - upper_arm).to_radians());
+    let p = plane.arm.forward(upper_arm.to_radians(), (line - upper_arm).to_radians());
     let [x, z] = [plane.axis_from_base[0] + p.x, plane.axis_from_base[1] + p.y];
     assert!(
         (x - expected[0]).abs() < METRE && (z - expected[2]).abs() < METRE,
@@ -63,8 +54,7 @@ fn assert_plane(robot: &Robot, [upper_arm, line]: [f64; 2], expected: [f64; 3]) 
 
 fn assert_range(what: &str, range: Range, by_hand_deg: [f64; 2]) {
     let found = [range.min().to_degrees(), range.max().to_degrees()];
-    let close =
-        (0..2).all(|i| found[i] == by_hand_deg[i] || (found[i] - by_hand_deg[i]).abs() < DEGREE);
+    let close = (0..2).all(|i| found[i] == by_hand_deg[i] || (found[i] - by_hand_deg[i]).abs() < DEGREE);
     assert!(close, "{what}: {found:?}, by hand {by_hand_deg:?}");
 }
 
@@ -111,12 +101,7 @@ fn a_kuka_with_axis_2_at_minus_90_stands_upright() {
 #[test]
 fn the_limits_of_a_kuka_are_turned_round_and_lowered_by_the_wrist_offset() {
     let drop = -rise(-0.041, 1.200);
-    assert_limits(
-        &robot("KR 210 R2700 extra"),
-        [5.0, 140.0],
-        [-155.0 - drop, 120.0 - drop],
-        NO_LIMIT,
-    );
+    assert_limits(&robot("KR 210 R2700 extra"), [5.0, 140.0], [-155.0 - drop, 120.0 - drop], NO_LIMIT);
 }
 
 // ABB serial: axis 2 = 0 upright, + forwards. Axis 3 = 0 a right angle between the links, + folds down. The forearm axis
@@ -137,11 +122,7 @@ fn a_serial_abb_at_zero_holds_its_forearm_out_and_measures_axis_3_from_the_upper
     assert_plane(&abb, [90.0, up], [1.742, 0.0, 2.110]);
     assert_wrist(&abb, [0.0, 90.0, 0.0], [2.080, 0.0, -0.512]);
     assert_plane(&abb, [0.0, -90.0 + up], [2.080, 0.0, -0.512]);
-    let down = [
-        0.600 + 1.142 * c + 0.200 * s,
-        0.0,
-        0.630 + 1.280 - 1.142 * s + 0.200 * c,
-    ];
+    let down = [0.600 + 1.142 * c + 0.200 * s, 0.0, 0.630 + 1.280 - 1.142 * s + 0.200 * c];
     assert_wrist(&abb, [0.0, 0.0, 70.0], down);
     assert_plane(&abb, [90.0, -70.0 + up], down);
     assert_wrist(&abb, [90.0, 0.0, 0.0], [0.0, 1.742, 2.110]);
@@ -152,12 +133,7 @@ fn a_serial_abb_at_zero_holds_its_forearm_out_and_measures_axis_3_from_the_upper
 #[test]
 fn the_limits_of_a_serial_abb_bind_the_elbow_and_not_the_forearm() {
     let up = rise(0.200, 1.142);
-    assert_limits(
-        &robot("IRB 6650S-200"),
-        [-70.0, 130.0],
-        [-160.0 + up, 90.0 + up],
-        NO_LIMIT,
-    );
+    assert_limits(&robot("IRB 6650S-200"), [-70.0, 130.0], [-160.0 + up, 90.0 + up], NO_LIMIT);
 }
 
 // ABB parallelogram: axis 3 is the forearm against the ground, 0 horizontal, + down, whatever axis 2 does.
@@ -187,12 +163,7 @@ fn the_forearm_of_a_parallelogram_abb_keeps_its_attitude_when_axis_2_moves() {
 #[test]
 fn the_limits_of_a_parallelogram_abb_bind_forearm_and_enclosed_angle() {
     let up = rise(0.225, 1.155);
-    assert_limits(
-        &robot("IRB 6400 2.4-200"),
-        [20.0, 160.0],
-        [-160.0 + up, -20.0 + up],
-        [-110.0 + up, 28.0 + up],
-    );
+    assert_limits(&robot("IRB 6400 2.4-200"), [20.0, 160.0], [-160.0 + up, -20.0 + up], [-110.0 + up, 28.0 + up]);
 }
 
 // Fanuc pendant: J2 = 0 upright, + forwards; J3 from the horizontal, + up, whatever J2 does.
@@ -220,12 +191,7 @@ fn joint_3_of_a_fanuc_pendant_counts_upwards_from_the_horizontal() {
 #[test]
 fn the_limits_of_a_fanuc_pendant_keep_their_sense() {
     let up = rise(0.200, 1.705);
-    assert_limits(
-        &robot("M-900iA/200P"),
-        [15.0, 165.0],
-        [-160.0 + up, -20.0 + up],
-        [-121.28 + up, 90.0 + up],
-    );
+    assert_limits(&robot("M-900iA/200P"), [15.0, 165.0], [-160.0 + up, -20.0 + up], [-121.28 + up, 90.0 + up]);
 }
 
 // Serial Fanuc rack robot as its maker's description counts: J2 = 0 upper arm straight ahead (zero offset -90 moves
@@ -253,12 +219,7 @@ fn a_serial_fanuc_opens_the_elbow_with_joint_3() {
 #[test]
 fn the_limits_of_a_serial_fanuc_bind_the_elbow() {
     let up = rise(0.225, 1.280);
-    assert_limits(
-        &robot("R-2000iC/210R"),
-        [-80.0, 120.0],
-        [-169.0 + up, 90.0 + up],
-        NO_LIMIT,
-    );
+    assert_limits(&robot("R-2000iC/210R"), [-80.0, 120.0], [-169.0 + up, 90.0 + up], NO_LIMIT);
 }
 
 // Yaskawa rack robot: L = 0 upper arm straight ahead, + down; U = 0 the forearm at a right angle below it, + opens.
@@ -288,12 +249,7 @@ fn a_yaskawa_rack_robot_at_zero_reaches_ahead_with_a_hanging_forearm() {
 #[test]
 fn the_limits_of_a_yaskawa_rack_robot_bind_the_elbow() {
     let up = rise(0.250, 1.225);
-    assert_limits(
-        &robot("ES200RD II"),
-        [-80.0, 130.0],
-        [-168.4 + up, -12.0 + up],
-        NO_LIMIT,
-    );
+    assert_limits(&robot("ES200RD II"), [-80.0, 130.0], [-168.4 + up, -12.0 + up], NO_LIMIT);
 }
 
 // Kawasaki shelf robot: JT1 = 0 points to the left (+y), JT1 = -90 ahead. JT2 = 0 upper arm straight ahead, + up and
@@ -315,11 +271,7 @@ fn a_kawasaki_shelf_robot_lifts_its_upper_arm_with_positive_joint_2() {
     assert_wrist(&kawasaki, [-90.0, 0.0, 90.0], [3.130, 0.0, 0.680]);
     assert_plane(&kawasaki, [0.0, up], [3.130, 0.0, 0.680]);
     let h = 0.5_f64.sqrt();
-    let back = [
-        0.720 + (-1.160 + 1.250 - 0.230) * h,
-        0.0,
-        0.450 + (1.160 + 1.250 + 0.230) * h,
-    ];
+    let back = [0.720 + (-1.160 + 1.250 - 0.230) * h, 0.0, 0.450 + (1.160 + 1.250 + 0.230) * h];
     assert_wrist(&kawasaki, [-90.0, 135.0, 0.0], back);
     assert_plane(&kawasaki, [135.0, 45.0 + up], back);
     assert_wrist(&kawasaki, [0.0, 90.0, 0.0], [0.0, 1.970, 1.840]);
@@ -330,16 +282,10 @@ fn a_kawasaki_shelf_robot_lifts_its_upper_arm_with_positive_joint_2() {
 #[test]
 fn the_limits_of_a_kawasaki_shelf_robot_keep_their_sense() {
     let up = rise(0.230, 1.250);
-    assert_limits(
-        &robot("BT200L"),
-        [-80.0, 135.0],
-        [-165.0 + up, up],
-        NO_LIMIT,
-    );
+    assert_limits(&robot("BT200L"), [-80.0, 135.0], [-165.0 + up, up], NO_LIMIT);
 }
 
-// ---- the chain of theory.md, section 4, multiplied out ----
-
+/// Rows of a rotation.
 type Matrix = [[f64; 3]; 3];
 
 fn product(a: Matrix, b: Matrix) -> Matrix {
@@ -366,8 +312,7 @@ fn rotation_z(angle: f64) -> Matrix {
 
 /// Model angles of the first three joints.
 fn thetas(geometry: &Geometry, third_axis: ThirdAxis, q: [f64; 3]) -> [f64; 3] {
-    let [t1, t2, third]: [f64; 3] =
-        std::array::from_fn(|i| geometry.sign[i] * q[i] - geometry.offset[i]);
+    let [t1, t2, third]: [f64; 3] = std::array::from_fn(|i| geometry.sign[i] * q[i] - geometry.offset[i]);
     match third_axis {
         ThirdAxis::Elbow => [t1, t2, third],
         ThirdAxis::Forearm => [t1, t2, third - t2],
@@ -457,12 +402,21 @@ fn the_random_joints_fall_on_both_sides_of_every_limit() {
     for robot in paper_robots() {
         let (_, limits) = six_axis(&robot);
         for range in &limits.joints[1..3] {
-            assert!(
-                around(*range, 0.0) < range.min() && range.max() < around(*range, 1.0),
-                "{}",
-                robot.name
-            );
+            assert!(around(*range, 0.0) < range.min() && range.max() < around(*range, 1.0), "{}", robot.name);
             assert!(range.contains(around(*range, 0.5), 0.0), "{}", robot.name);
         }
     }
+}
+
+// The KUKA's joint-2 axis stands at (0.350, 0.675) from the base. A circle of 0.2 m that may stand at x = 1.5..1.7,
+// z = 1.0..1.2 from the base has one place: its centre at (1.600, 1.100), that is (1.250, 0.425) from that axis.
+#[test]
+fn where_a_zone_may_stand_counts_from_the_base_and_its_place_from_the_axis_of_joint_2() {
+    // A play of 1e-6 m, because a range that leaves one point is found by chance only.
+    let play = |from: f64, to: f64| Range::spanning(from - 1e-6, to + 1e-6);
+    let within = Within { x: play(1.5, 1.7), z: play(1.0, 1.2) };
+    let options = PlaceOptions { within, ..PlaceOptions::paper(1000.0) };
+    let placed = place_robot(&robot("KR 210 R2700 extra"), Zone::Circle { diameter: 0.2 }, &options).unwrap();
+    let [x, z] = placed.feasible().unwrap().centre;
+    assert!((x - 1.250).abs() < 1.1e-6 && (z - 0.425).abs() < 1.1e-6, "{x} {z}");
 }

@@ -64,22 +64,22 @@ impl Quantity {
 pub(super) struct Table<'a, 'i> {
     path: String,
     place: usize,
-    table: Option<&'a DeTable<'i>>,
+    entries: Option<&'a DeTable<'i>>,
     taken: Vec<&'static str>,
     log: Rc<Log>,
 }
 
 impl<'a, 'i> Table<'a, 'i> {
     pub(super) fn root(table: &'a DeTable<'i>, log: Rc<Log>) -> Self {
-        Self { path: String::new(), place: 0, table: Some(table), taken: Vec::new(), log }
+        Self { path: String::new(), place: 0, entries: Some(table), taken: Vec::new(), log }
     }
 
     pub(super) fn has(&self, key: &str) -> bool {
-        self.table.is_some_and(|table| table.contains_key(key))
+        self.entries.is_some_and(|table| table.contains_key(key))
     }
 
     pub(super) fn fault(&self, key: &str, message: impl Into<String>) {
-        let place = self.table.and_then(|table| table.get(key)).map_or(self.place, |value| value.span().start);
+        let place = self.entries.and_then(|table| table.get(key)).map_or(self.place, |value| value.span().start);
         self.log.add(place, &self.name(key), message);
     }
 
@@ -93,12 +93,12 @@ impl<'a, 'i> Table<'a, 'i> {
 
     fn optional(&mut self, key: &'static str) -> Option<&'a Spanned<DeValue<'i>>> {
         self.taken.push(key);
-        self.table?.get(key)
+        self.entries?.get(key)
     }
 
     fn required(&mut self, key: &'static str, expected: &str) -> Option<&'a Spanned<DeValue<'i>>> {
         let found = self.optional(key);
-        if found.is_none() && self.table.is_some() {
+        if found.is_none() && self.entries.is_some() {
             self.log.add(self.place, &self.name(key), format!("missing; expected {expected}"));
         }
         found
@@ -107,12 +107,12 @@ impl<'a, 'i> Table<'a, 'i> {
     /// A table of its own; where it is absent, an empty one that faults no missing keys.
     pub(super) fn table(&mut self, key: &'static str) -> Table<'a, 'i> {
         let value = self.optional(key);
-        let table = value.and_then(|value| value.get_ref().as_table());
-        if value.is_some() && table.is_none() {
+        let entries = value.and_then(|value| value.get_ref().as_table());
+        if value.is_some() && entries.is_none() {
             self.fault(key, "expected a table");
         }
         let place = value.map_or(self.place, |value| value.span().start);
-        Table { path: self.name(key), place, table, taken: Vec::new(), log: self.log.clone() }
+        Table { path: self.name(key), place, entries, taken: Vec::new(), log: self.log.clone() }
     }
 
     pub(super) fn text(&mut self, key: &'static str, required: bool) -> Option<String> {
@@ -227,7 +227,7 @@ impl<'a, 'i> Table<'a, 'i> {
     /// Every key with a text.
     pub(super) fn texts(&mut self) -> BTreeMap<String, String> {
         let mut texts = BTreeMap::new();
-        for (key, value) in self.table.into_iter().flat_map(DeTable::iter) {
+        for (key, value) in self.entries.into_iter().flat_map(DeTable::iter) {
             let key: &str = key.get_ref();
             match value.get_ref().as_str() {
                 Some(text) => drop(texts.insert(key.to_owned(), text.to_owned())),
@@ -240,7 +240,7 @@ impl<'a, 'i> Table<'a, 'i> {
     /// Faults every key that was neither asked for nor is one of `further`.
     pub(super) fn finish(mut self, further: &[&'static str]) {
         self.taken.extend(further);
-        for key in self.table.into_iter().flat_map(DeTable::keys) {
+        for key in self.entries.into_iter().flat_map(DeTable::keys) {
             let name: &str = key.get_ref();
             if self.taken.contains(&name) {
                 continue;

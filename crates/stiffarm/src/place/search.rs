@@ -62,6 +62,20 @@ struct Found {
     turn: f64,
 }
 
+impl Found {
+    /// Stiffer, or, of places that are equal but for rounding, nearer to straight ahead.
+    fn beats(&self, other: &Self) -> bool {
+        let same = (self.compliance - other.compliance).abs() <= ROUNDING * other.compliance;
+        if same { self.bearing() < other.bearing() } else { self.compliance < other.compliance }
+    }
+
+    /// How far the centre lies from straight ahead, rad.
+    fn bearing(&self) -> f64 {
+        let centre = turned(self.centre, self.turn);
+        centre.y.atan2(centre.x).abs()
+    }
+}
+
 /// What stays the same while zones are tried on one arm.
 pub(super) struct Search<'a> {
     arm: &'a PlanarArm,
@@ -137,7 +151,7 @@ impl<'a> Search<'a> {
                     let unit = if stance.across { Vector2::y() } else { Vector2::x() };
                     for sign in [1.0, -1.0] {
                         if let Some(found) = self.judge(zone, i, sign * stance.distance * unit, node.turn)
-                            && best.is_none_or(|best| found.compliance < best.compliance)
+                            && best.is_none_or(|best| found.beats(&best))
                         {
                             best = Some(found);
                         }

@@ -56,7 +56,7 @@ impl RadialCompliance {
             Architecture::QuasiSerial => {
                 let root = k2 * a2 - k3 * a3;
                 let t0 = a2 + a3;
-                ((k2 * a2 + k3 * a3) / 2.0, 0.0, k2 * k3 / 4.0, t0, root * root / 4.0, t0)
+                (f64::midpoint(k2 * a2, k3 * a3), 0.0, k2 * k3 / 4.0, t0, root * root / 4.0, t0)
             }
         };
         let valley = valley_t.max(0.0).sqrt().clamp(folded, stretched);
@@ -69,7 +69,7 @@ impl RadialCompliance {
     }
 
     /// `sigma` at `t = r^2`.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn at_square(&self, t: f64) -> f64 {
         let u = t - self.t0;
         self.half_trace_0 + self.half_trace_1 * t + (self.a * u * u + self.e).sqrt()

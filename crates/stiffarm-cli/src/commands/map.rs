@@ -1,0 +1,224 @@
+//! `stiffarm map`: the deflection over everything a robot reaches.
+
+use serde_json::{Value, json};
+use stiffarm::limits::Range;
+use stiffarm::map::{Axis, Component, Direction, Map, MapError, MapOptions, map, reached_box};
+use stiffarm::place::{PlaceOptions, Placement, find_robot};
+use stiffarm::robot::{ArmPlane, Robot};
+use stiffarm::task::Task;
+
+use crate::args::{Common, MapArgs};
+use crate::failure::Failure;
+use crate::figures::map::{MapFigure, ZoneMark};
+use crate::output::{Answer, deliver, figure};
+use crate::selection;
+use crate::table::Table;
+
+/// Points along the longer side of a map that is only drawn.
+const FIGURE_SIZE: usize = 400;
+
+pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
+    let robot = selection::robot(&args.robot)?;
+    let failure = |error| Failure::Map { robot: robot.name.clone(), error };
+    let plane = arm_plane(&robot).map_err(failure)?;
+    let [x, z] = reached_box(&plane.arm).map_err(failure)?;
+    let step = args.step_m.unwrap_or_else(|| x.width().max(z.width()) / (args.size - 1) as f64);
+    let direction = args
+        .direction_deg
+        .map_or(Direction::Worst, |angle| Direction::Given(angle.to_radians(), args.component.into()));
+    let options = MapOptions {
+        x: axis(x, step),
+        z: axis(z, step),
+        force: args.placing.force_n,
+        direction,
+        elbow: args.elbow.map(Into::into),
+    };
+    let map = map(&plane.arm, &options).map_err(failure)?;
+    let zone = match &args.zone {
+        None => None,
+        Some(task) => {
+            let placing = args.placing.options(task.zone);
+            let found = find_robot(&robot, task.zone, &placing)
+                .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
+            if found.is_none() && !common.quiet {
+                eprintln!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label);
+            }
+            found.map(|placement| (task.clone(), placement))
+        }
+    };
+    deliver(&MapAnswer { robot, plane, options, map, zone }, common)
+}
+
+fn arm_plane(robot: &Robot) -> Result<ArmPlane, MapError> {
+    robot.arm_plane().ok_or_else(|| stiffarm::plane::InvalidArm::NothingReachable.into())
+}
+
+/// Points that cover a range with the given step.
+fn axis(range: Range, step: f64) -> Axis {
+    let steps = (range.width() / step).ceil();
+    // Far beyond what is allowed, so that the refusal names the size without overflow.
+    let count = if steps < 1e12 { steps as usize + 1 } else { 1_000_000_000_000 };
+    Axis { start: range.min(), step, count }
+}
+
+/// The figure of `place`: the robot's map with the zone in it.
+pub(crate) fn placement_figure(
+    robot: &Robot,
+    task: &Task,
+    options: &PlaceOptions,
+    placement: Option<&Placement>,
+) -> Result<String, Failure> {
+    let failure = |error| Failure::Map { robot: robot.name.clone(), error };
+    let plane = arm_plane(robot).map_err(failure)?;
+    let [x, z] = reached_box(&plane.arm).map_err(failure)?;
+    let step = x.width().max(z.width()) / (FIGURE_SIZE - 1) as f64;
+    let options = MapOptions {
+        x: axis(x, step),
+        z: axis(z, step),
+        force: options.force,
+        direction: Direction::Worst,
+        elbow: None,
+    };
+    let map = map(&plane.arm, &options).map_err(failure)?;
+    let zone = placement.map(|placement| (task.clone(), placement.clone()));
+    MapAnswer { robot: robot.clone(), plane, options, map, zone }.figure()
+}
+
+struct MapAnswer {
+    robot: Robot,
+    plane: ArmPlane,
+    options: MapOptions,
+    map: Map,
+    zone: Option<(Task, Placement)>,
+}
+
+impl MapAnswer {
+    fn what(&self) -> String {
+        let force = self.options.force;
+        match self.options.direction {
+            Direction::Worst => format!("worst deflection under {force} N"),
+            Direction::Given(angle, component) => {
+                let part = match component {
+                    Component::Total => "deflection",
+                    Component::Along => "deflection along the force",
+                };
+                format!("{part} under {force} N at {:.0} deg", angle.to_degrees())
+            }
+        }
+    }
+
+    /// Shoulder and elbow angle at the worst point of the zone, or at the stiffest point of the map.
+    fn posture(&self) -> Option<(f64, f64)> {
+        if let Some((_, placement)) = &self.zone {
+            let [shoulder, elbow] = placement.worst_posture;
+            return Some((shoulder, elbow));
+        }
+        let [(_, i, j), _] = self.map.extremes()?;
+        let p = [self.map.x.at(i), self.map.z.at(j)];
+        let sides = self.plane.arm.sides().ok()?;
+        let wanted = |elbow| self.options.elbow.is_none_or(|only| only == elbow);
+        sides.iter().filter(|side| wanted(side.elbow)).find_map(|side| side.posture(p.into()))
+    }
+
+    fn figure(&self) -> Result<String, Failure> {
+        let robot = &self.robot;
+        let mark = self.zone.as_ref().map(|(task, placement)| ZoneMark {
+            zone: task.zone,
+            centre: placement.centre,
+            angle: placement.angle,
+            worst_point: placement.worst_point,
+            label: format!("{}: {:.3} mm at worst", task.label, placement.deflection * 1e3),
+        });
+        let base = (self.plane.axis_from_base != [0.0; 2]).then_some(self.plane.axis_from_base);
+        let figure_of_map = MapFigure {
+            title: format!("{} {}", robot.vendor, robot.name),
+            subtitle: format!("{}, {}; {}, planar model", robot.architecture, robot.status, self.what()),
+            map: &self.map,
+            arm: &self.plane.arm,
+            posture: self.posture(),
+            base,
+            zone: mark,
+            colour_label: format!("{} [mm]", self.what()),
+        };
+        figure_of_map.svg().map_err(figure)
+    }
+}
+
+impl Answer for MapAnswer {
+    const COMMAND: &'static str = "map";
+
+    fn text(&self, markdown: bool) -> String {
+        let Self { robot, map, options, .. } = self;
+        let mut table = Table::new(["", ""]);
+        table.row([
+            "robot".into(),
+            format!("{} {} ({}, {})", robot.vendor, robot.name, robot.architecture, robot.status),
+        ]);
+        table.row(["mapped".into(), format!("{}, planar model", self.what())]);
+        table.row(["points".into(), format!("{} x {}, every {:.4} m", map.x.count, map.z.count, map.x.step)]);
+        match map.extremes() {
+            None => table.row(["reached", "nothing"]),
+            Some([least, most]) => {
+                for (name, (value, i, j)) in [("least", least), ("most", most)] {
+                    let (x, z) = (map.x.at(i), map.z.at(j));
+                    table.row([
+                        name.into(),
+                        format!("{:.4} mm at x {x:.3} m, z {z:.3} m from the joint-2 axis", value * 1e3),
+                    ]);
+                }
+            }
+        }
+        let floor = self.plane.arm.radial().floor() * options.force * 1e3;
+        table.row([
+            "bound".into(),
+            format!("{floor:.4} mm in the worst direction at the stiffest posture of the links"),
+        ]);
+        if let Some((task, placement)) = &self.zone {
+            let [x, z] = placement.centre;
+            let deflection = placement.deflection * 1e3;
+            table.row([
+                format!("zone {}", task.label),
+                format!("{deflection:.4} mm at worst, centre x {x:.3} m, z {z:.3} m"),
+            ]);
+        }
+        table.text(markdown) + "-o map.svg, .png, .csv or .json writes the map\n"
+    }
+
+    fn json(&self) -> Value {
+        let Self { robot, map, options, .. } = self;
+        let rows =
+            (0..map.z.count).map(|j| Value::Array(map.row(j).map(|cell| json!(cell.map(|m| m * 1e3))).collect()));
+        let mut object = json!({
+            "robot": robot.name,
+            "model": "planar",
+            "force_n": options.force,
+            "x_m": map.x.points(),
+            "z_m": map.z.points(),
+        });
+        let key = match options.direction {
+            Direction::Worst => "worst_mm",
+            Direction::Given(angle, _) => {
+                object["direction_deg"] = json!(angle.to_degrees());
+                "deflection_mm"
+            }
+        };
+        object[key] = Value::Array(rows.collect());
+        object
+    }
+
+    fn csv(&self) -> Table {
+        let map = &self.map;
+        let mut table = Table::new(["x_m", "z_m", "deflection_mm"]);
+        for j in 0..map.z.count {
+            for (i, cell) in map.row(j).enumerate() {
+                let value = cell.map_or_else(String::new, |cell| (cell * 1e3).to_string());
+                table.row([map.x.at(i).to_string(), map.z.at(j).to_string(), value]);
+            }
+        }
+        table
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        Some(self.figure())
+    }
+}

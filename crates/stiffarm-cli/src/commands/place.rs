@@ -1,0 +1,209 @@
+//! `stiffarm place`: the best place of one zone.
+
+use serde_json::{Map, Value, json};
+use stiffarm::place::{PlaceOptions, Placed, Placement, place_robot};
+use stiffarm::robot::Robot;
+use stiffarm::task::Task;
+
+use super::map::placement_figure;
+use crate::args::{Common, PlaceArgs};
+use crate::failure::Failure;
+use crate::output::{Answer, deliver};
+use crate::selection;
+use crate::table::{Table, fixed, full};
+
+pub(crate) fn run(args: &PlaceArgs, common: &Common) -> Result<(), Failure> {
+    let robot = selection::robot(&args.robot)?;
+    let options = args.placing.options(args.task.zone);
+    let placed = place_robot(&robot, args.task.zone, &options)
+        .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
+    let answer = PlaceAnswer { robot, task: args.task.clone(), options, placed, tolerance_mm: args.tolerance_mm };
+    deliver(&answer, common)
+}
+
+struct PlaceAnswer {
+    robot: Robot,
+    task: Task,
+    options: PlaceOptions,
+    placed: Placed,
+    tolerance_mm: Option<f64>,
+}
+
+impl Answer for PlaceAnswer {
+    const COMMAND: &'static str = "place";
+
+    fn text(&self, markdown: bool) -> String {
+        let Self { robot, task, options, .. } = self;
+        let mut table = Table::new(["", ""]);
+        table.row([
+            "robot".into(),
+            format!("{} {} ({}, {})", robot.vendor, robot.name, robot.architecture, robot.status),
+        ]);
+        table.row(["task".into(), format!("{} ({})", task.label, task.zone.describe())]);
+        table.row(["force".into(), format!("{} N in its worst direction, planar model", options.force)]);
+        match &self.placed {
+            Placed::Feasible(best) => {
+                let [x, z] = best.centre;
+                let gap = 1.0 - best.lower_bound / best.deflection;
+                table.row(["worst deflection in the zone".into(), format!("{:.4} mm", best.deflection * 1e3)]);
+                table.row([
+                    "no place has less than".into(),
+                    format!("{:.4} mm ({})", best.lower_bound * 1e3, proof(gap)),
+                ]);
+                table.row(["centre from the joint-2 axis".into(), format!("x {x:.4} m, z {z:.4} m")]);
+                if let Some([ax, az]) = robot.arm_plane().map(|plane| plane.axis_from_base)
+                    && [ax, az] != [0.0; 2]
+                {
+                    table.row(["centre from the base".into(), format!("x {:.4} m, z {:.4} m", x + ax, z + az)]);
+                }
+                if let Some(note) = outside(robot, task, best) {
+                    table.row(["note".into(), note]);
+                }
+                table.row(["angle of the first side".into(), format!("{:.1} deg", best.angle.to_degrees())]);
+                table.row(["elbow".into(), best.elbow.name().to_owned()]);
+                let [wx, wz] = best.worst_point;
+                table.row(["worst point".into(), format!("x {wx:.4} m, z {wz:.4} m from the joint-2 axis")]);
+                if let Some(tolerance) = self.tolerance_mm {
+                    let margin = tolerance - best.deflection * 1e3;
+                    let verdict = if 0.0 <= margin { "pass" } else { "fail" };
+                    table.row([
+                        format!("tolerance {tolerance} mm"),
+                        format!("{verdict}, margin {} mm", fixed(margin, 4)),
+                    ]);
+                }
+            }
+            Placed::Infeasible { reason, largest_scale } => {
+                table.row(["no place".into(), reason.to_string()]);
+                table.row(["largest zone of this shape".into(), largest(task, *largest_scale)]);
+            }
+        }
+        table.text(markdown)
+    }
+
+    fn json(&self) -> Value {
+        Value::Object(cell_json(&self.robot, &self.task, &self.options, &self.placed, self.tolerance_mm))
+    }
+
+    fn csv(&self) -> Table {
+        let mut table = Table::new(CELL_COLUMNS);
+        table.row(cell_row(&self.robot, &self.task, &self.options, &self.placed));
+        table
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        Some(placement_figure(&self.robot, &self.task, &self.options, self.placed.feasible()))
+    }
+}
+
+/// Says where a place lies partly below the base or behind the joint-1 axis: reached, but rarely meant.
+fn outside(robot: &Robot, task: &Task, best: &Placement) -> Option<String> {
+    let [ax, az] = robot.arm_plane()?.axis_from_base;
+    if [ax, az] == [0.0; 2] {
+        return None;
+    }
+    let half = task.zone.half_extents(best.angle);
+    let below = best.centre[1] + az - half.y < 0.0;
+    let behind = best.centre[0] + ax - half.x < 0.0;
+    let place = match (below, behind) {
+        (false, false) => return None,
+        (true, false) => "below the base",
+        (false, true) => "behind the joint-1 axis",
+        (true, true) => "below the base and behind the joint-1 axis",
+    };
+    Some(format!("part of it lies {place}; --within 0..,0.. keeps it in front of and above the base"))
+}
+
+/// What a gap means.
+fn proof(gap: f64) -> String {
+    if gap < 1e-11 { "exact".into() } else { format!("gap {gap:.1e}") }
+}
+
+/// How large a zone of the shape would fit.
+fn largest(task: &Task, scale: f64) -> String {
+    if scale == 0.0 {
+        "none: no zone of this shape fits, however small".into()
+    } else {
+        format!("{scale:.4} of the size asked for ({})", task.zone.scaled(scale).describe())
+    }
+}
+
+/// The columns of a placement in a spreadsheet.
+pub(crate) const CELL_COLUMNS: [&str; 14] = [
+    "robot",
+    "vendor",
+    "architecture",
+    "status",
+    "task",
+    "force_n",
+    "feasible",
+    "deflection_mm",
+    "lower_bound_mm",
+    "x_m",
+    "z_m",
+    "angle_deg",
+    "elbow",
+    "largest_feasible_scale",
+];
+
+pub(crate) fn cell_row(robot: &Robot, task: &Task, options: &PlaceOptions, placed: &Placed) -> Vec<String> {
+    let best = placed.feasible();
+    let scale = match placed {
+        Placed::Feasible(_) => None,
+        Placed::Infeasible { largest_scale, .. } => Some(*largest_scale),
+    };
+    vec![
+        robot.name.clone(),
+        robot.vendor.clone(),
+        robot.architecture.to_string(),
+        robot.status.to_string(),
+        task.label.clone(),
+        options.force.to_string(),
+        best.is_some().to_string(),
+        full(best.map(|best| best.deflection * 1e3)),
+        full(best.map(|best| best.lower_bound * 1e3)),
+        full(best.map(|best| best.centre[0])),
+        full(best.map(|best| best.centre[1])),
+        full(best.map(|best| best.angle.to_degrees())),
+        best.map_or_else(String::new, |best| best.elbow.name().into()),
+        full(scale),
+    ]
+}
+
+/// A placement with the keys that scripts rely on.
+pub(crate) fn cell_json(
+    robot: &Robot,
+    task: &Task,
+    options: &PlaceOptions,
+    placed: &Placed,
+    tolerance_mm: Option<f64>,
+) -> Map<String, Value> {
+    let mut cell = Map::new();
+    let mut put = |key: &str, value: Value| drop(cell.insert(key.into(), value));
+    put("robot", json!(robot.name));
+    put("task", json!(task.label));
+    put("model", json!("planar"));
+    put("force_n", json!(options.force));
+    match placed {
+        Placed::Feasible(best) => {
+            put("feasible", json!(true));
+            put("deflection_mm", json!(best.deflection * 1e3));
+            put("lower_bound_mm", json!(best.lower_bound * 1e3));
+            put("x_m", json!(best.centre[0]));
+            put("z_m", json!(best.centre[1]));
+            put("angle_deg", json!(best.angle.to_degrees()));
+            put("elbow", json!(best.elbow.name()));
+            put("worst_point_m", json!(best.worst_point));
+            if let Some(tolerance) = tolerance_mm {
+                put("tolerance_mm", json!(tolerance));
+                put("pass", json!(best.deflection * 1e3 <= tolerance));
+                put("margin_mm", json!(tolerance - best.deflection * 1e3));
+            }
+        }
+        Placed::Infeasible { reason, largest_scale } => {
+            put("feasible", json!(false));
+            put("reason", json!(reason.to_string()));
+            put("largest_feasible_scale", json!(largest_scale));
+        }
+    }
+    cell
+}

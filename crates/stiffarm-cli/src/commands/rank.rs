@@ -1,0 +1,342 @@
+//! `stiffarm rank`: robots in order, for several tasks, against a tolerance.
+
+use std::cell::OnceCell;
+
+use serde_json::{Value, json};
+use stiffarm::drive::Architecture;
+use stiffarm::place::PlaceOptions;
+use stiffarm::rank::{Ranking, Row, curves, rank};
+use stiffarm::robot::{Robot, Status};
+use stiffarm::task::{Task, Zone};
+
+use super::place::{CELL_COLUMNS, cell_json, cell_row};
+use super::progress;
+use crate::args::{Common, RankArgs};
+use crate::failure::Failure;
+use crate::figures::ranking::{self, Curve, Panel};
+use crate::output::{Answer, deliver, figure};
+use crate::selection;
+use crate::table::{Table, fixed};
+
+/// Sizes along each curve of the figure.
+const CURVE_POINTS: usize = 40;
+
+pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
+    if matches!(args.placing.angle, crate::args::Angle::Horizontal | crate::args::Angle::Vertical)
+        && args.tasks.len() > 1
+    {
+        return Err(Failure::Usage(
+            "--angle horizontal or vertical means the long side of one task; give one --task with it".into(),
+        ));
+    }
+    let robots = selection::robots(&args.robots)?;
+    let first = args.tasks.first().ok_or_else(|| Failure::Usage("no task to rank for; give --task".into()))?;
+    let options = args.placing.options(first.zone);
+    let bar = progress(robots.len() * args.tasks.len(), "placing zones", common);
+    let ranking = rank(&robots, &args.tasks, &options, || bar.inc(1))?;
+    bar.finish_and_clear();
+    let answer = RankAnswer { ranking, options, args, common, svg: OnceCell::new() };
+    deliver(&answer, common)
+}
+
+struct RankAnswer<'a> {
+    ranking: Ranking,
+    options: PlaceOptions,
+    args: &'a RankArgs,
+    common: &'a Common,
+    svg: OnceCell<String>,
+}
+
+impl RankAnswer<'_> {
+    fn tolerance_mm(&self) -> Option<f64> {
+        self.args.tolerance_mm
+    }
+
+    /// `1.234`, marked when it is the best of its column, with the margin where a tolerance is given.
+    fn cell(&self, row: &Row, task: usize) -> String {
+        let Some(deflection) = row.deflection(task) else { return "-".into() };
+        let is = |best: Option<&Row>| best.is_some_and(|best| best.robot == row.robot);
+        let published = self.ranking.best_published(task);
+        let beats =
+            row.robot.status == Status::Estimated && is(self.ranking.best(task, |_| true)) && published.is_some();
+        let mark = if is(published) {
+            "*"
+        } else if beats {
+            "~"
+        } else {
+            ""
+        };
+        let millimetres = deflection * 1e3;
+        let verdict = self.tolerance_mm().map_or_else(String::new, |tolerance| {
+            let margin = tolerance - millimetres;
+            format!(" {} {margin:+.3}", if 0.0 <= margin { "pass" } else { "fail" })
+        });
+        format!("{}{mark}{verdict}", fixed(millimetres, 3))
+    }
+
+    fn notes(&self) -> String {
+        let statuses: Vec<Status> = self.ranking.rows.iter().map(|row| row.robot.status).collect();
+        let mut notes = String::from("* best of the robots of which no number is assumed");
+        if statuses.contains(&Status::Estimated) {
+            notes += "; ~ estimated robot: it cannot win, even where its value is smaller";
+        }
+        notes += "; - the zone does not fit (`stiffarm place` says why)\n";
+        notes += "bound: deflection at the stiffest posture of the links; no placement of any task has less\n";
+        if statuses.contains(&Status::Derived) {
+            notes += "derived: partly from published figures of the same or a sister model\n";
+        }
+        if statuses.contains(&Status::Estimated) {
+            notes += "estimated: lengths or limits partly assumed, see `stiffarm robots show NAME`\n";
+        }
+        notes
+    }
+
+    /// What a manager would read.
+    fn sentences(&self) -> Vec<String> {
+        let ranking = &self.ranking;
+        let mut sentences = Vec::new();
+        let mut winners: Vec<(&Robot, Vec<usize>)> = Vec::new();
+        for task in 0..ranking.tasks.len() {
+            if let Some(best) = ranking.best_published(task) {
+                match winners.iter_mut().find(|(robot, _)| **robot == best.robot) {
+                    Some((_, tasks)) => tasks.push(task),
+                    None => winners.push((&best.robot, vec![task])),
+                }
+            }
+        }
+        let millimetres = |robot: &Robot, task: usize| {
+            let row = ranking.rows.iter().find(|row| row.robot == *robot);
+            row.and_then(|row| row.deflection(task)).map_or_else(String::new, |deflection| fixed(deflection * 1e3, 2))
+        };
+        let won = |robot: &Robot, tasks: &[usize]| {
+            let tasks: Vec<String> = tasks
+                .iter()
+                .map(|&task| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(robot, task)))
+                .collect();
+            format!("{} {} for {}", robot.vendor, robot.name, tasks.join(", "))
+        };
+        if winners.is_empty() {
+            sentences.push("No robot of which all numbers are known can do any of these tasks.".into());
+        } else {
+            let list: Vec<String> = winners.iter().map(|(robot, tasks)| won(robot, tasks)).collect();
+            sentences.push(format!("Under {} N in the worst direction take {}.", ranking.force, list.join("; ")));
+        }
+        sentences.extend(self.by_architecture());
+        sentences.extend(self.estimated_rivals());
+        sentences.extend(self.tolerance_sentence());
+        sentences
+    }
+
+    fn by_architecture(&self) -> Option<String> {
+        let ranking = &self.ranking;
+        let compared: Vec<(usize, &Row, &Row)> = (0..ranking.tasks.len())
+            .filter_map(|task| {
+                let best = |architecture| ranking.best(task, |robot| robot.architecture == architecture);
+                Some((task, best(Architecture::Serial)?, best(Architecture::QuasiSerial)?))
+            })
+            .collect();
+        if compared.is_empty() {
+            return None;
+        }
+        let cells: Vec<String> = compared
+            .iter()
+            .map(|&(task, serial, quasi)| {
+                let show = |row: &Row| {
+                    let mark = if row.robot.status == Status::Estimated { "~" } else { "" };
+                    format!("{}{mark}", fixed(row.deflection(task).unwrap_or(f64::NAN) * 1e3, 2))
+                };
+                let sign = if serial.deflection(task) <= quasi.deflection(task) { "<" } else { ">" };
+                format!("{} {} {sign} {}", ranking.tasks[task].label, show(serial), show(quasi))
+            })
+            .collect();
+        Some(format!("Best serial against best quasi-serial, mm: {}.", cells.join("; ")))
+    }
+
+    fn estimated_rivals(&self) -> Option<String> {
+        let ranking = &self.ranking;
+        let mut rivals: Vec<String> = Vec::new();
+        for task in 0..ranking.tasks.len() {
+            let best = ranking.best(task, |_| true)?;
+            if best.robot.status == Status::Estimated && ranking.best_published(task).is_some() {
+                rivals.push(format!("{} on {}", best.robot.name, ranking.tasks[task].label));
+            }
+        }
+        (!rivals.is_empty()).then(|| {
+            format!(
+                "With estimated numbers {} would be stiffer: find its data sheet before you decide.",
+                rivals.join(", ")
+            )
+        })
+    }
+
+    fn tolerance_sentence(&self) -> Option<String> {
+        let tolerance = self.tolerance_mm()?;
+        let passing: Vec<String> = self
+            .ranking
+            .rows
+            .iter()
+            .filter(|row| (0..row.cells.len()).all(|task| row.deflection(task).is_some_and(|d| d * 1e3 <= tolerance)))
+            .map(|row| row.robot.name.clone())
+            .collect();
+        Some(if passing.is_empty() {
+            format!("No robot keeps {tolerance} mm on every task.")
+        } else {
+            format!("{tolerance} mm on every task: {}.", passing.join(", "))
+        })
+    }
+
+    fn figure(&self) -> Result<String, Failure> {
+        let robots: Vec<Robot> = self.ranking.rows.iter().map(|row| row.robot.clone()).collect();
+        let shapes = shapes(&self.ranking.tasks);
+        let bar = progress(shapes.len() * robots.len() * CURVE_POINTS, "drawing curves", self.common);
+        let mut panels = Vec::new();
+        for (shape, marks) in shapes {
+            let largest = largest_scale(&robots, shape.zone);
+            let scales: Vec<f64> = (1..=CURVE_POINTS).map(|i| largest * i as f64 / CURVE_POINTS as f64).collect();
+            let options = PlaceOptions { gap: self.options.gap.max(1e-3), ..self.options };
+            let values = curves(&robots, &shape, &scales, &options, || bar.inc(1))?;
+            let curves = robots.iter().zip(values).map(|(robot, values)| Curve {
+                robot: robot.name.clone(),
+                serial: robot.architecture == Architecture::Serial,
+                estimated: robot.status == Status::Estimated,
+                points: scales
+                    .iter()
+                    .zip(values)
+                    .filter_map(|(&scale, value)| value.map(|deflection| (scale, deflection * 1e3)))
+                    .collect(),
+            });
+            panels.push(Panel {
+                title: shape.label.clone(),
+                size_label: "d [m]".into(),
+                curves: curves.collect(),
+                marks,
+                tolerance_mm: self.tolerance_mm(),
+            });
+        }
+        bar.finish_and_clear();
+        let title = format!("Worst deflection at the best place under {} N, planar model", self.ranking.force);
+        ranking::svg(&title, &panels).map_err(figure)
+    }
+}
+
+/// The distinct shapes among the tasks, at a first side of 1 m, with the first sides asked for.
+fn shapes(tasks: &[Task]) -> Vec<(Task, Vec<f64>)> {
+    let mut shapes: Vec<(Task, Vec<f64>)> = Vec::new();
+    for task in tasks {
+        let [first, second] = task.zone.sides();
+        let ratio = second / first;
+        let (label, zone) = match task.zone {
+            Zone::Circle { .. } => ("Circle of diameter d".to_owned(), Zone::Circle { diameter: 1.0 }),
+            Zone::Rectangle { .. } => {
+                let times = format!("{ratio:.3}");
+                let times = times.trim_end_matches('0').trim_end_matches('.');
+                let long = if times == "1" { "d".to_owned() } else { format!("{times} d") };
+                (format!("Rectangle of d x {long}"), Zone::Rectangle { width: 1.0, height: ratio })
+            }
+        };
+        match shapes.iter_mut().find(|(shape, _)| shape.label == label) {
+            Some((_, marks)) => marks.push(first),
+            None => shapes.push((Task { label, zone }, vec![first])),
+        }
+    }
+    shapes
+}
+
+/// Beyond this scale no robot's links hold the zone.
+fn largest_scale(robots: &[Robot], zone: Zone) -> f64 {
+    robots
+        .iter()
+        .filter_map(|robot| Some(stiffarm::place::largest_scale_without_limits(&robot.arm_plane()?.arm, zone)))
+        .fold(0.0, f64::max)
+}
+
+impl Answer for RankAnswer<'_> {
+    const COMMAND: &'static str = "rank";
+
+    fn text(&self, markdown: bool) -> String {
+        let Ranking { tasks, force, rows } = &self.ranking;
+        let mut headings =
+            vec!["#".to_owned(), "robot".into(), "architecture".into(), "status".into(), "bound mm".into()];
+        headings.extend(tasks.iter().map(|task| format!("{} mm", task.label)));
+        headings.push("mean ratio".into());
+        let mut table = Table::new(headings);
+        for (i, row) in rows.iter().enumerate() {
+            let robot = &row.robot;
+            let mut cells = vec![
+                (i + 1).to_string(),
+                format!("{} {}{}", robot.vendor, robot.name, if robot.status == Status::Estimated { " ~" } else { "" }),
+                robot.architecture.to_string(),
+                robot.status.to_string(),
+                fixed(row.floor * 1e3, 3),
+            ];
+            cells.extend((0..tasks.len()).map(|task| self.cell(row, task)));
+            cells.push(if row.score.is_finite() { fixed(row.score, 3) } else { "-".into() });
+            table.row(cells);
+        }
+        let gap = self.options.gap;
+        format!(
+            "Worst deflection inside each zone at its best place, {force} N in the worst direction, planar model; proved to {gap}\n\n\
+             {}\n{}\n{}\n",
+            table.text(markdown),
+            self.notes(),
+            self.sentences().join("\n")
+        )
+    }
+
+    fn json(&self) -> Value {
+        let Ranking { tasks, force, rows } = &self.ranking;
+        let rows = rows.iter().map(|row| {
+            let robot = &row.robot;
+            let cells = tasks.iter().zip(&row.cells).map(|(task, placed)| {
+                Value::Object(cell_json(robot, task, &self.options, placed, self.tolerance_mm()))
+            });
+            json!({
+                "robot": robot.name,
+                "vendor": robot.vendor,
+                "architecture": robot.architecture.name(),
+                "status": robot.status.name(),
+                "bound_mm": row.floor * 1e3,
+                "mean_ratio": if row.score.is_finite() { json!(row.score) } else { Value::Null },
+                "cells": cells.collect::<Value>(),
+            })
+        });
+        let winners = (0..tasks.len()).map(|task| {
+            let name = |row: Option<&Row>| row.map(|row| row.robot.name.clone());
+            let of = |architecture| name(self.ranking.best(task, |robot| robot.architecture == architecture));
+            json!({
+                "task": tasks[task].label,
+                "best": name(self.ranking.best_published(task)),
+                "best_with_estimated": name(self.ranking.best(task, |_| true)),
+                "best_serial": of(Architecture::Serial),
+                "best_quasi_serial": of(Architecture::QuasiSerial),
+            })
+        });
+        json!({
+            "tasks": tasks.iter().map(|task| task.label.clone()).collect::<Vec<_>>(),
+            "force_n": force,
+            "model": "planar",
+            "rows": rows.collect::<Value>(),
+            "winners": winners.collect::<Value>(),
+            "summary": self.sentences(),
+        })
+    }
+
+    fn csv(&self) -> Table {
+        let mut table = Table::new(["rank", "bound_mm"].into_iter().chain(CELL_COLUMNS));
+        for (i, row) in self.ranking.rows.iter().enumerate() {
+            for (task, placed) in self.ranking.tasks.iter().zip(&row.cells) {
+                let mut cells = vec![(i + 1).to_string(), (row.floor * 1e3).to_string()];
+                cells.extend(cell_row(&row.robot, task, &self.options, placed));
+                table.row(cells);
+            }
+        }
+        table
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        if let Some(svg) = self.svg.get() {
+            return Some(Ok(svg.clone()));
+        }
+        Some(self.figure().map(|svg| self.svg.get_or_init(|| svg).clone()))
+    }
+}

@@ -1,0 +1,217 @@
+//! `stiffarm study`: architecture against link ratio and task size.
+
+use serde_json::{Value, json};
+use stiffarm::study::{Boundary, Contender, Row, Study, StudyOptions, study};
+
+use crate::args::{Common, StudyArgs};
+use crate::failure::Failure;
+use crate::figures::study::{self as figure_of, StudyCurve, StudyPanel};
+use crate::output::{Answer, deliver, figure};
+use crate::table::{Table, fixed, fixed_or_dash, full};
+
+/// Ratios and sizes along the sides of a figure.
+const FIGURE_RATIOS: usize = 61;
+const FIGURE_SIZES: usize = 48;
+
+pub(crate) fn run(args: &StudyArgs, common: &Common) -> Result<(), Failure> {
+    let pick = |key: &str, values: &[f64]| match *values {
+        [both] => Ok([both, both]),
+        [first, second] => Ok([first, second]),
+        _ => Err(Failure::Usage(format!("--{key} takes one value for both architectures, or two"))),
+    };
+    let [first, second] = *args.compare.as_slice() else {
+        return Err(Failure::Usage("--compare takes two architectures, e.g. serial,quasi-serial".into()));
+    };
+    let (k2, k3) = (pick("k2", &args.k2)?, pick("k3", &args.k3)?);
+    let options = StudyOptions {
+        contenders: [
+            Contender { architecture: first, k2: k2[0], k3: k3[0] },
+            Contender { architecture: second, k2: k2[1], k3: k3[1] },
+        ],
+        tasks: args.tasks.clone(),
+        sizes: args.sizes.clone(),
+        ratios: args.ratios.clone(),
+        range: args.range,
+    };
+    deliver(&StudyAnswer(study(&options)?), common)
+}
+
+struct StudyAnswer(Study);
+
+impl StudyAnswer {
+    /// The architecture's name, with its compliances where they are not the reference.
+    fn name(&self, contender: usize) -> String {
+        let Contender { architecture, k2, k3 } = self.0.options.contenders[contender];
+        if (k2, k3) == (1.0, 1.0) { architecture.to_string() } else { format!("{architecture} (k2 {k2}, k3 {k3})") }
+    }
+
+    fn ratio(row: &Row) -> String {
+        match row.ratio {
+            Some(ratio) if ratio.is_best => format!("best {}", fixed(ratio.mu, 3)),
+            Some(ratio) => ratio.mu.to_string(),
+            None => "best -".into(),
+        }
+    }
+
+    fn boundary(&self, boundary: &Boundary) -> String {
+        let task = &self.0.options.tasks[boundary.task].label;
+        let ratios = boundary.mu.map_or_else(|| "each at its best ratio".into(), |mu| format!("mu = {mu}"));
+        let (below, above) = (self.name(boundary.below), self.name(1 - boundary.below));
+        format!("{task}, {ratios}: {below} is better below d/(l2+l3) = {:.4}, {above} above\n", boundary.size)
+    }
+
+    fn figure(&self) -> Result<String, Failure> {
+        let options = &self.0.options;
+        let panels: Result<Vec<StudyPanel>, Failure> = (0..options.tasks.len()).map(|task| self.panel(task)).collect();
+        let title = "Link ratio and task size";
+        figure_of::svg(title, &panels?).map_err(figure)
+    }
+
+    fn panel(&self, task: usize) -> Result<StudyPanel, Failure> {
+        let options = &self.0.options;
+        let shape = &options.tasks[task];
+        let widest = shape.zone.largest_size();
+        let step = |i: usize, count: usize, low: f64, high: f64| low + (high - low) * i as f64 / (count - 1) as f64;
+        let mus: Vec<f64> =
+            (0..FIGURE_RATIOS).map(|i| step(i, FIGURE_RATIOS, options.range.min(), options.range.max())).collect();
+        let sizes: Vec<f64> = (0..FIGURE_SIZES).map(|i| step(i, FIGURE_SIZES, 0.01, 1.0) * widest).collect();
+        let fine = study(&StudyOptions {
+            tasks: vec![shape.clone()],
+            sizes: sizes.clone(),
+            ratios: mus.clone(),
+            ..options.clone()
+        })?;
+        let coarse = study(&StudyOptions { tasks: vec![shape.clone()], sizes: sizes.clone(), ..options.clone() })?;
+        let rows = |contender: usize, best: bool| {
+            fine.rows
+                .iter()
+                .filter(move |row| row.contender == contender && row.ratio.is_some_and(|r| r.is_best) == best)
+        };
+        let accuracy = [0, 1].map(|contender| {
+            let mut cells = vec![None; mus.len() * sizes.len()];
+            for row in rows(contender, false) {
+                let column = row.ratio.and_then(|ratio| mus.iter().position(|&mu| mu == ratio.mu));
+                let line = sizes.iter().position(|&size| size == row.size);
+                if let (Some(i), Some(j)) = (column, line) {
+                    cells[j * mus.len() + i] = row.accuracy;
+                }
+            }
+            cells
+        });
+        let best =
+            [0, 1].map(|contender| rows(contender, true).filter_map(|row| Some((row.size, row.ratio?.mu))).collect());
+        let mut curves: Vec<StudyCurve> = Vec::new();
+        for contender in [0, 1] {
+            for mu in options.ratios.iter().copied().map(Some).chain([None]) {
+                let points = coarse.rows.iter().filter(|row| {
+                    let same = match mu {
+                        Some(mu) => row.ratio.is_some_and(|ratio| !ratio.is_best && ratio.mu == mu),
+                        None => row.ratio.is_some_and(|ratio| ratio.is_best),
+                    };
+                    row.contender == contender && same
+                });
+                let label = mu.map_or_else(|| "best ratio".into(), |mu| format!("μ = {mu}"));
+                curves.push(StudyCurve {
+                    label,
+                    contender,
+                    points: points.filter_map(|row| Some((row.size, row.accuracy?))).collect(),
+                    is_best: mu.is_none(),
+                });
+            }
+        }
+        let boundaries =
+            self.0.boundaries.iter().filter(|b| b.task == task && b.mu.is_none()).map(|b| b.size).collect();
+        Ok(StudyPanel {
+            title: format!("Task {} ({})", shape.label, shape.zone),
+            contenders: [self.name(0), self.name(1)],
+            mus,
+            sizes,
+            accuracy,
+            best,
+            curves,
+            boundaries,
+        })
+    }
+}
+
+impl Answer for StudyAnswer {
+    const COMMAND: &'static str = "study";
+
+    fn text(&self, markdown: bool) -> String {
+        let Study { options, rows, boundaries } = &self.0;
+        let mut headings = vec!["task".to_owned(), "mu = l3/l2".into(), "architecture".into()];
+        headings.extend(options.sizes.iter().map(|size| format!("d = {size}")));
+        let mut table = Table::new(headings);
+        let per_ratio = options.sizes.len() * 2;
+        for group in rows.chunks(per_ratio) {
+            for contender in [0, 1] {
+                let of_contender: Vec<&Row> = group.iter().filter(|row| row.contender == contender).collect();
+                let Some(first) = of_contender.first() else { continue };
+                let is_best = of_contender.iter().any(|row| row.ratio.is_none_or(|ratio| ratio.is_best));
+                let ratio = if is_best { "best".into() } else { Self::ratio(first) };
+                let mut cells = vec![options.tasks[first.task].label.clone(), ratio, self.name(contender)];
+                cells.extend(of_contender.iter().map(|row| {
+                    let at = row.ratio.filter(|ratio| ratio.is_best).map(|ratio| format!(" (mu {:.3})", ratio.mu));
+                    fixed_or_dash(row.accuracy, 4) + &at.unwrap_or_default()
+                }));
+                table.row(cells);
+            }
+        }
+        let boundaries: String = boundaries.iter().map(|boundary| self.boundary(boundary)).collect();
+        format!(
+            "Worst deflection at the best place over k F (l2+l3)^2, sizes d over l2+l3, no joint limits; - does not fit\n\n{}\n{}",
+            table.text(markdown),
+            if boundaries.is_empty() { "The order does not change with the size.\n".into() } else { boundaries }
+        )
+    }
+
+    fn json(&self) -> Value {
+        let Study { options, rows, boundaries } = &self.0;
+        let rows = rows.iter().map(|row| {
+            let Contender { architecture, k2, k3 } = options.contenders[row.contender];
+            json!({
+                "task": options.tasks[row.task].label,
+                "d": row.size,
+                "mu_l3_over_l2": row.ratio.map(|ratio| ratio.mu),
+                "best": row.ratio.is_none_or(|ratio| ratio.is_best),
+                "architecture": architecture.name(),
+                "k2": k2,
+                "k3": k3,
+                "accuracy": row.accuracy,
+            })
+        });
+        let boundaries = boundaries.iter().map(|boundary| {
+            json!({
+                "task": options.tasks[boundary.task].label,
+                "mu_l3_over_l2": boundary.mu,
+                "d": boundary.size,
+                "better_below": self.name(boundary.below),
+                "better_above": self.name(1 - boundary.below),
+            })
+        });
+        json!({ "rows": rows.collect::<Value>(), "boundaries": boundaries.collect::<Value>() })
+    }
+
+    fn csv(&self) -> Table {
+        let Study { options, rows, .. } = &self.0;
+        let mut table = Table::new(["task", "d", "mu_l3_over_l2", "best", "architecture", "k2", "k3", "accuracy"]);
+        for row in rows {
+            let Contender { architecture, k2, k3 } = options.contenders[row.contender];
+            table.row([
+                options.tasks[row.task].label.clone(),
+                row.size.to_string(),
+                full(row.ratio.map(|ratio| ratio.mu)),
+                row.ratio.is_none_or(|ratio| ratio.is_best).to_string(),
+                architecture.to_string(),
+                k2.to_string(),
+                k3.to_string(),
+                full(row.accuracy),
+            ]);
+        }
+        table
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        Some(self.figure())
+    }
+}

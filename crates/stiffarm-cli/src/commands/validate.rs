@@ -1,0 +1,107 @@
+//! `stiffarm validate`: every published number beside the computed one.
+
+use serde_json::{Value, json};
+use stiffarm::ledger::{Entry, Printed, validate};
+
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::output::{Answer, deliver};
+use crate::table::{Table, fixed_or_dash, full};
+
+const PRINTED: Printed = Printed {
+    text: include_str!("../../../../validation/text.csv"),
+    table_1: include_str!("../../../../validation/table1.csv"),
+    table_2: include_str!("../../../../validation/table2.csv"),
+    table_3: include_str!("../../../../validation/table3.csv"),
+    disagreements: include_str!("../../../../validation/disagreements.csv"),
+    reasons: include_str!("../../../../validation/reasons.csv"),
+};
+
+pub(crate) fn run(common: &Common) -> Result<(), Failure> {
+    let ledger = Ledger(validate(&PRINTED)?);
+    deliver(&ledger, common)?;
+    match ledger.0.iter().filter(|entry| !entry.is_settled()).count() {
+        0 => Ok(()),
+        unsettled => Err(Failure::Unsettled(unsettled)),
+    }
+}
+
+struct Ledger(Vec<Entry>);
+
+/// What the ledger says of an entry.
+fn verdict(entry: &Entry) -> &'static str {
+    match (entry.agrees, entry.note.is_some()) {
+        (true, false) => "agrees",
+        (false, true) => "listed",
+        (false, false) => "DISAGREES",
+        (true, true) => "agrees, but LISTED",
+    }
+}
+
+impl Answer for Ledger {
+    const COMMAND: &'static str = "validate";
+
+    fn text(&self, markdown: bool) -> String {
+        let mut table = Table::new(["source", "item", "cell", "printed", "computed", "verdict", "reason"]);
+        let mut reasons: Vec<&str> = Vec::new();
+        for entry in &self.0 {
+            let note = entry.note.as_deref().map(|note| {
+                let number = reasons.iter().position(|known| *known == note).unwrap_or_else(|| {
+                    reasons.push(note);
+                    reasons.len() - 1
+                });
+                format!("[{}]", number + 1)
+            });
+            table.row([
+                entry.source.to_owned(),
+                entry.item.clone(),
+                entry.cell.clone(),
+                entry.printed.clone(),
+                fixed_or_dash(entry.computed, 4),
+                verdict(entry).into(),
+                note.unwrap_or_default(),
+            ]);
+        }
+        let agree = self.0.iter().filter(|entry| entry.agrees).count();
+        let listed = self.0.iter().filter(|entry| !entry.agrees && entry.note.is_some()).count();
+        let unsettled = self.0.iter().filter(|entry| !entry.is_settled()).count();
+        let notes: String = reasons.iter().enumerate().map(|(i, note)| format!("[{}] {note}\n", i + 1)).collect();
+        format!(
+            "{}\n{notes}\nTable I in units of k F (l2 + l3)^2; Table III and text in mm at 1 kN with 1 urad/(N m) unless a ratio or size.\n\
+             {} published numbers: {agree} agree within their printed digits, {listed} are listed with a reason, {unsettled} unsettled.\n",
+            table.text(markdown),
+            self.0.len()
+        )
+    }
+
+    fn json(&self) -> Value {
+        let rows = self.0.iter().map(|entry| {
+            json!({
+                "source": entry.source,
+                "item": entry.item,
+                "cell": entry.cell,
+                "printed": entry.printed,
+                "computed": entry.computed,
+                "agrees": entry.agrees,
+                "note": entry.note,
+            })
+        });
+        json!({ "rows": rows.collect::<Value>() })
+    }
+
+    fn csv(&self) -> Table {
+        let mut table = Table::new(["source", "item", "cell", "printed", "computed", "agrees", "note"]);
+        for entry in &self.0 {
+            table.row([
+                entry.source.to_owned(),
+                entry.item.clone(),
+                entry.cell.clone(),
+                entry.printed.clone(),
+                full(entry.computed),
+                entry.agrees.to_string(),
+                entry.note.clone().unwrap_or_default(),
+            ]);
+        }
+        table
+    }
+}

@@ -1,0 +1,117 @@
+//! What went wrong, and what to do about it.
+
+use std::io;
+use std::path::PathBuf;
+
+/// Every way in which a command ends without an answer.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Failure {
+    /// The reader of stdout has gone.
+    #[error("the reader has gone")]
+    ClosedPipe,
+    /// Stdout cannot be written.
+    #[error("cannot write to standard output: {0}")]
+    Stdout(io::Error),
+    /// A file cannot be written; nothing is left of it.
+    #[error("cannot write {}: {error}", path.display())]
+    Write {
+        /// Which.
+        path: PathBuf,
+        /// Why.
+        error: io::Error,
+    },
+    /// A file cannot be read.
+    #[error("cannot read {}: {error}", path.display())]
+    Read {
+        /// Which.
+        path: PathBuf,
+        /// Why.
+        error: io::Error,
+    },
+    /// An output of this kind does not exist for this command.
+    #[error("{command} cannot write {}: expected a name that ends in {expected}", path.display())]
+    Ending {
+        /// Which command.
+        command: &'static str,
+        /// The file asked for.
+        path: PathBuf,
+        /// The endings there are.
+        expected: String,
+    },
+    /// No robot of this name.
+    #[error("robot '{name}' is not known")]
+    UnknownRobot {
+        /// What was asked for.
+        name: String,
+        /// Names that are close.
+        suggestions: Vec<String>,
+    },
+    /// A folder or pattern without a robot.
+    #[error("'{0}' matches no robot")]
+    NoRobot(String),
+    /// A robot file with faults.
+    #[error("{0}")]
+    RobotFile(#[from] stiffarm::catalogue::Faults),
+    /// Wrong usage that clap cannot see.
+    #[error("{0}")]
+    Usage(String),
+    /// A robot that cannot be judged.
+    #[error(transparent)]
+    Rank(#[from] stiffarm::rank::RankError),
+    /// A zone that cannot be placed.
+    #[error("{robot}: {error}")]
+    Place {
+        /// Which robot.
+        robot: String,
+        /// Why.
+        error: stiffarm::place::PlaceError,
+    },
+    /// A map that cannot be made.
+    #[error("{robot}: {error}")]
+    Map {
+        /// Which robot.
+        robot: String,
+        /// Why.
+        error: stiffarm::map::MapError,
+    },
+    /// A study that makes no sense.
+    #[error(transparent)]
+    Study(#[from] stiffarm::study::StudyError),
+    /// A ledger that cannot be read.
+    #[error(transparent)]
+    Ledger(#[from] stiffarm::ledger::LedgerError),
+    /// A published number disagrees and is not listed, or is listed and agrees.
+    #[error("{0} published numbers are neither reproduced nor listed with a reason")]
+    Unsettled(usize),
+    /// Some robot files have faults.
+    #[error("{0} of the files cannot be used")]
+    BadFiles(usize),
+    /// A figure that cannot be drawn.
+    #[error("cannot draw the figure: {0}")]
+    Figure(String),
+}
+
+impl Failure {
+    /// 2 for wrong usage, 1 for everything else.
+    pub(crate) fn exit_code(&self) -> u8 {
+        match self {
+            Self::Usage(_) | Self::Ending { .. } => 2,
+            _ => 1,
+        }
+    }
+
+    /// What the user can do, where that is known.
+    pub(crate) fn hint(&self) -> Option<String> {
+        match self {
+            Self::UnknownRobot { suggestions, .. } if !suggestions.is_empty() => {
+                Some(format!("did you mean {}?", suggestions.join(", ")))
+            }
+            Self::UnknownRobot { .. } | Self::NoRobot(_) => Some(
+                "`stiffarm robots list` names the robots; a path to a robot file or a folder of them works too".into(),
+            ),
+            Self::RobotFile(_) | Self::BadFiles(_) => Some("the README shows a complete robot file".into()),
+            Self::Map { error: stiffarm::map::MapError::Size { .. }, .. } => Some("try --size 1000".into()),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,295 @@
+//! The sheet on which a figure is drawn: SVG text, px, y down.
+
+use std::fmt::Write;
+
+use skrifa::instance::{LocationRef, Size};
+use skrifa::{FontRef, MetadataProvider};
+
+/// The font that comes with the program, and by which widths are measured.
+pub(super) const FONT: &str = "DejaVu Sans";
+
+/// A point on the sheet, px.
+pub(super) type Px = [f64; 2];
+
+/// Where a text is held.
+#[derive(Clone, Copy)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// How a text looks.
+#[derive(Clone, Copy)]
+pub(super) struct Font<'a> {
+    pub size: f64,
+    pub bold: bool,
+    pub colour: &'a str,
+    pub anchor: Anchor,
+    /// Degrees, clockwise.
+    pub angle: f64,
+    /// A white rim keeps it legible on any ground.
+    pub halo: bool,
+}
+
+impl<'a> Font<'a> {
+    pub(super) const fn new(size: f64) -> Self {
+        Self { size, bold: false, colour: super::INK, anchor: Anchor::Start, angle: 0.0, halo: false }
+    }
+
+    pub(super) const fn bold(self) -> Self {
+        Self { bold: true, ..self }
+    }
+
+    pub(super) const fn middle(self) -> Self {
+        Self { anchor: Anchor::Middle, ..self }
+    }
+
+    pub(super) const fn end(self) -> Self {
+        Self { anchor: Anchor::End, ..self }
+    }
+
+    pub(super) const fn colour(self, colour: &'a str) -> Self {
+        Self { colour, ..self }
+    }
+
+    pub(super) const fn turned(self, angle: f64) -> Self {
+        Self { angle, ..self }
+    }
+
+    pub(super) const fn halo(self) -> Self {
+        Self { halo: true, ..self }
+    }
+
+    /// Width of a text, px, in the font that comes with the program.
+    pub(super) fn width(&self, text: &str) -> f64 {
+        let data = if self.bold { dejavu::sans::bold() } else { dejavu::sans::regular() };
+        let Ok(font) = FontRef::from_index(data, 0) else { return 0.6 * self.size * text.chars().count() as f64 };
+        let (glyphs, advances) =
+            (font.charmap(), font.glyph_metrics(Size::new(self.size as f32), LocationRef::default()));
+        let advance = |c| advances.advance_width(glyphs.map(c).unwrap_or_default()).unwrap_or_default();
+        text.chars().map(|c| f64::from(advance(c))).sum()
+    }
+
+    /// The text, cut with an ellipsis where it is wider than `room` px.
+    pub(super) fn cut(&self, text: &str, room: f64) -> String {
+        if self.width(text) <= room {
+            return text.into();
+        }
+        let mut kept: String = text.into();
+        while kept.pop().is_some() && room < self.width(&kept) + self.width("…") {}
+        kept.trim_end().to_owned() + "…"
+    }
+
+    /// The text in at most `most` lines of `room` px each; the last is cut.
+    pub(super) fn wrapped(&self, text: &str, room: f64, most: usize) -> Vec<String> {
+        let mut lines: Vec<String> = Vec::new();
+        for word in text.split_whitespace() {
+            let full = most <= lines.len();
+            match lines.last_mut() {
+                Some(line) if full || self.width(&format!("{line} {word}")) <= room => {
+                    line.push(' ');
+                    line.push_str(word);
+                }
+                _ => lines.push(word.into()),
+            }
+        }
+        lines.into_iter().map(|line| self.cut(&line, room)).collect()
+    }
+}
+
+/// A figure in the making.
+pub(super) struct Canvas {
+    pub width: f64,
+    pub height: f64,
+    body: String,
+    clips: usize,
+}
+
+impl Canvas {
+    pub(super) fn new(width: f64, height: f64) -> Self {
+        Self { width, height, body: String::new(), clips: 0 }
+    }
+
+    /// Straight lines through `points`; `look` are SVG attributes.
+    pub(super) fn polyline(&mut self, points: &[Px], look: &str) {
+        if 1 < points.len() {
+            self.path(&path(points, false), look);
+        }
+    }
+
+    /// One line.
+    pub(super) fn line(&mut self, from: Px, to: Px, look: &str) {
+        self.polyline(&[from, to], look);
+    }
+
+    /// An SVG path; holes count (`evenodd`).
+    pub(super) fn path(&mut self, d: &str, look: &str) {
+        if !d.is_empty() {
+            let _ = writeln!(self.body, r#"<path d="{d}" fill-rule="evenodd" {look}/>"#);
+        }
+    }
+
+    /// An upright rectangle between two corners.
+    pub(super) fn rect(&mut self, [x0, y0]: Px, [x1, y1]: Px, look: &str) {
+        let (left, top) = (number(x0.min(x1)), number(y0.min(y1)));
+        let (width, height) = (number((x1 - x0).abs()), number((y1 - y0).abs()));
+        let _ = writeln!(self.body, r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" {look}/>"#);
+    }
+
+    /// A circle.
+    pub(super) fn circle(&mut self, [x, y]: Px, radius: f64, look: &str) {
+        let _ = writeln!(self.body, r#"<circle cx="{}" cy="{}" r="{}" {look}/>"#, number(x), number(y), number(radius));
+    }
+
+    /// A text whose middle stands at the height of `at`. Any characters will do.
+    pub(super) fn text(&mut self, at: Px, text: &str, font: Font) {
+        let anchor = match font.anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        let weight = if font.bold { r#" font-weight="bold""# } else { "" };
+        let rim = if font.halo {
+            r#" stroke="white" stroke-width="3" stroke-opacity="0.85" stroke-linejoin="round" paint-order="stroke""#
+        } else {
+            ""
+        };
+        let (x, y, size, colour) = (number(at[0]), number(at[1]), number(font.size), font.colour);
+        let place = if font.angle == 0.0 {
+            format!(r#"x="{x}" y="{}""#, number(at[1] + 0.36 * font.size))
+        } else {
+            format!(r#"y="{}" transform="translate({x} {y}) rotate({})""#, number(0.36 * font.size), number(font.angle))
+        };
+        let text = escaped(text);
+        let _ = writeln!(
+            self.body,
+            r#"<text {place} font-size="{size}" text-anchor="{anchor}" fill="{colour}"{weight}{rim}>{text}</text>"#
+        );
+    }
+
+    /// Draws what `draw` draws, but only inside the path `d`.
+    pub(super) fn clipped(&mut self, d: &str, draw: impl FnOnce(&mut Self)) {
+        self.clips += 1;
+        let id = self.clips;
+        let _ = writeln!(
+            self.body,
+            r#"<clipPath id="clip{id}"><path d="{d}" clip-rule="evenodd"/></clipPath><g clip-path="url(#clip{id})">"#
+        );
+        draw(self);
+        self.body.push_str("</g>\n");
+    }
+
+    /// The SVG text.
+    pub(super) fn finish(self) -> String {
+        let [width, height] = [self.width, self.height].map(number);
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\" font-family=\"{FONT}, Helvetica, Arial, sans-serif\">\n\
+             <rect width=\"{width}\" height=\"{height}\" fill=\"white\"/>\n{}</svg>\n",
+            self.body
+        )
+    }
+}
+
+/// An SVG path through `points`; points less than a tenth of a pixel off the line are left out.
+pub(super) fn path(points: &[Px], closed: bool) -> String {
+    let mut d = String::new();
+    for (i, [x, y]) in simplified(points, 0.05).into_iter().enumerate() {
+        let _ = write!(d, "{}{} {}", if i == 0 { "M" } else { "L" }, number(x), number(y));
+    }
+    if closed && !d.is_empty() {
+        d.push('Z');
+    }
+    d
+}
+
+/// The path of an upright rectangle.
+pub(super) fn rect_path([x0, y0]: Px, [x1, y1]: Px) -> String {
+    path(&[[x0, y0], [x1, y0], [x1, y1], [x0, y1]], true)
+}
+
+/// Douglas and Peucker's thinning: no point left out is more than `most` away from the line.
+fn simplified(points: &[Px], most: f64) -> Vec<Px> {
+    let Some(last) = points.len().checked_sub(1) else { return Vec::new() };
+    let mut kept = vec![false; points.len()];
+    (kept[0], kept[last]) = (true, true);
+    let mut open = vec![(0, last)];
+    while let Some((a, b)) = open.pop() {
+        let off = |i: usize| (i, distance_to_segment(points[i], points[a], points[b]));
+        let farthest = (a + 1..b).map(off).max_by(|x, y| x.1.total_cmp(&y.1));
+        if let Some((middle, off)) = farthest
+            && most < off
+        {
+            kept[middle] = true;
+            open.extend([(a, middle), (middle, b)]);
+        }
+    }
+    points.iter().zip(kept).filter_map(|(&point, kept)| kept.then_some(point)).collect()
+}
+
+fn distance_to_segment(p: Px, a: Px, b: Px) -> f64 {
+    let (along, to) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+    let square = along[0] * along[0] + along[1] * along[1];
+    let share = if square == 0.0 { 0.0 } else { ((to[0] * along[0] + to[1] * along[1]) / square).clamp(0.0, 1.0) };
+    (to[0] - share * along[0]).hypot(to[1] - share * along[1])
+}
+
+/// A coordinate, to a hundredth of a pixel.
+fn number(x: f64) -> f64 {
+    let x = if x.is_nan() { 0.0 } else { x.clamp(-1e5, 1e5) };
+    (x * 100.0).round() / 100.0 + 0.0
+}
+
+/// Text as XML accepts it.
+fn escaped(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => safe.push_str("&amp;"),
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => safe.push(' '),
+            c => safe.push(c),
+        }
+    }
+    safe
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_text_makes_a_valid_figure() {
+        let mut canvas = Canvas::new(100.0, 50.0);
+        canvas.text(
+            [f64::NAN, f64::INFINITY],
+            "a<b & \"c\" 'd' \u{1}\u{ffff}\0 ]]>",
+            Font::new(12.0).halo().turned(30.0),
+        );
+        let svg = canvas.finish();
+        assert!(svg.contains("a&lt;b &amp; &quot;c&quot;"), "{svg}");
+        assert!(super::super::png(&svg, 1.0).is_ok());
+    }
+
+    #[test]
+    fn a_text_that_is_too_wide_is_cut_to_its_room() {
+        let font = Font::new(12.0);
+        let long = "a very long name ".repeat(20);
+        assert_eq!(font.cut("short", 100.0), "short");
+        let cut = font.cut(&long, 100.0);
+        assert!(cut.ends_with('…') && font.width(&cut) <= 100.0);
+        let lines = font.wrapped(&long, 150.0, 2);
+        assert!(lines.len() == 2 && lines.iter().all(|line| font.width(line) <= 150.0), "{lines:?}");
+        assert!(font.wrapped("", 10.0, 2).is_empty());
+    }
+
+    #[test]
+    fn thinning_keeps_corners_and_drops_points_on_the_way() {
+        let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.01], [3.0, 0.0], [3.0, 5.0]];
+        assert_eq!(simplified(&points, 0.05), [[0.0, 0.0], [3.0, 0.0], [3.0, 5.0]]);
+        assert!(simplified(&[], 0.05).is_empty());
+    }
+}

@@ -1,0 +1,317 @@
+//! The compliance map of an arm: bands of deflection, the arm, and where the work stands.
+
+use stiffarm::map::Map;
+use stiffarm::plane::{ElbowSide, PlanarArm};
+use stiffarm::task::Zone;
+
+use super::axes::{Axis, Frame, heading};
+use super::bands::{Bands, Field};
+use super::canvas::{Canvas, Font, rect_path};
+use super::contour::{Grid, Line, Node, area};
+use super::labels::Spots;
+use super::legend::Legend;
+use super::scene::outline;
+use super::{FigureError, WIDTH};
+
+/// No more grid points per side are drawn: finer than the pixels of a large print.
+const MOST_POINTS: usize = 800;
+
+/// The edge of the mapped area is sought on at least this many points per side.
+const EDGE_POINTS: usize = 300;
+
+/// A zone at its place.
+pub(crate) struct ZoneMark {
+    /// What stands there.
+    pub zone: Zone,
+    /// Its centre, m from the joint-2 axis.
+    pub centre: [f64; 2],
+    /// Angle of the first side, rad.
+    pub angle: f64,
+    /// Where the deflection is largest, m from the joint-2 axis.
+    pub worst_point: [f64; 2],
+    /// Its entry in the legend.
+    pub label: String,
+}
+
+/// A map with what it is needed for.
+pub(crate) struct MapFigure<'a> {
+    /// First line.
+    pub title: String,
+    /// Second line, in grey.
+    pub subtitle: String,
+    /// Deflections, m; drawn in mm.
+    pub map: &'a Map,
+    /// The arm that was mapped; it says where exactly the mapped area ends.
+    pub arm: &'a PlanarArm,
+    /// Shoulder and elbow angle, rad, in which the arm is drawn.
+    pub posture: Option<(f64, f64)>,
+    /// The joint-2 axis from the base, m; with it base and floor are drawn, where it stands 5 cm or more above them.
+    pub base: Option<[f64; 2]>,
+    /// Where the work stands.
+    pub zone: Option<ZoneMark>,
+    /// What the colours mean, with the unit mm.
+    pub colour_label: String,
+}
+
+impl MapFigure<'_> {
+    /// The figure as SVG text.
+    #[expect(clippy::unnecessary_wraps, reason = "all figures are called alike")]
+    pub(crate) fn svg(&self) -> Result<String, FigureError> {
+        let legend = Legend::new(self.entries(), WIDTH - 80.0, 4);
+        let mut canvas = Canvas::new(WIDTH, 0.0);
+        let top = heading(&mut canvas, &self.title, &self.subtitle) + 16.0;
+        let frame = self.frame(top);
+        let [[left, bottom], [right, _]] = frame.corners();
+        let inside = rect_path([left, bottom], [right, top]);
+        canvas.clipped(&inside, |canvas| self.floor(canvas, &frame));
+        self.draw_field(&mut canvas, &frame);
+        canvas.clipped(&inside, |canvas| {
+            self.draw_base(canvas, &frame);
+            self.draw_zone(canvas, &frame);
+            self.draw_arm(canvas, &frame);
+            self.draw_worst_point(canvas, &frame);
+        });
+        frame.draw(&mut canvas, "x from the joint-2 axis [m]", "z from the joint-2 axis [m]");
+        legend.draw(&mut canvas, [40.0, bottom + 52.0]);
+        canvas.height = bottom + 66.0 + legend.height();
+        Ok(canvas.finish())
+    }
+
+    /// Equal scales on both axes; everything that is drawn lies inside.
+    fn frame(&self, top: f64) -> Frame {
+        let mut shown = self.reached().to_vec();
+        let room = 0.12 * (self.arm.l2 + self.arm.l3);
+        shown.extend(
+            self.joints().into_iter().flatten().flat_map(|[x, z]| [[x - room, z - room], [x + room, z + room]]),
+        );
+        if let Some([x, z]) = self.standing() {
+            shown.extend([[-x - 0.45, -z - 0.15], [-x + 0.45, room]]);
+        }
+        shown.extend(self.zone.iter().flat_map(outline));
+        shown.retain(|point| point.iter().all(|x| x.is_finite()));
+        let ends = |k: usize| {
+            let values = shown.iter().map(|point| point[k]);
+            let axis = Axis::new(
+                values.clone().fold(f64::INFINITY, f64::min),
+                values.fold(f64::NEG_INFINITY, f64::max),
+                [0.0; 2],
+            );
+            (axis.from, axis.to)
+        };
+        let (x, z) = (ends(0), ends(1));
+        let scale = (750.0 / (x.1 - x.0)).min(780.0 / (z.1 - z.0));
+        // A sliver of a map still gets a frame in which axis titles have room.
+        let widened = |(from, to): (f64, f64)| {
+            let missing = (300.0 / scale - (to - from)).max(0.0) / 2.0;
+            (from - missing, to + missing)
+        };
+        let (x, z) = (widened(x), widened(z));
+        let (width, height) = (scale * (x.1 - x.0), scale * (z.1 - z.0));
+        let left = 85.0 + (750.0 - width) / 2.0;
+        Frame { x: Axis::new(x.0, x.1, [left, left + width]), y: Axis::new(z.0, z.1, [top + height, top]) }
+    }
+
+    /// Left bottom and right top of what is mapped, with a margin, m; of the whole grid where nothing is reached.
+    fn reached(&self) -> [[f64; 2]; 2] {
+        let (x, z) = (self.map.x, self.map.z);
+        let last = |axis: stiffarm::map::Axis| axis.at(axis.count.saturating_sub(1));
+        let mut ends = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for j in 0..z.count {
+            let reached = |(i, cell): (usize, Option<f64>)| cell.map(|_| x.at(i));
+            for x in self.map.row(j).enumerate().filter_map(reached) {
+                ends = [[ends[0][0].min(x), ends[0][1].min(z.at(j))], [ends[1][0].max(x), ends[1][1].max(z.at(j))]];
+            }
+        }
+        if !ends[0][0].is_finite() {
+            return [[x.start, z.start], [last(x), last(z)]];
+        }
+        let margin = 0.04 * (ends[1][0] - ends[0][0]).max(ends[1][1] - ends[0][1]) + x.step.min(z.step);
+        [ends[0].map(|end| end - margin), ends[1].map(|end| end + margin)]
+    }
+
+    fn draw_field(&self, canvas: &mut Canvas, frame: &Frame) {
+        let (x, z) = (self.map.x, self.map.z);
+        let stride = x.count.max(z.count).div_ceil(MOST_POINTS).max(1);
+        let last = |count: usize| count.saturating_sub(1);
+        // The last point is always kept, so that the map does not shrink.
+        let index = |i: usize, count: usize| (i * stride).min(last(count));
+        let count = |count: usize| last(count).div_ceil(stride) + 1;
+        let grid = Grid::new(count(x.count), count(z.count), |i, j| {
+            Some(1e3 * self.map.get(index(i, x.count), index(j, z.count))?)
+        });
+        let [[_, bottom], [right, top]] = frame.corners();
+        let Some(extremes) = grid.extremes() else {
+            let middle = [f64::midpoint(frame.x.px[0], right), f64::midpoint(bottom, top)];
+            canvas.text(middle, "nothing on this grid is reached", Font::new(14.0).middle());
+            return;
+        };
+        let between = |at: f64, axis: stiffarm::map::Axis| {
+            let (below, share) = (at.floor(), at.fract());
+            let [a, b] = [0, 1].map(|k| axis.at(index(below as usize + k, axis.count)));
+            a + share * (b - a)
+        };
+        let metres = |[i, j]: Node| [between(i, x), between(j, z)];
+        let at = |node: Node| {
+            let [x, z] = metres(node);
+            frame.at(x, z)
+        };
+        let bands = Bands::of(extremes);
+        let region = region(&grid, self.arm, &metres);
+        let mut spots = Spots::default();
+        for line in self.covered(frame) {
+            spots.take(&line, 9.0);
+        }
+        Field { grid: &grid, region: &region, bands, at: &at }.draw(canvas, Font::new(12.0), &mut spots);
+        let height = (bottom - top).min(520.0);
+        let middle = f64::midpoint(bottom, top);
+        bands.bar(
+            canvas,
+            [right + 28.0, middle + height / 2.0],
+            [right + 50.0, middle - height / 2.0],
+            &self.colour_label,
+        );
+    }
+}
+
+/// The mapped area. Its edge between two grid points is asked of the arm, so it is as sharp as the arm's own limits.
+///
+/// A map does not say of which elbow side it is: it is taken to be of those sides that reach what it holds. Where no
+/// choice agrees with the map, the edge is smoothed instead.
+fn region(grid: &Grid, arm: &PlanarArm, metres: &dyn Fn(Node) -> [f64; 2]) -> Vec<Line> {
+    let sides = arm.sides().unwrap_or_default();
+    let mut choices = vec![sides.clone()];
+    choices.extend([0, 1].map(|k| {
+        let elbow = sides.first().map(|side| side.elbow);
+        sides.iter().filter(|side| (Some(side.elbow) == elbow) == (k == 0)).cloned().collect()
+    }));
+    let reached = |sides: &[ElbowSide], node: Node| sides.iter().any(|side| side.reaches(metres(node).into()));
+    let sampled = (grid.rows.max(grid.columns) / 150).max(1);
+    let agrees = |sides: &Vec<ElbowSide>| {
+        (0..grid.rows).step_by(sampled).all(|j| {
+            let agrees = |i| grid.get(i as i64, j as i64).is_some() == reached(sides, [i as f64, j as f64]);
+            (0..grid.columns).step_by(sampled).all(agrees)
+        })
+    };
+    let Some(sides) = choices.into_iter().find(agrees) else { return grid.smooth_outline() };
+    // A coarse grid would cut the corners of the area.
+    let split = EDGE_POINTS.div_ceil(grid.rows.max(grid.columns)).max(1);
+    let coarse = |node: Node| node.map(|i| i / split as f64);
+    let fine = |count: usize| (count - 1) * split + 1;
+    let inside = |i: usize, j: usize| reached(&sides, coarse([i as f64, j as f64])).then_some(1.0);
+    let mut rings = Grid::new(fine(grid.columns), fine(grid.rows), inside).outline(|inside, outside| {
+        let at = |share: f64| [0, 1].map(|k| inside[k] as f64 + share * (outside[k] - inside[k]) as f64);
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..12 {
+            let middle = f64::midpoint(low, high);
+            if reached(&sides, coarse(at(middle))) { low = middle } else { high = middle }
+        }
+        low
+    });
+    rings.iter_mut().flatten().for_each(|node| *node = coarse(*node));
+    // Where the area thins out to less than a cell, the grid leaves specks of it.
+    let largest = rings.iter().map(|ring| area(ring).abs()).fold(0.0, f64::max);
+    rings.retain(|ring| 1e-4 * largest <= area(ring).abs());
+    rings
+}
+
+#[cfg(test)]
+mod tests {
+    use stiffarm::drive::Architecture;
+    use stiffarm::limits::Range;
+    use stiffarm::map::{self, Component, Direction, MapOptions};
+
+    use super::super::png;
+    use super::*;
+
+    fn arm() -> PlanarArm {
+        let limits = |a, b| Range::spanning(a, b);
+        let free = PlanarArm::free(1.0, 0.8, 1e-6, 1e-6, Architecture::Serial);
+        PlanarArm { shoulder: limits(0.2, 2.4), elbow: limits(-2.5, 1.0), ..free }
+    }
+
+    fn mapped(arm: &PlanarArm, ends: [f64; 2], count: usize, direction: Direction) -> Map {
+        let axis = map::Axis::between(ends[0], ends[1], count);
+        map::map(arm, &MapOptions { x: axis, z: axis, force: 1e3, direction, elbow: None }).unwrap()
+    }
+
+    fn figure<'a>(map: &'a Map, arm: &'a PlanarArm) -> MapFigure<'a> {
+        let (title, subtitle) = ("t <&\"> ".repeat(60), String::new());
+        MapFigure {
+            title,
+            subtitle,
+            map,
+            arm,
+            posture: None,
+            base: None,
+            zone: None,
+            colour_label: "worst [mm]".into(),
+        }
+    }
+
+    #[test]
+    fn the_edge_of_the_mapped_area_is_that_of_the_arm() {
+        let arm = arm();
+        // No grid line touches the edge without crossing it.
+        let map = mapped(&arm, [-2.03, 2.03], 61, Direction::Worst);
+        let grid = Grid::new(61, 61, |i, j| map.get(i, j));
+        let metres = |[i, j]: Node| [i, j].map(|i| -2.03 + i * 4.06 / 60.0);
+        let reached = |p: [f64; 2]| arm.sides().unwrap().iter().any(|side| side.reaches(p.into()));
+        let rings = region(&grid, &arm, &metres);
+        let crossings: Vec<&Node> = rings.iter().flatten().collect();
+        assert!(100 < crossings.len());
+        for &&[i, j] in &crossings {
+            // Along the grid line on which it was found, the arm reaches one side of a crossing and not the other.
+            let off = if (5.0 * i).fract() == 0.0 { [0.0, 0.002] } else { [0.002, 0.0] };
+            let beside = [1.0, -1.0].map(|s| reached(metres([i + s * off[0], j + s * off[1]])));
+            assert!(beside[0] != beside[1], "{i} {j}");
+        }
+    }
+
+    #[test]
+    fn odd_maps_make_figures() {
+        let arm = arm();
+        let sideways = Direction::Given(0.3, Component::Along);
+        let maps = [
+            mapped(&arm, [5.0, 6.0], 50, Direction::Worst),
+            mapped(&arm, [0.9, 0.9 + 1e-9], 2, Direction::Worst),
+            mapped(&arm, [-2.0, 2.0], 2, Direction::Worst),
+            mapped(&arm, [-2.0, 2.0], 1001, sideways),
+        ];
+        for map in &maps {
+            let zone = Zone::Rectangle { width: 0.2, height: 0.4 };
+            let mark = |x: f64| ZoneMark {
+                zone,
+                centre: [x, 0.5],
+                angle: 0.3,
+                worst_point: [x, 0.5],
+                label: "<B>".repeat(90),
+            };
+            let plain = figure(map, &arm);
+            let full = MapFigure {
+                zone: Some(mark(1.0)),
+                posture: Some((1.0, -1.0)),
+                base: Some([0.3, 0.7]),
+                ..figure(map, &arm)
+            };
+            let lost = MapFigure {
+                zone: Some(mark(f64::NAN)),
+                posture: Some((f64::NAN, 0.0)),
+                base: Some([f64::INFINITY; 2]),
+                ..figure(map, &arm)
+            };
+            for figure in [plain, full, lost] {
+                let svg = figure.svg().unwrap();
+                assert!(svg.len() < 1_500_000);
+                assert!(png(&svg, 0.5).is_ok());
+                assert_eq!(svg, figure.svg().unwrap());
+            }
+        }
+    }
+
+    #[test]
+    fn a_map_of_another_arm_is_drawn_with_a_smoothed_edge() {
+        let arm = arm();
+        let map = mapped(&PlanarArm { l3: 0.5, ..arm.clone() }, [-2.0, 2.0], 100, Direction::Worst);
+        assert!(png(&figure(&map, &arm).svg().unwrap(), 1.0).is_ok());
+    }
+}

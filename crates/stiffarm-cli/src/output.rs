@@ -1,0 +1,113 @@
+//! Where answers go: standard output, or files that appear whole or not at all.
+
+use std::ffi::OsStr;
+use std::io::{self, Write};
+use std::path::Path;
+
+use atomic_write_file::AtomicWriteFile;
+use serde_json::Value;
+
+use crate::args::{Common, Format};
+use crate::failure::Failure;
+use crate::table::Table;
+
+/// An answer in every form it can take. Each is made only when asked for.
+pub(crate) trait Answer {
+    /// The command's name, for errors.
+    const COMMAND: &'static str;
+    /// For people.
+    fn text(&self, markdown: bool) -> String;
+    /// For programs.
+    fn json(&self) -> Value;
+    /// For spreadsheets.
+    fn csv(&self) -> Table;
+    /// A figure as SVG, where the command has one.
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        None
+    }
+}
+
+/// Prints an answer and writes it to every file asked for.
+pub(crate) fn deliver<A: Answer>(answer: &A, common: &Common) -> Result<(), Failure> {
+    for path in &common.output {
+        write_file(path, &contents(answer, path)?)?;
+    }
+    let only_data_file = common.format == Format::Table && common.output.iter().any(|path| !is_picture(path));
+    if !(only_data_file || common.quiet && !common.output.is_empty()) {
+        let text = match common.format {
+            Format::Table => answer.text(false),
+            Format::Md => answer.text(true),
+            Format::Json => json_text(&answer.json()),
+            Format::Csv => answer.csv().csv(),
+        };
+        print(&text)?;
+    }
+    if !common.quiet {
+        for path in &common.output {
+            eprintln!("wrote {}", path.display());
+        }
+    }
+    Ok(())
+}
+
+fn is_picture(path: &Path) -> bool {
+    matches!(ending(path).as_str(), "svg" | "png")
+}
+
+fn ending(path: &Path) -> String {
+    path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase()
+}
+
+fn contents<A: Answer>(answer: &A, path: &Path) -> Result<Vec<u8>, Failure> {
+    match ending(path).as_str() {
+        "json" => return Ok(json_text(&answer.json()).into_bytes()),
+        "csv" => return Ok(answer.csv().csv().into_bytes()),
+        "md" => return Ok(answer.text(true).into_bytes()),
+        "txt" => return Ok(answer.text(false).into_bytes()),
+        picture @ ("svg" | "png") => {
+            if let Some(svg) = answer.svg() {
+                let svg = svg?;
+                return if picture == "svg" {
+                    Ok(svg.into_bytes())
+                } else {
+                    crate::figures::png(&svg, 2.0).map_err(figure)
+                };
+            }
+        }
+        _ => {}
+    }
+    let pictures = if answer.svg().is_some() { ".svg, .png, " } else { "" };
+    let expected = format!("{pictures}.json, .csv, .md or .txt");
+    Err(Failure::Ending { command: A::COMMAND, path: path.into(), expected })
+}
+
+/// A figure's error as a failure.
+#[expect(clippy::needless_pass_by_value, reason = "used with map_err")]
+pub(crate) fn figure(error: crate::figures::FigureError) -> Failure {
+    Failure::Figure(error.to_string())
+}
+
+fn json_text(value: &Value) -> String {
+    let mut text = serde_json::to_string_pretty(value).expect("a JSON value is always text");
+    text.push('\n');
+    text
+}
+
+/// Writes a file whole or not at all.
+fn write_file(path: &Path, contents: &[u8]) -> Result<(), Failure> {
+    let write = || {
+        let mut file = AtomicWriteFile::open(path)?;
+        file.write_all(contents)?;
+        file.commit()
+    };
+    write().map_err(|error| Failure::Write { path: path.into(), error })
+}
+
+/// Writes to standard output.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
+        _ => Failure::Stdout(error),
+    })
+}

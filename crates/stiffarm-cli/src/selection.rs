@@ -1,0 +1,87 @@
+//! Which robots are meant: names, patterns, files, folders.
+
+use std::fs;
+use std::path::Path;
+
+use stiffarm::catalogue::{names, paper_robots, read, suggestions};
+use stiffarm::robot::Robot;
+
+use crate::failure::Failure;
+
+/// Robot files are small; a larger file is something else.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// The one robot that a name or path means.
+pub(crate) fn robot(name: &str) -> Result<Robot, Failure> {
+    let catalogue = paper_robots();
+    if let Some(robot) = catalogue.iter().find(|robot| names(robot, name)) {
+        return Ok(robot.clone());
+    }
+    let path = Path::new(name);
+    if path.is_file() {
+        return read_file(path);
+    }
+    let looks_like_a_file = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    if looks_like_a_file || path.is_dir() {
+        let error = fs::read(path).err().unwrap_or_else(|| std::io::ErrorKind::InvalidInput.into());
+        return Err(Failure::Read { path: path.into(), error });
+    }
+    let suggestions = suggestions(&catalogue, name).into_iter().map(Into::into).collect();
+    Err(Failure::UnknownRobot { name: name.into(), suggestions })
+}
+
+/// All robots that some of the names, patterns, files and folders mean, each once, in the order given.
+pub(crate) fn robots(wanted: &[String]) -> Result<Vec<Robot>, Failure> {
+    let mut found: Vec<Robot> = Vec::new();
+    for name in wanted {
+        for robot in matching(name.trim())? {
+            if !found.contains(&robot) {
+                found.push(robot);
+            }
+        }
+    }
+    Ok(found)
+}
+
+fn matching(name: &str) -> Result<Vec<Robot>, Failure> {
+    if name == "paper" || name == "all" {
+        return Ok(paper_robots());
+    }
+    if Path::new(name).is_dir() {
+        return folder(Path::new(name));
+    }
+    if !name.contains(['*', '?', '[']) {
+        return Ok(vec![robot(name)?]);
+    }
+    let pattern = glob::Pattern::new(&name.to_lowercase())
+        .map_err(|error| Failure::Usage(format!("'{name}' is not a pattern: {error}")))?;
+    let matches = |robot: &Robot| {
+        let name = robot.name.to_lowercase();
+        pattern.matches(&name) || pattern.matches(&format!("{} {name}", robot.vendor.to_lowercase()))
+    };
+    let found: Vec<Robot> = paper_robots().into_iter().filter(matches).collect();
+    if found.is_empty() { Err(Failure::NoRobot(name.into())) } else { Ok(found) }
+}
+
+/// Every robot file in a folder, in the order of their names.
+fn folder(path: &Path) -> Result<Vec<Robot>, Failure> {
+    let failure = |error| Failure::Read { path: path.into(), error };
+    let entries: Result<Vec<_>, _> = fs::read_dir(path).map_err(failure)?.collect();
+    let mut paths: Vec<_> = entries.map_err(failure)?.into_iter().map(|entry| entry.path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
+    paths.sort();
+    if paths.is_empty() {
+        return Err(Failure::NoRobot(path.display().to_string()));
+    }
+    paths.iter().map(|path| read_file(path)).collect()
+}
+
+/// Reads and checks one robot file.
+pub(crate) fn read_file(path: &Path) -> Result<Robot, Failure> {
+    let failure = |error| Failure::Read { path: path.into(), error };
+    if MOST_BYTES < fs::metadata(path).map_err(failure)?.len() {
+        return Err(failure(std::io::Error::other("larger than 1 MiB; expected a robot file")));
+    }
+    let text = fs::read_to_string(path).map_err(failure)?;
+    Ok(read(&text, &path.display().to_string())?)
+}

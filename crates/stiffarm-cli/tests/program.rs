@@ -1,0 +1,285 @@
+//! Does the program answer as users and scripts rely on, and refuse what makes no sense?
+
+use std::fs;
+use std::path::Path;
+use std::process::Command as Process;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use tempfile::TempDir;
+
+const SMALLEST: &str =
+    "name = \"two links\"\narchitecture = \"serial\"\nstatus = \"derived\"\n\n[planar]\nl2_mm = 1000\nl3_mm = 800\n";
+
+fn program() -> Command {
+    Command::cargo_bin("stiffarm").expect("built by cargo")
+}
+
+/// Standard output of a run that succeeds.
+fn run(arguments: &[&str]) -> String {
+    let output = program().args(arguments).output().expect("runs");
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{arguments:?}: {errors}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&run(&[arguments, &["--format", "json"]].concat())).expect("JSON")
+}
+
+/// Exit code and standard error of a run that fails without a panic.
+fn refused(arguments: &[&str]) -> (i32, String) {
+    let output = program().args(arguments).output().expect("runs");
+    let errors = String::from_utf8(output.stderr).expect("text");
+    assert!(!output.status.success(), "{arguments:?} succeeded");
+    assert!(!errors.contains("panicked"), "{errors}");
+    (output.status.code().expect("an exit code"), errors)
+}
+
+fn path(folder: &TempDir, name: &str) -> String {
+    folder.path().join(name).to_str().expect("a plain path").into()
+}
+
+#[test]
+fn without_arguments_the_papers_robots_are_ranked_on_its_tasks() {
+    let text = run(&["rank"]);
+    for robot in ["ES200RD II", "HP350D-200", "IRB 6650S-200", "KR 210 R2700 extra", "TX340 SH", "BT200L", "ZX200U"] {
+        assert!(text.contains(robot), "{robot} is missing:\n{text}");
+    }
+    assert!(text.contains("estimated: lengths or limits partly assumed"));
+    assert!(text.contains("Under 1000 N in the worst direction take ABB IRB 6650S-200 for A:0.1"), "{text}");
+    let ranking = json(&["rank"]);
+    assert_eq!(ranking["tasks"], serde_json::json!(["A:0.1", "A:1.0", "B:0.1", "B:0.5", "C:0.05", "C:0.15"]));
+    assert_eq!(ranking["rows"].as_array().map(Vec::len), Some(10));
+    for row in ranking["rows"].as_array().unwrap() {
+        for cell in row["cells"].as_array().unwrap() {
+            let (value, bound) = (cell["deflection_mm"].as_f64().unwrap(), cell["lower_bound_mm"].as_f64().unwrap());
+            assert!(bound <= value && value - bound <= 1e-4 * value);
+            assert!(row["bound_mm"].as_f64().unwrap() <= bound * (1.0 + 1e-9));
+        }
+    }
+}
+
+#[test]
+fn an_estimated_robot_never_wins_silently() {
+    let ranking = json(&["rank", "--task", "A:1.0"]);
+    let winner = &ranking["winners"][0];
+    assert_eq!(winner["best"], "KR 210 R2700 extra");
+    assert_eq!(winner["best_with_estimated"], "IRB 6400 2.4-200");
+    let text = run(&["rank", "--task", "A:1.0"]);
+    assert!(
+        text.contains("ABB IRB 6400 2.4-200 ~") && text.contains("find its data sheet before you decide"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_placement_has_the_keys_that_scripts_rely_on() {
+    let cell = json(&["place", "kr210r2700EXTRA", "--task", "B:0.5", "--tolerance-mm", "2"]);
+    for key in [
+        "robot",
+        "task",
+        "model",
+        "force_n",
+        "feasible",
+        "deflection_mm",
+        "lower_bound_mm",
+        "x_m",
+        "z_m",
+        "angle_deg",
+        "elbow",
+    ] {
+        assert!(!cell[key].is_null(), "{key} is missing: {cell}");
+    }
+    assert_eq!(cell["model"], "planar");
+    assert_eq!(cell["pass"], true);
+    let none = json(&["place", "IRB 6400 2.4-200", "--task", "C:0.3"]);
+    assert_eq!(none["feasible"], false);
+    assert!(none["reason"].as_str().unwrap().contains("the joint limits leave no place"), "{none}");
+    assert!(none["deflection_mm"].is_null() && none["x_m"].is_null());
+    let too_long = json(&["place", "IRB 6400 2.4-200", "--task", "C:0.6"]);
+    assert!(too_long["reason"].as_str().unwrap().contains("too long for any orientation"), "{too_long}");
+    let nowhere = json(&["place", "BT200L", "--task", "A:0.5", "--within", "3.5..,.."]);
+    assert!(nowhere["reason"].as_str().unwrap().contains("does not fit where it may stand"), "{nowhere}");
+    let scale = none["largest_feasible_scale"].as_f64().unwrap();
+    assert!(0.1 < scale && scale < 1.0);
+    let fits = json(&["place", "IRB 6400 2.4-200", "--task", &format!("rect:{}x{}", 0.3 * scale, 3.0 * scale)]);
+    assert_eq!(fits["feasible"], true);
+}
+
+#[test]
+fn a_place_within_bounds_stands_inside_them() {
+    let free = json(&["place", "BT200L", "--task", "B:0.5"]);
+    let bound = json(&["place", "BT200L", "--task", "B:0.5", "--within", "1.4..,0.2..1.6"]);
+    assert!(free["deflection_mm"].as_f64().unwrap() < bound["deflection_mm"].as_f64().unwrap());
+    // From the base: the joint-2 axis of a BT200L stands at 0.72, 0.45.
+    let (x, z) = (bound["x_m"].as_f64().unwrap() + 0.72, bound["z_m"].as_f64().unwrap() + 0.45);
+    let upright = bound["angle_deg"].as_f64().unwrap() < 1.0;
+    let (width, height) = if upright { (0.5, 1.0) } else { (1.0, 0.5) };
+    assert!(
+        1.4 - 1e-6 <= x - width / 2.0 && 0.2 - 1e-6 <= z - height / 2.0 && z + height / 2.0 <= 1.6 + 1e-6,
+        "{bound}"
+    );
+}
+
+#[test]
+fn the_smallest_robot_file_reproduces_the_motivating_example() {
+    let folder = TempDir::new().unwrap();
+    let file = path(&folder, "two_links.toml");
+    fs::write(&file, SMALLEST).unwrap();
+    let zone = json(&["place", &file, "--task", "rect:0.5x2"]);
+    assert!((zone["deflection_mm"].as_f64().unwrap() - 1.772).abs() < 5e-4, "{zone}");
+    let both = json(&["rank", "--robots", folder.path().to_str().unwrap(), "--robots", "kuka*", "--task", "A:0.2"]);
+    assert_eq!(both["rows"].as_array().map(Vec::len), Some(2));
+    assert!(run(&["robots", "check", &file]).contains("can be used"));
+}
+
+#[test]
+fn every_fault_of_a_robot_file_is_named_with_its_line() {
+    let folder = TempDir::new().unwrap();
+    let file = path(&folder, "bad.toml");
+    fs::write(&file, SMALLEST.replace("800", "0.8").replace("serial", "cereal") + "l4_mm = 3\n").unwrap();
+    for arguments in [vec!["robots", "check", &file], vec!["place", &file, "--task", "A:0.1"]] {
+        let (code, errors) = refused(&arguments);
+        assert_eq!(code, 1);
+        for expected in
+            ["bad.toml:2: architecture", "bad.toml:7: planar.l3_mm: 0.8 mm", "write 800", "bad.toml:8: planar.l4_mm"]
+        {
+            assert!(errors.contains(expected), "{expected}:\n{errors}");
+        }
+    }
+}
+
+#[test]
+fn what_makes_no_sense_is_refused_with_what_to_do() {
+    let cases: &[(&[&str], i32, &str)] = &[
+        (&["place", "KR 120 R2700 extra", "--task", "A:0.1"], 1, "did you mean KR 210 R2700 extra"),
+        (&["place", "xyz", "--task", "A:0.1"], 1, "stiffarm robots list"),
+        (&["place", "missing.toml", "--task", "A:0.1"], 1, "cannot read missing.toml"),
+        (&["place", "BT200L", "--task", "circle:500"], 2, "500 mm would be 0.5"),
+        (&["place", "BT200L", "--task", "A:0"], 2, "expected 0.0001 to 50 m"),
+        (&["place", "BT200L", "--task", "A:nan"], 2, "a side of NaN m"),
+        (&["place", "BT200L", "--task", "A:-1"], 2, "a side of -1 m"),
+        (&["place", "BT200L", "--task", "A:1e99"], 2, "expected 0.0001 to 50 m"),
+        (&["place", "BT200L", "--task", "A:0.1", "--force-n", "inf"], 2, "expected a number from"),
+        (&["place", "BT200L", "--task", "A:0.1", "--within", "2..1,.."], 2, "the lower end first"),
+        (&["place", "BT200L", "--task", "A:0.1", "--angle", "sideways"], 2, "expected axes, horizontal"),
+        (&["place", "BT200L", "--task", "A:0.1", "--gap", "0"], 2, "expected a number from"),
+        (&["rank", "--robots", "nobody*"], 1, "matches no robot"),
+        (&["rank", "--threads", "0"], 2, "expected a whole number"),
+        (&["map", "BT200L", "--step-m", "0.000003"], 1, "at most 100000000 cells"),
+        (&["map", "BT200L", "--size", "20000"], 1, "at most 100000000 cells"),
+        (&["map", "BT200L", "--size", "1000000"], 2, "expected a whole number from 2 to 100000"),
+        (&["map", "BT200L", "--size", "1"], 2, "expected a whole number from 2"),
+        (&["map", "BT200L", "--direction-deg", "nan"], 2, "expected a number from"),
+        (&["study", "--sizes", "-1"], 2, "unexpected argument"),
+        (&["study", "--sizes=-1"], 1, "a size over l2 + l3 is -1"),
+        (&["study", "--ratios", "nan"], 1, "a link ratio is NaN"),
+        (&["study", "--compare", "serial"], 2, "takes two architectures"),
+        (&["rank", "-o", "ranking.xlsx"], 2, "expected a name that ends in .svg"),
+        (&["validate", "-o", "ledger.svg"], 2, "expected a name that ends in .json"),
+        (&["rank", "-o", "no/such/folder/ranking.csv"], 1, "cannot write no/such/folder/ranking.csv"),
+    ];
+    for (arguments, code, expected) in cases {
+        let (found, errors) = refused(arguments);
+        assert_eq!(found, *code, "{arguments:?}: {errors}");
+        assert!(errors.contains(expected), "{arguments:?}: {errors}");
+    }
+}
+
+#[test]
+fn every_kind_of_file_is_written() {
+    let folder = TempDir::new().unwrap();
+    let commands: &[(&str, &[&str], &[&str])] = &[
+        (
+            "rank",
+            &["rank", "--task", "B:0.5,A:0.2", "--tolerance-mm", "2"],
+            &["svg", "png", "json", "csv", "md", "txt"],
+        ),
+        ("map", &["map", "IRB 6650S-200", "--size", "60", "--zone", "B:0.5"], &["svg", "png", "json", "csv"]),
+        ("directed", &["map", "ZX200U", "--size", "60", "--direction-deg", "30"], &["svg", "png", "json"]),
+        ("place", &["place", "KR 210 R2700 extra", "--task", "C:0.1"], &["svg", "png", "json", "csv", "md"]),
+        ("study", &["study", "--tasks", "A", "--sizes", "0.1,0.5"], &["svg", "png", "json", "csv"]),
+    ];
+    for (name, arguments, endings) in commands {
+        let files: Vec<String> = endings.iter().map(|ending| path(&folder, &format!("{name}.{ending}"))).collect();
+        let outputs: Vec<&str> = files.iter().flat_map(|file| ["-o", file.as_str()]).collect();
+        run(&[*arguments, &outputs].concat());
+        for (file, ending) in files.iter().zip(*endings) {
+            let bytes = fs::read(file).unwrap();
+            match *ending {
+                "png" => assert_eq!(&bytes[1..4], b"PNG", "{file}"),
+                "svg" => assert!(bytes.starts_with(b"<svg") && bytes.ends_with(b"</svg>\n"), "{file}"),
+                "json" => drop(serde_json::from_slice::<Value>(&bytes).expect("JSON")),
+                _ => assert!(1 < String::from_utf8(bytes).unwrap().lines().count(), "{file}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn the_same_question_gives_the_same_bytes() {
+    for arguments in [
+        &["rank", "--format", "json"][..],
+        &["study", "--format", "csv"],
+        &["map", "BT200L", "--size", "50", "--format", "csv"],
+    ] {
+        assert_eq!(run(arguments), run(&[arguments, &["--threads", "1"]].concat()), "{arguments:?}");
+    }
+    let folder = TempDir::new().unwrap();
+    let (first, second) = (path(&folder, "1.svg"), path(&folder, "2.svg"));
+    for file in [&first, &second] {
+        run(&["map", "BT200L", "--size", "80", "--zone", "A:0.3", "-o", file]);
+    }
+    assert_eq!(fs::read(first).unwrap(), fs::read(second).unwrap());
+}
+
+#[test]
+fn a_map_in_json_is_blank_where_the_arm_does_not_reach() {
+    let map = json(&["map", "KR 210 R2700 extra", "--size", "40"]);
+    let (columns, rows) = (map["x_m"].as_array().unwrap().len(), map["z_m"].as_array().unwrap().len());
+    let cells = map["worst_mm"].as_array().unwrap();
+    assert_eq!(cells.len(), rows);
+    assert!(cells.iter().all(|row| row.as_array().unwrap().len() == columns));
+    let flat: Vec<&Value> = cells.iter().flat_map(|row| row.as_array().unwrap()).collect();
+    let reached: Vec<f64> = flat.iter().filter_map(|cell| cell.as_f64()).collect();
+    assert!(flat.iter().any(|cell| cell.is_null()) && !reached.is_empty());
+    assert!(reached.iter().all(|cell| 1.444 < *cell && *cell < 6.97), "between k l3^2 and k ((l2+l3)^2 + l3^2)");
+}
+
+#[test]
+fn published_numbers_are_settled() {
+    let ledger = json(&["validate"]);
+    let rows = ledger["rows"].as_array().unwrap();
+    assert!(rows.iter().all(|row| row["agrees"].as_bool().unwrap() == row["note"].is_null()));
+    assert!(run(&["validate"]).contains(" 0 unsettled."));
+}
+
+#[cfg(unix)]
+fn shell(script: &str, folder: &Path) -> std::process::Output {
+    let program = assert_cmd::cargo::cargo_bin("stiffarm");
+    Process::new("bash").args(["-c", script]).env("STIFFARM", program).current_dir(folder).output().expect("bash runs")
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_has_seen_enough_is_no_failure() {
+    let folder = TempDir::new().unwrap();
+    let script = "\"$STIFFARM\" map BT200L --size 1500 --format csv | head -n 1; exit ${PIPESTATUS[0]}";
+    let output = shell(script, folder.path());
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    assert!(output.status.success());
+    assert_eq!(output.stdout, b"x_m,z_m,deflection_mm\n");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_write_leaves_the_old_file_and_no_half_one() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("map.csv"), "old").unwrap();
+    // A file size limit of 8 KiB ends the program in the middle of writing.
+    let output = shell("ulimit -f 8; \"$STIFFARM\" map BT200L --size 300 -o map.csv -o new.csv", folder.path());
+    assert!(!output.status.success());
+    assert_eq!(fs::read_to_string(folder.path().join("map.csv")).unwrap(), "old");
+    assert!(!folder.path().join("new.csv").exists());
+}
