@@ -154,17 +154,24 @@ impl RankAnswer<'_> {
 
     fn estimated_rivals(&self) -> Option<String> {
         let ranking = &self.ranking;
-        let mut rivals: Vec<String> = Vec::new();
+        let mut rivals: Vec<(&str, Vec<&str>)> = Vec::new();
         for task in 0..ranking.tasks.len() {
-            let best = ranking.best(task, |_| true)?;
-            if best.robot.status == Status::Estimated && ranking.best_published(task).is_some() {
-                rivals.push(format!("{} on {}", best.robot.name, ranking.tasks[task].label));
+            let Some(best) = ranking.best(task, |_| true) else { continue };
+            if best.robot.status != Status::Estimated || ranking.best_published(task).is_none() {
+                continue;
+            }
+            let label = ranking.tasks[task].label.as_str();
+            match rivals.iter_mut().find(|(name, _)| *name == best.robot.name) {
+                Some((_, tasks)) => tasks.push(label),
+                None => rivals.push((&best.robot.name, vec![label])),
             }
         }
+        let rivals: Vec<String> =
+            rivals.into_iter().map(|(name, tasks)| format!("{name} on {}", tasks.join(", "))).collect();
         (!rivals.is_empty()).then(|| {
             format!(
-                "With estimated numbers {} would be stiffer: find its data sheet before you decide.",
-                rivals.join(", ")
+                "By estimated numbers {} would be stiffer: find its data sheet before you decide.",
+                rivals.join("; ")
             )
         })
     }
