@@ -1,5 +1,6 @@
 //! Verb 3: where must the zone stand, how far is the tool pushed off there, and who proves that no place is better?
 
+mod boxes;
 mod exact;
 mod search;
 

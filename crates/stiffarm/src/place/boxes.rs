@@ -1,0 +1,125 @@
+//! Sets of places: how they are split, and what all places of a set have in common.
+
+use std::cmp::Ordering;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use nalgebra::Vector2;
+
+use crate::limits::Range;
+use crate::plane::{SLACK, Shape};
+use crate::task::Zone;
+
+/// Slack within which a box is given up: less than what a place is granted, so that a box about to become a point
+/// either goes or holds a place, and more than rounding, so that no place within its limits is lost.
+pub(super) const BOX_SLACK: f64 = SLACK / 2.0;
+
+/// A set of places on one elbow side, and a lower bound on their compliance.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    pub(super) lower: f64,
+    pub(super) side: usize,
+    pub(super) u: Range,
+    pub(super) v: Range,
+    pub(super) turn: Range,
+}
+
+impl PartialEq for Node {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+impl Eq for Node {}
+impl PartialOrd for Node {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Node {
+    /// The heap hands out the greatest first: the least lower bound, of those the smallest box.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.lower.total_cmp(&self.lower).then(other.u.width().total_cmp(&self.u.width()))
+    }
+}
+
+/// The two halves of a box across its longest side; a turn counts as the way it moves a point 1 m out.
+pub(super) fn split(node: Node) -> [Node; 2] {
+    let (u, v) = (node.u.width(), node.v.width());
+    // A set of turns that is wider than half a turn is never searched: the limits choose from it.
+    let turn = if node.turn.width() <= PI { node.turn.width() } else { 0.0 };
+    let halves = |range: Range| {
+        let middle = range.middle();
+        [Range::spanning(range.min(), middle), Range::spanning(middle, range.max())]
+    };
+    if v <= u && turn <= u {
+        halves(node.u).map(|u| Node { u, ..node })
+    } else if turn <= v {
+        halves(node.v).map(|v| Node { v, ..node })
+    } else {
+        halves(node.turn).map(|turn| Node { turn, ..node })
+    }
+}
+
+/// The points of a box with the least and the greatest `|u|`, `|v|`.
+pub(super) fn corners(u: Range, v: Range) -> (Vector2<f64>, Vector2<f64>) {
+    let least = |range: Range| range.clamp(0.0).abs();
+    let most = |range: Range| range.min().abs().max(range.max().abs());
+    (Vector2::new(least(u), least(v)), Vector2::new(most(u), most(v)))
+}
+
+/// What every zone with its centre in the box covers (`true`), or, where they share nothing, a figure that each touches.
+pub(super) fn core(zone: Zone, u: Range, v: Range) -> (Shape, bool) {
+    let middle = Vector2::new(u.middle(), v.middle());
+    match zone {
+        Zone::Circle { diameter } => {
+            let radius = diameter / 2.0 - u.width().hypot(v.width()) / 2.0;
+            (Shape::Disc(middle, radius.abs()), 0.0 <= radius)
+        }
+        Zone::Rectangle { width, height } => {
+            let half = Vector2::new(width - u.width(), height - v.width()) / 2.0;
+            if 0.0 <= half.x && 0.0 <= half.y {
+                (Shape::Rectangle(middle, half), true)
+            } else {
+                // Along an axis on which they share a stretch, its middle will do.
+                (Shape::Rectangle(middle, half.map(|h| (-h).max(0.0))), false)
+            }
+        }
+    }
+}
+
+/// Do two ranges of angles share one up to whole turns?
+pub(super) fn meets(allowed: Range, turn: Range) -> bool {
+    if !allowed.is_bounded() {
+        return true;
+    }
+    let period = 2.0 * PI;
+    let first = ((allowed.min() - BOX_SLACK - turn.max()) / period).ceil() * period;
+    turn.min() + first <= allowed.max() + BOX_SLACK
+}
+
+/// The range of the cosine over a range of angles.
+pub(super) fn cosine_over(angles: Range) -> Range {
+    if 2.0 * PI <= angles.width() {
+        return Range::spanning(-1.0, 1.0);
+    }
+    let ends = Range::spanning(angles.min().cos(), angles.max().cos());
+    let passes = |x: f64| angles.turn_to(x, 0.0).is_some();
+    Range::spanning(if passes(PI) { -1.0 } else { ends.min() }, if passes(0.0) { 1.0 } else { ends.max() })
+}
+
+pub(super) fn product(a: Range, b: Range) -> Range {
+    let ends = [a.min() * b.min(), a.min() * b.max(), a.max() * b.min(), a.max() * b.max()];
+    Range::spanning(ends.into_iter().fold(f64::INFINITY, f64::min), ends.into_iter().fold(f64::NEG_INFINITY, f64::max))
+}
+
+/// Half the width and height that the zone takes at least over a set of turns.
+pub(super) fn least_half_extents(zone: Zone, turn: Range) -> Vector2<f64> {
+    if turn.width() == 0.0 {
+        return zone.half_extents(turn.min());
+    }
+    let least = |range: Range| range.clamp(0.0).abs();
+    let (cos, sin) = (least(cosine_over(turn)), least(cosine_over(turn.affine(1.0, -FRAC_PI_2))));
+    match zone {
+        Zone::Circle { diameter } => Vector2::repeat(diameter / 2.0),
+        Zone::Rectangle { width, height } => Vector2::new(width * cos + height * sin, width * sin + height * cos) / 2.0,
+    }
+}
