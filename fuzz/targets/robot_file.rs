@@ -14,8 +14,8 @@ fuzz_target!(|text: &str| {
             if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
                 assert!(geometry.sign.iter().all(|sign| sign.abs() == 1.0));
                 let middle = limits.joints.map(|range| range.middle());
-                let wrist = geometry.wrist_centre(middle, limits.third_axis);
-                assert!(wrist.iter().all(|x| x.is_finite()), "{wrist:?}");
+                let flange = geometry.forward(&geometry.model_angles(&middle, limits.third_axis)).translation.vector;
+                assert!(flange.iter().all(|x| x.is_finite()), "{flange}");
             }
         }
         Err(faults) => {

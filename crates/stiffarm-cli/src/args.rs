@@ -29,6 +29,8 @@ pub(crate) enum Command {
     Place(PlaceArgs),
     /// Map the deflection over everything a robot reaches
     Map(MapArgs),
+    /// Six-axis compliance at one posture, and which drive gives how much
+    Compliance(ComplianceArgs),
     /// Compare two architectures over link ratio and task size
     Study(StudyArgs),
     /// List, show and check robots
@@ -138,6 +140,21 @@ pub(crate) struct MapArgs {
     pub(crate) size: usize,
     #[command(flatten)]
     pub(crate) placing: Placing,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ComplianceArgs {
+    /// A robot's name, or the path of a robot file
+    pub(crate) robot: String,
+    /// The six joint angles as the robot reports them [deg], separated by commas
+    #[arg(long, value_name = "Q1,..,Q6", value_delimiter = ',', required = true, allow_hyphen_values = true)]
+    pub(crate) joints_deg: Vec<f64>,
+    /// Force at the tool point, base axes [N]: x,y,z
+    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', allow_hyphen_values = true)]
+    pub(crate) force_n: Vec<f64>,
+    /// Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange centre]
+    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', allow_hyphen_values = true)]
+    pub(crate) tool_mm: Vec<f64>,
 }
 
 #[derive(Debug, Args)]

@@ -74,6 +74,14 @@ pub(crate) enum Failure {
         /// Why.
         error: stiffarm::map::MapError,
     },
+    /// A posture that cannot be judged.
+    #[error("{robot}: {error}")]
+    Posture {
+        /// Which robot.
+        robot: String,
+        /// Why.
+        error: stiffarm::compliance::PostureError,
+    },
     /// A study that makes no sense.
     #[error(transparent)]
     Study(#[from] stiffarm::study::StudyError),

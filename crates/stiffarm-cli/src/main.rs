@@ -26,6 +26,7 @@ fn main() -> ExitCode {
         Command::Rank(args) => commands::rank::run(args, common),
         Command::Place(args) => commands::place::run(args, common),
         Command::Map(args) => commands::map::run(args, common),
+        Command::Compliance(args) => commands::compliance::run(args, common),
         Command::Study(args) => commands::study::run(args, common),
         Command::Robots(args) => commands::robots::run(args, common),
         Command::Validate => commands::validate::run(common),

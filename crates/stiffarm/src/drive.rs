@@ -1,6 +1,6 @@
 //! What springs, and in which coordinates?
 
-use nalgebra::Matrix2;
+use nalgebra::{Matrix2, Matrix6};
 
 /// How drive 3 is coupled to the arm.
 ///
@@ -23,6 +23,13 @@ impl Architecture {
             Self::Serial => "serial",
             Self::QuasiSerial => "quasi-serial",
         }
+    }
+
+    /// `A` on all six joints: as on the joints 2 and 3, the others held by their own drives.
+    pub fn transmission_of_six(self) -> Matrix6<f64> {
+        let mut a = Matrix6::identity();
+        a.fixed_view_mut::<2, 2>(1, 1).copy_from(&self.transmission());
+        a
     }
 
     /// `A` on the joints 2 and 3: joint angles `q = A psi` from drive angles `psi`.

@@ -2,7 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use nalgebra::{Matrix6, Unit, Vector3, Vector6};
+
 use crate::limits::{Range, ThirdAxis};
+use crate::spatial::Pose;
 
 /// An arm with a spherical wrist: the seven lengths, zero offsets and signs of [OPW].
 ///
@@ -67,17 +70,117 @@ impl Geometry {
         enclosed.affine(1.0, -self.lean() - std::f64::consts::PI)
     }
 
-    /// Wrist centre in the base frame for the six reported joint angles, rad.
+    /// The flange in the base frame at the model angles `theta`, rad.
+    pub fn forward(&self, theta: &[f64; 6]) -> Pose {
+        let [t1, t2, t3, t4, t5, t6] = *theta;
+        let turn = |axis: Unit<Vector3<f64>>, angle: f64| Pose::rotation(axis.into_inner() * angle);
+        let (y, z) = (Vector3::y_axis(), Vector3::z_axis());
+        turn(z, t1)
+            * Pose::translation(self.a1, self.b, self.c1)
+            * turn(y, t2)
+            * Pose::translation(0.0, 0.0, self.c2)
+            * turn(y, t3)
+            * Pose::translation(self.a2, 0.0, self.c3)
+            * turn(z, t4)
+            * turn(y, t5)
+            * turn(z, t6)
+            * Pose::translation(0.0, 0.0, self.c4)
+    }
+
+    /// The geometric Jacobian, 6 x 6, at the model angles `theta` for a point at `tool` (m, base frame).
+    ///
+    /// Column `i` is `(e_i x (tool - p_i), e_i)` for joint axis `e_i` through `p_i`; base axes, translation first.
+    pub fn jacobian(&self, theta: &[f64; 6], tool: &Vector3<f64>) -> Matrix6<f64> {
+        let [t1, t2, t3, t4, t5, _] = *theta;
+        let (s1, c1) = t1.sin_cos();
+        let in_base = |x: f64, y: f64, z: f64| Vector3::new(c1 * x - s1 * y, s1 * x + c1 * y, z);
+        let (s2, c2) = t2.sin_cos();
+        let (s23, c23) = (t2 + t3).sin_cos();
+        let (s4, c4) = t4.sin_cos();
+        let (s5, c5) = t5.sin_cos();
+        let across = in_base(0.0, 1.0, 0.0);
+        let along = in_base(s23, 0.0, c23); // the forearm, which joint 4 turns about
+        let forwards = in_base(c23, 0.0, -s23);
+        let bend = -s4 * forwards + c4 * across; // joint 5
+        let spin = s5 * (c4 * forwards + s4 * across) + c5 * along; // joint 6
+        let shoulder = in_base(self.a1, self.b, self.c1);
+        let elbow = shoulder + self.c2 * in_base(s2, 0.0, c2);
+        let wrist = elbow + self.a2 * forwards + self.c3 * along;
+        let axes = [
+            (Vector3::z(), Vector3::zeros()),
+            (across, shoulder),
+            (across, elbow),
+            (along, wrist),
+            (bend, wrist),
+            (spin, wrist),
+        ];
+        let columns = axes.map(|(axis, through)| {
+            let moved = axis.cross(&(tool - through));
+            Vector6::new(moved.x, moved.y, moved.z, axis.x, axis.y, axis.z)
+        });
+        Matrix6::from_columns(&columns)
+    }
+
+    /// Wrist centre in the base frame, m, for the six joint angles as reported, rad.
     pub fn wrist_centre(&self, q: [f64; 6], third_axis: ThirdAxis) -> [f64; 3] {
-        let theta = |i: usize| self.sign[i] * q[i] - self.offset[i];
-        let t2 = theta(1);
-        let t23 = match third_axis {
-            ThirdAxis::Elbow => t2 + theta(2),
-            ThirdAxis::Forearm => theta(2),
-        };
-        let x = self.a1 + self.c2 * t2.sin() + self.a2 * t23.cos() + self.c3 * t23.sin();
-        let z = self.c1 + self.c2 * t2.cos() - self.a2 * t23.sin() + self.c3 * t23.cos();
-        let (s1, c1) = theta(0).sin_cos();
-        [c1 * x - s1 * self.b, s1 * x + c1 * self.b, z]
+        let flange = self.forward(&self.model_angles(&q, third_axis));
+        (flange.translation.vector - flange.rotation * Vector3::z() * self.c4).into()
+    }
+
+    /// Model angles from the six joint angles as reported, rad.
+    pub fn model_angles(&self, q: &[f64; 6], third_axis: ThirdAxis) -> [f64; 6] {
+        let mut theta = std::array::from_fn(|i| self.sign[i] * q[i] - self.offset[i]);
+        if third_axis == ThirdAxis::Forearm {
+            theta[2] -= theta[1];
+        }
+        theta
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn kuka() -> Geometry {
+        let offset = [0.0, -FRAC_PI_2, 0.0, 0.0, 0.0, 0.0];
+        let sign = [-1.0, 1.0, 1.0, -1.0, 1.0, -1.0];
+        Geometry { a1: 0.35, a2: 0.041, b: 0.02, c1: 0.675, c2: 1.15, c3: 1.2, c4: 0.215, offset, sign }
+    }
+
+    #[test]
+    fn upright_with_the_forearm_level_the_flange_stands_where_the_lengths_add_up() {
+        // Upper arm up, forearm level and forwards, wrist straight: the forearm axis lies 41 mm below the elbow.
+        let flange = kuka().forward(&[0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0]);
+        let expected = Vector3::new(0.35 + 1.2 + 0.215, 0.02, 0.675 + 1.15 - 0.041);
+        assert!((flange.translation.vector - expected).norm() < 1e-12, "{flange}");
+        assert!((flange.rotation * Vector3::z() - Vector3::x()).norm() < 1e-12, "the tool points ahead");
+    }
+
+    #[test]
+    fn the_jacobian_is_what_finite_differences_of_the_flange_give() {
+        let (geometry, mut rng) = (kuka(), fastrand::Rng::with_seed(3));
+        let tool_in_flange = Vector3::new(0.1, -0.05, 0.3);
+        for _ in 0..200 {
+            let theta: [f64; 6] = std::array::from_fn(|_| 6.0 * (rng.f64() - 0.5));
+            let flange = geometry.forward(&theta);
+            let tool = flange * nalgebra::Point3::from(tool_in_flange);
+            let jacobian = geometry.jacobian(&theta, &tool.coords);
+            for i in 0..6 {
+                let h = 1e-6;
+                let moved = |step: f64| {
+                    let mut theta = theta;
+                    theta[i] += step;
+                    geometry.forward(&theta)
+                };
+                let (ahead, behind) = (moved(h), moved(-h));
+                let point = |pose: &Pose| pose * nalgebra::Point3::from(tool_in_flange);
+                let translation = (point(&ahead) - point(&behind)) / (2.0 * h);
+                let rotation = (ahead.rotation * behind.rotation.inverse()).scaled_axis() / (2.0 * h);
+                let expected =
+                    Vector6::new(translation.x, translation.y, translation.z, rotation.x, rotation.y, rotation.z);
+                // Central differences of step 1e-6: rounding 1e-10, truncation 1e-12, metres of arm.
+                assert!((jacobian.column(i) - expected).norm() < 1e-8, "joint {}: {theta:?}", i + 1);
+            }
+        }
     }
 }

@@ -28,6 +28,7 @@
 //! - **\[theory\]** `docs/theory.md` of this repository: the formulas with their derivation.
 
 pub mod catalogue;
+pub mod compliance;
 pub mod drive;
 pub mod geometry;
 pub mod ledger;
@@ -38,5 +39,6 @@ pub mod plane;
 pub mod rank;
 pub mod robot;
 mod root;
+pub mod spatial;
 pub mod study;
 pub mod task;

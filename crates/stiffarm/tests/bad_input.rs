@@ -97,6 +97,9 @@ fn assert_fault(text: &str, line: usize, key: &str, says: &[&str]) {
 #[test]
 fn the_texts_from_which_the_faulty_ones_are_made_are_robots() {
     assert_eq!(read(SIX_AXES, "mine.toml").unwrap().name, "Test 6");
+    let soft = read(&with(SIX_AXES, "drive", "drive_urad_per_nm = [1, 2, 3, 4, 5, 6]"), "mine.toml").unwrap();
+    let arm = soft.arm_plane().unwrap().arm;
+    assert_eq!((arm.l2, arm.k2, arm.k3), (1.15, 2e-6, 3e-6));
     let two_links = read(TWO_LINKS, "mine.toml").unwrap();
     assert_eq!(two_links.name, "Test 2");
     // 1000 mm, 1 and 2 urad/(N m), 150 deg: in m, rad/(N m) and rad.

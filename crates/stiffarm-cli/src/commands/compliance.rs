@@ -1,0 +1,152 @@
+//! `stiffarm compliance`: one posture, all six drives.
+
+use nalgebra::{Rotation3, Translation3, Vector3};
+use serde_json::{Value, json};
+use stiffarm::compliance::{Posture, beyond_limits, compliance};
+use stiffarm::robot::Robot;
+use stiffarm::spatial::{Pose, Wrench};
+
+use crate::args::{Common, ComplianceArgs};
+use crate::failure::Failure;
+use crate::output::{Answer, deliver};
+use crate::selection;
+use crate::table::{Table, fixed};
+
+pub(crate) fn run(args: &ComplianceArgs, common: &Common) -> Result<(), Failure> {
+    let robot = selection::robot(&args.robot)?;
+    let q: [f64; 6] = args.joints_deg.as_slice().try_into().map_err(|_| {
+        Failure::Usage(format!("--joints-deg has {} angles; expected six, separated by commas", args.joints_deg.len()))
+    })?;
+    let tool = tool(&args.tool_mm)?;
+    let force = match *args.force_n.as_slice() {
+        [] => None,
+        [x, y, z] if [x, y, z].iter().all(|n: &f64| n.abs() <= 1e6) => Some(Vector3::new(x, y, z)),
+        _ => return Err(Failure::Usage("--force-n takes x,y,z in N, each at most 1e6".into())),
+    };
+    let radians = q.map(f64::to_radians);
+    let posture =
+        compliance(&robot, &radians, &tool).map_err(|error| Failure::Posture { robot: robot.name.clone(), error })?;
+    if !common.quiet {
+        remarks(&robot, &q, &radians);
+    }
+    deliver(&ComplianceAnswer { robot, q, force, posture }, common)
+}
+
+/// Says on stderr what looks wrong about the joint angles.
+fn remarks(robot: &Robot, q: &[f64; 6], radians: &[f64; 6]) {
+    if q.iter().any(|angle| *angle != 0.0) && q.iter().all(|angle| angle.abs() <= std::f64::consts::TAU) {
+        eprintln!("warning: no joint angle is beyond 6.3 deg; if these are radians, convert them to degrees");
+    }
+    for joint in beyond_limits(robot, radians) {
+        let which = if joint == 0 { "the angle between the links".into() } else { format!("joint {joint}") };
+        eprintln!("warning: {which} is beyond its limits (`stiffarm robots show` lists them)");
+    }
+}
+
+/// The tool frame in the flange frame, from mm and degrees about fixed x, y, z.
+fn tool(numbers: &[f64]) -> Result<Pose, Failure> {
+    let (point, turned) = match *numbers {
+        [] => ([0.0; 3], [0.0; 3]),
+        [x, y, z] => ([x, y, z], [0.0; 3]),
+        [x, y, z, rx, ry, rz] => ([x, y, z], [rx, ry, rz]),
+        _ => return Err(Failure::Usage("--tool-mm takes x,y,z in mm, or x,y,z,rx,ry,rz with degrees".into())),
+    };
+    if !numbers.iter().all(|number| number.is_finite()) {
+        return Err(Failure::Usage("--tool-mm takes finite numbers".into()));
+    }
+    let [x, y, z] = point.map(|mm| mm / 1e3);
+    let [rx, ry, rz] = turned.map(f64::to_radians);
+    Ok(Pose::from_parts(Translation3::new(x, y, z), Rotation3::from_euler_angles(rx, ry, rz).into()))
+}
+
+struct ComplianceAnswer {
+    robot: Robot,
+    q: [f64; 6],
+    force: Option<Vector3<f64>>,
+    posture: Posture,
+}
+
+impl ComplianceAnswer {
+    fn deflection(&self) -> Option<(Vector3<f64>, Vector3<f64>)> {
+        self.force.map(|force| self.posture.compliance.deflection(&Wrench::force(force)))
+    }
+}
+
+fn vector(v: &Vector3<f64>, digits: usize) -> String {
+    format!("{}, {}, {}", fixed(v.x, digits), fixed(v.y, digits), fixed(v.z, digits))
+}
+
+impl Answer for ComplianceAnswer {
+    const COMMAND: &'static str = "compliance";
+
+    fn text(&self, markdown: bool) -> String {
+        let Self { robot, q, posture, .. } = self;
+        let mut table = Table::new(["", ""]);
+        table.row([
+            "robot".into(),
+            format!("{} {} ({}, {})", robot.vendor, robot.name, robot.architecture, robot.status),
+        ]);
+        table.row(["joints as reported".into(), format!("{} deg", q.map(|angle| angle.to_string()).join(", "))]);
+        table.row(["tool point from the base".into(), format!("{} m", vector(&posture.tool.translation.vector, 4))]);
+        for (name, (value, direction)) in
+            ["stiffest direction", "", "worst direction"].into_iter().zip(posture.compliance.principal())
+        {
+            table.row([name.into(), format!("{} um/N along {}", fixed(value * 1e6, 4), vector(&direction, 3))]);
+        }
+        let (_, worst) = posture.compliance.worst();
+        let shares = posture.shares(&worst).map(|share| format!("{:.1} %", share * 100.0));
+        table.row(["drives 1 to 6 give of it".into(), shares.join(", ")]);
+        for (i, name) in ["compliance x, y, z".into(), String::new(), String::new()].into_iter().enumerate() {
+            let row = posture.compliance.translation().row(i).map(|x| fixed(x * 1e6, 4));
+            table.row([name, format!("{} um/N", row.iter().cloned().collect::<Vec<_>>().join(", "))]);
+        }
+        if let (Some(force), Some((moved, turned))) = (self.force, self.deflection()) {
+            table.row(["force".into(), format!("{} N", vector(&force, 1))]);
+            table.row([
+                "deflection".into(),
+                format!("{} mm, {:.4} mm in all", vector(&(moved * 1e3), 4), moved.norm() * 1e3),
+            ]);
+            table.row(["rotation".into(), format!("{} mrad", vector(&(turned * 1e3), 4))]);
+            let shares = posture.shares(&force.normalize()).map(|share| format!("{:.1} %", share * 100.0));
+            if 0.0 < force.norm() {
+                table.row(["drives 1 to 6 give along the force".into(), shares.join(", ")]);
+            }
+        }
+        table.text(markdown) + "base axes: x forward, y left, z up; all six drives compliant, everything else rigid\n"
+    }
+
+    fn json(&self) -> Value {
+        let Self { robot, q, posture, .. } = self;
+        let rows = |size: usize, at: &dyn Fn(usize, usize) -> f64| -> Value {
+            (0..size).map(|i| (0..size).map(|j| at(i, j)).collect::<Value>()).collect()
+        };
+        let (translation, whole) = (posture.compliance.translation(), posture.compliance.0);
+        let (_, worst) = posture.compliance.worst();
+        let mut answer = json!({
+            "robot": robot.name,
+            "model": "spatial",
+            "joints_deg": q,
+            "tcp_m": posture.tool.translation.vector.as_slice(),
+            "compliance_um_per_n": rows(3, &|i, j| translation[(i, j)] * 1e6),
+            "compliance_6x6_si": rows(6, &|i, j| whole[(i, j)]),
+            "principal_um_per_n": posture.compliance.principal().map(|(value, _)| value * 1e6),
+            "worst_direction": worst.as_slice(),
+            "worst_shares": posture.shares(&worst),
+        });
+        if let (Some(force), Some((moved, turned))) = (self.force, self.deflection()) {
+            answer["force_n"] = json!(force.as_slice());
+            answer["deflection_mm"] = json!((moved * 1e3).as_slice());
+            answer["rotation_mrad"] = json!((turned * 1e3).as_slice());
+        }
+        answer
+    }
+
+    fn csv(&self) -> Table {
+        let mut table = Table::new(["row", "x_m", "y_m", "z_m", "rx_rad", "ry_rad", "rz_rad"]);
+        for (i, name) in ["fx_n", "fy_n", "fz_n", "mx_nm", "my_nm", "mz_nm"].into_iter().enumerate() {
+            let column = self.posture.compliance.0.column(i).map(|x| x.to_string());
+            table.row(std::iter::once(name.to_owned()).chain(column.iter().cloned()));
+        }
+        table
+    }
+}

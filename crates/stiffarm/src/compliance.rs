@@ -1,0 +1,92 @@
+//! Verb 1: how compliant is the arm at one posture, all six drives, at the tool point?
+
+use nalgebra::{Matrix6, Vector3, Vector6};
+
+use crate::robot::{Arm, Robot};
+use crate::spatial::{Compliance, Pose};
+
+/// An arm at one posture.
+#[derive(Clone, Debug)]
+pub struct Posture {
+    /// The tool frame in the base frame.
+    pub tool: Pose,
+    /// 6 x 6 compliance at the tool point, base axes.
+    pub compliance: Compliance,
+    /// The part of each drive; they add up to `compliance`.
+    pub by_drive: [Compliance; 6],
+}
+
+impl Posture {
+    /// How much of the translation per force along `direction` comes from each drive; adds up to 1.
+    ///
+    /// All zero where nothing gives way in that direction.
+    pub fn shares(&self, direction: &Vector3<f64>) -> [f64; 6] {
+        let along = |compliance: &Compliance| direction.dot(&(compliance.translation() * direction));
+        let whole = along(&self.compliance);
+        self.by_drive.map(|part| if 0.0 < whole { along(&part) / whole } else { 0.0 })
+    }
+}
+
+/// A posture that cannot be judged.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PostureError {
+    /// Only two links of this robot are known.
+    #[error("{0} is a planar robot: it has no six joints; a robot file with [geometry] is needed")]
+    Planar(String),
+    /// A joint angle that is no sensible number.
+    #[error("joint {joint}: {value} deg; expected a number from -1080 to 1080")]
+    Joint {
+        /// From 1.
+        joint: usize,
+        /// Its value in degrees, as people give it.
+        value: f64,
+    },
+    /// A tool that no arm carries.
+    #[error("a tool point {0} m from the flange; expected at most 10 m")]
+    Tool(f64),
+}
+
+/// Compliance of a robot at the joint angles `q` it reports (rad), for a tool frame given in the flange frame.
+///
+/// `C = (J A) k (J A)^T` with the 6 x 6 geometric Jacobian at the tool point and the transmission `A` ([theory], section
+/// 1); nothing is inverted, so singular postures have one too. Left out: links, bearings, base, the robot's own weight.
+///
+/// # Errors
+/// Where the robot is planar, or a number makes no sense. Joint limits are not checked here.
+pub fn compliance(robot: &Robot, q: &[f64; 6], flange_from_tool: &Pose) -> Result<Posture, PostureError> {
+    let Arm::SixAxis { geometry, limits, compliance } = &robot.arm else {
+        return Err(PostureError::Planar(robot.name.clone()));
+    };
+    for (i, angle) in q.iter().enumerate() {
+        let value = angle.to_degrees();
+        if !(value.abs() <= 1080.0) {
+            return Err(PostureError::Joint { joint: i + 1, value });
+        }
+    }
+    let distance = flange_from_tool.translation.vector.norm();
+    if !(distance <= 10.0) {
+        return Err(PostureError::Tool(distance));
+    }
+    let theta = geometry.model_angles(q, limits.third_axis);
+    let tool = geometry.forward(&theta) * flange_from_tool;
+    let drives: Matrix6<f64> =
+        geometry.jacobian(&theta, &tool.translation.vector) * robot.architecture.transmission_of_six();
+    let by_drive = std::array::from_fn(|i| {
+        let column: Vector6<f64> = drives.column(i).into();
+        Compliance(column * column.transpose() * compliance.0[i])
+    });
+    let sum = by_drive.iter().fold(Matrix6::zeros(), |sum, part| sum + part.0);
+    Ok(Posture { tool, compliance: Compliance(sum), by_drive })
+}
+
+/// The joints (from 1) that a robot's limits do not allow at the angles `q` it reports, rad; 0 stands for the angle between
+/// the links.
+pub fn beyond_limits(robot: &Robot, q: &[f64; 6]) -> Vec<usize> {
+    const SLACK: f64 = 1e-9;
+    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return Vec::new() };
+    let theta_3 = geometry.model_angles(q, limits.third_axis)[2];
+    let enclosed = std::f64::consts::PI - theta_3;
+    let between = (!limits.elbow.contains(enclosed, SLACK)).then_some(0);
+    let joints = (0..6).filter(|&i| !limits.joints[i].contains(q[i], SLACK)).map(|i| i + 1);
+    between.into_iter().chain(joints).collect()
+}
