@@ -20,17 +20,13 @@ fn number(u: &mut Unstructured, min: f64, max: f64) -> Result<f64> {
 }
 
 /// No limit, or one about `centre`, open at either end at times; what is no range counts as no limit.
-///
-/// Finite ends beyond 100 (rad or m) are left out: that many turns are searched one by one.
 fn range(u: &mut Unstructured, centre: f64, spread: f64) -> Result<Range> {
     let (open_below, open_above) = (u.ratio(1, 3)?, u.ratio(1, 3)?);
     let min = number(u, centre - spread, centre + spread)?;
     let max = min + number(u, 0.0, 2.0 * spread)?;
     let min = if open_below { f64::NEG_INFINITY } else { min };
     let max = if open_above { f64::INFINITY } else { max };
-    let usual = |end: f64| !end.is_finite() || end.abs() <= 100.0;
-    let range = Range::new(min, max).filter(|_| usual(min) && usual(max) && (min < max || min.is_finite()));
-    Ok(range.unwrap_or(Range::ALL))
+    Ok(Range::new(min, max).unwrap_or(Range::ALL))
 }
 
 fn arm(u: &mut Unstructured) -> Result<PlanarArm> {

@@ -13,9 +13,9 @@ impl Range {
     /// No limit at all.
     pub const ALL: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
 
-    /// `None` where `min <= max` does not hold (NaN included).
+    /// `None` where `min <= max` does not hold (NaN included), or both lie at the same infinity.
     pub fn new(min: f64, max: f64) -> Option<Self> {
-        (min <= max).then_some(Self { min, max })
+        (min <= max && min < f64::INFINITY && f64::NEG_INFINITY < max).then_some(Self { min, max })
     }
 
     /// The range of the one value `x`.

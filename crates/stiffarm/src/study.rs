@@ -242,6 +242,7 @@ fn check(options: &StudyOptions) -> Result<(), StudyError> {
     )?;
     within("a size over l2 + l3", 1e-4, 10.0, &mut options.sizes.iter().copied())?;
     within("a joint compliance", 1e-3, 1e3, &mut options.contenders.iter().flat_map(|c| [c.k2, c.k3]))?;
+    within("a side of a shape", 1e-3, 1e3, &mut options.tasks.iter().flat_map(|task| task.zone.sides()))?;
     let rows = [options.tasks.len(), options.sizes.len(), options.ratios.len() + 1, 2]
         .into_iter()
         .fold(1, usize::saturating_mul);

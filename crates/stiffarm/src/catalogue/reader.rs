@@ -231,7 +231,7 @@ impl<'a, 'i> Table<'a, 'i> {
             let key: &str = key.get_ref();
             match value.get_ref().as_str() {
                 Some(text) => drop(texts.insert(key.to_owned(), text.to_owned())),
-                None => self.fault(key, "expected a text in quotes"),
+                None => self.log.add(value.span().start, &self.name(&shown(key)), "expected a text in quotes"),
             }
         }
         texts
@@ -239,7 +239,7 @@ impl<'a, 'i> Table<'a, 'i> {
 
     /// Faults every key that was neither asked for nor is one of `further`.
     pub(super) fn finish(mut self, further: &[&'static str]) {
-        self.taken.extend(further);
+        self.taken.extend(further.iter().filter(|key| !self.taken.contains(key)).collect::<Vec<_>>());
         for key in self.entries.into_iter().flat_map(DeTable::keys) {
             let name: &str = key.get_ref();
             if self.taken.contains(&name) {
@@ -251,7 +251,7 @@ impl<'a, 'i> Table<'a, 'i> {
                 || format!("expected {}", self.taken.join(", ")),
                 |(_, known)| format!("did you mean {known}?"),
             );
-            self.log.add(key.span().start, &self.name(name), format!("unknown key; {hint}"));
+            self.log.add(key.span().start, &self.name(&shown(name)), format!("unknown key; {hint}"));
         }
     }
 }
@@ -264,10 +264,28 @@ fn number(value: &DeValue) -> Option<f64> {
     }
 }
 
+/// With the prefix of its radix, which the parser keeps apart.
+fn integer_as_written(integer: &toml::de::DeInteger) -> String {
+    let prefix = match integer.radix() {
+        2 => "0b",
+        8 => "0o",
+        16 => "0x",
+        _ => "",
+    };
+    format!("{prefix}{}", integer.as_str())
+}
+
+/// A text from a file as it may stand in a message: short, on one line, without control characters.
+fn shown(text: &str) -> String {
+    const MOST: usize = 60;
+    let escaped: String = text.chars().take(MOST).flat_map(char::escape_debug).collect();
+    if text.chars().count() <= MOST { escaped } else { escaped + "..." }
+}
+
 fn describe(value: &DeValue) -> String {
     match value {
-        DeValue::String(text) => format!("\"{}\"", text.chars().take(60).collect::<String>()),
-        DeValue::Integer(integer) => integer.as_str().into(),
+        DeValue::String(text) => format!("\"{}\"", shown(text)),
+        DeValue::Integer(integer) => integer_as_written(integer),
         DeValue::Float(float) => float.as_str().into(),
         DeValue::Boolean(flag) => flag.to_string(),
         DeValue::Datetime(_) => "a date".into(),

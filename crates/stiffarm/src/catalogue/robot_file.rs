@@ -45,20 +45,22 @@ pub fn read(text: &str, file: &str) -> Result<Robot, Faults> {
     };
     let faults = log.into_faults();
     match robot {
-        Some(robot) if faults.is_empty() => reachable(robot, file),
+        Some(robot) if faults.is_empty() => reachable(robot, text, file),
         _ => Err(Faults { file: file.into(), faults }),
     }
 }
 
 /// Refuses limits that leave nothing.
-fn reachable(robot: Robot, file: &str) -> Result<Robot, Faults> {
+fn reachable(robot: Robot, text: &str, file: &str) -> Result<Robot, Faults> {
     let nothing = match robot.arm_plane().map(|plane| plane.arm.sides()) {
         Some(Ok(_)) => return Ok(robot),
         Some(Err(error)) => error.to_string(),
         None => "joint 3 and elbow_deg share no angle: the limits leave nothing reachable".into(),
     };
     let key = if matches!(robot.arm, Arm::Planar(_)) { "planar" } else { "limits" };
-    let fault = Fault { line: 1, key: key.into(), message: nothing };
+    let line =
+        text.lines().position(|line| line.trim_start().starts_with(&format!("[{key}"))).map_or(1, |line| line + 1);
+    let fault = Fault { line, key: key.into(), message: nothing };
     Err(Faults { file: file.into(), faults: vec![fault] })
 }
 

@@ -9,6 +9,9 @@ use super::Axis;
 use crate::limits::Range;
 use crate::plane::ElbowSide;
 
+/// The part of a step within which a column counts as standing on the edge.
+const EDGE: f64 = 1e-9;
+
 /// The reached stretches of rows of a grid.
 ///
 /// What a side reaches is bounded by circles. Along a row the answer can only change where the row crosses one of them,
@@ -75,16 +78,19 @@ impl<'a> RowSpans<'a> {
                 continue;
             }
             match scratch.of_side.last_mut() {
-                Some(last) if last.end == span.start => last.end = span.end,
+                Some(last) if span.start <= last.end => last.end = last.end.max(span.end),
                 _ => scratch.of_side.push(span),
             }
         }
     }
 
-    /// Columns in the half-open stretch `from <= x < to`.
+    /// Columns in the stretch `from <= x <= to`: both ends count, as the reached set holds its edge.
     fn columns(&self, from: f64, to: f64) -> Span<usize> {
-        let first = |x: f64| (((x - self.x.start) / self.x.step).ceil().max(0.0) as usize).min(self.x.count);
-        first(from)..first(to)
+        let steps = |x: f64| (x - self.x.start) / self.x.step;
+        // A column at an end must not be lost to rounding.
+        let (from, to) = (steps(from) - EDGE, steps(to) + EDGE);
+        let count = |steps: f64| (steps.max(0.0) as usize).min(self.x.count);
+        count(from.ceil())..count(to.floor() + 1.0)
     }
 }
 

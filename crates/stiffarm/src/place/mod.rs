@@ -121,7 +121,7 @@ pub enum Placed {
     Infeasible {
         /// Why.
         reason: Misfit,
-        /// The largest scale, found to 1e-4, at which a zone of this shape has a place; zero where none has.
+        /// The largest scale found, to 1e-4, at which a zone of this shape has a place; zero where none has.
         largest_scale: f64,
     },
 }
@@ -189,7 +189,7 @@ pub fn place(arm: &PlanarArm, zone: Zone, options: &PlaceOptions) -> Result<Plac
     let search = search::Search::new(arm, &sides, options);
     match search.best(zone)? {
         Some(placement) => Ok(Placed::Feasible(placement)),
-        None => infeasible(arm, zone, options, &search),
+        None => Ok(infeasible(arm, zone, options, &search)),
     }
 }
 
@@ -213,6 +213,11 @@ fn check(zone: Zone, options: &PlaceOptions) -> Result<(), PlaceError> {
     {
         return Err(PlaceError::Angle(angle));
     }
+    check_zone(zone)
+}
+
+/// Checks the sides of a zone.
+fn check_zone(zone: Zone) -> Result<(), PlaceError> {
     match zone.sides().into_iter().find(|side| !(1e-9 <= *side && *side <= 1e3)) {
         Some(side) => Err(PlaceError::Side(side)),
         None => Ok(()),
@@ -245,8 +250,11 @@ fn plane_and_options(robot: &Robot, options: &PlaceOptions) -> Result<(ArmPlane,
 
 /// The value of the best place, m/N, of a zone for an arm whose limits are left aside; `None` where it does not fit.
 ///
-/// Exact: the paper's section III, where any angle of a rectangle is as good as another.
+/// Exact: the paper's section III, where any angle of a rectangle is as good as another. An arm or zone that makes no
+/// sense holds nothing.
 pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Option<f64> {
+    arm.check().ok()?;
+    check_zone(zone).ok()?;
     let sigma = arm.radial();
     let ring = Range::spanning(sigma.folded, sigma.stretched);
     exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance)
@@ -258,12 +266,7 @@ pub fn largest_scale_without_limits(arm: &PlanarArm, zone: Zone) -> f64 {
     exact::largest_scale(Range::spanning(sigma.folded, sigma.stretched), zone)
 }
 
-fn infeasible(
-    arm: &PlanarArm,
-    zone: Zone,
-    options: &PlaceOptions,
-    search: &search::Search,
-) -> Result<Placed, PlaceError> {
+fn infeasible(arm: &PlanarArm, zone: Zone, options: &PlaceOptions, search: &search::Search) -> Placed {
     let sides = search.sides();
     let roomiest = sides.iter().max_by(|a, b| a.ring.width().total_cmp(&b.ring.width())).expect("a side");
     let fits = sides.iter().map(|side| exact::largest_scale(side.ring, zone)).fold(0.0, f64::max);
@@ -273,23 +276,32 @@ fn infeasible(
         Misfit::Limits
     } else {
         let anywhere = PlaceOptions { within: Within::ANYWHERE, ..*options };
-        if search::Search::new(arm, sides, &anywhere).has_place(zone)? { Misfit::Within } else { Misfit::Limits }
+        // Undecided so near to the limit of what fits, the limits are the likelier reason.
+        if search::Search::new(arm, sides, &anywhere).has_place(zone) == Ok(true) {
+            Misfit::Within
+        } else {
+            Misfit::Limits
+        }
     };
-    // Zones of one shape nest about a common centre, so what fits is monotone in the scale.
-    let (mut fit, mut misfit) = (0.0, fits.min(1.0));
-    while 1e-4 * misfit < misfit - fit {
-        let scale = if fit == 0.0 && misfit < 1e-4 {
-            break;
-        } else {
-            f64::midpoint(fit, misfit)
-        };
-        if search.has_place(zone.scaled(scale))? {
-            fit = scale;
-        } else {
-            misfit = scale;
+    Placed::Infeasible { reason, largest_scale: largest_scale(zone, search, fits.min(1.0)) }
+}
+
+/// The largest scale below `misfit` with a place, to 1e-4: zones of one shape nest about a common centre, so what fits is
+/// monotone in the scale. Where a search grows too large so near to the limit, the scale found so far; zero where nothing
+/// of a hundredth of a millimetre fits.
+fn largest_scale(zone: Zone, search: &search::Search, mut misfit: f64) -> f64 {
+    let [first, second] = zone.sides();
+    let least = 1e-5 / first.max(second);
+    let mut fit = 0.0;
+    while least < misfit && 1e-4 * misfit < misfit - fit {
+        let scale = f64::midpoint(fit, misfit);
+        match search.has_place(zone.scaled(scale)) {
+            Ok(true) => fit = scale,
+            Ok(false) => misfit = scale,
+            Err(_) => break,
         }
     }
-    Ok(Placed::Infeasible { reason, largest_scale: fit })
+    fit
 }
 
 /// `v` turned by `angle`.

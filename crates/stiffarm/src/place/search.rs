@@ -16,7 +16,9 @@ use crate::plane::{ElbowSide, PlanarArm, RadialCompliance, SLACK, Shape};
 use crate::task::Zone;
 
 /// Boxes after which a search gives up.
-const MOST_BOXES: usize = 4_000_000;
+const MOST_BOXES: usize = 1_000_000;
+/// The same where only the largest scale is sought: so near to what fits a proof costs most and matters least.
+const MOST_BOXES_FOR_SCALE: usize = 200_000;
 /// Relative allowance for the rounding of a bound.
 const ROUNDING: f64 = 1e-12;
 /// Sides below which a box is a point.
@@ -64,16 +66,16 @@ impl<'a> Search<'a> {
 
     /// The best place to the gap asked for; `None` is a proof that there is no place.
     pub(super) fn best(&self, zone: Zone) -> Result<Option<Placement>, PlaceError> {
-        Ok(self.run(zone, self.options.gap)?.map(|(found, lower)| self.report(zone, found, lower)))
+        Ok(self.run(zone, self.options.gap, MOST_BOXES)?.map(|(found, lower)| self.report(zone, found, lower)))
     }
 
     /// Is there any place?
     pub(super) fn has_place(&self, zone: Zone) -> Result<bool, PlaceError> {
-        Ok(self.run(zone, 1.0)?.is_some())
+        Ok(self.run(zone, 1.0, MOST_BOXES_FOR_SCALE)?.is_some())
     }
 
     /// The best place and a lower bound, `gap` apart at most.
-    fn run(&self, zone: Zone, gap: f64) -> Result<Option<(Found, f64)>, PlaceError> {
+    fn run(&self, zone: Zone, gap: f64, most_boxes: usize) -> Result<Option<(Found, f64)>, PlaceError> {
         let (mut best, mut queue) = self.seeds(zone);
         let mut boxes = 0;
         while let Some(node) = queue.pop() {
@@ -83,7 +85,7 @@ impl<'a> Search<'a> {
                 return Ok(best.map(|found| (found, lower)));
             }
             boxes += 1;
-            if MOST_BOXES < boxes {
+            if most_boxes < boxes {
                 let force = self.options.force;
                 return Err(PlaceError::Unfinished { nodes: boxes, lower: node.lower * force, upper: upper * force });
             }

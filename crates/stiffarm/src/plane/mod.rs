@@ -16,6 +16,9 @@ use crate::limits::Range;
 /// Slack on angles (rad) and, per metre of arm, on lengths within which a posture at a limit still counts as reachable.
 pub(crate) const SLACK: f64 = 1e-9;
 
+/// No joint is limited farther from zero than this, rad: some thirty turns.
+const MOST_TURNED: f64 = 200.0;
+
 /// Two links, two springs: drives 2 and 3 compliant, all else rigid, the tool point at the wrist centre.
 ///
 /// Frame: the joint-2 axis is the origin, x forward, z up; angles counter-clockwise seen with x to the right.
@@ -57,6 +60,14 @@ pub enum InvalidArm {
         /// Largest accepted.
         max: f64,
     },
+    /// An end of a limit that is no angle of an arm.
+    #[error("the {joint} limit ends at {value:e} rad; expected at most {MOST_TURNED} rad either way, or none")]
+    Limit {
+        /// Which limit.
+        joint: &'static str,
+        /// Its end.
+        value: f64,
+    },
     /// The limits contradict each other.
     #[error("the joint limits leave nothing reachable (shoulder, elbow and forearm ranges share no posture)")]
     NothingReachable,
@@ -73,6 +84,13 @@ impl PlanarArm {
     /// # Errors
     /// Where a length or compliance is not a sensible number, or the limits leave nothing.
     pub fn sides(&self) -> Result<Vec<ElbowSide>, InvalidArm> {
+        self.check()?;
+        let sides = ElbowSide::of(self);
+        if sides.is_empty() { Err(InvalidArm::NothingReachable) } else { Ok(sides) }
+    }
+
+    /// Checks lengths, compliances and limits.
+    pub(crate) fn check(&self) -> Result<(), InvalidArm> {
         let quantities = [
             ("l2", self.l2, "m", 1e-3, 100.0),
             ("l3", self.l3, "m", 1e-3, 100.0),
@@ -84,8 +102,13 @@ impl PlanarArm {
                 return Err(InvalidArm::Quantity { quantity, value, unit, min, max });
             }
         }
-        let sides = ElbowSide::of(self);
-        if sides.is_empty() { Err(InvalidArm::NothingReachable) } else { Ok(sides) }
+        for (joint, limit) in [("shoulder", self.shoulder), ("elbow", self.elbow), ("forearm", self.forearm)] {
+            let ends = [limit.min(), limit.max()];
+            if let Some(value) = ends.into_iter().find(|end| end.is_finite() && MOST_TURNED < end.abs()) {
+                return Err(InvalidArm::Limit { joint, value });
+            }
+        }
+        Ok(())
     }
 
     /// The largest compliance as a function of the distance from the joint-2 axis.

@@ -59,7 +59,7 @@ impl RadialCompliance {
                 (f64::midpoint(k2 * a2, k3 * a3), 0.0, k2 * k3 / 4.0, t0, root * root / 4.0, t0)
             }
         };
-        let valley = valley_t.max(0.0).sqrt().clamp(folded, stretched);
+        let valley = valley_t.max(0.0).sqrt().max(folded).min(stretched);
         Self { half_trace_0, half_trace_1, a, t0, e, valley, folded, stretched }
     }
 

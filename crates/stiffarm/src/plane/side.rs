@@ -81,7 +81,11 @@ impl ElbowSide {
     /// The part of the elbow range between `half_turn` and `half_turn + 1` half turns.
     fn within(arm: &PlanarArm, elbow: Range, half_turn: i64) -> Option<Self> {
         let start = half_turn as f64 * PI;
-        let piece = elbow.intersect(Range::spanning(start, start + PI)).filter(|piece| SLACK < piece.width())?;
+        let piece = elbow.intersect(Range::spanning(start, start + PI))?;
+        // A joint that cannot move leaves a line, which holds no zone.
+        if [piece, arm.shoulder, arm.forearm].iter().any(|range| range.width() <= SLACK) {
+            return None;
+        }
         arm.shoulder.plus(piece).intersect(arm.forearm)?;
         let (side, turn) = if half_turn % 2 == 0 { (Elbow::Down, start) } else { (Elbow::Up, start + PI) };
         let folded_by = piece.affine(side.sign(), -side.sign() * turn); // |elbow|, 0 to pi

@@ -1,0 +1,136 @@
+//! Does every odd question end with an answer or a refusal, and say so without harm?
+
+use stiffarm::catalogue::read;
+use stiffarm::drive::Architecture::{QuasiSerial, Serial};
+use stiffarm::limits::Range;
+use stiffarm::map::{Axis, Direction, MapOptions, map};
+use stiffarm::place::{Orientation, PlaceError, PlaceOptions, Placed, Within, best_without_limits, place};
+use stiffarm::plane::{InvalidArm, PlanarArm};
+use stiffarm::study::{StudyOptions, study};
+use stiffarm::task::Zone;
+
+fn r(a: f64, b: f64) -> Range {
+    Range::new(a, b).unwrap()
+}
+
+fn free() -> PlanarArm {
+    PlanarArm::free(1.1, 1.2, 1e-6, 1e-6, Serial)
+}
+
+fn lim() -> PlanarArm {
+    PlanarArm { shoulder: r(0.0, 2.0), elbow: r(-2.5, -0.3), ..free() }
+}
+const RECT: Zone = Zone::Rectangle { width: 0.2, height: 0.4 };
+const CIRCLE: Zone = Zone::Circle { diameter: 0.3 };
+
+fn paper() -> PlaceOptions {
+    PlaceOptions::paper(1000.0)
+}
+
+#[test]
+fn a_strip_narrower_than_the_zone_is_answered_with_infeasible_when_the_angle_is_free() {
+    let o =
+        PlaceOptions { orientation: Orientation::Free, within: Within { x: r(0.9, 1.05), z: Range::ALL }, ..paper() };
+    let placed = place(&lim(), RECT, &o);
+    assert!(matches!(placed, Ok(Placed::Infeasible { .. })), "{placed:?}");
+}
+#[test]
+fn a_within_of_zero_width_is_infeasible_when_the_angle_is_free() {
+    let arm =
+        PlanarArm { l2: 1.0, l3: 0.8, shoulder: r(0.2, 2.5), elbow: r(-2.4, -0.3), forearm: r(-1.8, 1.0), ..free() };
+    let o = PlaceOptions {
+        orientation: Orientation::Free,
+        within: Within { x: Range::point(0.9), z: Range::ALL },
+        ..paper()
+    };
+    let placed = place(&arm, RECT, &o);
+    assert!(matches!(placed, Ok(Placed::Infeasible { .. })), "{placed:?}");
+}
+#[test]
+fn a_shoulder_that_cannot_move_leaves_nothing() {
+    let arm = PlanarArm { shoulder: Range::point(1.0), ..free() };
+    let placed = place(&arm, Zone::Circle { diameter: 1e-4 }, &paper());
+    assert_eq!(placed, Err(PlaceError::Arm(InvalidArm::NothingReachable)), "a line holds no zone");
+}
+#[test]
+fn an_elbow_range_of_very_many_turns_is_refused() {
+    for turned in [1e6, 1e9, 1e300] {
+        let placed = place(&PlanarArm { elbow: r(-turned, turned), ..lim() }, CIRCLE, &paper());
+        assert!(matches!(placed, Err(PlaceError::Arm(InvalidArm::Limit { joint: "elbow", .. }))), "{placed:?}");
+    }
+}
+#[test]
+fn an_infinite_point_is_no_range() {
+    assert!(Range::new(f64::INFINITY, f64::INFINITY).is_none());
+}
+#[test]
+fn a_limit_of_1e47_rad_is_refused() {
+    let placed = place(&PlanarArm { shoulder: r(1e47, 1e48), ..lim() }, CIRCLE, &paper());
+    assert!(placed.is_err(), "{placed:?}");
+}
+#[test]
+fn a_study_of_a_zone_without_size_is_refused() {
+    for d in [f64::NAN, f64::INFINITY, 0.0, -0.5] {
+        let s = study(&StudyOptions { tasks: vec![Zone::Circle { diameter: d }.into()], ..StudyOptions::paper() });
+        assert!(s.is_err(), "{d}: {:?}", s.unwrap().rows[0]);
+    }
+}
+#[test]
+fn best_without_limits_does_not_panic_or_give_nan() {
+    let _ = best_without_limits(&PlanarArm { k2: f64::NAN, ..free() }, CIRCLE).is_none_or(|x| {
+        assert!(!x.is_nan(), "NaN");
+        true
+    });
+    let _ = best_without_limits(&PlanarArm { l2: f64::NAN, ..free() }, CIRCLE);
+}
+#[test]
+fn a_map_shows_the_axis_where_an_arm_of_equal_links_folds() {
+    for a in [Serial, QuasiSerial] {
+        let arm = PlanarArm::free(1.0, 1.0, 1e-6, 1e-6, a);
+        assert!(arm.sides().unwrap()[0].reaches([0.0, 0.0].into()));
+        let x = Axis { start: -1.0, step: 0.5, count: 5 };
+        let m = map(&arm, &MapOptions { x, z: x, force: 1.0, direction: Direction::Worst, elbow: None }).unwrap();
+        assert!(m.get(2, 2).is_some());
+    }
+}
+#[test]
+fn a_map_shows_the_point_where_the_arm_is_stretched_on_either_side() {
+    let arm = PlanarArm::free(1.0, 1.0, 1e-6, 1e-6, Serial);
+    assert!(arm.sides().unwrap()[0].reaches([2.0, 0.0].into()));
+    let x = Axis { start: -2.0, step: 0.5, count: 9 };
+    let m = map(&arm, &MapOptions { x, z: x, force: 1.0, direction: Direction::Worst, elbow: None }).unwrap();
+    assert_eq!((m.get(0, 4).is_some(), m.get(8, 4).is_some()), (true, true));
+}
+
+fn planar(line: &str) -> String {
+    format!("name = \"x\"\narchitecture = \"serial\"\nstatus = \"derived\"\n[planar]\n{line}\nl3_mm = 800\n")
+}
+#[test]
+fn a_hexadecimal_number_is_quoted_as_written() {
+    let e = read(&planar("l2_mm = 0x3E8"), "f").unwrap_err().to_string();
+    assert!(e.contains("0x3E8"), "{e}");
+    let e = read(&planar("l2_mm = 0x1000"), "f").unwrap_err().to_string();
+    assert!(!e.contains(" 1000 is not a number"), "{e}");
+}
+#[test]
+
+fn limits_that_leave_nothing_are_refused_at_their_line() {
+    let e = read(&planar("l2_mm = 1000\nshoulder_deg = [0, 10]\nelbow_deg = [0, 10]\nforearm_deg = [90, 100]"), "f")
+        .unwrap_err();
+    assert_eq!(e.faults[0].line, 4, "{e}");
+}
+#[test]
+fn control_characters_do_not_reach_the_terminal() {
+    let e = read(&planar("l2_mm = 1000\n\"\\u001b[2J\" = 1"), "f").unwrap_err().to_string();
+    assert!(!e.contains('\u{1b}'), "{e:?}");
+}
+#[test]
+fn a_line_break_in_a_key_does_not_forge_a_fault() {
+    let e = read(&planar("l2_mm = 1000\n\"a\\nf:99: forged\" = 1"), "f").unwrap_err().to_string();
+    assert_eq!(e.lines().count(), 1, "{e:?}");
+}
+#[test]
+fn a_message_is_not_as_long_as_the_file() {
+    let e = read(&planar(&format!("l2_mm = 1000\n{} = 1", "k".repeat(900_000))), "f").unwrap_err().to_string();
+    assert!(e.len() < 10_000, "{}", e.len());
+}
