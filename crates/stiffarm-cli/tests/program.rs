@@ -248,6 +248,27 @@ fn a_map_in_json_is_blank_where_the_arm_does_not_reach() {
 }
 
 #[test]
+fn drive_1_gives_the_square_of_the_distance_sideways() {
+    let joints = ["compliance", "KR 210 R2700 extra", "--joints-deg", "0,-90,90,0,0,0", "--tool-mm", "0,0,200"];
+    let answer = json(&[&joints[..], &["--force-n", "0,1000,0"]].concat());
+    for key in
+        ["tcp_m", "compliance_um_per_n", "compliance_6x6_si", "principal_um_per_n", "worst_direction", "rotation_mrad"]
+    {
+        assert!(!answer[key].is_null(), "{key} is missing");
+    }
+    // Upper arm up, forearm level, tool 0.2 m before the flange: x = 0.350 + 1.200 + 0.215 + 0.200 m; k1 = 1 urad/(N m).
+    let x = 1.965_f64;
+    assert!((answer["tcp_m"][0].as_f64().unwrap() - x).abs() < 1e-9, "{answer}");
+    assert!((answer["deflection_mm"][1].as_f64().unwrap() - x * x).abs() < 1e-9, "{answer}");
+    let (code, errors) = refused(&["compliance", "BT200L", "--joints-deg", "0,0,0"]);
+    assert!(code == 2 && errors.contains("has 3 angles; expected six"), "{errors}");
+    let output = program().args(["compliance", "BT200L", "--joints-deg", "0,1.57,0,0,0,0"]).output().unwrap();
+    assert!(String::from_utf8_lossy(&output.stderr).contains("if these are radians"));
+    let (_, errors) = refused(&["compliance", "BT200L", "--joints-deg", "0,0,0,0,0,0", "--tool-mm", "0,0,100000"]);
+    assert!(errors.contains("expected at most 10 m"), "{errors}");
+}
+
+#[test]
 fn published_numbers_are_settled() {
     let ledger = json(&["validate"]);
     let rows = ledger["rows"].as_array().unwrap();

@@ -4,6 +4,7 @@
 //!
 //! | verb | function | question |
 //! |---|---|---|
+//! | compliance | [`compliance::compliance`] | how compliant is one posture, all six drives? |
 //! | map | [`map::map`] | how far is the tool pushed off, everywhere the arm reaches? |
 //! | place | [`place::place`] | where must a zone stand, and who proves it? |
 //! | rank | [`rank::rank`] | which robot holds the force best? |
@@ -13,11 +14,11 @@
 //! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only in
 //! [`catalogue`], where robot files are read. The library reads no files, prints nothing and keeps no state.
 //!
-//! The modules in reading order: [`limits`], [`geometry`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`task`],
+//! The modules in reading order: [`limits`], [`spatial`], [`geometry`], [`drive`], [`plane`], [`robot`], [`compliance`], [`catalogue`], [`task`],
 //! [`map`], [`place`], [`rank`], [`study`], [`ledger`].
 //!
 //! # What is left out
-//! The planar model of the paper: drives 2 and 3 are compliant, links, bearings, the other drives and the base are
+//! The planar model of the paper, on which all verbs but `compliance` stand: drives 2 and 3 are compliant, links, bearings, the other drives and the base are
 //! rigid; the tool point is the wrist centre; the deflection is elastic and static, without the robot's own weight.
 //!
 //! # Sources

@@ -103,13 +103,13 @@ fn the_deflection_is_that_of_a_model_which_moves_its_joints_by_the_springs() {
         };
         let h = 1e-6;
         let mut found = Vector6::zeros();
-        for i in 0..6 {
+        for (i, k) in drives.into_iter().enumerate() {
             let unit = |step: f64| std::array::from_fn(|j| if i == j { step } else { 0.0 });
             let (ahead, behind) = (moved(unit(h)), moved(unit(-h)));
             let translation = (ahead.translation.vector - behind.translation.vector) / (2.0 * h);
             let rotation = (ahead.rotation * behind.rotation.inverse()).scaled_axis() / (2.0 * h);
             let column = Vector6::new(translation.x, translation.y, translation.z, rotation.x, rotation.y, rotation.z);
-            found += column * drives[i] * column.dot(&wrench.0);
+            found += column * k * column.dot(&wrench.0);
         }
         let (translation, rotation) = posture.compliance.deflection(&wrench);
         assert!((found.fixed_rows::<3>(0) - translation).norm() <= 1e-7 * translation.norm().max(1e-4));
