@@ -1,4 +1,5 @@
 //! What can be asked for on the command line.
+#![allow(rustdoc::broken_intra_doc_links, reason = "help texts put units and defaults in brackets")]
 
 use std::path::PathBuf;
 use std::str::FromStr;

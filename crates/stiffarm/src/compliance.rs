@@ -48,7 +48,7 @@ pub enum PostureError {
 
 /// Compliance of a robot at the joint angles `q` it reports (rad), for a tool frame given in the flange frame.
 ///
-/// `C = (J A) k (J A)^T` with the 6 x 6 geometric Jacobian at the tool point and the transmission `A` ([theory], section
+/// `C = (J A) k (J A)^T` with the 6 x 6 geometric Jacobian at the tool point and the transmission `A` (\[theory\], section
 /// 1); nothing is inverted, so singular postures have one too. Left out: links, bearings, base, the robot's own weight.
 ///
 /// # Errors

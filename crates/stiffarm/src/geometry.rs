@@ -7,7 +7,7 @@ use nalgebra::{Matrix6, Unit, Vector3, Vector6};
 use crate::limits::{Range, ThirdAxis};
 use crate::spatial::Pose;
 
-/// An arm with a spherical wrist: the seven lengths, zero offsets and signs of [OPW].
+/// An arm with a spherical wrist: the seven lengths, zero offsets and signs of \[OPW\].
 ///
 /// `theta_i = sign_i q_i - offset_i`, and the flange stands at
 /// `T = Rz(t1) Tr(a1,b,c1) Ry(t2) Tr(0,0,c2) Ry(t3) Tr(a2,0,c3) Rz(t4) Ry(t5) Rz(t6) Tr(0,0,c4)`.

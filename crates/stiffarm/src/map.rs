@@ -145,7 +145,7 @@ impl Map {
     }
 }
 
-/// Maps the deflection over a grid ([paper], Fig. 2 and 3), within the joint limits of each elbow side.
+/// Maps the deflection over a grid (\[paper\], Fig. 2 and 3), within the joint limits of each elbow side.
 ///
 /// # Errors
 /// Where an argument makes no sense; a map that is too large is refused before memory is taken.

@@ -94,7 +94,7 @@ pub fn curves(
     robots.par_iter().with_max_len(1).map(curve).collect()
 }
 
-/// Places every task on every robot ([paper], section IV) and puts the robots in order.
+/// Places every task on every robot (\[paper\], section IV) and puts the robots in order.
 ///
 /// `options.within` counts from each robot's base. `done` is called once per cell, from any thread. The order does not
 /// depend on the order of `robots`: ties go by name.

@@ -28,7 +28,7 @@ impl Contender {
 
     /// The worst deflection at the best place over `k F (l2 + l3)^2` for `mu = l3/l2`; `None` where the zone does not fit.
     ///
-    /// Zone in units of `l2 + l3`; no joint limits ([paper], Table I).
+    /// Zone in units of `l2 + l3`; no joint limits (\[paper\], Table I).
     pub fn accuracy(&self, zone: Zone, mu: f64) -> Option<f64> {
         let (l2, l3) = (1.0 / (1.0 + mu), mu / (1.0 + mu));
         best_without_limits(&PlanarArm::free(l2, l3, self.k2, self.k3, self.architecture), zone)
@@ -160,7 +160,7 @@ pub enum StudyError {
     Size(usize),
 }
 
-/// Compares two architectures over link ratio and task size ([paper], Fig. 4-9 and Table I), without joint limits.
+/// Compares two architectures over link ratio and task size (\[paper\], Fig. 4-9 and Table I), without joint limits.
 ///
 /// # Errors
 /// Where a ratio, size or compliance is out of range.

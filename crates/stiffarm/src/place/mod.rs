@@ -174,7 +174,7 @@ pub fn check_force(force: f64) -> Result<(), PlaceError> {
     if 0.0 < force && force <= 1e6 { Ok(()) } else { Err(PlaceError::Force(force)) }
 }
 
-/// Finds the place of `zone` that minimises the worst deflection inside it, with a certificate ([paper], eq. 3).
+/// Finds the place of `zone` that minimises the worst deflection inside it, with a certificate (\[paper\], eq. 3).
 ///
 /// The zone lies in the arm plane, is reached with one elbow side throughout, and leaves the joint-2 axis outside.
 /// Over a zone only the nearest and the farthest distance from that axis matter, `max(sigma(near), sigma(far))`,

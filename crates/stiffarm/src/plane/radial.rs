@@ -5,7 +5,7 @@ use crate::drive::Architecture;
 
 /// `sigma(r)`, m/N: the paper's eq. (1) at distance `r` from the joint-2 axis, for any `k2`, `k3`.
 ///
-/// With `t = r^2`, `T` the trace and `D` the determinant of the planar compliance ([theory], section 2),
+/// With `t = r^2`, `T` the trace and `D` the determinant of the planar compliance (\[theory\], section 2),
 ///
 /// ```text
 /// sigma = (T + sqrt(T^2 - 4 D)) / 2
