@@ -68,7 +68,7 @@ pub(crate) enum Format {
 #[derive(Debug, Args)]
 pub(crate) struct Placing {
     /// Cutting force [N]
-    #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = force)]
+    #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = force, allow_hyphen_values = true)]
     pub(crate) force_n: f64,
     /// Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
     #[arg(long, value_name = "RANGES", value_parser = within, default_value = "..,..", hide_default_value = true, allow_hyphen_values = true)]
@@ -124,9 +124,9 @@ pub(crate) struct MapArgs {
     /// Direction of the force [deg], counter-clockwise from straight ahead [default: the worst in every point]
     #[arg(long, value_name = "DEG", value_parser = degrees, allow_hyphen_values = true)]
     pub(crate) direction_deg: Option<f64>,
-    /// With --direction-deg: the whole displacement, or its part along the force
-    #[arg(long, value_enum, default_value_t = Part::Total)]
-    pub(crate) component: Part,
+    /// The whole displacement, or its part along the force [default: total]
+    #[arg(long, value_enum, requires = "direction_deg")]
+    pub(crate) component: Option<Part>,
     /// Only one elbow side [default: the stiffer that reaches a point]
     #[arg(long, value_enum)]
     pub(crate) elbow: Option<Side>,
@@ -342,11 +342,10 @@ fn open_range(text: &str) -> Result<Range, String> {
     Range::new(end(low, f64::NEG_INFINITY)?, end(high, f64::INFINITY)?).ok_or_else(expected)
 }
 
-/// `x0..x1,z0..z1` in m.
+/// `x0..x1,z0..z1` in m; without the second range any height.
 pub(crate) fn within(text: &str) -> Result<Within, String> {
-    let (x, z) = text.split_once(',').ok_or_else(|| {
-        "expected x0..x1,z0..z1 in m from the base, e.g. 0.8..2.5,0.4.. ; either range may be left open".to_owned()
-    })?;
+    // One range alone is that of x.
+    let (x, z) = text.split_once(',').unwrap_or((text, ".."));
     Ok(Within { x: open_range(x)?, z: open_range(z)? })
 }
 
@@ -366,7 +365,8 @@ mod tests {
         assert_eq!((place.x.min(), place.x.max()), (0.5, 2.0));
         assert_eq!((place.z.min(), place.z.max()), (f64::NEG_INFINITY, 1.5));
         assert_eq!(within("..,..").unwrap(), Within::ANYWHERE);
-        for bad in ["", "1..2", "2..1,..", "a..b,..", "1..2,..,3", "nan..1,..", "1..inf,.."] {
+        assert_eq!(within("1..").unwrap().z, Range::ALL);
+        for bad in ["", "1", "2..1,..", "a..b,..", "1..2,..,3", "nan..1,..", "1..inf,.."] {
             assert!(within(bad).is_err(), "{bad}");
         }
     }

@@ -1,6 +1,7 @@
 //! Where answers go: standard output, or files that appear whole or not at all.
 
 use std::ffi::OsStr;
+use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -93,10 +94,14 @@ fn json_text(value: &Value) -> String {
     text
 }
 
-/// Writes a file whole or not at all.
+/// Writes a file whole or not at all: through a link to what it points to, and straight into a pipe or device.
 fn write_file(path: &Path, contents: &[u8]) -> Result<(), Failure> {
     let write = || {
-        let mut file = AtomicWriteFile::open(path)?;
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
+        if fs::metadata(&target).is_ok_and(|found| !found.is_file()) {
+            return fs::write(&target, contents);
+        }
+        let mut file = AtomicWriteFile::open(target)?;
         file.write_all(contents)?;
         file.commit()
     };

@@ -25,8 +25,12 @@ impl Table {
         table.load_style(if markdown { ASCII_MARKDOWN } else { NOTHING });
         table.set_content_arrangement(ContentArrangement::Disabled);
         table.set_header(&self.headings);
+        let shown = |cell: &String| {
+            let line = cell.replace(['\n', '\r'], " ");
+            if markdown { line.replace('|', "\\|") } else { line }
+        };
         for row in &self.rows {
-            table.add_row(row);
+            table.add_row(row.iter().map(shown).collect::<Vec<_>>());
         }
         for (i, column) in table.column_iter_mut().enumerate() {
             if self.rows.iter().all(|row| row.get(i).is_none_or(|cell| is_number(cell))) {

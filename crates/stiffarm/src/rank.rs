@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::place::{PlaceError, PlaceOptions, Placed, find_robot, place_robot};
+use crate::place::{PlaceError, PlaceOptions, Placed, Placement, find_robot, place_robot};
 use crate::robot::{Robot, Status};
 use crate::task::Task;
 
@@ -13,8 +13,8 @@ pub struct Row {
     pub robot: Robot,
     /// Deflection, m, at the stiffest posture the links allow: no placement of any task can have less.
     pub floor: f64,
-    /// One answer per task.
-    pub cells: Vec<Placed>,
+    /// One answer per task; an error where the search did not end ([`PlaceError::Unfinished`]).
+    pub cells: Vec<Result<Placed, PlaceError>>,
     /// How much worse than the best robot of each task, as a geometric mean over the tasks it can do; 1 is the best.
     pub score: f64,
 }
@@ -22,12 +22,17 @@ pub struct Row {
 impl Row {
     /// How many tasks have no place.
     pub fn misfits(&self) -> usize {
-        self.cells.iter().filter(|cell| cell.feasible().is_none()).count()
+        (0..self.cells.len()).filter(|&task| self.placement(task).is_none()).count()
+    }
+
+    /// The best place of a task, where there is one.
+    pub fn placement(&self, task: usize) -> Option<&Placement> {
+        self.cells[task].as_ref().ok()?.feasible()
     }
 
     /// Deflection of a task, m.
     pub fn deflection(&self, task: usize) -> Option<f64> {
-        self.cells[task].feasible().map(|placement| placement.deflection)
+        self.placement(task).map(|placement| placement.deflection)
     }
 }
 
@@ -71,7 +76,16 @@ pub struct RankError {
     pub error: PlaceError,
 }
 
-/// Deflection, m, of a zone at each scale for every robot; absent where it has no place. Row by robot, in their order.
+/// How the deflection of one robot grows with the size of a zone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// Scale and deflection, m, in order of scale.
+    pub points: Vec<(f64, f64)>,
+    /// The last point is the largest zone that fits, to 1e-4.
+    pub is_complete: bool,
+}
+
+/// Deflection of a zone at ascending scales for every robot, in their order; the last point where the zone stops fitting.
 ///
 /// # Errors
 /// As [`rank`].
@@ -81,15 +95,38 @@ pub fn curves(
     scales: &[f64],
     options: &PlaceOptions,
     done: impl Fn() + Sync,
-) -> Result<Vec<Vec<Option<f64>>>, RankError> {
+) -> Result<Vec<Curve>, RankError> {
+    let deflection = |robot: &Robot, scale: f64| match find_robot(robot, shape.zone.scaled(scale), options) {
+        Ok(placement) => Ok(placement.map(|placement| placement.deflection)),
+        Err(PlaceError::Unfinished { .. }) => Ok(None),
+        Err(error) => Err(RankError { robot: robot.name.clone(), task: shape.label.clone(), error }),
+    };
     let curve = |robot: &Robot| {
-        let values = scales.iter().map(|&scale| {
-            let placement = find_robot(robot, shape.zone.scaled(scale), options);
+        let mut curve = Curve { points: Vec::new(), is_complete: false };
+        for &scale in scales {
             done();
-            Ok(placement?.map(|placement| placement.deflection))
-        });
-        let values: Result<Vec<_>, PlaceError> = values.collect();
-        values.map_err(|error| RankError { robot: robot.name.clone(), task: shape.label.clone(), error })
+            if curve.is_complete {
+                continue;
+            }
+            if let Some(value) = deflection(robot, scale)? {
+                curve.points.push((scale, value));
+                continue;
+            }
+            curve.is_complete = true;
+            let (mut fit, mut misfit) = (curve.points.last().map_or(0.0, |point| point.0), scale);
+            while 1e-4 * misfit < misfit - fit {
+                let scale = f64::midpoint(fit, misfit);
+                match deflection(robot, scale)? {
+                    Some(value) => {
+                        curve.points.retain(|point| scales.contains(&point.0));
+                        curve.points.push((scale, value));
+                        fit = scale;
+                    }
+                    None => misfit = scale,
+                }
+            }
+        }
+        Ok(curve)
     };
     robots.par_iter().with_max_len(1).map(curve).collect()
 }
@@ -109,13 +146,16 @@ pub fn rank(
 ) -> Result<Ranking, RankError> {
     let pairs: Vec<(&Robot, &Task)> =
         robots.iter().flat_map(|robot| tasks.iter().map(move |task| (robot, task))).collect();
-    let cells: Vec<Placed> = pairs
+    let cells: Vec<Result<Placed, PlaceError>> = pairs
         .par_iter()
         .with_max_len(1)
         .map(|(robot, task)| {
             let placed = place_robot(robot, task.zone, options);
             done();
-            placed.map_err(|error| RankError { robot: robot.name.clone(), task: task.label.clone(), error })
+            match placed {
+                Ok(_) | Err(PlaceError::Unfinished { .. }) => Ok(placed),
+                Err(error) => Err(RankError { robot: robot.name.clone(), task: task.label.clone(), error }),
+            }
         })
         .collect::<Result<_, _>>()?;
     let mut cells = cells.into_iter();

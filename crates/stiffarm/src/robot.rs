@@ -46,7 +46,7 @@ impl std::fmt::Display for Status {
 pub struct Robot {
     /// The maker's name for it.
     pub name: String,
-    /// The maker.
+    /// The maker; empty where none is known.
     pub vendor: String,
     /// Serial or quasi-serial.
     pub architecture: Architecture,
@@ -88,6 +88,11 @@ pub struct ArmPlane {
 }
 
 impl Robot {
+    /// Maker and name, or the name alone where no maker is known.
+    pub fn full_name(&self) -> String {
+        format!("{} {}", self.vendor, self.name).trim().into()
+    }
+
     /// The planar model of this robot: links 2 and 3, drives 2 and 3, the tool point at the wrist centre.
     ///
     /// Limits, offsets, signs and the meaning of joint 3 are carried into angles of the arm plane, counter-clockwise

@@ -82,10 +82,7 @@ impl Answer for ComplianceAnswer {
     fn text(&self, markdown: bool) -> String {
         let Self { robot, q, posture, .. } = self;
         let mut table = Table::new(["", ""]);
-        table.row([
-            "robot".into(),
-            format!("{} {} ({}, {})", robot.vendor, robot.name, robot.architecture, robot.status),
-        ]);
+        table.row(["robot".into(), format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)]);
         table.row(["joints as reported".into(), format!("{} deg", q.map(|angle| angle.to_string()).join(", "))]);
         table.row(["tool point from the base".into(), format!("{} m", vector(&posture.tool.translation.vector, 4))]);
         for (name, (value, direction)) in
@@ -112,7 +109,7 @@ impl Answer for ComplianceAnswer {
                 table.row(["drives 1 to 6 give along the force".into(), shares.join(", ")]);
             }
         }
-        table.text(markdown) + "base axes: x forward, y left, z up; all six drives compliant, everything else rigid\n"
+        table.text(markdown) + "\nbase axes: x forward, y left, z up; all six drives compliant, everything else rigid\n"
     }
 
     fn json(&self) -> Value {

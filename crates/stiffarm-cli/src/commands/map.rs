@@ -3,11 +3,11 @@
 use serde_json::{Value, json};
 use stiffarm::limits::Range;
 use stiffarm::map::{Axis, Component, Direction, Map, MapError, MapOptions, map, reached_box};
-use stiffarm::place::{PlaceOptions, Placement, find_robot};
+use stiffarm::place::{PlaceOptions, Placement, Within, find_robot};
 use stiffarm::robot::{ArmPlane, Robot};
 use stiffarm::task::Task;
 
-use crate::args::{Common, MapArgs};
+use crate::args::{Angle, Common, MapArgs, Part};
 use crate::failure::Failure;
 use crate::figures::map::{MapFigure, ZoneMark};
 use crate::output::{Answer, deliver, figure};
@@ -18,14 +18,17 @@ use crate::table::Table;
 const FIGURE_SIZE: usize = 400;
 
 pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
+    if args.zone.is_none() && (args.placing.within != Within::ANYWHERE || args.placing.angle != Angle::Axes) {
+        return Err(Failure::Usage("--within and --angle place a zone: give --zone with them".into()));
+    }
     let robot = selection::robot(&args.robot)?;
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let plane = arm_plane(&robot).map_err(failure)?;
     let [x, z] = reached_box(&plane.arm).map_err(failure)?;
     let step = args.step_m.unwrap_or_else(|| x.width().max(z.width()) / (args.size - 1) as f64);
-    let direction = args
-        .direction_deg
-        .map_or(Direction::Worst, |angle| Direction::Given(angle.to_radians(), args.component.into()));
+    let direction = args.direction_deg.map_or(Direction::Worst, |angle| {
+        Direction::Given(angle.to_radians(), args.component.unwrap_or(Part::Total).into())
+    });
     let options = MapOptions {
         x: axis(x, step),
         z: axis(z, step),
@@ -131,7 +134,7 @@ impl MapAnswer {
         });
         let base = (self.plane.axis_from_base != [0.0; 2]).then_some(self.plane.axis_from_base);
         let figure_of_map = MapFigure {
-            title: format!("{} {}", robot.vendor, robot.name),
+            title: robot.full_name(),
             subtitle: format!("{}, {}; {}, planar model", robot.architecture, robot.status, self.what()),
             map: &self.map,
             arm: &self.plane.arm,
@@ -150,14 +153,11 @@ impl Answer for MapAnswer {
     fn text(&self, markdown: bool) -> String {
         let Self { robot, map, options, .. } = self;
         let mut table = Table::new(["", ""]);
-        table.row([
-            "robot".into(),
-            format!("{} {} ({}, {})", robot.vendor, robot.name, robot.architecture, robot.status),
-        ]);
+        table.row(["robot".into(), format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)]);
         table.row(["mapped".into(), format!("{}, planar model", self.what())]);
         table.row(["points".into(), format!("{} x {}, every {:.4} m", map.x.count, map.z.count, map.x.step)]);
         match map.extremes() {
-            None => table.row(["reached", "nothing"]),
+            None => table.row(["reached", "no point of the grid: choose a smaller step"]),
             Some([least, most]) => {
                 for (name, (value, i, j)) in [("least", least), ("most", most)] {
                     let (x, z) = (map.x.at(i), map.z.at(j));
@@ -181,7 +181,7 @@ impl Answer for MapAnswer {
                 format!("{deflection:.4} mm at worst, centre x {x:.3} m, z {z:.3} m"),
             ]);
         }
-        table.text(markdown) + "-o map.svg, .png, .csv or .json writes the map\n"
+        table.text(markdown) + "\n-o map.svg, .png, .csv or .json writes the map\n"
     }
 
     fn json(&self) -> Value {

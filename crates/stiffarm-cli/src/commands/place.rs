@@ -1,7 +1,7 @@
 //! `stiffarm place`: the best place of one zone.
 
 use serde_json::{Map, Value, json};
-use stiffarm::place::{PlaceOptions, Placed, Placement, place_robot};
+use stiffarm::place::{Outside, PlaceOptions, Placed, Placement, place_robot};
 use stiffarm::robot::Robot;
 use stiffarm::task::Task;
 
@@ -35,10 +35,7 @@ impl Answer for PlaceAnswer {
     fn text(&self, markdown: bool) -> String {
         let Self { robot, task, options, .. } = self;
         let mut table = Table::new(["", ""]);
-        table.row([
-            "robot".into(),
-            format!("{} {} ({}, {})", robot.vendor, robot.name, robot.architecture, robot.status),
-        ]);
+        table.row(["robot".into(), format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)]);
         table.row(["task".into(), format!("{} ({})", task.label, task.zone.describe())]);
         table.row(["force".into(), format!("{} N in its worst direction, planar model", options.force)]);
         match &self.placed {
@@ -59,7 +56,7 @@ impl Answer for PlaceAnswer {
                 if let Some(note) = outside(robot, task, best) {
                     table.row(["note".into(), note]);
                 }
-                table.row(["angle of the first side".into(), format!("{:.1} deg", best.angle.to_degrees())]);
+                table.row(["angle of the first side".into(), format!("{:.1} deg", best.angle.to_degrees() + 0.0)]);
                 table.row(["elbow".into(), best.elbow.name().to_owned()]);
                 let [wx, wz] = best.worst_point;
                 table.row(["worst point".into(), format!("x {wx:.4} m, z {wz:.4} m from the joint-2 axis")]);
@@ -86,7 +83,7 @@ impl Answer for PlaceAnswer {
 
     fn csv(&self) -> Table {
         let mut table = Table::new(CELL_COLUMNS);
-        table.row(cell_row(&self.robot, &self.task, &self.options, &self.placed));
+        table.row(cell_row(&self.robot, &self.task, &self.options, &self.placed, self.tolerance_mm));
         table
     }
 
@@ -97,13 +94,7 @@ impl Answer for PlaceAnswer {
 
 /// Says where a place lies partly below the base or behind the joint-1 axis: reached, but rarely meant.
 fn outside(robot: &Robot, task: &Task, best: &Placement) -> Option<String> {
-    let [ax, az] = robot.arm_plane()?.axis_from_base;
-    if [ax, az] == [0.0; 2] {
-        return None;
-    }
-    let half = task.zone.half_extents(best.angle);
-    let below = best.centre[1] + az - half.y < 0.0;
-    let behind = best.centre[0] + ax - half.x < 0.0;
+    let Outside { below, behind } = Outside::of(robot, task.zone, best);
     let place = match (below, behind) {
         (false, false) => return None,
         (true, false) => "below the base",
@@ -128,7 +119,7 @@ fn largest(task: &Task, scale: f64) -> String {
 }
 
 /// The columns of a placement in a spreadsheet.
-pub(crate) const CELL_COLUMNS: [&str; 14] = [
+pub(crate) const CELL_COLUMNS: [&str; 17] = [
     "robot",
     "vendor",
     "architecture",
@@ -143,9 +134,18 @@ pub(crate) const CELL_COLUMNS: [&str; 14] = [
     "angle_deg",
     "elbow",
     "largest_feasible_scale",
+    "below_base",
+    "tolerance_mm",
+    "pass",
 ];
 
-pub(crate) fn cell_row(robot: &Robot, task: &Task, options: &PlaceOptions, placed: &Placed) -> Vec<String> {
+pub(crate) fn cell_row(
+    robot: &Robot,
+    task: &Task,
+    options: &PlaceOptions,
+    placed: &Placed,
+    tolerance_mm: Option<f64>,
+) -> Vec<String> {
     let best = placed.feasible();
     let scale = match placed {
         Placed::Feasible(_) => None,
@@ -166,6 +166,11 @@ pub(crate) fn cell_row(robot: &Robot, task: &Task, options: &PlaceOptions, place
         full(best.map(|best| best.angle.to_degrees())),
         best.map_or_else(String::new, |best| best.elbow.name().into()),
         full(scale),
+        best.map_or_else(String::new, |best| Outside::of(robot, task.zone, best).below.to_string()),
+        full(tolerance_mm),
+        tolerance_mm.map_or_else(String::new, |tolerance| {
+            best.is_some_and(|best| best.deflection * 1e3 <= tolerance).to_string()
+        }),
     ]
 }
 
@@ -193,6 +198,9 @@ pub(crate) fn cell_json(
             put("angle_deg", json!(best.angle.to_degrees()));
             put("elbow", json!(best.elbow.name()));
             put("worst_point_m", json!(best.worst_point));
+            let outside = Outside::of(robot, task.zone, best);
+            put("below_base", json!(outside.below));
+            put("behind_axis_1", json!(outside.behind));
             if let Some(tolerance) = tolerance_mm {
                 put("tolerance_mm", json!(tolerance));
                 put("pass", json!(best.deflection * 1e3 <= tolerance));
@@ -203,6 +211,10 @@ pub(crate) fn cell_json(
             put("feasible", json!(false));
             put("reason", json!(reason.to_string()));
             put("largest_feasible_scale", json!(largest_scale));
+            if let Some(tolerance) = tolerance_mm {
+                put("tolerance_mm", json!(tolerance));
+                put("pass", json!(false));
+            }
         }
     }
     cell

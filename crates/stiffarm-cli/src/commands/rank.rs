@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 
 use serde_json::{Value, json};
 use stiffarm::drive::Architecture;
-use stiffarm::place::PlaceOptions;
+use stiffarm::place::{Outside, PlaceOptions};
 use stiffarm::rank::{Ranking, Row, curves, rank};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
@@ -54,7 +54,9 @@ impl RankAnswer<'_> {
 
     /// `1.234`, marked when it is the best of its column, with the margin where a tolerance is given.
     fn cell(&self, row: &Row, task: usize) -> String {
-        let Some(deflection) = row.deflection(task) else { return "-".into() };
+        let Some(deflection) = row.deflection(task) else {
+            return if row.cells[task].is_ok() { "-".into() } else { "?".into() };
+        };
         let is = |best: Option<&Row>| best.is_some_and(|best| best.robot == row.robot);
         let published = self.ranking.best_published(task);
         let beats =
@@ -81,6 +83,10 @@ impl RankAnswer<'_> {
             notes += "; ~ estimated robot: it cannot win, even where its value is smaller";
         }
         notes += "; - the zone does not fit (`stiffarm place` says why)\n";
+        if self.ranking.rows.iter().any(|row| row.cells.iter().any(Result::is_err)) {
+            notes += "? the search for a place did not end; `stiffarm place` says between which values\n";
+        }
+        notes += &self.below_base();
         notes += "bound: deflection at the stiffest posture of the links; no placement of any task has less\n";
         if statuses.contains(&Status::Derived) {
             notes += "derived: partly from published figures of the same or a sister model\n";
@@ -89,6 +95,28 @@ impl RankAnswer<'_> {
             notes += "estimated: lengths or limits partly assumed, see `stiffarm robots show NAME`\n";
         }
         notes
+    }
+
+    /// Names the places that lie partly below the base: reached, but rarely meant.
+    fn below_base(&self) -> String {
+        let mut found = Vec::new();
+        for row in &self.ranking.rows {
+            let below: Vec<&str> = (0..row.cells.len())
+                .filter(|&task| {
+                    let zone = self.ranking.tasks[task].zone;
+                    row.placement(task).is_some_and(|placement| Outside::of(&row.robot, zone, placement).below)
+                })
+                .map(|task| self.ranking.tasks[task].label.as_str())
+                .collect();
+            if !below.is_empty() {
+                found.push(format!("{} on {}", row.robot.name, below.join(", ")));
+            }
+        }
+        if found.is_empty() {
+            String::new()
+        } else {
+            format!("zones partly below the base (--within=..,0.. keeps them above): {}\n", found.join("; "))
+        }
     }
 
     /// What a manager would read.
@@ -113,7 +141,7 @@ impl RankAnswer<'_> {
                 .iter()
                 .map(|&task| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(robot, task)))
                 .collect();
-            format!("{} {} for {}", robot.vendor, robot.name, tasks.join(", "))
+            format!("{} for {}", robot.full_name(), tasks.join(", "))
         };
         if winners.is_empty() {
             sentences.push("No robot of which all numbers are known can do any of these tasks.".into());
@@ -198,19 +226,16 @@ impl RankAnswer<'_> {
         let bar = progress(shapes.len() * robots.len() * CURVE_POINTS, "drawing curves", self.common);
         let mut panels = Vec::new();
         for (shape, marks) in shapes {
-            let largest = largest_scale(&robots, shape.zone);
+            let largest = 1.01 * largest_scale(&robots, shape.zone);
             let scales: Vec<f64> = (1..=CURVE_POINTS).map(|i| largest * i as f64 / CURVE_POINTS as f64).collect();
             let options = PlaceOptions { gap: self.options.gap.max(1e-3), ..self.options };
             let values = curves(&robots, &shape, &scales, &options, || bar.inc(1))?;
-            let curves = robots.iter().zip(values).map(|(robot, values)| Curve {
+            let curves = robots.iter().zip(values).map(|(robot, curve)| Curve {
                 robot: robot.name.clone(),
                 serial: robot.architecture == Architecture::Serial,
                 estimated: robot.status == Status::Estimated,
-                points: scales
-                    .iter()
-                    .zip(values)
-                    .filter_map(|(&scale, value)| value.map(|deflection| (scale, deflection * 1e3)))
-                    .collect(),
+                points: curve.points.into_iter().map(|(scale, deflection)| (scale, deflection * 1e3)).collect(),
+                is_complete: curve.is_complete,
             });
             panels.push(Panel {
                 title: shape.label.clone(),
@@ -271,7 +296,7 @@ impl Answer for RankAnswer<'_> {
             let robot = &row.robot;
             let mut cells = vec![
                 (i + 1).to_string(),
-                format!("{} {}{}", robot.vendor, robot.name, if robot.status == Status::Estimated { " ~" } else { "" }),
+                format!("{}{}", robot.full_name(), if robot.status == Status::Estimated { " ~" } else { "" }),
                 robot.architecture.to_string(),
                 robot.status.to_string(),
                 fixed(row.floor * 1e3, 3),
@@ -294,8 +319,16 @@ impl Answer for RankAnswer<'_> {
         let Ranking { tasks, force, rows } = &self.ranking;
         let rows = rows.iter().map(|row| {
             let robot = &row.robot;
-            let cells = tasks.iter().zip(&row.cells).map(|(task, placed)| {
-                Value::Object(cell_json(robot, task, &self.options, placed, self.tolerance_mm()))
+            let cells = tasks.iter().zip(&row.cells).map(|(task, cell)| match cell {
+                Ok(placed) => Value::Object(cell_json(robot, task, &self.options, placed, self.tolerance_mm())),
+                Err(error) => json!({
+                    "robot": robot.name,
+                    "task": task.label,
+                    "model": "planar",
+                    "force_n": self.options.force,
+                    "feasible": Value::Null,
+                    "reason": error.to_string(),
+                }),
             });
             json!({
                 "robot": robot.name,
@@ -331,9 +364,10 @@ impl Answer for RankAnswer<'_> {
     fn csv(&self) -> Table {
         let mut table = Table::new(["rank", "bound_mm"].into_iter().chain(CELL_COLUMNS));
         for (i, row) in self.ranking.rows.iter().enumerate() {
-            for (task, placed) in self.ranking.tasks.iter().zip(&row.cells) {
+            for (task, cell) in self.ranking.tasks.iter().zip(&row.cells) {
+                let Ok(placed) = cell else { continue };
                 let mut cells = vec![(i + 1).to_string(), (row.floor * 1e3).to_string()];
-                cells.extend(cell_row(&row.robot, task, &self.options, placed));
+                cells.extend(cell_row(&row.robot, task, &self.options, placed, self.tolerance_mm()));
                 table.row(cells);
             }
         }

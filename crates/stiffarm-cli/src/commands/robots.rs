@@ -26,7 +26,7 @@ fn check(files: &[std::path::PathBuf]) -> Result<(), Failure> {
     let mut bad = 0;
     for file in files {
         match selection::read_file(file) {
-            Ok(robot) => print(&format!("{}: {} {} can be used\n", file.display(), robot.vendor, robot.name))?,
+            Ok(robot) => print(&format!("{}: {} can be used\n", file.display(), robot.full_name()))?,
             Err(failure) => {
                 bad += 1;
                 eprintln!("{failure}");
@@ -128,7 +128,7 @@ impl Sheet {
     fn rows(&self) -> Vec<(String, String)> {
         let robot = &self.0;
         let mut rows: Vec<(String, String)> = vec![
-            ("robot".into(), format!("{} {}", robot.vendor, robot.name)),
+            ("robot".into(), robot.full_name()),
             ("architecture".into(), robot.architecture.to_string()),
             ("status".into(), robot.status.to_string()),
             ("payload".into(), robot.payload_kg.map_or_else(|| "-".into(), |kg| format!("{kg} kg"))),

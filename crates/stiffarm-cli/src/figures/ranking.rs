@@ -20,6 +20,8 @@ pub(crate) struct Curve {
     pub estimated: bool,
     /// Size, m, and deflection, mm, by rising size; no point where the task does not fit.
     pub points: Vec<(f64, f64)>,
+    /// Beyond the last point the task does not fit.
+    pub is_complete: bool,
 }
 
 /// One task shape.
@@ -67,9 +69,9 @@ impl Style<'_> {
     }
 
     fn entry(&self) -> Entry {
-        let star = if self.estimated { " *" } else { "" };
+        let mark = if self.estimated { " ~" } else { "" };
         let own = Style { robot: "", ..*self };
-        Entry::new(format!("{}{star}", self.robot), move |canvas, [x, y]| {
+        Entry::new(format!("{}{mark}", self.robot), move |canvas, [x, y]| {
             canvas.line([x - 18.0, y], [x + 18.0, y], &own.line());
             own.mark(canvas, [x, y]);
         })
@@ -78,7 +80,7 @@ impl Style<'_> {
 
 /// The figure as SVG text.
 ///
-/// A cross ends a curve that stops before the largest size of its panel: beyond it the task does not fit.
+/// A cross ends a complete curve: beyond it the task does not fit.
 #[expect(clippy::unnecessary_wraps, reason = "all figures are called alike")]
 pub(crate) fn svg(title: &str, panels: &[Panel]) -> Result<String, FigureError> {
     let styles = styles(panels);
@@ -147,15 +149,13 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, styles: &[Style], (corner, opp
         canvas.line([x, bottom], [x, top], &format!(r#"stroke="{GREY}" stroke-width="1" {ASKED}"#));
     }
     draw_tolerance(canvas, panel, &frame);
-    let largest = range(panel.curves.iter().flat_map(finite).map(|(size, _)| size)).map(|(_, largest)| largest);
     canvas.clipped(&rect_path([left, bottom + 1.0], [right, top]), |canvas| {
         for curve in &panel.curves {
             let Some(style) = styles.iter().find(|style| style.robot == curve.robot) else { continue };
             let points: Vec<Px> = finite(curve).into_iter().map(|(size, value)| frame.at(size, value)).collect();
             canvas.path(&path(&points, false), &style.line());
             draw_marks(canvas, style, &points);
-            let ends = finite(curve).last().is_some_and(|(size, _)| Some(*size) != largest);
-            if let (Some(&end), true) = (points.last(), ends) {
+            if let (Some(&end), true) = (points.last(), curve.is_complete) {
                 marks::cross(canvas, end, 4.5, &format!(r#"stroke="{}" stroke-width="2""#, style.colour()));
             }
         }
@@ -221,7 +221,7 @@ fn draw_legends(canvas: &mut Canvas, panels: &[Panel], styles: &[Style], mut y: 
     legend.draw(canvas, [125.0, y]);
     y += legend.height();
     if styles.iter().any(|style| style.estimated) {
-        canvas.text([20.0, y + 16.0], "* geometry or limits estimated", Font::new(12.0).colour(GREY));
+        canvas.text([20.0, y + 16.0], "~ geometry or limits estimated", Font::new(12.0).colour(GREY));
         y += 28.0;
     }
     y
@@ -233,7 +233,13 @@ mod tests {
     use super::*;
 
     fn curve(robot: &str, points: &[(f64, f64)]) -> Curve {
-        Curve { robot: robot.into(), serial: robot.len().is_multiple_of(2), estimated: true, points: points.to_vec() }
+        Curve {
+            robot: robot.into(),
+            serial: robot.len().is_multiple_of(2),
+            estimated: true,
+            points: points.to_vec(),
+            is_complete: robot == "short",
+        }
     }
 
     fn panel(curves: Vec<Curve>, tolerance_mm: Option<f64>) -> Panel {
@@ -265,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cross_ends_only_a_curve_that_stops_early() {
+    fn a_cross_ends_only_a_complete_curve() {
         let short = curve("short", &[(0.1, 1.0), (0.2, 2.0)]);
         let long = || curve("long", &[(0.1, 1.0), (0.2, 2.0), (0.3, 2.5)]);
         let crosses = |curves| svg("", &[panel(curves, None)]).unwrap().matches(r#"stroke-width="2"/>"#).count();

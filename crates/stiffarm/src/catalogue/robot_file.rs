@@ -86,7 +86,7 @@ fn robot(mut root: Table) -> Option<Robot> {
         None
     };
     root.finish(&["geometry", "limits", "compliance", "planar"]);
-    let vendor = vendor.unwrap_or_else(|| "-".into());
+    let vendor = vendor.unwrap_or_default();
     Some(Robot {
         name: name?,
         vendor,

@@ -155,7 +155,7 @@ pub enum PlaceError {
     #[error("a zone with a side of {0} m; expected 1e-9 to 1000 m")]
     Side(f64),
     /// The search grew too large.
-    #[error("the search stopped after {nodes} boxes between {lower:e} and {upper:e} m; ask for a larger gap")]
+    #[error("the search stopped after {nodes} boxes: the best place lies between {:.4} and {:.4} mm; ask for a larger gap", lower * 1e3, upper * 1e3)]
     Unfinished {
         /// Boxes looked at.
         nodes: usize,
@@ -231,6 +231,29 @@ fn check_zone(zone: Zone) -> Result<(), PlaceError> {
 pub fn place_robot(robot: &Robot, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
     let (plane, options) = plane_and_options(robot, options)?;
     place(&plane.arm, zone, &options)
+}
+
+/// Where part of a place lies that is reached but rarely meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outside {
+    /// Below the base.
+    pub below: bool,
+    /// Behind the joint-1 axis.
+    pub behind: bool,
+}
+
+impl Outside {
+    /// Looks where a placement of a robot stands; nowhere outside for a robot of which only the plane is known.
+    pub fn of(robot: &Robot, zone: Zone, placement: &Placement) -> Self {
+        const SLACK: f64 = 1e-6;
+        let axis = robot.arm_plane().map_or([0.0; 2], |plane| plane.axis_from_base);
+        if axis == [0.0; 2] {
+            return Self { below: false, behind: false };
+        }
+        let half = zone.half_extents(placement.angle);
+        let [x, z] = placement.centre;
+        Self { below: z + axis[1] - half.y < -SLACK, behind: x + axis[0] - half.x < -SLACK }
+    }
 }
 
 /// [`find`] for a robot, as [`place_robot`].

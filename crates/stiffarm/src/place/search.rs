@@ -247,10 +247,18 @@ impl<'a> Search<'a> {
         if side.is_whole_ring() {
             return true;
         }
-        let (core, shared) = core(zone, node.u, node.v);
+        let (mut core, shared) = core(zone, node.u, node.v);
         let slack = BOX_SLACK * self.arm.l2;
         if core.nearest().norm() <= slack {
-            return true; // Around the axis a bearing means nothing.
+            // Around the axis a bearing means nothing. What all places cover is judged a hair farther in: where the axis
+            // is still not outside, every place covers it.
+            if !shared {
+                return true;
+            }
+            core = core.shrunk(4.0 * slack);
+            if core.nearest().norm() <= slack {
+                return false;
+            }
         }
         let allowed = if shared {
             if core.nearest().norm() < side.ring.min() - slack || side.ring.max() + slack < core.farthest().norm() {

@@ -20,6 +20,14 @@ impl Shape {
         }
     }
 
+    /// The same figure with its boundary drawn in by `by`.
+    pub(crate) fn shrunk(&self, by: f64) -> Self {
+        match *self {
+            Self::Disc(centre, radius) => Self::Disc(centre, (radius - by).max(0.0)),
+            Self::Rectangle(centre, half) => Self::Rectangle(centre, half.map(|h| (h - by).max(0.0))),
+        }
+    }
+
     /// The point nearest to the origin: the origin itself where it lies inside.
     pub(crate) fn nearest(&self) -> Vector2<f64> {
         match *self {
