@@ -269,6 +269,26 @@ fn drive_1_gives_the_square_of_the_distance_sideways() {
 }
 
 #[test]
+fn a_zone_below_the_base_is_pointed_out() {
+    assert_eq!(json(&["place", "BT200L", "--task", "C:0.15"])["below_base"], true);
+    assert_eq!(json(&["place", "BT200L", "--task", "C:0.15", "--within", "..,0.."])["below_base"], false);
+    assert!(run(&["rank", "--robots", "BT200L", "--task", "C:0.15"]).contains("zones partly below the base"));
+    assert!(!run(&["rank", "--robots", "BT200L", "--task", "C:0.15", "--within=..,0.."]).contains("below the base"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_written_through() {
+    let folder = TempDir::new().unwrap();
+    let (target, link) = (path(&folder, "target.csv"), path(&folder, "link.csv"));
+    fs::write(&target, "old").unwrap();
+    std::os::unix::fs::symlink(&target, &link).unwrap();
+    run(&["robots", "list", "-o", &link]);
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(fs::read_to_string(&target).unwrap().starts_with("vendor,robot"));
+}
+
+#[test]
 fn published_numbers_are_settled() {
     let ledger = json(&["validate"]);
     let rows = ledger["rows"].as_array().unwrap();

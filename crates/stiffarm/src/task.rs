@@ -127,11 +127,10 @@ impl Zone {
 
     /// The shape with the side lengths in mm, for people.
     pub fn describe(self) -> String {
+        let mm = |side: f64| if side < 0.01 { format!("{:.3}", side * 1e3) } else { format!("{:.0}", side * 1e3) };
         match self {
-            Self::Circle { diameter } => format!("circle of {:.0} mm", diameter * 1e3),
-            Self::Rectangle { width, height } => {
-                format!("{:.0} x {:.0} mm", width * 1e3, height * 1e3)
-            }
+            Self::Circle { diameter } => format!("circle of {} mm", mm(diameter)),
+            Self::Rectangle { width, height } => format!("{} x {} mm", mm(width), mm(height)),
         }
     }
 }

@@ -134,3 +134,16 @@ fn a_message_is_not_as_long_as_the_file() {
     let e = read(&planar(&format!("l2_mm = 1000\n{} = 1", "k".repeat(900_000))), "f").unwrap_err().to_string();
     assert!(e.len() < 10_000, "{}", e.len());
 }
+
+#[test]
+fn equal_links_with_a_shoulder_limit_place_a_zone_beside_the_axis() {
+    let arm = PlanarArm { shoulder: r(0.0, 100_f64.to_radians()), ..PlanarArm::free(1.0, 1.0, 1e-6, 1e-6, Serial) };
+    let zone = Zone::Rectangle { width: 0.5, height: 1.0 };
+    let placed = place(&arm, zone, &paper()).unwrap();
+    let best = placed.feasible().unwrap();
+    // A grid of 4 mm finds 1.863 mm; links of 1 m and 0.9999 m have 1.849 mm.
+    assert!((best.deflection * 1e3 - 1.8495).abs() < 5e-4, "{best:?}");
+    let near = PlanarArm { l3: 0.9999, ..arm };
+    let neighbour = place(&near, zone, &paper()).unwrap();
+    assert!((neighbour.feasible().unwrap().deflection - best.deflection).abs() < 1e-6);
+}

@@ -132,9 +132,11 @@ fn random_range(rng: &mut fastrand::Rng, probability: f64, centre: f64, spread: 
 }
 
 fn random_arm(rng: &mut fastrand::Rng) -> PlanarArm {
+    let l2 = 0.5 + rng.f64();
     PlanarArm {
-        l2: 0.5 + rng.f64(),
-        l3: 0.5 + rng.f64(),
+        l2,
+        // Equal links fold onto the axis, where a bearing means nothing: the hardest case, and a common one.
+        l3: if rng.u8(0..5) == 0 { l2 } else { 0.5 + rng.f64() },
         k2: 1e-6 * (0.3 + 2.0 * rng.f64()),
         k3: if rng.bool() { 1e-6 } else { 1e-6 * (0.3 + 2.0 * rng.f64()) },
         architecture: rng.choice(Architecture::ALL).unwrap(),
@@ -247,10 +249,11 @@ fn no_placement_beats_the_answer_or_lies_under_its_bound() {
                 assert!(best.deflection - best.lower_bound <= 1e-4 * best.deflection, "{case}: {best:?}");
                 searched += usize::from(1e-9 * best.deflection < best.deflection - best.lower_bound);
                 let trial = Trial { centre: best.centre, angle: best.angle };
-                let value = brute(&arm, &outline(zone, trial, 1.0), 1e-6)
+                // A millionth smaller, so that a zone that touches the axis of equal links has a bearing everywhere.
+                let value = brute(&arm, &outline(zone, trial, 1.0 - 1e-6), 1e-6)
                     .unwrap_or_else(|| panic!("{case}: the witness calls the answer unreachable: {best:?}"));
-                // The worst point is among the samples, or where the witness takes another elbow side just as good.
-                assert!((value * FORCE - best.deflection).abs() <= 1e-6 * best.deflection, "{case}: {value} {best:?}");
+                // The worst point is among the samples, but for the millionth.
+                assert!((value * FORCE - best.deflection).abs() <= 1e-5 * best.deflection, "{case}: {value} {best:?}");
                 assert!(stands_within(zone, trial, options.within), "{case}: {best:?}");
                 try_all(best.lower_bound, Some(trial));
             }

@@ -300,7 +300,7 @@ fn infeasible(arm: &PlanarArm, zone: Zone, options: &PlaceOptions, search: &sear
     } else {
         let anywhere = PlaceOptions { within: Within::ANYWHERE, ..*options };
         // Undecided so near to the limit of what fits, the limits are the likelier reason.
-        if search::Search::new(arm, sides, &anywhere).has_place(zone) == Ok(true) {
+        if search::Search::new(arm, sides, &anywhere).has_place(zone) == Some(true) {
             Misfit::Within
         } else {
             Misfit::Limits
@@ -310,18 +310,18 @@ fn infeasible(arm: &PlanarArm, zone: Zone, options: &PlaceOptions, search: &sear
 }
 
 /// The largest scale below `misfit` with a place, to 1e-4: zones of one shape nest about a common centre, so what fits is
-/// monotone in the scale. Where a search grows too large so near to the limit, the scale found so far; zero where nothing
-/// of a hundredth of a millimetre fits.
+/// monotone in the scale. Zero where nothing of a hundredth of a millimetre fits.
 fn largest_scale(zone: Zone, search: &search::Search, mut misfit: f64) -> f64 {
     let [first, second] = zone.sides();
     let least = 1e-5 / first.max(second);
     let mut fit = 0.0;
     while least < misfit && 1e-4 * misfit < misfit - fit {
         let scale = f64::midpoint(fit, misfit);
-        match search.has_place(zone.scaled(scale)) {
-            Ok(true) => fit = scale,
-            Ok(false) => misfit = scale,
-            Err(_) => break,
+        // An open answer counts as no: the scale that is reported has a place for certain.
+        if search.has_place(zone.scaled(scale)) == Some(true) {
+            fit = scale;
+        } else {
+            misfit = scale;
         }
     }
     fit

@@ -4,7 +4,7 @@
 //! plane. The nearest and farthest distance then depend on `(u, v)` alone, and a turn only shifts the two absolute
 //! angles. Where nothing else ties the turn down it needs no search: the limits leave an interval of turns, or none.
 
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, VecDeque};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector2;
@@ -66,16 +66,33 @@ impl<'a> Search<'a> {
 
     /// The best place to the gap asked for; `None` is a proof that there is no place.
     pub(super) fn best(&self, zone: Zone) -> Result<Option<Placement>, PlaceError> {
-        Ok(self.run(zone, self.options.gap, MOST_BOXES)?.map(|(found, lower)| self.report(zone, found, lower)))
+        Ok(self.run(zone, self.options.gap)?.map(|(found, lower)| self.report(zone, found, lower)))
     }
 
-    /// Is there any place?
-    pub(super) fn has_place(&self, zone: Zone) -> Result<bool, PlaceError> {
-        Ok(self.run(zone, 1.0, MOST_BOXES_FOR_SCALE)?.is_some())
+    /// Is there any place? `None` where so many boxes were looked at that the answer stays open.
+    ///
+    /// The largest boxes come first: where there is room, its middle is soon met.
+    pub(super) fn has_place(&self, zone: Zone) -> Option<bool> {
+        let (found, queue) = self.seeds(zone);
+        if found.is_some() {
+            return Some(true);
+        }
+        let mut queue = VecDeque::from(queue.into_vec());
+        for _ in 0..MOST_BOXES_FOR_SCALE {
+            let Some(node) = queue.pop_front() else { return Some(false) };
+            let middle = Vector2::new(node.u.middle(), node.v.middle());
+            if self.judge(zone, node.side, middle, node.turn).is_some() {
+                return Some(true);
+            }
+            if POINT <= node.u.width().max(node.v.width()) {
+                queue.extend(split(node).into_iter().filter(|half| self.bound(zone, half, f64::INFINITY).is_some()));
+            }
+        }
+        None
     }
 
     /// The best place and a lower bound, `gap` apart at most.
-    fn run(&self, zone: Zone, gap: f64, most_boxes: usize) -> Result<Option<(Found, f64)>, PlaceError> {
+    fn run(&self, zone: Zone, gap: f64) -> Result<Option<(Found, f64)>, PlaceError> {
         let (mut best, mut queue) = self.seeds(zone);
         let mut boxes = 0;
         while let Some(node) = queue.pop() {
@@ -85,7 +102,7 @@ impl<'a> Search<'a> {
                 return Ok(best.map(|found| (found, lower)));
             }
             boxes += 1;
-            if most_boxes < boxes {
+            if MOST_BOXES < boxes {
                 let force = self.options.force;
                 return Err(PlaceError::Unfinished { nodes: boxes, lower: node.lower * force, upper: upper * force });
             }

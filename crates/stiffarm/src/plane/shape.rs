@@ -99,6 +99,13 @@ impl Shape {
                 let (along, across) = (centre / distance, Vector2::new(-centre.y, centre.x) / distance);
                 visit(centre + radius * across);
                 visit(centre - radius * across);
+                if (distance - radius).abs() <= super::SLACK * inner {
+                    // The boundary runs through the origin: the bearings just beside it are a half turn apart.
+                    const BESIDE: f64 = 1e-8;
+                    for side in [BESIDE, -BESIDE] {
+                        visit(centre + radius * (side.sin() * across - side.cos() * along));
+                    }
+                }
                 for reach in [outer + radius, outer - radius] {
                     let a = (inner * inner + distance * distance - reach * reach) / (2.0 * distance);
                     let b = (inner * inner - a * a).max(0.0).sqrt();
