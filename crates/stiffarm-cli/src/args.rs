@@ -77,7 +77,7 @@ pub(crate) struct Placing {
     #[arg(long, value_name = "ANGLE", value_parser = Angle::from_str, default_value = "axes", allow_hyphen_values = true)]
     pub(crate) angle: Angle,
     /// Largest relative distance between a value and its proof
-    #[arg(long, value_name = "RATIO", default_value_t = 1e-4, value_parser = gap)]
+    #[arg(long, value_name = "RATIO", default_value_t = 1e-4, value_parser = gap, allow_hyphen_values = true)]
     pub(crate) gap: f64,
 }
 
@@ -97,7 +97,7 @@ pub(crate) struct RankArgs {
     #[arg(long = "task", value_name = "TASK", value_delimiter = ',', default_values = ["A:0.1", "A:1.0", "B:0.1", "B:0.5", "C:0.05", "C:0.15"])]
     pub(crate) tasks: Vec<Task>,
     /// Largest deflection that is acceptable [mm]: adds pass or fail
-    #[arg(long, value_name = "MM", value_parser = tolerance)]
+    #[arg(long, value_name = "MM", value_parser = tolerance, allow_hyphen_values = true)]
     pub(crate) tolerance_mm: Option<f64>,
     #[command(flatten)]
     pub(crate) placing: Placing,
@@ -111,7 +111,7 @@ pub(crate) struct PlaceArgs {
     #[arg(long, value_name = "TASK")]
     pub(crate) task: Task,
     /// Largest deflection that is acceptable [mm]: adds pass or fail
-    #[arg(long, value_name = "MM", value_parser = tolerance)]
+    #[arg(long, value_name = "MM", value_parser = tolerance, allow_hyphen_values = true)]
     pub(crate) tolerance_mm: Option<f64>,
     #[command(flatten)]
     pub(crate) placing: Placing,
@@ -134,7 +134,7 @@ pub(crate) struct MapArgs {
     #[arg(long, value_name = "TASK")]
     pub(crate) zone: Option<Task>,
     /// Distance between points [m]
-    #[arg(long, value_name = "M", value_parser = step, conflicts_with = "size")]
+    #[arg(long, value_name = "M", value_parser = step, allow_hyphen_values = true, conflicts_with = "size")]
     pub(crate) step_m: Option<f64>,
     /// Points along the longer side
     #[arg(long, value_name = "N", default_value_t = 400, value_parser = points)]
@@ -164,10 +164,10 @@ pub(crate) struct StudyArgs {
     #[arg(long, value_name = "SHAPES", value_delimiter = ',', value_parser = shape, default_value = "A,B,C")]
     pub(crate) tasks: Vec<Task>,
     /// Sizes over l2 + l3
-    #[arg(long, value_name = "SIZES", value_delimiter = ',', default_values_t = [0.1, 0.3, 0.5, 0.8])]
+    #[arg(long, value_name = "SIZES", value_delimiter = ',', allow_hyphen_values = true, default_values_t = [0.1, 0.3, 0.5, 0.8])]
     pub(crate) sizes: Vec<f64>,
     /// Link ratios mu = l3/l2
-    #[arg(long, value_name = "RATIOS", value_delimiter = ',', default_values_t = [0.8, 1.0, 1.2])]
+    #[arg(long, value_name = "RATIOS", value_delimiter = ',', allow_hyphen_values = true, default_values_t = [0.8, 1.0, 1.2])]
     pub(crate) ratios: Vec<f64>,
     /// Link ratios among which the best is sought
     #[arg(long, value_name = "RANGE", value_parser = open_range, default_value = "0.5..1.5")]
@@ -176,10 +176,10 @@ pub(crate) struct StudyArgs {
     #[arg(long, value_name = "TWO", value_delimiter = ',', value_parser = architecture, default_value = "serial,quasi-serial")]
     pub(crate) compare: Vec<Architecture>,
     /// Compliance of drive 2 over the reference k, for both or one each
-    #[arg(long, value_name = "K", value_delimiter = ',', default_value = "1")]
+    #[arg(long, value_name = "K", value_delimiter = ',', allow_hyphen_values = true, default_value = "1")]
     pub(crate) k2: Vec<f64>,
     /// Compliance of drive 3 over the reference k, for both or one each
-    #[arg(long, value_name = "K", value_delimiter = ',', default_value = "1")]
+    #[arg(long, value_name = "K", value_delimiter = ',', allow_hyphen_values = true, default_value = "1")]
     pub(crate) k3: Vec<f64>,
 }
 
@@ -200,7 +200,7 @@ pub(crate) enum RobotsAction {
     },
     /// Check robot files: every fault at once
     Check {
-        /// Robot files
+        /// Robot files, or folders of them
         #[arg(required = true)]
         files: Vec<PathBuf>,
     },

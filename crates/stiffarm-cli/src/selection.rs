@@ -1,7 +1,7 @@
 //! Which robots are meant: names, patterns, files, folders.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use stiffarm::catalogue::{names, paper_robots, read, suggestions};
 use stiffarm::robot::Robot;
@@ -63,17 +63,19 @@ fn matching(name: &str) -> Result<Vec<Robot>, Failure> {
     if found.is_empty() { Err(Failure::NoRobot(name.into())) } else { Ok(found) }
 }
 
-/// Every robot file in a folder, in the order of their names.
+/// Every robot in a folder, in the order of the files' names.
 fn folder(path: &Path) -> Result<Vec<Robot>, Failure> {
+    files_in(path)?.iter().map(|path| read_file(path)).collect()
+}
+
+/// The robot files in a folder, in the order of their names.
+pub(crate) fn files_in(path: &Path) -> Result<Vec<PathBuf>, Failure> {
     let failure = |error| Failure::Read { path: path.into(), error };
     let entries: Result<Vec<_>, _> = fs::read_dir(path).map_err(failure)?.collect();
     let mut paths: Vec<_> = entries.map_err(failure)?.into_iter().map(|entry| entry.path()).collect();
     paths.retain(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
     paths.sort();
-    if paths.is_empty() {
-        return Err(Failure::NoRobot(path.display().to_string()));
-    }
-    paths.iter().map(|path| read_file(path)).collect()
+    if paths.is_empty() { Err(Failure::NoRobot(path.display().to_string())) } else { Ok(paths) }
 }
 
 /// Reads and checks one robot file.

@@ -53,7 +53,9 @@ impl Table {
 
 /// A number with what a table may add to it (marks, verdicts), or a blank.
 fn is_number(cell: &str) -> bool {
-    cell.trim().is_empty() || cell == "-" || cell.starts_with(|c: char| c.is_ascii_digit() || c == '-')
+    cell.trim().is_empty()
+        || matches!(cell, "-" | "~" | "?")
+        || cell.starts_with(|c: char| c.is_ascii_digit() || c == '-')
 }
 
 /// Rounded for people.

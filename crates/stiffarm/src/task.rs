@@ -56,7 +56,7 @@ pub enum TaskError {
         size: String,
     },
     /// A size outside what a robot can reach.
-    #[error("task '{text}': a side of {size} m; expected {} to {} m{}", SIZES.start(), SIZES.end(), hint_millimetres(*size))]
+    #[error("task '{text}': a side of {size:?} m; expected {} to {} m{}", SIZES.start(), SIZES.end(), hint_millimetres(*size))]
     Size {
         /// What was given.
         text: String,
@@ -207,11 +207,11 @@ mod tests {
             ("rect:0.5", "expected circle:D"),
             ("circle:big", "'big' is not a number"),
             ("circle:0", "expected 0.0001 to 50 m"),
-            ("circle:-1", "a side of -1 m"),
+            ("circle:-1", "a side of -1.0 m"),
             ("circle:NaN", "a side of NaN m"),
             ("rect:1xinf", "a side of inf m"),
             ("circle:1e300", "expected 0.0001 to 50 m"),
-            ("C:40", "a side of 400 m"),
+            ("C:40", "a side of 400.0 m"),
             ("circle:500", "500 mm would be 0.5"),
         ] {
             assert!(message(text).contains(expected), "{text}: {}", message(text));

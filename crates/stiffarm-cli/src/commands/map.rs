@@ -49,7 +49,7 @@ pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
             found.map(|placement| (task.clone(), placement))
         }
     };
-    deliver(&MapAnswer { robot, plane, options, map, zone }, common)
+    deliver(&MapAnswer { within: args.placing.within, robot, plane, options, map, zone }, common)
 }
 
 fn arm_plane(robot: &Robot) -> Result<ArmPlane, MapError> {
@@ -75,6 +75,7 @@ pub(crate) fn placement_figure(
     let plane = arm_plane(robot).map_err(failure)?;
     let [x, z] = reached_box(&plane.arm).map_err(failure)?;
     let step = x.width().max(z.width()) / (FIGURE_SIZE - 1) as f64;
+    let within = options.within;
     let options = MapOptions {
         x: axis(x, step),
         z: axis(z, step),
@@ -84,10 +85,11 @@ pub(crate) fn placement_figure(
     };
     let map = map(&plane.arm, &options).map_err(failure)?;
     let zone = placement.map(|placement| (task.clone(), placement.clone()));
-    MapAnswer { robot: robot.clone(), plane, options, map, zone }.figure()
+    MapAnswer { within, robot: robot.clone(), plane, options, map, zone }.figure()
 }
 
 struct MapAnswer {
+    within: Within,
     robot: Robot,
     plane: ArmPlane,
     options: MapOptions,
@@ -107,6 +109,20 @@ impl MapAnswer {
                 };
                 format!("{part} under {force} N at {:.0} deg", angle.to_degrees())
             }
+        }
+    }
+
+    /// Where the zone had to stand, where that was restricted.
+    fn window(&self) -> String {
+        let range = |range: Range| {
+            let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
+            format!("{}..{}", end(range.min()), end(range.max()))
+        };
+        match (&self.zone, self.within) {
+            (Some(_), within) if within != Within::ANYWHERE => {
+                format!("; zone within x {} m, z {} m of the base", range(within.x), range(within.z))
+            }
+            _ => String::new(),
         }
     }
 
@@ -135,7 +151,13 @@ impl MapAnswer {
         let base = (self.plane.axis_from_base != [0.0; 2]).then_some(self.plane.axis_from_base);
         let figure_of_map = MapFigure {
             title: robot.full_name(),
-            subtitle: format!("{}, {}; {}, planar model", robot.architecture, robot.status, self.what()),
+            subtitle: format!(
+                "{}, {}; {}, planar model{}",
+                robot.architecture,
+                robot.status,
+                self.what(),
+                self.window()
+            ),
             map: &self.map,
             arm: &self.plane.arm,
             posture: self.posture(),
@@ -203,6 +225,18 @@ impl Answer for MapAnswer {
             }
         };
         object[key] = Value::Array(rows.collect());
+        if let Some((task, placement)) = &self.zone {
+            object["zone"] = json!({
+                "task": task.label,
+                "deflection_mm": placement.deflection * 1e3,
+                "lower_bound_mm": placement.lower_bound * 1e3,
+                "x_m": placement.centre[0],
+                "z_m": placement.centre[1],
+                "angle_deg": placement.angle.to_degrees(),
+                "elbow": placement.elbow.name(),
+                "worst_point_m": placement.worst_point,
+            });
+        }
         object
     }
 

@@ -30,10 +30,16 @@ pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
         ));
     }
     let robots = selection::robots(&args.robots)?;
+    let mut tasks: Vec<Task> = Vec::new();
+    for task in &args.tasks {
+        if !tasks.iter().any(|known| known.zone == task.zone) {
+            tasks.push(task.clone());
+        }
+    }
     let first = args.tasks.first().ok_or_else(|| Failure::Usage("no task to rank for; give --task".into()))?;
     let options = args.placing.options(first.zone);
-    let bar = progress(robots.len() * args.tasks.len(), "placing zones", common);
-    let ranking = rank(&robots, &args.tasks, &options, || bar.inc(1))?;
+    let bar = progress(robots.len() * tasks.len(), "placing zones", common);
+    let ranking = rank(&robots, &tasks, &options, || bar.inc(1))?;
     bar.finish_and_clear();
     let answer = RankAnswer { ranking, options, args, common, svg: OnceCell::new() };
     deliver(&answer, common)
@@ -292,10 +298,14 @@ impl Answer for RankAnswer<'_> {
         headings.extend(tasks.iter().map(|task| format!("{} mm", task.label)));
         headings.push("mean ratio".into());
         let mut table = Table::new(headings);
-        for (i, row) in rows.iter().enumerate() {
+        let mut place = 0;
+        for row in rows {
             let robot = &row.robot;
+            // An estimated robot stands where its values put it, but takes no place.
+            let estimated = robot.status == Status::Estimated;
+            place += usize::from(!estimated);
             let mut cells = vec![
-                (i + 1).to_string(),
+                if estimated { "~".into() } else { place.to_string() },
                 format!("{}{}", robot.full_name(), if robot.status == Status::Estimated { " ~" } else { "" }),
                 robot.architecture.to_string(),
                 robot.status.to_string(),

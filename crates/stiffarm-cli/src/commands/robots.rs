@@ -24,7 +24,15 @@ pub(crate) fn run(args: &RobotsArgs, common: &Common) -> Result<(), Failure> {
 /// Reads every file, and reports the faults of all of them.
 fn check(files: &[std::path::PathBuf]) -> Result<(), Failure> {
     let mut bad = 0;
-    for file in files {
+    let mut all = Vec::new();
+    for path in files {
+        if path.is_dir() {
+            all.extend(selection::files_in(path)?);
+        } else {
+            all.push(path.clone());
+        }
+    }
+    for file in &all {
         match selection::read_file(file) {
             Ok(robot) => print(&format!("{}: {} can be used\n", file.display(), robot.full_name()))?,
             Err(failure) => {

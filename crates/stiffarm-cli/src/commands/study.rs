@@ -19,6 +19,9 @@ pub(crate) fn run(args: &StudyArgs, common: &Common) -> Result<(), Failure> {
         [first, second] => Ok([first, second]),
         _ => Err(Failure::Usage(format!("--{key} takes one value for both architectures, or two"))),
     };
+    if !args.range.is_bounded() {
+        return Err(Failure::Usage("--range takes both ends, e.g. 0.5..1.5".into()));
+    }
     let [first, second] = *args.compare.as_slice() else {
         return Err(Failure::Usage("--compare takes two architectures, e.g. serial,quasi-serial".into()));
     };
