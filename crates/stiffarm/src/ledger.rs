@@ -27,6 +27,18 @@ pub struct Printed<'a> {
     pub reasons: &'a str,
 }
 
+impl Printed<'static> {
+    /// The ledger of this repository, `validation/`.
+    pub const PAPER: Self = Self {
+        text: include_str!("../../../validation/text.csv"),
+        table_1: include_str!("../../../validation/table1.csv"),
+        table_2: include_str!("../../../validation/table2.csv"),
+        table_3: include_str!("../../../validation/table3.csv"),
+        disagreements: include_str!("../../../validation/disagreements.csv"),
+        reasons: include_str!("../../../validation/reasons.csv"),
+    };
+}
+
 /// One published number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {

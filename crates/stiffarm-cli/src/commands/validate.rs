@@ -8,17 +8,8 @@ use crate::failure::Failure;
 use crate::output::{Answer, deliver};
 use crate::table::{Table, fixed_or_dash, full};
 
-const PRINTED: Printed = Printed {
-    text: include_str!("../../../../validation/text.csv"),
-    table_1: include_str!("../../../../validation/table1.csv"),
-    table_2: include_str!("../../../../validation/table2.csv"),
-    table_3: include_str!("../../../../validation/table3.csv"),
-    disagreements: include_str!("../../../../validation/disagreements.csv"),
-    reasons: include_str!("../../../../validation/reasons.csv"),
-};
-
 pub(crate) fn run(common: &Common) -> Result<(), Failure> {
-    let ledger = Ledger(validate(&PRINTED)?);
+    let ledger = Ledger(validate(&Printed::PAPER)?);
     deliver(&ledger, common)?;
     match ledger.0.iter().filter(|entry| !entry.is_settled()).count() {
         0 => Ok(()),
