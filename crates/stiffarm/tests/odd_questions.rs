@@ -4,7 +4,9 @@ use stiffarm::catalogue::read;
 use stiffarm::drive::Architecture::{QuasiSerial, Serial};
 use stiffarm::limits::Range;
 use stiffarm::map::{Axis, Direction, MapOptions, map};
-use stiffarm::place::{Orientation, PlaceError, PlaceOptions, Placed, Within, best_without_limits, place};
+use stiffarm::place::{
+    Orientation, PlaceError, PlaceOptions, Placed, Within, best_without_limits, largest_scale_without_limits, place,
+};
 use stiffarm::plane::{InvalidArm, PlanarArm};
 use stiffarm::study::{StudyOptions, study};
 use stiffarm::task::Zone;
@@ -146,4 +148,13 @@ fn equal_links_with_a_shoulder_limit_place_a_zone_beside_the_axis() {
     let near = PlanarArm { l3: 0.9999, ..arm };
     let neighbour = place(&near, zone, &paper()).unwrap();
     assert!((neighbour.feasible().unwrap().deflection - best.deflection).abs() < 1e-6);
+}
+
+#[test]
+fn without_limits_a_zone_fits_up_to_its_largest_scale_and_no_further() {
+    for zone in [RECT, CIRCLE, Zone::Rectangle { width: 1.0, height: 0.1 }] {
+        let largest = largest_scale_without_limits(&free(), zone);
+        assert!(best_without_limits(&free(), zone.scaled(largest * (1.0 - 1e-9))).is_some(), "{zone:?} {largest}");
+        assert_eq!(best_without_limits(&free(), zone.scaled(largest * (1.0 + 1e-9))), None, "{zone:?} {largest}");
+    }
 }
