@@ -12,7 +12,7 @@ pub struct Posture {
     pub tool: Pose,
     /// 6 x 6 compliance at the tool point, base axes.
     pub compliance: Compliance,
-    /// The part of each drive; they add up to `compliance`.
+    /// The part of each drive (a gravity compensator counts with drive 2); they add up to `compliance`.
     pub by_drive: [Compliance; 6],
 }
 
@@ -41,6 +41,9 @@ pub enum PostureError {
         /// Its value in degrees, as people give it.
         value: f64,
     },
+    /// Nothing holds joint 2.
+    #[error("{0}: at this posture the gravity compensator pushes harder than drive 2 holds; its numbers must be wrong")]
+    Unstable(String),
     /// A tool that no arm carries.
     #[error("a tool point {0} m from the flange; expected at most 10 m")]
     Tool(f64),
@@ -54,7 +57,7 @@ pub enum PostureError {
 /// # Errors
 /// Where the robot is planar, or a number makes no sense. Joint limits are not checked here.
 pub fn compliance(robot: &Robot, q: &[f64; 6], flange_from_tool: &Pose) -> Result<Posture, PostureError> {
-    let Arm::SixAxis { geometry, limits, compliance } = &robot.arm else {
+    let Arm::SixAxis { geometry, limits, drives } = &robot.arm else {
         return Err(PostureError::Planar(robot.name.clone()));
     };
     for (i, angle) in q.iter().enumerate() {
@@ -69,11 +72,11 @@ pub fn compliance(robot: &Robot, q: &[f64; 6], flange_from_tool: &Pose) -> Resul
     }
     let theta = geometry.model_angles(q, limits.third_axis);
     let tool = geometry.forward(&theta) * flange_from_tool;
-    let drives: Matrix6<f64> =
-        geometry.jacobian(&theta, &tool.translation.vector) * robot.architecture.transmission_of_six();
+    let k = drives.compliance_at(theta[1]).ok_or_else(|| PostureError::Unstable(robot.name.clone()))?;
+    let jacobian: Matrix6<f64> = geometry.jacobian(&theta, &tool.translation.vector) * drives.transmission.0;
     let by_drive = std::array::from_fn(|i| {
-        let column: Vector6<f64> = drives.column(i).into();
-        Compliance(column * column.transpose() * compliance.0[i])
+        let column: Vector6<f64> = jacobian.column(i).into();
+        Compliance(column * column.transpose() * k[i])
     });
     let sum = by_drive.iter().fold(Matrix6::zeros(), |sum, part| sum + part.0);
     Ok(Posture { tool, compliance: Compliance(sum), by_drive })

@@ -25,13 +25,6 @@ impl Architecture {
         }
     }
 
-    /// `A` on all six joints: as on the joints 2 and 3, the others held by their own drives.
-    pub fn transmission_of_six(self) -> Matrix6<f64> {
-        let mut a = Matrix6::identity();
-        a.fixed_view_mut::<2, 2>(1, 1).copy_from(&self.transmission());
-        a
-    }
-
     /// `A` on the joints 2 and 3: joint angles `q = A psi` from drive angles `psi`.
     ///
     /// Serial `A = I`; quasi-serial `psi2 = q2`, `psi3 = q2 + q3`, so `A = [[1, 0], [-1, 1]]`.
@@ -49,6 +42,35 @@ impl std::fmt::Display for Architecture {
     }
 }
 
+/// What holds the six joints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drives {
+    /// Of each drive.
+    pub compliance: JointCompliance,
+    /// From drive angles to joint angles.
+    pub transmission: Transmission,
+    /// A spring beside drive 2.
+    pub compensator: Option<GravityCompensator>,
+}
+
+impl Drives {
+    /// The usual couplings of an architecture, without a compensator.
+    pub fn new(architecture: Architecture, compliance: JointCompliance) -> Self {
+        Self { compliance, transmission: Transmission::of(architecture), compensator: None }
+    }
+
+    /// The compliance of each drive, rad/(N m), with the compensator's part at the model angle `theta_2` (rad):
+    /// `1 / (1/k2 + dK(theta2))` on drive 2. `None` where the compensator pushes harder than the drive holds.
+    pub fn compliance_at(&self, theta_2: f64) -> Option<[f64; 6]> {
+        let mut k = self.compliance.0;
+        if let Some(compensator) = self.compensator {
+            let held = 1.0 + k[1] * compensator.stiffness(theta_2);
+            k[1] = (0.0 < held).then_some(k[1] / held)?;
+        }
+        Some(k)
+    }
+}
+
 /// The compliance of the six drives, rad/(N m), in drive coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointCompliance(pub [f64; 6]);
@@ -56,4 +78,116 @@ pub struct JointCompliance(pub [f64; 6]);
 impl JointCompliance {
     /// What the paper assumes of every heavy robot: 1 urad/(N m) on every drive.
     pub const PAPER: Self = Self([1e-6; 6]);
+}
+
+/// The constant matrix `A` of `q = A psi`: model joint angles from drive angles (\[theory\], section 1).
+///
+/// Joint angles are those of the open chain, in the directions of the model angles theta.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transmission(pub Matrix6<f64>);
+
+impl Transmission {
+    /// As the architecture couples the joints 2 and 3, every other joint held by its own drive.
+    pub fn of(architecture: Architecture) -> Self {
+        let mut a = Matrix6::identity();
+        a.fixed_view_mut::<2, 2>(1, 1).copy_from(&architecture.transmission());
+        Self(a)
+    }
+
+    /// The joints 2 and 3 are moved by the drives 2 and 3 alone, in the way of this architecture.
+    pub fn keeps_the_arm(&self, architecture: Architecture) -> bool {
+        let usual = Self::of(architecture).0;
+        self.0.fixed_rows::<2>(1) == usual.fixed_rows::<2>(1)
+            && self.0.fixed_columns::<2>(1) == usual.fixed_columns::<2>(1)
+    }
+
+    /// Drive 2 alone moves joint 2, one to one.
+    pub fn joint_2_is_direct(&self) -> bool {
+        self.0.row(1) == Matrix6::identity().row(1)
+    }
+}
+
+/// A spring between the base and the upper arm that carries part of the arm's weight.
+///
+/// Both ends lie in the arm plane, `[forwards, up]` in m from the joint-2 axis: one stands with the base, the other turns
+/// with the upper arm and is given at model zero (upper arm upright).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GravityCompensator {
+    /// The end on the base.
+    pub base: [f64; 2],
+    /// The end on the upper arm, upper arm upright.
+    pub arm: [f64; 2],
+    /// Of the spring, N/m.
+    pub stiffness: f64,
+    /// Length at which it pulls nothing, m; shorter than its shortest length means preload.
+    pub free_length: f64,
+}
+
+impl GravityCompensator {
+    /// `(u, v)`: inner and outer product of the two ends, `s^2 = |base|^2 + |arm|^2 - 2 u`, `du/dtheta2 = v`.
+    fn products(&self, theta_2: f64) -> (f64, f64) {
+        let (s, c) = theta_2.sin_cos();
+        let [bx, bz] = self.base;
+        let [ax, az] = [c * self.arm[0] + s * self.arm[1], c * self.arm[1] - s * self.arm[0]];
+        (bx * ax + bz * az, bx * az - bz * ax)
+    }
+
+    /// Length of the spring, m.
+    pub fn length(&self, theta_2: f64) -> f64 {
+        let square = |[x, z]: [f64; 2]| x * x + z * z;
+        (square(self.base) + square(self.arm) - 2.0 * self.products(theta_2).0).max(0.0).sqrt()
+    }
+
+    /// Torque on the upper arm, N m, in the direction of theta2: `M = k (1 - s0/s) v`.
+    pub fn torque(&self, theta_2: f64) -> f64 {
+        let (_, v) = self.products(theta_2);
+        self.stiffness * (1.0 - self.free_length / self.length(theta_2)) * v
+    }
+
+    /// The stiffness it adds to joint 2, `dK = -dM/dtheta2 = k ((1 - s0/s) u + s0 v^2 / s^3)`, N m/rad; may be negative.
+    pub fn stiffness(&self, theta_2: f64) -> f64 {
+        let (u, v) = self.products(theta_2);
+        let s = self.length(theta_2);
+        self.stiffness * ((1.0 - self.free_length / s) * u + self.free_length * v * v / (s * s * s))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_compensators_stiffness_is_the_slope_of_its_torque_and_the_torque_that_of_its_energy() {
+        let mut rng = fastrand::Rng::with_seed(5);
+        for _ in 0..500 {
+            let mut at = || [rng.f64() - 0.5, rng.f64() - 0.5];
+            let (base, arm) = (at(), at());
+            let spring = GravityCompensator { base, arm, stiffness: 1e5 * rng.f64(), free_length: 0.5 * rng.f64() };
+            let theta = 6.0 * (rng.f64() - 0.5);
+            if spring.length(theta) < 0.1 {
+                continue; // finite differences of 1/s are worth nothing there
+            }
+            let energy = |theta: f64| 0.5 * spring.stiffness * (spring.length(theta) - spring.free_length).powi(2);
+            let slope = |f: &dyn Fn(f64) -> f64| (f(theta + 1e-5) - f(theta - 1e-5)) / 2e-5;
+            // Central differences of step 1e-5: rounding 1e-11, truncation 1e-10 times third derivatives (1/s^3 <= 1e3).
+            let close = |a: f64, b: f64| (a - b).abs() <= 1e-6 * spring.stiffness;
+            assert!(close(spring.torque(theta), -slope(&energy)), "{spring:?} at {theta}");
+            assert!(close(spring.stiffness(theta), -slope(&|t| spring.torque(t))), "{spring:?} at {theta}");
+        }
+    }
+
+    #[test]
+    fn a_compensator_can_soften_joint_2_and_not_beyond_what_the_drive_holds() {
+        // Straight above the axis and pulling down to an end below: the unstable equilibrium of a pendulum.
+        let pulling =
+            |stiffness| GravityCompensator { base: [0.0, -0.3], arm: [0.0, 0.5], stiffness, free_length: 0.0 };
+        let drives = |stiffness| Drives {
+            compensator: Some(pulling(stiffness)),
+            ..Drives::new(Architecture::Serial, JointCompliance::PAPER)
+        };
+        // By hand: dK = k u = -1e5 * 0.15 = -15000 N m/rad, of the drive's 1e6.
+        let k2 = drives(1e5).compliance_at(0.0).unwrap()[1];
+        assert!((k2 - 1.0 / (1e6 - 15e3)).abs() < 1e-18);
+        assert_eq!(drives(1e7).compliance_at(0.0), None);
+    }
 }

@@ -272,7 +272,7 @@ fn text_figure(robots: &[Robot], study: &Study, item: &str, cell: &str) -> Optio
             Some(largest_scale_without_limits(&arm, tasks[1].zone))
         }
         "section IV, stiffest point" => {
-            let plane = find(robots, cell)?.arm_plane()?;
+            let plane = find(robots, cell)?.arm_plane().ok()?;
             Some(plane.arm.radial().floor() * 1e6)
         }
         "section IV, zone of 0.5 x 1 m" => deflection_mm(find(robots, cell)?, "B:0.5"),

@@ -131,6 +131,8 @@ pub struct Limits {
     pub third_axis: ThirdAxis,
     /// On the angle enclosed by upper arm and forearm axis, `pi - theta3`: pi is straight, smaller is folded forwards.
     pub elbow: Range,
+    /// Largest speed of each joint, rad/s; not a limit on postures.
+    pub speeds: Option<[f64; 6]>,
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::drive::{Architecture, JointCompliance};
+use crate::drive::{Architecture, Drives};
 use crate::geometry::Geometry;
 use crate::limits::{Limits, Range, ThirdAxis};
 use crate::plane::PlanarArm;
@@ -50,12 +50,18 @@ pub struct Robot {
     pub vendor: String,
     /// Serial or quasi-serial.
     pub architecture: Architecture,
+    /// Nothing says that it is: no parallelogram is reported, or one is guessed from the family.
+    pub architecture_is_assumed: bool,
     /// How well the numbers are known.
     pub status: Status,
     /// Nominal payload, kg.
     pub payload_kg: Option<f64>,
     /// Reach by the data sheet, m (from the joint 1 axis, as makers state it).
     pub reach: Option<f64>,
+    /// Mass of the arm, kg.
+    pub mass_kg: Option<f64>,
+    /// Repeatability by the data sheet, m.
+    pub repeatability: Option<f64>,
     /// What moves.
     pub arm: Arm,
     /// Where each group of numbers comes from.
@@ -71,8 +77,8 @@ pub enum Arm {
         geometry: Geometry,
         /// Ranges as the maker states them.
         limits: Limits,
-        /// Of the six drives.
-        compliance: JointCompliance,
+        /// What holds the joints.
+        drives: Drives,
     },
     /// Only the paper's two links.
     Planar(PlanarArm),
@@ -97,30 +103,49 @@ impl Robot {
     ///
     /// Limits, offsets, signs and the meaning of joint 3 are carried into angles of the arm plane, counter-clockwise
     /// seen with x to the right and z up. Left out: the other drives, and the sideways offset `b` of the plane.
-    /// `None` where a limit on joint 3 and one on the enclosed angle share no posture.
-    pub fn arm_plane(&self) -> Option<ArmPlane> {
-        let (geometry, limits, compliance) = match &self.arm {
+    /// A gravity compensator is left out too: the paper's drives have constant compliance.
+    ///
+    /// # Errors
+    /// Where the planar model does not hold for the robot.
+    pub fn arm_plane(&self) -> Result<ArmPlane, NoArmPlane> {
+        let (geometry, limits, drives) = match &self.arm {
             Arm::Planar(arm) => {
-                return Some(ArmPlane { arm: arm.clone(), axis_from_base: [0.0; 2] });
+                return Ok(ArmPlane { arm: arm.clone(), axis_from_base: [0.0; 2] });
             }
-            Arm::SixAxis { geometry, limits, compliance } => (geometry, limits, compliance),
+            Arm::SixAxis { geometry, limits, drives } => (geometry, limits, drives),
         };
+        if !drives.transmission.keeps_the_arm(self.architecture) {
+            return Err(NoArmPlane::Transmission(self.architecture));
+        }
         let enclosed = geometry.elbow(limits.elbow);
         let third = geometry.third(limits.joints[2], limits.third_axis);
         let (elbow, forearm) = match limits.third_axis {
-            ThirdAxis::Elbow => (enclosed.intersect(third)?, Range::ALL),
+            ThirdAxis::Elbow => (enclosed.intersect(third).ok_or(NoArmPlane::Limits)?, Range::ALL),
             ThirdAxis::Forearm => (enclosed, third),
         };
         let arm = PlanarArm {
             l2: geometry.c2,
             l3: geometry.l3(),
-            k2: compliance.0[1],
-            k3: compliance.0[2],
+            k2: drives.compliance.0[1],
+            k3: drives.compliance.0[2],
             architecture: self.architecture,
             shoulder: geometry.shoulder(limits.joints[1]),
             elbow,
             forearm,
         };
-        Some(ArmPlane { arm, axis_from_base: [geometry.a1, geometry.c1] })
+        Ok(ArmPlane { arm, axis_from_base: [geometry.a1, geometry.c1] })
     }
+}
+
+/// Why a robot has no planar model.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NoArmPlane {
+    /// A limit on joint 3 and one on the enclosed angle share no posture.
+    #[error("joint 3 and elbow_deg share no angle: the limits leave nothing reachable")]
+    Limits,
+    /// The planar formulas know two couplings of the joints 2 and 3, and this is neither.
+    #[error(
+        "its transmission couples the joints 2 and 3 in another way than a {0} arm does: the planar model does not hold; use the spatial one"
+    )]
+    Transmission(Architecture),
 }

@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
-use stiffarm::catalogue::{names, paper_robots};
+use stiffarm::catalogue::{names, paper_robots, read};
 use stiffarm::geometry::Geometry;
 use stiffarm::limits::{Limits, Range, ThirdAxis};
 use stiffarm::place::{PlaceOptions, Within, place_robot};
@@ -425,4 +425,59 @@ fn where_a_zone_may_stand_counts_from_the_base_and_its_place_from_the_axis_of_jo
     let placed = place_robot(&robot("KR 210 R2700 extra"), Zone::Circle { diameter: 0.2 }, &options).unwrap();
     let [x, z] = placed.feasible().unwrap().centre;
     assert!((x - 1.250).abs() < 1.1e-6 && (z - 0.425).abs() < 1.1e-6, "{x} {z}");
+}
+
+/// A file of the smallest six-axis robot, with further tables.
+fn file_with(tables: &str) -> String {
+    format!(
+        "name = \"x\"\narchitecture = \"serial\"\nstatus = \"derived\"\n[geometry]\na1_mm = 300\na2_mm = -50\nb_mm = 0\nc1_mm = 600\n\
+         c2_mm = 1000\nc3_mm = 1200\nc4_mm = 200\noffset_deg = [0, 0, 0, 0, 0, 0]\nsign = [1, 1, 1, 1, 1, 1]\n[limits]\n\
+         joint_deg = [[-180, 180], [-60, 80], [-20, 150], [-300, 300], [-120, 120], [-300, 300]]\n{tables}"
+    )
+}
+
+#[test]
+fn a_geared_wrist_a_compensator_and_speeds_come_from_the_file() {
+    let text = file_with(
+        "speed_deg_per_s = [90, 90, 90, 180, 180, 360]\n[compliance]\ntransmission = [[1,0,0,0,0,0],[0,1,0,0,0,0],\
+         [0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,-0.1,1,0],[0,0,0,0.2,-0.5,1]]\n[compensator]\nbase_mm = [-400, -100]\n\
+         arm_mm = [0, 300]\nstiffness_n_per_mm = 150\nfree_length_mm = 350\n",
+    );
+    let robot = read(&text, "x.toml").unwrap();
+    let Arm::SixAxis { limits, drives, .. } = &robot.arm else { panic!("six axes") };
+    assert!((limits.speeds.unwrap()[5] - 360_f64.to_radians()).abs() < 1e-15);
+    assert_eq!(drives.transmission.0[(5, 4)], -0.5);
+    let spring = drives.compensator.unwrap();
+    // By hand: ends (-0.4, -0.1) and (0, 0.3), so 0.4 apart each way.
+    assert!((spring.length(0.0) - 0.32_f64.sqrt()).abs() < 1e-12);
+    assert!((spring.stiffness - 150e3).abs() < 1e-6);
+    assert!(robot.arm_plane().is_ok(), "a geared wrist leaves the planar model as it is");
+}
+
+#[test]
+fn couplings_and_compensators_that_make_no_sense_are_refused_with_the_reason() {
+    let singular = "[compliance]\ntransmission = [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,1,0]]\n";
+    let ragged = "[compliance]\ntransmission = [[1,0,0,0,0,0],[0,1,0,0,0]]\n";
+    let strong =
+        "[compensator]\nbase_mm = [0, -300]\narm_mm = [0, 500]\nstiffness_n_per_mm = 100000\nfree_length_mm = 0\n";
+    let meeting =
+        "[compensator]\nbase_mm = [0, 300]\narm_mm = [0, 300]\nstiffness_n_per_mm = 10\nfree_length_mm = 100\n";
+    for (tables, words) in [
+        (singular, "no inverse"),
+        (ragged, "2 values; expected 6"),
+        (strong, "harder than drive 2 holds"),
+        (meeting, "ends meet"),
+    ] {
+        let message = read(&file_with(tables), "x.toml").unwrap_err().to_string();
+        assert!(message.contains(words), "{message}");
+    }
+}
+
+#[test]
+fn another_coupling_of_the_arm_has_no_planar_model_and_says_so() {
+    let text = file_with(
+        "[compliance]\ntransmission = [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,-0.5,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]]\n",
+    );
+    let robot = read(&text, "x.toml").unwrap();
+    assert!(robot.arm_plane().unwrap_err().to_string().contains("spatial"));
 }

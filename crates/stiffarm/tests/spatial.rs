@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::{Matrix6, Vector3, Vector6};
 use stiffarm::catalogue::paper_robots;
 use stiffarm::compliance::compliance;
-use stiffarm::drive::{Architecture, JointCompliance};
+use stiffarm::drive::{Architecture, Drives, JointCompliance};
 use stiffarm::geometry::Geometry;
 use stiffarm::limits::{Limits, Range, ThirdAxis};
 use stiffarm::robot::{Arm, Robot};
@@ -24,10 +24,10 @@ fn random_robot(rng: &mut fastrand::Rng, architecture: Architecture, drives: [f6
         offset: std::array::from_fn(|_| 0.0),
         sign: std::array::from_fn(|_| 1.0),
     };
-    let limits = Limits { joints: [Range::ALL; 6], third_axis: ThirdAxis::Elbow, elbow: Range::ALL };
+    let limits = Limits { joints: [Range::ALL; 6], third_axis: ThirdAxis::Elbow, elbow: Range::ALL, speeds: None };
     let mut robot = paper_robots().swap_remove(0);
     robot.architecture = architecture;
-    robot.arm = Arm::SixAxis { geometry, limits, compliance: JointCompliance(drives) };
+    robot.arm = Arm::SixAxis { geometry, limits, drives: Drives::new(architecture, JointCompliance(drives)) };
     robot
 }
 

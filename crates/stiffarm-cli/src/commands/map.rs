@@ -53,7 +53,7 @@ pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn arm_plane(robot: &Robot) -> Result<ArmPlane, MapError> {
-    robot.arm_plane().ok_or_else(|| stiffarm::plane::InvalidArm::NothingReachable.into())
+    robot.arm_plane().map_err(|error| MapError::Arm(error.into()))
 }
 
 /// Points that cover a range with the given step.

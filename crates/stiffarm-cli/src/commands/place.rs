@@ -48,7 +48,7 @@ impl Answer for PlaceAnswer {
                     format!("{:.4} mm ({})", best.lower_bound * 1e3, proof(gap)),
                 ]);
                 table.row(["centre from the joint-2 axis".into(), format!("x {x:.4} m, z {z:.4} m")]);
-                if let Some([ax, az]) = robot.arm_plane().map(|plane| plane.axis_from_base)
+                if let Ok([ax, az]) = robot.arm_plane().map(|plane| plane.axis_from_base)
                     && [ax, az] != [0.0; 2]
                 {
                     table.row(["centre from the base".into(), format!("x {:.4} m, z {:.4} m", x + ax, z + az)]);

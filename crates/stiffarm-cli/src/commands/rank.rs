@@ -284,7 +284,7 @@ fn shapes(tasks: &[Task]) -> Vec<(Task, Vec<f64>)> {
 fn largest_scale(robots: &[Robot], zone: Zone) -> f64 {
     robots
         .iter()
-        .filter_map(|robot| Some(stiffarm::place::largest_scale_without_limits(&robot.arm_plane()?.arm, zone)))
+        .filter_map(|robot| Some(stiffarm::place::largest_scale_without_limits(&robot.arm_plane().ok()?.arm, zone)))
         .fold(0.0, f64::max)
 }
 

@@ -2,7 +2,6 @@
 
 use serde_json::{Map, Value, json};
 use stiffarm::catalogue::paper_robots;
-use stiffarm::drive::JointCompliance;
 use stiffarm::limits::{Range, ThirdAxis};
 use stiffarm::plane::PlanarArm;
 use stiffarm::robot::{Arm, Robot};
@@ -68,7 +67,7 @@ impl Answer for List {
             "bound um/N",
         ]);
         for robot in &self.0 {
-            let Some(plane) = robot.arm_plane() else { continue };
+            let Ok(plane) = robot.arm_plane() else { continue };
             let arm = plane.arm;
             table.row([
                 robot.vendor.clone(),
@@ -104,7 +103,7 @@ impl Answer for List {
             "bound_um_per_n",
         ]);
         for robot in &self.0 {
-            let Some(plane) = robot.arm_plane() else { continue };
+            let Ok(plane) = robot.arm_plane() else { continue };
             table.row([
                 robot.vendor.clone(),
                 robot.name.clone(),
@@ -142,7 +141,7 @@ impl Sheet {
             ("payload".into(), robot.payload_kg.map_or_else(|| "-".into(), |kg| format!("{kg} kg"))),
             ("reach".into(), robot.reach.map_or_else(|| "-".into(), |reach| format!("{reach:.3} m"))),
         ];
-        if let Arm::SixAxis { geometry, limits, compliance } = &robot.arm {
+        if let Arm::SixAxis { geometry, limits, drives } = &robot.arm {
             let lengths = [
                 ("a1", geometry.a1),
                 ("a2", geometry.a2),
@@ -162,11 +161,11 @@ impl Sheet {
             if !limits.elbow.is_all() {
                 rows.push(("angle between the links".into(), degrees(limits.elbow)));
             }
-            let JointCompliance(drives) = compliance;
-            let drives: Vec<String> = drives.iter().map(|k| format!("{}", (k * 1e12).round() / 1e6)).collect();
+            let drives: Vec<String> =
+                drives.compliance.0.iter().map(|k| format!("{}", (k * 1e12).round() / 1e6)).collect();
             rows.push(("drive compliance".into(), format!("{} urad/(N m)", drives.join(", "))));
         }
-        if let Some(plane) = robot.arm_plane() {
+        if let Ok(plane) = robot.arm_plane() {
             let arm = plane.arm;
             rows.push((
                 "arm plane".into(),
@@ -219,7 +218,7 @@ fn sheet_json(robot: &Robot) -> Value {
     put("status", json!(robot.status.name()));
     put("payload_kg", json!(robot.payload_kg));
     put("reach_m", json!(robot.reach));
-    if let Some(plane) = robot.arm_plane() {
+    if let Ok(plane) = robot.arm_plane() {
         let arm = &plane.arm;
         let range = |range: Range| {
             let end = |x: f64| if x.is_finite() { json!(x.to_degrees()) } else { Value::Null };

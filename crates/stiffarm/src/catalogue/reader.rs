@@ -169,6 +169,15 @@ impl<'a, 'i> Table<'a, 'i> {
         }
     }
 
+    /// Exactly `N` numbers, or none at all; the outer `None` is a fault, the inner an absent key.
+    pub(super) fn optional_numbers<const N: usize>(
+        &mut self,
+        key: &'static str,
+        quantity: Quantity,
+    ) -> Option<Option<[f64; N]>> {
+        if self.optional(key).is_none() { Some(None) } else { self.numbers(key, quantity).map(Some) }
+    }
+
     /// Exactly `N` numbers.
     pub(super) fn numbers<const N: usize>(&mut self, key: &'static str, quantity: Quantity) -> Option<[f64; N]> {
         let value = self.required(key, &format!("{N} numbers in {}", quantity.unit))?;
@@ -222,6 +231,34 @@ impl<'a, 'i> Table<'a, 'i> {
         let items = self.items(key, value, N)?;
         let ranges: Vec<(f64, f64)> = items.iter().filter_map(|item| self.pair(key, item, quantity)).collect();
         ranges.try_into().ok()
+    }
+
+    /// `N` times `N` numbers, row by row; the outer `None` is a fault, the inner an absent key.
+    pub(super) fn matrix<const N: usize>(
+        &mut self,
+        key: &'static str,
+        quantity: Quantity,
+    ) -> Option<Option<[[f64; N]; N]>> {
+        let Some(value) = self.optional(key) else {
+            return Some(None);
+        };
+        let rows = self.items(key, value, N)?.iter().filter_map(|row| {
+            let items = self.items(key, row, N)?.iter();
+            let numbers: Vec<f64> = items.filter_map(|item| self.checked(key, item, quantity)).collect();
+            numbers.try_into().ok()
+        });
+        let rows: Vec<[f64; N]> = rows.collect();
+        rows.try_into().ok().map(Some)
+    }
+
+    /// `true` or `false`; false where the key is absent.
+    pub(super) fn flag(&mut self, key: &'static str) -> Option<bool> {
+        let Some(value) = self.optional(key) else { return Some(false) };
+        let found = value.get_ref().as_bool();
+        if found.is_none() {
+            self.fault(key, format!("{}; expected true or false", describe(value.get_ref())));
+        }
+        found
     }
 
     /// Every key with a text.

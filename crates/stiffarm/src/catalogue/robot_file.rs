@@ -2,15 +2,16 @@
 
 use std::collections::BTreeMap;
 
+use nalgebra::Matrix6;
 use toml::de::DeTable;
 
 use super::reader::{Log, Quantity, Table};
 use super::{Fault, Faults};
-use crate::drive::{Architecture, JointCompliance};
+use crate::drive::{Architecture, Drives, GravityCompensator, JointCompliance, Transmission};
 use crate::geometry::Geometry;
 use crate::limits::{Limits, Range, ThirdAxis};
 use crate::plane::PlanarArm;
-use crate::robot::{Arm, Robot, Status};
+use crate::robot::{Arm, NoArmPlane, Robot, Status};
 
 const METRES: Option<(f64, f64, &str)> = Some((5.0, 1e3, "m"));
 const LINK: Quantity = Quantity { unit: "mm", min: 20.0, max: 10_000.0, suspect: Some((20.0, 1e3, "m")) };
@@ -20,6 +21,12 @@ const SIGN: Quantity = Quantity { unit: "(+1 or -1)", min: -1.0, max: 1.0, suspe
 const ENCLOSED: Quantity = Quantity { unit: "deg", min: 0.0, max: 360.0, suspect: None };
 const COMPLIANCE: Quantity =
     Quantity { unit: "urad/(N m)", min: 1e-3, max: 1e4, suspect: Some((1e-3, 1e6, "rad/(N m)")) };
+const COUPLING: Quantity = Quantity { unit: "(ratio)", min: -1000.0, max: 1000.0, suspect: None };
+const SPRING: Quantity = Quantity { unit: "N/mm", min: 1e-3, max: 1e6, suspect: None };
+const SPRING_LENGTH: Quantity = Quantity { unit: "mm", min: 0.0, max: 10_000.0, suspect: None };
+const SPEED: Quantity = Quantity { unit: "deg/s", min: 1.0, max: 10_000.0, suspect: None };
+const MASS: Quantity = Quantity { unit: "kg", min: 1.0, max: 100_000.0, suspect: None };
+const REPEATABILITY: Quantity = Quantity { unit: "mm", min: 1e-4, max: 10.0, suspect: None };
 const PAYLOAD: Quantity = Quantity { unit: "kg", min: 0.1, max: 10_000.0, suspect: None };
 const REACH: Quantity = Quantity { unit: "m", min: 0.1, max: 20.0, suspect: None };
 /// Longer texts are no robot files.
@@ -50,18 +57,46 @@ pub fn read(text: &str, file: &str) -> Result<Robot, Faults> {
     }
 }
 
-/// Refuses limits that leave nothing.
+/// Refuses limits that leave nothing, and a compensator that no drive can hold.
 fn reachable(robot: Robot, text: &str, file: &str) -> Result<Robot, Faults> {
-    let nothing = match robot.arm_plane().map(|plane| plane.arm.sides()) {
-        Some(Ok(_)) => return Ok(robot),
-        Some(Err(error)) => error.to_string(),
-        None => "joint 3 and elbow_deg share no angle: the limits leave nothing reachable".into(),
+    let (key, message) = match robot.arm_plane() {
+        Ok(plane) => match plane.arm.sides() {
+            Ok(_) => match unheld(&robot) {
+                None => return Ok(robot),
+                Some(message) => ("compensator", message),
+            },
+            Err(error) => {
+                let key = if matches!(robot.arm, Arm::Planar(_)) { "planar" } else { "limits" };
+                (key, error.to_string())
+            }
+        },
+        Err(NoArmPlane::Transmission(_)) => return Ok(robot), // every spatial question can be asked
+        Err(error @ NoArmPlane::Limits) => ("limits", error.to_string()),
     };
-    let key = if matches!(robot.arm, Arm::Planar(_)) { "planar" } else { "limits" };
     let line =
         text.lines().position(|line| line.trim_start().starts_with(&format!("[{key}"))).map_or(1, |line| line + 1);
-    let fault = Fault { line, key: key.into(), message: nothing };
+    let fault = Fault { line, key: key.into(), message };
     Err(Faults { file: file.into(), faults: vec![fault] })
+}
+
+/// What is wrong with the compensator at some angle of the upper arm, if anything; looked at every tenth of a degree.
+fn unheld(robot: &Robot) -> Option<String> {
+    let Arm::SixAxis { geometry, limits, drives } = &robot.arm else { return None };
+    let compensator = drives.compensator?;
+    let lean = geometry.shoulder(limits.joints[1]).affine(-1.0, std::f64::consts::FRAC_PI_2);
+    let lean = if lean.is_bounded() { lean } else { Range::spanning(-std::f64::consts::PI, std::f64::consts::PI) };
+    let steps = 3600;
+    (0..=steps).find_map(|i| {
+        let theta_2 = lean.min() + lean.width() * f64::from(i) / f64::from(steps);
+        let what = if compensator.length(theta_2) < 1e-3 {
+            "its two ends meet"
+        } else if drives.compliance_at(theta_2).is_none() {
+            "it pushes harder than drive 2 holds"
+        } else {
+            return None;
+        };
+        Some(format!("{what} where the upper arm leans {:.1} deg forwards", theta_2.to_degrees()))
+    })
 }
 
 fn robot(mut root: Table) -> Option<Robot> {
@@ -69,31 +104,37 @@ fn robot(mut root: Table) -> Option<Robot> {
     let vendor = root.text("vendor", false);
     let architecture = root.choice("architecture", &Architecture::ALL.map(|x| (x.name(), x)), None);
     let status = root.choice("status", &Status::ALL.map(|x| (x.name(), x)), None);
+    let architecture_is_assumed = root.flag("architecture_assumed");
     let payload_kg = root.optional_number("payload_kg", PAYLOAD);
+    let mass_kg = root.optional_number("mass_kg", MASS);
+    let repeatability = root.optional_number("repeatability_mm", REPEATABILITY).map(|mm| mm / 1e3);
     let reach = root.optional_number("reach_m", REACH);
     let source: BTreeMap<String, String> = root.table("source").texts();
     let arm = if root.has("planar") {
-        for key in ["geometry", "limits", "compliance"] {
+        for key in ["geometry", "limits", "compliance", "compensator"] {
             if root.has(key) {
                 root.fault(key, "does not go with [planar]; a robot has either [planar] or [geometry] and [limits]");
             }
         }
         planar(root.table("planar"), architecture).map(Arm::Planar)
     } else if root.has("geometry") {
-        six_axis(&mut root)
+        six_axis(&mut root, architecture)
     } else {
         root.fault("", "neither [geometry] with [limits] nor [planar]; a robot needs one of them");
         None
     };
-    root.finish(&["geometry", "limits", "compliance", "planar"]);
+    root.finish(&["geometry", "limits", "compliance", "compensator", "planar"]);
     let vendor = vendor.unwrap_or_default();
     Some(Robot {
         name: name?,
         vendor,
         architecture: architecture?,
+        architecture_is_assumed: architecture_is_assumed?,
         status: status?,
         payload_kg,
         reach,
+        mass_kg,
+        repeatability,
         arm: arm?,
         source,
     })
@@ -120,20 +161,54 @@ fn planar(mut table: Table, architecture: Option<Architecture>) -> Option<Planar
     })
 }
 
-fn six_axis(root: &mut Table) -> Option<Arm> {
+fn six_axis(root: &mut Table, architecture: Option<Architecture>) -> Option<Arm> {
     let geometry = geometry(root.table("geometry"));
     if !root.has("limits") {
         root.fault("limits", "missing; expected a table with joint_deg, six times [min, max] in deg");
     }
     let limits = limits(root.table("limits"));
+    let drives = drives(root, architecture);
+    Some(Arm::SixAxis { geometry: geometry?, limits: limits?, drives: drives? })
+}
+
+fn drives(root: &mut Table, architecture: Option<Architecture>) -> Option<Drives> {
     let mut table = root.table("compliance");
-    let compliance = if root.has("compliance") {
-        table.numbers("drive_urad_per_nm", COMPLIANCE).map(|k| JointCompliance(k.map(|k: f64| k / 1e6)))
+    // A table that says nothing at all was meant to say something.
+    let may_be_absent = !root.has("compliance") || table.has("transmission");
+    let compliance = if may_be_absent {
+        table.optional_numbers("drive_urad_per_nm", COMPLIANCE)
     } else {
-        Some(JointCompliance::PAPER)
+        table.numbers("drive_urad_per_nm", COMPLIANCE).map(Some)
     };
+    let compliance =
+        compliance.map(|k| k.map_or(JointCompliance::PAPER, |k: [f64; 6]| JointCompliance(k.map(|k| k / 1e6))));
+    let transmission = table.matrix::<6>("transmission", COUPLING);
+    let transmission = transmission.map(|rows| rows.map(|rows| Transmission(Matrix6::from_fn(|i, j| rows[i][j]))));
+    if transmission.flatten().is_some_and(|transmission| transmission.0.determinant().abs() < 1e-9) {
+        table.fault("transmission", "the drives cannot move every joint: the matrix has no inverse");
+    }
     table.finish(&[]);
-    Some(Arm::SixAxis { geometry: geometry?, limits: limits?, compliance: compliance? })
+    let compensator = if root.has("compensator") { Some(compensator(root.table("compensator"))?) } else { None };
+    let transmission = transmission?.or_else(|| architecture.map(Transmission::of))?;
+    if compensator.is_some() && !transmission.joint_2_is_direct() {
+        root.fault("compensator", "needs a joint 2 that drive 2 alone moves, one to one; see compliance.transmission");
+    }
+    Some(Drives { compliance: compliance?, transmission, compensator })
+}
+
+fn compensator(mut table: Table) -> Option<GravityCompensator> {
+    let base = table.numbers("base_mm", LENGTH);
+    let arm = table.numbers("arm_mm", LENGTH);
+    let stiffness = table.number("stiffness_n_per_mm", SPRING);
+    let free_length = table.number("free_length_mm", SPRING_LENGTH);
+    table.finish(&[]);
+    let metres = |point: [f64; 2]| point.map(|mm| mm / 1e3);
+    Some(GravityCompensator {
+        base: metres(base?),
+        arm: metres(arm?),
+        stiffness: stiffness? * 1e3,
+        free_length: free_length? / 1e3,
+    })
 }
 
 fn geometry(mut table: Table) -> Option<Geometry> {
@@ -161,8 +236,14 @@ fn limits(mut table: Table) -> Option<Limits> {
         Some(ThirdAxis::Elbow),
     );
     let elbow = table.angles("elbow_deg", ENCLOSED);
+    let speeds = table.optional_numbers("speed_deg_per_s", SPEED);
     table.finish(&[]);
-    Some(Limits { joints: joints?.map(radians), third_axis: third_axis?, elbow: elbow? })
+    Some(Limits {
+        joints: joints?.map(radians),
+        third_axis: third_axis?,
+        elbow: elbow?,
+        speeds: speeds?.map(|speeds| speeds.map(f64::to_radians)),
+    })
 }
 
 /// From a pair in degrees that the reader has put in order.

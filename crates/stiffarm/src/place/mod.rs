@@ -8,7 +8,7 @@ use nalgebra::Vector2;
 
 use crate::limits::Range;
 use crate::plane::{Elbow, InvalidArm, PlanarArm};
-use crate::robot::{ArmPlane, Robot};
+use crate::robot::{ArmPlane, NoArmPlane, Robot};
 use crate::task::Zone;
 
 /// Which angles of a rectangle are tried.
@@ -142,6 +142,9 @@ pub enum PlaceError {
     /// The arm makes no sense.
     #[error(transparent)]
     Arm(#[from] InvalidArm),
+    /// The planar model does not hold.
+    #[error(transparent)]
+    NoArmPlane(#[from] NoArmPlane),
     /// Force outside `0 < force <= 1e6`.
     #[error("a force of {0} N; expected more than 0 and at most 1e6 N")]
     Force(f64),
@@ -266,7 +269,7 @@ pub fn find_robot(robot: &Robot, zone: Zone, options: &PlaceOptions) -> Result<O
 }
 
 fn plane_and_options(robot: &Robot, options: &PlaceOptions) -> Result<(ArmPlane, PlaceOptions), PlaceError> {
-    let plane = robot.arm_plane().ok_or(InvalidArm::NothingReachable)?;
+    let plane = robot.arm_plane()?;
     let within = options.within.seen_from(plane.axis_from_base);
     Ok((plane, PlaceOptions { within, ..*options }))
 }
