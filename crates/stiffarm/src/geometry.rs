@@ -41,7 +41,7 @@ impl Geometry {
     }
 
     /// How far the line elbow - wrist centre leans forwards of the forearm axis: `delta = atan2(a2, c3)`.
-    fn lean(&self) -> f64 {
+    pub(crate) fn lean(&self) -> f64 {
         self.a2.atan2(self.c3)
     }
 

@@ -8,7 +8,7 @@ use super::{PlanarArm, SLACK, Shape};
 use crate::limits::Range;
 
 /// On which side of the line from shoulder to wrist centre the elbow lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Elbow {
     /// The forearm is turned clockwise from the upper arm: above, when the arm reaches forwards.
     Up,
