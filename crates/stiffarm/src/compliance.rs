@@ -60,16 +60,8 @@ pub fn compliance(robot: &Robot, q: &[f64; 6], flange_from_tool: &Pose) -> Resul
     let Arm::SixAxis { geometry, limits, drives } = &robot.arm else {
         return Err(PostureError::Planar(robot.name.clone()));
     };
-    for (i, angle) in q.iter().enumerate() {
-        let value = angle.to_degrees();
-        if !(value.abs() <= 1080.0) {
-            return Err(PostureError::Joint { joint: i + 1, value });
-        }
-    }
-    let distance = flange_from_tool.translation.vector.norm();
-    if !(distance <= 10.0) {
-        return Err(PostureError::Tool(distance));
-    }
+    q.iter().enumerate().try_for_each(|(joint, angle)| check_joint(joint, *angle))?;
+    check_tool(flange_from_tool)?;
     let theta = geometry.model_angles(q, limits.third_axis);
     let tool = geometry.forward(&theta) * flange_from_tool;
     let k = drives.compliance_at(theta[1]).ok_or_else(|| PostureError::Unstable(robot.name.clone()))?;
@@ -80,6 +72,18 @@ pub fn compliance(robot: &Robot, q: &[f64; 6], flange_from_tool: &Pose) -> Resul
     });
     let sum = by_drive.iter().fold(Matrix6::zeros(), |sum, part| sum + part.0);
     Ok(Posture { tool, compliance: Compliance(sum), by_drive })
+}
+
+/// Checks the angle, rad, of a joint counted from 0.
+pub(crate) fn check_joint(joint: usize, angle: f64) -> Result<(), PostureError> {
+    let value = angle.to_degrees();
+    if value.abs() <= 1080.0 { Ok(()) } else { Err(PostureError::Joint { joint: joint + 1, value }) }
+}
+
+/// Checks that a tool point lies where an arm can carry it.
+pub(crate) fn check_tool(flange_from_tool: &Pose) -> Result<(), PostureError> {
+    let distance = flange_from_tool.translation.vector.norm();
+    if distance <= 10.0 { Ok(()) } else { Err(PostureError::Tool(distance)) }
 }
 
 /// The joints (from 1) that a robot's limits do not allow at the angles `q` it reports, rad; 0 stands for the angle between

@@ -46,7 +46,7 @@ impl Geometry {
     }
 
     /// The range of a model angle `theta_i` (rad) from the range of joint `i` (0 to 5) as reported.
-    fn theta(&self, i: usize, reported: Range) -> Range {
+    pub(crate) fn theta(&self, i: usize, reported: Range) -> Range {
         reported.affine(self.sign[i], -self.offset[i])
     }
 

@@ -41,7 +41,7 @@ pub mod plane;
 pub mod rank;
 pub mod robot;
 mod root;
-mod space;
+pub mod space;
 pub mod spatial;
 pub mod study;
 pub mod task;

@@ -1,0 +1,314 @@
+//! Many poses of the tool: every posture that reaches them within the limits, and how far each gives way.
+
+use nalgebra::{Matrix3, Vector3};
+use pulp::{Arch, Simd, WithSimd};
+use rayon::prelude::*;
+
+use super::lanes::{Lanes, Mask};
+use super::{At, Coupling, SpatialArm, Triple};
+use crate::inverse::{Class, Shoulder, Wrist};
+use crate::plane::Elbow;
+use crate::spatial::Pose;
+
+/// Postures that may reach one pose.
+pub const CLASSES: usize = 8;
+/// Poses that one thread takes at a time.
+const BLOCK: usize = 1024;
+/// More numbers than any register holds.
+const WIDEST: usize = 8;
+
+/// The class at a place of the answers of this module: shoulder, then elbow, then wrist.
+pub fn class(place: usize) -> Class {
+    Class {
+        shoulder: if place & 4 == 0 { Shoulder::Front } else { Shoulder::Back },
+        elbow: if place & 2 == 0 { Elbow::Up } else { Elbow::Down },
+        wrist: if place & 1 == 0 { Wrist::NoFlip } else { Wrist::Flip },
+    }
+}
+
+/// The stiffest way to hold a pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Best {
+    /// The largest translation per force in any direction, m/N.
+    pub worst: f64,
+    /// The posture.
+    pub class: Class,
+}
+
+/// What the poses of one orientation of the tool share.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Orientation {
+    spin: Vector3<f64>,
+    side: Vector3<f64>,
+    beyond: Vector3<f64>,
+}
+
+impl SpatialArm {
+    /// What a rotation of the tool (base axes) says about flange and wrist.
+    pub(crate) fn orientation(&self, tool: &Matrix3<f64>) -> Orientation {
+        let flange = tool * self.flange_from_tool.rotation.inverse().to_rotation_matrix();
+        let point = self.flange_from_tool.translation.vector + Vector3::z() * self.geometry.c4;
+        Orientation { spin: flange * Vector3::z(), side: flange * Vector3::x(), beyond: flange * point }
+    }
+
+    /// For every pose of the tool (base axes) the stiffest posture that all limits allow; absent where there is none.
+    ///
+    /// All eight postures of each are judged. Where the wrist is singular, it is reached if some split between joints 4
+    /// and 6 is allowed for certain. Accuracy as [`Self::worst`]. On all cores.
+    pub fn best(&self, poses: &[Pose]) -> Vec<Option<Best>> {
+        let mut found = vec![None; poses.len()];
+        let blocks = found.par_chunks_mut(BLOCK).zip(poses.par_chunks(BLOCK));
+        blocks.for_each(|(found, poses)| Arch::new().dispatch(BestOf { arm: self, poses, found }));
+        found
+    }
+
+    /// The largest translation per force, m/N, of every class at points of one orientation; infinite where a limit
+    /// forbids it. `classes[place]` as [`class`] counts.
+    pub(crate) fn classes_at(&self, orientation: &Orientation, points: [&[f64]; 3], classes: [&mut [f64]; CLASSES]) {
+        Arch::new().dispatch(ClassesAt { arm: self, orientation, points, classes });
+    }
+
+    /// Every class of a pose.
+    #[inline(always)]
+    fn classes<S: Simd>(&self, flange: &Flange<S>) -> [Lanes<S>; CLASSES] {
+        let (px, py, pz) = flange.point.parts();
+        let (ux, uy, uz) = flange.beyond.parts();
+        let (wx, wy, wz) = (px - ux, py - uy, pz - uz);
+        let (b, none) = (self.geometry.b, px.all(f64::INFINITY));
+        let square = wx * wx + wy * wy;
+        let across = square - b * b;
+        let ahead = across.max(0.0).sqrt();
+        let reached = across.at_least(-1e-9 * self.geometry.c2 * self.geometry.c2);
+        // Above its own axis joint 1 is free: straight ahead stands for all.
+        let free = square.at_most(1e-18 * self.geometry.c2 * self.geometry.c2);
+        let inverse = free.select(px.all(0.0), px.all(1.0) / square);
+        let one = px.all(1.0);
+        let mut found = [none; CLASSES];
+        for shoulder in 0..2 {
+            let forwards = [ahead, -ahead][shoulder];
+            let c1 = free.select(one, (wx * forwards + wy * b) * inverse);
+            let s1 = free.select(px.all(0.0), (wy * forwards - wx * b) * inverse);
+            let turned = reached & self.sectors.joints[0].holds(c1, s1, one);
+            let seen = Seen {
+                spin: flange.spin.seen_turned(s1, c1),
+                side: flange.side.seen_turned(s1, c1),
+                beyond: flange.beyond.seen_turned(s1, c1),
+                x: forwards - self.geometry.a1,
+                z: wz - self.geometry.c1,
+            };
+            let ways = self.elbows(&seen, turned);
+            for way in 0..4 {
+                found[4 * shoulder + way] = ways[way];
+            }
+        }
+        found
+    }
+
+    /// Elbow up and down, each with both wrists, of one shoulder.
+    #[inline(always)]
+    fn elbows<S: Simd>(&self, seen: &Seen<S>, turned: Mask<S>) -> [Lanes<S>; 4] {
+        let (l2, l3) = (self.geometry.c2, self.geometry.l3());
+        let (lean_c, lean_s) = (self.geometry.c3 / l3, self.geometry.a2 / l3);
+        let (x, z) = (seen.x, seen.z);
+        let square = x * x + z * z;
+        let c = (square - (l2 * l2 + l3 * l3)) * (1.0 / (2.0 * l2 * l3));
+        let reached = turned & c.at_most(1.0 + 1e-12) & c.at_least(-1.0 - 1e-12) & square.at_least(1e-18 * l2 * l2);
+        let c = c.max(-1.0).min(1.0);
+        let s = (c.all(1.0) - c * c).max(0.0).sqrt();
+        let inverse = c.all(1.0) / square.max(1e-18 * l2 * l2);
+        let one = c.all(1.0);
+        let along = c * l3 + l2;
+        let mut found = [one; 4];
+        for elbow in 0..2 {
+            let s = [s, -s][elbow];
+            let aside = s * l3;
+            let (s2, c2) = ((x * along - z * aside) * inverse, (z * along + x * aside) * inverse);
+            let (s3, c3) = (s * lean_c - c * lean_s, c * lean_c + s * lean_s);
+            let (s23, c23) = (s2 * c3 + c2 * s3, c2 * c3 - s2 * s3);
+            let [_, second, third, ..] = self.sectors.joints;
+            let (s_third, c_third) = if self.sectors.third_is_forearm { (s23, c23) } else { (s3, c3) };
+            let allowed = reached
+                & second.holds(c2, s2, one)
+                & third.holds(c_third, s_third, one)
+                & self.sectors.elbow.holds(c3, s3, one);
+            let [no_flip, flip] = self.wrists(seen, [s2, c2, s23, c23], allowed);
+            found[2 * elbow] = no_flip;
+            found[2 * elbow + 1] = flip;
+        }
+        found
+    }
+
+    /// Both wrists of one shoulder and elbow.
+    #[inline(always)]
+    fn wrists<S: Simd>(&self, seen: &Seen<S>, [s2, c2, s23, c23]: [Lanes<S>; 4], allowed: Mask<S>) -> [Lanes<S>; 2] {
+        const SINGULAR: f64 = 1e-9;
+        let (zero, none) = (s2.all(0.0), s2.all(f64::INFINITY));
+        let along = Triple([s23, zero, c23]);
+        let (spin_x, spin_y, spin_z) = seen.spin.parts();
+        // The axis of joint 6 seen from the forearm: forwards, across, along.
+        let (fore, across, c5) = (c23 * spin_x - s23 * spin_z, spin_y, s23 * spin_x + c23 * spin_z);
+        let s5 = (fore * fore + across * across).sqrt();
+        let singular = s5.at_most(SINGULAR);
+        let inverse = s2.all(1.0) / s5.max(SINGULAR);
+        let (bend_x, bend_y) = (-across * inverse, singular.select(s2.all(1.0), fore * inverse));
+        let bend = Triple([c23 * bend_x, bend_y, -(s23 * bend_x)]);
+        let (cos_6, sin_6) = (-along.dot(seen.side), along.dot(seen.spin.cross(seen.side)));
+        let [.., fourth, fifth, sixth] = self.sectors.joints;
+        let compliance = self.translation(&At { s2, c2, s23, c23, bend, spin: seen.spin, beyond: seen.beyond });
+        let worst = compliance.largest();
+        let any_split = if self.sectors.any_wrist_split { singular } else { none.at_most(0.0) };
+        let flipped = match self.coupling {
+            // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
+            Coupling::Serial | Coupling::QuasiSerial => worst,
+            Coupling::Any(_) => {
+                let bend = bend * -1.0;
+                self.translation(&At { s2, c2, s23, c23, bend, spin: seen.spin, beyond: seen.beyond }).largest()
+            }
+        };
+        let worst = [worst, flipped];
+        let mut found = worst;
+        for wrist in 0..2 {
+            let sign = [1.0, -1.0][wrist];
+            let turns = fourth.holds(fore * sign, across * sign, s5) & sixth.holds(cos_6 * sign, sin_6 * sign, s5);
+            let turns = (turns & !singular) | any_split;
+            let fine = allowed & turns & fifth.holds(c5, s5 * sign, s2.all(1.0));
+            found[wrist] = fine.select(worst[wrist], none);
+        }
+        found
+    }
+}
+
+/// Poses of the flange, base axes.
+struct Flange<S: Simd> {
+    /// The tool point.
+    point: Triple<S>,
+    /// Axis of joint 6, the flange's z.
+    spin: Triple<S>,
+    /// The flange's x.
+    side: Triple<S>,
+    /// From the wrist centre to the tool point.
+    beyond: Triple<S>,
+}
+
+/// The same in the axes of an arm that has turned joint 1; the wrist centre at `x`, `z` from the joint-2 axis.
+struct Seen<S: Simd> {
+    spin: Triple<S>,
+    side: Triple<S>,
+    beyond: Triple<S>,
+    x: Lanes<S>,
+    z: Lanes<S>,
+}
+
+struct ClassesAt<'a> {
+    arm: &'a SpatialArm,
+    orientation: &'a Orientation,
+    points: [&'a [f64]; 3],
+    classes: [&'a mut [f64]; CLASSES],
+}
+
+impl WithSimd for ClassesAt<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(mut self, simd: S) {
+        let Orientation { spin, side, beyond } = self.orientation;
+        let count = self.points[0].len();
+        for from in (0..count).step_by(S::F64_LANES) {
+            let to = count.min(from + S::F64_LANES);
+            let flange = Flange {
+                point: Triple::load(simd, self.points.map(|part| &part[from..to])),
+                spin: Triple::splat(simd, spin),
+                side: Triple::splat(simd, side),
+                beyond: Triple::splat(simd, beyond),
+            };
+            let classes = self.arm.classes(&flange);
+            for place in 0..CLASSES {
+                classes[place].store(&mut self.classes[place][from..to]);
+            }
+        }
+    }
+}
+
+struct BestOf<'a> {
+    arm: &'a SpatialArm,
+    poses: &'a [Pose],
+    found: &'a mut [Option<Best>],
+}
+
+impl WithSimd for BestOf<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        for (poses, found) in self.poses.chunks(S::F64_LANES).zip(self.found.chunks_mut(S::F64_LANES)) {
+            let mut parts = [[[0.0; WIDEST]; 3]; 4];
+            for (lane, pose) in poses.iter().enumerate() {
+                let rotation = pose.rotation.to_rotation_matrix();
+                let Orientation { spin, side, beyond } = self.arm.orientation(rotation.matrix());
+                for (triple, vector) in [pose.translation.vector, spin, side, beyond].iter().enumerate() {
+                    for axis in 0..3 {
+                        parts[triple][axis][lane] = vector[axis];
+                    }
+                }
+            }
+            let [point, spin, side, beyond] = &parts;
+            let flange = Flange {
+                point: Triple::load(simd, point.each_ref().map(|part| &part[..S::F64_LANES])),
+                spin: Triple::load(simd, spin.each_ref().map(|part| &part[..S::F64_LANES])),
+                side: Triple::load(simd, side.each_ref().map(|part| &part[..S::F64_LANES])),
+                beyond: Triple::load(simd, beyond.each_ref().map(|part| &part[..S::F64_LANES])),
+            };
+            let lanes = self.arm.classes(&flange);
+            let mut classes = [[0.0; WIDEST]; CLASSES];
+            for place in 0..CLASSES {
+                lanes[place].store(&mut classes[place][..S::F64_LANES]);
+            }
+            for (lane, found) in found.iter_mut().enumerate() {
+                let ways = (0..CLASSES).map(|place| (classes[place][lane], place)).filter(|way| way.0.is_finite());
+                let best = ways.min_by(|a, b| a.0.total_cmp(&b.0));
+                *found = best.map(|(worst, place)| Best { worst, class: class(place) });
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::paper_robots;
+    use crate::compliance::compliance;
+    use crate::inverse::reached;
+
+    #[test]
+    fn the_best_posture_in_bulk_is_the_best_of_all_single_ones() {
+        let mut rng = fastrand::Rng::with_seed(14);
+        for (n, robot) in paper_robots().iter().enumerate() {
+            let tool = if n % 2 == 0 { Pose::translation(0.05, 0.1, 0.2) } else { Pose::identity() };
+            let arm = SpatialArm::new(robot, &tool).unwrap();
+            let poses: Vec<Pose> = (0..400)
+                .map(|_| {
+                    let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+                    let at = Vector3::new(part(-3.0, 3.0), part(-3.0, 3.0), part(-1.0, 3.0));
+                    Pose::new(at, Vector3::new(part(-3.0, 3.0), part(-3.0, 3.0), part(-3.0, 3.0)))
+                })
+                .collect();
+            let mut several = 0;
+            for (pose, best) in poses.iter().zip(arm.best(&poses)) {
+                let ways: Vec<(f64, Class)> = reached(robot, &(pose * tool.inverse()))
+                    .into_iter()
+                    .map(|(class, q)| (compliance(robot, &q, &tool).unwrap().compliance.worst().0, class))
+                    .collect();
+                several += usize::from(1 < ways.len());
+                let expected = ways.iter().map(|way| way.0).fold(f64::INFINITY, f64::min);
+                match best {
+                    None => assert!(ways.is_empty(), "{}: {pose} is reached by {ways:?}", robot.name),
+                    Some(best) => {
+                        assert!((best.worst - expected).abs() <= 1e-7 * expected, "{}: {best:?} {ways:?}", robot.name);
+                        assert!(ways.iter().any(|way| way.1 == best.class), "{}: {best:?} {ways:?}", robot.name);
+                    }
+                }
+            }
+            assert!(10 < several, "{}: {several} poses are reached in several ways", robot.name);
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! A range of angles as a sector of the unit circle.
+
+use std::f64::consts::PI;
+
+use pulp::Simd;
+
+use super::lanes::{Lanes, Mask};
+use crate::limits::Range;
+
+/// Rounding of a cosine of an angle that lies at the limit itself.
+const SLACK: f64 = 1e-12;
+
+/// The angles within `half` of a middle, whole turns left aside; everything where the range spans a turn.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sector {
+    cos: f64,
+    sin: f64,
+    /// The smallest cosine of the angle to the middle; `None` where no angle is excluded.
+    least: Option<f64>,
+}
+
+impl Sector {
+    pub(super) fn of(range: Range) -> Self {
+        let half = range.width() / 2.0;
+        if PI <= half || !range.is_bounded() {
+            return Self { cos: 1.0, sin: 0.0, least: None };
+        }
+        let (sin, cos) = range.middle().sin_cos();
+        Self { cos, sin, least: Some(half.cos() - SLACK) }
+    }
+
+    /// Is the angle of a vector of that length (its cosine and sine times the length) in the sector?
+    #[inline(always)]
+    pub(super) fn holds<S: Simd>(self, cos: Lanes<S>, sin: Lanes<S>, length: Lanes<S>) -> Mask<S> {
+        match self.least {
+            None => length.at_least(0.0),
+            Some(least) => (length * least).not_above(cos * self.cos + sin * self.sin),
+        }
+    }
+}
