@@ -127,6 +127,15 @@ impl Geometry {
         (flange.translation.vector - flange.rotation * Vector3::z() * self.c4).into()
     }
 
+    /// The six joint angles as reported from model angles, rad; whole turns are left as they are.
+    pub fn reported(&self, theta: &[f64; 6], third_axis: ThirdAxis) -> [f64; 6] {
+        std::array::from_fn(|i| {
+            let forearm = i == 2 && third_axis == ThirdAxis::Forearm;
+            let angle = if forearm { theta[1] + theta[2] } else { theta[i] };
+            (angle + self.offset[i]) * self.sign[i]
+        })
+    }
+
     /// Model angles from the six joint angles as reported, rad.
     pub fn model_angles(&self, q: &[f64; 6], third_axis: ThirdAxis) -> [f64; 6] {
         let mut theta = std::array::from_fn(|i| self.sign[i] * q[i] - self.offset[i]);

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::geometry::Geometry;
-use crate::limits::{Limits, ThirdAxis};
+use crate::limits::Limits;
 use crate::plane::Elbow;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
@@ -88,7 +88,7 @@ pub fn postures(geometry: &Geometry, flange: &Pose) -> Postures {
                 * Rotation3::from_axis_angle(&Vector3::y_axis(), theta_2 + theta_3);
             let (wrists, free) = wrist_angles((forearm.inverse() * rotation).matrix());
             found.wrist_is_free |= free;
-            for (wrist, [theta_4, theta_5, theta_6]) in wrists.into_iter().flatten() {
+            for (wrist, [theta_4, theta_5, theta_6]) in wrists {
                 let class = Class { shoulder, elbow, wrist };
                 found.found.push((class, [theta_1, theta_2, theta_3, theta_4, theta_5, theta_6]));
             }
@@ -117,17 +117,17 @@ fn two_links(geometry: &Geometry, x: f64, z: f64) -> [Option<(Elbow, f64, f64)>;
 
 /// Both wrists for the orientation `r` of the flange seen from the forearm, `r = Rz(t4) Ry(t5) Rz(t6)`; one, and a word,
 /// where joints 4 and 6 turn about one line.
-fn wrist_angles(r: &Matrix3<f64>) -> ([Option<(Wrist, [f64; 3])>; 2], bool) {
+fn wrist_angles(r: &Matrix3<f64>) -> (Vec<(Wrist, [f64; 3])>, bool) {
     let sine = r[(0, 2)].hypot(r[(1, 2)]);
     let theta_5 = sine.atan2(r[(2, 2)]);
     if sine <= SINGULAR {
         let forwards = if 0.0 < r[(2, 2)] { r[(0, 0)] } else { -r[(0, 0)] };
-        return ([Some((Wrist::NoFlip, [0.0, theta_5, r[(1, 0)].atan2(forwards)])), None], true);
+        return (vec![(Wrist::NoFlip, [0.0, theta_5, r[(1, 0)].atan2(forwards)])], true);
     }
     let (theta_4, theta_6) = (r[(1, 2)].atan2(r[(0, 2)]), r[(2, 1)].atan2(-r[(2, 0)]));
     let no_flip = (Wrist::NoFlip, [theta_4, theta_5, theta_6]);
     let flip = (Wrist::Flip, [theta_4 + PI, -theta_5, theta_6 + PI]);
-    ([Some(no_flip), Some(flip)], false)
+    (vec![no_flip, flip], false)
 }
 
 /// The joint angles a robot reports for model angles, each turned into its limits; `None` where a limit forbids it.
@@ -136,11 +136,9 @@ fn wrist_angles(r: &Matrix3<f64>) -> ([Option<(Wrist, [f64; 3])>; 2], bool) {
 /// between the links.
 pub fn within_limits(geometry: &Geometry, limits: &Limits, theta: &[f64; 6]) -> Option<[f64; 6]> {
     limits.elbow.turn_to(PI - theta[2], SLACK)?;
-    let mut q = [0.0; 6];
-    for (i, q) in q.iter_mut().enumerate() {
-        let forearm = i == 2 && limits.third_axis == ThirdAxis::Forearm;
-        let angle = if forearm { theta[1] + theta[2] } else { theta[i] };
-        *q = limits.joints[i].turn_to((angle + geometry.offset[i]) / geometry.sign[i], SLACK)?;
+    let mut q = geometry.reported(theta, limits.third_axis);
+    for (q, range) in q.iter_mut().zip(&limits.joints) {
+        *q = range.turn_to(*q, SLACK)?;
     }
     Some(q)
 }

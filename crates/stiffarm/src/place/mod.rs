@@ -3,8 +3,13 @@
 mod boxes;
 mod exact;
 mod search;
+mod spatial;
 
 use nalgebra::Vector2;
+
+pub use spatial::{
+    Resolution, SpatialMisfit, SpatialOptions, SpatialPlaceError, SpatialPlacement, SpatiallyPlaced, place_in_space,
+};
 
 use crate::limits::Range;
 use crate::plane::{Elbow, InvalidArm, PlanarArm};
@@ -154,6 +159,9 @@ pub enum PlaceError {
     /// An angle that is not a sensible number.
     #[error("an angle of {0} rad; expected a number from -1000 to 1000")]
     Angle(f64),
+    /// A tool axis steeper than straight up or down.
+    #[error("a tool axis {0} rad above the horizontal; expected -pi/2 (down) to pi/2 (up)")]
+    Elevation(f64),
     /// A side of the zone that is not a sensible number.
     #[error("a zone with a side of {0} m; expected 1e-9 to 1000 m")]
     Side(f64),

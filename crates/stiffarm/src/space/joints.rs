@@ -22,10 +22,10 @@ impl SpatialArm {
     /// # Panics
     /// Where the slices differ in length.
     pub fn worst(&self, joints: [&[f64]; 6], worst: &mut [f64]) -> Result<(), PostureError> {
-        self.check(&joints, worst.len())?;
-        worst.par_chunks_mut(BLOCK).enumerate().for_each(|(block, worst)| {
-            let joints = joints.map(|q| &q[block * BLOCK..][..worst.len()]);
-            Arch::new().dispatch(Worst { arm: self, joints, worst });
+        check(&joints, worst.len())?;
+        worst.par_chunks_mut(BLOCK).enumerate().for_each(|(block, found)| {
+            let joints = joints.map(|q| &q[block * BLOCK..][..found.len()]);
+            Arch::new().dispatch(Worst { arm: self, joints, found });
         });
         Ok(())
     }
@@ -40,24 +40,13 @@ impl SpatialArm {
     pub fn translations(&self, joints: [&[f64]; 6], entries: [&mut [f64]; 6]) -> Result<(), PostureError> {
         let count = entries[0].len();
         assert!(entries.iter().all(|entry| entry.len() == count), "six slices of one length");
-        self.check(&joints, count)?;
+        check(&joints, count)?;
         let [xx, yy, zz, xy, yz, xz] = entries.map(|entry| entry.par_chunks_mut(BLOCK));
         let blocks = xx.zip(yy).zip(zz).zip(xy).zip(yz).zip(xz).enumerate();
         blocks.for_each(|(block, (((((xx, yy), zz), xy), yz), xz))| {
             let joints = joints.map(|q| &q[block * BLOCK..][..xx.len()]);
             Arch::new().dispatch(Translations { arm: self, joints, entries: [xx, yy, zz, xy, yz, xz] });
         });
-        Ok(())
-    }
-
-    fn check(&self, joints: &[&[f64]; 6], count: usize) -> Result<(), PostureError> {
-        assert!(joints.iter().all(|q| q.len() == count), "six slices of joint angles, as long as the answer");
-        for (joint, q) in joints.iter().enumerate() {
-            // One pass without a way out early goes through registers of several numbers.
-            if !q.iter().fold(true, |fine, angle| fine & (angle.abs() <= 1080_f64.to_radians())) {
-                q.iter().try_for_each(|angle| check_joint(joint, *angle))?;
-            }
-        }
         Ok(())
     }
 
@@ -100,10 +89,21 @@ impl SpatialArm {
     }
 }
 
+fn check(joints: &[&[f64]; 6], count: usize) -> Result<(), PostureError> {
+    assert!(joints.iter().all(|q| q.len() == count), "six slices of joint angles, as long as the answer");
+    for (joint, q) in joints.iter().enumerate() {
+        // One pass without a way out early goes through registers of several numbers.
+        if !q.iter().fold(true, |fine, angle| fine & (angle.abs() <= 1080_f64.to_radians())) {
+            q.iter().try_for_each(|angle| check_joint(joint, *angle))?;
+        }
+    }
+    Ok(())
+}
+
 struct Worst<'a> {
     arm: &'a SpatialArm,
     joints: [&'a [f64]; 6],
-    worst: &'a mut [f64],
+    found: &'a mut [f64],
 }
 
 impl WithSimd for Worst<'_> {
@@ -111,11 +111,11 @@ impl WithSimd for Worst<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let count = self.worst.len();
+        let count = self.found.len();
         for from in (0..count).step_by(S::F64_LANES) {
             let to = count.min(from + S::F64_LANES);
             let joints = self.joints.map(|q| &q[from..to]);
-            self.arm.at_joints(simd, &joints).0.largest().store(&mut self.worst[from..to]);
+            self.arm.at_joints(simd, &joints).0.largest().store(&mut self.found[from..to]);
         }
     }
 }
@@ -132,7 +132,7 @@ impl WithSimd for Translations<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let count = self.entries[0].len();
-        let mut entries = self.entries;
+        let entries = self.entries;
         for from in (0..count).step_by(S::F64_LANES) {
             let to = count.min(from + S::F64_LANES);
             let joints = self.joints.map(|q| &q[from..to]);

@@ -3,6 +3,12 @@
 //! The formulas are those of [`crate::compliance`] and [`crate::inverse`], arranged for registers of several numbers
 //! ([`lanes`]): sines and cosines are carried instead of angles, and limits are judged by a scalar product each.
 
+#![allow(
+    clippy::inline_always,
+    clippy::needless_range_loop,
+    reason = "what is not inlined, or hides in an iterator's closure, is compiled without the wide instructions"
+)]
+
 mod joints;
 mod lanes;
 mod poses;
@@ -20,7 +26,6 @@ use crate::spatial::Pose;
 use lanes::Lanes;
 use sector::Sector;
 
-pub(crate) use poses::Orientation;
 pub use poses::{Best, CLASSES, class};
 
 /// A six-axis robot with a tool, ready to be evaluated in bulk.
@@ -108,9 +113,20 @@ impl SpatialArm {
         self.geometry.c2 + self.geometry.l3() + beyond
     }
 
-    /// Range of joint `i` (from 0) as a range of its model angle.
-    pub(crate) fn theta_range(&self, i: usize) -> Range {
-        self.geometry.theta(i, self.limits.joints[i])
+    /// Turning the tool about its axis turns joint 6 and nothing else.
+    pub fn tool_turns_about_axis_6(&self) -> bool {
+        let z = self.flange_from_tool.rotation * Vector3::z();
+        self.tool_is_on_axis_6() && z.xy().norm() < 1e-12 && 0.0 < z.z
+    }
+
+    /// The same arm, of which joint `i` (from 0) may turn anywhere.
+    pub(crate) fn without_limit_on(&self, i: usize, really: bool) -> Self {
+        let mut arm = self.clone();
+        if really {
+            arm.limits.joints[i] = Range::ALL;
+            arm.sectors = Sectors::new(&arm.geometry, &arm.limits);
+        }
+        arm
     }
 
     /// Translations per force at the tool point, in the axes of the arm: x forwards in the arm plane, y across, z up.

@@ -210,7 +210,7 @@ impl WithSimd for ClassesAt<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(mut self, simd: S) {
+    fn with_simd<S: Simd>(self, simd: S) {
         let Orientation { spin, side, beyond } = self.orientation;
         let count = self.points[0].len();
         for from in (0..count).step_by(S::F64_LANES) {

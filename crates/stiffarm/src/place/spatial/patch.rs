@@ -1,0 +1,155 @@
+//! A flat zone as poses of the tool.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::spatial::Pose;
+use crate::task::Zone;
+
+/// Where a patch stands and how the tool is turned; angles in rad, lengths in m from the base.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stand {
+    pub(super) x: f64,
+    pub(super) z: f64,
+    pub(super) yaw: f64,
+    pub(super) angle: f64,
+    pub(super) roll: f64,
+}
+
+/// Axes of a patch whose normal is a tool axis of that elevation: first side at angle zero, across it, and the tool axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Axes {
+    first: Vector3<f64>,
+    second: Vector3<f64>,
+    tool: Matrix3<f64>,
+}
+
+impl Axes {
+    pub(super) fn of(elevation: f64, stand: &Stand) -> Self {
+        let (se, ce) = elevation.sin_cos();
+        let (sy, cy) = stand.yaw.sin_cos();
+        let about = |ahead: f64, left: f64, up: f64| Vector3::new(cy * ahead - sy * left, sy * ahead + cy * left, up);
+        let (upwards, left, axis) = (about(-se, 0.0, ce), about(0.0, 1.0, 0.0), about(ce, 0.0, se));
+        let (sa, ca) = stand.angle.sin_cos();
+        let (sr, cr) = stand.roll.sin_cos();
+        // The tool's x axis at roll zero points as `upwards`; its y completes the frame.
+        let (x, y) = (upwards, axis.cross(&upwards));
+        Self {
+            first: upwards * ca + left * sa,
+            second: left * ca - upwards * sa,
+            tool: Matrix3::from_columns(&[x * cr + y * sr, y * cr - x * sr, axis]),
+        }
+    }
+
+    pub(super) fn tool(&self) -> &Matrix3<f64> {
+        &self.tool
+    }
+
+    /// A point of the patch, base axes.
+    pub(super) fn point(&self, stand: &Stand, [u, v]: [f64; 2]) -> Vector3<f64> {
+        Vector3::new(stand.x, 0.0, stand.z) + self.first * u + self.second * v
+    }
+
+    /// The pose of the tool there.
+    pub(super) fn pose(&self, stand: &Stand, at: [f64; 2]) -> Pose {
+        let rotation = nalgebra::Rotation3::from_matrix_unchecked(self.tool);
+        Pose::from_parts(self.point(stand, at).into(), rotation.into())
+    }
+}
+
+/// Points that cover a zone row by row, `columns` in each of `rows`: neighbours in the grid are neighbours in the zone.
+#[derive(Clone, Debug)]
+pub(super) struct Grid {
+    pub(super) points: Vec<[f64; 2]>,
+    pub(super) columns: usize,
+    /// The largest distance between neighbours, m.
+    pub(super) step: f64,
+}
+
+impl Grid {
+    /// `cells` along the shorter side (or the diameter), as many more along the longer one as keep the cells square, up
+    /// to eight times as many.
+    pub(super) fn of(zone: Zone, cells: usize) -> Self {
+        let [first, second] = zone.sides();
+        let short = first.min(second);
+        let along = |side: f64| cells * ((side / short).round() as usize).clamp(1, 8);
+        let (columns, rows) = (along(first) + 1, along(second) + 1);
+        let spread = |i: usize, count: usize| 2.0 * i as f64 / (count - 1) as f64 - 1.0;
+        let mut points = Vec::with_capacity(columns * rows);
+        for row in 0..rows {
+            for column in 0..columns {
+                let (a, b) = (spread(column, columns), spread(row, rows));
+                points.push(match zone {
+                    Zone::Rectangle { width, height } => [a * width / 2.0, b * height / 2.0],
+                    Zone::Circle { diameter } => disc(a, b).map(|part| part * diameter / 2.0),
+                });
+            }
+        }
+        let step = (first / (columns - 1) as f64).max(second / (rows - 1) as f64);
+        // On the disc neighbours along the rim lie up to an eighth of a circle per half side apart.
+        let step = if matches!(zone, Zone::Circle { .. }) { step * std::f64::consts::FRAC_PI_2 } else { step };
+        Self { points, columns, step }
+    }
+
+    /// Pairs of neighbours, by their places.
+    pub(super) fn edges(&self) -> impl Iterator<Item = (usize, usize)> {
+        let (columns, count) = (self.columns, self.points.len());
+        let beside = (0..count).filter(move |i| (i + 1) % columns != 0).map(|i| (i, i + 1));
+        beside.chain((0..count - columns).map(move |i| (i, i + columns)))
+    }
+}
+
+/// The square `-1..1` onto the unit disc, squares about the centre to circles about it.
+fn disc(a: f64, b: f64) -> [f64; 2] {
+    let quarter = std::f64::consts::FRAC_PI_4;
+    if a == 0.0 && b == 0.0 {
+        [0.0, 0.0]
+    } else if b.abs() <= a.abs() {
+        let angle = quarter * b / a;
+        [a * angle.cos(), a * angle.sin()]
+    } else {
+        let angle = quarter * a / b;
+        [b * angle.sin(), b * angle.cos()]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::FRAC_PI_2;
+
+    #[test]
+    fn a_table_a_wall_and_the_tool_stand_as_people_draw_them() {
+        let stand = Stand { x: 1.5, z: 0.8, yaw: 0.0, angle: 0.0, roll: 0.0 };
+        let close = |a: Vector3<f64>, b: [f64; 3]| assert!((a - Vector3::from(b)).norm() < 1e-12, "{a} is not {b:?}");
+        let table = Axes::of(-FRAC_PI_2, &stand);
+        close(table.point(&stand, [0.1, 0.2]), [1.6, 0.2, 0.8]);
+        close(table.tool().column(2).into(), [0.0, 0.0, -1.0]);
+        close(table.tool().column(0).into(), [1.0, 0.0, 0.0]);
+        let wall = Axes::of(0.0, &stand);
+        close(wall.point(&stand, [0.1, 0.2]), [1.5, 0.2, 0.9]);
+        close(wall.tool().column(2).into(), [1.0, 0.0, 0.0]);
+        let aside = Stand { yaw: FRAC_PI_2, roll: FRAC_PI_2, ..stand };
+        let wall = Axes::of(0.0, &aside);
+        close(wall.point(&aside, [0.0, 0.2]), [1.3, 0.0, 0.8]);
+        close(wall.tool().column(2).into(), [0.0, 1.0, 0.0]);
+        close(wall.tool().column(0).into(), [1.0, 0.0, 0.0]);
+        assert!((wall.tool().determinant() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn grids_reach_the_rim_and_keep_their_step() {
+        for zone in [Zone::Circle { diameter: 0.6 }, Zone::Rectangle { width: 0.2, height: 1.0 }] {
+            let grid = Grid::of(zone, 8);
+            assert_eq!(grid.points.len() % grid.columns, 0);
+            let longest = grid.edges().map(|(i, j)| {
+                let ([a, b], [c, d]) = (grid.points[i], grid.points[j]);
+                (a - c).hypot(b - d)
+            });
+            assert!(longest.fold(0.0, f64::max) <= grid.step + 1e-12);
+            let [first, second] = zone.sides();
+            let far = grid.points.iter().map(|[u, _]| *u).fold(0.0, f64::max);
+            let high = grid.points.iter().map(|[_, v]| *v).fold(0.0, f64::max);
+            assert!((far - first / 2.0).abs() < 1e-12 && (high - second / 2.0).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,390 @@
+//! Coarse over every place, yaw, angle and roll; then refined from the best.
+
+use std::f64::consts::PI;
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::patch::{Axes, Grid, Stand};
+use super::sweep::{Sweep, sweep};
+use super::{Resolution, SpatialMisfit, SpatialOptions, SpatialPlacement, SpatiallyPlaced, wrapped};
+use crate::compliance::compliance;
+use crate::inverse::Class;
+use crate::limits::Range;
+use crate::place::Orientation;
+use crate::robot::Robot;
+use crate::space::{CLASSES, SpatialArm, class};
+use crate::task::Zone;
+
+/// Places along the longer side of what is searched.
+const PLACES: usize = 40;
+/// Places that are refined.
+const STARTS: usize = 12;
+/// Zones that are judged before the best value is looked at again.
+const BLOCK: usize = 256;
+/// The refinement ends at steps of this length, m, and this angle, rad.
+const FINE: (f64, f64) = (5e-5, 5e-5);
+/// Halving the distance between samples must change less than this.
+const HALVING: f64 = 1e-3;
+/// Cells along the shorter side of a zone: coarse search, refinement, first and last check of the answer.
+const CELLS: [usize; 4] = [2, 6, 8, 64];
+
+/// Finds the best place that a coarse search and its refinement see.
+pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &SpatialOptions) -> SpatiallyPlaced {
+    let search = Search::new(robot, arm, zone, options);
+    let seen = match search.coarse() {
+        Ok(seen) => seen,
+        Err(misfit) => return SpatiallyPlaced::Infeasible(misfit),
+    };
+    let grid = Grid::of(zone, CELLS[1]);
+    let mut refined: Vec<Candidate> = seen.par_iter().map(|start| search.refine(start, &grid)).collect();
+    refined.sort_by(|a, b| a.score.total_cmp(&b.score));
+    refined.retain(|candidate| candidate.score.is_feasible());
+    if refined.is_empty() {
+        return SpatiallyPlaced::Infeasible(SpatialMisfit::ZoneTooLarge { step: search.step });
+    }
+    let coarse = seen.iter().map(|candidate| candidate.score).min_by(Score::total_cmp).expect("a start");
+    for candidate in &refined {
+        if let Some(placement) = search.judge(candidate, coarse) {
+            return SpatiallyPlaced::Feasible(Box::new(placement));
+        }
+    }
+    SpatiallyPlaced::Infeasible(SpatialMisfit::Turning)
+}
+
+/// How good a place is: first how many poses no single posture reaches, then the largest compliance, m/N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Score {
+    unreached: usize,
+    worst: f64,
+}
+
+impl Score {
+    const NONE: Self = Self { unreached: usize::MAX, worst: f64::INFINITY };
+
+    fn is_feasible(&self) -> bool {
+        self.unreached == 0
+    }
+
+    fn total_cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.unreached.cmp(&other.unreached).then(self.worst.total_cmp(&other.worst))
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    stand: Stand,
+    score: Score,
+    /// Its best class.
+    place: usize,
+}
+
+struct Search<'a> {
+    robot: &'a Robot,
+    /// As asked, and without the limits that turning the zone or the tool meets.
+    arm: &'a SpatialArm,
+    freed: SpatialArm,
+    zone: Zone,
+    options: &'a SpatialOptions,
+    /// Rolling the tool moves nothing, and any roll will do.
+    roll_is_free: bool,
+    /// Where centres are looked for: ahead, up.
+    region: [Range; 2],
+    step: f64,
+}
+
+impl<'a> Search<'a> {
+    fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a SpatialOptions) -> Self {
+        let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
+        let far = arm.farthest();
+        let reach = arm.geometry.a1.hypot(arm.geometry.b) + far;
+        let region = [
+            options.within.x.intersect(Range::spanning(0.0, reach)),
+            options.within.z.intersect(Range::spanning(arm.geometry.c1 - far, arm.geometry.c1 + far)),
+        ];
+        // A place that cannot be: nothing is searched.
+        let region = region.map(|range| range.unwrap_or(Range::point(f64::INFINITY.min(1e9))));
+        let longest = region[0].width().max(region[1].width());
+        Self {
+            robot,
+            arm,
+            freed: arm.without_limit_on(0, true).without_limit_on(5, roll_is_free),
+            zone,
+            options,
+            roll_is_free,
+            region,
+            step: (longest / PLACES as f64).max(1e-3),
+        }
+    }
+
+    /// The turns that are tried: yaw, angle of the first side, roll.
+    fn turns(&self) -> Vec<[f64; 3]> {
+        let every = |step_deg: f64, turn_deg: f64| -> Vec<f64> {
+            (0..(turn_deg / step_deg) as usize).map(|i| (i as f64 * step_deg).to_radians()).collect()
+        };
+        let is_circle = matches!(self.zone, Zone::Circle { .. });
+        let angles = match self.options.orientation {
+            _ if is_circle => vec![0.0],
+            Orientation::Axes => vec![0.0, PI / 2.0],
+            Orientation::Fixed(angle) => vec![angle],
+            Orientation::Free => every(15.0, 180.0),
+        };
+        let rolls_matter = self.options.roll.is_none() && !self.roll_is_free;
+        let step = if rolls_matter && !self.options.is_vertical() { 30.0 } else { 15.0 };
+        let yaws = match self.options.yaw {
+            Some(yaw) => vec![yaw],
+            None if self.options.is_vertical() => vec![0.0],
+            None => every(step, 360.0),
+        };
+        let rolls = match self.options.roll {
+            Some(roll) => vec![roll],
+            None if self.roll_is_free => vec![0.0],
+            None => every(step, 360.0),
+        };
+        let mut turns = Vec::new();
+        for &yaw in &yaws {
+            for &angle in &angles {
+                turns.extend(rolls.iter().map(|&roll| [yaw, angle, roll]));
+            }
+        }
+        turns
+    }
+
+    /// The best places of a grid over the region and all turns, best first, far enough apart to be different.
+    fn coarse(&self) -> Result<Vec<Candidate>, SpatialMisfit> {
+        let [columns, rows] = self.region.map(|range| (range.width() / self.step).ceil() as usize + 1);
+        let at = |range: Range, i: usize, count: usize| match count {
+            1 => range.middle(),
+            _ => range.min() + range.width() * i as f64 / (count - 1) as f64,
+        };
+        let stands: Vec<Stand> = self
+            .turns()
+            .into_iter()
+            .flat_map(|[yaw, angle, roll]| {
+                (0..rows * columns).map(move |i| (i % columns, i / columns)).map(move |(i, j)| {
+                    let (x, z) = (at(self.region[0], i, columns), at(self.region[1], j, rows));
+                    Stand { x, z, yaw, angle, roll }
+                })
+            })
+            .collect();
+        let mut centres = self.centres(&stands, rows * columns);
+        if !centres.iter().any(|centre| centre.0.is_finite()) {
+            return Err(SpatialMisfit::NothingReached);
+        }
+        centres.retain(|centre| centre.0.is_finite());
+        centres.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let grid = Grid::of(self.zone, CELLS[0]);
+        let mut seen: Vec<Candidate> = Vec::new();
+        let mut best = f64::INFINITY;
+        for block in centres.chunks(BLOCK) {
+            // A zone is no stiffer than its centre.
+            if best < block[0].0 {
+                break;
+            }
+            let judged: Vec<Candidate> = block.par_iter().map(|(_, i)| self.candidate(stands[*i], &grid)).collect();
+            best = judged.iter().filter(|c| c.score.is_feasible()).map(|c| c.score.worst).fold(best, f64::min);
+            seen.extend(judged);
+        }
+        seen.sort_by(|a, b| a.score.total_cmp(&b.score));
+        Ok(self.apart(&seen))
+    }
+
+    /// The best value at each stand alone, with its place in the list; infinite where it is not reached.
+    fn centres(&self, stands: &[Stand], of_one_turn: usize) -> Vec<(f64, usize)> {
+        let one_turn = |(turn, stands): (usize, &[Stand])| {
+            let axes = Axes::of(self.options.elevation, &stands[0]);
+            let orientation = self.freed.orientation(axes.tool());
+            let column = |part: fn(&Stand) -> f64| stands.iter().map(part).collect::<Vec<f64>>();
+            let (x, y, z) = (column(|stand| stand.x), vec![0.0; stands.len()], column(|stand| stand.z));
+            let mut classes = vec![vec![0.0; stands.len()]; CLASSES];
+            let mut rows = classes.iter_mut().map(Vec::as_mut_slice);
+            let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
+            self.freed.classes_at(&orientation, [&x, &y, &z], into);
+            let best = |i: usize| classes.iter().map(|class| class[i]).fold(f64::INFINITY, f64::min);
+            (0..stands.len()).map(|i| (best(i), turn * of_one_turn + i)).collect::<Vec<_>>()
+        };
+        stands.par_chunks(of_one_turn).enumerate().flat_map_iter(one_turn).collect()
+    }
+
+    /// The first of a sorted list that are two steps or another turn apart.
+    fn apart(&self, sorted: &[Candidate]) -> Vec<Candidate> {
+        let mut chosen: Vec<Candidate> = Vec::new();
+        for candidate in sorted {
+            let near = |other: &Candidate| {
+                let (a, b) = (&candidate.stand, &other.stand);
+                let turned =
+                    wrapped(a.yaw - b.yaw).abs() + wrapped(a.angle - b.angle).abs() + wrapped(a.roll - b.roll).abs();
+                (a.x - b.x).hypot(a.z - b.z) < 2.0 * self.step && turned < 0.8 && candidate.place == other.place
+            };
+            if !chosen.iter().any(near) {
+                chosen.push(*candidate);
+            }
+            if chosen.len() == STARTS {
+                break;
+            }
+        }
+        chosen
+    }
+
+    /// A place with its score over a grid of poses.
+    fn candidate(&self, stand: Stand, grid: &Grid) -> Candidate {
+        let (score, place) =
+            self.scores(&stand, grid).into_iter().zip(0..).min_by(|a, b| a.0.total_cmp(&b.0)).expect("eight");
+        Candidate { stand, score, place }
+    }
+
+    /// The score of every class.
+    fn scores(&self, stand: &Stand, grid: &Grid) -> [Score; CLASSES] {
+        let axes = Axes::of(self.options.elevation, stand);
+        let count = grid.points.len();
+        let mut points = vec![0.0; 3 * count];
+        let (x, yz) = points.split_at_mut(count);
+        let (y, z) = yz.split_at_mut(count);
+        let within = &self.options.within;
+        for (i, &at) in grid.points.iter().enumerate() {
+            let point = axes.point(stand, at);
+            (x[i], y[i], z[i]) = (point.x, point.y, point.z);
+            if !(within.x.contains(point.x, 1e-9) && within.z.contains(point.z, 1e-9)) {
+                return [Score::NONE; CLASSES];
+            }
+        }
+        let mut classes = vec![0.0; CLASSES * count];
+        let mut rows = classes.chunks_exact_mut(count);
+        let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
+        self.freed.classes_at(&self.freed.orientation(axes.tool()), [x, y, z], into);
+        let mut rows = classes.chunks_exact(count);
+        std::array::from_fn(|_| {
+            let row = rows.next().expect("one row per class");
+            let reached = row.iter().filter(|value| value.is_finite());
+            let worst = reached.clone().copied().fold(0.0, f64::max);
+            Score { unreached: count - reached.count(), worst }
+        })
+    }
+
+    /// Steps in every direction of what is free, halved where none is better.
+    fn refine(&self, start: &Candidate, grid: &Grid) -> Candidate {
+        let free_angle = self.options.orientation == Orientation::Free && !matches!(self.zone, Zone::Circle { .. });
+        let free_yaw = self.options.yaw.is_none() && !self.options.is_vertical();
+        let free_roll = self.options.roll.is_none() && !self.roll_is_free;
+        let free = [true, true, free_yaw, free_angle, free_roll];
+        let directions = directions(free);
+        let mut best = self.candidate(start.stand, grid);
+        let (mut step, mut turn) = (self.step / 2.0, 0.15);
+        while FINE.0 < step {
+            let moved = directions.iter().map(|direction| {
+                let [x, z, yaw, angle, roll] = *direction;
+                let from = best.stand;
+                let stand = Stand {
+                    x: self.region[0].clamp(from.x + step * x),
+                    z: self.region[1].clamp(from.z + step * z),
+                    yaw: from.yaw + turn * yaw,
+                    angle: from.angle + turn * angle,
+                    roll: from.roll + turn * roll,
+                };
+                self.candidate(stand, grid)
+            });
+            let found = moved.min_by(|a, b| a.score.total_cmp(&b.score)).expect("directions");
+            if found.score.total_cmp(&best.score).is_lt() {
+                best = found;
+            } else {
+                step /= 2.0;
+                turn /= 2.0;
+            }
+        }
+        best
+    }
+
+    /// The answer at a refined place, with samples so fine that halving their distance changes little; `None` where no
+    /// class sweeps the zone in one go.
+    fn judge(&self, candidate: &Candidate, coarse: Score) -> Option<SpatialPlacement> {
+        let mut order: Vec<(Score, usize)> =
+            self.scores(&candidate.stand, &Grid::of(self.zone, CELLS[1])).into_iter().zip(0..).collect();
+        order.retain(|(score, _)| score.is_feasible());
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        order.into_iter().find_map(|(_, place)| self.judge_class(&candidate.stand, place, coarse))
+    }
+
+    fn judge_class(&self, stand: &Stand, place: usize, coarse: Score) -> Option<SpatialPlacement> {
+        let mut cells = CELLS[2];
+        let mut before = self.class_score(stand, &Grid::of(self.zone, cells / 2), place)?;
+        loop {
+            let grid = Grid::of(self.zone, cells);
+            let found = self.class_score(stand, &grid, place)?;
+            let halving = (found - before) / before;
+            if halving.abs() < HALVING || CELLS[3] <= cells {
+                let sweep =
+                    sweep(self.robot, self.arm, self.options.elevation, stand, &grid, class(place), self.roll_is_free)?;
+                return self.placement(stand, class(place), &grid, &sweep, coarse, halving);
+            }
+            before = found;
+            cells *= 2;
+        }
+    }
+
+    /// The largest compliance of one class, where it reaches every pose.
+    fn class_score(&self, stand: &Stand, grid: &Grid, place: usize) -> Option<f64> {
+        let score = self.scores(stand, grid)[place];
+        score.is_feasible().then_some(score.worst)
+    }
+
+    fn placement(
+        &self,
+        stand: &Stand,
+        class: Class,
+        grid: &Grid,
+        sweep: &Sweep,
+        coarse: Score,
+        halving: f64,
+    ) -> Option<SpatialPlacement> {
+        let tool = &self.options.flange_from_tool;
+        let judged = sweep.joints.iter().map(|q| compliance(self.robot, q, tool).ok());
+        let judged: Vec<_> = judged.collect::<Option<_>>()?;
+        let worst = judged.iter().map(|posture| posture.compliance.worst());
+        let (at, (value, direction)) = worst.enumerate().max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+        let axes = Axes::of(self.options.elevation, stand);
+        let worst_point: Vector3<f64> = axes.point(stand, grid.points[at]);
+        let half_turn = |angle: f64| angle.rem_euclid(PI);
+        Some(SpatialPlacement {
+            deflection: value * self.options.force,
+            centre: [stand.x, stand.z],
+            bearing: sweep.bearing,
+            yaw: wrapped(stand.yaw),
+            angle: if matches!(self.zone, Zone::Circle { .. }) { 0.0 } else { half_turn(stand.angle) },
+            roll: wrapped(sweep.roll),
+            class,
+            worst_point: worst_point.into(),
+            worst_joints: sweep.joints[at],
+            worst_shares: judged[at].shares(&direction),
+            limit_margin: sweep.limit_margin,
+            singular_margin: sweep.singular_margin,
+            resolution: Resolution {
+                coarse_step: self.step,
+                coarse: if coarse.is_feasible() { coarse.worst * self.options.force } else { f64::NAN },
+                fine_step: FINE.0,
+                fine_turn: FINE.1,
+                sample_step: grid.step,
+                samples: grid.points.len(),
+                halving,
+            },
+        })
+    }
+}
+
+/// All combinations of steps -1, 0, 1 along what is free, but none at all.
+fn directions(free: [bool; 5]) -> Vec<[f64; 5]> {
+    let mut directions = vec![[0.0; 5]];
+    for (axis, _) in free.iter().enumerate().filter(|(_, free)| **free) {
+        directions = directions
+            .into_iter()
+            .flat_map(|direction| {
+                [0.0, 1.0, -1.0].map(|step| {
+                    let mut direction = direction;
+                    direction[axis] = step;
+                    direction
+                })
+            })
+            .collect();
+    }
+    directions.remove(0);
+    directions
+}

@@ -1,0 +1,115 @@
+//! Can the tool sweep a zone in one go?
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::patch::{Axes, Grid, Stand};
+use super::wrapped;
+use crate::inverse::{Class, SLACK, postures};
+use crate::robot::{Arm, Robot};
+use crate::space::SpatialArm;
+
+/// A zone swept in one posture.
+#[derive(Clone, Debug)]
+pub(super) struct Sweep {
+    /// How far the zone is turned about the joint-1 axis, rad.
+    pub(super) bearing: f64,
+    /// What the roll must be, rad, where it was free and moved nothing.
+    pub(super) roll: f64,
+    /// Joint angles as reported, rad, by grid point.
+    pub(super) joints: Vec<[f64; 6]>,
+    /// Smallest distance to a limit, rad, and its joint from 1.
+    pub(super) limit_margin: (f64, usize),
+    /// Smallest distance to a straight wrist or arm, rad.
+    pub(super) singular_margin: f64,
+}
+
+/// Follows a class over a grid; `None` where a joint would jump, or turn further than its range.
+///
+/// Between neighbours no joint may turn by a quarter turn or more. Around a singular pose joints 4 and 6 turn by a whole
+/// one, and around the joint-1 axis joint 1 does, so that no cell of the grid holds such a pose. Angles are then followed
+/// from point to point, and every joint's whole interval must fit its range: joint 1 after the zone is turned about its
+/// axis, joint 6 after the tool is rolled where that moves nothing.
+pub(super) fn sweep(
+    robot: &Robot,
+    arm: &SpatialArm,
+    elevation: f64,
+    stand: &Stand,
+    grid: &Grid,
+    class: Class,
+    roll_is_free: bool,
+) -> Option<Sweep> {
+    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return None };
+    let axes = Axes::of(elevation, stand);
+    let flange_from_tool = arm.flange_from_tool.inverse();
+    let mut thetas = Vec::with_capacity(grid.points.len());
+    for &at in &grid.points {
+        let found = postures(geometry, &(axes.pose(stand, at) * flange_from_tool));
+        thetas.push(found.found.into_iter().find(|(found, _)| *found == class)?.1);
+    }
+    // Row by row, each angle next to that of a neighbour that was followed before.
+    for i in 1..thetas.len() {
+        let before = thetas[if i % grid.columns == 0 { i - grid.columns } else { i - 1 }];
+        for joint in 0..6 {
+            thetas[i][joint] = before[joint] + wrapped(thetas[i][joint] - before[joint]);
+        }
+    }
+    let jumps = |(i, j): (usize, usize)| (0..6).any(|joint| FRAC_PI_2 <= (thetas[i][joint] - thetas[j][joint]).abs());
+    if grid.edges().any(jumps) {
+        return None;
+    }
+    let mut joints: Vec<[f64; 6]> = thetas.iter().map(|theta| geometry.reported(theta, limits.third_axis)).collect();
+    let mut limit_margin = (f64::INFINITY, 1);
+    let (mut bearing, mut roll) = (0.0, stand.roll);
+    for joint in 0..6 {
+        let range = limits.joints[joint];
+        let low = joints.iter().map(|q| q[joint]).fold(f64::INFINITY, f64::min);
+        let high = joints.iter().map(|q| q[joint]).fold(f64::NEG_INFINITY, f64::max);
+        let free = joint == 0 || (joint == 5 && roll_is_free);
+        let shift = shift_into(range.min(), range.max(), low, high, free)?;
+        for q in &mut joints {
+            q[joint] += shift;
+        }
+        let turned = wrapped(shift * geometry.sign[joint]);
+        match joint {
+            0 => bearing = turned,
+            5 if free => roll = wrapped(roll + turned),
+            _ => {}
+        }
+        let margin = (low + shift - range.min()).min(range.max() - high - shift);
+        if margin < limit_margin.0 {
+            limit_margin = (margin.max(0.0), joint + 1);
+        }
+    }
+    let between = |theta: &[f64; 6]| limits.elbow.turn_to(PI - theta[2], SLACK).is_some();
+    if !thetas.iter().all(between) {
+        return None;
+    }
+    let singular = |theta: &[f64; 6]| {
+        let wrist = theta[4].sin().abs().min(1.0).asin();
+        let arm = (theta[2] + geometry.lean()).sin().abs().min(1.0).asin();
+        wrist.min(arm)
+    };
+    let singular_margin = thetas.iter().map(singular).fold(f64::INFINITY, f64::min);
+    Some(Sweep { bearing, roll, joints, limit_margin, singular_margin })
+}
+
+/// What to add to the interval `low..high` so that it lies in `min..max`: whole turns, or, where the angle is `free`, as
+/// little as possible. Of several turns the one that leaves most room.
+fn shift_into(min: f64, max: f64, low: f64, high: f64, free: bool) -> Option<f64> {
+    let (least, most) = (min - SLACK - low, max + SLACK - high);
+    if most < least {
+        return None;
+    }
+    if free {
+        return Some(0.0_f64.clamp(least, most)).map(|shift| if shift.is_finite() { shift } else { 0.0 });
+    }
+    if !(least.is_finite() && most.is_finite()) {
+        let turns = if least.is_finite() { (least / (2.0 * PI)).ceil() } else { (most / (2.0 * PI)).floor() };
+        return Some(if turns.is_finite() { turns * 2.0 * PI } else { 0.0 });
+    }
+    let middle = (f64::midpoint(least, most) / (2.0 * PI)).round();
+    [middle, middle - 1.0, middle + 1.0]
+        .map(|turns| turns * 2.0 * PI)
+        .into_iter()
+        .find(|shift| least <= *shift && *shift <= most)
+}
