@@ -1,9 +1,17 @@
 //! Do other programs, which share no code with this one, compute the same numbers for six axes?
 //!
 //! `validation/spatial_cases.csv` holds compliances that Pinocchio and the Robotics Toolbox for Python both computed
-//! (`scripts/reference` records them anew).
+//! (`scripts/reference` records them anew); rs-opw-kinematics computes flange poses while the test runs.
 
-use nalgebra::{Matrix3, Matrix6, Rotation3, Translation3, Vector3};
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Matrix6, Quaternion, Rotation3, Translation3, UnitQuaternion, Vector3};
+use rs_opw_kinematics::glam::{DQuat, DVec3};
+use rs_opw_kinematics::kinematic_traits::{J2, J3, Kinematics, Pose as OpwPose};
+use rs_opw_kinematics::kinematics_impl::OPWKinematics;
+use rs_opw_kinematics::parallelogram::Parallelogram;
+use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
 use stiffarm::catalogue::{names, paper_robots};
 use stiffarm::compliance::{Posture, beyond_limits, compliance};
 use stiffarm::drive::{Architecture, JointCompliance};
@@ -161,5 +169,116 @@ fn a_force_pushes_and_turns_the_tool_as_far_as_the_recorded_compliance_says() {
 fn the_recorded_postures_lie_within_the_limits_as_the_recorder_reads_them() {
     for case in Case::all() {
         assert_eq!(beyond_limits(&case.robot, &case.joints), [0; 0], "{}", case.name);
+    }
+}
+
+/// The arm in rs-opw-kinematics, which counts joints by the same formula `theta_i = sign_i q_i - offset_i`.
+fn opw(geometry: &Geometry) -> OPWKinematics {
+    let Geometry { a1, a2, b, c1, c2, c3, c4, offset, sign } = geometry.clone();
+    let sign_corrections = sign.map(|sign| if sign < 0.0 { -1 } else { 1 });
+    OPWKinematics::new(Parameters { a1, a2, b, c1, c2, c3, c4, offsets: offset, sign_corrections, dof: 6 })
+}
+
+/// The robot in rs-opw-kinematics, which takes the forearm's absolute angle as a parallelogram between J2 and J3.
+///
+/// `theta2 + theta3 = s3 q3 - o3` is `theta3 = s3 (q3 - s3 s2 q2) - (o3 - o2)`.
+fn opw_as_reported(robot: &Robot) -> Arc<dyn Kinematics> {
+    let (geometry, third_axis) = six_axis(robot);
+    match third_axis {
+        ThirdAxis::Elbow => Arc::new(opw(geometry)),
+        ThirdAxis::Forearm => {
+            let mut elbow = geometry.clone();
+            elbow.offset[J3] -= elbow.offset[J2];
+            let scaling = geometry.sign[J2] * geometry.sign[J3];
+            Arc::new(Parallelogram { robot: Arc::new(opw(&elbow)), scaling, driven: J2, coupled: J3 })
+        }
+    }
+}
+
+/// All postures that rs-opw-kinematics finds for a flange pose, as model angles `theta`.
+fn opw_inverse_model_angles(geometry: &Geometry, flange: &Pose) -> Vec<[f64; 6]> {
+    let model = Geometry { offset: [0.0; 6], sign: [1.0; 6], ..geometry.clone() };
+    let translation = DVec3::from_array(flange.translation.vector.into());
+    opw(&model).inverse(&OpwPose::from_parts(translation, DQuat::from_array(flange.rotation.coords.into())))
+}
+
+fn pose(theirs: &OpwPose) -> Pose {
+    let rotation = UnitQuaternion::from_quaternion(Quaternion::from(theirs.rotation.to_array()));
+    Pose::from_parts(Vector3::from(theirs.translation.to_array()).into(), rotation)
+}
+
+/// The larger of the distance over the arm's length and the difference of the rotations.
+fn apart(geometry: &Geometry, one: &Pose, other: &Pose) -> f64 {
+    let Geometry { a1, a2, b, c1, c2, c3, c4, .. } = geometry;
+    let length: f64 = [a1, a2, b, c1, c2, c3, c4].map(|x| x.abs()).iter().sum();
+    let moved = (one.translation.vector - other.translation.vector).norm() / length;
+    let turned = one.rotation.to_rotation_matrix().matrix() - other.rotation.to_rotation_matrix().matrix();
+    moved.max(turned.norm())
+}
+
+fn random_angles(rng: &mut fastrand::Rng) -> [f64; 6] {
+    std::array::from_fn(|_| TAU * (rng.f64() - 0.5))
+}
+
+fn random_geometry(rng: &mut fastrand::Rng) -> Geometry {
+    let mut length = |low: f64, high: f64| low + (high - low) * rng.f64();
+    Geometry {
+        a1: length(0.0, 0.8),
+        a2: length(-0.3, 0.3),
+        b: length(-0.3, 0.3),
+        c1: length(0.3, 1.0),
+        c2: length(0.6, 1.5),
+        c3: length(0.6, 1.8),
+        c4: length(0.1, 0.3),
+        offset: std::array::from_fn(|_| length(-PI, PI)),
+        sign: std::array::from_fn(|_| if length(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 }),
+    }
+}
+
+#[test]
+fn the_flange_of_every_robot_stands_where_rs_opw_kinematics_puts_it() {
+    let mut rng = fastrand::Rng::with_seed(21);
+    for robot in paper_robots() {
+        let (theirs, (geometry, third_axis)) = (opw_as_reported(&robot), six_axis(&robot));
+        for _ in 0..100 {
+            let q = random_angles(&mut rng);
+            let ours = geometry.forward(&geometry.model_angles(&q, third_axis));
+            let off = apart(geometry, &ours, &pose(&theirs.forward(&q)));
+            assert!(off <= ROUNDING, "{} at {q:?}: {off:.1e}", robot.name);
+        }
+    }
+}
+
+#[test]
+fn the_flange_of_random_arms_stands_where_rs_opw_kinematics_puts_it() {
+    let mut rng = fastrand::Rng::with_seed(22);
+    for _ in 0..50 {
+        let geometry = random_geometry(&mut rng);
+        let theirs = opw(&geometry);
+        for _ in 0..100 {
+            let q = random_angles(&mut rng);
+            let ours = geometry.forward(&geometry.model_angles(&q, ThirdAxis::Elbow));
+            let off = apart(&geometry, &ours, &pose(&theirs.forward(&q)));
+            assert!(off <= ROUNDING, "{geometry:?} at {q:?}: {off:.1e}");
+        }
+    }
+}
+
+#[test]
+fn every_posture_that_rs_opw_kinematics_finds_leads_back_to_the_flange() {
+    let mut rng = fastrand::Rng::with_seed(23);
+    for _ in 0..50 {
+        let geometry = random_geometry(&mut rng);
+        for _ in 0..20 {
+            let theta = random_angles(&mut rng);
+            let flange = geometry.forward(&theta);
+            let found = opw_inverse_model_angles(&geometry, &flange);
+            assert!(!found.is_empty(), "{geometry:?} at {theta:?}");
+            for back in found {
+                // An inverse loses digits where the arm is nearly stretched; they accept 1e-6.
+                let off = apart(&geometry, &geometry.forward(&back), &flange);
+                assert!(off <= 1e-6, "{geometry:?} at {theta:?}, back {back:?}: {off:.1e}");
+            }
+        }
     }
 }
