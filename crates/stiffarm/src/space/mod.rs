@@ -26,6 +26,7 @@ use crate::spatial::Pose;
 use lanes::Lanes;
 use sector::Sector;
 
+pub(crate) use poses::Near;
 pub use poses::{Best, CLASSES, class};
 
 /// A six-axis robot with a tool, ready to be evaluated in bulk.

@@ -1,12 +1,16 @@
 //! Many poses of the tool: every posture that reaches them within the limits, and how far each gives way.
 
+use std::f64::consts::{FRAC_PI_2, TAU};
+
 use nalgebra::{Matrix3, Vector3};
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::lanes::{Lanes, Mask};
+use super::sector::Sector;
 use super::{At, Coupling, SpatialArm, Triple};
-use crate::inverse::{Class, Shoulder, Wrist};
+use crate::inverse::{Class, Shoulder, Wrist, postures};
+use crate::limits::Range;
 use crate::plane::Elbow;
 use crate::spatial::Pose;
 
@@ -33,6 +37,21 @@ pub struct Best {
     pub worst: f64,
     /// The posture.
     pub class: Class,
+}
+
+/// The place of a class.
+fn place(class: Class) -> usize {
+    4 * usize::from(class.shoulder == Shoulder::Back)
+        + 2 * usize::from(class.elbow == Elbow::Down)
+        + usize::from(class.wrist == Wrist::Flip)
+}
+
+/// Where joints 1, 4 and 6 must stay; anywhere by default. See [`SpatialArm::near`].
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Near {
+    first: [Sector; 2],
+    fourth: [Sector; CLASSES],
+    sixth: [Sector; CLASSES],
 }
 
 /// What the poses of one orientation of the tool share.
@@ -62,15 +81,49 @@ impl SpatialArm {
         found
     }
 
-    /// The largest translation per force, m/N, of every class at points of one orientation; infinite where a limit
-    /// forbids it. `classes[place]` as [`class`] counts.
-    pub(crate) fn classes_at(&self, orientation: &Orientation, points: [&[f64]; 3], classes: [&mut [f64]; CLASSES]) {
-        Arch::new().dispatch(ClassesAt { arm: self, orientation, points, classes });
+    /// What holds all postures within a quarter turn, joint by joint, of those at a pose of the tool (base axes).
+    ///
+    /// Joints 2, 3 and 5 of one class never span more; joints 1, 4 and 6 turn fast near singular postures and by half a
+    /// turn across them.
+    pub(crate) fn near(&self, tool: &Pose) -> Near {
+        let mut near = Near::default();
+        for (class, theta) in postures(&self.geometry, &(tool * self.flange_from_tool.inverse())).found {
+            let place = place(class);
+            near.first[place / 4] = self.about(0, theta[0]);
+            near.fourth[place] = self.about(3, theta[3]);
+            near.sixth[place] = self.about(5, theta[5]);
+        }
+        near
+    }
+
+    /// Within a quarter turn of a model angle, and in the range of its joint without coming round from the other end.
+    fn about(&self, joint: usize, theta: f64) -> Sector {
+        let range = self.geometry.theta(joint, self.limits.joints[joint]);
+        let quarter = Range::spanning(theta - FRAC_PI_2, theta + FRAC_PI_2);
+        if !range.is_bounded() {
+            return Sector::of(quarter);
+        }
+        // Of all turns of the angle the one with most room to both ends.
+        let middle = theta + ((range.middle() - theta) / TAU).round() * TAU;
+        let room = range.affine(1.0, theta - middle).intersect(quarter);
+        room.map_or_else(|| Sector::of(quarter), Sector::of)
+    }
+
+    /// The largest translation per force, m/N, of every class at points of one orientation; infinite where a limit, or
+    /// what is `near`, forbids it. `classes[place]` as [`class`] counts.
+    pub(crate) fn classes_at(
+        &self,
+        orientation: &Orientation,
+        near: &Near,
+        points: [&[f64]; 3],
+        classes: [&mut [f64]; CLASSES],
+    ) {
+        Arch::new().dispatch(ClassesAt { arm: self, orientation, near, points, classes });
     }
 
     /// Every class of a pose.
     #[inline(always)]
-    fn classes<S: Simd>(&self, flange: &Flange<S>) -> [Lanes<S>; CLASSES] {
+    fn classes<S: Simd>(&self, flange: &Flange<S>, near: &Near) -> [Lanes<S>; CLASSES] {
         let (px, py, pz) = flange.point.parts();
         let (ux, uy, uz) = flange.beyond.parts();
         let (wx, wy, wz) = (px - ux, py - uy, pz - uz);
@@ -88,7 +141,7 @@ impl SpatialArm {
             let forwards = [ahead, -ahead][shoulder];
             let c1 = free.select(one, (wx * forwards + wy * b) * inverse);
             let s1 = free.select(px.all(0.0), (wy * forwards - wx * b) * inverse);
-            let turned = reached & self.sectors.joints[0].holds(c1, s1, one);
+            let turned = reached & self.sectors.joints[0].holds(c1, s1, one) & near.first[shoulder].holds(c1, s1, one);
             let seen = Seen {
                 spin: flange.spin.seen_turned(s1, c1),
                 side: flange.side.seen_turned(s1, c1),
@@ -96,7 +149,7 @@ impl SpatialArm {
                 x: forwards - self.geometry.a1,
                 z: wz - self.geometry.c1,
             };
-            let ways = self.elbows(&seen, turned);
+            let ways = self.elbows(&seen, turned, near, 4 * shoulder);
             for way in 0..4 {
                 found[4 * shoulder + way] = ways[way];
             }
@@ -106,7 +159,7 @@ impl SpatialArm {
 
     /// Elbow up and down, each with both wrists, of one shoulder.
     #[inline(always)]
-    fn elbows<S: Simd>(&self, seen: &Seen<S>, turned: Mask<S>) -> [Lanes<S>; 4] {
+    fn elbows<S: Simd>(&self, seen: &Seen<S>, turned: Mask<S>, near: &Near, first: usize) -> [Lanes<S>; 4] {
         let (l2, l3) = (self.geometry.c2, self.geometry.l3());
         let (lean_c, lean_s) = (self.geometry.c3 / l3, self.geometry.a2 / l3);
         let (x, z) = (seen.x, seen.z);
@@ -131,7 +184,7 @@ impl SpatialArm {
                 & second.holds(c2, s2, one)
                 & third.holds(c_third, s_third, one)
                 & self.sectors.elbow.holds(c3, s3, one);
-            let [no_flip, flip] = self.wrists(seen, [s2, c2, s23, c23], allowed);
+            let [no_flip, flip] = self.wrists(seen, [s2, c2, s23, c23], allowed, near, first + 2 * elbow);
             found[2 * elbow] = no_flip;
             found[2 * elbow + 1] = flip;
         }
@@ -140,7 +193,14 @@ impl SpatialArm {
 
     /// Both wrists of one shoulder and elbow.
     #[inline(always)]
-    fn wrists<S: Simd>(&self, seen: &Seen<S>, [s2, c2, s23, c23]: [Lanes<S>; 4], allowed: Mask<S>) -> [Lanes<S>; 2] {
+    fn wrists<S: Simd>(
+        &self,
+        seen: &Seen<S>,
+        [s2, c2, s23, c23]: [Lanes<S>; 4],
+        allowed: Mask<S>,
+        near: &Near,
+        first: usize,
+    ) -> [Lanes<S>; 2] {
         const SINGULAR: f64 = 1e-9;
         let (zero, none) = (s2.all(0.0), s2.all(f64::INFINITY));
         let along = Triple([s23, zero, c23]);
@@ -171,6 +231,9 @@ impl SpatialArm {
             let sign = [1.0, -1.0][wrist];
             let turns = fourth.holds(fore * sign, across * sign, s5) & sixth.holds(cos_6 * sign, sin_6 * sign, s5);
             let turns = (turns & !singular) | any_split;
+            let turns = turns
+                & near.fourth[first + wrist].holds(fore * sign, across * sign, s5)
+                & near.sixth[first + wrist].holds(cos_6 * sign, sin_6 * sign, s5);
             let fine = allowed & turns & fifth.holds(c5, s5 * sign, s2.all(1.0));
             found[wrist] = fine.select(worst[wrist], none);
         }
@@ -202,6 +265,7 @@ struct Seen<S: Simd> {
 struct ClassesAt<'a> {
     arm: &'a SpatialArm,
     orientation: &'a Orientation,
+    near: &'a Near,
     points: [&'a [f64]; 3],
     classes: [&'a mut [f64]; CLASSES],
 }
@@ -221,7 +285,7 @@ impl WithSimd for ClassesAt<'_> {
                 side: Triple::splat(simd, side),
                 beyond: Triple::splat(simd, beyond),
             };
-            let classes = self.arm.classes(&flange);
+            let classes = self.arm.classes(&flange, self.near);
             for place in 0..CLASSES {
                 classes[place].store(&mut self.classes[place][from..to]);
             }
@@ -258,7 +322,7 @@ impl WithSimd for BestOf<'_> {
                 side: Triple::load(simd, side.each_ref().map(|part| &part[..S::F64_LANES])),
                 beyond: Triple::load(simd, beyond.each_ref().map(|part| &part[..S::F64_LANES])),
             };
-            let lanes = self.arm.classes(&flange);
+            let lanes = self.arm.classes(&flange, &Near::default());
             let mut classes = [[0.0; WIDEST]; CLASSES];
             for place in 0..CLASSES {
                 lanes[place].store(&mut classes[place][..S::F64_LANES]);

@@ -10,8 +10,8 @@ use crate::limits::Range;
 /// Rounding of a cosine of an angle that lies at the limit itself.
 const SLACK: f64 = 1e-12;
 
-/// The angles within `half` of a middle, whole turns left aside; everything where the range spans a turn.
-#[derive(Clone, Copy, Debug)]
+/// The angles within `half` of a middle, whole turns left aside; everything where the range spans a turn, and by default.
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sector {
     cos: f64,
     sin: f64,

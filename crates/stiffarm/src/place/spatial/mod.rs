@@ -9,6 +9,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::{Orientation, PlaceError, Within, check_force, check_zone};
 use crate::compliance::PostureError;
 use crate::inverse::Class;
+use crate::limits::Range;
 use crate::robot::Robot;
 use crate::space::SpatialArm;
 use crate::spatial::Pose;
@@ -27,9 +28,9 @@ pub struct SpatialOptions {
     pub flange_from_tool: Pose,
     /// Angle of the tool axis above the horizontal, rad: `-pi/2` down, `0` ahead, `pi/2` up.
     pub elevation: f64,
-    /// Angle of the zone's plane about the vertical, rad: 0 faces the robot; any where `None`. A tool that points
-    /// straight down or up has none.
-    pub yaw: Option<f64>,
+    /// Angles of the zone's plane about the vertical that are tried, rad: at 0 it faces the robot, beyond a quarter turn
+    /// the tool points back at it. A tool that points straight down or up has none.
+    pub yaw: Range,
     /// Which angles of a rectangle in its plane are tried: 0 has the first side ahead (on a wall: upright).
     pub orientation: Orientation,
     /// Rotation about the tool axis, rad, the same for the whole zone: 0 has the tool's x axis ahead (on a wall:
@@ -40,16 +41,19 @@ pub struct SpatialOptions {
 }
 
 impl SpatialOptions {
-    /// Tool down, the flange itself as the tool, any roll, anywhere.
+    /// Tool down, the flange itself as the tool, any roll, anywhere in front of the base and above its floor.
     pub fn tool_down(force: f64) -> Self {
         Self {
             force,
             flange_from_tool: Pose::identity(),
             elevation: -FRAC_PI_2,
-            yaw: None,
+            yaw: Range::spanning(-FRAC_PI_2, FRAC_PI_2),
             orientation: Orientation::Axes,
             roll: None,
-            within: Within::ANYWHERE,
+            within: Within {
+                x: Range::new(0.0, f64::INFINITY).expect("a range"),
+                z: Range::new(0.0, f64::INFINITY).expect("a range"),
+            },
         }
     }
 
@@ -62,7 +66,7 @@ impl SpatialOptions {
         check_force(self.force)?;
         check_zone(zone)?;
         let mut angles = vec![self.elevation];
-        angles.extend(self.yaw);
+        angles.extend([self.yaw.min(), self.yaw.max()]);
         angles.extend(self.roll);
         if let Orientation::Fixed(angle) = self.orientation {
             angles.push(angle);

@@ -56,17 +56,16 @@ impl Axes {
     }
 }
 
-/// Points that cover a zone row by row, `columns` in each of `rows`: neighbours in the grid are neighbours in the zone.
+/// Points that cover a zone row by row; the middle one is its centre.
 #[derive(Clone, Debug)]
 pub(super) struct Grid {
     pub(super) points: Vec<[f64; 2]>,
-    pub(super) columns: usize,
     /// The largest distance between neighbours, m.
     pub(super) step: f64,
 }
 
 impl Grid {
-    /// `cells` along the shorter side (or the diameter), as many more along the longer one as keep the cells square, up
+    /// `cells`, an even number, along the shorter side (or the diameter), as many more along the longer one as keep the cells square, up
     /// to eight times as many.
     pub(super) fn of(zone: Zone, cells: usize) -> Self {
         let [first, second] = zone.sides();
@@ -87,14 +86,7 @@ impl Grid {
         let step = (first / (columns - 1) as f64).max(second / (rows - 1) as f64);
         // On the disc neighbours along the rim lie up to an eighth of a circle per half side apart.
         let step = if matches!(zone, Zone::Circle { .. }) { step * std::f64::consts::FRAC_PI_2 } else { step };
-        Self { points, columns, step }
-    }
-
-    /// Pairs of neighbours, by their places.
-    pub(super) fn edges(&self) -> impl Iterator<Item = (usize, usize)> {
-        let (columns, count) = (self.columns, self.points.len());
-        let beside = (0..count).filter(move |i| (i + 1) % columns != 0).map(|i| (i, i + 1));
-        beside.chain((0..count - columns).map(move |i| (i, i + columns)))
+        Self { points, step }
     }
 }
 
@@ -137,15 +129,15 @@ mod tests {
     }
 
     #[test]
-    fn grids_reach_the_rim_and_keep_their_step() {
+    fn grids_reach_the_rim_keep_their_step_and_have_the_centre_in_the_middle() {
         for zone in [Zone::Circle { diameter: 0.6 }, Zone::Rectangle { width: 0.2, height: 1.0 }] {
             let grid = Grid::of(zone, 8);
-            assert_eq!(grid.points.len() % grid.columns, 0);
-            let longest = grid.edges().map(|(i, j)| {
-                let ([a, b], [c, d]) = (grid.points[i], grid.points[j]);
-                (a - c).hypot(b - d)
-            });
-            assert!(longest.fold(0.0, f64::max) <= grid.step + 1e-12);
+            assert_eq!(grid.points[grid.points.len() / 2], [0.0; 2]);
+            let apart = |[a, b]: [f64; 2], [c, d]: [f64; 2]| (a - c).hypot(b - d);
+            let alone = |at: [f64; 2]| {
+                grid.points.iter().map(|&other| apart(at, other)).filter(|d| 0.0 < *d).fold(f64::INFINITY, f64::min)
+            };
+            assert!(grid.points.iter().all(|&at| alone(at) <= grid.step + 1e-12));
             let [first, second] = zone.sides();
             let far = grid.points.iter().map(|[u, _]| *u).fold(0.0, f64::max);
             let high = grid.points.iter().map(|[_, v]| *v).fold(0.0, f64::max);

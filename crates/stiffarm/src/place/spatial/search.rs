@@ -13,21 +13,23 @@ use crate::inverse::Class;
 use crate::limits::Range;
 use crate::place::Orientation;
 use crate::robot::Robot;
-use crate::space::{CLASSES, SpatialArm, class};
+use crate::space::{CLASSES, Near, SpatialArm, class};
 use crate::task::Zone;
 
 /// Places along the longer side of what is searched.
-const PLACES: usize = 40;
+const PLACES: usize = 60;
 /// Places that are refined.
-const STARTS: usize = 12;
+const STARTS: usize = 24;
+/// Places that are refined once more with the samples of the answer.
+const FINALISTS: usize = 5;
 /// Zones that are judged before the best value is looked at again.
 const BLOCK: usize = 256;
 /// The refinement ends at steps of this length, m, and this angle, rad.
 const FINE: (f64, f64) = (5e-5, 5e-5);
 /// Halving the distance between samples must change less than this.
 const HALVING: f64 = 1e-3;
-/// Cells along the shorter side of a zone: coarse search, refinement, first and last check of the answer.
-const CELLS: [usize; 4] = [2, 6, 8, 64];
+/// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
+const CELLS: [usize; 4] = [2, 6, 16, 64];
 
 /// Finds the best place that a coarse search and its refinement see.
 pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &SpatialOptions) -> SpatiallyPlaced {
@@ -36,10 +38,16 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Spat
         Ok(seen) => seen,
         Err(misfit) => return SpatiallyPlaced::Infeasible(misfit),
     };
-    let grid = Grid::of(zone, CELLS[1]);
-    let mut refined: Vec<Candidate> = seen.par_iter().map(|start| search.refine(start, &grid)).collect();
-    refined.sort_by(|a, b| a.score.total_cmp(&b.score));
-    refined.retain(|candidate| candidate.score.is_feasible());
+    let refine = |starts: &[Candidate], cells: usize, step: f64| {
+        let grid = Grid::of(zone, cells);
+        let mut refined: Vec<Candidate> = starts.par_iter().map(|start| search.refine(start, &grid, step)).collect();
+        refined.sort_by(|a, b| a.score.total_cmp(&b.score));
+        refined.retain(|candidate| candidate.score.is_feasible());
+        refined
+    };
+    let mut rough = refine(&seen, CELLS[1], search.step / 2.0);
+    rough.truncate(FINALISTS);
+    let refined = refine(&rough, CELLS[2], search.step / 8.0);
     if refined.is_empty() {
         return SpatiallyPlaced::Infeasible(SpatialMisfit::ZoneTooLarge { step: search.step });
     }
@@ -131,10 +139,13 @@ impl<'a> Search<'a> {
         };
         let rolls_matter = self.options.roll.is_none() && !self.roll_is_free;
         let step = if rolls_matter && !self.options.is_vertical() { 30.0 } else { 15.0 };
-        let yaws = match self.options.yaw {
-            Some(yaw) => vec![yaw],
-            None if self.options.is_vertical() => vec![0.0],
-            None => every(step, 360.0),
+        let yaw = self.options.yaw;
+        let yaws = if self.options.is_vertical() {
+            vec![0.0]
+        } else {
+            // A whole turn ends where it begins, which does no harm.
+            let count = (yaw.width().to_degrees() / step).ceil().min(360.0 / step) as usize;
+            (0..=count).map(|i| yaw.min() + yaw.width() * i as f64 / count.max(1) as f64).collect()
         };
         let rolls = match self.options.roll {
             Some(roll) => vec![roll],
@@ -199,7 +210,7 @@ impl<'a> Search<'a> {
             let mut classes = vec![vec![0.0; stands.len()]; CLASSES];
             let mut rows = classes.iter_mut().map(Vec::as_mut_slice);
             let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
-            self.freed.classes_at(&orientation, [&x, &y, &z], into);
+            self.freed.classes_at(&orientation, &Near::default(), [&x, &y, &z], into);
             let best = |i: usize| classes.iter().map(|class| class[i]).fold(f64::INFINITY, f64::min);
             (0..stands.len()).map(|i| (best(i), turn * of_one_turn + i)).collect::<Vec<_>>()
         };
@@ -251,7 +262,8 @@ impl<'a> Search<'a> {
         let mut classes = vec![0.0; CLASSES * count];
         let mut rows = classes.chunks_exact_mut(count);
         let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
-        self.freed.classes_at(&self.freed.orientation(axes.tool()), [x, y, z], into);
+        let near = self.freed.near(&axes.pose(stand, [0.0; 2]));
+        self.freed.classes_at(&self.freed.orientation(axes.tool()), &near, [x, y, z], into);
         let mut rows = classes.chunks_exact(count);
         std::array::from_fn(|_| {
             let row = rows.next().expect("one row per class");
@@ -262,14 +274,14 @@ impl<'a> Search<'a> {
     }
 
     /// Steps in every direction of what is free, halved where none is better.
-    fn refine(&self, start: &Candidate, grid: &Grid) -> Candidate {
+    fn refine(&self, start: &Candidate, grid: &Grid, first_step: f64) -> Candidate {
         let free_angle = self.options.orientation == Orientation::Free && !matches!(self.zone, Zone::Circle { .. });
-        let free_yaw = self.options.yaw.is_none() && !self.options.is_vertical();
+        let free_yaw = 0.0 < self.options.yaw.width() && !self.options.is_vertical();
         let free_roll = self.options.roll.is_none() && !self.roll_is_free;
         let free = [true, true, free_yaw, free_angle, free_roll];
         let directions = directions(free);
         let mut best = self.candidate(start.stand, grid);
-        let (mut step, mut turn) = (self.step / 2.0, 0.15);
+        let (mut step, mut turn) = (first_step, 0.3 * first_step / self.step);
         while FINE.0 < step {
             let moved = directions.iter().map(|direction| {
                 let [x, z, yaw, angle, roll] = *direction;
@@ -277,7 +289,7 @@ impl<'a> Search<'a> {
                 let stand = Stand {
                     x: self.region[0].clamp(from.x + step * x),
                     z: self.region[1].clamp(from.z + step * z),
-                    yaw: from.yaw + turn * yaw,
+                    yaw: if free_yaw { self.options.yaw.clamp(from.yaw + turn * yaw) } else { from.yaw },
                     angle: from.angle + turn * angle,
                     roll: from.roll + turn * roll,
                 };
@@ -298,7 +310,7 @@ impl<'a> Search<'a> {
     /// class sweeps the zone in one go.
     fn judge(&self, candidate: &Candidate, coarse: Score) -> Option<SpatialPlacement> {
         let mut order: Vec<(Score, usize)> =
-            self.scores(&candidate.stand, &Grid::of(self.zone, CELLS[1])).into_iter().zip(0..).collect();
+            self.scores(&candidate.stand, &Grid::of(self.zone, CELLS[2])).into_iter().zip(0..).collect();
         order.retain(|(score, _)| score.is_feasible());
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         order.into_iter().find_map(|(_, place)| self.judge_class(&candidate.stand, place, coarse))
@@ -370,7 +382,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// All combinations of steps -1, 0, 1 along what is free, but none at all.
+/// All combinations of steps -1, 0, 1 along what is free, but none at all; and between those of the place alone.
 fn directions(free: [bool; 5]) -> Vec<[f64; 5]> {
     let mut directions = vec![[0.0; 5]];
     for (axis, _) in free.iter().enumerate().filter(|(_, free)| **free) {
@@ -386,5 +398,8 @@ fn directions(free: [bool; 5]) -> Vec<[f64; 5]> {
             .collect();
     }
     directions.remove(0);
+    for (x, z) in [(1.0, 0.5), (0.5, 1.0)] {
+        directions.extend([(x, z), (x, -z), (-x, z), (-x, -z)].map(|(x, z)| [x, z, 0.0, 0.0, 0.0]));
+    }
     directions
 }

@@ -23,12 +23,12 @@ pub(super) struct Sweep {
     pub(super) singular_margin: f64,
 }
 
-/// Follows a class over a grid; `None` where a joint would jump, or turn further than its range.
+/// Follows a class over a grid; `None` where a joint turns too far.
 ///
-/// Between neighbours no joint may turn by a quarter turn or more. Around a singular pose joints 4 and 6 turn by a whole
-/// one, and around the joint-1 axis joint 1 does, so that no cell of the grid holds such a pose. Angles are then followed
-/// from point to point, and every joint's whole interval must fit its range: joint 1 after the zone is turned about its
-/// axis, joint 6 after the tool is rolled where that moves nothing.
+/// No joint may turn by a quarter turn or more from its angle at the centre: around a singular posture of the wrist joints
+/// 4 and 6 turn by a whole one (and by half a turn straight across it), around the joint-1 axis joint 1 does, so that no
+/// such pose lies within. With that, angles are followed without doubt, and every joint's whole interval must fit its
+/// range: joint 1 after the zone is turned about its axis, joint 6 after the tool is rolled where that moves nothing.
 pub(super) fn sweep(
     robot: &Robot,
     arm: &SpatialArm,
@@ -46,16 +46,15 @@ pub(super) fn sweep(
         let found = postures(geometry, &(axes.pose(stand, at) * flange_from_tool));
         thetas.push(found.found.into_iter().find(|(found, _)| *found == class)?.1);
     }
-    // Row by row, each angle next to that of a neighbour that was followed before.
-    for i in 1..thetas.len() {
-        let before = thetas[if i % grid.columns == 0 { i - grid.columns } else { i - 1 }];
-        for joint in 0..6 {
-            thetas[i][joint] = before[joint] + wrapped(thetas[i][joint] - before[joint]);
+    // An odd number of rows and columns: the middle one is the centre.
+    let centre = thetas[thetas.len() / 2];
+    for theta in &mut thetas {
+        for (angle, centre) in theta.iter_mut().zip(centre) {
+            *angle = centre + wrapped(*angle - centre);
+            if FRAC_PI_2 <= (*angle - centre).abs() {
+                return None;
+            }
         }
-    }
-    let jumps = |(i, j): (usize, usize)| (0..6).any(|joint| FRAC_PI_2 <= (thetas[i][joint] - thetas[j][joint]).abs());
-    if grid.edges().any(jumps) {
-        return None;
     }
     let mut joints: Vec<[f64; 6]> = thetas.iter().map(|theta| geometry.reported(theta, limits.third_axis)).collect();
     let mut limit_margin = (f64::INFINITY, 1);
@@ -64,15 +63,19 @@ pub(super) fn sweep(
         let range = limits.joints[joint];
         let low = joints.iter().map(|q| q[joint]).fold(f64::INFINITY, f64::min);
         let high = joints.iter().map(|q| q[joint]).fold(f64::NEG_INFINITY, f64::max);
-        let free = joint == 0 || (joint == 5 && roll_is_free);
-        let shift = shift_into(range.min(), range.max(), low, high, free)?;
+        let shift = match joint {
+            5 if roll_is_free && range.is_bounded() => {
+                (high - low <= range.width() + SLACK).then(|| range.middle() - f64::midpoint(low, high))?
+            }
+            _ => shift_into(range.min(), range.max(), low, high, joint == 0)?,
+        };
         for q in &mut joints {
             q[joint] += shift;
         }
         let turned = wrapped(shift * geometry.sign[joint]);
         match joint {
             0 => bearing = turned,
-            5 if free => roll = wrapped(roll + turned),
+            5 if roll_is_free => roll = wrapped(roll + turned),
             _ => {}
         }
         let margin = (low + shift - range.min()).min(range.max() - high - shift);
@@ -101,7 +104,7 @@ fn shift_into(min: f64, max: f64, low: f64, high: f64, free: bool) -> Option<f64
         return None;
     }
     if free {
-        return Some(0.0_f64.clamp(least, most)).map(|shift| if shift.is_finite() { shift } else { 0.0 });
+        return Some(0.0_f64.clamp(least, most));
     }
     if !(least.is_finite() && most.is_finite()) {
         let turns = if least.is_finite() { (least / (2.0 * PI)).ceil() } else { (most / (2.0 * PI)).floor() };
