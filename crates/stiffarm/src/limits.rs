@@ -13,6 +13,9 @@ impl Range {
     /// No limit at all.
     pub const ALL: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
 
+    /// Zero and above.
+    pub const POSITIVE: Self = Self { min: 0.0, max: f64::INFINITY };
+
     /// `None` where `min <= max` does not hold (NaN included), or both lie at the same infinity.
     pub fn new(min: f64, max: f64) -> Option<Self> {
         (min <= max && min < f64::INFINITY && f64::NEG_INFINITY < max).then_some(Self { min, max })

@@ -14,7 +14,7 @@ use rs_opw_kinematics::parallelogram::Parallelogram;
 use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
 use stiffarm::catalogue::{names, paper_robots};
 use stiffarm::compliance::{Posture, beyond_limits, compliance};
-use stiffarm::drive::{Architecture, JointCompliance};
+use stiffarm::drive::{Architecture, Drives, JointCompliance};
 use stiffarm::geometry::Geometry;
 use stiffarm::limits::ThirdAxis;
 use stiffarm::robot::{Arm, Robot};
@@ -93,9 +93,9 @@ impl Case {
 fn robot(name: &str, architecture: &str, b_mm: &str, drive_urad_per_nm: [f64; 6]) -> Robot {
     let mut robot = paper_robots().into_iter().find(|robot| names(robot, name)).unwrap();
     robot.architecture = Architecture::ALL.into_iter().find(|each| each.name() == architecture).unwrap();
-    let Arm::SixAxis { geometry, compliance, .. } = &mut robot.arm else { panic!("{name} has six axes") };
+    let Arm::SixAxis { geometry, drives, .. } = &mut robot.arm else { panic!("{name} has six axes") };
     geometry.b = 1e-3 * b_mm.parse::<f64>().unwrap();
-    *compliance = JointCompliance(drive_urad_per_nm.map(|k| 1e-6 * k));
+    *drives = Drives::new(robot.architecture, JointCompliance(drive_urad_per_nm.map(|k| 1e-6 * k)));
     robot
 }
 

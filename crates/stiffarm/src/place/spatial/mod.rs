@@ -50,10 +50,7 @@ impl SpatialOptions {
             yaw: Range::spanning(-FRAC_PI_2, FRAC_PI_2),
             orientation: Orientation::Axes,
             roll: None,
-            within: Within {
-                x: Range::new(0.0, f64::INFINITY).expect("a range"),
-                z: Range::new(0.0, f64::INFINITY).expect("a range"),
-            },
+            within: Within { x: Range::POSITIVE, z: Range::POSITIVE },
         }
     }
 
