@@ -136,6 +136,12 @@ impl Geometry {
         })
     }
 
+    /// The smaller of the angles of joint 5 to a straight wrist and of the elbow to a stretched or folded arm, rad.
+    pub fn singular_margin(&self, theta: &[f64; 6]) -> f64 {
+        let to_a_line = |angle: f64| angle.sin().abs().min(1.0).asin();
+        to_a_line(theta[4]).min(to_a_line(theta[2] + self.lean()))
+    }
+
     /// Model angles from the six joint angles as reported, rad.
     pub fn model_angles(&self, q: &[f64; 6], third_axis: ThirdAxis) -> [f64; 6] {
         let mut theta = std::array::from_fn(|i| self.sign[i] * q[i] - self.offset[i]);

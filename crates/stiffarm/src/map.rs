@@ -1,14 +1,18 @@
 //! Verb 2: how far is the tool pushed off, everywhere the arm reaches?
 
+mod section;
 mod spans;
 
 use nalgebra::Vector2;
 use rayon::prelude::*;
 
+use crate::compliance::PostureError;
 use crate::limits::Range;
 use crate::place::{PlaceError, check_force};
 use crate::plane::{Elbow, ElbowSide, InvalidArm, PlanarArm, RadialCompliance};
 use spans::{RowSpans, Scratch};
+
+pub use section::{Section, SectionOptions, reached_section, section};
 
 /// More cells than this are refused before memory is taken (800 MB).
 pub const MOST_CELLS: usize = 100_000_000;
@@ -91,6 +95,9 @@ pub enum MapError {
     /// The arm or the force makes no sense.
     #[error(transparent)]
     Arm(#[from] PlaceError),
+    /// Robot or tool make no sense.
+    #[error(transparent)]
+    Posture(#[from] PostureError),
     /// Too many cells, or none.
     #[error(
         "a map of {columns} x {rows} cells; expected at least 2 x 2 and at most {MOST_CELLS} cells: choose a larger step"

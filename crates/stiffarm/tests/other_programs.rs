@@ -16,6 +16,7 @@ use stiffarm::catalogue::{names, paper_robots};
 use stiffarm::compliance::{Posture, beyond_limits, compliance};
 use stiffarm::drive::{Architecture, Drives, JointCompliance};
 use stiffarm::geometry::Geometry;
+use stiffarm::inverse::postures;
 use stiffarm::limits::ThirdAxis;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::{Pose, Wrench};
@@ -233,6 +234,33 @@ fn random_geometry(rng: &mut fastrand::Rng) -> Geometry {
         offset: std::array::from_fn(|_| length(-PI, PI)),
         sign: std::array::from_fn(|_| if length(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 }),
     }
+}
+
+/// The largest difference of two sets of angles, whole turns aside.
+fn turned_apart(one: &[f64; 6], other: &[f64; 6]) -> f64 {
+    let differences = one.iter().zip(other).map(|(a, b)| ((a - b) / TAU - ((a - b) / TAU).round()).abs() * TAU);
+    differences.fold(0.0, f64::max)
+}
+
+#[test]
+fn the_postures_of_a_pose_are_those_that_rs_opw_kinematics_finds() {
+    let mut rng = fastrand::Rng::with_seed(23);
+    let mut counted = 0;
+    for case in 0..500 {
+        let geometry = random_geometry(&mut rng);
+        let model = Geometry { offset: [0.0; 6], sign: [1.0; 6], ..geometry };
+        let flange = model.forward(&random_angles(&mut rng));
+        let ours = postures(&model, &flange).found;
+        let theirs = opw_inverse_model_angles(&model, &flange);
+        assert_eq!(ours.len(), theirs.len(), "case {case}: {ours:?} {theirs:?}");
+        counted += ours.len();
+        for angles in &theirs {
+            let nearest = ours.iter().map(|(_, angles_of_ours)| turned_apart(angles, angles_of_ours));
+            // Near a stretched arm or a straight wrist angles are as ill conditioned as a square root.
+            assert!(nearest.fold(f64::INFINITY, f64::min) < 1e-6, "case {case}: {angles:?} not among {ours:?}");
+        }
+    }
+    assert!(2000 < counted, "{counted} postures compared");
 }
 
 #[test]

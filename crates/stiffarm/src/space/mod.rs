@@ -11,6 +11,7 @@
 
 mod joints;
 mod lanes;
+mod patch;
 mod poses;
 mod sector;
 
@@ -26,6 +27,7 @@ use crate::spatial::Pose;
 use lanes::Lanes;
 use sector::Sector;
 
+pub(crate) use patch::{Grid, Patch, Stand};
 pub(crate) use poses::Near;
 pub use poses::{Best, CLASSES, class};
 
@@ -107,11 +109,13 @@ impl SpatialArm {
         tool.x == 0.0 && tool.y == 0.0
     }
 
-    /// The largest distance of the tool point from the joint-1 axis and from the joint-2 axis that the lengths allow, m.
-    pub(crate) fn farthest(&self) -> f64 {
+    /// How far from the joint-1 axis and how high from the base the tool point can be by the lengths alone, m.
+    pub(crate) fn reach(&self) -> [Range; 2] {
         let tool = self.flange_from_tool.translation.vector;
         let beyond = (self.geometry.c4 + tool.z).hypot(tool.x.hypot(tool.y));
-        self.geometry.c2 + self.geometry.l3() + beyond
+        let far = self.geometry.c2 + self.geometry.l3() + beyond;
+        let ahead = self.geometry.a1.hypot(self.geometry.b) + far;
+        [Range::spanning(0.0, ahead), Range::spanning(self.geometry.c1 - far, self.geometry.c1 + far)]
     }
 
     /// Turning the tool about its axis turns joint 6 and nothing else.

@@ -1,6 +1,5 @@
 //! Verb 3 in space: all six drives, the tool where it is, a flat zone anywhere about the robot.
 
-mod patch;
 mod search;
 mod sweep;
 

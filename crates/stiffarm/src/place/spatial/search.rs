@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::patch::{Axes, Grid, Stand};
 use super::sweep::{Sweep, sweep};
 use super::{Resolution, SpatialMisfit, SpatialOptions, SpatialPlacement, SpatiallyPlaced, wrapped};
 use crate::compliance::compliance;
@@ -13,7 +12,7 @@ use crate::inverse::Class;
 use crate::limits::Range;
 use crate::place::Orientation;
 use crate::robot::Robot;
-use crate::space::{CLASSES, Near, SpatialArm, class};
+use crate::space::{CLASSES, Grid, Near, Patch, SpatialArm, Stand, class};
 use crate::task::Zone;
 
 /// Places along the longer side of what is searched.
@@ -104,14 +103,10 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a SpatialOptions) -> Self {
         let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
-        let far = arm.farthest();
-        let reach = arm.geometry.a1.hypot(arm.geometry.b) + far;
-        let region = [
-            options.within.x.intersect(Range::spanning(0.0, reach)),
-            options.within.z.intersect(Range::spanning(arm.geometry.c1 - far, arm.geometry.c1 + far)),
-        ];
-        // A place that cannot be: nothing is searched.
-        let region = region.map(|range| range.unwrap_or(Range::point(f64::INFINITY.min(1e9))));
+        let [ahead, up] = arm.reach();
+        // Where both share nothing, one place far away says so.
+        let region = [options.within.x.intersect(ahead), options.within.z.intersect(up)]
+            .map(|range| range.unwrap_or(Range::point(1e9)));
         let longest = region[0].width().max(region[1].width());
         Self {
             robot,
@@ -203,8 +198,8 @@ impl<'a> Search<'a> {
     /// The best value at each stand alone, with its place in the list; infinite where it is not reached.
     fn centres(&self, stands: &[Stand], of_one_turn: usize) -> Vec<(f64, usize)> {
         let one_turn = |(turn, stands): (usize, &[Stand])| {
-            let axes = Axes::of(self.options.elevation, &stands[0]);
-            let orientation = self.freed.orientation(axes.tool());
+            let patch = Patch::of(self.options.elevation, &stands[0]);
+            let orientation = self.freed.orientation(patch.tool());
             let column = |part: fn(&Stand) -> f64| stands.iter().map(part).collect::<Vec<f64>>();
             let (x, y, z) = (column(|stand| stand.x), vec![0.0; stands.len()], column(|stand| stand.z));
             let mut classes = vec![vec![0.0; stands.len()]; CLASSES];
@@ -246,14 +241,14 @@ impl<'a> Search<'a> {
 
     /// The score of every class.
     fn scores(&self, stand: &Stand, grid: &Grid) -> [Score; CLASSES] {
-        let axes = Axes::of(self.options.elevation, stand);
+        let patch = Patch::of(self.options.elevation, stand);
         let count = grid.points.len();
         let mut points = vec![0.0; 3 * count];
         let (x, yz) = points.split_at_mut(count);
         let (y, z) = yz.split_at_mut(count);
         let within = &self.options.within;
         for (i, &at) in grid.points.iter().enumerate() {
-            let point = axes.point(stand, at);
+            let point = patch.point(stand, at);
             (x[i], y[i], z[i]) = (point.x, point.y, point.z);
             if !(within.x.contains(point.x, 1e-9) && within.z.contains(point.z, 1e-9)) {
                 return [Score::NONE; CLASSES];
@@ -262,8 +257,8 @@ impl<'a> Search<'a> {
         let mut classes = vec![0.0; CLASSES * count];
         let mut rows = classes.chunks_exact_mut(count);
         let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
-        let near = self.freed.near(&axes.pose(stand, [0.0; 2]));
-        self.freed.classes_at(&self.freed.orientation(axes.tool()), &near, [x, y, z], into);
+        let near = self.freed.near(&patch.pose(stand, [0.0; 2]));
+        self.freed.classes_at(&self.freed.orientation(patch.tool()), &near, [x, y, z], into);
         let mut rows = classes.chunks_exact(count);
         std::array::from_fn(|_| {
             let row = rows.next().expect("one row per class");
@@ -353,8 +348,8 @@ impl<'a> Search<'a> {
         let judged: Vec<_> = judged.collect::<Option<_>>()?;
         let worst = judged.iter().map(|posture| posture.compliance.worst());
         let (at, (value, direction)) = worst.enumerate().max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
-        let axes = Axes::of(self.options.elevation, stand);
-        let worst_point: Vector3<f64> = axes.point(stand, grid.points[at]);
+        let patch = Patch::of(self.options.elevation, stand);
+        let worst_point: Vector3<f64> = patch.point(stand, grid.points[at]);
         let half_turn = |angle: f64| angle.rem_euclid(PI);
         Some(SpatialPlacement {
             deflection: value * self.options.force,

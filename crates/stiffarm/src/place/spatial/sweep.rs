@@ -2,11 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::patch::{Axes, Grid, Stand};
 use super::wrapped;
 use crate::inverse::{Class, SLACK, postures};
 use crate::robot::{Arm, Robot};
-use crate::space::SpatialArm;
+use crate::space::{Grid, Patch, SpatialArm, Stand};
 
 /// A zone swept in one posture.
 #[derive(Clone, Debug)]
@@ -39,11 +38,11 @@ pub(super) fn sweep(
     roll_is_free: bool,
 ) -> Option<Sweep> {
     let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return None };
-    let axes = Axes::of(elevation, stand);
+    let patch = Patch::of(elevation, stand);
     let flange_from_tool = arm.flange_from_tool.inverse();
     let mut thetas = Vec::with_capacity(grid.points.len());
     for &at in &grid.points {
-        let found = postures(geometry, &(axes.pose(stand, at) * flange_from_tool));
+        let found = postures(geometry, &(patch.pose(stand, at) * flange_from_tool));
         thetas.push(found.found.into_iter().find(|(found, _)| *found == class)?.1);
     }
     // An odd number of rows and columns: the middle one is the centre.
@@ -87,12 +86,7 @@ pub(super) fn sweep(
     if !thetas.iter().all(between) {
         return None;
     }
-    let singular = |theta: &[f64; 6]| {
-        let wrist = theta[4].sin().abs().min(1.0).asin();
-        let arm = (theta[2] + geometry.lean()).sin().abs().min(1.0).asin();
-        wrist.min(arm)
-    };
-    let singular_margin = thetas.iter().map(singular).fold(f64::INFINITY, f64::min);
+    let singular_margin = thetas.iter().map(|theta| geometry.singular_margin(theta)).fold(f64::INFINITY, f64::min);
     Some(Sweep { bearing, roll, joints, limit_margin, singular_margin })
 }
 

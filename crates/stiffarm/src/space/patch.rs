@@ -1,4 +1,4 @@
-//! A flat zone as poses of the tool.
+//! Flat zones as poses of the tool.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -7,24 +7,25 @@ use crate::task::Zone;
 
 /// Where a patch stands and how the tool is turned; angles in rad, lengths in m from the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stand {
-    pub(super) x: f64,
-    pub(super) z: f64,
-    pub(super) yaw: f64,
-    pub(super) angle: f64,
-    pub(super) roll: f64,
+pub(crate) struct Stand {
+    pub(crate) x: f64,
+    pub(crate) z: f64,
+    pub(crate) yaw: f64,
+    pub(crate) angle: f64,
+    pub(crate) roll: f64,
 }
 
-/// Axes of a patch whose normal is a tool axis of that elevation: first side at angle zero, across it, and the tool axis.
+/// A flat patch that the tool axis meets at a right angle: its two sides, and how the tool stands on it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Axes {
+pub(crate) struct Patch {
     first: Vector3<f64>,
     second: Vector3<f64>,
     tool: Matrix3<f64>,
 }
 
-impl Axes {
-    pub(super) fn of(elevation: f64, stand: &Stand) -> Self {
+impl Patch {
+    /// With a tool axis that rises by `elevation`, rad, above the horizontal.
+    pub(crate) fn of(elevation: f64, stand: &Stand) -> Self {
         let (se, ce) = elevation.sin_cos();
         let (sy, cy) = stand.yaw.sin_cos();
         let about = |ahead: f64, left: f64, up: f64| Vector3::new(cy * ahead - sy * left, sy * ahead + cy * left, up);
@@ -40,17 +41,18 @@ impl Axes {
         }
     }
 
-    pub(super) fn tool(&self) -> &Matrix3<f64> {
+    /// The tool's axes in those of the base.
+    pub(crate) fn tool(&self) -> &Matrix3<f64> {
         &self.tool
     }
 
     /// A point of the patch, base axes.
-    pub(super) fn point(&self, stand: &Stand, [u, v]: [f64; 2]) -> Vector3<f64> {
+    pub(crate) fn point(&self, stand: &Stand, [u, v]: [f64; 2]) -> Vector3<f64> {
         Vector3::new(stand.x, 0.0, stand.z) + self.first * u + self.second * v
     }
 
     /// The pose of the tool there.
-    pub(super) fn pose(&self, stand: &Stand, at: [f64; 2]) -> Pose {
+    pub(crate) fn pose(&self, stand: &Stand, at: [f64; 2]) -> Pose {
         let rotation = nalgebra::Rotation3::from_matrix_unchecked(self.tool);
         Pose::from_parts(self.point(stand, at).into(), rotation.into())
     }
@@ -58,16 +60,16 @@ impl Axes {
 
 /// Points that cover a zone row by row; the middle one is its centre.
 #[derive(Clone, Debug)]
-pub(super) struct Grid {
-    pub(super) points: Vec<[f64; 2]>,
+pub(crate) struct Grid {
+    pub(crate) points: Vec<[f64; 2]>,
     /// The largest distance between neighbours, m.
-    pub(super) step: f64,
+    pub(crate) step: f64,
 }
 
 impl Grid {
     /// `cells`, an even number, along the shorter side (or the diameter), as many more along the longer one as keep the cells square, up
     /// to eight times as many.
-    pub(super) fn of(zone: Zone, cells: usize) -> Self {
+    pub(crate) fn of(zone: Zone, cells: usize) -> Self {
         let [first, second] = zone.sides();
         let short = first.min(second);
         let along = |side: f64| cells * ((side / short).round() as usize).clamp(1, 8);
@@ -113,15 +115,15 @@ mod tests {
     fn a_table_a_wall_and_the_tool_stand_as_people_draw_them() {
         let stand = Stand { x: 1.5, z: 0.8, yaw: 0.0, angle: 0.0, roll: 0.0 };
         let close = |a: Vector3<f64>, b: [f64; 3]| assert!((a - Vector3::from(b)).norm() < 1e-12, "{a} is not {b:?}");
-        let table = Axes::of(-FRAC_PI_2, &stand);
+        let table = Patch::of(-FRAC_PI_2, &stand);
         close(table.point(&stand, [0.1, 0.2]), [1.6, 0.2, 0.8]);
         close(table.tool().column(2).into(), [0.0, 0.0, -1.0]);
         close(table.tool().column(0).into(), [1.0, 0.0, 0.0]);
-        let wall = Axes::of(0.0, &stand);
+        let wall = Patch::of(0.0, &stand);
         close(wall.point(&stand, [0.1, 0.2]), [1.5, 0.2, 0.9]);
         close(wall.tool().column(2).into(), [1.0, 0.0, 0.0]);
         let aside = Stand { yaw: FRAC_PI_2, roll: FRAC_PI_2, ..stand };
-        let wall = Axes::of(0.0, &aside);
+        let wall = Patch::of(0.0, &aside);
         close(wall.point(&aside, [0.0, 0.2]), [1.3, 0.0, 0.8]);
         close(wall.tool().column(2).into(), [0.0, 1.0, 0.0]);
         close(wall.tool().column(0).into(), [1.0, 0.0, 0.0]);

@@ -1,0 +1,265 @@
+//! Verb 2 in space: a section through everything the tool reaches, straight ahead of the robot.
+
+use std::f64::consts::PI;
+
+use rayon::prelude::*;
+
+use super::{Axis, MOST_CELLS, Map, MapError};
+use crate::inverse::{Class, postures, within_limits};
+use crate::limits::Range;
+use crate::place::check_force;
+use crate::robot::Robot;
+use crate::space::{CLASSES, Near, Patch, SpatialArm, Stand, class};
+use crate::spatial::Pose;
+
+/// Rolls that are tried where any will do and they differ, rad apart.
+const ROLL_STEP: f64 = PI / 36.0;
+
+/// What is mapped: tool poses in the plane through the joint-1 axis that points straight ahead, the tool axis in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionOptions {
+    /// Ahead, from the joint-1 axis.
+    pub x: Axis,
+    /// Upwards, from the base.
+    pub z: Axis,
+    /// Force, N, in its worst direction.
+    pub force: f64,
+    /// The tool frame in the flange frame; z is the tool axis.
+    pub flange_from_tool: Pose,
+    /// Angle of the tool axis above the horizontal, rad: `-pi/2` down, `0` ahead.
+    pub elevation: f64,
+    /// About the tool axis, rad; the stiffest of every 5 degrees at each point where `None`.
+    pub roll: Option<f64>,
+    /// One posture, or the stiffest at each point.
+    pub class: Option<Class>,
+}
+
+/// Deflections with the posture that holds them; absent where no posture reaches within the limits.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// Worst deflection, m.
+    pub worst: Map,
+    /// Distance of the nearest joint to its limits, rad; joint 1 left aside, and joint 6 where the roll moves nothing.
+    pub limit_margin: Map,
+    /// Distance to a straight wrist or a stretched or folded arm, rad.
+    pub singular_margin: Map,
+    /// Posture and roll (rad) of every cell, row by row.
+    postures: Vec<Option<(Class, f64)>>,
+}
+
+impl Section {
+    /// Posture and roll, rad, at column `i` and row `j`.
+    pub fn posture(&self, i: usize, j: usize) -> Option<(Class, f64)> {
+        self.postures[j * self.worst.x.count + i]
+    }
+}
+
+/// Maps the worst deflection over the section, all six drives compliant, at the best posture and roll of every point.
+///
+/// The points stand for all places about the robot: joint 1 turns there, and its limits are left aside.
+///
+/// # Errors
+/// Where an argument makes no sense; a map that is too large is refused before memory is taken.
+pub fn section(robot: &Robot, options: &SectionOptions) -> Result<Section, MapError> {
+    check_force(options.force)?;
+    let (columns, rows) = (options.x.count, options.z.count);
+    // Five numbers a cell instead of one.
+    if columns < 2 || rows < 2 || !columns.checked_mul(rows).is_some_and(|cells| cells <= MOST_CELLS / 5) {
+        return Err(MapError::Size { columns, rows });
+    }
+    for Axis { start, step, .. } in [options.x, options.z] {
+        if !(start.is_finite() && step.is_finite() && 0.0 < step) {
+            return Err(MapError::Grid { start, step });
+        }
+    }
+    for angle in [options.elevation, options.roll.unwrap_or(0.0)] {
+        if !(angle.abs() <= 1e3) {
+            return Err(MapError::Direction(angle));
+        }
+    }
+    let arm = SpatialArm::new(robot, &options.flange_from_tool)?;
+    let scan = Scan::new(&arm, options);
+    let cells: Vec<Cell> = (0..rows).into_par_iter().flat_map_iter(|j| scan.row(j)).collect();
+    let layer = |value: fn(&Cell) -> f64| Map { x: options.x, z: options.z, cells: cells.iter().map(value).collect() };
+    Ok(Section {
+        worst: layer(|cell| cell.worst),
+        limit_margin: layer(|cell| cell.limit_margin),
+        singular_margin: layer(|cell| cell.singular_margin),
+        postures: cells.iter().map(|cell| cell.posture).collect(),
+    })
+}
+
+/// The upright box, m from the base, outside which the tool reaches nothing in this direction: ahead, upwards.
+///
+/// Found on a 96 x 192 grid and widened by one step; `None` where nothing is reached.
+///
+/// # Errors
+/// Where robot or tool make no sense.
+pub fn reached_section(robot: &Robot, options: &SectionOptions) -> Result<Option<[Range; 2]>, MapError> {
+    let arm = SpatialArm::new(robot, &options.flange_from_tool)?;
+    let [ahead, up] = arm.reach();
+    let x = Axis::between(0.0, ahead.max(), 96);
+    let z = Axis::between(up.min(), up.max(), 192);
+    let found = section(robot, &SectionOptions { x, z, ..*options })?.worst;
+    let reached = |i: usize, j: usize| found.get(i, j).is_some();
+    let columns: Vec<usize> = (0..x.count).filter(|&i| (0..z.count).any(|j| reached(i, j))).collect();
+    let rows: Vec<usize> = (0..z.count).filter(|&j| (0..x.count).any(|i| reached(i, j))).collect();
+    let span = |axis: Axis, cells: &[usize]| {
+        let (first, last) = (*cells.first()?, *cells.last()?);
+        Some(Range::spanning(axis.at(first) - axis.step, axis.at(last) + axis.step))
+    };
+    let ahead_of_axis = |range: Range| range.intersect(Range::POSITIVE);
+    Ok(span(x, &columns).and_then(ahead_of_axis).zip(span(z, &rows)).map(|(x, z)| [x, z]))
+}
+
+/// One point of a section; NaN where nothing reaches it.
+#[derive(Clone, Copy)]
+struct Cell {
+    worst: f64,
+    limit_margin: f64,
+    singular_margin: f64,
+    posture: Option<(Class, f64)>,
+}
+
+struct Scan<'a> {
+    options: &'a SectionOptions,
+    freed: SpatialArm,
+    patches: Vec<(f64, Patch)>,
+}
+
+impl<'a> Scan<'a> {
+    fn new(arm: &SpatialArm, options: &'a SectionOptions) -> Self {
+        let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
+        let rolls = match options.roll {
+            Some(roll) => vec![roll],
+            None if roll_is_free => vec![0.0],
+            None => (0..72).map(|i| f64::from(i) * ROLL_STEP).collect(),
+        };
+        let patch = |roll| Patch::of(options.elevation, &Stand { x: 0.0, z: 0.0, yaw: 0.0, angle: 0.0, roll });
+        Self {
+            options,
+            freed: arm.without_limit_on(0, true).without_limit_on(5, roll_is_free),
+            patches: rolls.into_iter().map(|roll| (roll, patch(roll))).collect(),
+        }
+    }
+
+    fn row(&self, j: usize) -> Vec<Cell> {
+        let (x, z) = (self.options.x.points(), vec![self.options.z.at(j); self.options.x.count]);
+        let y = vec![0.0; x.len()];
+        let mut best: Vec<(f64, usize, usize)> = vec![(f64::INFINITY, 0, 0); x.len()];
+        let mut classes = vec![vec![0.0; x.len()]; CLASSES];
+        for (number, (_, patch)) in self.patches.iter().enumerate() {
+            let mut rows = classes.iter_mut().map(Vec::as_mut_slice);
+            let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
+            let orientation = self.freed.orientation(patch.tool());
+            self.freed.classes_at(&orientation, &Near::default(), [&x, &y, &z], into);
+            let wanted = |place: &usize| self.options.class.is_none_or(|only| only == class(*place));
+            for place in (0..CLASSES).filter(wanted) {
+                for (best, value) in best.iter_mut().zip(&classes[place]) {
+                    if *value < best.0 {
+                        *best = (*value, place, number);
+                    }
+                }
+            }
+        }
+        best.into_iter().zip(x).map(|(best, x)| self.cell(best, x, z[0])).collect()
+    }
+
+    fn cell(&self, (worst, place, number): (f64, usize, usize), x: f64, z: f64) -> Cell {
+        if !worst.is_finite() {
+            return Cell { worst: f64::NAN, limit_margin: f64::NAN, singular_margin: f64::NAN, posture: None };
+        }
+        let (roll, patch) = &self.patches[number];
+        let stand = Stand { x, z, yaw: 0.0, angle: 0.0, roll: *roll };
+        let flange = patch.pose(&stand, [0.0; 2]) * self.options.flange_from_tool.inverse();
+        let class = class(place);
+        let found = postures(&self.freed.geometry, &flange).found;
+        let same_arm = |other: &Class| other.shoulder == class.shoulder && other.elbow == class.elbow;
+        // At a singular wrist one representative stands for both.
+        let theta = found.iter().find(|way| way.0 == class).or_else(|| found.iter().find(|way| same_arm(&way.0)));
+        let limit_margin = theta.and_then(|(_, theta)| {
+            let q = within_limits(&self.freed.geometry, &self.freed.limits, theta)?;
+            let room = |(q, range): (f64, &Range)| (q - range.min()).min(range.max() - q);
+            Some(q.into_iter().zip(&self.freed.limits.joints).map(room).fold(f64::INFINITY, f64::min).max(0.0))
+        });
+        Cell {
+            worst: worst * self.options.force,
+            limit_margin: limit_margin.unwrap_or(0.0),
+            singular_margin: theta.map_or(0.0, |(_, theta)| self.freed.geometry.singular_margin(theta)),
+            posture: Some((class, *roll)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::paper_robots;
+    use crate::compliance::compliance;
+    use crate::inverse::reached;
+    use std::f64::consts::FRAC_PI_2;
+
+    #[test]
+    fn every_cell_is_what_single_postures_give_and_blank_where_there_are_none() {
+        let tools = [Pose::identity(), Pose::translation(0.15, 0.0, 0.1)];
+        for (n, robot) in paper_robots().iter().enumerate().take(4) {
+            let tool = tools[n % 2];
+            let options = SectionOptions {
+                x: Axis::between(0.4, 2.6, 8),
+                z: Axis::between(0.2, 2.2, 7),
+                force: 1000.0,
+                flange_from_tool: tool,
+                elevation: [-FRAC_PI_2, 0.0][n / 2],
+                roll: Some(0.3),
+                class: None,
+            };
+            let found = section(robot, &options).unwrap();
+            for j in 0..7 {
+                for i in 0..8 {
+                    let stand = Stand { x: options.x.at(i), z: options.z.at(j), yaw: 0.0, angle: 0.0, roll: 0.3 };
+                    let pose = Patch::of(options.elevation, &stand).pose(&stand, [0.0; 2]);
+                    let ways = reached(robot, &(pose * tool.inverse()));
+                    let values = ways.iter().map(|way| compliance(robot, &way.1, &tool).unwrap().compliance.worst().0);
+                    match found.worst.get(i, j) {
+                        Some(worst) => {
+                            let expected = values.fold(f64::INFINITY, f64::min) * 1000.0;
+                            assert!((worst - expected).abs() <= 1e-7 * expected, "{} {stand:?}", robot.name);
+                            let (class, roll) = found.posture(i, j).unwrap();
+                            assert!(ways.iter().any(|way| way.0 == class) && roll == 0.3, "{class}");
+                        }
+                        None => assert!(ways.is_empty(), "{}: {stand:?} is reached by {ways:?}", robot.name),
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_roll_of_a_flange_changes_nothing_and_the_best_roll_of_a_tool_aside_is_no_worse_than_any() {
+        let robot = &paper_robots()[4];
+        let options = SectionOptions {
+            x: Axis::between(0.8, 2.4, 9),
+            z: Axis::between(0.3, 2.0, 9),
+            force: 1.0,
+            flange_from_tool: Pose::identity(),
+            elevation: 0.0,
+            roll: None,
+            class: None,
+        };
+        let best = section(robot, &options).unwrap().worst;
+        let rolled = section(robot, &SectionOptions { roll: Some(1.0), ..options }).unwrap().worst;
+        let aside = Pose::translation(0.2, 0.0, 0.1);
+        let best_aside = section(robot, &SectionOptions { flange_from_tool: aside, ..options }).unwrap().worst;
+        let rolled_aside =
+            section(robot, &SectionOptions { flange_from_tool: aside, roll: Some(ROLL_STEP * 7.0), ..options });
+        let rolled_aside = rolled_aside.unwrap().worst;
+        for (i, j) in (0..81).map(|cell| (cell % 9, cell / 9)) {
+            if let (Some(best), Some(rolled)) = (best.get(i, j), rolled.get(i, j)) {
+                assert!((best - rolled).abs() <= 1e-12 * best);
+            }
+            if let Some(rolled) = rolled_aside.get(i, j) {
+                assert!(best_aside.get(i, j).unwrap() <= rolled);
+            }
+        }
+    }
+}
