@@ -2,54 +2,83 @@
 
 use rayon::prelude::*;
 
-use crate::place::{PlaceError, PlaceOptions, Placed, Placement, find_robot, place_robot};
+use crate::place::{
+    PlaceError, PlaceOptions, Placed, Placement, SpatialOptions, SpatialPlaceError, SpatiallyPlaced, find_robot,
+    place_in_space, place_robot,
+};
 use crate::robot::{Robot, Status};
 use crate::task::Task;
 
+/// What a ranking knows of one robot and one task.
+pub trait Cell {
+    /// Deflection at the best place, m; `None` where there is no place.
+    fn deflection(&self) -> Option<f64>;
+}
+
+/// In the planar model: an error where the search did not end ([`PlaceError::Unfinished`]).
+pub type PlanarCell = Result<Placed, PlaceError>;
+
+impl Cell for PlanarCell {
+    fn deflection(&self) -> Option<f64> {
+        self.as_ref().ok()?.feasible().map(|placement| placement.deflection)
+    }
+}
+
+impl Cell for SpatiallyPlaced {
+    fn deflection(&self) -> Option<f64> {
+        self.feasible().map(|placement| placement.deflection)
+    }
+}
+
 /// One robot in a ranking.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct Row<C = PlanarCell> {
     /// Which.
     pub robot: Robot,
-    /// Deflection, m, at the stiffest posture the links allow: no placement of any task can have less.
-    pub floor: f64,
-    /// One answer per task; an error where the search did not end ([`PlaceError::Unfinished`]).
-    pub cells: Vec<Result<Placed, PlaceError>>,
+    /// One answer per task.
+    pub cells: Vec<C>,
     /// How much worse than the best robot of each task, as a geometric mean over the tasks it can do; 1 is the best.
     pub score: f64,
 }
 
-impl Row {
+impl<C: Cell> Row<C> {
     /// How many tasks have no place.
     pub fn misfits(&self) -> usize {
-        (0..self.cells.len()).filter(|&task| self.placement(task).is_none()).count()
+        self.cells.iter().filter(|cell| cell.deflection().is_none()).count()
+    }
+
+    /// Deflection of a task, m.
+    pub fn deflection(&self, task: usize) -> Option<f64> {
+        self.cells[task].deflection()
+    }
+}
+
+impl Row {
+    /// Deflection, m, under a force, N, at the stiffest posture the links allow: no placement of any task can have less.
+    pub fn floor(&self, force: f64) -> f64 {
+        self.robot.arm_plane().map_or(f64::NAN, |plane| plane.arm.radial().floor() * force)
     }
 
     /// The best place of a task, where there is one.
     pub fn placement(&self, task: usize) -> Option<&Placement> {
         self.cells[task].as_ref().ok()?.feasible()
     }
-
-    /// Deflection of a task, m.
-    pub fn deflection(&self, task: usize) -> Option<f64> {
-        self.placement(task).map(|placement| placement.deflection)
-    }
 }
 
 /// Robots in order: those that can do more of the tasks first, then by [`Row::score`].
 #[derive(Clone, Debug)]
-pub struct Ranking {
+pub struct Ranking<C = PlanarCell> {
     /// What was asked.
     pub tasks: Vec<Task>,
     /// Cutting force, N.
     pub force: f64,
     /// The best first.
-    pub rows: Vec<Row>,
+    pub rows: Vec<Row<C>>,
 }
 
-impl Ranking {
+impl<C: Cell> Ranking<C> {
     /// The stiffest robot for a task among those that `filter` lets pass; of equals the one that ranks higher.
-    pub fn best(&self, task: usize, filter: impl Fn(&Robot) -> bool) -> Option<&Row> {
+    pub fn best(&self, task: usize, filter: impl Fn(&Robot) -> bool) -> Option<&Row<C>> {
         self.rows
             .iter()
             .filter(|row| filter(&row.robot))
@@ -59,7 +88,7 @@ impl Ranking {
     }
 
     /// The same among robots of which no number is assumed.
-    pub fn best_published(&self, task: usize) -> Option<&Row> {
+    pub fn best_published(&self, task: usize) -> Option<&Row<C>> {
         self.best(task, |robot| robot.status != Status::Estimated)
     }
 }
@@ -73,7 +102,7 @@ pub struct RankError {
     /// Which task.
     pub task: String,
     /// Why.
-    pub error: PlaceError,
+    pub error: SpatialPlaceError,
 }
 
 /// How the deflection of one robot grows with the size of a zone.
@@ -99,7 +128,7 @@ pub fn curves(
     let deflection = |robot: &Robot, scale: f64| match find_robot(robot, shape.zone.scaled(scale), options) {
         Ok(placement) => Ok(placement.map(|placement| placement.deflection)),
         Err(PlaceError::Unfinished { .. }) => Ok(None),
-        Err(error) => Err(RankError { robot: robot.name.clone(), task: shape.label.clone(), error }),
+        Err(error) => Err(RankError { robot: robot.name.clone(), task: shape.label.clone(), error: error.into() }),
     };
     let curve = |robot: &Robot| {
         let mut curve = Curve { points: Vec::new(), is_complete: false };
@@ -144,26 +173,49 @@ pub fn rank(
     options: &PlaceOptions,
     done: impl Fn() + Sync,
 ) -> Result<Ranking, RankError> {
+    ranked(robots, tasks, options.force, done, |robot, task| match place_robot(robot, task.zone, options) {
+        placed @ (Ok(_) | Err(PlaceError::Unfinished { .. })) => Ok(placed),
+        Err(error) => Err(error.into()),
+    })
+}
+
+/// The same in space: all six drives, flat zones about the robot ([`place_in_space`]).
+///
+/// # Errors
+/// As [`rank`]; a planar robot cannot be judged.
+pub fn rank_in_space(
+    robots: &[Robot],
+    tasks: &[Task],
+    options: &SpatialOptions,
+    done: impl Fn() + Sync,
+) -> Result<Ranking<SpatiallyPlaced>, RankError> {
+    ranked(robots, tasks, options.force, done, |robot, task| place_in_space(robot, task.zone, options))
+}
+
+/// Judges every robot for every task, and puts the robots in order.
+fn ranked<C: Cell + Send>(
+    robots: &[Robot],
+    tasks: &[Task],
+    force: f64,
+    done: impl Fn() + Sync,
+    judge: impl Fn(&Robot, &Task) -> Result<C, SpatialPlaceError> + Sync,
+) -> Result<Ranking<C>, RankError> {
     let pairs: Vec<(&Robot, &Task)> =
         robots.iter().flat_map(|robot| tasks.iter().map(move |task| (robot, task))).collect();
-    let cells: Vec<Result<Placed, PlaceError>> = pairs
+    let cells: Vec<C> = pairs
         .par_iter()
         .with_max_len(1)
         .map(|(robot, task)| {
-            let placed = place_robot(robot, task.zone, options);
+            let judged = judge(robot, task);
             done();
-            match placed {
-                Ok(_) | Err(PlaceError::Unfinished { .. }) => Ok(placed),
-                Err(error) => Err(RankError { robot: robot.name.clone(), task: task.label.clone(), error }),
-            }
+            judged.map_err(|error| RankError { robot: robot.name.clone(), task: task.label.clone(), error })
         })
         .collect::<Result<_, _>>()?;
     let mut cells = cells.into_iter();
-    let mut rows: Vec<Row> = robots
+    let mut rows: Vec<Row<C>> = robots
         .iter()
         .map(|robot| Row {
             robot: robot.clone(),
-            floor: robot.arm_plane().map_or(f64::NAN, |plane| plane.arm.radial().floor() * options.force),
             cells: cells.by_ref().take(tasks.len()).collect(),
             score: f64::INFINITY,
         })
@@ -182,5 +234,5 @@ pub fn rank(
         let names = || (&a.robot.vendor, &a.robot.name).cmp(&(&b.robot.vendor, &b.robot.name));
         a.misfits().cmp(&b.misfits()).then(a.score.total_cmp(&b.score)).then_with(names)
     });
-    Ok(Ranking { tasks: tasks.to_vec(), force: options.force, rows })
+    Ok(Ranking { tasks: tasks.to_vec(), force, rows })
 }

@@ -309,7 +309,7 @@ impl Answer for RankAnswer<'_> {
                 format!("{}{}", robot.full_name(), if robot.status == Status::Estimated { " ~" } else { "" }),
                 robot.architecture.to_string(),
                 robot.status.to_string(),
-                fixed(row.floor * 1e3, 3),
+                fixed(row.floor(self.ranking.force) * 1e3, 3),
             ];
             cells.extend((0..tasks.len()).map(|task| self.cell(row, task)));
             cells.push(if row.score.is_finite() { fixed(row.score, 3) } else { "-".into() });
@@ -345,7 +345,7 @@ impl Answer for RankAnswer<'_> {
                 "vendor": robot.vendor,
                 "architecture": robot.architecture.name(),
                 "status": robot.status.name(),
-                "bound_mm": row.floor * 1e3,
+                "bound_mm": row.floor(self.ranking.force) * 1e3,
                 "mean_ratio": if row.score.is_finite() { json!(row.score) } else { Value::Null },
                 "cells": cells.collect::<Value>(),
             })
@@ -376,7 +376,7 @@ impl Answer for RankAnswer<'_> {
         for (i, row) in self.ranking.rows.iter().enumerate() {
             for (task, cell) in self.ranking.tasks.iter().zip(&row.cells) {
                 let Ok(placed) = cell else { continue };
-                let mut cells = vec![(i + 1).to_string(), (row.floor * 1e3).to_string()];
+                let mut cells = vec![(i + 1).to_string(), (row.floor(self.ranking.force) * 1e3).to_string()];
                 cells.extend(cell_row(&row.robot, task, &self.options, placed, self.tolerance_mm()));
                 table.row(cells);
             }
