@@ -112,6 +112,19 @@ fn a_ranking_says_when_the_force_is_more_than_robots_are_sold_for() {
 }
 
 #[test]
+fn a_figure_of_many_robots_draws_the_first_of_them_and_says_so() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("heavy.svg");
+    let file = file.to_str().unwrap();
+    run(&["rank", "--robots", "all", "--payload-kg", "200..", "--task", "A:0.3", "-q", "-o", file]);
+    let ranked = names(&["robots", "list", "--payload-kg", "200.."]).len();
+    let drawn = fs::read_to_string(file).unwrap();
+    assert!(24 < ranked && drawn.contains(&format!("; the first 24 of {ranked} robots")), "{ranked}");
+    run(&["rank", "--task", "A:0.3", "-q", "-o", file]);
+    assert!(!fs::read_to_string(file).unwrap().contains("the first"));
+}
+
+#[test]
 fn filters_that_leave_nothing_say_what_would_match() {
     let cases: &[(&[&str], &str)] = &[
         (

@@ -22,6 +22,9 @@ use crate::table::{Table, fixed};
 /// Sizes along each curve of the figure.
 const CURVE_POINTS: usize = 40;
 
+/// More curves than this cannot be told apart.
+const MOST_DRAWN: usize = 24;
+
 /// A remark names no more robots than this.
 const MOST_NAMED: usize = 12;
 
@@ -263,7 +266,8 @@ impl RankAnswer<'_> {
     }
 
     fn figure(&self) -> Result<String, Failure> {
-        let robots: Vec<Robot> = self.ranking.rows.iter().map(|row| row.robot.clone()).collect();
+        let rows = &self.ranking.rows;
+        let robots: Vec<Robot> = rows.iter().take(MOST_DRAWN).map(|row| row.robot.clone()).collect();
         let shapes = shapes(&self.ranking.tasks);
         let bar = progress(shapes.len() * robots.len() * CURVE_POINTS, "drawing curves", self.common);
         let mut panels = Vec::new();
@@ -288,7 +292,12 @@ impl RankAnswer<'_> {
             });
         }
         bar.finish_and_clear();
-        let title = format!("Worst deflection at the best place under {} N, planar model", self.ranking.force);
+        let chosen = if rows.len() == robots.len() {
+            String::new()
+        } else {
+            format!("; the first {MOST_DRAWN} of {} robots", rows.len())
+        };
+        let title = format!("Worst deflection at the best place under {} N, planar model{chosen}", self.ranking.force);
         ranking::svg(&title, &panels).map_err(figure)
     }
 }
