@@ -12,6 +12,8 @@ use stiffarm::place::{Orientation, PlaceOptions, Within};
 use stiffarm::plane::Elbow;
 use stiffarm::task::{Task, Zone};
 
+use crate::filters::Filters;
+
 /// Which robot is stiff enough for machining, where must the work stand, and how far is the tool pushed off?
 #[derive(Debug, Parser)]
 #[command(name = "stiffarm", version, propagate_version = true)]
@@ -90,7 +92,7 @@ impl Placing {
 
 #[derive(Debug, Args)]
 pub(crate) struct RankArgs {
-    /// Robots: names, patterns (*), files, folders, or the set `paper`; separated by commas or given several times
+    /// Robots: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times
     #[arg(long, value_name = "ROBOTS", value_delimiter = ',', default_value = "paper")]
     pub(crate) robots: Vec<String>,
     /// Tasks: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; separated by commas or given several times
@@ -101,6 +103,8 @@ pub(crate) struct RankArgs {
     pub(crate) tolerance_mm: Option<f64>,
     #[command(flatten)]
     pub(crate) placing: Placing,
+    #[command(flatten)]
+    pub(crate) filters: Filters,
 }
 
 #[derive(Debug, Args)]
@@ -191,9 +195,14 @@ pub(crate) struct RobotsArgs {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum RobotsAction {
-    /// The robots that come with the program
-    List,
-    /// Geometry, limits and sources of one robot
+    /// The robots that come with the program, all or those that match
+    List {
+        /// Words that must stand in the maker's or the robot's name
+        text: Vec<String>,
+        #[command(flatten)]
+        filters: Filters,
+    },
+    /// Geometry, limits and sources of one robot; -o draws what it reaches
     Show {
         /// A robot's name, or the path of a robot file
         robot: String,
@@ -317,7 +326,7 @@ fn threads(text: &str) -> Result<usize, String> {
     }
 }
 
-fn architecture(text: &str) -> Result<Architecture, String> {
+pub(crate) fn architecture(text: &str) -> Result<Architecture, String> {
     let known = Architecture::ALL.into_iter().find(|architecture| architecture.name() == text);
     known.ok_or_else(|| "expected serial or quasi-serial".into())
 }
@@ -330,14 +339,14 @@ fn shape(text: &str) -> Result<Task, String> {
 }
 
 /// `a..b`; either end may be left open.
-fn open_range(text: &str) -> Result<Range, String> {
+pub(crate) fn open_range(text: &str) -> Result<Range, String> {
     let expected = || format!("'{text}' is not a range; expected such as 0.5..2, 0.5.. or ..2, the lower end first");
     let (low, high) = text.split_once("..").ok_or_else(expected)?;
     let end = |text: &str, open: f64| {
         if text.trim().is_empty() {
             return Ok(open);
         }
-        number(text, -1e3, 1e3, "").map_err(|_| expected())
+        number(text, -1e5, 1e5, "").map_err(|_| expected())
     };
     Range::new(end(low, f64::NEG_INFINITY)?, end(high, f64::INFINITY)?).ok_or_else(expected)
 }

@@ -49,6 +49,16 @@ pub(crate) enum Failure {
     /// A folder or pattern without a robot.
     #[error("'{0}' matches no robot")]
     NoRobot(String),
+    /// No robot has all that is asked for.
+    #[error("none of {of} robots matches {asked}")]
+    NothingLeft {
+        /// The filters as they were written.
+        asked: String,
+        /// How many robots there were to choose from.
+        of: usize,
+        /// What would match.
+        hint: String,
+    },
     /// A robot file with faults.
     #[error("{0}")]
     RobotFile(#[from] stiffarm::catalogue::Faults),
@@ -117,6 +127,7 @@ impl Failure {
             Self::UnknownRobot { .. } | Self::NoRobot(_) => Some(
                 "`stiffarm robots list` names the robots; a path to a robot file or a folder of them works too".into(),
             ),
+            Self::NothingLeft { hint, .. } => Some(hint.clone()),
             Self::RobotFile(_) | Self::BadFiles(_) => Some("the README shows a complete robot file".into()),
             Self::Map { error: stiffarm::map::MapError::Size { .. }, .. } => Some("try --size 1000".into()),
             _ => None,

@@ -4,6 +4,7 @@ mod args;
 mod commands;
 mod failure;
 mod figures;
+mod filters;
 mod output;
 mod selection;
 mod table;

@@ -1,9 +1,9 @@
-//! Which robots are meant: names, patterns, files, folders.
+//! Which robots are meant: names, patterns, files, folders, the sets `paper` and `all`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stiffarm::catalogue::{names, paper_robots, read, suggestions};
+use stiffarm::catalogue::{self, Entry, entries, paper_robots, read, suggestions};
 use stiffarm::robot::Robot;
 
 use crate::failure::Failure;
@@ -13,9 +13,8 @@ const MOST_BYTES: u64 = 1 << 20;
 
 /// The one robot that a name or path means.
 pub(crate) fn robot(name: &str) -> Result<Robot, Failure> {
-    let catalogue = paper_robots();
-    if let Some(robot) = catalogue.iter().find(|robot| names(robot, name)) {
-        return Ok(robot.clone());
+    if let Some(entry) = catalogue::find(name) {
+        return Ok(entry.robot());
     }
     let path = Path::new(name);
     if path.is_file() {
@@ -26,7 +25,7 @@ pub(crate) fn robot(name: &str) -> Result<Robot, Failure> {
         let error = fs::read(path).err().unwrap_or_else(|| std::io::ErrorKind::InvalidInput.into());
         return Err(Failure::Read { path: path.into(), error });
     }
-    let suggestions = suggestions(&catalogue, name).into_iter().map(Into::into).collect();
+    let suggestions = suggestions(name).into_iter().map(Into::into).collect();
     Err(Failure::UnknownRobot { name: name.into(), suggestions })
 }
 
@@ -44,8 +43,10 @@ pub(crate) fn robots(wanted: &[String]) -> Result<Vec<Robot>, Failure> {
 }
 
 fn matching(name: &str) -> Result<Vec<Robot>, Failure> {
-    if name == "paper" || name == "all" {
-        return Ok(paper_robots());
+    match name {
+        "paper" => return Ok(paper_robots()),
+        "all" => return Ok(catalogue::robots()),
+        _ => {}
     }
     if Path::new(name).is_dir() {
         return folder(Path::new(name));
@@ -55,11 +56,10 @@ fn matching(name: &str) -> Result<Vec<Robot>, Failure> {
     }
     let pattern = glob::Pattern::new(&name.to_lowercase())
         .map_err(|error| Failure::Usage(format!("'{name}' is not a pattern: {error}")))?;
-    let matches = |robot: &Robot| {
-        let name = robot.name.to_lowercase();
-        pattern.matches(&name) || pattern.matches(&format!("{} {name}", robot.vendor.to_lowercase()))
+    let matches = |entry: &&Entry| {
+        pattern.matches(&entry.name.to_lowercase()) || pattern.matches(&entry.full_name().to_lowercase())
     };
-    let found: Vec<Robot> = paper_robots().into_iter().filter(matches).collect();
+    let found: Vec<Robot> = entries().iter().filter(matches).map(Entry::robot).collect();
     if found.is_empty() { Err(Failure::NoRobot(name.into())) } else { Ok(found) }
 }
 

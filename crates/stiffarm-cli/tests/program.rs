@@ -129,7 +129,15 @@ fn the_smallest_robot_file_reproduces_the_motivating_example() {
     fs::write(&file, SMALLEST).unwrap();
     let zone = json(&["place", &file, "--task", "rect:0.5x2"]);
     assert!((zone["deflection_mm"].as_f64().unwrap() - 1.772).abs() < 5e-4, "{zone}");
-    let both = json(&["rank", "--robots", folder.path().to_str().unwrap(), "--robots", "kuka*", "--task", "A:0.2"]);
+    let both = json(&[
+        "rank",
+        "--robots",
+        folder.path().to_str().unwrap(),
+        "--robots",
+        "kuka kr 210 r2700 e*",
+        "--task",
+        "A:0.2",
+    ]);
     assert_eq!(both["rows"].as_array().map(Vec::len), Some(2));
     assert!(run(&["robots", "check", &file]).contains("can be used"));
 }

@@ -99,6 +99,14 @@ impl Robot {
         format!("{} {}", self.vendor, self.name).trim().into()
     }
 
+    /// Joint 1 axis to wrist centre with both links straight ahead, m: `a1 + l2 + l3`.
+    pub fn stretch(&self) -> f64 {
+        match &self.arm {
+            Arm::SixAxis { geometry, .. } => geometry.a1 + geometry.c2 + geometry.l3(),
+            Arm::Planar(arm) => arm.l2 + arm.l3,
+        }
+    }
+
     /// The planar model of this robot: links 2 and 3, drives 2 and 3, the tool point at the wrist centre.
     ///
     /// Limits, offsets, signs and the meaning of joint 3 are carried into angles of the arm plane, counter-clockwise

@@ -5,6 +5,7 @@ pub(crate) mod map;
 pub(crate) mod place;
 pub(crate) mod rank;
 pub(crate) mod robots;
+mod sheet;
 pub(crate) mod study;
 pub(crate) mod validate;
 

@@ -11,6 +11,7 @@ use stiffarm::task::{Task, Zone};
 
 use super::place::{CELL_COLUMNS, cell_json, cell_row};
 use super::progress;
+use super::sheet::{ASSUMED_ARCHITECTURE, architecture};
 use crate::args::{Common, RankArgs};
 use crate::failure::Failure;
 use crate::figures::ranking::{self, Curve, Panel};
@@ -21,6 +22,12 @@ use crate::table::{Table, fixed};
 /// Sizes along each curve of the figure.
 const CURVE_POINTS: usize = 40;
 
+/// More curves than this cannot be told apart.
+const MOST_DRAWN: usize = 24;
+
+/// A remark names no more robots than this.
+const MOST_NAMED: usize = 12;
+
 pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
     if matches!(args.placing.angle, crate::args::Angle::Horizontal | crate::args::Angle::Vertical)
         && args.tasks.len() > 1
@@ -29,7 +36,7 @@ pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
             "--angle horizontal or vertical means the long side of one task; give one --task with it".into(),
         ));
     }
-    let robots = selection::robots(&args.robots)?;
+    let robots = args.filters.keep(selection::robots(&args.robots)?, &[]).map_err(|failure| widened(failure, args))?;
     let mut tasks: Vec<Task> = Vec::new();
     for task in &args.tasks {
         if !tasks.iter().any(|known| known.zone == task.zone) {
@@ -43,6 +50,17 @@ pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
     bar.finish_and_clear();
     let answer = RankAnswer { ranking, options, args, common, svg: OnceCell::new() };
     deliver(&answer, common)
+}
+
+/// Where only the paper's robots were asked, there are more.
+fn widened(failure: Failure, args: &RankArgs) -> Failure {
+    match failure {
+        Failure::NothingLeft { asked, of, hint } if args.robots == ["paper"] => {
+            let hint = format!("{hint}; these are the paper's ten, --robots all takes every robot");
+            Failure::NothingLeft { asked, of, hint }
+        }
+        other => other,
+    }
 }
 
 struct RankAnswer<'a> {
@@ -92,7 +110,11 @@ impl RankAnswer<'_> {
         if self.ranking.rows.iter().any(|row| row.cells.iter().any(Result::is_err)) {
             notes += "? the search for a place did not end; `stiffarm place` says between which values\n";
         }
+        notes += &self.overloaded();
         notes += &self.below_base();
+        if self.ranking.rows.iter().any(|row| row.robot.architecture_is_assumed) {
+            notes += ASSUMED_ARCHITECTURE;
+        }
         notes += "bound: deflection at the stiffest posture of the links; no placement of any task has less\n";
         if statuses.contains(&Status::Derived) {
             notes += "derived: partly from published figures of the same or a sister model\n";
@@ -101,6 +123,21 @@ impl RankAnswer<'_> {
             notes += "estimated: lengths or limits partly assumed, see `stiffarm robots show NAME`\n";
         }
         notes
+    }
+
+    /// Counts the robots of which the force is more than the weight they are sold to carry.
+    fn overloaded(&self) -> String {
+        let held = self.options.force / 9.81;
+        let rows = &self.ranking.rows;
+        let count = rows.iter().filter(|row| row.robot.payload_kg.is_some_and(|kg| kg < held)).count();
+        if count == 0 {
+            return String::new();
+        }
+        let (of, least) = (rows.len(), held.ceil());
+        format!(
+            "{count} of {of} robots are sold for less than this force ({held:.0} kg), and the usual 1 urad/(N m) per drive is that of \
+             heavy robots: --payload-kg {least}.. leaves them out\n"
+        )
     }
 
     /// Names the places that lie partly below the base: reached, but rarely meant.
@@ -119,10 +156,12 @@ impl RankAnswer<'_> {
             }
         }
         if found.is_empty() {
-            String::new()
-        } else {
-            format!("zones partly below the base (--within=..,0.. keeps them above): {}\n", found.join("; "))
+            return String::new();
         }
+        let more = found.len().saturating_sub(MOST_NAMED);
+        found.truncate(MOST_NAMED);
+        let more = if more == 0 { String::new() } else { format!("; and {more} robots more") };
+        format!("zones partly below the base (--within=..,0.. keeps them above): {}{more}\n", found.join("; "))
     }
 
     /// What a manager would read.
@@ -227,7 +266,8 @@ impl RankAnswer<'_> {
     }
 
     fn figure(&self) -> Result<String, Failure> {
-        let robots: Vec<Robot> = self.ranking.rows.iter().map(|row| row.robot.clone()).collect();
+        let rows = &self.ranking.rows;
+        let robots: Vec<Robot> = rows.iter().take(MOST_DRAWN).map(|row| row.robot.clone()).collect();
         let shapes = shapes(&self.ranking.tasks);
         let bar = progress(shapes.len() * robots.len() * CURVE_POINTS, "drawing curves", self.common);
         let mut panels = Vec::new();
@@ -252,7 +292,12 @@ impl RankAnswer<'_> {
             });
         }
         bar.finish_and_clear();
-        let title = format!("Worst deflection at the best place under {} N, planar model", self.ranking.force);
+        let chosen = if rows.len() == robots.len() {
+            String::new()
+        } else {
+            format!("; the first {MOST_DRAWN} of {} robots", rows.len())
+        };
+        let title = format!("Worst deflection at the best place under {} N, planar model{chosen}", self.ranking.force);
         ranking::svg(&title, &panels).map_err(figure)
     }
 }
@@ -307,7 +352,7 @@ impl Answer for RankAnswer<'_> {
             let mut cells = vec![
                 if estimated { "~".into() } else { place.to_string() },
                 format!("{}{}", robot.full_name(), if robot.status == Status::Estimated { " ~" } else { "" }),
-                robot.architecture.to_string(),
+                architecture(robot),
                 robot.status.to_string(),
                 fixed(row.floor(self.ranking.force) * 1e3, 3),
             ];

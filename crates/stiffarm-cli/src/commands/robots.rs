@@ -1,26 +1,32 @@
 //! `stiffarm robots`: list, show and check robots.
 
-use serde_json::{Map, Value, json};
-use stiffarm::catalogue::paper_robots;
-use stiffarm::limits::{Range, ThirdAxis};
+use serde_json::Value;
+use stiffarm::catalogue::{self, doubts};
 use stiffarm::plane::PlanarArm;
-use stiffarm::robot::{Arm, Robot};
+use stiffarm::robot::{Robot, Status};
 
+use super::sheet::{ASSUMED_ARCHITECTURE, Sheet, architecture, floor, sheet_json};
 use crate::args::{Common, RobotsAction, RobotsArgs};
 use crate::failure::Failure;
+use crate::filters::Filters;
 use crate::output::{Answer, deliver, print};
 use crate::selection;
-use crate::table::{Table, fixed, fixed_or_dash, full};
+use crate::table::{Table, fixed_or_dash, full};
 
 pub(crate) fn run(args: &RobotsArgs, common: &Common) -> Result<(), Failure> {
     match &args.action {
-        None | Some(RobotsAction::List) => deliver(&List(paper_robots()), common),
+        None => list(&[], &Filters::default(), common),
+        Some(RobotsAction::List { text, filters }) => list(text, filters, common),
         Some(RobotsAction::Show { robot }) => deliver(&Sheet(selection::robot(robot)?), common),
         Some(RobotsAction::Check { files }) => check(files),
     }
 }
 
-/// Reads every file, and reports the faults of all of them.
+fn list(words: &[String], filters: &Filters, common: &Common) -> Result<(), Failure> {
+    deliver(&List(filters.keep(catalogue::robots(), words)?), common)
+}
+
+/// Reads every file, and reports the faults of all of them, and what is doubtful about the rest.
 fn check(files: &[std::path::PathBuf]) -> Result<(), Failure> {
     let mut bad = 0;
     let mut all = Vec::new();
@@ -33,7 +39,12 @@ fn check(files: &[std::path::PathBuf]) -> Result<(), Failure> {
     }
     for file in &all {
         match selection::read_file(file) {
-            Ok(robot) => print(&format!("{}: {} can be used\n", file.display(), robot.full_name()))?,
+            Ok(robot) => {
+                print(&format!("{}: {} can be used\n", file.display(), robot.full_name()))?;
+                for doubt in doubts(&robot) {
+                    eprintln!("warning: {}: {doubt}", file.display());
+                }
+            }
             Err(failure) => {
                 bad += 1;
                 eprintln!("{failure}");
@@ -43,12 +54,33 @@ fn check(files: &[std::path::PathBuf]) -> Result<(), Failure> {
     if bad == 0 { Ok(()) } else { Err(Failure::BadFiles(bad)) }
 }
 
-/// The stiffest posture's deflection, um/N.
-fn floor(arm: &PlanarArm) -> f64 {
-    arm.radial().floor() * 1e6
-}
-
 struct List(Vec<Robot>);
+
+impl List {
+    /// `12 robots of 2 makers`.
+    fn count(&self) -> String {
+        let robots = self.0.len();
+        let mut makers: Vec<&str> = self.0.iter().map(|robot| robot.vendor.as_str()).collect();
+        makers.dedup(); // the list is in their order
+        let of = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+        format!("{} of {}", of(robots, "robot"), of(makers.len(), "maker"))
+    }
+
+    fn notes(&self) -> String {
+        let any = |holds: fn(&Robot) -> bool| self.0.iter().any(holds);
+        let mut notes = String::new();
+        if any(|robot| robot.architecture_is_assumed) {
+            notes += ASSUMED_ARCHITECTURE;
+        }
+        if any(|robot| robot.status == Status::Derived) {
+            notes += "derived: partly from published figures of the same or a sister model\n";
+        }
+        if any(|robot| robot.status == Status::Estimated) {
+            notes += "estimated: lengths or limits partly assumed, see `stiffarm robots show NAME`\n";
+        }
+        notes + "bound: compliance at the stiffest posture of the links, with the joint compliances of the robot file\n"
+    }
+}
 
 impl Answer for List {
     const COMMAND: &'static str = "robots list";
@@ -67,23 +99,22 @@ impl Answer for List {
             "bound um/N",
         ]);
         for robot in &self.0 {
-            let Ok(plane) = robot.arm_plane() else { continue };
-            let arm = plane.arm;
+            let arm = robot.arm_plane().ok().map(|plane| plane.arm);
+            let of_arm = |value: fn(&PlanarArm) -> f64| fixed_or_dash(arm.as_ref().map(value), 3);
             table.row([
                 robot.vendor.clone(),
                 robot.name.clone(),
-                robot.architecture.to_string(),
+                architecture(robot),
                 robot.status.to_string(),
-                fixed_or_dash(robot.payload_kg, 0),
+                robot.payload_kg.map_or_else(|| "-".into(), |kg| kg.to_string()),
                 fixed_or_dash(robot.reach, 3),
-                fixed(arm.l2, 3),
-                fixed(arm.l3, 3),
-                fixed(arm.l3 / arm.l2, 3),
-                fixed(floor(&arm), 3),
+                of_arm(|arm| arm.l2),
+                of_arm(|arm| arm.l3),
+                of_arm(|arm| arm.l3 / arm.l2),
+                of_arm(floor),
             ]);
         }
-        table.text(markdown)
-            + "bound: compliance at the stiffest posture of the links, with the joint compliances of the robot file\n"
+        format!("{}\n{}\n{}", table.text(markdown), self.count(), self.notes())
     }
 
     fn json(&self) -> Value {
@@ -101,9 +132,13 @@ impl Answer for List {
             "l2_m",
             "l3_m",
             "bound_um_per_n",
+            "architecture_assumed",
+            "mass_kg",
+            "repeatability_mm",
         ]);
         for robot in &self.0 {
-            let Ok(plane) = robot.arm_plane() else { continue };
+            let arm = robot.arm_plane().ok().map(|plane| plane.arm);
+            let of_arm = |value: fn(&PlanarArm) -> f64| full(arm.as_ref().map(value));
             table.row([
                 robot.vendor.clone(),
                 robot.name.clone(),
@@ -111,128 +146,14 @@ impl Answer for List {
                 robot.status.to_string(),
                 full(robot.payload_kg),
                 full(robot.reach),
-                plane.arm.l2.to_string(),
-                plane.arm.l3.to_string(),
-                floor(&plane.arm).to_string(),
+                of_arm(|arm| arm.l2),
+                of_arm(|arm| arm.l3),
+                of_arm(floor),
+                robot.architecture_is_assumed.to_string(),
+                full(robot.mass_kg),
+                full(robot.repeatability.map(|m| m * 1e3)),
             ]);
         }
         table
     }
-}
-
-struct Sheet(Robot);
-
-/// `-40.0 to 160.0`, in degrees.
-fn degrees(range: Range) -> String {
-    if range.is_all() {
-        "no limit".into()
-    } else {
-        format!("{:.1} to {:.1} deg", range.min().to_degrees(), range.max().to_degrees())
-    }
-}
-
-impl Sheet {
-    fn rows(&self) -> Vec<(String, String)> {
-        let robot = &self.0;
-        let mut rows: Vec<(String, String)> = vec![
-            ("robot".into(), robot.full_name()),
-            ("architecture".into(), robot.architecture.to_string()),
-            ("status".into(), robot.status.to_string()),
-            ("payload".into(), robot.payload_kg.map_or_else(|| "-".into(), |kg| format!("{kg} kg"))),
-            ("reach".into(), robot.reach.map_or_else(|| "-".into(), |reach| format!("{reach:.3} m"))),
-        ];
-        if let Arm::SixAxis { geometry, limits, drives } = &robot.arm {
-            let lengths = [
-                ("a1", geometry.a1),
-                ("a2", geometry.a2),
-                ("b", geometry.b),
-                ("c1", geometry.c1),
-                ("c2", geometry.c2),
-                ("c3", geometry.c3),
-                ("c4", geometry.c4),
-            ];
-            let lengths: Vec<String> = lengths.iter().map(|(name, m)| format!("{name} {:.0}", m * 1e3)).collect();
-            rows.push(("lengths".into(), format!("{} mm", lengths.join(", "))));
-            for (i, range) in limits.joints.iter().enumerate() {
-                let forearm = i == 2 && limits.third_axis == ThirdAxis::Forearm;
-                let remark = if forearm { " (absolute angle of the forearm)" } else { "" };
-                rows.push((format!("joint {} as reported", i + 1), degrees(*range) + remark));
-            }
-            if !limits.elbow.is_all() {
-                rows.push(("angle between the links".into(), degrees(limits.elbow)));
-            }
-            let drives: Vec<String> =
-                drives.compliance.0.iter().map(|k| format!("{}", (k * 1e12).round() / 1e6)).collect();
-            rows.push(("drive compliance".into(), format!("{} urad/(N m)", drives.join(", "))));
-        }
-        if let Ok(plane) = robot.arm_plane() {
-            let arm = plane.arm;
-            rows.push((
-                "arm plane".into(),
-                format!("l2 {:.4} m, l3 {:.4} m, l3/l2 {:.4}", arm.l2, arm.l3, arm.l3 / arm.l2),
-            ));
-            rows.push(("  shoulder".into(), degrees(arm.shoulder)));
-            rows.push(("  elbow".into(), degrees(arm.elbow)));
-            rows.push(("  forearm".into(), degrees(arm.forearm)));
-            rows.push((
-                "stiffest posture".into(),
-                format!("{:.4} um/N at {:.3} m from the joint-2 axis", floor(&arm), arm.radial().valley()),
-            ));
-        }
-        rows.extend(robot.source.iter().map(|(key, text)| (format!("source: {key}"), text.clone())));
-        rows
-    }
-}
-
-impl Answer for Sheet {
-    const COMMAND: &'static str = "robots show";
-
-    fn text(&self, markdown: bool) -> String {
-        let mut table = Table::new(["", ""]);
-        for (key, value) in self.rows() {
-            table.row([key, value]);
-        }
-        table.text(markdown)
-            + "angles of the arm plane: counter-clockwise, 0 straight ahead; negative elbow: bent forwards and down\n"
-    }
-
-    fn json(&self) -> Value {
-        sheet_json(&self.0)
-    }
-
-    fn csv(&self) -> Table {
-        let mut table = Table::new(["key", "value"]);
-        for (key, value) in self.rows() {
-            table.row([key.trim().to_owned(), value]);
-        }
-        table
-    }
-}
-
-fn sheet_json(robot: &Robot) -> Value {
-    let mut sheet = Map::new();
-    let mut put = |key: &str, value: Value| drop(sheet.insert(key.into(), value));
-    put("robot", json!(robot.name));
-    put("vendor", json!(robot.vendor));
-    put("architecture", json!(robot.architecture.name()));
-    put("status", json!(robot.status.name()));
-    put("payload_kg", json!(robot.payload_kg));
-    put("reach_m", json!(robot.reach));
-    if let Ok(plane) = robot.arm_plane() {
-        let arm = &plane.arm;
-        let range = |range: Range| {
-            let end = |x: f64| if x.is_finite() { json!(x.to_degrees()) } else { Value::Null };
-            json!([end(range.min()), end(range.max())])
-        };
-        put(
-            "arm_plane",
-            json!({
-                "l2_m": arm.l2, "l3_m": arm.l3, "k2_urad_per_nm": arm.k2 * 1e6, "k3_urad_per_nm": arm.k3 * 1e6,
-                "shoulder_deg": range(arm.shoulder), "elbow_deg": range(arm.elbow), "forearm_deg": range(arm.forearm),
-                "axis_from_base_m": plane.axis_from_base, "bound_um_per_n": floor(arm),
-            }),
-        );
-    }
-    put("source", json!(robot.source));
-    Value::Object(sheet)
 }

@@ -4,13 +4,13 @@ use stiffarm::map::Map;
 use stiffarm::plane::{ElbowSide, PlanarArm};
 use stiffarm::task::Zone;
 
-use super::axes::{Axis, Frame, heading};
+use super::axes::{Frame, heading};
 use super::bands::{Bands, Field};
 use super::canvas::{Canvas, Font, rect_path};
 use super::contour::{Grid, Line, Node, area};
 use super::labels::Spots;
 use super::legend::Legend;
-use super::scene::outline;
+use super::scene::Scene;
 use super::{FigureError, WIDTH};
 
 /// No more grid points per side are drawn: finer than the pixels of a large print.
@@ -57,19 +57,20 @@ impl MapFigure<'_> {
     /// The figure as SVG text.
     #[expect(clippy::unnecessary_wraps, reason = "all figures are called alike")]
     pub(crate) fn svg(&self) -> Result<String, FigureError> {
-        let legend = Legend::new(self.entries(), WIDTH - 80.0, 4);
+        let scene = self.scene();
+        let legend = Legend::new(scene.entries(), WIDTH - 80.0, 4);
         let mut canvas = Canvas::new(WIDTH, 0.0);
         let top = heading(&mut canvas, &self.title, &self.subtitle) + 16.0;
-        let frame = self.frame(top);
+        let frame = scene.frame(self.reached().to_vec(), top);
         let [[left, bottom], [right, _]] = frame.corners();
         let inside = rect_path([left, bottom], [right, top]);
-        canvas.clipped(&inside, |canvas| self.floor(canvas, &frame));
+        canvas.clipped(&inside, |canvas| scene.floor(canvas, &frame));
         self.draw_field(&mut canvas, &frame);
         canvas.clipped(&inside, |canvas| {
-            self.draw_base(canvas, &frame);
-            self.draw_zone(canvas, &frame);
-            self.draw_arm(canvas, &frame);
-            self.draw_worst_point(canvas, &frame);
+            scene.draw_base(canvas, &frame);
+            scene.draw_zone(canvas, &frame);
+            scene.draw_arm(canvas, &frame);
+            scene.draw_worst_point(canvas, &frame);
         });
         frame.draw(&mut canvas, "x from the joint-2 axis [m]", "z from the joint-2 axis [m]");
         legend.draw(&mut canvas, [40.0, bottom + 52.0]);
@@ -77,38 +78,8 @@ impl MapFigure<'_> {
         Ok(canvas.finish())
     }
 
-    /// Equal scales on both axes; everything that is drawn lies inside.
-    fn frame(&self, top: f64) -> Frame {
-        let mut shown = self.reached().to_vec();
-        let room = 0.12 * (self.arm.l2 + self.arm.l3);
-        shown.extend(
-            self.joints().into_iter().flatten().flat_map(|[x, z]| [[x - room, z - room], [x + room, z + room]]),
-        );
-        if let Some([x, z]) = self.standing() {
-            shown.extend([[-x - 0.45, -z - 0.15], [-x + 0.45, room]]);
-        }
-        shown.extend(self.zone.iter().flat_map(outline));
-        shown.retain(|point| point.iter().all(|x| x.is_finite()));
-        let ends = |k: usize| {
-            let values = shown.iter().map(|point| point[k]);
-            let axis = Axis::new(
-                values.clone().fold(f64::INFINITY, f64::min),
-                values.fold(f64::NEG_INFINITY, f64::max),
-                [0.0; 2],
-            );
-            (axis.from, axis.to)
-        };
-        let (x, z) = (ends(0), ends(1));
-        let scale = (750.0 / (x.1 - x.0)).min(780.0 / (z.1 - z.0));
-        // A sliver of a map still gets a frame in which axis titles have room.
-        let widened = |(from, to): (f64, f64)| {
-            let missing = (300.0 / scale - (to - from)).max(0.0) / 2.0;
-            (from - missing, to + missing)
-        };
-        let (x, z) = (widened(x), widened(z));
-        let (width, height) = (scale * (x.1 - x.0), scale * (z.1 - z.0));
-        let left = 85.0 + (750.0 - width) / 2.0;
-        Frame { x: Axis::new(x.0, x.1, [left, left + width]), y: Axis::new(z.0, z.1, [top + height, top]) }
+    fn scene(&self) -> Scene<'_> {
+        Scene { arm: self.arm, posture: self.posture, base: self.base, zone: self.zone.as_ref() }
     }
 
     /// Left bottom and right top of what is mapped, with a margin, m; of the whole grid where nothing is reached.
@@ -158,7 +129,7 @@ impl MapFigure<'_> {
         let bands = Bands::of(extremes);
         let region = region(&grid, self.arm, &metres);
         let mut spots = Spots::default();
-        for line in self.covered(frame) {
+        for line in self.scene().covered(frame) {
             spots.take(&line, 9.0);
         }
         Field { grid: &grid, region: &region, bands, at: &at }.draw(canvas, Font::new(12.0), &mut spots);
@@ -193,17 +164,22 @@ fn region(grid: &Grid, arm: &PlanarArm, metres: &dyn Fn(Node) -> [f64; 2]) -> Ve
         })
     };
     let Some(sides) = choices.into_iter().find(agrees) else { return grid.smooth_outline() };
+    edge(grid.columns, grid.rows, &|node| reached(&sides, node))
+}
+
+/// The edge of what is reached on a grid, as sharp as `reached` itself.
+pub(super) fn edge(columns: usize, rows: usize, reached: &dyn Fn(Node) -> bool) -> Vec<Line> {
     // A coarse grid would cut the corners of the area.
-    let split = EDGE_POINTS.div_ceil(grid.rows.max(grid.columns)).max(1);
+    let split = EDGE_POINTS.div_ceil(rows.max(columns)).max(1);
     let coarse = |node: Node| node.map(|i| i / split as f64);
     let fine = |count: usize| (count - 1) * split + 1;
-    let inside = |i: usize, j: usize| reached(&sides, coarse([i as f64, j as f64])).then_some(1.0);
-    let mut rings = Grid::new(fine(grid.columns), fine(grid.rows), inside).outline(|inside, outside| {
+    let inside = |i: usize, j: usize| reached(coarse([i as f64, j as f64])).then_some(1.0);
+    let mut rings = Grid::new(fine(columns), fine(rows), inside).outline(|inside, outside| {
         let at = |share: f64| [0, 1].map(|k| inside[k] as f64 + share * (outside[k] - inside[k]) as f64);
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..12 {
             let middle = f64::midpoint(low, high);
-            if reached(&sides, coarse(at(middle))) { low = middle } else { high = middle }
+            if reached(coarse(at(middle))) { low = middle } else { high = middle }
         }
         low
     });

@@ -14,6 +14,7 @@ mod legend;
 pub(crate) mod map;
 mod marks;
 pub(crate) mod ranking;
+pub(crate) mod reach;
 mod scene;
 mod stairs;
 pub(crate) mod study;
@@ -48,6 +49,9 @@ pub(crate) enum FigureError {
         /// How many there should be.
         expected: usize,
     },
+    /// There is nothing to draw.
+    #[error("{0}")]
+    Nothing(&'static str),
     /// The picture has no pixel, or too many.
     #[error("a picture of {width} x {height} pixels; expected at least one and at most {MOST_PIXELS:e}")]
     Size {

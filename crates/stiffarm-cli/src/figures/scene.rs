@@ -1,20 +1,65 @@
-//! What stands on a compliance map: floor, base, arm and zone, and their legend.
+//! What stands in the arm plane: floor, base, arm and zone, and their legend.
 
 use std::f64::consts::TAU;
 
+use stiffarm::plane::PlanarArm;
 use stiffarm::task::Zone;
 
-use super::axes::Frame;
+use super::axes::{Axis, Frame};
 use super::canvas::{Canvas, Px, path};
 use super::legend::Entry;
-use super::map::{MapFigure, ZoneMark};
+use super::map::ZoneMark;
 use super::{ALARM, INK, marks};
 
 const LINK: &str = "#ececec";
 const HALO: &str = r#"fill="none" stroke="white" stroke-opacity="0.9" stroke-width="5" stroke-linejoin="round""#;
 const CROSS: &str = r#"stroke-linecap="round" fill="none""#;
 
-impl MapFigure<'_> {
+/// What is drawn over a map or a reached set.
+pub(super) struct Scene<'a> {
+    pub arm: &'a PlanarArm,
+    /// Shoulder and elbow angle, rad, in which the arm is drawn.
+    pub posture: Option<(f64, f64)>,
+    /// The joint-2 axis from the base, m.
+    pub base: Option<[f64; 2]>,
+    pub zone: Option<&'a ZoneMark>,
+}
+
+impl Scene<'_> {
+    /// A frame below `top` px with equal scales on both axes, around `shown` (m) and everything of the scene.
+    pub(super) fn frame(&self, mut shown: Vec<[f64; 2]>, top: f64) -> Frame {
+        let room = 0.12 * (self.arm.l2 + self.arm.l3);
+        shown.extend(
+            self.joints().into_iter().flatten().flat_map(|[x, z]| [[x - room, z - room], [x + room, z + room]]),
+        );
+        if let Some([x, z]) = self.standing() {
+            let size = self.base_size();
+            shown.extend([[-x - 0.45 * size, -z - 0.15 * size], [-x + 0.45 * size, room]]);
+        }
+        shown.extend(self.zone.into_iter().flat_map(outline));
+        shown.retain(|point| point.iter().all(|x| x.is_finite()));
+        let ends = |k: usize| {
+            let values = shown.iter().map(|point| point[k]);
+            let axis = Axis::new(
+                values.clone().fold(f64::INFINITY, f64::min),
+                values.fold(f64::NEG_INFINITY, f64::max),
+                [0.0; 2],
+            );
+            (axis.from, axis.to)
+        };
+        let (x, z) = (ends(0), ends(1));
+        let scale = (750.0 / (x.1 - x.0)).min(780.0 / (z.1 - z.0));
+        // A sliver of a map still gets a frame in which axis titles have room.
+        let widened = |(from, to): (f64, f64)| {
+            let missing = (300.0 / scale - (to - from)).max(0.0) / 2.0;
+            (from - missing, to + missing)
+        };
+        let (x, z) = (widened(x), widened(z));
+        let (width, height) = (scale * (x.1 - x.0), scale * (z.1 - z.0));
+        let left = 85.0 + (750.0 - width) / 2.0;
+        Frame { x: Axis::new(x.0, x.1, [left, left + width]), y: Axis::new(z.0, z.1, [top + height, top]) }
+    }
+
     /// Joint-2 axis, elbow and wrist centre, m.
     pub(super) fn joints(&self) -> Option<[[f64; 2]; 3]> {
         let (shoulder, elbow) = self.posture?;
@@ -27,6 +72,11 @@ impl MapFigure<'_> {
         self.base.filter(|[x, z]| x.is_finite() && 0.05 < *z && z.is_finite())
     }
 
+    /// A small arm stands on a small base; 1 for the heavy ones.
+    fn base_size(&self) -> f64 {
+        f64::midpoint(self.arm.l2, self.arm.l3).clamp(0.1, 1.0)
+    }
+
     /// What labels keep clear of.
     pub(super) fn covered(&self, frame: &Frame) -> Vec<Vec<Px>> {
         let placed = |points: &[[f64; 2]]| points.iter().map(|[x, z]| frame.at(*x, *z)).collect::<Vec<_>>();
@@ -34,7 +84,7 @@ impl MapFigure<'_> {
         let mut lines = vec![vec![[left, bottom], [right, bottom], [right, top], [left, top], [left, bottom]]];
         lines.extend(self.joints().map(|joints| placed(&joints)));
         lines.extend(self.standing().map(|[x, z]| placed(&[[-x, -z], [-x, 0.0], [0.0, 0.0]])));
-        if let Some(mark) = &self.zone {
+        if let Some(mark) = self.zone {
             lines.push(placed(&outline(mark)));
             lines.push(placed(&[mark.worst_point; 2]));
         }
@@ -58,16 +108,17 @@ impl MapFigure<'_> {
     pub(super) fn draw_base(&self, canvas: &mut Canvas, frame: &Frame) {
         let Some([x, z]) = self.standing() else { return };
         let foot = (0.12 * z.abs()).min(0.1);
+        let [half, waist, head] = [0.4, 0.28, 0.1].map(|width| width * self.base_size());
         let points = [
-            [-x - 0.4, -z],
-            [-x + 0.4, -z],
-            [-x + 0.4, -z + foot],
-            [-x + 0.28, -z + foot],
-            [0.12, -0.05],
-            [0.1, 0.1],
-            [-0.1, 0.1],
-            [-x - 0.28, -z + foot],
-            [-x - 0.4, -z + foot],
+            [-x - half, -z],
+            [-x + half, -z],
+            [-x + half, -z + foot],
+            [-x + waist, -z + foot],
+            [1.2 * head, -0.5 * head],
+            [head, head],
+            [-head, head],
+            [-x - waist, -z + foot],
+            [-x - half, -z + foot],
         ];
         let placed = points.map(|[x, z]| frame.at(x, z));
         let look =
@@ -76,7 +127,7 @@ impl MapFigure<'_> {
     }
 
     pub(super) fn draw_zone(&self, canvas: &mut Canvas, frame: &Frame) {
-        let Some(mark) = &self.zone else { return };
+        let Some(mark) = self.zone else { return };
         let points: Vec<Px> = outline(mark).into_iter().map(|[x, z]| frame.at(x, z)).collect();
         let d = path(&points, true);
         canvas.path(&d, HALO);
@@ -105,14 +156,14 @@ impl MapFigure<'_> {
     }
 
     pub(super) fn draw_worst_point(&self, canvas: &mut Canvas, frame: &Frame) {
-        if let Some(mark) = &self.zone {
+        if let Some(mark) = self.zone {
             worst_mark(canvas, frame.at(mark.worst_point[0], mark.worst_point[1]));
         }
     }
 
     pub(super) fn entries(&self) -> Vec<Entry> {
         let mut entries = Vec::new();
-        if let Some(mark) = &self.zone {
+        if let Some(mark) = self.zone {
             let zone = mark.zone;
             entries.push(Entry::new(mark.label.clone(), move |canvas, [x, y]| {
                 let look = format!(r#"fill="none" stroke="{ALARM}" stroke-width="2.5""#);

@@ -1,0 +1,244 @@
+//! `stiffarm robots show`: everything that is known of one robot, and what it reaches.
+
+use serde_json::{Map, Value, json};
+use stiffarm::drive::{Architecture, Drives, Transmission};
+use stiffarm::geometry::Geometry;
+use stiffarm::limits::{Limits, Range, ThirdAxis};
+use stiffarm::map::MapError;
+use stiffarm::plane::PlanarArm;
+use stiffarm::robot::{Arm, Robot};
+
+use crate::failure::Failure;
+use crate::figures::reach::ReachFigure;
+use crate::output::{Answer, figure};
+use crate::table::Table;
+
+/// The stiffest posture's deflection, um/N.
+pub(super) fn floor(arm: &PlanarArm) -> f64 {
+    arm.radial().floor() * 1e6
+}
+
+/// What the question mark of `architecture` means.
+pub(super) const ASSUMED_ARCHITECTURE: &str = "serial?: no parallelogram is reported, and none is ruled out\n";
+
+/// With a question mark where nothing says that it is so.
+pub(super) fn architecture(robot: &Robot) -> String {
+    format!("{}{}", robot.architecture, if robot.architecture_is_assumed { "?" } else { "" })
+}
+
+pub(super) struct Sheet(pub(super) Robot);
+
+/// `-40.0 to 160.0`, in degrees.
+fn degrees(range: Range) -> String {
+    if range.is_all() {
+        "no limit".into()
+    } else {
+        format!("{:.1} to {:.1} deg", range.min().to_degrees(), range.max().to_degrees())
+    }
+}
+
+type Rows = Vec<(String, String)>;
+
+impl Sheet {
+    fn rows(&self) -> Rows {
+        let robot = &self.0;
+        let assumed = if robot.architecture_is_assumed { " (assumed)" } else { "" };
+        let mut rows: Rows = vec![
+            ("robot".into(), robot.full_name()),
+            ("architecture".into(), format!("{}{assumed}", robot.architecture)),
+            ("status".into(), robot.status.to_string()),
+            ("payload".into(), robot.payload_kg.map_or_else(|| "-".into(), |kg| format!("{kg} kg"))),
+            ("reach".into(), robot.reach.map_or_else(|| "-".into(), |reach| format!("{reach:.3} m"))),
+        ];
+        rows.extend(robot.mass_kg.map(|kg| ("mass".into(), format!("{kg} kg"))));
+        let repeatability = robot.repeatability.map(|m| format!("{} mm", rounded(m * 1e3)));
+        rows.extend(repeatability.map(|text| ("repeatability".into(), text)));
+        if let Arm::SixAxis { geometry, limits, drives } = &robot.arm {
+            rows.extend(geometry_rows(geometry));
+            rows.extend(limit_rows(limits));
+            rows.extend(drive_rows(drives, robot.architecture));
+        }
+        if let Ok(plane) = robot.arm_plane() {
+            rows.extend(plane_rows(&plane.arm));
+        }
+        rows.extend(robot.source.iter().map(|(key, text)| (format!("source: {key}"), text.clone())));
+        rows
+    }
+
+    fn figure(&self) -> Result<String, Failure> {
+        let robot = &self.0;
+        let failure = |error| Failure::Map { robot: robot.name.clone(), error };
+        let plane = robot.arm_plane().map_err(|error| failure(MapError::Arm(error.into())))?;
+        let assumed = if robot.architecture_is_assumed { " (assumed)" } else { "" };
+        let base = (plane.axis_from_base != [0.0; 2]).then_some(plane.axis_from_base);
+        let drawn = ReachFigure {
+            title: robot.full_name(),
+            subtitle: format!(
+                "{}{assumed}, {}; what the wrist centre reaches in the arm plane",
+                robot.architecture, robot.status
+            ),
+            arm: &plane.arm,
+            base,
+        };
+        drawn.svg().map_err(figure)
+    }
+}
+
+fn geometry_rows(geometry: &Geometry) -> Rows {
+    let lengths: Vec<String> =
+        lengths(geometry).iter().map(|(name, m)| format!("{name} {}", rounded(m * 1e3))).collect();
+    let offsets: Vec<String> = geometry.offset.iter().map(|x| rounded(x.to_degrees()).to_string()).collect();
+    let signs: Vec<&str> = geometry.sign.iter().map(|&sign| if 0.0 < sign { "+" } else { "-" }).collect();
+    vec![
+        ("lengths".into(), format!("{} mm", lengths.join(", "))),
+        ("zero offsets".into(), format!("{} deg", offsets.join(", "))),
+        ("signs".into(), signs.join(" ")),
+    ]
+}
+
+fn lengths(geometry: &Geometry) -> [(&'static str, f64); 7] {
+    let Geometry { a1, a2, b, c1, c2, c3, c4, .. } = *geometry;
+    [("a1", a1), ("a2", a2), ("b", b), ("c1", c1), ("c2", c2), ("c3", c3), ("c4", c4)]
+}
+
+fn limit_rows(limits: &Limits) -> Rows {
+    let mut rows = Rows::new();
+    for (i, range) in limits.joints.iter().enumerate() {
+        let speed =
+            limits.speeds.map_or_else(String::new, |speeds| format!(", {} deg/s", rounded(speeds[i].to_degrees())));
+        let forearm = i == 2 && limits.third_axis == ThirdAxis::Forearm;
+        let remark = if forearm { " (absolute angle of the forearm)" } else { "" };
+        rows.push((format!("joint {} as reported", i + 1), degrees(*range) + &speed + remark));
+    }
+    if !limits.elbow.is_all() {
+        rows.push(("angle between the links".into(), degrees(limits.elbow)));
+    }
+    rows
+}
+
+fn drive_rows(drives: &Drives, architecture: Architecture) -> Rows {
+    let compliance: Vec<String> = drives.compliance.0.iter().map(|k| rounded(k * 1e6).to_string()).collect();
+    let mut rows = vec![("drive compliance".into(), format!("{} urad/(N m)", compliance.join(", ")))];
+    if drives.transmission != Transmission::of(architecture) {
+        for (i, row) in drives.transmission.0.row_iter().enumerate() {
+            let row: Vec<String> = row.iter().map(|ratio| rounded(*ratio).to_string()).collect();
+            rows.push((format!("joint {} from the drives", i + 1), row.join(", ")));
+        }
+    }
+    if let Some(spring) = drives.compensator {
+        let point = |[x, z]: [f64; 2]| format!("{}, {}", rounded(x * 1e3), rounded(z * 1e3));
+        let [base, arm] = [spring.base, spring.arm].map(point);
+        let (stiffness, free) = (rounded(spring.stiffness / 1e3), rounded(spring.free_length * 1e3));
+        rows.push((
+            "gravity compensator".into(),
+            format!("{stiffness} N/mm, {free} mm when free, from {base} mm on the base to {arm} mm on the upper arm"),
+        ));
+    }
+    rows
+}
+
+fn plane_rows(arm: &PlanarArm) -> Rows {
+    let links = format!("l2 {:.4} m, l3 {:.4} m, l3/l2 {:.4}", arm.l2, arm.l3, arm.l3 / arm.l2);
+    let stiffest = format!("{:.4} um/N at {:.3} m from the joint-2 axis", floor(arm), arm.radial().valley());
+    vec![
+        ("arm plane".into(), links),
+        ("  shoulder".into(), degrees(arm.shoulder)),
+        ("  elbow".into(), degrees(arm.elbow)),
+        ("  forearm".into(), degrees(arm.forearm)),
+        ("stiffest posture".into(), stiffest),
+    ]
+}
+
+/// To six decimals, which is finer than any file: without the noise of a change of units.
+fn rounded(x: f64) -> f64 {
+    (x * 1e6).round() / 1e6 + 0.0
+}
+
+impl Answer for Sheet {
+    const COMMAND: &'static str = "robots show";
+
+    fn text(&self, markdown: bool) -> String {
+        let mut table = Table::new(["", ""]);
+        for (key, value) in self.rows() {
+            table.row([key, value]);
+        }
+        table.text(markdown)
+            + "angles of the arm plane: counter-clockwise, 0 straight ahead; negative elbow: bent forwards and down\n\
+               -o reach.svg or .png draws what it reaches\n"
+    }
+
+    fn json(&self) -> Value {
+        sheet_json(&self.0)
+    }
+
+    fn csv(&self) -> Table {
+        let mut table = Table::new(["key", "value"]);
+        for (key, value) in self.rows() {
+            table.row([key.trim().to_owned(), value]);
+        }
+        table
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        Some(self.figure())
+    }
+}
+
+pub(super) fn sheet_json(robot: &Robot) -> Value {
+    let mut sheet = Map::new();
+    let mut put = |key: &str, value: Value| drop(sheet.insert(key.into(), value));
+    put("robot", json!(robot.name));
+    put("vendor", json!(robot.vendor));
+    put("architecture", json!(robot.architecture.name()));
+    put("status", json!(robot.status.name()));
+    put("architecture_assumed", json!(robot.architecture_is_assumed));
+    put("payload_kg", json!(robot.payload_kg));
+    put("reach_m", json!(robot.reach));
+    put("mass_kg", json!(robot.mass_kg));
+    put("repeatability_mm", json!(robot.repeatability.map(|m| rounded(m * 1e3))));
+    if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
+        put("geometry", geometry_json(geometry));
+        put("limits", limits_json(limits));
+    }
+    if let Ok(plane) = robot.arm_plane() {
+        let arm = &plane.arm;
+        put(
+            "arm_plane",
+            json!({
+                "l2_m": arm.l2, "l3_m": arm.l3, "k2_urad_per_nm": arm.k2 * 1e6, "k3_urad_per_nm": arm.k3 * 1e6,
+                "shoulder_deg": range(arm.shoulder), "elbow_deg": range(arm.elbow), "forearm_deg": range(arm.forearm),
+                "axis_from_base_m": plane.axis_from_base, "bound_um_per_n": floor(arm),
+            }),
+        );
+    }
+    put("source", json!(robot.source));
+    Value::Object(sheet)
+}
+
+/// In degrees; null where an end is open.
+fn range(range: Range) -> Value {
+    let end = |x: f64| if x.is_finite() { json!(x.to_degrees()) } else { Value::Null };
+    json!([end(range.min()), end(range.max())])
+}
+
+/// By the keys of a robot file.
+fn geometry_json(geometry: &Geometry) -> Value {
+    let mut object: Map<String, Value> =
+        lengths(geometry).iter().map(|(name, m)| (format!("{name}_mm"), json!(rounded(m * 1e3)))).collect();
+    object.insert("offset_deg".into(), json!(geometry.offset.map(|x| rounded(x.to_degrees()))));
+    object.insert("sign".into(), json!(geometry.sign));
+    Value::Object(object)
+}
+
+/// By the keys of a robot file.
+fn limits_json(limits: &Limits) -> Value {
+    json!({
+        "joint_deg": limits.joints.map(|joint| [joint.min(), joint.max()].map(|x| rounded(x.to_degrees()))),
+        "third_axis": match limits.third_axis {
+            ThirdAxis::Elbow => "elbow",
+            ThirdAxis::Forearm => "forearm",
+        },
+        "elbow_deg": range(limits.elbow),
+        "speed_deg_per_s": limits.speeds.map(|speeds| speeds.map(|speed| rounded(speed.to_degrees()))),
+    })
+}
