@@ -17,6 +17,7 @@ pub(crate) fn run(args: &RobotsArgs, common: &Common) -> Result<(), Failure> {
         None | Some(RobotsAction::List) => deliver(&List(paper_robots()), common),
         Some(RobotsAction::Show { robot }) => deliver(&Sheet(selection::robot(robot)?), common),
         Some(RobotsAction::Check { files }) => check(files),
+        Some(RobotsAction::Import(args)) => super::import::run(args, common),
     }
 }
 

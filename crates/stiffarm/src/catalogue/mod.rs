@@ -1,13 +1,16 @@
 //! Robot files and the robots that come with the program; the only module in which millimetres and degrees exist.
 
 mod fault;
+pub mod import;
 mod reader;
 mod robot_file;
+mod write;
 
 use include_dir::{Dir, include_dir};
 
 pub use fault::{Fault, Faults};
 pub use robot_file::read;
+pub use write::write;
 
 use crate::robot::Robot;
 
