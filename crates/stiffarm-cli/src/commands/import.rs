@@ -80,7 +80,7 @@ impl Report {
         rows.push((
             "proved",
             format!(
-                "within {} um and {:.5} deg of {compared_with} at {SAMPLES} random postures",
+                "at {SAMPLES} random postures against {compared_with}: largest error {} um, {:.5} deg",
                 micrometres(*largest_error),
                 largest_turn.to_degrees()
             ),

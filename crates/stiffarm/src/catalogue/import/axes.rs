@@ -139,26 +139,29 @@ fn meeting_point(axes: &[Axis; 6]) -> Option<Point3<f64>> {
 
 /// The wrist axes that do not pass through one point.
 fn missing(axes: &[Axis; 6], wrist: &Point3<f64>) -> Option<(usize, String)> {
-    let between = |a: &Axis, b: &Axis| {
-        let across = a.along.cross(&b.along);
-        if across.norm() < 1e-6 {
-            a.aside(&b.through).norm()
-        } else {
-            (b.through - a.through).dot(&across.normalize()).abs()
-        }
-    };
     let apart = axes[3..].iter().map(|axis| axis.aside(wrist).norm()).fold(0.0, f64::max);
-    let meet = apart <= MEETS_M;
-    (!meet).then(|| {
-        let [first, second] = [between(&axes[3], &axes[4]), between(&axes[4], &axes[5])].map(|m| m * 1e3);
-        let message = format!(
-            "the axes 4, 5, 6 do not meet: the best point is {:.3} mm off (axis 4 passes axis 5 at {first:.3} mm, axis 5 passes \
-             axis 6 at {second:.3} mm); expected a spherical wrist, within {} mm",
-            apart * 1e3,
-            MEETS_M * 1e3
-        );
-        (4, message)
-    })
+    if apart <= MEETS_M {
+        return None;
+    }
+    let [(first, at_4), (second, at_6)] = [3, 5].map(|i| passing(&axes[4], &axes[i]));
+    let message = format!(
+        "the axes 4, 5, 6 do not meet: axis 4 passes axis 5 at {:.3} mm and axis 6 passes it at {:.3} mm, {:.3} mm apart along \
+         axis 5; expected a spherical wrist, all within {} mm of one point",
+        first * 1e3,
+        second * 1e3,
+        (at_6 - at_4).abs() * 1e3,
+        MEETS_M * 1e3
+    );
+    Some((4, message))
+}
+
+/// How far `other` passes `axis`, which it crosses at about a right angle, and where along `axis`.
+fn passing(axis: &Axis, other: &Axis) -> (f64, f64) {
+    let across = axis.along.cross(&other.along).normalize();
+    let from = other.through - axis.through;
+    // The component of `along` that is at right angles to the other axis leads to the nearest point.
+    let ahead = axis.along - other.along * axis.along.dot(&other.along);
+    (from.dot(&across).abs(), from.dot(&ahead) / ahead.norm_squared())
 }
 
 /// Forwards is where the base's x axis points; where the arm stands across it, where axis 2 stands before axis 1.

@@ -67,11 +67,50 @@ pub(super) fn find(urdf: &Urdf, between: Between, log: &Log) -> Result<Chain, No
         NoChain::Which
     })?;
     // A robot that stands on something begins at its own base.
-    let first = way.iter().position(|joint| joint.is_driven()).unwrap_or(0);
+    let first = way.iter().position(|joint| joint.kind != Kind::Fixed).unwrap_or(0);
     let own = way.get(..=first).and_then(|way| way.iter().rposition(|joint| joint.parent.ends_with("base_link")));
     let way = if between.base.is_none() { &way[own.unwrap_or(0)..] } else { &way[..] };
     let base = way.first().map_or(base, |joint| &joint.parent);
     tree.chain(base, way, log)
+}
+
+/// Every name is there once, and every joint joins two links; else the log says which do not.
+fn names_are_sound(urdf: &Urdf, log: &Log) -> bool {
+    let (mut links, mut joints) = (BTreeSet::new(), BTreeSet::new());
+    for link in &urdf.links {
+        if !links.insert(link.name.as_str()) {
+            log.add(link.place, &format!("link {}", shown(&link.name)), "there are two links of this name");
+        }
+    }
+    for joint in &urdf.joints {
+        if !joints.insert(joint.name.as_str()) {
+            log.add(joint.place, &joint.key(), "there are two joints of this name");
+        }
+        for (part, link) in [("parent", &joint.parent), ("child", &joint.child)] {
+            if !links.contains(link.as_str()) {
+                log.add(joint.place, &joint.key(), format!("{part} '{}' is not the name of a link", shown(link)));
+            }
+        }
+    }
+    !log.has_faults()
+}
+
+/// The one link that no joint carries.
+fn root<'a>(urdf: &'a Urdf, carrier: &HashMap<&str, &Joint>, log: &Log) -> Option<&'a str> {
+    let roots: Vec<_> = urdf.links.iter().filter(|link| !carrier.contains_key(link.name.as_str())).collect();
+    let (place, message) = match roots[..] {
+        [root] => return Some(&root.name),
+        [] if urdf.links.is_empty() => (0, "no link; expected a tree of links and joints".into()),
+        [] => (0, "every link is the child of a joint: the joints form a ring; expected a tree".into()),
+        [first, ..] => {
+            let names: Vec<_> = roots.iter().take(4).map(|link| format!("'{}'", shown(&link.name))).collect();
+            let more = if names.len() < roots.len() { ", ..." } else { "" };
+            let names = names.join(", ");
+            (first.place, format!("{} links are the child of no joint ({names}{more}); expected one root", roots.len()))
+        }
+    };
+    log.add(place, "", message);
+    None
 }
 
 /// Links and joints that were found to be a tree.
@@ -86,64 +125,24 @@ struct Tree<'a> {
 
 impl<'a> Tree<'a> {
     fn of(urdf: &'a Urdf, log: &Log) -> Option<Self> {
-        let mut sound = true;
-        let mut fault = |place, key: &str, message: String| {
-            sound = false;
-            log.add(place, key, message);
-        };
-        let mut links = BTreeSet::new();
-        for link in &urdf.links {
-            if !links.insert(link.name.as_str()) {
-                fault(link.place, &format!("link {}", shown(&link.name)), "there are two links of this name".into());
-            }
-        }
-        let (mut carrier, mut carried, mut names) = (HashMap::new(), HashMap::<_, Vec<_>>::new(), BTreeSet::new());
+        names_are_sound(urdf, log).then_some(())?;
+        let (mut carrier, mut carried) = (HashMap::new(), HashMap::<_, Vec<_>>::new());
         for joint in &urdf.joints {
-            if !names.insert(joint.name.as_str()) {
-                fault(joint.place, &joint.key(), "there are two joints of this name".into());
-            }
-            for (part, link) in [("parent", &joint.parent), ("child", &joint.child)] {
-                if !links.contains(link.as_str()) {
-                    let message = format!("{part} '{}' is not the name of a link", shown(link));
-                    fault(joint.place, &joint.key(), message);
-                }
-            }
             carried.entry(joint.parent.as_str()).or_default().push(joint);
             let before: Option<&Joint> = carrier.insert(joint.child.as_str(), joint);
             if let Some(before) = before {
                 let (child, before) = (shown(&joint.child), shown(&before.name));
                 let message = format!("link '{child}' is the child of joint '{before}' too; a URDF is a tree");
-                fault(joint.place, &joint.key(), message);
+                log.add(joint.place, &joint.key(), message);
             }
         }
-        let roots: Vec<_> = urdf.links.iter().filter(|link| !carrier.contains_key(link.name.as_str())).collect();
-        let root = match roots[..] {
-            [] if urdf.links.is_empty() => {
-                fault(0, "", "no link; expected a tree of links and joints".into());
-                return None;
-            }
-            [] => {
-                fault(0, "", "every link is the child of a joint: the joints form a ring; expected a tree".into());
-                return None;
-            }
-            [root] => root,
-            [root, ..] => {
-                let names: Vec<_> = roots.iter().take(4).map(|link| format!("'{}'", shown(&link.name))).collect();
-                let more = if names.len() < roots.len() { ", ..." } else { "" };
-                let message = format!(
-                    "{} links are the child of no joint ({}{more}); expected one root",
-                    roots.len(),
-                    names.join(", ")
-                );
-                fault(root.place, "", message);
-                return None;
-            }
-        };
-        let tree = Self { urdf, root: &root.name, carrier, carried };
-        if sound {
-            tree.rings(log)?;
+        if log.has_faults() {
+            return None;
         }
-        sound.then_some(tree)
+        let root = root(urdf, &carrier, log)?;
+        let tree = Self { urdf, root, carrier, carried };
+        tree.rings(log)?;
+        Some(tree)
     }
 
     /// Faults links that the root does not carry: they hang on each other in a ring.

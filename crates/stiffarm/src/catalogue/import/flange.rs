@@ -80,13 +80,19 @@ pub(super) fn flange(
         axis.along.dot(forearm)
     };
     let out = axis.along * 1_f64.copysign(outwards);
-    // The least turn that brings the frame's z axis onto axis 6; half round about its own x axis where it points inwards.
-    let half = || UnitQuaternion::from_axis_angle(&(pose.rotation * Vector3::x_axis()), std::f64::consts::PI);
-    let onto = UnitQuaternion::rotation_between(&z, &out).unwrap_or_else(half);
+    let onto = least_turn(&z, &out, &(pose.rotation * Vector3::x()));
     let turned = onto * pose.rotation;
     let at_zero = Pose::from_parts(centre.coords.into(), turned);
     let note = note(name, onto.angle().to_degrees(), from_wrist.abs());
     Some(Flange { centre, out, turned, in_link: link.inverse() * at_zero, note })
+}
+
+/// The least turn that brings the unit vector `from` onto `to`; about `spare` where they are opposite.
+fn least_turn(from: &Vector3<f64>, to: &Vector3<f64>, spare: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let across = from.cross(to);
+    let angle = across.norm().atan2(from.dot(to));
+    let about = across.try_normalize(1e-12).unwrap_or(*spare);
+    UnitQuaternion::from_scaled_axis(about * angle)
 }
 
 fn note(name: &str, turned_deg: f64, from_wrist: f64) -> String {

@@ -239,6 +239,11 @@ fn joint_limits(chain: &Chain, options: &ImportOptions, log: &Log, notes: &mut V
         ranges.into_iter().collect()
     })?;
     let joints = found.try_into().ok()?;
+    let limited = |joint: &&Joint| joint.kind == Kind::Continuous && joint.limit.lower.or(joint.limit.upper).is_some();
+    let names: Vec<_> = chain.joints.iter().filter(limited).map(|joint| shown(&joint.name)).collect();
+    if !names.is_empty() && options.limits.is_none() {
+        notes.push(format!("continuous joints with limits, which are taken: {}", names.join(", ")));
+    }
     let speeds: Vec<f64> = chain.joints.iter().filter_map(|joint| joint.limit.velocity).collect();
     let speeds = speeds.iter().all(|speed| SPEEDS.contains(speed)).then_some(speeds);
     let speeds: Option<[f64; 6]> = speeds.and_then(|speeds| speeds.try_into().ok());
@@ -272,9 +277,6 @@ fn joint_range(joint: &Joint, log: &Log, notes: &mut Vec<String>) -> Option<Rang
     if !(lower < upper) {
         fault(format!("{lower} to {upper} rad; expected the lower end below the upper end"));
         return None;
-    }
-    if continuous {
-        notes.push(format!("joint {} is continuous and has limits: they are taken", shown(&joint.name)));
     }
     Some(hundredths(Range::spanning(lower, upper)))
 }

@@ -38,7 +38,9 @@ pub(super) fn compare(robot: &Robot, described: &impl Fn(&[f64; 6]) -> Pose, sam
         let written = geometry.forward(&geometry.model_angles(&q, limits.third_axis));
         let expected = described(&q);
         let distance = (written.translation.vector - expected.translation.vector).norm();
-        let angle = written.rotation.angle_to(&expected.rotation);
+        let turn = written.rotation.inverse() * expected.rotation;
+        // The arc cosine of a number near 1, which `angle` takes, has half the digits.
+        let angle = 2.0 * turn.imag().norm().atan2(turn.w.abs());
         // NaN is the largest error of all.
         let larger = |new: f64, old: f64| if new <= old { old } else { new };
         largest = Errors { distance: larger(distance, largest.distance), angle: larger(angle, largest.angle) };

@@ -115,7 +115,7 @@ pub(super) fn parse(text: &str, log: &Log) -> Result<Urdf, NoUrdf> {
 
 fn is_xacro(node: &Node) -> bool {
     let by_name = node.tag_name().namespace().is_some_and(|name| name.contains("xacro"));
-    by_name || node.tag_name().name() == "joint" && node.attributes().any(|attribute| attribute.value().contains("${"))
+    by_name || node.attributes().any(|attribute| attribute.value().contains("${"))
 }
 
 /// The first character of a line, counted from 1.

@@ -78,6 +78,10 @@ pub(super) fn parse(text: &str, log: &Log) -> Option<Node> {
             None => return Some(done),
             Some((_, Open::List(nodes))) => nodes.push(done),
             Some((_, Open::Map(entries, key))) => match key.take() {
+                Some(key) if entries.iter().any(|(other, _)| *other == key) => {
+                    log.add(done.place, &shown(&key), "stands here twice");
+                    return None;
+                }
                 Some(key) => entries.push((key, done)),
                 None => *key = Some(if let Value::Scalar { text, .. } = done.value { text } else { String::new() }),
             },
