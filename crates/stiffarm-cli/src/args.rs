@@ -230,7 +230,7 @@ pub(crate) struct ImportArgs {
     /// Six ranges [deg] in place of the file's limits: a..b,a..b,...
     #[arg(long, value_name = "RANGES", value_delimiter = ',', value_parser = joint_range, allow_hyphen_values = true)]
     pub(crate) limits_deg: Vec<Range>,
-    /// The link whose frame is the base [default: the link that carries joint 1, or its base_link]
+    /// The link whose frame is the base [default: the base of the arm]
     #[arg(long, value_name = "LINK")]
     pub(crate) base: Option<String>,
     /// The link whose frame is the flange [default: flange or tool0, or the link that joint 6 moves]

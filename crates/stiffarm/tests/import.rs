@@ -78,15 +78,12 @@ fn urdf(arm: &Geometry, rng: &mut Rng) -> String {
         let through = frame.translation.vector + axis * (rng.f64() - 0.5);
         let frame = Pose::from_parts(through.into(), any_rotation(rng));
         let local = frame.rotation.inverse() * axis;
-        text += &format!(
-            "<link name=\"link_{n}\"/>\n<joint name=\"joint_{n}\" type=\"revolute\"><parent link=\"link_{i}\"/><child link=\"link_{n}\"/>\n  \
-             {}<axis xyz=\"{:?} {:?} {:?}\"/><limit lower=\"-3\" upper=\"3\" velocity=\"2\"/></joint>\n",
-            origin(&(before.inverse() * frame)),
-            local.x,
-            local.y,
-            local.z,
-            n = i + 1
-        );
+        let n = i + 1;
+        let head = format!("<link name=\"link_{n}\"/>\n<joint name=\"joint_{n}\" type=\"revolute\">");
+        let links = format!("<parent link=\"link_{i}\"/><child link=\"link_{n}\"/>");
+        let axis = format!("<axis xyz=\"{:?} {:?} {:?}\"/>", local.x, local.y, local.z);
+        let limit = "<limit lower=\"-3\" upper=\"3\" velocity=\"2\"/></joint>\n";
+        text.extend([head, links, origin(&(before.inverse() * frame)), axis, limit.into()]);
         before = frame;
     }
     let last = origin(&(before.inverse() * flange));

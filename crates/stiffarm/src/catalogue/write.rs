@@ -35,7 +35,7 @@ pub fn write(robot: &Robot) -> String {
         Arm::SixAxis { geometry, limits, drives } => {
             file.geometry(geometry);
             file.limits(limits);
-            file.drives(drives, Transmission::of(robot.architecture));
+            file.drives(drives, &Transmission::of(robot.architecture));
         }
         Arm::Planar(arm) => file.planar(arm),
     }
@@ -104,8 +104,8 @@ impl Text {
         }
     }
 
-    fn drives(&mut self, drives: &Drives, usual: Transmission) {
-        let (paper, own) = (drives.compliance == JointCompliance::PAPER, drives.transmission != usual);
+    fn drives(&mut self, drives: &Drives, usual: &Transmission) {
+        let (paper, own) = (drives.compliance == JointCompliance::PAPER, drives.transmission != *usual);
         if !paper || own {
             self.table("compliance");
         }

@@ -69,7 +69,9 @@ pub(super) fn recover(chain: &Chain, tip: Option<&str>, log: &Log) -> Option<Rec
         faults.extend(missing(&axes, &wrist));
     }
     if !faults.is_empty() {
-        faults.into_iter().for_each(|(joint, message)| refuse(joint, message));
+        for (joint, message) in faults {
+            refuse(joint, message);
+        }
         return None;
     }
     let foot = -axes[0].aside(&Point3::origin());

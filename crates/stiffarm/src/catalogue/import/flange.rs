@@ -96,12 +96,15 @@ fn least_turn(from: &Vector3<f64>, to: &Vector3<f64>, spare: &Vector3<f64>) -> U
 }
 
 fn note(name: &str, turned_deg: f64, from_wrist: f64) -> String {
-    let mut note = format!("flange: the frame of link '{}'", shown(name));
-    if STRAIGHT_DEG < turned_deg {
-        note += &format!(", turned by {turned_deg:.1} deg so that its z axis points out along axis 6");
-    }
-    if from_wrist <= NO_LENGTH {
-        note += "; it stands at the wrist centre, so c4 is 0: name the link of the flange if there is another";
-    }
-    note
+    let turned = if STRAIGHT_DEG < turned_deg {
+        format!(", turned by {turned_deg:.1} deg so that its z axis points out along axis 6")
+    } else {
+        String::new()
+    };
+    let at_wrist = "; it stands at the wrist centre, so c4 is 0: name the link of the flange if there is another";
+    format!(
+        "flange: the frame of link '{}'{turned}{}",
+        shown(name),
+        if from_wrist <= NO_LENGTH { at_wrist } else { "" }
+    )
 }

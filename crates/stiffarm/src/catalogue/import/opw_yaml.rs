@@ -45,7 +45,9 @@ fn holders<'a>(node: &'a Node, found: &mut Vec<&'a [(String, Node)]>) {
         if entry(entries, LENGTHS).is_some() {
             found.push(entries);
         }
-        entries.iter().for_each(|(_, node)| holders(node, found));
+        for (_, node) in entries {
+            holders(node, found);
+        }
     }
 }
 
