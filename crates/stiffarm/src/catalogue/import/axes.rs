@@ -1,7 +1,7 @@
 //! Which lengths, zero offsets and signs have six joint axes?
 //!
 //! All of it is read off at joint zero: the axes are lines in space there, and the lengths are distances between them
-//! (\[theory\], section 6).
+//! (\[theory\], *Recovering an arm from its joint axes*).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
