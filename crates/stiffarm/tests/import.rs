@@ -248,10 +248,22 @@ fn what_is_no_arm_of_this_class_is_refused_with_the_joint_and_the_reason() {
     let slide = r#"type="prismatic">"#;
     for (old, new, key, says) in [
         (
+            r#"<origin xyz="0.3 0 0.2"/>"#,
+            r#"<origin xyz="0.3 0 0.2" rpy="0.01 0 0"/>"#,
+            "joint joint_2",
+            &["89.427 deg to axis 1"][..],
+        ),
+        (
+            r#"<origin xyz="0.1 0 0"/>"#,
+            r#"<origin xyz="0.1 0 0" rpy="0 0 0.01"/>"#,
+            "joint joint_6",
+            &["89.427 deg to axis 5"],
+        ),
+        (
             j5,
             r#"<origin xyz="0.6 0 0.0012"/>"#,
             "joint joint_5",
-            &["axes 4, 5, 6 do not meet", "1.200 mm", "within 0.5 mm"][..],
+            &["axes 4, 5, 6 do not meet", "1.200 mm", "within 0.5 mm"],
         ),
         (
             r#"<origin xyz="0.1 0 0"/>"#,
@@ -561,5 +573,57 @@ fn faulty_opw_parameters_are_refused_with_line_key_and_value() {
         ["[".repeat(100_000), "- ".repeat(100_000), "a:\n".repeat(10), "? ".repeat(50_000), "{a: ".repeat(50_000)]
     {
         assert!(faults(&deep).faults.len() == 1);
+    }
+}
+
+#[test]
+fn a_lean_that_adds_up_to_more_than_a_millimetre_is_refused() {
+    // 0.046 deg at joint 1 are within what axes may lean, but not over the length of this arm.
+    let text = replaced(EXAMPLE, r#"<origin xyz="0 0 0.4"/>"#, r#"<origin xyz="0 0 0.4" rpy="0 0.0008 0"/>"#);
+    let error = plain(&text).unwrap_err();
+    let ImportError::Inexact { error_m, .. } = error else { panic!("{error}") };
+    // The fit is exact at zero; half a turn on, twice 0.0008 rad over at most the 2.9 m from joint 1 to the flange.
+    assert!((1e-3..5e-3).contains(&error_m), "{error_m}");
+    assert!(error.to_string().contains("expected at most 1 mm and 0.1 deg"), "{error}");
+}
+
+#[test]
+fn an_axis_that_turns_the_other_way_is_a_sign_and_no_offset() {
+    let text = replaced(
+        EXAMPLE,
+        "<child link=\"link_5\"/>\n    <axis xyz=\"0 1 0\"/>",
+        "<child link=\"link_5\"/>\n    <axis xyz=\"0 -1 0\"/>",
+    );
+    let imported = plain(&text).unwrap();
+    assert_eq!(geometry(&imported).sign, [1.0, 1.0, 1.0, 1.0, -1.0, 1.0]);
+    assert_eq!(geometry(&imported).offset, [0.0, 0.0, -FRAC_PI_2, 0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn lengths_are_rounded_only_where_the_file_is_no_more_exact() {
+    let imported = plain(&replaced(EXAMPLE, "0 0 0.4\"", "0 0 0.400123456\"")).unwrap();
+    assert!((geometry(&imported).c1 - 0.600_123_456).abs() < 1e-9);
+}
+
+#[test]
+fn a_flange_beside_axis_6_is_refused_where_it_is_named_and_passed_over_where_not() {
+    let text = replaced(
+        EXAMPLE,
+        "</robot>",
+        r#"<link name="side_flange"/><joint name="s" type="fixed"><origin xyz="0.1 0.1 0"/><parent link="link_6"/><child link="side_flange"/></joint></robot>"#,
+    );
+    assert!(plain(&text).unwrap().notes.join("\n").contains("'tool0'"));
+    let named = ImportOptions { tip: Some("side_flange".into()), ..ImportOptions::default() };
+    let error = import(&text, "x.urdf", &named).unwrap_err();
+    assert!(error.to_string().contains("link 'side_flange' stands 100.0 mm beside axis 6"), "{error}");
+}
+
+#[test]
+fn speeds_are_taken_where_every_joint_has_one() {
+    for gone in ["", "velocity=\"0\""] {
+        let imported = plain(&replaced(EXAMPLE, "velocity=\"2.4435\"", gone)).unwrap();
+        let Arm::SixAxis { limits, .. } = &imported.robot.arm else { panic!("six axes") };
+        assert_eq!(limits.speeds, None);
+        assert!(imported.notes.join("\n").contains("not every joint has a speed"), "{:?}", imported.notes);
     }
 }

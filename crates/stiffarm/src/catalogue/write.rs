@@ -213,6 +213,16 @@ mod tests {
     }
 
     #[test]
+    fn texts_with_any_character_survive() {
+        let mut robot = paper_robots().swap_remove(0);
+        let odd: String = ('\0'..='\u{a0}').chain("\u{2028}\u{202e}\u{1f9be}".chars()).collect();
+        robot.name = format!("x{odd}x");
+        robot.source.insert(odd.clone(), odd);
+        robot.source.insert(String::new(), String::new());
+        assert_eq!(read(&write(&robot), "written.toml").as_ref(), Ok(&robot));
+    }
+
+    #[test]
     fn numbers_are_written_as_people_write_them() {
         assert_eq!(millimetres(1.15), "1150");
         assert_eq!(millimetres(-0.041), "-41");

@@ -248,7 +248,7 @@ fn joint_limits(chain: &Chain, options: &ImportOptions, log: &Log, notes: &mut V
     let speeds = speeds.iter().all(|speed| SPEEDS.contains(speed)).then_some(speeds);
     let speeds: Option<[f64; 6]> = speeds.and_then(|speeds| speeds.try_into().ok());
     if speeds.is_none() {
-        notes.push("speeds: not every joint has one, so none is taken".into());
+        notes.push("speeds: not every joint has a speed, so none is taken".into());
     }
     let speeds = speeds.map(|speeds| speeds.map(|speed| round(speed.to_degrees(), 1e2).to_radians()));
     Some(Limits { joints, third_axis: ThirdAxis::Elbow, elbow: Range::ALL, speeds })
