@@ -213,6 +213,38 @@ pub(crate) enum RobotsAction {
         #[arg(required = true)]
         files: Vec<PathBuf>,
     },
+    /// Make a robot file from a URDF or from OPW parameters, and prove it
+    Import(ImportArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ImportArgs {
+    /// A URDF, or OPW parameters (`opw_parameters_*.yaml`); -o robot.toml writes the robot file
+    pub(crate) file: PathBuf,
+    /// Name of the robot [default: as in the file]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) name: Option<String>,
+    /// Its maker
+    #[arg(long, value_name = "NAME")]
+    pub(crate) vendor: Option<String>,
+    /// Nominal payload [kg]
+    #[arg(long, value_name = "KG", value_parser = payload, allow_hyphen_values = true)]
+    pub(crate) payload_kg: Option<f64>,
+    /// Reach by the data sheet [m]
+    #[arg(long, value_name = "M", value_parser = reach, allow_hyphen_values = true)]
+    pub(crate) reach_m: Option<f64>,
+    /// serial or quasi-serial [default: serial, marked as assumed]
+    #[arg(long, value_name = "KIND", value_parser = architecture)]
+    pub(crate) architecture: Option<Architecture>,
+    /// Six ranges [deg] in place of the file's limits: a..b,a..b,...
+    #[arg(long, value_name = "RANGES", value_delimiter = ',', value_parser = joint_range, allow_hyphen_values = true)]
+    pub(crate) limits_deg: Vec<Range>,
+    /// The link whose frame is the base [default: the base of the arm]
+    #[arg(long, value_name = "LINK")]
+    pub(crate) base: Option<String>,
+    /// The link whose frame is the flange [default: flange or tool0, or the link that joint 6 moves]
+    #[arg(long, value_name = "LINK")]
+    pub(crate) tip: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -306,6 +338,21 @@ fn tolerance(text: &str) -> Result<f64, String> {
 
 fn degrees(text: &str) -> Result<f64, String> {
     number(text, -360.0, 360.0, "degrees")
+}
+
+fn payload(text: &str) -> Result<f64, String> {
+    number(text, 0.1, 1e4, "kg")
+}
+
+fn reach(text: &str) -> Result<f64, String> {
+    number(text, 0.1, 20.0, "m")
+}
+
+/// `a..b` in degrees, both ends given.
+fn joint_range(text: &str) -> Result<Range, String> {
+    open_range(text).ok().filter(|range| range.is_bounded()).ok_or_else(|| {
+        format!("'{text}' is not a range of a joint; expected such as -185..185, in degrees, the lower end first")
+    })
 }
 
 fn step(text: &str) -> Result<f64, String> {

@@ -3,6 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
+use stiffarm::catalogue::import::ImportError;
+
 /// Every way in which a command ends without an answer.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
@@ -62,6 +64,9 @@ pub(crate) enum Failure {
     /// A robot file with faults.
     #[error("{0}")]
     RobotFile(#[from] stiffarm::catalogue::Faults),
+    /// A description of a robot that makes no robot file.
+    #[error("{0}")]
+    Import(#[from] ImportError),
     /// Wrong usage that clap cannot see.
     #[error("{0}")]
     Usage(String),
@@ -129,8 +134,31 @@ impl Failure {
             ),
             Self::NothingLeft { hint, .. } => Some(hint.clone()),
             Self::RobotFile(_) | Self::BadFiles(_) => Some("the README shows a complete robot file".into()),
+            Self::Import(error) => import_hint(error),
             Self::Map { error: stiffarm::map::MapError::Size { .. }, .. } => Some("try --size 1000".into()),
             _ => None,
         }
     }
+}
+
+/// What makes a description usable, where that is known.
+fn import_hint(error: &ImportError) -> Option<String> {
+    let hint = match error {
+        ImportError::Xacro { .. } => {
+            "expand it first: xacro FILE > robot.urdf (the ROS package xacro, or `pip install xacro`); a file of macros alone \
+             needs a file that calls them"
+        }
+        ImportError::NoLimits { .. } => {
+            "give them: stiffarm robots import FILE --limits-deg=-185..185,-140..-5,-120..155,-350..350,-125..125,-350..350"
+        }
+        ImportError::Which(_) => {
+            "stiffarm robots import FILE --base LINK --tip LINK says where the arm begins and ends"
+        }
+        ImportError::Class(_) => {
+            "stiffarm knows arms with six turning axes: 1 upright, 2 and 3 parallel, 4, 5 and 6 through one point; --base LINK \
+             and --tip LINK choose another part of the file"
+        }
+        ImportError::Faults(_) | ImportError::Inexact { .. } => return None,
+    };
+    Some(hint.into())
 }

@@ -22,6 +22,10 @@ pub(crate) trait Answer {
     fn json(&self) -> Value;
     /// For spreadsheets.
     fn csv(&self) -> Table;
+    /// A robot file, where the command makes one.
+    fn robot_file(&self) -> Option<String> {
+        None
+    }
     /// A figure as SVG, where the command has one.
     fn svg(&self) -> Option<Result<String, Failure>> {
         None
@@ -65,6 +69,11 @@ fn contents<A: Answer>(answer: &A, path: &Path) -> Result<Vec<u8>, Failure> {
         "csv" => return Ok(answer.csv().csv().into_bytes()),
         "md" => return Ok(answer.text(true).into_bytes()),
         "txt" => return Ok(answer.text(false).into_bytes()),
+        "toml" => {
+            if let Some(text) = answer.robot_file() {
+                return Ok(text.into_bytes());
+            }
+        }
         picture @ ("svg" | "png") => {
             if let Some(svg) = answer.svg() {
                 let svg = svg?;
@@ -78,7 +87,8 @@ fn contents<A: Answer>(answer: &A, path: &Path) -> Result<Vec<u8>, Failure> {
         _ => {}
     }
     let pictures = if answer.svg().is_some() { ".svg, .png, " } else { "" };
-    let expected = format!("{pictures}.json, .csv, .md or .txt");
+    let robot_file = if answer.robot_file().is_some() { ".toml, " } else { "" };
+    let expected = format!("{robot_file}{pictures}.json, .csv, .md or .txt");
     Err(Failure::Ending { command: A::COMMAND, path: path.into(), expected })
 }
 

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use stiffarm::catalogue::import::{ImportOptions, import};
 use stiffarm::catalogue::{self, Entry, entries, paper_robots, read, suggestions};
 use stiffarm::robot::Robot;
 
@@ -20,7 +21,7 @@ pub(crate) fn robot(name: &str) -> Result<Robot, Failure> {
     if path.is_file() {
         return read_file(path);
     }
-    let looks_like_a_file = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    let looks_like_a_file = ends_in(path, "toml") || is_description(path);
     if looks_like_a_file || path.is_dir() {
         let error = fs::read(path).err().unwrap_or_else(|| std::io::ErrorKind::InvalidInput.into());
         return Err(Failure::Read { path: path.into(), error });
@@ -73,17 +74,34 @@ pub(crate) fn files_in(path: &Path) -> Result<Vec<PathBuf>, Failure> {
     let failure = |error| Failure::Read { path: path.into(), error };
     let entries: Result<Vec<_>, _> = fs::read_dir(path).map_err(failure)?.collect();
     let mut paths: Vec<_> = entries.map_err(failure)?.into_iter().map(|entry| entry.path()).collect();
-    paths.retain(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
+    paths.retain(|path| ends_in(path, "toml"));
     paths.sort();
     if paths.is_empty() { Err(Failure::NoRobot(path.display().to_string())) } else { Ok(paths) }
 }
 
-/// Reads and checks one robot file.
+/// Reads and checks one robot file; a URDF is imported as it stands.
 pub(crate) fn read_file(path: &Path) -> Result<Robot, Failure> {
+    let (text, name) = (read_text(path)?, path.display().to_string());
+    if is_description(path) {
+        return Ok(import(&text, &name, &ImportOptions::default())?.robot);
+    }
+    Ok(read(&text, &name)?)
+}
+
+/// The text of a file that is no larger than what describes a robot.
+pub(crate) fn read_text(path: &Path) -> Result<String, Failure> {
     let failure = |error| Failure::Read { path: path.into(), error };
     if MOST_BYTES < fs::metadata(path).map_err(failure)?.len() {
         return Err(failure(std::io::Error::other("larger than 1 MiB; expected a robot file")));
     }
-    let text = fs::read_to_string(path).map_err(failure)?;
-    Ok(read(&text, &path.display().to_string())?)
+    fs::read_to_string(path).map_err(failure)
+}
+
+/// A description of a robot that others made.
+fn is_description(path: &Path) -> bool {
+    ends_in(path, "urdf") || ends_in(path, "xacro")
+}
+
+fn ends_in(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
 }

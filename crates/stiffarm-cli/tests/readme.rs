@@ -24,7 +24,9 @@ fn the_readme_shows_what_the_program_prints() {
         let block = block.split("\n```").next().expect("a closed block");
         let Some((command, expected)) = block.split_once('\n') else { continue };
         let arguments = command.strip_prefix("$ stiffarm ").expect("a command of the program");
-        let output = Command::cargo_bin("stiffarm").unwrap().args(words(arguments)).output().unwrap();
+        let mut program = Command::cargo_bin("stiffarm").unwrap();
+        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+        let output = program.current_dir(root).args(words(arguments)).output().unwrap();
         let printed = String::from_utf8(output.stdout).unwrap();
         let printed: Vec<&str> = printed.trim_end().lines().map(str::trim_end).collect();
         let expected: Vec<&str> = expected.trim_end().lines().map(str::trim_end).collect();

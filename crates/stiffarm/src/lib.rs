@@ -9,6 +9,7 @@
 //! | place | [`place::place`] | where must a zone stand, and who proves it? |
 //! | rank | [`rank::rank`] | which robot holds the force best? |
 //! | study | [`study::study`] | which architecture suits which link ratio and size? |
+//! | import | [`catalogue::import::import`] | which robot does a URDF describe? |
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
 //!
 //! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only in

@@ -1,6 +1,7 @@
 //! One file per verb: arguments to a call of the library, the answer to text, JSON, CSV and figure.
 
 pub(crate) mod compliance;
+pub(crate) mod import;
 pub(crate) mod map;
 pub(crate) mod place;
 pub(crate) mod rank;

@@ -19,6 +19,7 @@ pub(crate) fn run(args: &RobotsArgs, common: &Common) -> Result<(), Failure> {
         Some(RobotsAction::List { text, filters }) => list(text, filters, common),
         Some(RobotsAction::Show { robot }) => deliver(&Sheet(selection::robot(robot)?), common),
         Some(RobotsAction::Check { files }) => check(files),
+        Some(RobotsAction::Import(args)) => super::import::run(args, common),
     }
 }
 

@@ -2,14 +2,17 @@
 
 mod doubts;
 mod fault;
+pub mod import;
 mod index;
 mod reader;
 mod robot_file;
+mod write;
 
 pub use doubts::doubts;
 pub use fault::{Fault, Faults};
 pub use index::{Entry, entries, find, names, suggestions};
 pub use robot_file::read;
+pub use write::write;
 
 use crate::robot::Robot;
 

@@ -27,6 +27,10 @@ impl Log {
         self.faults.borrow_mut().push(Fault { line, key: key.into(), message: message.into() });
     }
 
+    pub(super) fn has_faults(&self) -> bool {
+        !self.faults.borrow().is_empty()
+    }
+
     pub(super) fn into_faults(self: Rc<Self>) -> Vec<Fault> {
         let mut faults = self.faults.borrow().clone();
         faults.sort_by_key(|fault| fault.line);
@@ -313,7 +317,7 @@ fn integer_as_written(integer: &toml::de::DeInteger) -> String {
 }
 
 /// A text from a file as it may stand in a message: short, on one line, without control characters.
-fn shown(text: &str) -> String {
+pub(super) fn shown(text: &str) -> String {
     const MOST: usize = 60;
     let escaped: String = text.chars().take(MOST).flat_map(char::escape_debug).collect();
     if text.chars().count() <= MOST { escaped } else { escaped + "..." }

@@ -1,0 +1,134 @@
+//! `stiffarm robots import`: a robot file from a URDF or from OPW parameters.
+
+use serde_json::{Value, json};
+use stiffarm::catalogue::import::{ImportOptions, Imported, SAMPLES, import};
+use stiffarm::limits::Range;
+use stiffarm::robot::Arm;
+
+use crate::args::{Common, Format, ImportArgs};
+use crate::failure::Failure;
+use crate::output::{Answer, deliver};
+use crate::selection;
+use crate::table::Table;
+
+pub(crate) fn run(args: &ImportArgs, common: &Common) -> Result<(), Failure> {
+    let options = options(args)?;
+    let text = selection::read_text(&args.file)?;
+    let answer = Report(import(&text, &args.file.display().to_string(), &options)?);
+    if common.format == Format::Table && !common.quiet {
+        eprint!("{}", answer.report(false));
+    }
+    deliver(&answer, common)
+}
+
+fn options(args: &ImportArgs) -> Result<ImportOptions, Failure> {
+    let limits = match args.limits_deg.len() {
+        0 => None,
+        6 => Some(std::array::from_fn(|i| {
+            let range = args.limits_deg[i];
+            Range::spanning(range.min().to_radians(), range.max().to_radians())
+        })),
+        n => return Err(Failure::Usage(format!("--limits-deg has {n} ranges; expected six, separated by commas"))),
+    };
+    Ok(ImportOptions {
+        name: args.name.clone(),
+        vendor: args.vendor.clone(),
+        payload_kg: args.payload_kg,
+        reach: args.reach_m,
+        architecture: args.architecture,
+        limits,
+        base: args.base.clone(),
+        tip: args.tip.clone(),
+    })
+}
+
+struct Report(Imported);
+
+/// Rounding of the computer alone is no error of the file.
+fn micrometres(metres: f64) -> String {
+    if metres < 1e-9 { "below 0.001".into() } else { format!("{:.3}", metres * 1e6) }
+}
+
+impl Report {
+    fn rows(&self) -> Vec<(&'static str, String)> {
+        let Imported { robot, notes, compared_with, largest_error, largest_turn, .. } = &self.0;
+        let mut rows = vec![("robot", robot.full_name()), ("architecture", robot.architecture.to_string())];
+        if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
+            let lengths = [
+                ("a1", geometry.a1),
+                ("a2", geometry.a2),
+                ("b", geometry.b),
+                ("c1", geometry.c1),
+                ("c2", geometry.c2),
+                ("c3", geometry.c3),
+                ("c4", geometry.c4),
+            ];
+            let lengths = lengths.map(|(name, m)| format!("{name} {}", (m * 1e6).round() / 1e3));
+            rows.push(("lengths", format!("{} mm", lengths.join(", "))));
+            let list = |values: [f64; 6]| values.map(|x| format!("{}", (x * 1e4).round() / 1e4)).join(", ");
+            rows.push(("zero offsets", format!("{} deg", list(geometry.offset.map(f64::to_degrees)))));
+            rows.push(("signs", list(geometry.sign)));
+            let ranges = limits.joints.map(|range| {
+                let end = |x: f64| (x.to_degrees() * 1e2).round() / 1e2;
+                format!("{}..{}", end(range.min()), end(range.max()))
+            });
+            rows.push(("limits", format!("{} deg", ranges.join(", "))));
+            let speeds = limits.speeds.map(|speeds| format!("{} deg/s", list(speeds.map(f64::to_degrees))));
+            rows.push(("speeds", speeds.unwrap_or_else(|| "-".into())));
+        }
+        rows.extend(notes.iter().map(|note| ("note", note.clone())));
+        rows.push((
+            "proved",
+            format!(
+                "at {SAMPLES} random postures against {compared_with}: largest error {} um, {:.5} deg",
+                micrometres(*largest_error),
+                largest_turn.to_degrees()
+            ),
+        ));
+        rows
+    }
+
+    fn report(&self, markdown: bool) -> String {
+        let mut table = Table::new(["", ""]);
+        for (key, value) in self.rows() {
+            table.row([key.to_owned(), value]);
+        }
+        table.text(markdown)
+    }
+}
+
+impl Answer for Report {
+    const COMMAND: &'static str = "robots import";
+
+    fn text(&self, markdown: bool) -> String {
+        if markdown { self.report(true) } else { self.0.text.clone() }
+    }
+
+    fn json(&self) -> Value {
+        let Imported { robot, text, notes, compared_with, largest_error, largest_turn } = &self.0;
+        json!({
+            "robot": robot.name,
+            "vendor": robot.vendor,
+            "architecture": robot.architecture.name(),
+            "status": robot.status.name(),
+            "notes": notes,
+            "compared_with": compared_with,
+            "postures": SAMPLES,
+            "largest_error_m": largest_error,
+            "largest_error_rad": largest_turn,
+            "robot_file": text,
+        })
+    }
+
+    fn csv(&self) -> Table {
+        let mut table = Table::new(["key", "value"]);
+        for (key, value) in self.rows() {
+            table.row([key.to_owned(), value]);
+        }
+        table
+    }
+
+    fn robot_file(&self) -> Option<String> {
+        Some(self.0.text.clone())
+    }
+}

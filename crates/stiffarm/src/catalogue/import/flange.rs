@@ -1,0 +1,110 @@
+//! Where is the flange?
+
+use nalgebra::{Point3, UnitQuaternion, Vector3};
+
+use super::axes::Axis;
+use super::chain::Chain;
+use super::{MEETS_M, STRAIGHT_DEG};
+use crate::catalogue::reader::{Log, shown};
+use crate::spatial::Pose;
+
+/// A flange nearer than this to the wrist centre, m, does not say which way is out.
+const NO_LENGTH: f64 = 1e-3;
+
+/// The flange at joint zero: its centre on axis 6, its z axis out along axis 6.
+#[derive(Debug)]
+pub(super) struct Flange {
+    pub(super) centre: Point3<f64>,
+    /// Away from the wrist centre, along axis 6.
+    pub(super) out: Vector3<f64>,
+    pub(super) turned: UnitQuaternion<f64>,
+    /// In the frame of the sixth moving link.
+    pub(super) in_link: Pose,
+    /// Which frame was taken, and how it was turned.
+    pub(super) note: String,
+}
+
+/// Takes the frame of link `tip`, else of a link named flange or tool0, else of the sixth moving link.
+///
+/// `None` where the frame that the user named does not stand on axis 6.
+pub(super) fn flange(
+    chain: &Chain,
+    tip: Option<&str>,
+    axis: &Axis,
+    wrist: &Point3<f64>,
+    forearm: &Vector3<f64>,
+    log: &Log,
+) -> Option<Flange> {
+    let link = chain.forward(&[0.0; 6]);
+    let ends: Vec<(&str, Pose)> = chain.ends.iter().map(|(name, pose)| (name.as_str(), link * pose)).collect();
+    let aside = |pose: &Pose| {
+        let centre = Point3::from(pose.translation.vector);
+        (centre - axis.nearest(&centre)).norm()
+    };
+    let z_lies_along = |pose: &Pose| {
+        let z = pose.rotation * Vector3::z();
+        z.cross(&axis.along).norm() <= STRAIGHT_DEG.to_radians()
+    };
+    let on_axis = |pose: &Pose| aside(pose) <= MEETS_M;
+    let named = |word: &str, along: bool| {
+        ends.iter().find(|(name, pose)| name.ends_with(word) && on_axis(pose) && (!along || z_lies_along(pose)))
+    };
+    let (name, pose) = match tip {
+        Some(tip) => {
+            // A link further out on the arm than the sixth moving one is among its ends.
+            let end = ends.iter().find(|(name, _)| *name == tip)?;
+            if !on_axis(&end.1) {
+                let joint = &chain.joints[5];
+                let off = aside(&end.1) * 1e3;
+                let message =
+                    format!("link '{}' stands {off:.1} mm beside axis 6; expected a flange on it", shown(tip));
+                log.add(joint.place, &joint.key(), message);
+                return None;
+            }
+            end
+        }
+        None => named("flange", true)
+            .or_else(|| named("tool0", true))
+            .or_else(|| named("flange", false))
+            .or_else(|| named("tool0", false))
+            .unwrap_or(&ends[0]),
+    };
+    let centre = axis.nearest(&pose.translation.vector.into());
+    let z = pose.rotation * Vector3::z();
+    let from_wrist = (centre - wrist).dot(&axis.along);
+    let outwards = if NO_LENGTH < from_wrist.abs() {
+        from_wrist
+    } else if z_lies_along(pose) {
+        z.dot(&axis.along)
+    } else {
+        axis.along.dot(forearm)
+    };
+    let out = axis.along * 1_f64.copysign(outwards);
+    let onto = least_turn(&z, &out, &(pose.rotation * Vector3::x()));
+    let turned = onto * pose.rotation;
+    let at_zero = Pose::from_parts(centre.coords.into(), turned);
+    let note = note(name, onto.angle().to_degrees(), from_wrist.abs());
+    Some(Flange { centre, out, turned, in_link: link.inverse() * at_zero, note })
+}
+
+/// The least turn that brings the unit vector `from` onto `to`; about `spare` where they are opposite.
+fn least_turn(from: &Vector3<f64>, to: &Vector3<f64>, spare: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let across = from.cross(to);
+    let angle = across.norm().atan2(from.dot(to));
+    let about = across.try_normalize(1e-12).unwrap_or(*spare);
+    UnitQuaternion::from_scaled_axis(about * angle)
+}
+
+fn note(name: &str, turned_deg: f64, from_wrist: f64) -> String {
+    let turned = if STRAIGHT_DEG < turned_deg {
+        format!(", turned by {turned_deg:.1} deg so that its z axis points out along axis 6")
+    } else {
+        String::new()
+    };
+    let at_wrist = "; it stands at the wrist centre, so c4 is 0: name the link of the flange if there is another";
+    format!(
+        "flange: the frame of link '{}'{turned}{}",
+        shown(name),
+        if from_wrist <= NO_LENGTH { at_wrist } else { "" }
+    )
+}

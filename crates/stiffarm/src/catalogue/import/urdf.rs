@@ -1,0 +1,263 @@
+//! What does a URDF say? Its links and joints, or every fault with its line.
+
+use nalgebra::{Translation3, Unit, UnitQuaternion, Vector3};
+use roxmltree::{Document, Error, Node};
+
+use crate::catalogue::reader::{Log, shown};
+use crate::spatial::Pose;
+
+/// Places further away than this, m, are in another unit.
+const FURTHEST: f64 = 100.0;
+/// Angles and limits larger than this, rad, are in another unit or mean nothing.
+const WIDEST: f64 = 1000.0;
+
+/// The links and joints of a URDF, in the order of the file.
+#[derive(Debug)]
+pub(super) struct Urdf {
+    /// Of the root element; empty where it has none.
+    pub(super) name: String,
+    pub(super) links: Vec<Link>,
+    pub(super) joints: Vec<Joint>,
+}
+
+#[derive(Debug)]
+pub(super) struct Link {
+    pub(super) name: String,
+    /// Where it stands in the text.
+    pub(super) place: usize,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Joint {
+    pub(super) name: String,
+    pub(super) kind: Kind,
+    pub(super) parent: String,
+    pub(super) child: String,
+    /// The joint's frame in the frame of its parent.
+    pub(super) origin: Pose,
+    pub(super) axis: Unit<Vector3<f64>>,
+    pub(super) limit: Limit,
+    /// The joint that this one follows.
+    pub(super) mimic: Option<String>,
+    pub(super) place: usize,
+}
+
+impl Joint {
+    /// How errors name it.
+    pub(super) fn key(&self) -> String {
+        format!("joint {}", shown(&self.name))
+    }
+
+    /// Moves by a drive of its own about its axis.
+    pub(super) fn is_driven(&self) -> bool {
+        self.mimic.is_none() && matches!(self.kind, Kind::Revolute | Kind::Continuous)
+    }
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Kind {
+    Revolute,
+    Continuous,
+    Fixed,
+    /// Any other that URDF knows: prismatic, planar, floating.
+    Sliding(&'static str),
+}
+
+/// What the element `limit` says; rad, rad/s.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Limit {
+    pub(super) lower: Option<f64>,
+    pub(super) upper: Option<f64>,
+    pub(super) velocity: Option<f64>,
+}
+
+/// Why a text is no URDF.
+#[derive(Debug)]
+pub(super) enum NoUrdf {
+    /// It is a xacro macro file.
+    Xacro,
+    /// The log says it.
+    Faults,
+}
+
+/// Reads a URDF; faults go to the log, and then what is returned is not to be used.
+pub(super) fn parse(text: &str, log: &Log) -> Result<Urdf, NoUrdf> {
+    let document = Document::parse(text).map_err(|error| {
+        if matches!(&error, Error::UnknownNamespace(prefix, _) if prefix == "xacro") {
+            return NoUrdf::Xacro;
+        }
+        let hint = match error {
+            Error::DtdDetected => "; expected a URDF, which has no document type and no entities of its own",
+            _ => "",
+        };
+        log.add(place_of(text, error.pos().row), "", format!("{}{hint}", shown(&error.to_string())));
+        NoUrdf::Faults
+    })?;
+    if document.descendants().any(|node| is_xacro(&node)) {
+        return Err(NoUrdf::Xacro);
+    }
+    let root = document.root_element();
+    if root.tag_name().name() != "robot" {
+        let found = shown(root.tag_name().name());
+        log.add(root.range().start, "", format!("the outermost element is <{found}>; expected <robot>"));
+        return Err(NoUrdf::Faults);
+    }
+    let mut urdf = Urdf { name: attribute(&root, "name").into(), links: Vec::new(), joints: Vec::new() };
+    for node in root.children().filter(Node::is_element) {
+        match node.tag_name().name() {
+            "link" => urdf.links.extend(link(&node, log)),
+            "joint" => urdf.joints.extend(Reader::of(&node, log).and_then(|reader| reader.joint(&node))),
+            _ => {} // materials, transmissions, what simulators add
+        }
+    }
+    Ok(urdf)
+}
+
+fn is_xacro(node: &Node) -> bool {
+    let by_name = node.tag_name().namespace().is_some_and(|name| name.contains("xacro"));
+    by_name || node.attributes().any(|attribute| attribute.value().contains("${"))
+}
+
+/// The first character of a line, counted from 1.
+fn place_of(text: &str, line: u32) -> usize {
+    let before = (line as usize).saturating_sub(2);
+    if line < 2 { 0 } else { text.match_indices('\n').nth(before).map_or(text.len(), |(i, _)| i + 1) }
+}
+
+fn attribute<'a>(node: &Node<'a, '_>, name: &str) -> &'a str {
+    node.attribute(name).unwrap_or_default().trim()
+}
+
+fn child<'a, 'i>(node: &Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
+    node.children().find(|child| child.is_element() && child.tag_name().name() == name)
+}
+
+fn link(node: &Node, log: &Log) -> Option<Link> {
+    let (name, place) = (attribute(node, "name"), node.range().start);
+    if name.is_empty() {
+        log.add(place, "link", "has no name");
+        return None;
+    }
+    Some(Link { name: name.into(), place })
+}
+
+/// Reads the parts of one joint.
+struct Reader<'l> {
+    name: String,
+    log: &'l Log,
+}
+
+impl<'l> Reader<'l> {
+    fn of(node: &Node, log: &'l Log) -> Option<Self> {
+        let name = attribute(node, "name");
+        if name.is_empty() {
+            log.add(node.range().start, "joint", "has no name");
+            return None;
+        }
+        Some(Self { name: name.into(), log })
+    }
+
+    fn fault(&self, node: &Node, part: &str, message: impl Into<String>) {
+        let comma = if part.is_empty() { "" } else { ", " };
+        self.log.add(node.range().start, &format!("joint {}{comma}{part}", shown(&self.name)), message);
+    }
+
+    fn joint(self, node: &Node) -> Option<Joint> {
+        let kind = self.kind(node);
+        let (parent, below) = (self.link(node, "parent"), self.link(node, "child"));
+        let origin = self.origin(node);
+        // The axis of a joint that does not move may be anything.
+        let axis = if kind == Some(Kind::Fixed) { Some(Vector3::x_axis()) } else { self.axis(node) };
+        let limit = self.limit(node);
+        let mimic = child(node, "mimic").map(|mimic| attribute(&mimic, "joint").to_owned());
+        let place = node.range().start;
+        Some(Joint {
+            kind: kind?,
+            parent: parent?,
+            child: below?,
+            origin: origin?,
+            axis: axis?,
+            limit: limit?,
+            mimic,
+            place,
+            name: self.name,
+        })
+    }
+
+    fn kind(&self, node: &Node) -> Option<Kind> {
+        Some(match attribute(node, "type") {
+            "revolute" => Kind::Revolute,
+            "continuous" => Kind::Continuous,
+            "fixed" => Kind::Fixed,
+            "prismatic" => Kind::Sliding("prismatic"),
+            "planar" => Kind::Sliding("planar"),
+            "floating" => Kind::Sliding("floating"),
+            other => {
+                let expected = "expected revolute, continuous, fixed, prismatic, planar or floating";
+                self.fault(node, "type", format!("'{}' is not known; {expected}", shown(other)));
+                return None;
+            }
+        })
+    }
+
+    fn link(&self, node: &Node, which: &'static str) -> Option<String> {
+        let name = child(node, which).map_or("", |link| attribute(&link, "link"));
+        if name.is_empty() {
+            self.fault(node, which, "missing; expected the name of a link");
+            return None;
+        }
+        Some(name.into())
+    }
+
+    /// `origin xyz rpy`: roll, pitch, yaw about fixed x, y, z; both are zero where absent.
+    fn origin(&self, node: &Node) -> Option<Pose> {
+        let Some(origin) = child(node, "origin") else { return Some(Pose::identity()) };
+        let xyz = self.vector(&origin, "xyz", [0.0; 3], FURTHEST, "m");
+        let rpy = self.vector(&origin, "rpy", [0.0; 3], WIDEST, "rad");
+        let ([x, y, z], [roll, pitch, yaw]) = (xyz?, rpy?);
+        Some(Pose::from_parts(Translation3::new(x, y, z), UnitQuaternion::from_euler_angles(roll, pitch, yaw)))
+    }
+
+    /// `1 0 0` where absent, as URDF has it.
+    fn axis(&self, node: &Node) -> Option<Unit<Vector3<f64>>> {
+        let Some(axis) = child(node, "axis") else { return Some(Vector3::x_axis()) };
+        let xyz = self.vector(&axis, "xyz", [1.0, 0.0, 0.0], WIDEST, "(a direction)")?;
+        let unit = Unit::try_new(Vector3::from(xyz), 1e-6);
+        if unit.is_none() {
+            let [x, y, z] = xyz;
+            self.fault(&axis, "axis xyz", format!("{x} {y} {z} has no direction; expected one of length 1"));
+        }
+        unit
+    }
+
+    fn limit(&self, node: &Node) -> Option<Limit> {
+        let Some(limit) = child(node, "limit") else { return Some(Limit::default()) };
+        let [lower, upper, velocity] = ["lower", "upper", "velocity"].map(|name| {
+            let Some(text) = limit.attribute(name) else { return Some(None) };
+            self.number(&limit, &format!("limit {name}"), text, f64::MAX, "rad").map(Some)
+        });
+        Some(Limit { lower: lower?, upper: upper?, velocity: velocity? })
+    }
+
+    fn vector(&self, node: &Node, name: &str, default: [f64; 3], most: f64, unit: &str) -> Option<[f64; 3]> {
+        let Some(text) = node.attribute(name) else { return Some(default) };
+        let part = format!("{} {name}", node.tag_name().name());
+        let words: Vec<&str> = text.split_whitespace().collect();
+        if words.len() != 3 {
+            let found = shown(text.trim());
+            self.fault(node, &part, format!("'{found}' has {} numbers; expected three, in {unit}", words.len()));
+            return None;
+        }
+        let numbers: Vec<f64> = words.iter().filter_map(|word| self.number(node, &part, word, most, unit)).collect();
+        numbers.try_into().ok()
+    }
+
+    fn number(&self, node: &Node, part: &str, text: &str, most: f64, unit: &str) -> Option<f64> {
+        let found = text.trim().parse::<f64>().ok().filter(|x| x.abs() <= most);
+        if found.is_none() {
+            let up_to = if most == f64::MAX { "a number".into() } else { format!("a number from -{most} to {most}") };
+            self.fault(node, part, format!("'{}'; expected {up_to}, in {unit}", shown(text.trim())));
+        }
+        found
+    }
+}

@@ -1,0 +1,235 @@
+//! How is a robot written down as a robot file?
+
+use std::fmt::Write;
+
+use crate::drive::{Drives, JointCompliance, Transmission};
+use crate::geometry::Geometry;
+use crate::limits::{Limits, Range, ThirdAxis};
+use crate::plane::PlanarArm;
+use crate::robot::{Arm, Robot};
+
+/// Angles beyond this, deg, cannot be said in a robot file.
+const WIDEST_DEG: f64 = 1080.0;
+
+/// The text of a robot file that [`read`](super::read) turns into an equal robot.
+///
+/// Equal to the last bit for every robot that was read from a file; lengths and angles that were computed may differ in
+/// the last bit, because not every number of metres is a thousandth of a number. What a file leaves to its defaults is
+/// left out. An open end of a joint's range is written as 1080 deg, the widest that a file can say.
+pub fn write(robot: &Robot) -> String {
+    let mut file = Text::default();
+    file.text("name", &robot.name);
+    if !robot.vendor.is_empty() {
+        file.text("vendor", &robot.vendor);
+    }
+    file.text("architecture", robot.architecture.name());
+    if robot.architecture_is_assumed {
+        file.entry("architecture_assumed", "true");
+    }
+    file.text("status", robot.status.name());
+    file.optional("payload_kg", robot.payload_kg.map(plain));
+    file.optional("mass_kg", robot.mass_kg.map(plain));
+    file.optional("reach_m", robot.reach.map(plain));
+    file.optional("repeatability_mm", robot.repeatability.map(millimetres));
+    match &robot.arm {
+        Arm::SixAxis { geometry, limits, drives } => {
+            file.geometry(geometry);
+            file.limits(limits);
+            file.drives(drives, &Transmission::of(robot.architecture));
+        }
+        Arm::Planar(arm) => file.planar(arm),
+    }
+    if !robot.source.is_empty() {
+        file.table("source");
+        for (key, text) in &robot.source {
+            file.text(&key_of(key), text);
+        }
+    }
+    file.0
+}
+
+#[derive(Default)]
+struct Text(String);
+
+impl Text {
+    fn table(&mut self, name: &str) {
+        writeln!(self.0, "\n[{name}]").expect("memory takes everything");
+    }
+
+    fn entry(&mut self, key: &str, value: &str) {
+        writeln!(self.0, "{key} = {value}").expect("memory takes everything");
+    }
+
+    fn optional(&mut self, key: &str, value: Option<String>) {
+        if let Some(value) = value {
+            self.entry(key, &value);
+        }
+    }
+
+    fn text(&mut self, key: &str, value: &str) {
+        self.entry(key, &quoted(value));
+    }
+
+    fn list(&mut self, key: &str, values: impl IntoIterator<Item = String>) {
+        self.entry(key, &list(values));
+    }
+
+    fn range(&mut self, key: &str, range: Range) {
+        if !range.is_all() {
+            self.entry(key, &pair(range));
+        }
+    }
+
+    fn geometry(&mut self, geometry: &Geometry) {
+        let Geometry { a1, a2, b, c1, c2, c3, c4, offset, sign } = geometry;
+        self.table("geometry");
+        for (key, length) in
+            [("a1_mm", a1), ("a2_mm", a2), ("b_mm", b), ("c1_mm", c1), ("c2_mm", c2), ("c3_mm", c3), ("c4_mm", c4)]
+        {
+            self.entry(key, &millimetres(*length));
+        }
+        self.list("offset_deg", offset.map(degrees));
+        self.list("sign", sign.map(plain));
+    }
+
+    fn limits(&mut self, limits: &Limits) {
+        self.table("limits");
+        self.list("joint_deg", limits.joints.map(pair));
+        if limits.third_axis == ThirdAxis::Forearm {
+            self.text("third_axis", "forearm");
+        }
+        self.range("elbow_deg", limits.elbow);
+        if let Some(speeds) = limits.speeds {
+            self.list("speed_deg_per_s", speeds.map(degrees));
+        }
+    }
+
+    fn drives(&mut self, drives: &Drives, usual: &Transmission) {
+        let (paper, own) = (drives.compliance == JointCompliance::PAPER, drives.transmission != *usual);
+        if !paper || own {
+            self.table("compliance");
+        }
+        if !paper {
+            self.list("drive_urad_per_nm", drives.compliance.0.map(microradians));
+        }
+        if own {
+            let rows = (0..6).map(|i| list(drives.transmission.0.row(i).iter().copied().map(plain)));
+            self.list("transmission", rows);
+        }
+        if let Some(compensator) = drives.compensator {
+            self.table("compensator");
+            self.list("base_mm", compensator.base.map(millimetres));
+            self.list("arm_mm", compensator.arm.map(millimetres));
+            self.entry("stiffness_n_per_mm", &inverse(compensator.stiffness, 1e-3, |x| x * 1e3));
+            self.entry("free_length_mm", &millimetres(compensator.free_length));
+        }
+    }
+
+    fn planar(&mut self, arm: &PlanarArm) {
+        self.table("planar");
+        self.entry("l2_mm", &millimetres(arm.l2));
+        self.entry("l3_mm", &millimetres(arm.l3));
+        self.range("shoulder_deg", arm.shoulder);
+        self.range("elbow_deg", arm.elbow);
+        self.range("forearm_deg", arm.forearm);
+        for (key, k) in [("k2_urad_per_nm", arm.k2), ("k3_urad_per_nm", arm.k3)] {
+            if k != JointCompliance::PAPER.0[1] {
+                self.entry(key, &microradians(k));
+            }
+        }
+    }
+}
+
+fn list(values: impl IntoIterator<Item = String>) -> String {
+    format!("[{}]", values.into_iter().collect::<Vec<_>>().join(", "))
+}
+
+fn pair(range: Range) -> String {
+    let end = |x: f64| if x.is_finite() { degrees(x) } else { plain(WIDEST_DEG.copysign(x)) };
+    list([end(range.min()), end(range.max())])
+}
+
+/// A key as TOML has it: bare where it may be, else in quotes.
+fn key_of(key: &str) -> String {
+    let bare = !key.is_empty() && key.bytes().all(|c| c.is_ascii_alphanumeric() || matches!(c, b'_' | b'-'));
+    if bare { key.into() } else { quoted(key) }
+}
+
+/// A TOML string in double quotes.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            c if c.is_control() => write!(quoted, "\\u{:04X}", u32::from(c)).expect("memory takes everything"),
+            c => quoted.push(c),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+/// The shortest decimals of `x`; a zero has no sign.
+fn plain(x: f64) -> String {
+    format!("{}", x + 0.0)
+}
+
+fn millimetres(metres: f64) -> String {
+    inverse(metres, 1e3, |mm| mm / 1e3)
+}
+
+fn degrees(radians: f64) -> String {
+    inverse(radians, 1_f64.to_degrees(), f64::to_radians)
+}
+
+fn microradians(k: f64) -> String {
+    inverse(k, 1e6, |urad| urad / 1e6)
+}
+
+/// The shortest decimals that `read` turns into `x`, which is about the `factor`-th part of what is written.
+fn inverse(x: f64, factor: f64, read: impl Fn(f64) -> f64) -> String {
+    const MOST_DIGITS: usize = 17;
+    let about = x * factor;
+    let neighbours = [about, about.next_up(), about.next_down()];
+    let exact = neighbours.into_iter().find(|&y| read(y) == x).unwrap_or(about);
+    let target = read(exact);
+    let short = (0..MOST_DIGITS).map(|digits| format!("{exact:.digits$}"));
+    let found = short.into_iter().find_map(|text| text.parse().ok().filter(|&y| read(y) == target));
+    plain(found.unwrap_or(exact))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::read;
+    use super::*;
+    use crate::catalogue::paper_robots;
+
+    #[test]
+    fn every_robot_that_is_compiled_in_is_written_and_read_back_unchanged() {
+        for robot in paper_robots() {
+            let text = write(&robot);
+            assert_eq!(read(&text, "written.toml").as_ref(), Ok(&robot), "{text}");
+        }
+    }
+
+    #[test]
+    fn texts_with_any_character_survive() {
+        let mut robot = paper_robots().swap_remove(0);
+        let odd: String = ('\0'..='\u{a0}').chain("\u{2028}\u{202e}\u{1f9be}".chars()).collect();
+        robot.name = format!("x{odd}x");
+        robot.source.insert(odd.clone(), odd);
+        robot.source.insert(String::new(), String::new());
+        assert_eq!(read(&write(&robot), "written.toml").as_ref(), Ok(&robot));
+    }
+
+    #[test]
+    fn numbers_are_written_as_people_write_them() {
+        assert_eq!(millimetres(1.15), "1150");
+        assert_eq!(millimetres(-0.041), "-41");
+        assert_eq!(millimetres(-0.0), "0");
+        assert_eq!(degrees(-90_f64.to_radians()), "-90");
+        assert_eq!(degrees(0.1_f64.to_radians()), "0.1");
+        assert_eq!(microradians(0.25e-6), "0.25");
+        assert_eq!(quoted("a \"b\" \\ \n"), "\"a \\\"b\\\" \\\\ \\u000A\"");
+    }
+}

@@ -1,0 +1,189 @@
+//! Does a robot survive being written down, to the last bit?
+
+use std::collections::BTreeMap;
+
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+use stiffarm::catalogue::{read, write};
+use stiffarm::drive::{Architecture, Drives, GravityCompensator, JointCompliance, Transmission};
+use stiffarm::geometry::Geometry;
+use stiffarm::limits::{Limits, Range, ThirdAxis};
+use stiffarm::plane::PlanarArm;
+use stiffarm::robot::{Arm, Robot, Status};
+
+/// Lengths as a file may have them, in m.
+fn length(min_mm: f64, max_mm: f64) -> impl Strategy<Value = f64> {
+    prop_oneof![(min_mm..max_mm).prop_map(|mm| mm / 1e3), (min_mm..max_mm).prop_map(|mm| mm.round() / 1e3)]
+}
+
+/// Zero or a length of either sign.
+fn offset() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(0.0), length(-900.0, -6.0), length(6.0, 900.0)]
+}
+
+fn angle(min: f64, max: f64) -> impl Strategy<Value = f64> {
+    prop_oneof![(min..max).prop_map(f64::to_radians), (min..max).prop_map(|deg| deg.round().to_radians())]
+}
+
+/// So wide that every arm reaches something.
+fn range() -> impl Strategy<Value = Range> {
+    (angle(-350.0, -185.0), angle(185.0, 350.0)).prop_map(|(min, max)| Range::spanning(min, max))
+}
+
+fn compliance() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(1e-6), (0.01..50.0).prop_map(|urad| urad / 1e6)]
+}
+
+fn six<S: Strategy>(strategy: impl Fn() -> S) -> impl Strategy<Value = [S::Value; 6]> {
+    [strategy(), strategy(), strategy(), strategy(), strategy(), strategy()]
+}
+
+fn geometry() -> impl Strategy<Value = Geometry> {
+    let lengths = (offset(), offset(), offset(), offset(), length(200.0, 2000.0), length(200.0, 2000.0), offset());
+    let sign = six(|| prop_oneof![Just(1.0), Just(-1.0)]);
+    (lengths, six(|| angle(-90.0, 90.0)), sign).prop_map(|((a1, a2, b, c1, c2, c3, c4), offset, sign)| Geometry {
+        a1,
+        a2,
+        b,
+        c1,
+        c2,
+        c3,
+        c4,
+        offset,
+        sign,
+    })
+}
+
+fn limits() -> impl Strategy<Value = Limits> {
+    // Beside a limit on the elbow itself, one on the enclosed angle may leave nothing.
+    let enclosed = (angle(1.0, 60.0), angle(300.0, 359.0)).prop_map(|(min, max)| Range::spanning(min, max));
+    let third = prop_oneof![
+        Just((ThirdAxis::Elbow, Range::ALL)),
+        Just((ThirdAxis::Forearm, Range::ALL)),
+        enclosed.prop_map(|enclosed| (ThirdAxis::Forearm, enclosed)),
+    ];
+    let speeds = proptest::option::of(six(|| angle(1.0, 900.0)));
+    (six(range), third, speeds).prop_map(|(joints, (third_axis, elbow), speeds)| Limits {
+        joints,
+        third_axis,
+        elbow,
+        speeds,
+    })
+}
+
+fn drives(architecture: Architecture) -> impl Strategy<Value = Drives> {
+    let geared = (-2.0..2.0).prop_map(move |ratio| {
+        let mut transmission = Transmission::of(architecture);
+        transmission.0[(5, 4)] = ratio;
+        transmission
+    });
+    let transmission = prop_oneof![Just(Transmission::of(architecture)), geared];
+    // Ends that never meet, and a spring far softer than any drive.
+    let compensator =
+        (length(-900.0, -800.0), offset(), length(10.0, 200.0), 1.0..9.0).prop_map(|(far, near, free, k)| {
+            GravityCompensator { base: [far, -far], arm: [near, 0.0], stiffness: k * 1e3, free_length: free }
+        });
+    (six(compliance), transmission, proptest::option::of(compensator))
+        .prop_map(|(k, transmission, compensator)| Drives { compliance: JointCompliance(k), transmission, compensator })
+}
+
+fn planar(architecture: Architecture) -> impl Strategy<Value = PlanarArm> {
+    let all = || prop_oneof![Just(Range::ALL), range()];
+    (length(200.0, 3000.0), length(200.0, 3000.0), compliance(), compliance(), all(), all(), all()).prop_map(
+        move |(l2, l3, k2, k3, shoulder, elbow, forearm)| PlanarArm {
+            l2,
+            l3,
+            k2,
+            k3,
+            architecture,
+            shoulder,
+            elbow,
+            forearm,
+        },
+    )
+}
+
+fn arm(architecture: Architecture) -> impl Strategy<Value = Arm> {
+    let six = (geometry(), limits(), drives(architecture));
+    prop_oneof![
+        six.prop_map(|(geometry, limits, drives)| Arm::SixAxis { geometry, limits, drives }),
+        planar(architecture).prop_map(Arm::Planar)
+    ]
+}
+
+fn robot() -> impl Strategy<Value = Robot> {
+    let text = || any::<String>().prop_map(|text| format!("x{text}x"));
+    let names = (text(), prop_oneof![Just(String::new()), text()], any::<bool>());
+    let figures = (
+        proptest::option::of(0.1..1e4),
+        proptest::option::of(0.1..20.0),
+        proptest::option::of(1.0..1e5),
+        proptest::option::of(length(0.001, 10.0).prop_filter("a repeatability", |m| 1e-7 <= *m)),
+    );
+    let source = proptest::collection::btree_map(any::<String>(), any::<String>(), 0..4);
+    let kind = prop_oneof![Just(Architecture::Serial), Just(Architecture::QuasiSerial)];
+    let arm = kind.prop_flat_map(|architecture| (Just(architecture), arm(architecture)));
+    let status = proptest::sample::select(&Status::ALL[..]);
+    (names, figures, source, arm, status).prop_map(
+        |(
+            (name, vendor, assumed),
+            (payload_kg, reach, mass_kg, repeatability),
+            source,
+            (architecture, arm),
+            status,
+        )| Robot {
+            name,
+            vendor,
+            architecture,
+            architecture_is_assumed: assumed,
+            status,
+            payload_kg,
+            reach,
+            mass_kg,
+            repeatability,
+            arm,
+            source: BTreeMap::from_iter(source),
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
+
+    #[test]
+    fn what_was_read_from_a_file_is_written_and_read_back_equal(robot in robot()) {
+        let text = write(&robot);
+        let back = read(&text, "written.toml");
+        prop_assert_eq!(back.as_ref(), Ok(&robot), "{}", text);
+    }
+
+    #[test]
+    fn any_length_and_angle_is_written_to_the_last_bit_or_the_one_beside_it(metres in 0.02..10.0_f64, radians in -17.0..17.0_f64) {
+        let arm = PlanarArm {
+            l2: metres,
+            l3: 1.0,
+            k2: 1e-6,
+            k3: 1e-6,
+            architecture: Architecture::Serial,
+            shoulder: Range::spanning(radians - 1.0, radians),
+            elbow: Range::ALL,
+            forearm: Range::ALL,
+        };
+        let robot = Robot {
+            name: "two links".into(),
+            vendor: String::new(),
+            architecture: Architecture::Serial,
+            architecture_is_assumed: false,
+            status: Status::Derived,
+            payload_kg: None,
+            reach: None,
+            mass_kg: None,
+            repeatability: None,
+            arm: Arm::Planar(arm.clone()),
+            source: BTreeMap::new(),
+        };
+        let Arm::Planar(back) = read(&write(&robot), "written.toml").unwrap().arm else { panic!("planar") };
+        let beside = |a: f64, b: f64| a.next_down() <= b && b <= a.next_up();
+        prop_assert!(beside(arm.l2, back.l2) && beside(arm.shoulder.max(), back.shoulder.max()), "{:?} {:?}", arm, back);
+    }
+}
