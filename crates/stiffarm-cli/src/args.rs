@@ -5,13 +5,16 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use nalgebra::{Rotation3, Translation3};
 use stiffarm::drive::Architecture;
 use stiffarm::limits::Range;
 use stiffarm::map::Component;
-use stiffarm::place::{Orientation, PlaceOptions, Within};
+use stiffarm::place::{Orientation, PlaceOptions, SpatialOptions, Within};
 use stiffarm::plane::Elbow;
+use stiffarm::spatial::Pose;
 use stiffarm::task::{Task, Zone};
 
+use crate::failure::Failure;
 use crate::filters::Filters;
 
 /// Which robot is stiff enough for machining, where must the work stand, and how far is the tool pushed off?
@@ -73,20 +76,125 @@ pub(crate) struct Placing {
     #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = force, allow_hyphen_values = true)]
     pub(crate) force_n: f64,
     /// Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
-    #[arg(long, value_name = "RANGES", value_parser = within, default_value = "..,..", hide_default_value = true, allow_hyphen_values = true)]
-    pub(crate) within: Within,
+    /// [default: anywhere; with --model spatial 0..,0..: in front of the joint-1 axis and above the base]
+    #[arg(long, value_name = "RANGES", value_parser = within, allow_hyphen_values = true)]
+    pub(crate) within: Option<Within>,
     /// Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or degrees of its first side
     #[arg(long, value_name = "ANGLE", value_parser = Angle::from_str, default_value = "axes", allow_hyphen_values = true)]
     pub(crate) angle: Angle,
-    /// Largest relative distance between a value and its proof
-    #[arg(long, value_name = "RATIO", default_value_t = 1e-4, value_parser = gap, allow_hyphen_values = true)]
-    pub(crate) gap: f64,
+    /// Largest relative distance between a value and its proof [default: 0.0001]
+    #[arg(long, value_name = "RATIO", value_parser = gap, allow_hyphen_values = true)]
+    pub(crate) gap: Option<f64>,
 }
 
 impl Placing {
     pub(crate) fn options(&self, zone: Zone) -> PlaceOptions {
         let orientation = self.angle.orientation(zone);
-        PlaceOptions { force: self.force_n, orientation, within: self.within, gap: self.gap }
+        PlaceOptions { orientation, within: self.planar_within(), gap: self.gap(), ..PlaceOptions::paper(self.force_n) }
+    }
+
+    pub(crate) fn planar_within(&self) -> Within {
+        self.within.unwrap_or(Within::ANYWHERE)
+    }
+
+    pub(crate) fn gap(&self) -> f64 {
+        self.gap.unwrap_or(PlaceOptions::paper(self.force_n).gap)
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Model {
+    /// The paper's: drives 2 and 3, the wrist centre, zones in the arm plane
+    Planar,
+    /// All six drives, the tool where it is, flat zones that the tool axis meets at a right angle
+    Spatial,
+}
+
+/// What only the spatial model knows.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Model")]
+pub(crate) struct Space {
+    /// Which model
+    #[arg(long, value_enum, default_value_t = Model::Planar)]
+    pub(crate) model: Model,
+    /// Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis [default: the flange]
+    #[arg(long, value_name = "X,Y,Z", value_parser = tool, allow_hyphen_values = true)]
+    pub(crate) tool_mm: Option<Pose>,
+    /// The tool axis: down, forward, up, or its angle above the horizontal [deg] [default: down]
+    #[arg(long, value_name = "DIRECTION", value_parser = elevation, allow_hyphen_values = true)]
+    pub(crate) tool_direction: Option<f64>,
+    /// Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]
+    #[arg(long, value_name = "DEG", value_parser = yaw, allow_hyphen_values = true)]
+    pub(crate) yaw_deg: Option<Range>,
+    /// Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]
+    #[arg(long, value_name = "DEG", value_parser = degrees, allow_hyphen_values = true)]
+    pub(crate) roll_deg: Option<f64>,
+}
+
+impl Space {
+    /// Refuses what the planar model does not know.
+    pub(crate) fn is_spatial(&self) -> Result<bool, Failure> {
+        let further = [
+            ("--tool-mm", self.tool_mm.is_some()),
+            ("--tool-direction", self.tool_direction.is_some()),
+            ("--yaw-deg", self.yaw_deg.is_some()),
+            ("--roll-deg", self.roll_deg.is_some()),
+        ];
+        match (self.model, further.iter().find(|(_, given)| *given)) {
+            (Model::Spatial, _) => Ok(true),
+            (Model::Planar, None) => Ok(false),
+            (Model::Planar, Some((name, _))) => Err(Failure::Usage(format!("{name} needs --model spatial"))),
+        }
+    }
+
+    pub(crate) fn elevation(&self) -> f64 {
+        self.tool_direction.unwrap_or(-90.0).to_radians()
+    }
+
+    pub(crate) fn tool(&self) -> Pose {
+        self.tool_mm.unwrap_or_else(Pose::identity)
+    }
+
+    /// What `place` and `rank` ask in space.
+    pub(crate) fn options(&self, placing: &Placing) -> Result<SpatialOptions, Failure> {
+        if placing.gap.is_some() {
+            return Err(Failure::Usage("--gap is of the planar model: the spatial search proves no bound".into()));
+        }
+        let usual = SpatialOptions::tool_down(placing.force_n);
+        let is_wall = self.elevation().abs() < 1.5;
+        let orientation = match placing.angle {
+            Angle::Axes => Orientation::Axes,
+            Angle::Free => Orientation::Free,
+            Angle::Degrees(angle) => Orientation::Fixed(angle.to_radians()),
+            Angle::Horizontal | Angle::Vertical if is_wall => Orientation::Axes,
+            Angle::Horizontal | Angle::Vertical => {
+                return Err(Failure::Usage(
+                    "--angle horizontal and vertical mean the long side on a wall; on a table give degrees, 0 has the first side ahead".into(),
+                ));
+            }
+        };
+        Ok(SpatialOptions {
+            flange_from_tool: self.tool(),
+            elevation: self.elevation(),
+            yaw: self.yaw_deg.unwrap_or(usual.yaw),
+            orientation,
+            roll: self.roll_deg.map(f64::to_radians),
+            within: placing.within.unwrap_or(usual.within),
+            ..usual
+        })
+    }
+
+    /// The same for one zone, of which it is known which side is the long one.
+    pub(crate) fn options_for(&self, placing: &Placing, zone: Zone) -> Result<SpatialOptions, Failure> {
+        let options = self.options(placing)?;
+        let [first, second] = zone.sides();
+        let upright = if second <= first { 0.0 } else { 90.0_f64 };
+        let orientation = match placing.angle {
+            Angle::Vertical => Orientation::Fixed(upright.to_radians()),
+            Angle::Horizontal => Orientation::Fixed((90.0 - upright).to_radians()),
+            _ => options.orientation,
+        };
+        Ok(SpatialOptions { orientation, ..options })
     }
 }
 
@@ -104,6 +212,8 @@ pub(crate) struct RankArgs {
     #[command(flatten)]
     pub(crate) placing: Placing,
     #[command(flatten)]
+    pub(crate) space: Space,
+    #[command(flatten)]
     pub(crate) filters: Filters,
 }
 
@@ -119,6 +229,8 @@ pub(crate) struct PlaceArgs {
     pub(crate) tolerance_mm: Option<f64>,
     #[command(flatten)]
     pub(crate) placing: Placing,
+    #[command(flatten)]
+    pub(crate) space: Space,
 }
 
 #[derive(Debug, Args)]
@@ -145,6 +257,8 @@ pub(crate) struct MapArgs {
     pub(crate) size: usize,
     #[command(flatten)]
     pub(crate) placing: Placing,
+    #[command(flatten)]
+    pub(crate) space: Space,
 }
 
 #[derive(Debug, Args)]
@@ -158,8 +272,8 @@ pub(crate) struct ComplianceArgs {
     #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', allow_hyphen_values = true)]
     pub(crate) force_n: Vec<f64>,
     /// Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange centre]
-    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', allow_hyphen_values = true)]
-    pub(crate) tool_mm: Vec<f64>,
+    #[arg(long, value_name = "X,Y,Z", value_parser = tool, allow_hyphen_values = true)]
+    pub(crate) tool_mm: Option<Pose>,
 }
 
 #[derive(Debug, Args)]
@@ -353,6 +467,39 @@ fn joint_range(text: &str) -> Result<Range, String> {
     open_range(text).ok().filter(|range| range.is_bounded()).ok_or_else(|| {
         format!("'{text}' is not a range of a joint; expected such as -185..185, in degrees, the lower end first")
     })
+}
+
+/// `x,y,z` or `x,y,z,rx,ry,rz`, in mm and degrees about fixed x, y, z.
+fn tool(text: &str) -> Result<Pose, String> {
+    let expected = || "expected x,y,z in mm, or x,y,z,rx,ry,rz with degrees; lengths up to 10000 mm".to_owned();
+    let numbers = text.split(',').map(|part| number(part, -10_000.0, 10_000.0, "").map_err(|_| expected()));
+    let numbers: Vec<f64> = numbers.collect::<Result<_, _>>()?;
+    let ([x, y, z], [rx, ry, rz]) = match *numbers.as_slice() {
+        [x, y, z] => ([x, y, z], [0.0; 3]),
+        [x, y, z, rx, ry, rz] => ([x, y, z], [rx, ry, rz].map(f64::to_radians)),
+        _ => return Err(expected()),
+    };
+    Ok(Pose::from_parts(Translation3::new(x / 1e3, y / 1e3, z / 1e3), Rotation3::from_euler_angles(rx, ry, rz).into()))
+}
+
+/// Degrees above the horizontal.
+fn elevation(text: &str) -> Result<f64, String> {
+    match text {
+        "down" => Ok(-90.0),
+        "forward" => Ok(0.0),
+        "up" => Ok(90.0),
+        _ => number(text, -90.0, 90.0, "")
+            .map_err(|_| "expected down, forward, up, or -90 to 90 degrees above the horizontal".into()),
+    }
+}
+
+/// Radians.
+fn yaw(text: &str) -> Result<Range, String> {
+    if text == "any" {
+        return Ok(Range::spanning(-std::f64::consts::PI, std::f64::consts::PI));
+    }
+    let angle = degrees(text).map_err(|_| "expected any, or an angle from -360 to 360 degrees".to_owned())?;
+    Ok(Range::point(angle.to_radians()))
 }
 
 fn step(text: &str) -> Result<f64, String> {

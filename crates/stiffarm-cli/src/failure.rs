@@ -81,6 +81,14 @@ pub(crate) enum Failure {
         /// Why.
         error: stiffarm::place::PlaceError,
     },
+    /// A zone that cannot be placed in space.
+    #[error("{robot}: {error}")]
+    PlaceInSpace {
+        /// Which robot.
+        robot: String,
+        /// Why.
+        error: stiffarm::place::SpatialPlaceError,
+    },
     /// A map that cannot be made.
     #[error("{robot}: {error}")]
     Map {

@@ -24,6 +24,16 @@ pub enum Shoulder {
     Back,
 }
 
+impl Shoulder {
+    /// The name that reports use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Front => "front",
+            Self::Back => "back",
+        }
+    }
+}
+
 /// Which way joint 5 bends; the flipped wrist turns joints 4 and 6 by half a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Wrist {
@@ -31,6 +41,16 @@ pub enum Wrist {
     NoFlip,
     /// `theta5 < 0`.
     Flip,
+}
+
+impl Wrist {
+    /// The name that reports use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NoFlip => "no flip",
+            Self::Flip => "flip",
+        }
+    }
 }
 
 /// One of the eight ways to reach a pose.
@@ -46,9 +66,7 @@ pub struct Class {
 
 impl std::fmt::Display for Class {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        let shoulder = if self.shoulder == Shoulder::Front { "front" } else { "back" };
-        let wrist = if self.wrist == Wrist::NoFlip { "no flip" } else { "flip" };
-        write!(f, "{shoulder}, elbow {}, {wrist}", self.elbow.name())
+        write!(f, "{}, elbow {}, {}", self.shoulder.name(), self.elbow.name(), self.wrist.name())
     }
 }
 

@@ -1,6 +1,6 @@
 //! `stiffarm compliance`: one posture, all six drives.
 
-use nalgebra::{Rotation3, Translation3, Vector3};
+use nalgebra::Vector3;
 use serde_json::{Value, json};
 use stiffarm::compliance::{Posture, beyond_limits, compliance};
 use stiffarm::robot::Robot;
@@ -17,7 +17,7 @@ pub(crate) fn run(args: &ComplianceArgs, common: &Common) -> Result<(), Failure>
     let q: [f64; 6] = args.joints_deg.as_slice().try_into().map_err(|_| {
         Failure::Usage(format!("--joints-deg has {} angles; expected six, separated by commas", args.joints_deg.len()))
     })?;
-    let tool = tool(&args.tool_mm)?;
+    let tool = args.tool_mm.unwrap_or_else(Pose::identity);
     let force = match *args.force_n.as_slice() {
         [] => None,
         [x, y, z] if [x, y, z].iter().all(|n: &f64| n.abs() <= 1e6) => Some(Vector3::new(x, y, z)),
@@ -41,22 +41,6 @@ fn remarks(robot: &Robot, q: &[f64; 6], radians: &[f64; 6]) {
         let which = if joint == 0 { "the angle between the links".into() } else { format!("joint {joint}") };
         eprintln!("warning: {which} is beyond its limits (`stiffarm robots show` lists them)");
     }
-}
-
-/// The tool frame in the flange frame, from mm and degrees about fixed x, y, z.
-fn tool(numbers: &[f64]) -> Result<Pose, Failure> {
-    let (point, turned) = match *numbers {
-        [] => ([0.0; 3], [0.0; 3]),
-        [x, y, z] => ([x, y, z], [0.0; 3]),
-        [x, y, z, rx, ry, rz] => ([x, y, z], [rx, ry, rz]),
-        _ => return Err(Failure::Usage("--tool-mm takes x,y,z in mm, or x,y,z,rx,ry,rz with degrees".into())),
-    };
-    if !numbers.iter().all(|number| number.is_finite()) {
-        return Err(Failure::Usage("--tool-mm takes finite numbers".into()));
-    }
-    let [x, y, z] = point.map(|mm| mm / 1e3);
-    let [rx, ry, rz] = turned.map(f64::to_radians);
-    Ok(Pose::from_parts(Translation3::new(x, y, z), Rotation3::from_euler_angles(rx, ry, rz).into()))
 }
 
 struct ComplianceAnswer {

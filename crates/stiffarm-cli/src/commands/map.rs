@@ -7,6 +7,7 @@ use stiffarm::place::{PlaceOptions, Placement, Within, find_robot};
 use stiffarm::robot::{ArmPlane, Robot};
 use stiffarm::task::Task;
 
+use super::spatial;
 use crate::args::{Angle, Common, MapArgs, Part};
 use crate::failure::Failure;
 use crate::figures::map::{MapFigure, ZoneMark};
@@ -18,10 +19,13 @@ use crate::table::Table;
 const FIGURE_SIZE: usize = 400;
 
 pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
-    if args.zone.is_none() && (args.placing.within != Within::ANYWHERE || args.placing.angle != Angle::Axes) {
+    if args.zone.is_none() && (args.placing.within.is_some() || args.placing.angle != Angle::Axes) {
         return Err(Failure::Usage("--within and --angle place a zone: give --zone with them".into()));
     }
     let robot = selection::robot(&args.robot)?;
+    if args.space.is_spatial()? {
+        return spatial::map::run(robot, args, common);
+    }
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let plane = arm_plane(&robot).map_err(failure)?;
     let [x, z] = reached_box(&plane.arm).map_err(failure)?;
@@ -49,7 +53,7 @@ pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
             found.map(|placement| (task.clone(), placement))
         }
     };
-    deliver(&MapAnswer { within: args.placing.within, robot, plane, options, map, zone }, common)
+    deliver(&MapAnswer { within: args.placing.planar_within(), robot, plane, options, map, zone }, common)
 }
 
 fn arm_plane(robot: &Robot) -> Result<ArmPlane, MapError> {
@@ -57,7 +61,7 @@ fn arm_plane(robot: &Robot) -> Result<ArmPlane, MapError> {
 }
 
 /// Points that cover a range with the given step.
-fn axis(range: Range, step: f64) -> Axis {
+pub(crate) fn axis(range: Range, step: f64) -> Axis {
     let steps = (range.width() / step).ceil();
     // Far beyond what is allowed, so that the refusal names the size without overflow.
     let count = if steps < 1e12 { steps as usize + 1 } else { 1_000_000_000_000 };

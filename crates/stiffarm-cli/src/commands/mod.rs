@@ -7,6 +7,7 @@ pub(crate) mod place;
 pub(crate) mod rank;
 pub(crate) mod robots;
 mod sheet;
+pub(crate) mod spatial;
 pub(crate) mod study;
 pub(crate) mod validate;
 

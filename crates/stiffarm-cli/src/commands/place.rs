@@ -6,6 +6,7 @@ use stiffarm::robot::Robot;
 use stiffarm::task::Task;
 
 use super::map::placement_figure;
+use super::spatial;
 use crate::args::{Common, PlaceArgs};
 use crate::failure::Failure;
 use crate::output::{Answer, deliver};
@@ -14,6 +15,9 @@ use crate::table::{Table, fixed, full};
 
 pub(crate) fn run(args: &PlaceArgs, common: &Common) -> Result<(), Failure> {
     let robot = selection::robot(&args.robot)?;
+    if args.space.is_spatial()? {
+        return spatial::place::run(robot, args, common);
+    }
     let options = args.placing.options(args.task.zone);
     let placed = place_robot(&robot, args.task.zone, &options)
         .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;

@@ -10,8 +10,8 @@ use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
 
 use super::place::{CELL_COLUMNS, cell_json, cell_row};
-use super::progress;
 use super::sheet::{ASSUMED_ARCHITECTURE, architecture};
+use super::{progress, spatial};
 use crate::args::{Common, RankArgs};
 use crate::failure::Failure;
 use crate::figures::ranking::{self, Curve, Panel};
@@ -44,6 +44,9 @@ pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
         }
     }
     let first = args.tasks.first().ok_or_else(|| Failure::Usage("no task to rank for; give --task".into()))?;
+    if args.space.is_spatial()? {
+        return spatial::rank::run(&robots, &tasks, args, common);
+    }
     let options = args.placing.options(first.zone);
     let bar = progress(robots.len() * tasks.len(), "placing zones", common);
     let ranking = rank(&robots, &tasks, &options, || bar.inc(1))?;

@@ -1,0 +1,135 @@
+//! `stiffarm map --model spatial`: a section through everything the tool reaches.
+
+use serde_json::{Value, json};
+use stiffarm::map::{Axis, Map, Section, SectionOptions, reached_section, section};
+use stiffarm::robot::Robot;
+
+use super::{direction, tool};
+use crate::args::{Common, MapArgs};
+use crate::commands::map::axis;
+use crate::failure::Failure;
+use crate::output::{Answer, deliver};
+use crate::table::Table;
+
+pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), Failure> {
+    for (name, given) in [
+        ("--direction-deg", args.direction_deg.is_some()),
+        ("--elbow", args.elbow.is_some()),
+        ("--zone", args.zone.is_some()),
+        ("--yaw-deg", args.space.yaw_deg.is_some()),
+    ] {
+        if given {
+            return Err(Failure::Usage(format!(
+                "{name} does not go with a map in space; `stiffarm place --model spatial` draws a zone"
+            )));
+        }
+    }
+    let failure = |error| Failure::Map { robot: robot.name.clone(), error };
+    let unit = Axis { start: 0.0, step: 1.0, count: 2 };
+    let asked = SectionOptions {
+        x: unit,
+        z: unit,
+        force: args.placing.force_n,
+        flange_from_tool: args.space.tool(),
+        elevation: args.space.elevation(),
+        roll: args.space.roll_deg.map(f64::to_radians),
+        class: None,
+    };
+    let Some([x, z]) = reached_section(&robot, &asked).map_err(failure)? else {
+        return Err(Failure::Usage(format!(
+            "{}: no point is reached with the {}",
+            robot.name,
+            direction(asked.elevation)
+        )));
+    };
+    let step = args.step_m.unwrap_or_else(|| x.width().max(z.width()) / (args.size - 1) as f64);
+    let options = SectionOptions { x: axis(x, step), z: axis(z, step), ..asked };
+    let section = section(&robot, &options).map_err(failure)?;
+    deliver(&MapAnswer { robot, options, section }, common)
+}
+
+struct MapAnswer {
+    robot: Robot,
+    options: SectionOptions,
+    section: Section,
+}
+
+impl Answer for MapAnswer {
+    const COMMAND: &'static str = "map";
+
+    fn text(&self, markdown: bool) -> String {
+        let Self { robot, options, section } = self;
+        let mut table = Table::new(["", ""]);
+        table.row(["robot".into(), format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)]);
+        table.row([
+            "mapped".into(),
+            format!("worst deflection under {} N, spatial model, {}", options.force, direction(options.elevation)),
+        ]);
+        table.row(["tool".into(), tool(&options.flange_from_tool)]);
+        let (x, z) = (section.worst.x, section.worst.z);
+        table.row(["points".into(), format!("{} x {}, every {:.4} m", x.count, z.count, x.step)]);
+        if let Some([least, most]) = section.worst.extremes() {
+            for (name, (value, i, j)) in [("least", least), ("most", most)] {
+                let class = section.posture(i, j).map_or_else(String::new, |(class, _)| format!(" ({class})"));
+                let place = format!("x {:.3} m, z {:.3} m from the base", x.at(i), z.at(j));
+                table.row([name.into(), format!("{:.4} mm at {place}{class}", value * 1e3)]);
+            }
+        }
+        table.text(markdown)
+            + "\nthe section points straight ahead and stands for every direction about the joint-1 axis; the best posture and roll of each point\n\
+               -o map.csv or .json writes the map, with posture, roll and the margins to limits and singular postures\n"
+    }
+
+    fn json(&self) -> Value {
+        let Self { robot, options, section } = self;
+        let layer = |map: &Map, factor: f64| -> Value {
+            (0..map.z.count)
+                .map(|j| Value::Array(map.row(j).map(|cell| json!(cell.map(|value| value * factor))).collect()))
+                .collect()
+        };
+        json!({
+            "robot": robot.name,
+            "model": "spatial",
+            "force_n": options.force,
+            "tool_direction_deg": options.elevation.to_degrees(),
+            "x_m": section.worst.x.points(),
+            "z_m": section.worst.z.points(),
+            "worst_mm": layer(&section.worst, 1e3),
+            "limit_margin_deg": layer(&section.limit_margin, 1_f64.to_degrees()),
+            "singular_margin_deg": layer(&section.singular_margin, 1_f64.to_degrees()),
+        })
+    }
+
+    fn csv(&self) -> Table {
+        let section = &self.section;
+        let mut table = Table::new([
+            "x_m",
+            "z_m",
+            "deflection_mm",
+            "shoulder",
+            "elbow",
+            "wrist",
+            "roll_deg",
+            "limit_margin_deg",
+            "singular_margin_deg",
+        ]);
+        let (x, z) = (section.worst.x, section.worst.z);
+        for (i, j) in (0..z.count).flat_map(|j| (0..x.count).map(move |i| (i, j))) {
+            let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
+            let posture = section.posture(i, j);
+            let word = |word: Option<&str>| word.unwrap_or_default().to_owned();
+            table.row([
+                x.at(i).to_string(),
+                z.at(j).to_string(),
+                number(section.worst.get(i, j).map(|metres| metres * 1e3)),
+                word(posture.map(|(class, _)| class.shoulder.name())),
+                word(posture.map(|(class, _)| class.elbow.name())),
+                word(posture.map(|(class, _)| class.wrist.name())),
+                number(posture.map(|(_, roll)| roll.to_degrees())),
+                number(section.limit_margin.get(i, j).map(f64::to_degrees)),
+                number(section.singular_margin.get(i, j).map(f64::to_degrees)),
+            ]);
+        }
+        table
+    }
+}

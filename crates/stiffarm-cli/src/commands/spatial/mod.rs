@@ -1,0 +1,186 @@
+//! The verbs with `--model spatial`: all six drives, the tool where it is.
+
+pub(crate) mod map;
+pub(crate) mod place;
+pub(crate) mod rank;
+
+use serde_json::{Map, Value, json};
+use stiffarm::limits::Range;
+use stiffarm::place::{SpatialOptions, SpatiallyPlaced, Within};
+use stiffarm::robot::Robot;
+use stiffarm::spatial::Pose;
+use stiffarm::task::Task;
+
+use crate::table::full;
+
+/// The columns of a placement in a spreadsheet.
+pub(crate) const CELL_COLUMNS: [&str; 27] = [
+    "robot",
+    "vendor",
+    "architecture",
+    "status",
+    "task",
+    "force_n",
+    "feasible",
+    "deflection_mm",
+    "x_m",
+    "z_m",
+    "bearing_deg",
+    "yaw_deg",
+    "angle_deg",
+    "roll_deg",
+    "shoulder",
+    "elbow",
+    "wrist",
+    "q1_deg",
+    "q2_deg",
+    "q3_deg",
+    "q4_deg",
+    "q5_deg",
+    "q6_deg",
+    "limit_margin_deg",
+    "singular_margin_deg",
+    "tolerance_mm",
+    "pass",
+];
+
+/// One placement for a spreadsheet; the joints are those at the worst point.
+pub(crate) fn cell_row(
+    robot: &Robot,
+    task: &Task,
+    force: f64,
+    placed: &SpatiallyPlaced,
+    tolerance_mm: Option<f64>,
+) -> Vec<String> {
+    let best = placed.feasible();
+    let degrees = |angle: Option<f64>| full(angle.map(|angle| angle.to_degrees() + 0.0));
+    let word = |words: Option<&str>| words.unwrap_or_default().to_owned();
+    let mut row = vec![
+        robot.name.clone(),
+        robot.vendor.clone(),
+        robot.architecture.to_string(),
+        robot.status.to_string(),
+        task.label.clone(),
+        force.to_string(),
+        best.is_some().to_string(),
+        full(best.map(|best| best.deflection * 1e3)),
+        full(best.map(|best| best.centre[0])),
+        full(best.map(|best| best.centre[1])),
+        degrees(best.map(|best| best.bearing)),
+        degrees(best.map(|best| best.yaw)),
+        degrees(best.map(|best| best.angle)),
+        degrees(best.map(|best| best.roll)),
+        word(best.map(|best| best.class.shoulder.name())),
+        word(best.map(|best| best.class.elbow.name())),
+        word(best.map(|best| best.class.wrist.name())),
+    ];
+    row.extend((0..6).map(|joint| degrees(best.map(|best| best.worst_joints[joint]))));
+    row.push(degrees(best.map(|best| best.limit_margin.0)));
+    row.push(degrees(best.map(|best| best.singular_margin)));
+    row.push(full(tolerance_mm));
+    row.push(
+        tolerance_mm.map_or_else(String::new, |tolerance| {
+            best.is_some_and(|best| best.deflection * 1e3 <= tolerance).to_string()
+        }),
+    );
+    row
+}
+
+/// A placement with the keys that scripts rely on; positions from the base.
+pub(crate) fn cell_json(
+    robot: &Robot,
+    task: &Task,
+    options: &SpatialOptions,
+    placed: &SpatiallyPlaced,
+    tolerance_mm: Option<f64>,
+) -> Map<String, Value> {
+    let mut cell = Map::new();
+    let mut put = |key: &str, value: Value| drop(cell.insert(key.into(), value));
+    put("robot", json!(robot.name));
+    put("task", json!(task.label));
+    put("model", json!("spatial"));
+    put("force_n", json!(options.force));
+    match placed {
+        SpatiallyPlaced::Feasible(best) => {
+            put("feasible", json!(true));
+            put("deflection_mm", json!(best.deflection * 1e3));
+            put("lower_bound_mm", Value::Null);
+            put("x_m", json!(best.centre[0]));
+            put("z_m", json!(best.centre[1]));
+            put("bearing_deg", json!(best.bearing.to_degrees()));
+            put("yaw_deg", json!(best.yaw.to_degrees()));
+            put("angle_deg", json!(best.angle.to_degrees()));
+            put("roll_deg", json!(best.roll.to_degrees()));
+            put("shoulder", json!(best.class.shoulder.name()));
+            put("elbow", json!(best.class.elbow.name()));
+            put("wrist", json!(best.class.wrist.name()));
+            put("worst_point_m", json!(best.worst_point));
+            put("worst_joints_deg", json!(best.worst_joints.map(f64::to_degrees)));
+            put("worst_shares", json!(best.worst_shares));
+            put("limit_margin_deg", json!(best.limit_margin.0.to_degrees()));
+            put("limit_margin_joint", json!(best.limit_margin.1));
+            put("singular_margin_deg", json!(best.singular_margin.to_degrees()));
+            let found = &best.resolution;
+            put(
+                "resolution",
+                json!({
+                    "coarse_step_m": found.coarse_step, "coarse_mm": (found.coarse.is_finite()).then_some(found.coarse * 1e3),
+                    "fine_step_m": found.fine_step, "fine_turn_deg": found.fine_turn.to_degrees(),
+                    "sample_step_m": found.sample_step, "samples": found.samples, "halving": found.halving,
+                }),
+            );
+        }
+        SpatiallyPlaced::Infeasible(misfit) => {
+            put("feasible", json!(false));
+            put("reason", json!(misfit.to_string()));
+        }
+    }
+    if let Some(tolerance) = tolerance_mm {
+        let best = placed.feasible().map(|best| best.deflection * 1e3);
+        put("tolerance_mm", json!(tolerance));
+        put("pass", json!(best.is_some_and(|best| best <= tolerance)));
+        if let Some(best) = best {
+            put("margin_mm", json!(tolerance - best));
+        }
+    }
+    cell
+}
+
+/// The tool axis in words.
+pub(crate) fn direction(elevation: f64) -> String {
+    let degrees = elevation.to_degrees();
+    if (degrees + 90.0).abs() < 1e-9 {
+        "tool down".into()
+    } else if degrees.abs() < 1e-9 {
+        "tool forward".into()
+    } else if (degrees - 90.0).abs() < 1e-9 {
+        "tool up".into()
+    } else {
+        format!("tool {degrees} deg above the horizontal")
+    }
+}
+
+/// The tool in words.
+pub(crate) fn tool(tool: &Pose) -> String {
+    if *tool == Pose::identity() {
+        return "the flange".into();
+    }
+    let v = tool.translation.vector * 1e3;
+    let (rx, ry, rz) = tool.rotation.euler_angles();
+    let point = format!("{:.1}, {:.1}, {:.1} mm from the flange", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+    if tool.rotation.angle() < 1e-12 {
+        point
+    } else {
+        let turned = [rx, ry, rz].map(|angle| format!("{:.2}", angle.to_degrees() + 0.0));
+        format!("{point}, turned {} deg", turned.join(", "))
+    }
+}
+
+/// Where a zone may stand, in words.
+pub(crate) fn window(within: &Within) -> String {
+    let range = |range: Range| {
+        let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
+        format!("{}..{}", end(range.min()), end(range.max()))
+    };
+    format!("x {} m, z {} m from the base", range(within.x), range(within.z))
+}

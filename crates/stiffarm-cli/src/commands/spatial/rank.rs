@@ -1,0 +1,188 @@
+//! `stiffarm rank --model spatial`: robots in order, all six drives, with their place in the planar ranking beside it.
+
+use serde_json::{Value, json};
+use stiffarm::place::{PlaceOptions, SpatialOptions, SpatiallyPlaced};
+use stiffarm::rank::{Ranking, Row, rank, rank_in_space};
+use stiffarm::robot::{Robot, Status};
+use stiffarm::task::Task;
+
+use super::{CELL_COLUMNS, cell_json, cell_row, direction, tool, window};
+use crate::args::{Common, RankArgs};
+use crate::commands::progress;
+use crate::commands::sheet::{ASSUMED_ARCHITECTURE, architecture};
+use crate::failure::Failure;
+use crate::output::{Answer, deliver};
+use crate::table::{Table, fixed};
+
+pub(crate) fn run(robots: &[Robot], tasks: &[Task], args: &RankArgs, common: &Common) -> Result<(), Failure> {
+    let options = match tasks {
+        [task] => args.space.options_for(&args.placing, task.zone)?,
+        _ => args.space.options(&args.placing)?,
+    };
+    let bar = progress(robots.len() * tasks.len(), "placing zones in space", common);
+    let ranking = rank_in_space(robots, tasks, &options, || bar.inc(1))?;
+    bar.finish_and_clear();
+    // What the paper's model says of the same robots and tasks, anywhere in the arm plane.
+    let planar = rank(robots, tasks, &PlaceOptions::paper(options.force), || ())?;
+    deliver(&RankAnswer { ranking, planar, options, tolerance_mm: args.tolerance_mm }, common)
+}
+
+struct RankAnswer {
+    ranking: Ranking<SpatiallyPlaced>,
+    planar: Ranking,
+    options: SpatialOptions,
+    tolerance_mm: Option<f64>,
+}
+
+/// Places from 1 of the robots that take one: an estimated robot stands where its values put it, but takes none.
+fn places<C>(rows: &[Row<C>]) -> Vec<Option<usize>> {
+    let mut place = 0;
+    rows.iter()
+        .map(|row| {
+            (row.robot.status != Status::Estimated).then(|| {
+                place += 1;
+                place
+            })
+        })
+        .collect()
+}
+
+impl RankAnswer {
+    /// The place of a robot in the planar ranking.
+    fn planar_place(&self, robot: &Robot) -> Option<usize> {
+        let at = self.planar.rows.iter().position(|row| row.robot == *robot)?;
+        places(&self.planar.rows)[at]
+    }
+
+    fn cell(&self, row: &Row<SpatiallyPlaced>, task: usize) -> String {
+        let Some(deflection) = row.deflection(task) else { return "-".into() };
+        let is_best = self.ranking.best_published(task).is_some_and(|best| best.robot == row.robot);
+        let millimetres = deflection * 1e3;
+        let verdict = self.tolerance_mm.map_or_else(String::new, |tolerance| {
+            let margin = tolerance - millimetres;
+            format!(" {} {margin:+.3}", if 0.0 <= margin { "pass" } else { "fail" })
+        });
+        format!("{}{}{verdict}", fixed(millimetres, 3), if is_best { "*" } else { "" })
+    }
+
+    fn sentences(&self) -> Vec<String> {
+        let Ranking { tasks, force, .. } = &self.ranking;
+        let name = |robot: Option<&Robot>| robot.map_or_else(|| "no robot".to_owned(), Robot::full_name);
+        let mut sentences = Vec::new();
+        for (i, task) in tasks.iter().enumerate() {
+            let best = self.ranking.best_published(i);
+            let spatial = best.map(|row| &row.robot);
+            let planar = self.planar.best_published(i).map(|row| &row.robot);
+            let value =
+                best.and_then(|row| row.deflection(i)).map_or_else(String::new, |d| format!(" ({:.2} mm)", d * 1e3));
+            let other = if spatial == planar {
+                String::new()
+            } else {
+                format!("; the planar model alone would take {}", name(planar))
+            };
+            sentences.push(format!("{} under {force} N: take {}{value}{other}.", task.label, name(spatial)));
+        }
+        if let Some(tolerance) = self.tolerance_mm {
+            let all = |row: &&Row<SpatiallyPlaced>| {
+                (0..tasks.len()).all(|task| row.deflection(task).is_some_and(|d| d * 1e3 <= tolerance))
+            };
+            let passing: Vec<String> = self.ranking.rows.iter().filter(all).map(|row| row.robot.name.clone()).collect();
+            sentences.push(if passing.is_empty() {
+                format!("No robot keeps {tolerance} mm on every task.")
+            } else {
+                format!("{tolerance} mm on every task: {}.", passing.join(", "))
+            });
+        }
+        sentences
+    }
+
+    fn notes(&self) -> String {
+        let rows = &self.ranking.rows;
+        let mut notes = String::from(
+            "* best of the robots of which no number is assumed; - no place was found (`stiffarm place --model spatial` says why)\n",
+        );
+        notes +=
+            "planar #: place in the planar ranking of the same robots and tasks (zones in the arm plane, anywhere)\n";
+        if rows.iter().any(|row| row.robot.status == Status::Estimated) {
+            notes += "~ estimated: lengths or limits partly assumed; such a robot takes no place\n";
+        }
+        if rows.iter().any(|row| row.robot.architecture_is_assumed) {
+            notes += ASSUMED_ARCHITECTURE;
+        }
+        notes += "coarse search, then refined; no bound is proved, collisions are not checked\n";
+        notes
+    }
+}
+
+impl Answer for RankAnswer {
+    const COMMAND: &'static str = "rank";
+
+    fn text(&self, markdown: bool) -> String {
+        let Ranking { tasks, force, rows } = &self.ranking;
+        let mut headings: Vec<String> = ["#", "robot", "architecture", "status"].map(Into::into).into();
+        headings.extend(tasks.iter().map(|task| format!("{} mm", task.label)));
+        headings.extend(["mean ratio".into(), "planar #".into()]);
+        let mut table = Table::new(headings);
+        for (row, place) in rows.iter().zip(places(rows)) {
+            let robot = &row.robot;
+            let or_estimated = |place: Option<usize>| place.map_or_else(|| "~".to_owned(), |place| place.to_string());
+            let mut cells = vec![or_estimated(place), robot.full_name(), architecture(robot), robot.status.to_string()];
+            cells.extend((0..tasks.len()).map(|task| self.cell(row, task)));
+            cells.push(if row.score.is_finite() { fixed(row.score, 3) } else { "-".into() });
+            cells.push(or_estimated(self.planar_place(robot)));
+            table.row(cells);
+        }
+        format!(
+            "Worst deflection inside each flat zone at its best place, {force} N in the worst direction, spatial model\n\
+             {}, tool {}; zones within {}\n\n{}\n{}\n{}\n",
+            direction(self.options.elevation),
+            tool(&self.options.flange_from_tool),
+            window(&self.options.within),
+            table.text(markdown),
+            self.notes(),
+            self.sentences().join("\n")
+        )
+    }
+
+    fn json(&self) -> Value {
+        let Ranking { tasks, force, rows } = &self.ranking;
+        let rows = rows.iter().zip(places(rows)).map(|(row, place)| {
+            let robot = &row.robot;
+            let cells = tasks
+                .iter()
+                .zip(&row.cells)
+                .map(|(task, placed)| Value::Object(cell_json(robot, task, &self.options, placed, self.tolerance_mm)));
+            json!({
+                "robot": robot.name,
+                "vendor": robot.vendor,
+                "architecture": robot.architecture.name(),
+                "architecture_assumed": robot.architecture_is_assumed,
+                "status": robot.status.name(),
+                "place": place,
+                "planar_place": self.planar_place(robot),
+                "mean_ratio": row.score.is_finite().then_some(row.score),
+                "cells": cells.collect::<Value>(),
+            })
+        });
+        json!({
+            "tasks": tasks.iter().map(|task| task.label.clone()).collect::<Vec<_>>(),
+            "force_n": force,
+            "model": "spatial",
+            "rows": rows.collect::<Value>(),
+            "summary": self.sentences(),
+        })
+    }
+
+    fn csv(&self) -> Table {
+        let mut table = Table::new(["rank", "planar_rank"].into_iter().chain(CELL_COLUMNS));
+        for (i, row) in self.ranking.rows.iter().enumerate() {
+            let planar = self.planar.rows.iter().position(|other| other.robot == row.robot).map_or(0, |at| at + 1);
+            for (task, placed) in self.ranking.tasks.iter().zip(&row.cells) {
+                let mut cells = vec![(i + 1).to_string(), planar.to_string()];
+                cells.extend(cell_row(&row.robot, task, self.options.force, placed, self.tolerance_mm));
+                table.row(cells);
+            }
+        }
+        table
+    }
+}
