@@ -569,6 +569,9 @@ fn faulty_opw_parameters_are_refused_with_line_key_and_value() {
     let under = |name: &str| format!("{name}:\n{}", OPW.lines().map(|line| format!("  {line}\n")).collect::<String>());
     assert!(faults(&(under("a") + &under("b"))).to_string().contains("stands here 2 times; expected one arm"));
     assert!(faults(&(under("a") + &under("a"))).to_string().contains("a: stands here twice"));
+    let alias = replaced(&replaced(OPW, "a1: 0.3", "a1: &x 0.3"), "c4: 0.2", "c4: *x");
+    assert!(faults(&alias).to_string().contains("9: an alias (*); expected plain values"), "{}", faults(&alias));
+    assert!(faults(&("- ".repeat(40) + "1")).to_string().contains("nested too deeply"));
     for deep in
         ["[".repeat(100_000), "- ".repeat(100_000), "a:\n".repeat(10), "? ".repeat(50_000), "{a: ".repeat(50_000)]
     {
