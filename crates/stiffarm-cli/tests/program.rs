@@ -275,7 +275,28 @@ fn drive_1_gives_the_square_of_the_distance_sideways() {
     let output = program().args(["compliance", "BT200L", "--joints-deg", "0,1.57,0,0,0,0"]).output().unwrap();
     assert!(String::from_utf8_lossy(&output.stderr).contains("if these are radians"));
     let (_, errors) = refused(&["compliance", "BT200L", "--joints-deg", "0,0,0,0,0,0", "--tool-mm", "0,0,100000"]);
-    assert!(errors.contains("expected at most 10 m"), "{errors}");
+    assert!(errors.contains("lengths up to 10000 mm"), "{errors}");
+}
+
+#[test]
+fn in_space_a_zone_has_a_place_a_posture_and_joint_angles_and_planar_questions_are_refused() {
+    let answer =
+        json(&["place", "KR 210 R2700 extra", "--task", "A:0.5", "--model", "spatial", "--tool-mm", "0,0,200"]);
+    assert_eq!((&answer["model"], &answer["feasible"]), (&serde_json::json!("spatial"), &serde_json::json!(true)));
+    // At the worst point, all six drives: the value is that of `compliance` at the joint angles that are reported.
+    let joints: Vec<String> = answer["worst_joints_deg"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|angle| angle.as_f64().unwrap().to_string())
+        .collect();
+    let posture =
+        json(&["compliance", "KR 210 R2700 extra", "--joints-deg", &joints.join(","), "--tool-mm", "0,0,200"]);
+    let (found, alone) =
+        (answer["deflection_mm"].as_f64().unwrap(), posture["principal_um_per_n"][2].as_f64().unwrap());
+    assert!((found - alone).abs() <= 1e-9 * alone, "{found} mm under 1 kN, {alone} um/N");
+    let (code, errors) = refused(&["place", "BT200L", "--task", "A:0.5", "--tool-direction", "forward"]);
+    assert!(code == 2 && errors.contains("needs --model spatial"), "{errors}");
 }
 
 #[test]
