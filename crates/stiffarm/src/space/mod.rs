@@ -1,7 +1,7 @@
 //! A robot and its tool, made ready for many postures and poses at once.
 //!
 //! The formulas are those of [`crate::compliance`] and [`crate::inverse`], arranged for registers of several numbers
-//! ([`lanes`]): sines and cosines are carried instead of angles, and limits are judged by a scalar product each.
+//! (`lanes`): sines and cosines are carried instead of angles, and limits are judged by a scalar product each.
 
 #![allow(
     clippy::inline_always,
