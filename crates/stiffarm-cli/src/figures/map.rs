@@ -10,7 +10,7 @@ use super::canvas::{Canvas, Font, rect_path};
 use super::contour::{Grid, Line, Node, area};
 use super::labels::Spots;
 use super::legend::Legend;
-use super::scene::outline;
+pub(crate) use super::scene::outline;
 use super::{FigureError, WIDTH};
 
 /// No more grid points per side are drawn: finer than the pixels of a large print.
