@@ -125,6 +125,9 @@ p {{ font-size: 14px; margin: 0 0 2px; color: #555555; }}
 <script>{script}</script>
 <script>
 const figure = {figure};
+for (const trace of figure.data.filter(trace => trace.type === "surface")) {{
+  trace.text = trace.surfacecolor.map(row => row.map(mm => mm === null ? "" : mm.toPrecision(5) + " mm"));
+}}
 Plotly.newPlot("view", figure.data, figure.layout, figure.config);
 </script>
 </body>

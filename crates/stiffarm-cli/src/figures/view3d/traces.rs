@@ -149,7 +149,7 @@ impl View {
         let axis = |title: &str, range: [f64; 2]| {
             json!({
                 "title": { "text": title, "font": { "size": 14 } }, "tickfont": { "size": 12 }, "dtick": TILE,
-                "gridcolor": FAINT, "zeroline": false, "showbackground": false, "color": INK, "showspikes": false,
+                "gridcolor": FAINT, "zeroline": false, "showbackground": false, "color": INK, "showspikes": false, "hoverformat": ".3f",
                 "range": range,
             })
         };
@@ -202,7 +202,7 @@ fn surface(name: &str, sheet: &Sheet, opacity: f64, bands: Bands, bar: Option<&s
         "surfacecolor": grid(&|cell| cell.mm.map(digits)),
         "cmin": digits(bands.limit(0)), "cmax": digits(bands.limit(bands.count)), "colorscale": bands.scale(),
         "lighting": { "ambient": 1, "diffuse": 0, "specular": 0, "fresnel": 0, "roughness": 1 },
-        "hovertemplate": "%{surfacecolor:.4f} mm<br>x %{x:.3f} m, y %{y:.3f} m, z %{z:.3f} m<extra></extra>",
+    "hoverinfo": "x+y+z+text",
         "showlegend": true, "showscale": bar.is_some(), "contours": {
             "x": { "highlight": false }, "y": { "highlight": false }, "z": { "highlight": false },
         },
