@@ -1,6 +1,7 @@
 //! The program `stiffarm`: arguments in, answers out. It computes nothing itself.
 
 mod args;
+mod columns;
 mod commands;
 mod failure;
 mod figures;

@@ -9,7 +9,9 @@ use atomic_write_file::AtomicWriteFile;
 use serde_json::Value;
 
 use crate::args::{Common, Format};
+use crate::columns::parquet;
 use crate::failure::Failure;
+use crate::figures::view3d::View;
 use crate::table::Table;
 
 /// An answer in every form it can take. Each is made only when asked for.
@@ -20,7 +22,7 @@ pub(crate) trait Answer {
     fn text(&self, markdown: bool) -> String;
     /// For programs.
     fn json(&self) -> Value;
-    /// For spreadsheets.
+    /// For spreadsheets, and as typed columns for data frames.
     fn csv(&self) -> Table;
     /// A robot file, where the command makes one.
     fn robot_file(&self) -> Option<String> {
@@ -28,6 +30,10 @@ pub(crate) trait Answer {
     }
     /// A figure as SVG, where the command has one.
     fn svg(&self) -> Option<Result<String, Failure>> {
+        None
+    }
+    /// What can be turned in space, where the command has that.
+    fn view(&self) -> Option<Result<View, Failure>> {
         None
     }
 }
@@ -56,7 +62,7 @@ pub(crate) fn deliver<A: Answer>(answer: &A, common: &Common) -> Result<(), Fail
 }
 
 fn is_picture(path: &Path) -> bool {
-    matches!(ending(path).as_str(), "svg" | "png")
+    matches!(ending(path).as_str(), "svg" | "png" | "html")
 }
 
 fn ending(path: &Path) -> String {
@@ -67,6 +73,7 @@ fn contents<A: Answer>(answer: &A, path: &Path) -> Result<Vec<u8>, Failure> {
     match ending(path).as_str() {
         "json" => return Ok(json_text(&answer.json()).into_bytes()),
         "csv" => return Ok(answer.csv().csv().into_bytes()),
+        "parquet" => return Ok(parquet(&answer.csv(), A::COMMAND)),
         "md" => return Ok(answer.text(true).into_bytes()),
         "txt" => return Ok(answer.text(false).into_bytes()),
         "toml" => {
@@ -84,11 +91,17 @@ fn contents<A: Answer>(answer: &A, path: &Path) -> Result<Vec<u8>, Failure> {
                 };
             }
         }
+        "html" => {
+            if let Some(view) = answer.view() {
+                return Ok(view?.html().into_bytes());
+            }
+        }
         _ => {}
     }
     let pictures = if answer.svg().is_some() { ".svg, .png, " } else { "" };
     let robot_file = if answer.robot_file().is_some() { ".toml, " } else { "" };
-    let expected = format!("{robot_file}{pictures}.json, .csv, .md or .txt");
+    let views = if answer.view().is_some() { ".html, " } else { "" };
+    let expected = format!("{robot_file}{pictures}{views}.json, .csv, .parquet, .md or .txt");
     Err(Failure::Ending { command: A::COMMAND, path: path.into(), expected })
 }
 

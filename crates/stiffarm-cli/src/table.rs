@@ -19,6 +19,15 @@ impl Table {
         self.rows.push(cells.into_iter().map(Into::into).collect());
     }
 
+    pub(crate) fn headings(&self) -> &[String] {
+        &self.headings
+    }
+
+    /// The cells of one column.
+    pub(crate) fn column(&self, i: usize) -> Vec<&str> {
+        self.rows.iter().map(|row| row.get(i).map_or("", String::as_str)).collect()
+    }
+
     /// Aligned text; columns that hold numbers stand to the right.
     pub(crate) fn text(&self, markdown: bool) -> String {
         let mut table = comfy_table::Table::new();

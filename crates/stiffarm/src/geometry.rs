@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use nalgebra::{Matrix6, Unit, Vector3, Vector6};
+use nalgebra::{Matrix6, Rotation3, Unit, Vector3, Vector6};
 
 use crate::limits::{Range, ThirdAxis};
 use crate::spatial::Pose;
@@ -121,10 +121,24 @@ impl Geometry {
         Matrix6::from_columns(&columns)
     }
 
+    /// The points between which the arm is drawn, m, base frame, at the model angles `theta`, rad: base, shoulder (on the
+    /// joint 2 axis), elbow (on the joint 3 axis), wrist centre (where the axes 4, 5 and 6 meet), flange centre.
+    pub fn points(&self, theta: &[f64; 6]) -> [[f64; 3]; 5] {
+        let [t1, t2, t3, t4, t5, _] = *theta;
+        let about_y = |angle: f64| Rotation3::from_axis_angle(&Vector3::y_axis(), angle);
+        let about_z = |angle: f64| Rotation3::from_axis_angle(&Vector3::z_axis(), angle);
+        let (upper_arm, forearm) = (about_z(t1) * about_y(t2), about_z(t1) * about_y(t2 + t3));
+        let shoulder = about_z(t1) * Vector3::new(self.a1, self.b, self.c1);
+        let elbow = shoulder + upper_arm * Vector3::new(0.0, 0.0, self.c2);
+        let wrist = elbow + forearm * Vector3::new(self.a2, 0.0, self.c3);
+        let flange = wrist + forearm * about_z(t4) * about_y(t5) * Vector3::new(0.0, 0.0, self.c4);
+        [Vector3::zeros(), shoulder, elbow, wrist, flange].map(Into::into)
+    }
+
     /// Wrist centre in the base frame, m, for the six joint angles as reported, rad.
     pub fn wrist_centre(&self, q: [f64; 6], third_axis: ThirdAxis) -> [f64; 3] {
-        let flange = self.forward(&self.model_angles(&q, third_axis));
-        (flange.translation.vector - flange.rotation * Vector3::z() * self.c4).into()
+        let [_, _, _, wrist, _] = self.points(&self.model_angles(&q, third_axis));
+        wrist
     }
 
     /// The six joint angles as reported from model angles, rad; whole turns are left as they are.
@@ -169,6 +183,29 @@ mod tests {
         let expected = Vector3::new(0.35 + 1.2 + 0.215, 0.02, 0.675 + 1.15 - 0.041);
         assert!((flange.translation.vector - expected).norm() < 1e-12, "{flange}");
         assert!((flange.rotation * Vector3::z() - Vector3::x()).norm() < 1e-12, "the tool points ahead");
+    }
+
+    #[test]
+    fn the_points_of_the_arm_lead_to_the_flange() {
+        let (geometry, mut rng) = (kuka(), fastrand::Rng::with_seed(5));
+        for _ in 0..200 {
+            let theta: [f64; 6] = std::array::from_fn(|_| 6.0 * (rng.f64() - 0.5));
+            let [base, shoulder, elbow, wrist, flange] = geometry.points(&theta).map(Vector3::from);
+            let pose = geometry.forward(&theta);
+            let ahead = pose.rotation * Vector3::z();
+            // Sums of a few metres.
+            let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} is not {b}: {theta:?}");
+            close((flange - pose.translation.vector).norm(), 0.0);
+            close((flange - wrist - geometry.c4 * ahead).norm(), 0.0);
+            close((shoulder - base).norm(), geometry.a1.hypot(geometry.b).hypot(geometry.c1));
+            close((elbow - shoulder).norm(), geometry.c2);
+            close((wrist - elbow).norm(), geometry.l3());
+            // Joint 3 does not move the elbow, nor the wrist its centre.
+            let bent: [f64; 6] = std::array::from_fn(|i| theta[i] + if i < 2 { 0.0 } else { 0.7 });
+            close((Vector3::from(geometry.points(&bent)[2]) - elbow).norm(), 0.0);
+            let turned: [f64; 6] = std::array::from_fn(|i| theta[i] + if i < 3 { 0.0 } else { 0.7 });
+            close((Vector3::from(geometry.points(&turned)[3]) - wrist).norm(), 0.0);
+        }
     }
 
     #[test]

@@ -8,6 +8,7 @@ use stiffarm::spatial::{Pose, Wrench};
 
 use crate::args::{Common, ComplianceArgs};
 use crate::failure::Failure;
+use crate::figures::view3d::{ArmMark, Arrow, View};
 use crate::output::{Answer, deliver};
 use crate::selection;
 use crate::table::{Table, fixed};
@@ -29,7 +30,7 @@ pub(crate) fn run(args: &ComplianceArgs, common: &Common) -> Result<(), Failure>
     if !common.quiet {
         remarks(&robot, &q, &radians);
     }
-    deliver(&ComplianceAnswer { robot, q, force, posture }, common)
+    deliver(&ComplianceAnswer { robot, q, tool, force, posture }, common)
 }
 
 /// Says on stderr what looks wrong about the joint angles.
@@ -46,6 +47,7 @@ fn remarks(robot: &Robot, q: &[f64; 6], radians: &[f64; 6]) {
 struct ComplianceAnswer {
     robot: Robot,
     q: [f64; 6],
+    tool: Pose,
     force: Option<Vector3<f64>>,
     posture: Posture,
 }
@@ -54,6 +56,34 @@ impl ComplianceAnswer {
     fn deflection(&self) -> Option<(Vector3<f64>, Vector3<f64>)> {
         self.force.map(|force| self.posture.compliance.deflection(&Wrench::force(force)))
     }
+
+    /// The worst direction, and the deflection where a force is given, both as many times too long.
+    fn arrows(&self) -> Vec<Arrow> {
+        let (worst, direction) = self.posture.compliance.worst();
+        let at = self.posture.tool.translation.vector.into();
+        // As long as 1 kN pushes it, or the force that was given.
+        let worst = worst * 1e3 * direction;
+        let moved = self.deflection().map(|(moved, _)| moved);
+        let times = magnified(worst.norm().max(moved.map_or(0.0, |moved| moved.norm())));
+        let arrow = |what: &str, moved: Vector3<f64>, unit: &str| Arrow {
+            label: format!("{what}: {:.4} {unit}, drawn {times} times as long", moved.norm() * 1e3),
+            at,
+            along: (times * moved).into(),
+        };
+        let worst = Some(worst).map(|moved| arrow("worst direction", moved, "mm per kN"));
+        let moved = moved.map(|moved| arrow("deflection", moved, "mm under the force"));
+        worst.into_iter().chain(moved).filter(|arrow| arrow.along != [0.0; 3]).collect()
+    }
+}
+
+/// How many times too long a deflection, m, is drawn: 1, 2 or 5 times a power of ten, so that half a metre is not passed.
+fn magnified(deflection: f64) -> f64 {
+    let most = 0.5 / deflection;
+    if !most.is_finite() {
+        return 1.0;
+    }
+    let ten = 10_f64.powf(most.log10().floor());
+    [5.0, 2.0, 1.0].map(|step| step * ten).into_iter().find(|&times| times <= most).unwrap_or(ten)
 }
 
 fn vector(v: &Vector3<f64>, digits: usize) -> String {
@@ -129,5 +159,36 @@ impl Answer for ComplianceAnswer {
             table.row(std::iter::once(name.to_owned()).chain(column.iter().cloned()));
         }
         table
+    }
+    fn view(&self) -> Option<Result<View, Failure>> {
+        let Self { robot, q, posture, .. } = self;
+        let (worst, direction) = posture.compliance.worst();
+        let shares = posture.shares(&direction);
+        let angles = q.map(|angle| angle.to_string()).join(", ");
+        Some(Ok(View {
+            title: robot.full_name(),
+            notes: vec![
+                format!("{}, {}; joints as reported: {angles} deg", robot.architecture, robot.status),
+                format!("worst direction: {:.4} um/N along {}", worst * 1e6, vector(&direction, 3)),
+                "all six drives compliant, everything else rigid".into(),
+            ],
+            arm: ArmMark::posed(robot, &q.map(f64::to_radians), &self.tool, Some(&shares)),
+            arrows: self.arrows(),
+            floor: true,
+            ..View::default()
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arrows_are_as_long_as_a_picture_can_bear() {
+        for (deflection, times) in [(0.5, 1.0), (0.004_47, 100.0), (0.002_5, 200.0), (0.000_9, 500.0), (3.0, 0.1)] {
+            assert!((magnified(deflection) / times - 1.0).abs() < 1e-12, "{deflection}: {}", magnified(deflection));
+        }
+        assert_eq!(magnified(0.0), 1.0);
     }
 }

@@ -4,13 +4,14 @@ use serde_json::{Value, json};
 use stiffarm::limits::Range;
 use stiffarm::map::{Axis, Component, Direction, Map, MapError, MapOptions, map, reached_box};
 use stiffarm::place::{PlaceOptions, Placement, Within, find_robot};
-use stiffarm::robot::{ArmPlane, Robot};
+use stiffarm::robot::{Arm, ArmPlane, Robot};
 use stiffarm::task::Task;
 
 use super::spatial;
 use crate::args::{Angle, Common, MapArgs, Part};
 use crate::failure::Failure;
-use crate::figures::map::{MapFigure, ZoneMark};
+use crate::figures::map::{MapFigure, ZoneMark, outline};
+use crate::figures::view3d::{ArmMark, Cell, Sheet, View, Zone};
 use crate::output::{Answer, deliver, figure};
 use crate::selection;
 use crate::table::Table;
@@ -68,13 +69,13 @@ pub(crate) fn axis(range: Range, step: f64) -> Axis {
     Axis { start: range.min(), step, count }
 }
 
-/// The figure of `place`: the robot's map with the zone in it.
-pub(crate) fn placement_figure(
+/// The figures of `place`: the robot's map with the zone in it.
+pub(crate) fn placement_map(
     robot: &Robot,
     task: &Task,
     options: &PlaceOptions,
     placement: Option<&Placement>,
-) -> Result<String, Failure> {
+) -> Result<MapAnswer, Failure> {
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let plane = arm_plane(robot).map_err(failure)?;
     let [x, z] = reached_box(&plane.arm).map_err(failure)?;
@@ -89,10 +90,10 @@ pub(crate) fn placement_figure(
     };
     let map = map(&plane.arm, &options).map_err(failure)?;
     let zone = placement.map(|placement| (task.clone(), placement.clone()));
-    MapAnswer { within, robot: robot.clone(), plane, options, map, zone }.figure()
+    Ok(MapAnswer { within, robot: robot.clone(), plane, options, map, zone })
 }
 
-struct MapAnswer {
+pub(crate) struct MapAnswer {
     within: Within,
     robot: Robot,
     plane: ArmPlane,
@@ -143,30 +144,65 @@ impl MapAnswer {
         sides.iter().filter(|side| wanted(side.elbow)).find_map(|side| side.posture(p.into()))
     }
 
-    fn figure(&self) -> Result<String, Failure> {
-        let robot = &self.robot;
-        let mark = self.zone.as_ref().map(|(task, placement)| ZoneMark {
+    fn subtitle(&self) -> String {
+        let Robot { architecture, status, .. } = &self.robot;
+        format!("{architecture}, {status}; {}, planar model{}", self.what(), self.window())
+    }
+
+    fn mark(&self) -> Option<ZoneMark> {
+        self.zone.as_ref().map(|(task, placement)| ZoneMark {
             zone: task.zone,
             centre: placement.centre,
             angle: placement.angle,
             worst_point: placement.worst_point,
             label: format!("{}: {:.3} mm at worst", task.label, placement.deflection * 1e3),
+        })
+    }
+
+    /// The map, the arm and the zone in their plane, which stands beside the joint-1 axis where the arm does.
+    pub(crate) fn in_space(&self) -> View {
+        let Self { robot, plane, map, .. } = self;
+        let y = match &robot.arm {
+            Arm::SixAxis { geometry, .. } => geometry.b,
+            Arm::Planar(_) => 0.0,
+        };
+        let [axis_x, axis_z] = plane.axis_from_base;
+        let at = |[x, z]: [f64; 2]| [x + axis_x, y, z + axis_z];
+        let zone = self.zone.as_ref().zip(self.mark()).map(|((_, placement), mark)| Zone {
+            rim: outline(&mark).into_iter().map(at).collect(),
+            worst: Some(Cell { at: at(mark.worst_point), mm: Some(placement.deflection * 1e3) }),
+            label: mark.label,
+            sheet: None,
         });
+        let origin = if self.floor() { "the base" } else { "the joint-2 axis" };
+        View {
+            title: robot.full_name(),
+            notes: vec![self.subtitle(), format!("section in the arm plane, m from {origin}")],
+            arm: self.posture().map(|(shoulder, elbow)| ArmMark::planar(plane, [shoulder, elbow], y)),
+            zone,
+            section: Some(Sheet::of_map(map, plane.axis_from_base, y)),
+            arrows: Vec::new(),
+            colour_label: format!("{} [mm]", self.what()),
+            floor: self.floor(),
+        }
+    }
+
+    /// Whether the base is known, and with it the floor.
+    fn floor(&self) -> bool {
+        matches!(self.robot.arm, Arm::SixAxis { .. })
+    }
+
+    pub(crate) fn figure(&self) -> Result<String, Failure> {
+        let robot = &self.robot;
         let base = (self.plane.axis_from_base != [0.0; 2]).then_some(self.plane.axis_from_base);
         let figure_of_map = MapFigure {
             title: robot.full_name(),
-            subtitle: format!(
-                "{}, {}; {}, planar model{}",
-                robot.architecture,
-                robot.status,
-                self.what(),
-                self.window()
-            ),
+            subtitle: self.subtitle(),
             map: &self.map,
             arm: &self.plane.arm,
             posture: self.posture(),
             base,
-            zone: mark,
+            zone: self.mark(),
             colour_label: format!("{} [mm]", self.what()),
         };
         figure_of_map.svg().map_err(figure)
@@ -207,7 +243,7 @@ impl Answer for MapAnswer {
                 format!("{deflection:.4} mm at worst, centre x {x:.3} m, z {z:.3} m"),
             ]);
         }
-        table.text(markdown) + "\n-o map.svg, .png, .csv or .json writes the map\n"
+        table.text(markdown) + "\n-o map.svg, .png, .html, .csv, .parquet or .json writes the map\n"
     }
 
     fn json(&self) -> Value {
@@ -258,5 +294,9 @@ impl Answer for MapAnswer {
 
     fn svg(&self) -> Option<Result<String, Failure>> {
         Some(self.figure())
+    }
+
+    fn view(&self) -> Option<Result<View, Failure>> {
+        Some(Ok(self.in_space()))
     }
 }

@@ -5,10 +5,11 @@ use stiffarm::place::{Outside, PlaceOptions, Placed, Placement, place_robot};
 use stiffarm::robot::Robot;
 use stiffarm::task::Task;
 
-use super::map::placement_figure;
+use super::map::{MapAnswer, placement_map};
 use super::spatial;
 use crate::args::{Common, PlaceArgs};
 use crate::failure::Failure;
+use crate::figures::view3d::View;
 use crate::output::{Answer, deliver};
 use crate::selection;
 use crate::table::{Table, fixed, full};
@@ -31,6 +32,13 @@ struct PlaceAnswer {
     options: PlaceOptions,
     placed: Placed,
     tolerance_mm: Option<f64>,
+}
+
+impl PlaceAnswer {
+    /// The robot's map with the zone in it.
+    fn mapped(&self) -> Result<MapAnswer, Failure> {
+        placement_map(&self.robot, &self.task, &self.options, self.placed.feasible())
+    }
 }
 
 impl Answer for PlaceAnswer {
@@ -92,7 +100,11 @@ impl Answer for PlaceAnswer {
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {
-        Some(placement_figure(&self.robot, &self.task, &self.options, self.placed.feasible()))
+        Some(self.mapped().and_then(|map| map.figure()))
+    }
+
+    fn view(&self) -> Option<Result<View, Failure>> {
+        Some(self.mapped().map(|map| map.in_space()))
     }
 }
 

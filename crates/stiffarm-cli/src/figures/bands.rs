@@ -57,6 +57,12 @@ impl Bands {
         format!("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2))
     }
 
+    /// The bands as a scale from 0 to 1, each colour from where it begins to where it ends.
+    pub(super) fn scale(&self) -> Vec<(f64, String)> {
+        let at = |i: usize| i as f64 / self.count as f64;
+        (0..self.count).flat_map(|i| [i, i + 1].map(|end| (at(end), self.colour(i)))).collect()
+    }
+
     /// The colour bar between two corners, its limits on the right, what it shows beside them, read upwards.
     pub(super) fn bar(&self, canvas: &mut Canvas, [left, bottom]: Px, [right, top]: Px, title: &str) {
         let height = (bottom - top) / self.count as f64;

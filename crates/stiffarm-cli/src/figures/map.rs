@@ -11,6 +11,7 @@ use super::contour::{Grid, Line, Node, area};
 use super::labels::Spots;
 use super::legend::Legend;
 use super::scene::Scene;
+pub(crate) use super::scene::outline;
 use super::{FigureError, WIDTH};
 
 /// No more grid points per side are drawn: finer than the pixels of a large print.

@@ -1,4 +1,4 @@
-//! Figures for reports: SVG text, and PNG made from that very text.
+//! Figures for reports: SVG text, and PNG made from that very text; a view in space as HTML.
 //!
 //! The SVG is written directly: filled contours need clip paths and rings with holes, lines need dashes, and a layout
 //! without overlaps needs the true widths of its texts.
@@ -18,6 +18,7 @@ pub(crate) mod reach;
 mod scene;
 mod stairs;
 pub(crate) mod study;
+pub(crate) mod view3d;
 
 use std::sync::Arc;
 

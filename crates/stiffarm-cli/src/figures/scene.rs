@@ -196,7 +196,7 @@ fn worst_mark(canvas: &mut Canvas, at: Px) {
 }
 
 /// The rim of a zone as a closed line, m.
-pub(super) fn outline(mark: &ZoneMark) -> Vec<[f64; 2]> {
+pub(crate) fn outline(mark: &ZoneMark) -> Vec<[f64; 2]> {
     let own: Vec<[f64; 2]> = match mark.zone {
         Zone::Circle { diameter } => (0..=72)
             .map(|i| (TAU * f64::from(i) / 72.0).sin_cos())

@@ -1,0 +1,254 @@
+//! What plotly.js is told to draw, in its own words.
+
+use nalgebra::Vector3;
+use serde_json::{Value, json};
+
+use super::super::bands::Bands;
+use super::super::{ALARM, FAINT, GREY, INK};
+use super::{Point, Sheet, View, escaped};
+
+const STEEL: &str = "#5f6b76";
+const TOOL: &str = "#d98200";
+const ARROWS: [&str; 2] = [ALARM, "#0057b8"];
+/// Squares of the floor, m.
+const TILE: f64 = 0.5;
+/// How far links and rims, and above them marks, are drawn from a section they lie in, m.
+const LINKS_APART: f64 = 0.012;
+const MARK_APART: f64 = 0.03;
+
+impl View {
+    /// Data, layout and settings.
+    pub(super) fn figure(&self) -> Value {
+        json!({ "data": self.traces(), "layout": self.layout(), "config": { "responsive": true, "displaylogo": false } })
+    }
+
+    fn traces(&self) -> Vec<Value> {
+        let mut traces = Vec::new();
+        let bands = self.bands();
+        let zone_sheet = self.zone.as_ref().and_then(|zone| zone.sheet.as_ref());
+        let label = format!("zone: {}", self.colour_label);
+        let sheets = [(&*self.colour_label, self.section.as_ref(), 0.75), (&*label, zone_sheet, 1.0)];
+        for (name, sheet, opacity) in sheets {
+            if let (Some(sheet), Some(bands)) = (sheet, bands) {
+                let with_bar = traces.is_empty();
+                traces.push(surface(name, sheet, opacity, bands, with_bar.then_some(&*self.colour_label)));
+            }
+        }
+        if self.floor {
+            traces.push(self.floor());
+        }
+        self.draw_arm(&mut traces);
+        self.draw_zone(&mut traces);
+        self.draw_arrows(&mut traces);
+        traces
+    }
+
+    /// One scale for all that is coloured, in the bands of the flat figures.
+    fn bands(&self) -> Option<Bands> {
+        let zone = self.zone.as_ref().and_then(|zone| zone.sheet.as_ref());
+        let known = self.section.iter().chain(zone).flat_map(Sheet::cells).filter_map(|cell| cell.mm);
+        let known = known.filter(|mm| mm.is_finite());
+        let [low, high] = known.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], mm| [low.min(mm), high.max(mm)]);
+        (low <= high).then(|| Bands::of([low, high]))
+    }
+
+    fn draw_arm(&self, traces: &mut Vec<Value>) {
+        let Some(arm) = &self.arm else { return };
+        let points: Vec<Point> = arm.points.iter().map(|(at, _)| *at).collect();
+        let mut links = lines("robot", &self.on_both_faces(&points, LINKS_APART), STEEL, 14.0);
+        links["hoverinfo"] = json!("skip");
+        links["legendgroup"] = json!("robot");
+        traces.push(links);
+        let texts =
+            arm.points.iter().map(|(at, text)| escaped(&format!("{text}\n{}", place(at))).replace('\n', "<br>"));
+        let texts: Vec<String> = texts.collect();
+        let faces = self.on_both_faces(&points, LINKS_APART);
+        let mut joints = markers("joints", &faces.concat(), &vec![texts; faces.len()].concat());
+        joints["marker"] = json!({ "size": 5, "color": "white", "line": { "color": INK, "width": 2 } });
+        joints["legendgroup"] = json!("robot");
+        joints["showlegend"] = json!(false);
+        traces.push(joints);
+        if let Some(axis) = arm.tool {
+            let mut line = lines("tool axis", &[axis.to_vec()], TOOL, 6.0);
+            line["hoverinfo"] = json!("skip");
+            traces.push(line);
+        }
+    }
+
+    fn draw_zone(&self, traces: &mut Vec<Value>) {
+        let Some(zone) = &self.zone else { return };
+        let mut rim = lines(&zone.label, &self.on_both_faces(&zone.rim, LINKS_APART), ALARM, 7.0);
+        rim["hoverinfo"] = json!("name");
+        traces.push(rim);
+        if let Some(worst) = &zone.worst {
+            let deflection = worst.mm.map_or_else(String::new, |mm| format!("<br>{mm:.4} mm"));
+            let text = format!("worst point{deflection}<br>{}", place(&worst.at));
+            let faces = self.on_both_faces(&[worst.at], MARK_APART);
+            let mut mark = markers("worst point", &faces.concat(), &vec![text; faces.len()]);
+            mark["marker"] = json!({ "symbol": "x", "size": 5, "color": INK });
+            traces.push(mark);
+        }
+    }
+
+    fn draw_arrows(&self, traces: &mut Vec<Value>) {
+        for (arrow, colour) in self.arrows.iter().zip(ARROWS.into_iter().cycle()) {
+            let tip: Point = std::array::from_fn(|k| arrow.at[k] + arrow.along[k]);
+            let neck: Point = std::array::from_fn(|k| arrow.at[k] + 0.8 * arrow.along[k]);
+            let mut shaft = lines(&arrow.label, &[vec![arrow.at, neck]], colour, 7.0);
+            shaft["hoverinfo"] = json!("name");
+            shaft["legendgroup"] = json!(arrow.label);
+            traces.push(shaft);
+            let [[x], [y], [z]] = [0, 1, 2].map(|k| [length(tip[k])]);
+            let [[u], [v], [w]] = [0, 1, 2].map(|k| [0.2 * arrow.along[k]]);
+            traces.push(json!({
+                "type": "cone", "x": [x], "y": [y], "z": [z], "u": [u], "v": [v], "w": [w],
+                "anchor": "tip", "sizemode": "raw", "sizeref": 1, "showscale": false,
+                "colorscale": [[0, colour], [1, colour]], "hoverinfo": "skip", "legendgroup": arrow.label,
+            }));
+        }
+    }
+
+    /// Light lines under everything that is shown.
+    fn floor(&self) -> Value {
+        let [x, y, _] = self.room().map(|range| range.map(|end| (end / TILE).round() as i64));
+        let at = |i: i64, j: i64| [TILE * i as f64, TILE * j as f64, 0.0];
+        let along = (x[0]..=x[1]).map(|i| vec![at(i, y[0]), at(i, y[1])]);
+        let across = (y[0]..=y[1]).map(|j| vec![at(x[0], j), at(x[1], j)]);
+        let mut floor = lines("floor", &along.chain(across).collect::<Vec<_>>(), "#b5b5b5", 2.0);
+        floor["hoverinfo"] = json!("skip");
+        floor
+    }
+
+    /// From where to where the axes go: whole tiles that hold everything that is shown, and the base.
+    fn room(&self) -> [[f64; 2]; 3] {
+        [0, 1, 2].map(|k| {
+            let shown = self.shown().map(|at| at[k]).filter(|x| x.is_finite());
+            let around = if k == 2 { 0.0 } else { TILE };
+            let [low, high] = shown.fold([-around, TILE], |[low, high], x| [low.min(x), high.max(x)]);
+            [(low / TILE + 1e-9).floor() * TILE, (high / TILE - 1e-9).ceil() * TILE]
+        })
+    }
+
+    /// Every point that is drawn above the floor.
+    fn shown(&self) -> impl Iterator<Item = Point> {
+        let zone = self.zone.as_ref().and_then(|zone| zone.sheet.as_ref());
+        let rim = self.zone.iter().flat_map(|zone| zone.rim.iter().copied());
+        let sheets = self.section.iter().chain(zone).flat_map(Sheet::cells).map(|cell| cell.at);
+        let arm =
+            self.arm.iter().flat_map(|arm| arm.points.iter().map(|(at, _)| *at).chain(arm.tool.into_iter().flatten()));
+        let arrows = self.arrows.iter().map(|arrow| std::array::from_fn(|k| arrow.at[k] + arrow.along[k]));
+        sheets.chain(rim).chain(arm).chain(arrows)
+    }
+
+    fn layout(&self) -> Value {
+        let room = self.room();
+        let sides = room.map(|[from, to]| to - from);
+        // A metre is as long on every axis, and the whole fits the window from every side.
+        let scale = 1.9 / sides.iter().map(|side| side * side).sum::<f64>().sqrt();
+        let [x, y, z] = sides.map(|side| side * scale);
+        let axis = |title: &str, range: [f64; 2]| {
+            json!({
+                "title": { "text": title, "font": { "size": 14 } }, "tickfont": { "size": 12 }, "dtick": TILE,
+                "gridcolor": FAINT, "zeroline": false, "showbackground": false, "color": INK, "showspikes": false, "hoverformat": ".3f",
+                "range": range,
+            })
+        };
+        json!({
+            "font": { "family": "DejaVu Sans, Verdana, sans-serif", "color": INK },
+            "margin": { "l": 0, "r": 0, "t": 0, "b": 0 },
+            "legend": { "orientation": "h", "x": 0.01, "y": 1, "yanchor": "top", "font": { "size": 13 } },
+            "modebar": { "orientation": "v" },
+            "hoverlabel": { "align": "left", "font": { "size": 13 } },
+            "scene": {
+                "domain": { "x": [0, 1], "y": [0, 0.93] },
+                "aspectmode": "manual", "aspectratio": { "x": x, "y": y, "z": z },
+                "xaxis": axis("x ahead [m]", room[0]), "yaxis": axis("y left [m]", room[1]),
+                "zaxis": axis("z up [m]", room[2]),
+                // From the right of the robot, a little above: ahead is to the right, as in the flat figures.
+                "camera": { "eye": { "x": 0.65, "y": -1.7, "z": 0.65 }, "center": { "x": 0, "y": 0, "z": -0.05 } },
+            },
+        })
+    }
+
+    /// A line beside the section on both its faces, so that neither hides it; the line itself where it is not in its plane.
+    fn on_both_faces(&self, line: &[Point], apart: f64) -> Vec<Vec<Point>> {
+        let Some((origin, normal)) = self.section.as_ref().and_then(plane_of) else { return vec![line.to_vec()] };
+        let off = |at: &Point| normal.dot(&(Vector3::from(*at) - origin)).abs();
+        if !line.iter().all(|at| off(at) < apart) {
+            return vec![line.to_vec()];
+        }
+        let moved = |side: f64| line.iter().map(|at| (Vector3::from(*at) + side * normal).into()).collect();
+        vec![moved(apart), moved(-apart)]
+    }
+}
+
+/// A point of a flat sheet and its normal.
+fn plane_of(sheet: &Sheet) -> Option<(Vector3<f64>, Vector3<f64>)> {
+    let (first, last) = (sheet.rows.first()?, sheet.rows.last()?);
+    let [origin, across, along] = [first.first()?, first.last()?, last.first()?].map(|cell| Vector3::from(cell.at));
+    let normal = (across - origin).cross(&(along - origin)).try_normalize(1e-12)?;
+    Some((origin, normal))
+}
+
+/// A coloured surface whose colours are those of the scale, not of a lamp.
+fn surface(name: &str, sheet: &Sheet, opacity: f64, bands: Bands, bar: Option<&str>) -> Value {
+    let grid = |pick: &dyn Fn(&super::Cell) -> Option<f64>| -> Value {
+        sheet.rows.iter().map(|row| row.iter().map(pick).collect::<Value>()).collect()
+    };
+    let part = |k: usize| grid(&move |cell| Some(length(cell.at[k])));
+    let mut surface = json!({
+        "type": "surface", "name": escaped(name), "opacity": opacity,
+        "x": part(0), "y": part(1), "z": grid(&|cell| cell.mm.map(|_| length(cell.at[2]))),
+        "surfacecolor": grid(&|cell| cell.mm.map(digits)),
+        "cmin": digits(bands.limit(0)), "cmax": digits(bands.limit(bands.count)), "colorscale": bands.scale(),
+        "lighting": { "ambient": 1, "diffuse": 0, "specular": 0, "fresnel": 0, "roughness": 1 },
+    "hoverinfo": "x+y+z+text",
+        "showlegend": true, "showscale": bar.is_some(), "contours": {
+            "x": { "highlight": false }, "y": { "highlight": false }, "z": { "highlight": false },
+        },
+    });
+    if let Some(title) = bar {
+        let limits: Vec<f64> = (0..=bands.count).map(|i| digits(bands.limit(i))).collect();
+        let texts: Vec<String> = (0..=bands.count).map(|i| bands.text(i)).collect();
+        surface["colorbar"] = json!({
+            "title": { "text": escaped(title), "side": "right", "font": { "size": 14 } }, "len": 0.8, "thickness": 22, "x": 0.93,
+            "tickvals": limits, "ticktext": texts, "tickfont": { "size": 13 }, "outlinecolor": GREY,
+        });
+    }
+    surface
+}
+
+/// Lines that are not joined with each other.
+fn lines(name: &str, lines: &[Vec<Point>], colour: &str, width: f64) -> Value {
+    let part = |k: usize| -> Value {
+        let ends = |line: &Vec<Point>| line.iter().map(|at| Some(length(at[k]))).chain([None]).collect::<Vec<_>>();
+        lines.iter().flat_map(ends).collect()
+    };
+    json!({
+        "type": "scatter3d", "mode": "lines", "name": escaped(name), "x": part(0), "y": part(1), "z": part(2),
+        "line": { "color": colour, "width": width },
+    })
+}
+
+fn markers(name: &str, points: &[Point], texts: &[String]) -> Value {
+    let part = |k: usize| points.iter().map(|at| length(at[k])).collect::<Value>();
+    json!({
+        "type": "scatter3d", "mode": "markers", "name": escaped(name), "x": part(0), "y": part(1), "z": part(2),
+        "text": texts, "hoverinfo": "text",
+    })
+}
+
+/// A place for people.
+fn place([x, y, z]: &Point) -> String {
+    format!("x {x:.3} m, y {y:.3} m, z {z:.3} m")
+}
+
+/// To a hundredth of a millimetre, m: nobody sees more, and the file stays small.
+fn length(m: f64) -> f64 {
+    (m * 1e5).round() / 1e5 + 0.0
+}
+
+/// Six significant digits.
+fn digits(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
