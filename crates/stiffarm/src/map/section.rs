@@ -15,7 +15,7 @@ use crate::spatial::Pose;
 /// Rolls that are tried where any will do and they differ, rad apart.
 const ROLL_STEP: f64 = PI / 36.0;
 
-/// What is mapped: tool poses in the plane through the joint-1 axis that points straight ahead, the tool axis in it.
+/// What is mapped: tool poses in the plane through the joint-1 axis that points straight ahead.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SectionOptions {
     /// Ahead, from the joint-1 axis.
@@ -28,6 +28,8 @@ pub struct SectionOptions {
     pub flange_from_tool: Pose,
     /// Angle of the tool axis above the horizontal, rad: `-pi/2` down, `0` ahead.
     pub elevation: f64,
+    /// Angle of the tool axis about the vertical, rad: out of the plane, to the left.
+    pub yaw: f64,
     /// About the tool axis, rad; the stiffest of every 5 degrees at each point where `None`.
     pub roll: Option<f64>,
     /// One posture, or the stiffest at each point.
@@ -72,7 +74,7 @@ pub fn section(robot: &Robot, options: &SectionOptions) -> Result<Section, MapEr
             return Err(MapError::Grid { start, step });
         }
     }
-    for angle in [options.elevation, options.roll.unwrap_or(0.0)] {
+    for angle in [options.elevation, options.yaw, options.roll.unwrap_or(0.0)] {
         if !(angle.abs() <= 1e3) {
             return Err(MapError::Direction(angle));
         }
@@ -135,7 +137,7 @@ impl<'a> Scan<'a> {
             None if roll_is_free => vec![0.0],
             None => (0..72).map(|i| f64::from(i) * ROLL_STEP).collect(),
         };
-        let patch = |roll| Patch::of(options.elevation, &Stand { x: 0.0, z: 0.0, yaw: 0.0, angle: 0.0, roll });
+        let patch = |roll| Patch::of(options.elevation, &Stand { x: 0.0, z: 0.0, yaw: options.yaw, angle: 0.0, roll });
         Self {
             options,
             freed: arm.without_limit_on(0, true).without_limit_on(5, roll_is_free),
@@ -170,7 +172,7 @@ impl<'a> Scan<'a> {
             return Cell { worst: f64::NAN, limit_margin: f64::NAN, singular_margin: f64::NAN, posture: None };
         }
         let (roll, patch) = &self.patches[number];
-        let stand = Stand { x, z, yaw: 0.0, angle: 0.0, roll: *roll };
+        let stand = Stand { x, z, yaw: self.options.yaw, angle: 0.0, roll: *roll };
         let flange = patch.pose(&stand, [0.0; 2]) * self.options.flange_from_tool.inverse();
         let class = class(place);
         let found = postures(&self.freed.geometry, &flange).found;
@@ -210,13 +212,14 @@ mod tests {
                 force: 1000.0,
                 flange_from_tool: tool,
                 elevation: [-FRAC_PI_2, 0.0][n / 2],
+                yaw: 0.2,
                 roll: Some(0.3),
                 class: None,
             };
             let found = section(robot, &options).unwrap();
             for j in 0..7 {
                 for i in 0..8 {
-                    let stand = Stand { x: options.x.at(i), z: options.z.at(j), yaw: 0.0, angle: 0.0, roll: 0.3 };
+                    let stand = Stand { x: options.x.at(i), z: options.z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
                     let pose = Patch::of(options.elevation, &stand).pose(&stand, [0.0; 2]);
                     let ways = reached(robot, &(pose * tool.inverse()));
                     let values = ways.iter().map(|way| compliance(robot, &way.1, &tool).unwrap().compliance.worst().0);
@@ -243,6 +246,7 @@ mod tests {
             force: 1.0,
             flange_from_tool: Pose::identity(),
             elevation: 0.0,
+            yaw: 0.0,
             roll: None,
             class: None,
         };

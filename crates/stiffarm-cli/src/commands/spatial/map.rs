@@ -32,6 +32,7 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
         force: args.placing.force_n,
         flange_from_tool: args.space.tool(),
         elevation: args.space.elevation(),
+        yaw: 0.0,
         roll: args.space.roll_deg.map(f64::to_radians),
         class: None,
     };

@@ -1,9 +1,12 @@
 //! Verb 3 in space: all six drives, the tool where it is, a flat zone anywhere about the robot.
 
+mod across;
 mod search;
 mod sweep;
 
 use std::f64::consts::{FRAC_PI_2, PI};
+
+pub use across::{ZonePoint, across_zone};
 
 use super::{Orientation, PlaceError, Within, check_force, check_zone};
 use crate::compliance::PostureError;
