@@ -355,3 +355,52 @@ fn an_interrupted_write_leaves_the_old_file_and_no_half_one() {
     assert_eq!(fs::read_to_string(folder.path().join("map.csv")).unwrap(), "old");
     assert!(!folder.path().join("new.csv").exists());
 }
+
+/// The JSON object that a page hands to plotly.js.
+fn figure_on(page: &str) -> Value {
+    let start = page.find("const figure = ").expect("a figure") + "const figure = ".len();
+    let text = page[start..].lines().next().expect("a line");
+    serde_json::from_str(text.trim_end_matches(';')).expect("JSON")
+}
+
+#[test]
+fn answers_in_space_come_as_figures_pages_and_typed_columns() {
+    let folder = TempDir::new().expect("a folder");
+    let robot = ["KR 210 R2700 extra", "--model", "spatial", "--tool-mm", "0,0,200", "--quiet"];
+    for (command, more) in [("map", &["--size", "60"][..]), ("place", &["--task", "rect:0.4x0.2"])] {
+        let files =
+            ["svg", "png", "html", "parquet", "csv", "json"].map(|ending| path(&folder, &format!("a.{ending}")));
+        let outputs = files.iter().flat_map(|file| ["-o", file]);
+        run(&[&[command], &robot[..], more].concat().into_iter().chain(outputs).collect::<Vec<_>>());
+        let [svg, png, html, parquet, csv, json] = files.map(|file| fs::read(file).expect("written"));
+        let svg = String::from_utf8(svg).expect("text");
+        for text in ["x from the base [m]", "worst deflection under 1000 N [mm]", "KUKA KR 210 R2700 extra"] {
+            assert!(svg.contains(text), "{command}: {text}");
+        }
+        assert_eq!(svg.contains("seen along the tool axis"), command == "place");
+        assert!(png.starts_with(b"\x89PNG") && parquet.starts_with(b"PAR1") && parquet.ends_with(b"PAR1"));
+        let answer: Value = serde_json::from_slice(&json).expect("JSON");
+        assert!(String::from_utf8(csv).expect("text").lines().count() > 1);
+        let figure = figure_on(&String::from_utf8(html).expect("text"));
+        let traces = figure["data"].as_array().expect("traces");
+        let surfaces: Vec<&Value> = traces.iter().filter(|trace| trace["type"] == "surface").collect();
+        assert_eq!(surfaces.len(), if command == "place" { 2 } else { 1 });
+        if command == "place" {
+            // The largest value of the zone's own sheet is the answer, to the fineness of its grid and six digits.
+            let cells = surfaces[1]["surfacecolor"].as_array().expect("rows");
+            let values = cells.iter().flat_map(|row| row.as_array().expect("a row")).filter_map(Value::as_f64);
+            let (largest, found) = (values.fold(0.0, f64::max), answer["deflection_mm"].as_f64().expect("a number"));
+            assert!((largest / found - 1.0).abs() < 2e-3, "{largest} {found}");
+            let tool = traces.iter().find(|trace| trace["name"] == "tool axis").expect("a tool");
+            let at = ["x", "y", "z"].map(|axis| tool[axis][0].as_f64().expect("a number"));
+            let (s, c) = answer["bearing_deg"].as_f64().expect("a number").to_radians().sin_cos();
+            let worst = [0, 1, 2].map(|k| answer["worst_point_m"][k].as_f64().expect("a number"));
+            let worst = [c * worst[0] - s * worst[1], s * worst[0] + c * worst[1], worst[2]];
+            assert!(at.iter().zip(worst).all(|(a, b)| (a - b).abs() < 2e-5), "{at:?} {worst:?}");
+        }
+    }
+    let (code, errors) =
+        refused(&["place", "TX40", "--task", "circle:3", "--model", "spatial", "-o", &path(&folder, "none.svg")]);
+    assert!(code == 2 && errors.contains("no place"), "{errors}");
+    assert!(!Path::new(&path(&folder, "none.svg")).exists());
+}

@@ -54,6 +54,18 @@ impl Section {
     pub fn posture(&self, i: usize, j: usize) -> Option<(Class, f64)> {
         self.postures[j * self.worst.x.count + i]
     }
+
+    /// Joint angles as reported, rad, at column `i` and row `j` of a section of `robot`, made with `options`.
+    ///
+    /// Joint 1 turns straight ahead whatever its limits, and so does joint 6 where the roll moves nothing.
+    pub fn joints(&self, robot: &Robot, options: &SectionOptions, i: usize, j: usize) -> Option<[f64; 6]> {
+        let (class, roll) = self.posture(i, j)?;
+        let arm = SpatialArm::new(robot, &options.flange_from_tool).ok()?;
+        let stand = Stand { x: options.x.at(i), z: options.z.at(j), yaw: options.yaw, angle: 0.0, roll };
+        let theta = held(&arm, &Patch::of(options.elevation, &stand), &stand, class)?;
+        let q = within_limits(&arm.geometry, &freed(&arm, options).limits, &theta);
+        Some(q.unwrap_or_else(|| arm.geometry.reported(&theta, arm.limits.third_axis)))
+    }
 }
 
 /// Maps the worst deflection over the section, all six drives compliant, at the best posture and roll of every point.
@@ -123,6 +135,22 @@ struct Cell {
     posture: Option<(Class, f64)>,
 }
 
+/// The arm without the limits that are left aside.
+fn freed(arm: &SpatialArm, options: &SectionOptions) -> SpatialArm {
+    let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
+    arm.without_limit_on(0, true).without_limit_on(5, roll_is_free)
+}
+
+/// Model angles of a class at the centre of a stand.
+fn held(arm: &SpatialArm, patch: &Patch, stand: &Stand, class: Class) -> Option<[f64; 6]> {
+    let flange = patch.pose(stand, [0.0; 2]) * arm.flange_from_tool.inverse();
+    let found = postures(&arm.geometry, &flange).found;
+    let same_arm = |other: &Class| other.shoulder == class.shoulder && other.elbow == class.elbow;
+    // At a singular wrist one representative stands for both.
+    let way = found.iter().find(|way| way.0 == class).or_else(|| found.iter().find(|way| same_arm(&way.0)));
+    way.map(|(_, theta)| *theta)
+}
+
 struct Scan<'a> {
     options: &'a SectionOptions,
     freed: SpatialArm,
@@ -140,7 +168,7 @@ impl<'a> Scan<'a> {
         let patch = |roll| Patch::of(options.elevation, &Stand { x: 0.0, z: 0.0, yaw: options.yaw, angle: 0.0, roll });
         Self {
             options,
-            freed: arm.without_limit_on(0, true).without_limit_on(5, roll_is_free),
+            freed: freed(arm, options),
             patches: rolls.into_iter().map(|roll| (roll, patch(roll))).collect(),
         }
     }
@@ -173,21 +201,17 @@ impl<'a> Scan<'a> {
         }
         let (roll, patch) = &self.patches[number];
         let stand = Stand { x, z, yaw: self.options.yaw, angle: 0.0, roll: *roll };
-        let flange = patch.pose(&stand, [0.0; 2]) * self.options.flange_from_tool.inverse();
         let class = class(place);
-        let found = postures(&self.freed.geometry, &flange).found;
-        let same_arm = |other: &Class| other.shoulder == class.shoulder && other.elbow == class.elbow;
-        // At a singular wrist one representative stands for both.
-        let theta = found.iter().find(|way| way.0 == class).or_else(|| found.iter().find(|way| same_arm(&way.0)));
-        let limit_margin = theta.and_then(|(_, theta)| {
-            let q = within_limits(&self.freed.geometry, &self.freed.limits, theta)?;
+        let theta = held(&self.freed, patch, &stand, class);
+        let limit_margin = theta.and_then(|theta| {
+            let q = within_limits(&self.freed.geometry, &self.freed.limits, &theta)?;
             let room = |(q, range): (f64, &Range)| (q - range.min()).min(range.max() - q);
             Some(q.into_iter().zip(&self.freed.limits.joints).map(room).fold(f64::INFINITY, f64::min).max(0.0))
         });
         Cell {
             worst: worst * self.options.force,
             limit_margin: limit_margin.unwrap_or(0.0),
-            singular_margin: theta.map_or(0.0, |(_, theta)| self.freed.geometry.singular_margin(theta)),
+            singular_margin: theta.map_or(0.0, |theta| self.freed.geometry.singular_margin(&theta)),
             posture: Some((class, *roll)),
         }
     }
@@ -229,6 +253,9 @@ mod tests {
                             assert!((worst - expected).abs() <= 1e-7 * expected, "{} {stand:?}", robot.name);
                             let (class, roll) = found.posture(i, j).unwrap();
                             assert!(ways.iter().any(|way| way.0 == class) && roll == 0.3, "{class}");
+                            let q = found.joints(robot, &options, i, j).unwrap();
+                            let at = compliance(robot, &q, &tool).unwrap().tool;
+                            assert!((at.inverse() * pose).translation.vector.norm() < 1e-9, "{} {q:?}", robot.name);
                         }
                         None => assert!(ways.is_empty(), "{}: {stand:?} is reached by {ways:?}", robot.name),
                     }

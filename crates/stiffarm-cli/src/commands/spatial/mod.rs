@@ -1,5 +1,6 @@
 //! The verbs with `--model spatial`: all six drives, the tool where it is.
 
+mod drawing;
 pub(crate) mod map;
 pub(crate) mod place;
 pub(crate) mod rank;
