@@ -40,6 +40,9 @@ fn path(folder: &TempDir, name: &str) -> String {
     folder.path().join(name).to_str().expect("a plain path").into()
 }
 
+const COMPLIANCE: &[&str] = &["compliance", "BT200L", "--joints-deg", "0,90,0,0,0,0"];
+const SPATIAL: &[&str] = &["place", "BT200L", "--task", "A:0.1", "--model", "spatial"];
+
 #[test]
 fn without_arguments_the_papers_robots_are_ranked_on_its_tasks() {
     let text = run(&["rank"]);
@@ -180,15 +183,47 @@ fn what_makes_no_sense_is_refused_with_what_to_do() {
         (&["map", "BT200L", "--size", "1000000"], 2, "expected a whole number from 2 to 100000"),
         (&["map", "BT200L", "--size", "1"], 2, "expected a whole number from 2"),
         (&["map", "BT200L", "--direction-deg", "nan"], 2, "expected a number from"),
-        (&["study", "--sizes", "-1"], 1, "a size over l2 + l3 is -1"),
+        (&["study", "--sizes", "-1"], 2, "expected a number from 0.0001 to 10"),
         (&["study", "--range", "..2"], 2, "takes both ends"),
         (&["map", "BT200L", "--component", "along"], 2, "--direction-deg"),
         (&["map", "BT200L", "--within", "1..2,.."], 2, "give --zone with them"),
-        (&["study", "--ratios", "nan"], 1, "a link ratio is NaN"),
+        (&["study", "--ratios", "nan"], 2, "for '--ratios <RATIOS>': expected a number from 0.05"),
         (&["study", "--compare", "serial"], 2, "takes two architectures"),
         (&["rank", "-o", "ranking.xlsx"], 2, "expected a name that ends in .svg"),
         (&["validate", "-o", "ledger.svg"], 2, "expected a name that ends in .json"),
         (&["rank", "-o", "no/such/folder/ranking.csv"], 1, "cannot write no/such/folder/ranking.csv"),
+        (&["rank", "-o", "no/such/folder/ranking.csv"], 1, "hint: there is no folder no/such/folder; make it first"),
+        (&["rank", "-o", "-"], 2, "hint: without -o the answer goes to standard output; --format json"),
+        (&["study", "--k2", "inf"], 2, "'inf' for '--k2 <K>': expected a number from 0.001 to 1000"),
+        (&["study", "--k3", "x"], 2, "'x' for '--k3 <K>': expected a number from 0.001 to 1000"),
+        (&["compliance", "BT200L", "--joints-deg", "0,90,0"], 2, "--joints-deg has 3 angles; expected six"),
+        (
+            &["compliance", "BT200L", "--joints-deg", "0,x,0,0,0,0"],
+            2,
+            "'x' for '--joints-deg <Q1,..,Q6>': expected a number",
+        ),
+        (&["compliance", "BT200L", "--joints-deg", "0,nan,0,0,0,0"], 2, "expected a number from -1080 to 1080 degrees"),
+        (&[COMPLIANCE, &["--force-n", "1,2"]].concat(), 2, "--force-n has 2 numbers; expected three"),
+        (&[COMPLIANCE, &["--force-n", "1,2,inf"]].concat(), 2, "'inf' for '--force-n <X,Y,Z>': expected a number"),
+        (&[COMPLIANCE, &["--tool-mm", "100000,0,0"]].concat(), 2, "lengths up to 10000 mm"),
+        (
+            &[COMPLIANCE, &["--tool-mm", "nan,0,0"]].concat(),
+            2,
+            "'nan,0,0' for '--tool-mm <X,Y,Z>': expected x,y,z in mm",
+        ),
+        (&[SPATIAL, &["--tool-direction", "sideways"]].concat(), 2, "expected down, forward, up, or -90 to 90 degrees"),
+        (&[SPATIAL, &["--yaw-deg", "nan"]].concat(), 2, "expected any, or an angle from -360 to 360"),
+        (&[SPATIAL, &["--roll-deg", "inf"]].concat(), 2, "expected a number from -360 to 360"),
+        (
+            &["place", "BT200L", "--task", "A:0.1", "--tolerance-mm", "nan"],
+            2,
+            "'nan' for '--tolerance-mm <MM>': expected",
+        ),
+        (&["rank", "--robots", ""], 2, "--robots holds an empty name; expected names, patterns"),
+        (&["rank", "--robots", "all", "--payload-kg", "500..100"], 2, "'500..100' is not a range; expected such as"),
+        (&["rank", "--robots", "all", "--payload-kg", "5000.."], 1, "payload 0.5 to 800 kg"),
+        (&["rank", "--robots", "all", "--reach-m", "nan.."], 2, "'nan..' is not a range"),
+        (&["rank", "--robots", "all", "--vendor", "Nobody"], 1, "hint: there are robots of ABB"),
     ];
     for (arguments, code, expected) in cases {
         let (found, errors) = refused(arguments);
@@ -403,4 +438,23 @@ fn answers_in_space_come_as_figures_pages_and_typed_columns() {
         refused(&["place", "TX40", "--task", "circle:3", "--model", "spatial", "-o", &path(&folder, "none.svg")]);
     assert!(code == 2 && errors.contains("no place"), "{errors}");
     assert!(!Path::new(&path(&folder, "none.svg")).exists());
+}
+
+#[test]
+fn robots_that_are_named_alike_are_told_apart_by_their_files() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("first.toml"), SMALLEST).unwrap();
+    fs::write(folder.path().join("same.toml"), SMALLEST).unwrap();
+    fs::write(folder.path().join("second.toml"), SMALLEST.replace("l3_mm = 800", "l3_mm = 900")).unwrap();
+    let robots = format!("{},BT200L", folder.path().display());
+    let output = program().args(["rank", "--robots", &robots, "--task", "A:0.1"]).output().unwrap();
+    let (text, notes) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    for file in ["first.toml", "second.toml"] {
+        assert!(text.contains(&format!("{file})")), "{text}");
+        let note = format!("{file}: one of 2 different robots named two links");
+        assert!(notes.contains(&note), "{notes}");
+    }
+    assert!(!text.contains("same.toml"), "one robot in two files is one:\n{text}");
+    let quiet = program().args(["rank", "--robots", &robots, "--task", "A:0.1", "-q"]).output().unwrap();
+    assert!(quiet.stderr.is_empty());
 }

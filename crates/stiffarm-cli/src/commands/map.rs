@@ -25,7 +25,7 @@ pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     if args.zone.is_none() && (args.placing.within.is_some() || args.placing.angle != Angle::Axes) {
         return Err(Failure::Usage("--within and --angle place a zone: give --zone with them".into()));
     }
-    let robot = selection::robot(&args.robot)?;
+    let robot = selection::robot(&args.robot, common)?;
     if args.space.is_spatial()? {
         return spatial::map::run(robot, args, common);
     }
