@@ -142,7 +142,10 @@ fn wrist_angles(r: &Matrix3<f64>) -> (Vec<(Wrist, [f64; 3])>, bool) {
         let forwards = if 0.0 < r[(2, 2)] { r[(0, 0)] } else { -r[(0, 0)] };
         return (vec![(Wrist::NoFlip, [0.0, theta_5, r[(1, 0)].atan2(forwards)])], true);
     }
-    let (theta_4, theta_6) = (r[(1, 2)].atan2(r[(0, 2)]), r[(2, 1)].atan2(-r[(2, 0)]));
+    let theta_4 = r[(1, 2)].atan2(r[(0, 2)]);
+    // What joint 4 leaves, not the small last row: near a straight wrist both angles are uncertain, and their sum must not be.
+    let (s4, c4) = theta_4.sin_cos();
+    let theta_6 = (c4 * r[(1, 0)] - s4 * r[(0, 0)]).atan2(c4 * r[(1, 1)] - s4 * r[(0, 1)]);
     let no_flip = (Wrist::NoFlip, [theta_4, theta_5, theta_6]);
     let flip = (Wrist::Flip, [theta_4 + PI, -theta_5, theta_6 + PI]);
     (vec![no_flip, flip], false)
