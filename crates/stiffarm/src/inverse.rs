@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::geometry::Geometry;
-use crate::limits::Limits;
+use crate::limits::{Limits, ThirdAxis};
 use crate::plane::Elbow;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
@@ -156,12 +156,29 @@ fn wrist_angles(r: &Matrix3<f64>) -> (Vec<(Wrist, [f64; 3])>, bool) {
 /// Every limit is judged in the coordinates in which it is stated: joints, the forearm's absolute angle, the angle
 /// between the links.
 pub fn within_limits(geometry: &Geometry, limits: &Limits, theta: &[f64; 6]) -> Option<[f64; 6]> {
-    limits.elbow.turn_to(PI - theta[2], SLACK)?;
+    let third = third_within_limits(geometry, limits, theta)?;
     let mut q = geometry.reported(theta, limits.third_axis);
+    q[2] = third;
     for (q, range) in q.iter_mut().zip(&limits.joints) {
         *q = range.turn_to(*q, SLACK)?;
     }
     Some(q)
+}
+
+/// What joint 3 reports, where its limit and that of the angle between the links allow it with one and the same number of
+/// whole turns: the forearm's absolute angle is the sum of two angles, each with an end.
+pub(crate) fn third_within_limits(geometry: &Geometry, limits: &Limits, theta: &[f64; 6]) -> Option<f64> {
+    let mut wound = *theta;
+    wound[2] = PI - limits.elbow.turn_to(PI - theta[2], SLACK)?;
+    if limits.third_axis == ThirdAxis::Forearm {
+        wound[1] = geometry.theta(1, limits.joints[1]).turn_to(theta[1], SLACK)?;
+    }
+    let third = geometry.reported(&wound, limits.third_axis)[2];
+    if limits.third_is_wound() {
+        limits.joints[2].contains(third, SLACK).then_some(third)
+    } else {
+        limits.joints[2].turn_to(third, SLACK)
+    }
 }
 
 /// Every posture of a pose that the limits of a robot allow: its class and the joint angles it reports, rad.

@@ -44,7 +44,7 @@ impl<'a> Subject<'a> {
                 let (low, width) = if range.is_bounded() { (range.min(), range.width()) } else { (-PI, TAU) };
                 low + width * rng.f64()
             });
-            if fits(self.limits.elbow, PI - self.theta(&q)[2], 0.0) {
+            if self.limits.elbow.contains(PI - self.theta(&q)[2], 0.0) {
                 return q;
             }
         }
@@ -54,11 +54,23 @@ impl<'a> Subject<'a> {
         self.geometry.model_angles(q, self.limits.third_axis)
     }
 
-    /// Every limit in the coordinate in which it is stated, whole turns aside, overstepped by `slack` at most.
+    /// Every limit in the coordinate in which it is stated, overstepped by `slack` at most, after some whole turns of every
+    /// joint; what joint 3 reports turns with those of both arms.
     fn allows(&self, theta: &[f64; 6], slack: f64) -> bool {
+        let (joints, turns) = (self.limits.joints, (-2..=2).map(|turns| TAU * f64::from(turns)));
         let q = self.geometry.reported(theta, self.limits.third_axis);
-        fits(self.limits.elbow, PI - theta[2], slack)
-            && q.iter().zip(self.limits.joints).all(|(angle, range)| fits(range, *angle, slack))
+        [0, 3, 4, 5].iter().all(|&i| fits(joints[i], q[i], slack))
+            && turns.clone().flat_map(|second| turns.clone().map(move |third| (second, third))).any(
+                |(second, third)| {
+                    let mut wound = *theta;
+                    wound[1] += second;
+                    wound[2] += third;
+                    let q = self.geometry.reported(&wound, self.limits.third_axis);
+                    self.limits.elbow.contains(PI - wound[2], slack)
+                        && joints[1].contains(q[1], slack)
+                        && joints[2].contains(q[2], slack)
+                },
+            )
     }
 
     /// How much rounding grows on the way back: the reciprocals of what the inverse divides by. They are the distances, as

@@ -321,9 +321,7 @@ impl Question {
         let (value, direction) = worst.compliance.worst();
         let apart = |value: f64| (value * options.force - found.deflection) / found.deflection;
         assert!(apart(value).abs() < 1e-9, "{value} at the worst point: {}", case());
-        if limits.third_axis == ThirdAxis::Elbow {
-            assert_eq!(beyond_limits(&self.robot, &found.worst_joints), [0; 0], "{}", case());
-        }
+        assert_eq!(beyond_limits(&self.robot, &found.worst_joints), [0; 0], "{}", case());
         let turned = Pose::rotation(Vector3::z() * stand.bearing) * Point3::from(found.worst_point);
         assert!((worst.tool.translation.vector - turned.coords).norm() < 1e-9, "{}: {}", worst.tool, case());
         let centre = stand.pose(options.elevation, [0.0; 2]);
