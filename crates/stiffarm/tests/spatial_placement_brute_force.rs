@@ -389,7 +389,7 @@ fn random_robot(rng: &mut fastrand::Rng) -> Robot {
 
 fn random_question(seed: u64) -> Question {
     let mut rng = fastrand::Rng::with_seed(seed);
-    let robot = if seed % 2 == 0 {
+    let robot = if seed.is_multiple_of(2) {
         random_robot(&mut rng)
     } else {
         loop {
@@ -474,7 +474,8 @@ fn with_drive_1_alone_the_best_place_is_the_nearest() {
         drives.compliance = JointCompliance([k, 0.0, 0.0, 0.0, 0.0, 0.0]);
         let reach = robot.stretch();
         let (near, width, height) = (reach * (0.3 + 0.2 * rng.f64()), 0.15 * reach, reach * (0.05 + 0.2 * rng.f64()));
-        let zone = if seed % 2 == 0 { Zone::Circle { diameter: width } } else { Zone::Rectangle { width, height } };
+        let zone =
+            if seed.is_multiple_of(2) { Zone::Circle { diameter: width } } else { Zone::Rectangle { width, height } };
         let mut options = SpatialOptions::tool_down(1000.0);
         options.within.x = Range::new(near, f64::INFINITY).unwrap();
         let found = place_in_space(&robot, zone, &options).unwrap();
