@@ -148,6 +148,14 @@ pub struct Limits {
     pub speeds: Option<[f64; 6]>,
 }
 
+impl Limits {
+    /// Other limits leave joint 3 no choice between angles that are whole turns apart.
+    pub(crate) fn third_is_wound(&self) -> bool {
+        let one_turn = |range: Range| range.width() < 2.0 * PI;
+        one_turn(self.elbow) && (self.third_axis == ThirdAxis::Elbow || one_turn(self.joints[1]))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -33,10 +33,11 @@ pub struct SpatialOptions {
     /// Angles of the zone's plane about the vertical that are tried, rad: at 0 it faces the robot, beyond a quarter turn
     /// the tool points back at it. A tool that points straight down or up has none.
     pub yaw: Range,
-    /// Which angles of a rectangle in its plane are tried: 0 has the first side ahead (on a wall: upright).
+    /// Which angles of a rectangle in its plane are tried: 0 has the first side ahead (on a wall: upright), a quarter turn to
+    /// the left.
     pub orientation: Orientation,
-    /// Rotation about the tool axis, rad, the same for the whole zone: 0 has the tool's x axis ahead (on a wall:
-    /// upright); the best where `None`.
+    /// Rotation about the tool axis, rad, the same for the whole zone: 0 has the tool's x axis ahead (on a wall: upright;
+    /// overhead: back); the best where `None`.
     pub roll: Option<f64>,
     /// Where the zone may stand: x from the joint-1 axis straight ahead, z from the base, all of the zone inside.
     pub within: Within,
@@ -192,8 +193,9 @@ pub enum SpatialPlaceError {
 
 /// Finds the place of a flat zone that minimises the worst deflection inside it, all six drives compliant.
 ///
-/// One posture and one roll hold throughout the zone, every limit is kept at every pose, and no joint passes a singular
-/// posture or the end of its range within it. The search is coarse over all places, then refined from the best ones; it is
+/// One posture and one roll hold throughout the zone, every limit is kept at every pose that is sampled, and no joint passes
+/// a singular posture or the end of its range within it, or turns by a quarter turn from where it is at the centre. Between
+/// two samples a limit may be overstepped by the sagitta of the joint's course. The search is coarse over all places, then refined from the best ones; it is
 /// deterministic, and [`Resolution`] says how finely it looked. It proves no bound: a better place between the places it
 /// looked at is possible.
 ///
