@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use stiffarm::catalogue::import::{ImportOptions, import};
-use stiffarm::catalogue::{self, Entry, entries, paper_robots, read, suggestions};
+use stiffarm::catalogue::{self, Entry, paper_robots, read, suggestions};
 use stiffarm::robot::Robot;
 
 use crate::failure::Failure;
@@ -55,12 +55,9 @@ fn matching(name: &str) -> Result<Vec<Robot>, Failure> {
     if !name.contains(['*', '?', '[']) {
         return Ok(vec![robot(name)?]);
     }
-    let pattern = glob::Pattern::new(&name.to_lowercase())
-        .map_err(|error| Failure::Usage(format!("'{name}' is not a pattern: {error}")))?;
-    let matches = |entry: &&Entry| {
-        pattern.matches(&entry.name.to_lowercase()) || pattern.matches(&entry.full_name().to_lowercase())
-    };
-    let found: Vec<Robot> = entries().iter().filter(matches).map(Entry::robot).collect();
+    let found =
+        catalogue::matching(name).map_err(|error| Failure::Usage(format!("'{name}' is not a pattern: {error}")))?;
+    let found: Vec<Robot> = found.iter().map(Entry::robot).collect();
     if found.is_empty() { Err(Failure::NoRobot(name.into())) } else { Ok(found) }
 }
 

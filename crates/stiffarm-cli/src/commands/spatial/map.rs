@@ -1,12 +1,12 @@
 //! `stiffarm map --model spatial`: a section through everything the tool reaches.
 
-use serde_json::{Value, json};
-use stiffarm::map::{Axis, Map, Section, SectionOptions, reached_section, section};
+use serde_json::Value;
+use stiffarm::map::{Axis, Section, SectionOptions, reached_section, section};
+use stiffarm::report;
 use stiffarm::robot::Robot;
 
 use super::{direction, tool};
 use crate::args::{Common, MapArgs};
-use crate::commands::map::axis;
 use crate::failure::Failure;
 use crate::output::{Answer, deliver};
 use crate::table::Table;
@@ -35,15 +35,15 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
         roll: args.space.roll_deg.map(f64::to_radians),
         class: None,
     };
-    let Some([x, z]) = reached_section(&robot, &asked).map_err(failure)? else {
+    let Some(reached) = reached_section(&robot, &asked).map_err(failure)? else {
         return Err(Failure::Usage(format!(
             "{}: no point is reached with the {}",
             robot.name,
             direction(asked.elevation)
         )));
     };
-    let step = args.step_m.unwrap_or_else(|| x.width().max(z.width()) / (args.size - 1) as f64);
-    let options = SectionOptions { x: axis(x, step), z: axis(z, step), ..asked };
+    let [x, z] = args.spacing().cover(reached);
+    let options = SectionOptions { x, z, ..asked };
     let section = section(&robot, &options).map_err(failure)?;
     deliver(&MapAnswer { robot, options, section }, common)
 }
@@ -81,23 +81,7 @@ impl Answer for MapAnswer {
     }
 
     fn json(&self) -> Value {
-        let Self { robot, options, section } = self;
-        let layer = |map: &Map, factor: f64| -> Value {
-            (0..map.z.count)
-                .map(|j| Value::Array(map.row(j).map(|cell| json!(cell.map(|value| value * factor))).collect()))
-                .collect()
-        };
-        json!({
-            "robot": robot.name,
-            "model": "spatial",
-            "force_n": options.force,
-            "tool_direction_deg": options.elevation.to_degrees(),
-            "x_m": section.worst.x.points(),
-            "z_m": section.worst.z.points(),
-            "worst_mm": layer(&section.worst, 1e3),
-            "limit_margin_deg": layer(&section.limit_margin, 1_f64.to_degrees()),
-            "singular_margin_deg": layer(&section.singular_margin, 1_f64.to_degrees()),
-        })
+        report::map::spatial(&self.robot, &self.options, &self.section).json()
     }
 
     fn csv(&self) -> Table {
