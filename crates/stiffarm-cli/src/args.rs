@@ -5,12 +5,14 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use nalgebra::{Rotation3, Translation3};
 use stiffarm::drive::Architecture;
 use stiffarm::limits::Range;
-use stiffarm::map::Component;
-use stiffarm::place::{Orientation, PlaceOptions, SpatialOptions, Within};
+use stiffarm::map::{Component, Spacing};
+use stiffarm::place::{PlaceOptions, SpatialOptions, Within};
 use stiffarm::plane::Elbow;
+use stiffarm::question::{
+    Angle, Held, Unasked, Wanted, degrees, elevation, number, open_range, shape, tool, within, yaw,
+};
 use stiffarm::spatial::Pose;
 use stiffarm::task::{Task, Zone};
 
@@ -89,17 +91,16 @@ pub(crate) struct Placing {
 }
 
 impl Placing {
+    pub(crate) fn question(&self) -> Wanted {
+        Wanted { force: self.force_n, within: self.within, angle: self.angle, gap: self.gap }
+    }
+
     pub(crate) fn options(&self, zone: Zone) -> PlaceOptions {
-        let orientation = self.angle.orientation(zone);
-        PlaceOptions { orientation, within: self.planar_within(), gap: self.gap(), ..PlaceOptions::paper(self.force_n) }
+        self.question().planar(zone)
     }
 
     pub(crate) fn planar_within(&self) -> Within {
         self.within.unwrap_or(Within::ANYWHERE)
-    }
-
-    pub(crate) fn gap(&self) -> f64 {
-        self.gap.unwrap_or(PlaceOptions::paper(self.force_n).gap)
     }
 }
 
@@ -149,54 +150,31 @@ impl Space {
     }
 
     pub(crate) fn elevation(&self) -> f64 {
-        self.tool_direction.unwrap_or(-90.0).to_radians()
+        self.held().elevation()
     }
 
     pub(crate) fn tool(&self) -> Pose {
-        self.tool_mm.unwrap_or_else(Pose::identity)
+        self.held().tool()
     }
 
     /// What `place` and `rank` ask in space.
     pub(crate) fn options(&self, placing: &Placing) -> Result<SpatialOptions, Failure> {
-        if placing.gap.is_some() {
-            return Err(Failure::Usage("--gap is of the planar model: the spatial search proves no bound".into()));
-        }
-        let usual = SpatialOptions::tool_down(placing.force_n);
-        let is_wall = self.elevation().abs() < 1.5;
-        let orientation = match placing.angle {
-            Angle::Axes => Orientation::Axes,
-            Angle::Free => Orientation::Free,
-            Angle::Degrees(angle) => Orientation::Fixed(angle.to_radians()),
-            Angle::Horizontal | Angle::Vertical if is_wall => Orientation::Axes,
-            Angle::Horizontal | Angle::Vertical => {
-                return Err(Failure::Usage(
-                    "--angle horizontal and vertical mean the long side on a wall; on a table give degrees, 0 has the first side ahead".into(),
-                ));
-            }
-        };
-        Ok(SpatialOptions {
-            flange_from_tool: self.tool(),
-            elevation: self.elevation(),
-            yaw: self.yaw_deg.unwrap_or(usual.yaw),
-            orientation,
-            roll: self.roll_deg.map(f64::to_radians),
-            within: placing.within.unwrap_or(usual.within),
-            ..usual
-        })
+        placing.question().spatial(&self.held()).map_err(flagged)
     }
 
     /// The same for one zone, of which it is known which side is the long one.
     pub(crate) fn options_for(&self, placing: &Placing, zone: Zone) -> Result<SpatialOptions, Failure> {
-        let options = self.options(placing)?;
-        let [first, second] = zone.sides();
-        let upright = if second <= first { 0.0 } else { 90.0_f64 };
-        let orientation = match placing.angle {
-            Angle::Vertical => Orientation::Fixed(upright.to_radians()),
-            Angle::Horizontal => Orientation::Fixed((90.0 - upright).to_radians()),
-            _ => options.orientation,
-        };
-        Ok(SpatialOptions { orientation, ..options })
+        placing.question().spatial_for(&self.held(), zone).map_err(flagged)
     }
+
+    fn held(&self) -> Held {
+        Held { tool: self.tool_mm, elevation_deg: self.tool_direction, yaw: self.yaw_deg, roll_deg: self.roll_deg }
+    }
+}
+
+/// An option's name as it is typed.
+fn flagged(error: Unasked) -> Failure {
+    Failure::Usage(format!("--{error}"))
 }
 
 #[derive(Debug, Args)]
@@ -260,6 +238,12 @@ pub(crate) struct MapArgs {
     pub(crate) placing: Placing,
     #[command(flatten)]
     pub(crate) space: Space,
+}
+
+impl MapArgs {
+    pub(crate) fn spacing(&self) -> Spacing {
+        self.step_m.map_or(Spacing::Points(self.size), Spacing::Step)
+    }
 }
 
 #[derive(Debug, Args)]
@@ -392,53 +376,6 @@ impl From<Side> for Elbow {
     }
 }
 
-/// The angles of a rectangle as people ask for them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Angle {
-    Axes,
-    Horizontal,
-    Vertical,
-    Free,
-    Degrees(f64),
-}
-
-impl Angle {
-    fn orientation(self, zone: Zone) -> Orientation {
-        let [first, second] = zone.sides();
-        let lying = if second <= first { 0.0 } else { 90.0_f64 };
-        match self {
-            Self::Axes => Orientation::Axes,
-            Self::Free => Orientation::Free,
-            Self::Horizontal => Orientation::Fixed(lying.to_radians()),
-            Self::Vertical => Orientation::Fixed((90.0 - lying).to_radians()),
-            Self::Degrees(angle) => Orientation::Fixed(angle.to_radians()),
-        }
-    }
-}
-
-impl FromStr for Angle {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "axes" => Ok(Self::Axes),
-            "horizontal" => Ok(Self::Horizontal),
-            "vertical" => Ok(Self::Vertical),
-            "free" => Ok(Self::Free),
-            _ => degrees(text)
-                .map(Self::Degrees)
-                .map_err(|_| "expected axes, horizontal, vertical, free, or an angle from -360 to 360 degrees".into()),
-        }
-    }
-}
-
-fn number(text: &str, min: f64, max: f64, unit: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(value) if min <= value && value <= max => Ok(value),
-        _ => Err(format!("expected a number from {min} to {max} {unit}")),
-    }
-}
-
 fn force(text: &str) -> Result<f64, String> {
     number(text, 1e-3, 1e6, "N")
 }
@@ -471,10 +408,6 @@ fn tolerance(text: &str) -> Result<f64, String> {
     number(text, 1e-6, 1e3, "mm")
 }
 
-fn degrees(text: &str) -> Result<f64, String> {
-    number(text, -360.0, 360.0, "degrees")
-}
-
 fn payload(text: &str) -> Result<f64, String> {
     number(text, 0.1, 1e4, "kg")
 }
@@ -488,39 +421,6 @@ fn joint_range(text: &str) -> Result<Range, String> {
     open_range(text).ok().filter(|range| range.is_bounded()).ok_or_else(|| {
         format!("'{text}' is not a range of a joint; expected such as -185..185, in degrees, the lower end first")
     })
-}
-
-/// `x,y,z` or `x,y,z,rx,ry,rz`, in mm and degrees about fixed x, y, z.
-fn tool(text: &str) -> Result<Pose, String> {
-    let expected = || "expected x,y,z in mm, or x,y,z,rx,ry,rz with degrees; lengths up to 10000 mm".to_owned();
-    let numbers = text.split(',').map(|part| number(part, -10_000.0, 10_000.0, "").map_err(|_| expected()));
-    let numbers: Vec<f64> = numbers.collect::<Result<_, _>>()?;
-    let ([x, y, z], [rx, ry, rz]) = match *numbers.as_slice() {
-        [x, y, z] => ([x, y, z], [0.0; 3]),
-        [x, y, z, rx, ry, rz] => ([x, y, z], [rx, ry, rz].map(f64::to_radians)),
-        _ => return Err(expected()),
-    };
-    Ok(Pose::from_parts(Translation3::new(x / 1e3, y / 1e3, z / 1e3), Rotation3::from_euler_angles(rx, ry, rz).into()))
-}
-
-/// Degrees above the horizontal.
-fn elevation(text: &str) -> Result<f64, String> {
-    match text {
-        "down" => Ok(-90.0),
-        "forward" => Ok(0.0),
-        "up" => Ok(90.0),
-        _ => number(text, -90.0, 90.0, "")
-            .map_err(|_| "expected down, forward, up, or -90 to 90 degrees above the horizontal".into()),
-    }
-}
-
-/// Radians.
-fn yaw(text: &str) -> Result<Range, String> {
-    if text == "any" {
-        return Ok(Range::spanning(-std::f64::consts::PI, std::f64::consts::PI));
-    }
-    let angle = degrees(text).map_err(|_| "expected any, or an angle from -360 to 360 degrees".to_owned())?;
-    Ok(Range::point(angle.to_radians()))
 }
 
 fn step(text: &str) -> Result<f64, String> {
@@ -546,33 +446,6 @@ pub(crate) fn architecture(text: &str) -> Result<Architecture, String> {
     known.ok_or_else(|| "expected serial or quasi-serial".into())
 }
 
-/// A shape at size 1: a letter of the paper, or a task.
-fn shape(text: &str) -> Result<Task, String> {
-    let notation = if text.contains(':') { text.into() } else { format!("{text}:1") };
-    let task: Task = notation.parse().map_err(|_| "expected A, B, C, or a shape such as rect:1x3".to_owned())?;
-    Ok(Task { label: text.into(), ..task })
-}
-
-/// `a..b`; either end may be left open.
-pub(crate) fn open_range(text: &str) -> Result<Range, String> {
-    let expected = || format!("'{text}' is not a range; expected such as 0.5..2, 0.5.. or ..2, the lower end first");
-    let (low, high) = text.split_once("..").ok_or_else(expected)?;
-    let end = |text: &str, open: f64| {
-        if text.trim().is_empty() {
-            return Ok(open);
-        }
-        number(text, -1e5, 1e5, "").map_err(|_| expected())
-    };
-    Range::new(end(low, f64::NEG_INFINITY)?, end(high, f64::INFINITY)?).ok_or_else(expected)
-}
-
-/// `x0..x1,z0..z1` in m; without the second range any height.
-pub(crate) fn within(text: &str) -> Result<Within, String> {
-    // One range alone is that of x.
-    let (x, z) = text.split_once(',').unwrap_or((text, ".."));
-    Ok(Within { x: open_range(x)?, z: open_range(z)? })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -581,24 +454,5 @@ mod tests {
     fn the_arguments_are_consistent() {
         use clap::CommandFactory;
         Arguments::command().debug_assert();
-    }
-
-    #[test]
-    fn a_place_may_be_open_at_any_end() {
-        let place = within("0.5..2,..1.5").unwrap();
-        assert_eq!((place.x.min(), place.x.max()), (0.5, 2.0));
-        assert_eq!((place.z.min(), place.z.max()), (f64::NEG_INFINITY, 1.5));
-        assert_eq!(within("..,..").unwrap(), Within::ANYWHERE);
-        assert_eq!(within("1..").unwrap().z, Range::ALL);
-        for bad in ["", "1", "2..1,..", "a..b,..", "1..2,..,3", "nan..1,..", "1..inf,.."] {
-            assert!(within(bad).is_err(), "{bad}");
-        }
-    }
-
-    #[test]
-    fn horizontal_means_the_long_side() {
-        let upright = Zone::Rectangle { width: 0.5, height: 1.0 };
-        assert_eq!(Angle::Horizontal.orientation(upright), Orientation::Fixed(90_f64.to_radians()));
-        assert_eq!(Angle::Vertical.orientation(upright), Orientation::Fixed(0.0));
     }
 }

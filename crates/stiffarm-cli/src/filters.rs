@@ -2,11 +2,13 @@
 #![allow(rustdoc::broken_intra_doc_links, reason = "help texts put units in brackets")]
 
 use clap::Args;
+use stiffarm::catalogue::{Filter, NothingLeft};
 use stiffarm::drive::Architecture;
 use stiffarm::limits::Range;
+use stiffarm::question::open_range;
 use stiffarm::robot::{Robot, Status};
 
-use crate::args::{architecture, open_range};
+use crate::args::architecture;
 use crate::failure::Failure;
 
 /// What a robot must have; all of it.
@@ -35,106 +37,16 @@ fn status(text: &str) -> Result<Status, String> {
     known.ok_or_else(|| "expected identified, data-sheet, derived or estimated".into())
 }
 
-/// One thing that is asked of a robot: how it is written, and whether a robot has it.
-struct Wish<'a> {
-    written: String,
-    holds: Box<dyn Fn(&Robot) -> bool + 'a>,
-}
-
-impl<'a> Wish<'a> {
-    fn new(written: String, holds: impl Fn(&Robot) -> bool + 'a) -> Self {
-        Self { written, holds: Box::new(holds) }
-    }
-}
-
 impl Filters {
     /// The robots that have all that is asked for, in their order.
-    ///
-    /// A missing payload or reach lies in no range. Where nothing is left, the failure says what would match.
     pub(crate) fn keep(&self, robots: Vec<Robot>, words: &[String]) -> Result<Vec<Robot>, Failure> {
-        let wishes = self.wishes(words);
-        let kept = |robot: &Robot| wishes.iter().all(|wish| (wish.holds)(robot));
-        if robots.iter().any(kept) {
-            return Ok(robots.into_iter().filter(kept).collect());
-        }
-        let written: Vec<&str> = wishes.iter().map(|wish| wish.written.as_str()).collect();
-        let hint = match_without_one(&robots, &wishes).unwrap_or_else(|| what_there_is(&robots));
-        Err(Failure::NothingLeft { asked: written.join(" "), of: robots.len(), hint })
+        let Self { vendor, payload_kg, reach_m, architecture, status } = self.clone();
+        let words = words.to_vec();
+        let filter = Filter { words, vendors: vendor, payload_kg, reach: reach_m, architecture, statuses: status };
+        let typed = |key: &str| format!("--{}", key.replace('_', "-"));
+        let nothing = |NothingLeft { asked, of, hint }| Failure::NothingLeft { asked, of, hint };
+        filter.keep(robots, typed).map_err(nothing)
     }
-
-    fn wishes<'a>(&'a self, words: &'a [String]) -> Vec<Wish<'a>> {
-        let mut wishes: Vec<Wish> = Vec::new();
-        for word in words.iter().flat_map(|words| words.split_whitespace()) {
-            wishes.push(Wish::new(format!("'{word}'"), move |robot| plain(&robot.full_name()).contains(&plain(word))));
-        }
-        if !self.vendor.is_empty() {
-            wishes.push(Wish::new(format!("--vendor {}", self.vendor.join(",")), |robot| {
-                self.vendor.iter().any(|vendor| plain(vendor) == plain(&robot.vendor))
-            }));
-        }
-        if let Some(range) = self.payload_kg {
-            let holds = move |robot: &Robot| robot.payload_kg.is_some_and(|kg| range.contains(kg, 0.0));
-            wishes.push(Wish::new(format!("--payload-kg {}", written(range)), holds));
-        }
-        if let Some(range) = self.reach_m {
-            let holds = move |robot: &Robot| robot.reach.is_some_and(|reach| range.contains(reach, 0.0));
-            wishes.push(Wish::new(format!("--reach-m {}", written(range)), holds));
-        }
-        if let Some(architecture) = self.architecture {
-            let holds = move |robot: &Robot| robot.architecture == architecture;
-            wishes.push(Wish::new(format!("--architecture {architecture}"), holds));
-        }
-        if !self.status.is_empty() {
-            let names: Vec<&str> = self.status.iter().map(|status| status.name()).collect();
-            let holds = |robot: &Robot| self.status.contains(&robot.status);
-            wishes.push(Wish::new(format!("--status {}", names.join(",")), holds));
-        }
-        wishes
-    }
-}
-
-/// How many robots each single wish keeps out.
-fn match_without_one(robots: &[Robot], wishes: &[Wish]) -> Option<String> {
-    let without = |left_out: usize| {
-        let others = |robot: &&Robot| wishes.iter().enumerate().all(|(i, wish)| i == left_out || (wish.holds)(robot));
-        robots.iter().filter(others).count()
-    };
-    let ways: Vec<String> = wishes
-        .iter()
-        .enumerate()
-        .filter(|_| 1 < wishes.len())
-        .map(|(i, wish)| (without(i), &wish.written))
-        .filter(|(count, _)| 0 < *count)
-        .map(|(count, written)| format!("without {written} {count} would match"))
-        .collect();
-    (!ways.is_empty()).then(|| ways.join("; "))
-}
-
-/// The makers, payloads and reaches there are.
-fn what_there_is(robots: &[Robot]) -> String {
-    let mut vendors: Vec<&str> =
-        robots.iter().map(|robot| robot.vendor.as_str()).filter(|name| !name.is_empty()).collect();
-    vendors.sort_by_key(|name| name.to_lowercase());
-    vendors.dedup();
-    let span = |values: &mut dyn Iterator<Item = f64>, unit: &str| {
-        let ends = values.fold(None, |ends: Option<Range>, x| {
-            Some(ends.map_or(Range::point(x), |ends| Range::spanning(ends.min().min(x), ends.max().max(x))))
-        });
-        ends.map_or_else(|| format!("no {unit} stated"), |ends| format!("{} to {} {unit}", ends.min(), ends.max()))
-    };
-    let payload = span(&mut robots.iter().filter_map(|robot| robot.payload_kg), "kg");
-    let reach = span(&mut robots.iter().filter_map(|robot| robot.reach), "m");
-    format!("there are robots of {}; payload {payload}; reach {reach}", vendors.join(", "))
-}
-
-fn written(range: Range) -> String {
-    let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
-    format!("{}..{}", end(range.min()), end(range.max()))
-}
-
-/// Case, blanks and punctuation do not matter.
-fn plain(text: &str) -> String {
-    text.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
 #[cfg(test)]

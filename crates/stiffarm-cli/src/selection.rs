@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use stiffarm::catalogue::import::{ImportOptions, import};
-use stiffarm::catalogue::{self, Entry, entries, paper_robots, read, suggestions};
+use stiffarm::catalogue::{self, paper_robots, read, suggestions};
 use stiffarm::robot::Robot;
 
 use crate::args::Common;
@@ -94,12 +94,9 @@ fn matching(name: &str, common: &Common) -> Result<Vec<Found>, Failure> {
     if !name.contains(['*', '?', '[']) {
         return Ok(vec![robot(name, common)?.into()]);
     }
-    let pattern = glob::Pattern::new(&name.to_lowercase())
-        .map_err(|error| Failure::Usage(format!("'{name}' is not a pattern: {error}")))?;
-    let matches = |entry: &&Entry| {
-        pattern.matches(&entry.name.to_lowercase()) || pattern.matches(&entry.full_name().to_lowercase())
-    };
-    let found: Vec<Found> = entries().iter().filter(matches).map(|entry| entry.robot().into()).collect();
+    let found =
+        catalogue::matching(name).map_err(|error| Failure::Usage(format!("'{name}' is not a pattern: {error}")))?;
+    let found: Vec<Found> = found.iter().map(|entry| entry.robot().into()).collect();
     if found.is_empty() { Err(Failure::NoRobot(name.into())) } else { Ok(found) }
 }
 

@@ -12,11 +12,11 @@
 //! | import | [`catalogue::import::import`] | which robot does a URDF describe? |
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
 //!
-//! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only in
-//! [`catalogue`], where robot files are read. The library reads no files, prints nothing and keeps no state.
+//! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only at
+//! the borders: [`catalogue`] reads robot files, [`question`] what people ask, [`report`] tells the answers. The library reads no files, prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`limits`], [`spatial`], [`geometry`], [`drive`], [`plane`], [`robot`], [`compliance`], [`catalogue`], [`task`],
-//! [`map`], [`place`], [`rank`], [`study`], [`ledger`].
+//! [`map`], [`place`], [`rank`], [`study`], [`question`], [`report`], [`ledger`].
 //!
 //! # What is left out
 //! The planar model of the paper, on which all verbs but `compliance` stand: drives 2 and 3 are compliant, links, bearings, the other drives and the base are
@@ -39,7 +39,9 @@ pub mod limits;
 pub mod map;
 pub mod place;
 pub mod plane;
+pub mod question;
 pub mod rank;
+pub mod report;
 pub mod robot;
 mod root;
 pub mod space;

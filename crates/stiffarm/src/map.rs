@@ -34,6 +34,14 @@ impl Axis {
         Self { start, step: (end - start) / (count.max(2) - 1) as f64, count }
     }
 
+    /// Points that cover a range, one step apart.
+    pub fn covering(range: Range, step: f64) -> Self {
+        let steps = (range.width() / step).ceil();
+        // Far beyond what is allowed, so that the refusal names the size without overflow.
+        let count = if steps < 1e12 { steps as usize + 1 } else { 1_000_000_000_000 };
+        Self { start: range.min(), step, count }
+    }
+
     /// The `i`-th point.
     pub fn at(&self, i: usize) -> f64 {
         self.start + self.step * i as f64
@@ -42,6 +50,26 @@ impl Axis {
     /// All points.
     pub fn points(&self) -> Vec<f64> {
         (0..self.count).map(|i| self.at(i)).collect()
+    }
+}
+
+/// How close the points of a map are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spacing {
+    /// Distance between them, m.
+    Step(f64),
+    /// So many, at least two, along the longer side.
+    Points(usize),
+}
+
+impl Spacing {
+    /// Points that cover a box.
+    pub fn cover(self, [x, z]: [Range; 2]) -> [Axis; 2] {
+        let step = match self {
+            Self::Step(step) => step,
+            Self::Points(count) => x.width().max(z.width()) / (count.max(2) - 1) as f64,
+        };
+        [x, z].map(|range| Axis::covering(range, step))
     }
 }
 

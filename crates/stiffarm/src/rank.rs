@@ -93,6 +93,26 @@ impl<C: Cell> Ranking<C> {
     }
 }
 
+impl<C> Ranking<C> {
+    /// Places from 1, row by row: an estimated robot stands where its values put it, but takes none.
+    pub fn places(&self) -> Vec<Option<usize>> {
+        let mut place = 0;
+        let mut next = |row: &Row<C>| {
+            (row.robot.status != Status::Estimated).then(|| {
+                place += 1;
+                place
+            })
+        };
+        self.rows.iter().map(&mut next).collect()
+    }
+
+    /// The place of one robot.
+    pub fn place_of(&self, robot: &Robot) -> Option<usize> {
+        let at = self.rows.iter().position(|row| row.robot == *robot)?;
+        self.places()[at]
+    }
+}
+
 /// A robot or task that could not be judged.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{robot}, task {task}: {error}")]

@@ -127,6 +127,12 @@ impl StudyOptions {
             range: Range::spanning(0.5, 1.5),
         }
     }
+
+    /// The architecture of one of the two, with its compliances where they are not the reference.
+    pub fn name(&self, contender: usize) -> String {
+        let Contender { architecture, k2, k3 } = self.contenders[contender];
+        if (k2, k3) == (1.0, 1.0) { architecture.to_string() } else { format!("{architecture} (k2 {k2}, k3 {k3})") }
+    }
 }
 
 /// What a study found.

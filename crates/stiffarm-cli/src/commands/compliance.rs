@@ -1,8 +1,9 @@
 //! `stiffarm compliance`: one posture, all six drives.
 
 use nalgebra::Vector3;
-use serde_json::{Value, json};
+use serde_json::Value;
 use stiffarm::compliance::{Posture, beyond_limits, compliance};
+use stiffarm::report;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::{Pose, Wrench};
 
@@ -130,29 +131,7 @@ impl Answer for ComplianceAnswer {
     }
 
     fn json(&self) -> Value {
-        let Self { robot, q, posture, .. } = self;
-        let rows = |size: usize, at: &dyn Fn(usize, usize) -> f64| -> Value {
-            (0..size).map(|i| (0..size).map(|j| at(i, j)).collect::<Value>()).collect()
-        };
-        let (translation, whole) = (posture.compliance.translation(), posture.compliance.0);
-        let (_, worst) = posture.compliance.worst();
-        let mut answer = json!({
-            "robot": robot.name,
-            "model": "spatial",
-            "joints_deg": q,
-            "tcp_m": posture.tool.translation.vector.as_slice(),
-            "compliance_um_per_n": rows(3, &|i, j| translation[(i, j)] * 1e6),
-            "compliance_6x6_si": rows(6, &|i, j| whole[(i, j)]),
-            "principal_um_per_n": posture.compliance.principal().map(|(value, _)| value * 1e6),
-            "worst_direction": worst.as_slice(),
-            "worst_shares": posture.shares(&worst),
-        });
-        if let (Some(force), Some((moved, turned))) = (self.force, self.deflection()) {
-            answer["force_n"] = json!(force.as_slice());
-            answer["deflection_mm"] = json!((moved * 1e3).as_slice());
-            answer["rotation_mrad"] = json!((turned * 1e3).as_slice());
-        }
-        answer
+        report::compliance::posture(&self.robot, &self.q, &self.posture, self.force.as_ref())
     }
 
     fn csv(&self) -> Table {

@@ -1,15 +1,17 @@
 //! `stiffarm map`: the deflection over everything a robot reaches.
 
-use serde_json::{Value, json};
+use serde_json::Value;
 use stiffarm::limits::Range;
-use stiffarm::map::{Axis, Component, Direction, Map, MapError, MapOptions, map, reached_box};
+use stiffarm::map::{Component, Direction, Map, MapError, MapOptions, Spacing, map, reached_box};
 use stiffarm::place::{PlaceOptions, Placement, Within, find_robot};
 use stiffarm::plane::PlanarArm;
+use stiffarm::question::Angle;
+use stiffarm::report;
 use stiffarm::robot::{Arm, ArmPlane, Robot};
 use stiffarm::task::Task;
 
 use super::spatial;
-use crate::args::{Angle, Common, MapArgs, Part};
+use crate::args::{Common, MapArgs, Part};
 use crate::failure::Failure;
 use crate::figures::map::MapFigure;
 use crate::figures::scene::{Scene, ZoneMark, links, rim};
@@ -31,18 +33,11 @@ pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     }
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let plane = arm_plane(&robot).map_err(failure)?;
-    let [x, z] = reached_box(&plane.arm).map_err(failure)?;
-    let step = args.step_m.unwrap_or_else(|| x.width().max(z.width()) / (args.size - 1) as f64);
+    let [x, z] = args.spacing().cover(reached_box(&plane.arm).map_err(failure)?);
     let direction = args.direction_deg.map_or(Direction::Worst, |angle| {
         Direction::Given(angle.to_radians(), args.component.unwrap_or(Part::Total).into())
     });
-    let options = MapOptions {
-        x: axis(x, step),
-        z: axis(z, step),
-        force: args.placing.force_n,
-        direction,
-        elbow: args.elbow.map(Into::into),
-    };
+    let options = MapOptions { x, z, force: args.placing.force_n, direction, elbow: args.elbow.map(Into::into) };
     let map = map(&plane.arm, &options).map_err(failure)?;
     let zone = match &args.zone {
         None => None,
@@ -63,14 +58,6 @@ fn arm_plane(robot: &Robot) -> Result<ArmPlane, MapError> {
     robot.arm_plane().map_err(|error| MapError::Arm(error.into()))
 }
 
-/// Points that cover a range with the given step.
-pub(crate) fn axis(range: Range, step: f64) -> Axis {
-    let steps = (range.width() / step).ceil();
-    // Far beyond what is allowed, so that the refusal names the size without overflow.
-    let count = if steps < 1e12 { steps as usize + 1 } else { 1_000_000_000_000 };
-    Axis { start: range.min(), step, count }
-}
-
 /// The figures of `place`: the robot's map with the zone in it.
 pub(crate) fn placement_map(
     robot: &Robot,
@@ -80,16 +67,9 @@ pub(crate) fn placement_map(
 ) -> Result<MapAnswer, Failure> {
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let plane = arm_plane(robot).map_err(failure)?;
-    let [x, z] = reached_box(&plane.arm).map_err(failure)?;
-    let step = x.width().max(z.width()) / (FIGURE_SIZE - 1) as f64;
+    let [x, z] = Spacing::Points(FIGURE_SIZE).cover(reached_box(&plane.arm).map_err(failure)?);
     let within = options.within;
-    let options = MapOptions {
-        x: axis(x, step),
-        z: axis(z, step),
-        force: options.force,
-        direction: Direction::Worst,
-        elbow: None,
-    };
+    let options = MapOptions { x, z, force: options.force, direction: Direction::Worst, elbow: None };
     let map = map(&plane.arm, &options).map_err(failure)?;
     let zone = placement.map(|placement| (task.clone(), placement.clone()));
     Ok(MapAnswer { within, robot: robot.clone(), plane, options, map, zone })
@@ -254,37 +234,8 @@ impl Answer for MapAnswer {
     }
 
     fn json(&self) -> Value {
-        let Self { robot, map, options, .. } = self;
-        let rows =
-            (0..map.z.count).map(|j| Value::Array(map.row(j).map(|cell| json!(cell.map(|m| m * 1e3))).collect()));
-        let mut object = json!({
-            "robot": robot.name,
-            "model": "planar",
-            "force_n": options.force,
-            "x_m": map.x.points(),
-            "z_m": map.z.points(),
-        });
-        let key = match options.direction {
-            Direction::Worst => "worst_mm",
-            Direction::Given(angle, _) => {
-                object["direction_deg"] = json!(angle.to_degrees());
-                "deflection_mm"
-            }
-        };
-        object[key] = Value::Array(rows.collect());
-        if let Some((task, placement)) = &self.zone {
-            object["zone"] = json!({
-                "task": task.label,
-                "deflection_mm": placement.deflection * 1e3,
-                "lower_bound_mm": placement.lower_bound * 1e3,
-                "x_m": placement.centre[0],
-                "z_m": placement.centre[1],
-                "angle_deg": placement.angle.to_degrees(),
-                "elbow": placement.elbow.name(),
-                "worst_point_m": placement.worst_point,
-            });
-        }
-        object
+        let zone = self.zone.as_ref().map(|(task, placement)| (task, placement));
+        report::map::planar(&self.robot, &self.options, &self.map, zone).json()
     }
 
     fn csv(&self) -> Table {

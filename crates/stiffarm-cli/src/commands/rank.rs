@@ -2,14 +2,16 @@
 
 use std::cell::OnceCell;
 
-use serde_json::{Value, json};
+use serde_json::Value;
 use stiffarm::drive::Architecture;
 use stiffarm::place::{Outside, PlaceOptions};
+use stiffarm::question::{Angle, distinct};
 use stiffarm::rank::{Ranking, Row, curves, rank};
+use stiffarm::report;
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
 
-use super::place::{CELL_COLUMNS, cell_json, cell_row};
+use super::place::{CELL_COLUMNS, cell_row};
 use super::sheet::{ASSUMED_ARCHITECTURE, architecture};
 use super::{progress, spatial};
 use crate::args::{Common, RankArgs};
@@ -29,21 +31,14 @@ const MOST_DRAWN: usize = 24;
 const MOST_NAMED: usize = 12;
 
 pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
-    if matches!(args.placing.angle, crate::args::Angle::Horizontal | crate::args::Angle::Vertical)
-        && args.tasks.len() > 1
-    {
+    if matches!(args.placing.angle, Angle::Horizontal | Angle::Vertical) && args.tasks.len() > 1 {
         return Err(Failure::Usage(
             "--angle horizontal or vertical means the long side of one task; give one --task with it".into(),
         ));
     }
     let robots = selection::robots(&args.robots, common)?;
     let robots = args.filters.keep(robots, &[]).map_err(|failure| widened(failure, args))?;
-    let mut tasks: Vec<Task> = Vec::new();
-    for task in &args.tasks {
-        if !tasks.iter().any(|known| known.zone == task.zone) {
-            tasks.push(task.clone());
-        }
-    }
+    let tasks = distinct(&args.tasks);
     let first = args.tasks.first().ok_or_else(|| Failure::Usage("no task to rank for; give --task".into()))?;
     if args.space.is_spatial()? {
         return spatial::rank::run(&robots, &tasks, args, common);
@@ -168,107 +163,6 @@ impl RankAnswer<'_> {
         format!("zones partly below the base (--within=..,0.. keeps them above): {}{more}\n", found.join("; "))
     }
 
-    /// What a manager would read.
-    fn sentences(&self) -> Vec<String> {
-        let ranking = &self.ranking;
-        let mut sentences = Vec::new();
-        let mut winners: Vec<(&Robot, Vec<usize>)> = Vec::new();
-        for task in 0..ranking.tasks.len() {
-            if let Some(best) = ranking.best_published(task) {
-                match winners.iter_mut().find(|(robot, _)| **robot == best.robot) {
-                    Some((_, tasks)) => tasks.push(task),
-                    None => winners.push((&best.robot, vec![task])),
-                }
-            }
-        }
-        let millimetres = |robot: &Robot, task: usize| {
-            let row = ranking.rows.iter().find(|row| row.robot == *robot);
-            row.and_then(|row| row.deflection(task)).map_or_else(String::new, |deflection| fixed(deflection * 1e3, 2))
-        };
-        let won = |robot: &Robot, tasks: &[usize]| {
-            let tasks: Vec<String> = tasks
-                .iter()
-                .map(|&task| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(robot, task)))
-                .collect();
-            format!("{} for {}", robot.full_name(), tasks.join(", "))
-        };
-        if winners.is_empty() {
-            sentences.push("No robot of which all numbers are known can do any of these tasks.".into());
-        } else {
-            let list: Vec<String> = winners.iter().map(|(robot, tasks)| won(robot, tasks)).collect();
-            sentences.push(format!("Under {} N in the worst direction take {}.", ranking.force, list.join("; ")));
-        }
-        sentences.extend(self.by_architecture());
-        sentences.extend(self.estimated_rivals());
-        sentences.extend(self.tolerance_sentence());
-        sentences
-    }
-
-    fn by_architecture(&self) -> Option<String> {
-        let ranking = &self.ranking;
-        let compared: Vec<(usize, &Row, &Row)> = (0..ranking.tasks.len())
-            .filter_map(|task| {
-                let best = |architecture| ranking.best(task, |robot| robot.architecture == architecture);
-                Some((task, best(Architecture::Serial)?, best(Architecture::QuasiSerial)?))
-            })
-            .collect();
-        if compared.is_empty() {
-            return None;
-        }
-        let cells: Vec<String> = compared
-            .iter()
-            .map(|&(task, serial, quasi)| {
-                let show = |row: &Row| {
-                    let mark = if row.robot.status == Status::Estimated { "~" } else { "" };
-                    format!("{}{mark}", fixed(row.deflection(task).unwrap_or(f64::NAN) * 1e3, 2))
-                };
-                let sign = if serial.deflection(task) <= quasi.deflection(task) { "<" } else { ">" };
-                format!("{} {} {sign} {}", ranking.tasks[task].label, show(serial), show(quasi))
-            })
-            .collect();
-        Some(format!("Best serial against best quasi-serial, mm: {}.", cells.join("; ")))
-    }
-
-    fn estimated_rivals(&self) -> Option<String> {
-        let ranking = &self.ranking;
-        let mut rivals: Vec<(&str, Vec<&str>)> = Vec::new();
-        for task in 0..ranking.tasks.len() {
-            let Some(best) = ranking.best(task, |_| true) else { continue };
-            if best.robot.status != Status::Estimated || ranking.best_published(task).is_none() {
-                continue;
-            }
-            let label = ranking.tasks[task].label.as_str();
-            match rivals.iter_mut().find(|(name, _)| *name == best.robot.name) {
-                Some((_, tasks)) => tasks.push(label),
-                None => rivals.push((&best.robot.name, vec![label])),
-            }
-        }
-        let rivals: Vec<String> =
-            rivals.into_iter().map(|(name, tasks)| format!("{name} on {}", tasks.join(", "))).collect();
-        (!rivals.is_empty()).then(|| {
-            format!(
-                "By estimated numbers {} would be stiffer: find its data sheet before you decide.",
-                rivals.join("; ")
-            )
-        })
-    }
-
-    fn tolerance_sentence(&self) -> Option<String> {
-        let tolerance = self.tolerance_mm()?;
-        let passing: Vec<String> = self
-            .ranking
-            .rows
-            .iter()
-            .filter(|row| (0..row.cells.len()).all(|task| row.deflection(task).is_some_and(|d| d * 1e3 <= tolerance)))
-            .map(|row| row.robot.name.clone())
-            .collect();
-        Some(if passing.is_empty() {
-            format!("No robot keeps {tolerance} mm on every task.")
-        } else {
-            format!("{tolerance} mm on every task: {}.", passing.join(", "))
-        })
-    }
-
     fn figure(&self) -> Result<String, Failure> {
         let rows = &self.ranking.rows;
         let robots: Vec<Robot> = rows.iter().take(MOST_DRAWN).map(|row| row.robot.clone()).collect();
@@ -370,54 +264,12 @@ impl Answer for RankAnswer<'_> {
              {}\n{}\n{}\n",
             table.text(markdown),
             self.notes(),
-            self.sentences().join("\n")
+            report::rank::sentences(&self.ranking, self.tolerance_mm()).join("\n")
         )
     }
 
     fn json(&self) -> Value {
-        let Ranking { tasks, force, rows } = &self.ranking;
-        let rows = rows.iter().map(|row| {
-            let robot = &row.robot;
-            let cells = tasks.iter().zip(&row.cells).map(|(task, cell)| match cell {
-                Ok(placed) => Value::Object(cell_json(robot, task, &self.options, placed, self.tolerance_mm())),
-                Err(error) => json!({
-                    "robot": robot.name,
-                    "task": task.label,
-                    "model": "planar",
-                    "force_n": self.options.force,
-                    "feasible": Value::Null,
-                    "reason": error.to_string(),
-                }),
-            });
-            json!({
-                "robot": robot.name,
-                "vendor": robot.vendor,
-                "architecture": robot.architecture.name(),
-                "status": robot.status.name(),
-                "bound_mm": row.floor(self.ranking.force) * 1e3,
-                "mean_ratio": if row.score.is_finite() { json!(row.score) } else { Value::Null },
-                "cells": cells.collect::<Value>(),
-            })
-        });
-        let winners = (0..tasks.len()).map(|task| {
-            let name = |row: Option<&Row>| row.map(|row| row.robot.name.clone());
-            let of = |architecture| name(self.ranking.best(task, |robot| robot.architecture == architecture));
-            json!({
-                "task": tasks[task].label,
-                "best": name(self.ranking.best_published(task)),
-                "best_with_estimated": name(self.ranking.best(task, |_| true)),
-                "best_serial": of(Architecture::Serial),
-                "best_quasi_serial": of(Architecture::QuasiSerial),
-            })
-        });
-        json!({
-            "tasks": tasks.iter().map(|task| task.label.clone()).collect::<Vec<_>>(),
-            "force_n": force,
-            "model": "planar",
-            "rows": rows.collect::<Value>(),
-            "winners": winners.collect::<Value>(),
-            "summary": self.sentences(),
-        })
+        report::rank::ranking(&self.ranking, &self.options, self.tolerance_mm())
     }
 
     fn csv(&self) -> Table {

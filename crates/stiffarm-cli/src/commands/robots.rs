@@ -3,9 +3,11 @@
 use serde_json::Value;
 use stiffarm::catalogue::{self, doubts};
 use stiffarm::plane::PlanarArm;
+use stiffarm::report;
+use stiffarm::report::robot::floor;
 use stiffarm::robot::{Robot, Status};
 
-use super::sheet::{ASSUMED_ARCHITECTURE, Sheet, architecture, floor, sheet_json};
+use super::sheet::{ASSUMED_ARCHITECTURE, Sheet, architecture};
 use crate::args::{Common, RobotsAction, RobotsArgs};
 use crate::failure::Failure;
 use crate::filters::Filters;
@@ -119,7 +121,7 @@ impl Answer for List {
     }
 
     fn json(&self) -> Value {
-        self.0.iter().map(sheet_json).collect()
+        self.0.iter().map(report::robot::sheet).collect()
     }
 
     fn csv(&self) -> Table {

@@ -1,22 +1,19 @@
 //! `stiffarm robots show`: everything that is known of one robot, and what it reaches.
 
-use serde_json::{Map, Value, json};
+use serde_json::Value;
 use stiffarm::drive::{Architecture, Drives, Transmission};
 use stiffarm::geometry::Geometry;
 use stiffarm::limits::{Limits, Range, ThirdAxis};
 use stiffarm::map::MapError;
 use stiffarm::plane::PlanarArm;
+use stiffarm::report;
+use stiffarm::report::robot::{floor, lengths, rounded};
 use stiffarm::robot::{Arm, Robot};
 
 use crate::failure::Failure;
 use crate::figures::reach::ReachFigure;
 use crate::output::{Answer, figure};
 use crate::table::Table;
-
-/// The stiffest posture's deflection, um/N.
-pub(super) fn floor(arm: &PlanarArm) -> f64 {
-    arm.radial().floor() * 1e6
-}
 
 /// What the question mark of `architecture` means.
 pub(super) const ASSUMED_ARCHITECTURE: &str = "serial?: no parallelogram is reported, and none is ruled out\n";
@@ -96,11 +93,6 @@ fn geometry_rows(geometry: &Geometry) -> Rows {
     ]
 }
 
-fn lengths(geometry: &Geometry) -> [(&'static str, f64); 7] {
-    let Geometry { a1, a2, b, c1, c2, c3, c4, .. } = *geometry;
-    [("a1", a1), ("a2", a2), ("b", b), ("c1", c1), ("c2", c2), ("c3", c3), ("c4", c4)]
-}
-
 fn limit_rows(limits: &Limits) -> Rows {
     let mut rows = Rows::new();
     for (i, range) in limits.joints.iter().enumerate() {
@@ -149,11 +141,6 @@ fn plane_rows(arm: &PlanarArm) -> Rows {
     ]
 }
 
-/// To six decimals, which is finer than any file: without the noise of a change of units.
-fn rounded(x: f64) -> f64 {
-    (x * 1e6).round() / 1e6 + 0.0
-}
-
 impl Answer for Sheet {
     const COMMAND: &'static str = "robots show";
 
@@ -168,7 +155,7 @@ impl Answer for Sheet {
     }
 
     fn json(&self) -> Value {
-        sheet_json(&self.0)
+        report::robot::sheet(&self.0)
     }
 
     fn csv(&self) -> Table {
@@ -182,63 +169,4 @@ impl Answer for Sheet {
     fn svg(&self) -> Option<Result<String, Failure>> {
         Some(self.figure())
     }
-}
-
-pub(super) fn sheet_json(robot: &Robot) -> Value {
-    let mut sheet = Map::new();
-    let mut put = |key: &str, value: Value| drop(sheet.insert(key.into(), value));
-    put("robot", json!(robot.name));
-    put("vendor", json!(robot.vendor));
-    put("architecture", json!(robot.architecture.name()));
-    put("status", json!(robot.status.name()));
-    put("architecture_assumed", json!(robot.architecture_is_assumed));
-    put("payload_kg", json!(robot.payload_kg));
-    put("reach_m", json!(robot.reach));
-    put("mass_kg", json!(robot.mass_kg));
-    put("repeatability_mm", json!(robot.repeatability.map(|m| rounded(m * 1e3))));
-    if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
-        put("geometry", geometry_json(geometry));
-        put("limits", limits_json(limits));
-    }
-    if let Ok(plane) = robot.arm_plane() {
-        let arm = &plane.arm;
-        put(
-            "arm_plane",
-            json!({
-                "l2_m": arm.l2, "l3_m": arm.l3, "k2_urad_per_nm": arm.k2 * 1e6, "k3_urad_per_nm": arm.k3 * 1e6,
-                "shoulder_deg": range(arm.shoulder), "elbow_deg": range(arm.elbow), "forearm_deg": range(arm.forearm),
-                "axis_from_base_m": plane.axis_from_base, "bound_um_per_n": floor(arm),
-            }),
-        );
-    }
-    put("source", json!(robot.source));
-    Value::Object(sheet)
-}
-
-/// In degrees; null where an end is open.
-fn range(range: Range) -> Value {
-    let end = |x: f64| if x.is_finite() { json!(x.to_degrees()) } else { Value::Null };
-    json!([end(range.min()), end(range.max())])
-}
-
-/// By the keys of a robot file.
-fn geometry_json(geometry: &Geometry) -> Value {
-    let mut object: Map<String, Value> =
-        lengths(geometry).iter().map(|(name, m)| (format!("{name}_mm"), json!(rounded(m * 1e3)))).collect();
-    object.insert("offset_deg".into(), json!(geometry.offset.map(|x| rounded(x.to_degrees()))));
-    object.insert("sign".into(), json!(geometry.sign));
-    Value::Object(object)
-}
-
-/// By the keys of a robot file.
-fn limits_json(limits: &Limits) -> Value {
-    json!({
-        "joint_deg": limits.joints.map(|joint| [joint.min(), joint.max()].map(|x| rounded(x.to_degrees()))),
-        "third_axis": match limits.third_axis {
-            ThirdAxis::Elbow => "elbow",
-            ThirdAxis::Forearm => "forearm",
-        },
-        "elbow_deg": range(limits.elbow),
-        "speed_deg_per_s": limits.speeds.map(|speeds| speeds.map(|speed| rounded(speed.to_degrees()))),
-    })
 }

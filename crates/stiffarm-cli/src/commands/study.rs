@@ -1,6 +1,7 @@
 //! `stiffarm study`: architecture against link ratio and task size.
 
-use serde_json::{Value, json};
+use serde_json::Value;
+use stiffarm::report;
 use stiffarm::study::{Boundary, Contender, Row, Study, StudyOptions, study};
 
 use crate::args::{Common, StudyArgs};
@@ -42,12 +43,6 @@ pub(crate) fn run(args: &StudyArgs, common: &Common) -> Result<(), Failure> {
 struct StudyAnswer(Study);
 
 impl StudyAnswer {
-    /// The architecture's name, with its compliances where they are not the reference.
-    fn name(&self, contender: usize) -> String {
-        let Contender { architecture, k2, k3 } = self.0.options.contenders[contender];
-        if (k2, k3) == (1.0, 1.0) { architecture.to_string() } else { format!("{architecture} (k2 {k2}, k3 {k3})") }
-    }
-
     fn ratio(row: &Row) -> String {
         match row.ratio {
             Some(ratio) if ratio.is_best => format!("best {}", fixed(ratio.mu, 3)),
@@ -59,7 +54,7 @@ impl StudyAnswer {
     fn boundary(&self, boundary: &Boundary) -> String {
         let task = &self.0.options.tasks[boundary.task].label;
         let ratios = boundary.mu.map_or_else(|| "each at its best ratio".into(), |mu| format!("mu = {mu}"));
-        let (below, above) = (self.name(boundary.below), self.name(1 - boundary.below));
+        let (below, above) = (self.0.options.name(boundary.below), self.0.options.name(1 - boundary.below));
         format!("{task}, {ratios}: {below} is better below d/(l2+l3) = {:.4}, {above} above\n", boundary.size)
     }
 
@@ -126,7 +121,7 @@ impl StudyAnswer {
             self.0.boundaries.iter().filter(|b| b.task == task && b.mu.is_none()).map(|b| b.size).collect();
         Ok(StudyPanel {
             title: format!("Task {} ({})", shape.label, shape.zone),
-            contenders: [self.name(0), self.name(1)],
+            contenders: [self.0.options.name(0), self.0.options.name(1)],
             mus,
             sizes,
             accuracy,
@@ -152,7 +147,7 @@ impl Answer for StudyAnswer {
                 let Some(first) = of_contender.first() else { continue };
                 let is_best = of_contender.iter().any(|row| row.ratio.is_none_or(|ratio| ratio.is_best));
                 let ratio = if is_best { "best".into() } else { Self::ratio(first) };
-                let mut cells = vec![options.tasks[first.task].label.clone(), ratio, self.name(contender)];
+                let mut cells = vec![options.tasks[first.task].label.clone(), ratio, self.0.options.name(contender)];
                 cells.extend(of_contender.iter().map(|row| {
                     let at = row.ratio.filter(|ratio| ratio.is_best).map(|ratio| format!(" (mu {:.3})", ratio.mu));
                     fixed_or_dash(row.accuracy, 4) + &at.unwrap_or_default()
@@ -169,30 +164,7 @@ impl Answer for StudyAnswer {
     }
 
     fn json(&self) -> Value {
-        let Study { options, rows, boundaries } = &self.0;
-        let rows = rows.iter().map(|row| {
-            let Contender { architecture, k2, k3 } = options.contenders[row.contender];
-            json!({
-                "task": options.tasks[row.task].label,
-                "d": row.size,
-                "mu_l3_over_l2": row.ratio.map(|ratio| ratio.mu),
-                "best": row.ratio.is_none_or(|ratio| ratio.is_best),
-                "architecture": architecture.name(),
-                "k2": k2,
-                "k3": k3,
-                "accuracy": row.accuracy,
-            })
-        });
-        let boundaries = boundaries.iter().map(|boundary| {
-            json!({
-                "task": options.tasks[boundary.task].label,
-                "mu_l3_over_l2": boundary.mu,
-                "d": boundary.size,
-                "better_below": self.name(boundary.below),
-                "better_above": self.name(1 - boundary.below),
-            })
-        });
-        json!({ "rows": rows.collect::<Value>(), "boundaries": boundaries.collect::<Value>() })
+        report::study::study(&self.0)
     }
 
     fn csv(&self) -> Table {

@@ -71,6 +71,16 @@ pub fn find(typed: &str) -> Option<Entry> {
     ROBOTS.dirs().flat_map(Dir::files).filter_map(Entry::of).find(|entry| entry.is_named(&typed))
 }
 
+/// The robots whose names, with or without the maker, fit a pattern with `*`, `?` and `[abc]`; case does not matter.
+///
+/// # Errors
+/// What is wrong with the pattern.
+pub fn matching(pattern: &str) -> Result<Vec<Entry>, glob::PatternError> {
+    let pattern = glob::Pattern::new(&pattern.to_lowercase())?;
+    let fits = |name: &str| pattern.matches(&name.to_lowercase());
+    Ok(entries().into_iter().filter(|entry| fits(entry.name) || fits(&entry.full_name())).collect())
+}
+
 /// Does `typed` name this robot, with or without its maker?
 pub fn names(robot: &Robot, typed: &str) -> bool {
     let typed = key(typed);

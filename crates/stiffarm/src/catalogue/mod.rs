@@ -1,7 +1,8 @@
-//! Robot files and the robots that come with the program; the only module in which millimetres and degrees exist.
+//! Robot files and the robots that come with the program.
 
 mod doubts;
 mod fault;
+mod filter;
 pub mod import;
 mod index;
 mod reader;
@@ -10,11 +11,13 @@ mod write;
 
 pub use doubts::doubts;
 pub use fault::{Fault, Faults};
-pub use index::{Entry, entries, find, names, suggestions};
+pub use filter::{Filter, NothingLeft};
+pub use index::{Entry, entries, find, matching, names, suggestions};
 pub use robot_file::read;
 pub use write::write;
 
-use crate::robot::Robot;
+use crate::drive::JointCompliance;
+use crate::robot::{Arm, Robot};
 
 /// The ten robots of the paper, in the order of its Table II.
 const PAPER: [&str; 10] = [
@@ -41,4 +44,19 @@ pub fn paper_robots() -> Vec<Robot> {
 /// Every robot that comes with the program, by maker and name.
 pub fn robots() -> Vec<Robot> {
     entries().iter().map(Entry::robot).collect()
+}
+
+/// The robot with other compliances of its drives, urad/(N m), held to what a robot file may say; of a planar robot those of
+/// the drives 2 and 3 count.
+///
+/// # Errors
+/// A value that no drive has.
+pub fn with_compliance(robot: &Robot, drive_urad_per_nm: [f64; 6]) -> Result<Robot, Faults> {
+    let k = drive_urad_per_nm.map(|urad| urad / 1e6);
+    let mut changed = robot.clone();
+    match &mut changed.arm {
+        Arm::SixAxis { drives, .. } => drives.compliance = JointCompliance(k),
+        Arm::Planar(arm) => (arm.k2, arm.k3) = (k[1], k[2]),
+    }
+    read(&write(&changed), &robot.name)
 }

@@ -1,25 +1,23 @@
 //! The robot, the zone and the section of an answer in space, ready to be drawn.
 
-use stiffarm::map::{SectionOptions, reached_section};
+use stiffarm::map::{SectionOptions, Spacing, reached_section};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 
-use crate::commands::map::axis;
 use crate::failure::Failure;
 use crate::figures::scene::{Scene, ZoneMark};
 use crate::figures::view3d::ArmMark;
 
-/// The section with as many points along its longer side as are asked for, over everything that is reached; `None`
-/// where that is nothing.
+/// The section over everything that is reached; `None` where that is nothing.
 pub(super) fn over_everything(
     robot: &Robot,
     asked: &SectionOptions,
-    step: impl FnOnce(f64) -> f64,
+    spacing: Spacing,
 ) -> Result<Option<SectionOptions>, Failure> {
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
-    let Some([x, z]) = reached_section(robot, asked).map_err(failure)? else { return Ok(None) };
-    let step = step(x.width().max(z.width()));
-    Ok(Some(SectionOptions { x: axis(x, step), z: axis(z, step), ..*asked }))
+    let Some(reached) = reached_section(robot, asked).map_err(failure)? else { return Ok(None) };
+    let [x, z] = spacing.cover(reached);
+    Ok(Some(SectionOptions { x, z, ..*asked }))
 }
 
 /// The arm at joint angles as reported, rad, seen from its right side, on its base.

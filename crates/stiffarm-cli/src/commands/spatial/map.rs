@@ -1,7 +1,8 @@
 //! `stiffarm map --model spatial`: a section through everything the tool reaches.
 
-use serde_json::{Value, json};
-use stiffarm::map::{Axis, Map, Section, SectionOptions, section};
+use serde_json::Value;
+use stiffarm::map::{Axis, Section, SectionOptions, section};
+use stiffarm::report;
 use stiffarm::robot::Robot;
 
 use super::drawing::{over_everything, scene};
@@ -37,8 +38,7 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
         roll: args.space.roll_deg.map(f64::to_radians),
         class: None,
     };
-    let step = |longest: f64| args.step_m.unwrap_or(longest / (args.size - 1) as f64);
-    let Some(options) = over_everything(&robot, &asked, step)? else {
+    let Some(options) = over_everything(&robot, &asked, args.spacing())? else {
         return Err(Failure::Usage(format!(
             "{}: no point is reached with the {}",
             robot.name,
@@ -105,23 +105,7 @@ impl Answer for MapAnswer {
     }
 
     fn json(&self) -> Value {
-        let Self { robot, options, section } = self;
-        let layer = |map: &Map, factor: f64| -> Value {
-            (0..map.z.count)
-                .map(|j| Value::Array(map.row(j).map(|cell| json!(cell.map(|value| value * factor))).collect()))
-                .collect()
-        };
-        json!({
-            "robot": robot.name,
-            "model": "spatial",
-            "force_n": options.force,
-            "tool_direction_deg": options.elevation.to_degrees(),
-            "x_m": section.worst.x.points(),
-            "z_m": section.worst.z.points(),
-            "worst_mm": layer(&section.worst, 1e3),
-            "limit_margin_deg": layer(&section.limit_margin, 1_f64.to_degrees()),
-            "singular_margin_deg": layer(&section.singular_margin, 1_f64.to_degrees()),
-        })
+        report::map::spatial(&self.robot, &self.options, &self.section).json()
     }
 
     fn csv(&self) -> Table {

@@ -5,9 +5,9 @@ pub(crate) mod map;
 pub(crate) mod place;
 pub(crate) mod rank;
 
-use serde_json::{Map, Value, json};
 use stiffarm::limits::Range;
-use stiffarm::place::{SpatialOptions, SpatiallyPlaced, Within};
+use stiffarm::place::{SpatiallyPlaced, Within};
+pub(crate) use stiffarm::report::spatial::cell as cell_json;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
 use stiffarm::task::Task;
@@ -85,66 +85,6 @@ pub(crate) fn cell_row(
         }),
     );
     row
-}
-
-/// A placement with the keys that scripts rely on; positions from the base.
-pub(crate) fn cell_json(
-    robot: &Robot,
-    task: &Task,
-    options: &SpatialOptions,
-    placed: &SpatiallyPlaced,
-    tolerance_mm: Option<f64>,
-) -> Map<String, Value> {
-    let mut cell = Map::new();
-    let mut put = |key: &str, value: Value| drop(cell.insert(key.into(), value));
-    put("robot", json!(robot.name));
-    put("task", json!(task.label));
-    put("model", json!("spatial"));
-    put("force_n", json!(options.force));
-    match placed {
-        SpatiallyPlaced::Feasible(best) => {
-            put("feasible", json!(true));
-            put("deflection_mm", json!(best.deflection * 1e3));
-            put("lower_bound_mm", Value::Null);
-            put("x_m", json!(best.centre[0]));
-            put("z_m", json!(best.centre[1]));
-            put("bearing_deg", json!(best.bearing.to_degrees()));
-            put("yaw_deg", json!(best.yaw.to_degrees()));
-            put("angle_deg", json!(best.angle.to_degrees()));
-            put("roll_deg", json!(best.roll.to_degrees()));
-            put("shoulder", json!(best.class.shoulder.name()));
-            put("elbow", json!(best.class.elbow.name()));
-            put("wrist", json!(best.class.wrist.name()));
-            put("worst_point_m", json!(best.worst_point));
-            put("worst_joints_deg", json!(best.worst_joints.map(f64::to_degrees)));
-            put("worst_shares", json!(best.worst_shares));
-            put("limit_margin_deg", json!(best.limit_margin.0.to_degrees()));
-            put("limit_margin_joint", json!(best.limit_margin.1));
-            put("singular_margin_deg", json!(best.singular_margin.to_degrees()));
-            let found = &best.resolution;
-            put(
-                "resolution",
-                json!({
-                    "coarse_step_m": found.coarse_step, "coarse_mm": (found.coarse.is_finite()).then_some(found.coarse * 1e3),
-                    "fine_step_m": found.fine_step, "fine_turn_deg": found.fine_turn.to_degrees(),
-                    "sample_step_m": found.sample_step, "samples": found.samples, "halving": found.halving,
-                }),
-            );
-        }
-        SpatiallyPlaced::Infeasible(misfit) => {
-            put("feasible", json!(false));
-            put("reason", json!(misfit.to_string()));
-        }
-    }
-    if let Some(tolerance) = tolerance_mm {
-        let best = placed.feasible().map(|best| best.deflection * 1e3);
-        put("tolerance_mm", json!(tolerance));
-        put("pass", json!(best.is_some_and(|best| best <= tolerance)));
-        if let Some(best) = best {
-            put("margin_mm", json!(tolerance - best));
-        }
-    }
-    cell
 }
 
 /// The tool axis in words.

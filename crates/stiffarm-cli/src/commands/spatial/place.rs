@@ -1,7 +1,7 @@
 //! `stiffarm place --model spatial`: the best place of one flat zone about the robot.
 
 use serde_json::Value;
-use stiffarm::map::{Axis, Section, SectionOptions, section};
+use stiffarm::map::{Axis, Section, SectionOptions, Spacing, section};
 use stiffarm::place::{SpatialOptions, SpatialPlacement, SpatiallyPlaced, ZonePoint, across_zone, place_in_space};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::space::SpatialArm;
@@ -122,7 +122,7 @@ impl PlaceAnswer {
             roll: (!any_roll).then_some(best.roll),
             class: Some(best.class),
         };
-        let Some(options) = over_everything(robot, &asked, |longest| longest / (FIGURE_SIZE - 1) as f64)? else {
+        let Some(options) = over_everything(robot, &asked, Spacing::Points(FIGURE_SIZE))? else {
             return Ok(None);
         };
         section(robot, &options).map(Some).map_err(|error| Failure::Map { robot: robot.name.clone(), error })

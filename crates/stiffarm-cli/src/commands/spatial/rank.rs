@@ -1,12 +1,13 @@
 //! `stiffarm rank --model spatial`: robots in order, all six drives, with their place in the planar ranking beside it.
 
-use serde_json::{Value, json};
+use serde_json::Value;
 use stiffarm::place::{PlaceOptions, SpatialOptions, SpatiallyPlaced};
 use stiffarm::rank::{Ranking, Row, rank, rank_in_space};
+use stiffarm::report;
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::Task;
 
-use super::{CELL_COLUMNS, cell_json, cell_row, direction, tool, window};
+use super::{CELL_COLUMNS, cell_row, direction, tool, window};
 use crate::args::{Common, RankArgs};
 use crate::commands::progress;
 use crate::commands::sheet::{ASSUMED_ARCHITECTURE, architecture};
@@ -34,26 +35,7 @@ struct RankAnswer {
     tolerance_mm: Option<f64>,
 }
 
-/// Places from 1 of the robots that take one: an estimated robot stands where its values put it, but takes none.
-fn places<C>(rows: &[Row<C>]) -> Vec<Option<usize>> {
-    let mut place = 0;
-    rows.iter()
-        .map(|row| {
-            (row.robot.status != Status::Estimated).then(|| {
-                place += 1;
-                place
-            })
-        })
-        .collect()
-}
-
 impl RankAnswer {
-    /// The place of a robot in the planar ranking.
-    fn planar_place(&self, robot: &Robot) -> Option<usize> {
-        let at = self.planar.rows.iter().position(|row| row.robot == *robot)?;
-        places(&self.planar.rows)[at]
-    }
-
     fn cell(&self, row: &Row<SpatiallyPlaced>, task: usize) -> String {
         let Some(deflection) = row.deflection(task) else { return "-".into() };
         let is_best = self.ranking.best_published(task).is_some_and(|best| best.robot == row.robot);
@@ -63,37 +45,6 @@ impl RankAnswer {
             format!(" {} {margin:+.3}", if 0.0 <= margin { "pass" } else { "fail" })
         });
         format!("{}{}{verdict}", fixed(millimetres, 3), if is_best { "*" } else { "" })
-    }
-
-    fn sentences(&self) -> Vec<String> {
-        let Ranking { tasks, force, .. } = &self.ranking;
-        let name = |robot: Option<&Robot>| robot.map_or_else(|| "no robot".to_owned(), Robot::full_name);
-        let mut sentences = Vec::new();
-        for (i, task) in tasks.iter().enumerate() {
-            let best = self.ranking.best_published(i);
-            let spatial = best.map(|row| &row.robot);
-            let planar = self.planar.best_published(i).map(|row| &row.robot);
-            let value =
-                best.and_then(|row| row.deflection(i)).map_or_else(String::new, |d| format!(" ({:.2} mm)", d * 1e3));
-            let other = if spatial == planar {
-                String::new()
-            } else {
-                format!("; the planar model alone would take {}", name(planar))
-            };
-            sentences.push(format!("{} under {force} N: take {}{value}{other}.", task.label, name(spatial)));
-        }
-        if let Some(tolerance) = self.tolerance_mm {
-            let all = |row: &&Row<SpatiallyPlaced>| {
-                (0..tasks.len()).all(|task| row.deflection(task).is_some_and(|d| d * 1e3 <= tolerance))
-            };
-            let passing: Vec<String> = self.ranking.rows.iter().filter(all).map(|row| row.robot.name.clone()).collect();
-            sentences.push(if passing.is_empty() {
-                format!("No robot keeps {tolerance} mm on every task.")
-            } else {
-                format!("{tolerance} mm on every task: {}.", passing.join(", "))
-            });
-        }
-        sentences
     }
 
     fn notes(&self) -> String {
@@ -123,13 +74,13 @@ impl Answer for RankAnswer {
         headings.extend(tasks.iter().map(|task| format!("{} mm", task.label)));
         headings.extend(["mean ratio".into(), "planar #".into()]);
         let mut table = Table::new(headings);
-        for (row, place) in rows.iter().zip(places(rows)) {
+        for (row, place) in rows.iter().zip(self.ranking.places()) {
             let robot = &row.robot;
             let or_estimated = |place: Option<usize>| place.map_or_else(|| "~".to_owned(), |place| place.to_string());
             let mut cells = vec![or_estimated(place), robot.full_name(), architecture(robot), robot.status.to_string()];
             cells.extend((0..tasks.len()).map(|task| self.cell(row, task)));
             cells.push(if row.score.is_finite() { fixed(row.score, 3) } else { "-".into() });
-            cells.push(or_estimated(self.planar_place(robot)));
+            cells.push(or_estimated(self.planar.place_of(robot)));
             table.row(cells);
         }
         format!(
@@ -140,37 +91,12 @@ impl Answer for RankAnswer {
             window(&self.options.within),
             table.text(markdown),
             self.notes(),
-            self.sentences().join("\n")
+            report::spatial::sentences(&self.ranking, &self.planar, self.tolerance_mm).join("\n")
         )
     }
 
     fn json(&self) -> Value {
-        let Ranking { tasks, force, rows } = &self.ranking;
-        let rows = rows.iter().zip(places(rows)).map(|(row, place)| {
-            let robot = &row.robot;
-            let cells = tasks
-                .iter()
-                .zip(&row.cells)
-                .map(|(task, placed)| Value::Object(cell_json(robot, task, &self.options, placed, self.tolerance_mm)));
-            json!({
-                "robot": robot.name,
-                "vendor": robot.vendor,
-                "architecture": robot.architecture.name(),
-                "architecture_assumed": robot.architecture_is_assumed,
-                "status": robot.status.name(),
-                "place": place,
-                "planar_place": self.planar_place(robot),
-                "mean_ratio": row.score.is_finite().then_some(row.score),
-                "cells": cells.collect::<Value>(),
-            })
-        });
-        json!({
-            "tasks": tasks.iter().map(|task| task.label.clone()).collect::<Vec<_>>(),
-            "force_n": force,
-            "model": "spatial",
-            "rows": rows.collect::<Value>(),
-            "summary": self.sentences(),
-        })
+        report::spatial::ranking(&self.ranking, &self.planar, &self.options, self.tolerance_mm)
     }
 
     fn csv(&self) -> Table {
