@@ -158,7 +158,9 @@ impl Space {
     /// What `place` and `rank` ask in space.
     pub(crate) fn options(&self, placing: &Placing) -> Result<SpatialOptions, Failure> {
         if placing.gap.is_some() {
-            return Err(Failure::Usage("--gap is of the planar model: the spatial search proves no bound".into()));
+            return Err(Failure::Usage(
+                "--gap is of the planar model: the spatial search proves 1 % where it can".into(),
+            ));
         }
         let usual = SpatialOptions::tool_down(placing.force_n);
         let is_wall = self.elevation().abs() < 1.5;

@@ -14,7 +14,7 @@ use stiffarm::task::Task;
 use crate::table::full;
 
 /// The columns of a placement in a spreadsheet.
-pub(crate) const CELL_COLUMNS: [&str; 27] = [
+pub(crate) const CELL_COLUMNS: [&str; 28] = [
     "robot",
     "vendor",
     "architecture",
@@ -23,6 +23,7 @@ pub(crate) const CELL_COLUMNS: [&str; 27] = [
     "force_n",
     "feasible",
     "deflection_mm",
+    "lower_bound_mm",
     "x_m",
     "z_m",
     "bearing_deg",
@@ -64,6 +65,7 @@ pub(crate) fn cell_row(
         force.to_string(),
         best.is_some().to_string(),
         full(best.map(|best| best.deflection * 1e3)),
+        full(best.map(|best| best.lower_bound * 1e3)),
         full(best.map(|best| best.centre[0])),
         full(best.map(|best| best.centre[1])),
         degrees(best.map(|best| best.bearing)),
@@ -104,7 +106,7 @@ pub(crate) fn cell_json(
         SpatiallyPlaced::Feasible(best) => {
             put("feasible", json!(true));
             put("deflection_mm", json!(best.deflection * 1e3));
-            put("lower_bound_mm", Value::Null);
+            put("lower_bound_mm", json!(best.lower_bound * 1e3));
             put("x_m", json!(best.centre[0]));
             put("z_m", json!(best.centre[1]));
             put("bearing_deg", json!(best.bearing.to_degrees()));
@@ -126,13 +128,14 @@ pub(crate) fn cell_json(
                 json!({
                     "coarse_step_m": found.coarse_step, "coarse_mm": (found.coarse.is_finite()).then_some(found.coarse * 1e3),
                     "fine_step_m": found.fine_step, "fine_turn_deg": found.fine_turn.to_degrees(),
-                    "sample_step_m": found.sample_step, "samples": found.samples, "halving": found.halving,
+                    "sample_step_m": found.sample_step, "samples": found.samples, "halving": found.halving, "boxes": found.boxes,
                 }),
             );
         }
-        SpatiallyPlaced::Infeasible(misfit) => {
+        SpatiallyPlaced::Infeasible { reason, is_proved } => {
             put("feasible", json!(false));
-            put("reason", json!(misfit.to_string()));
+            put("reason", json!(reason.to_string()));
+            put("proved", json!(is_proved));
         }
     }
     if let Some(tolerance) = tolerance_mm {
