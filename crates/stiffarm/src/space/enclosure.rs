@@ -147,7 +147,6 @@ impl Enclosing {
     ///
     /// Joints 1, 4 and 6 stay within a quarter turn of where they point at the `centre` of the zone; the answer is where
     /// they point here (inner `None`: not known). Where the wrists are not alike, one at most may be asked for.
-    #[allow(clippy::option_option)]
     pub(crate) fn learn<const N: usize>(
         &self,
         aim: &Aim<N>,
@@ -194,7 +193,6 @@ impl Enclosing {
     }
 
     /// Joint 1 turned towards the wrist centre, or away from it. Inner `None`: joint 1 could be anywhere.
-    #[allow(clippy::option_option)]
     fn turned<const N: usize>(&self, aim: &Aim<N>, at: [f64; 2], way: Way) -> Option<Option<Turned<N>>> {
         let geometry = &self.arm.geometry;
         let point = aim.stands.point(at);
@@ -230,7 +228,6 @@ impl Enclosing {
     }
 
     /// The links that put the wrist centre there. Inner `None`: they could be anywhere.
-    #[allow(clippy::option_option)]
     fn links<const N: usize>(&self, [x, z]: &Flat<N>, way: Way, known: &mut Known<N>) -> Option<Option<Links<N>>> {
         let (l2, l3) = (self.arm.geometry.c2, self.arm.geometry.l3());
         let ring = self.rings[usize::from(way.down)]?;

@@ -31,17 +31,12 @@ struct PlaceAnswer {
 }
 
 impl PlaceAnswer {
-    fn bound(&self, best: &SpatialPlacement) -> String {
-        let gap = 100.0 * (1.0 - best.lower_bound / best.deflection);
-        format!("{:.4} mm (proved with {} boxes; gap {gap:.1} %)", best.lower_bound * 1e3, best.resolution.boxes)
-    }
-
     fn rows(&self, best: &SpatialPlacement) -> Vec<(String, String)> {
         let [x, z] = best.centre;
         let degrees = |angle: f64| format!("{:.1} deg", angle.to_degrees() + 0.0);
         let mut rows: Vec<(String, String)> = vec![
             ("worst deflection in the zone".into(), format!("{:.4} mm", best.deflection * 1e3)),
-            ("no place has less than".into(), self.bound(best)),
+            ("no place has less than".into(), bound(best)),
             ("centre from the base".into(), format!("x {x:.4} m ahead, z {z:.4} m up")),
         ];
         if best.bearing != 0.0 {
@@ -86,6 +81,12 @@ impl PlaceAnswer {
         ));
         rows
     }
+}
+
+/// The lower bound and how far it lies from the value.
+fn bound(best: &SpatialPlacement) -> String {
+    let gap = 100.0 * (1.0 - best.lower_bound / best.deflection);
+    format!("{:.4} mm (proved with {} boxes; gap {gap:.1} %)", best.lower_bound * 1e3, best.resolution.boxes)
 }
 
 impl Answer for PlaceAnswer {
