@@ -9,11 +9,14 @@
     reason = "what is not inlined, or hides in an iterator's closure, is compiled without the wide instructions"
 )]
 
+mod affine;
+mod enclosure;
 mod joints;
 mod lanes;
 mod patch;
 mod poses;
 mod sector;
+mod stands;
 
 use nalgebra::{Matrix6, Vector3};
 use pulp::Simd;
@@ -27,9 +30,12 @@ use crate::spatial::Pose;
 use lanes::{Lanes, Mask};
 use sector::Sector;
 
+pub(crate) use affine::Affine;
+pub(crate) use enclosure::{Aim, Enclosing, Known, Way};
 pub(crate) use patch::{Grid, Patch, Stand};
 pub(crate) use poses::Near;
 pub use poses::{Best, CLASSES, class};
+pub(crate) use stands::{StandBox, middle, variables};
 
 /// A six-axis robot with a tool, ready to be evaluated in bulk.
 #[derive(Clone, Debug)]
@@ -163,6 +169,11 @@ impl SpatialArm {
         self.tool_is_on_axis_6() && z.xy().norm() < 1e-12 && 0.0 < z.z
     }
 
+    /// The two wrists of a posture give way alike: every drive turns one of the joints 4 to 6 at most.
+    pub(crate) fn wrists_are_alike(&self) -> bool {
+        !matches!(self.coupling, Coupling::Any(_))
+    }
+
     /// The same arm, of which joint `i` (from 0) may turn anywhere.
     pub(crate) fn without_limit_on(&self, i: usize, really: bool) -> Self {
         let mut arm = self.clone();
@@ -170,6 +181,15 @@ impl SpatialArm {
             arm.limits.joints[i] = Range::ALL;
             arm.sectors = Sectors::new(&arm.geometry, &arm.limits);
         }
+        arm
+    }
+
+    /// The same arm without any limits.
+    pub(crate) fn without_limits(&self) -> Self {
+        let mut arm = self.clone();
+        arm.limits.joints = [Range::ALL; 6];
+        arm.limits.elbow = Range::ALL;
+        arm.sectors = Sectors::new(&arm.geometry, &arm.limits);
         arm
     }
 

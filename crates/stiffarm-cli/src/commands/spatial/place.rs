@@ -48,6 +48,7 @@ impl PlaceAnswer {
         let degrees = |angle: f64| format!("{:.1} deg", angle.to_degrees() + 0.0);
         let mut rows: Vec<(String, String)> = vec![
             ("worst deflection in the zone".into(), format!("{:.4} mm", best.deflection * 1e3)),
+            ("no place has less than".into(), bound(best)),
             ("centre from the base".into(), format!("x {x:.4} m ahead, z {z:.4} m up")),
         ];
         if best.bearing != 0.0 {
@@ -75,7 +76,7 @@ impl PlaceAnswer {
         rows.push((
             "looked for".into(),
             format!(
-                "every {:.0} mm ({coarse} there), then down to {:.2} mm and {:.3} deg; no bound is proved",
+                "every {:.0} mm ({coarse} there), then down to {:.2} mm and {:.3} deg",
                 found.coarse_step * 1e3,
                 found.fine_step * 1e3,
                 found.fine_turn.to_degrees()
@@ -99,8 +100,8 @@ impl PlaceAnswer {
     fn feasible(&self) -> Result<&SpatialPlacement, Failure> {
         match &self.placed {
             SpatiallyPlaced::Feasible(best) => Ok(best),
-            SpatiallyPlaced::Infeasible(misfit) => {
-                Err(Failure::Usage(format!("{}: no place for {} to draw: {misfit}", self.robot.name, self.task.label)))
+            SpatiallyPlaced::Infeasible { reason, .. } => {
+                Err(Failure::Usage(format!("{}: no place for {} to draw: {reason}", self.robot.name, self.task.label)))
             }
         }
     }
@@ -243,6 +244,12 @@ impl PlaceAnswer {
     }
 }
 
+/// The lower bound and how far it lies from the value.
+fn bound(best: &SpatialPlacement) -> String {
+    let gap = 100.0 * (1.0 - best.lower_bound / best.deflection);
+    format!("{:.4} mm (proved with {} boxes; gap {gap:.1} %)", best.lower_bound * 1e3, best.resolution.boxes)
+}
+
 impl Answer for PlaceAnswer {
     const COMMAND: &'static str = "place";
 
@@ -269,7 +276,10 @@ impl Answer for PlaceAnswer {
                     table.row([format!("tolerance {tolerance} mm"), verdict]);
                 }
             }
-            SpatiallyPlaced::Infeasible(misfit) => table.row(["no place".into(), misfit.to_string()]),
+            SpatiallyPlaced::Infeasible { reason, is_proved } => {
+                let proof = if *is_proved { "; it is proved that there is none" } else { "" };
+                table.row(["no place".into(), format!("{reason}{proof}")]);
+            }
         }
         table.text(markdown)
             + "\nall six drives compliant, everything else rigid; the robot's own body and the table are not known: collisions are not checked\n"
