@@ -67,9 +67,18 @@ fn is_number(cell: &str) -> bool {
         || cell.starts_with(|c: char| c.is_ascii_digit() || c == '-')
 }
 
-/// Rounded for people.
+/// Rounded for people; what rounds to zero has no sign.
 pub(crate) fn fixed(value: f64, digits: usize) -> String {
-    format!("{value:.digits$}")
+    let text = format!("{value:.digits$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| "0.".contains(c)) => rest.into(),
+        _ => text,
+    }
+}
+
+/// What each drive gives, in percent.
+pub(crate) fn percentages(shares: &[f64; 6]) -> String {
+    shares.map(|share| format!("{} %", fixed(share * 100.0, 1))).join(", ")
 }
 
 /// Rounded for people, or a dash.

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::figures::view3d::{ArmMark, Arrow, View};
 use crate::output::{Answer, deliver};
 use crate::selection;
-use crate::table::{Table, fixed};
+use crate::table::{Table, fixed, percentages};
 
 pub(crate) fn run(args: &ComplianceArgs, common: &Common) -> Result<(), Failure> {
     let robot = selection::robot(&args.robot, common)?;
@@ -109,8 +109,7 @@ impl Answer for ComplianceAnswer {
             table.row([name.into(), format!("{} um/N along {}", fixed(value * 1e6, 4), vector(&direction, 3))]);
         }
         let (_, worst) = posture.compliance.worst();
-        let shares = posture.shares(&worst).map(|share| format!("{:.1} %", share * 100.0));
-        table.row(["drives 1 to 6 give of it".into(), shares.join(", ")]);
+        table.row(["drives 1 to 6 give of it".into(), percentages(&posture.shares(&worst))]);
         for (i, name) in ["compliance x, y, z".into(), String::new(), String::new()].into_iter().enumerate() {
             let row = posture.compliance.translation().row(i).map(|x| fixed(x * 1e6, 4));
             table.row([name, format!("{} um/N", row.iter().cloned().collect::<Vec<_>>().join(", "))]);
@@ -122,9 +121,9 @@ impl Answer for ComplianceAnswer {
                 format!("{} mm, {:.4} mm in all", vector(&(moved * 1e3), 4), moved.norm() * 1e3),
             ]);
             table.row(["rotation".into(), format!("{} mrad", vector(&(turned * 1e3), 4))]);
-            let shares = posture.shares(&force.normalize()).map(|share| format!("{:.1} %", share * 100.0));
             if 0.0 < force.norm() {
-                table.row(["drives 1 to 6 give along the force".into(), shares.join(", ")]);
+                let shares = percentages(&posture.shares(&force.normalize()));
+                table.row(["drives 1 to 6 give along the force".into(), shares]);
             }
         }
         table.text(markdown) + "\nbase axes: x forward, y left, z up; all six drives compliant, everything else rigid\n"

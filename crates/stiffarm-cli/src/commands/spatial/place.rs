@@ -17,7 +17,7 @@ use crate::figures::map::MapFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::view3d::{ArmMark, Cell, Point, Sheet, View, Zone};
 use crate::output::{Answer, deliver, figure};
-use crate::table::{Table, fixed};
+use crate::table::{Table, fixed, percentages};
 
 /// Points along the longer side of the section that is drawn.
 const FIGURE_SIZE: usize = 300;
@@ -65,8 +65,7 @@ impl PlaceAnswer {
         rows.push(("worst point".into(), format!("x {wx:.4} m, y {wy:.4} m, z {wz:.4} m")));
         let joints = best.worst_joints.map(|angle| fixed(angle.to_degrees() + 0.0, 1));
         rows.push(("joints there, as reported".into(), format!("{} deg", joints.join(", "))));
-        let shares = best.worst_shares.map(|share| format!("{:.1} %", share * 100.0));
-        rows.push(("drives 1 to 6 give of it".into(), shares.join(", ")));
+        rows.push(("drives 1 to 6 give of it".into(), percentages(&best.worst_shares)));
         let (margin, joint) = best.limit_margin;
         rows.push(("nearest limit".into(), format!("joint {joint}, {} away", degrees(margin))));
         rows.push(("nearest singular posture".into(), format!("{} away", degrees(best.singular_margin))));
