@@ -7,6 +7,7 @@
 
 mod axes;
 mod bands;
+pub(crate) mod bars;
 mod canvas;
 mod contour;
 pub(crate) mod face;

@@ -1,6 +1,7 @@
 //! `stiffarm rank --model spatial`: robots in order, all six drives, with their place in the planar ranking beside it.
 
 use serde_json::Value;
+use stiffarm::drive::Architecture;
 use stiffarm::place::{PlaceOptions, SpatialOptions, SpatialPlacement, SpatiallyPlaced};
 use stiffarm::rank::{Ranking, Row, rank, rank_in_space};
 use stiffarm::report;
@@ -12,8 +13,12 @@ use crate::args::{Common, RankArgs};
 use crate::commands::progress;
 use crate::commands::sheet::{ASSUMED_ARCHITECTURE, architecture};
 use crate::failure::Failure;
+use crate::figures::bars::{BarRow, BarsFigure};
 use crate::output::{Answer, deliver};
 use crate::table::{Table, fixed};
+
+/// More bars are not told apart on one page.
+const MOST_DRAWN: usize = 60;
 
 pub(crate) fn run(robots: &[Robot], tasks: &[Task], args: &RankArgs, common: &Common) -> Result<(), Failure> {
     let options = match tasks {
@@ -45,6 +50,35 @@ impl RankAnswer {
             format!(" {} {margin:+.3}", if 0.0 <= margin { "pass" } else { "fail" })
         });
         format!("{}{}{verdict}", fixed(millimetres, 3), if is_best { "*" } else { "" })
+    }
+
+    fn figure(&self) -> String {
+        let Ranking { tasks, force, rows } = &self.ranking;
+        let left_out = rows.len().saturating_sub(MOST_DRAWN);
+        let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_DRAWN} of {}", rows.len()) };
+        let drawn = rows.iter().take(MOST_DRAWN).map(|row| BarRow {
+            robot: format!("{}{}", row.robot.name, if row.robot.status == Status::Estimated { " ~" } else { "" }),
+            serial: row.robot.architecture == Architecture::Serial,
+            estimated: row.robot.status == Status::Estimated,
+            values: row
+                .cells
+                .iter()
+                .map(|cell| cell.feasible().map(|best| (best.deflection * 1e3, best.lower_bound * 1e3)))
+                .collect(),
+        });
+        BarsFigure {
+            title: format!("Worst deflection inside each flat zone at its best place, {force} N{first}"),
+            subtitle: format!(
+                "all six drives, {}, tool: {}; zones within {}",
+                direction(self.options.elevation),
+                tool(&self.options.flange_from_tool),
+                window(&self.options.within)
+            ),
+            tasks: tasks.iter().map(|task| task.label.clone()).collect(),
+            rows: drawn.collect(),
+            tolerance_mm: self.tolerance_mm,
+        }
+        .svg()
     }
 
     /// How far the values are from being proved best.
@@ -125,5 +159,9 @@ impl Answer for RankAnswer {
             }
         }
         table
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        Some(Ok(self.figure()))
     }
 }

@@ -1,0 +1,187 @@
+//! Robots in order as bars, one column per task: the deflection found, what is proved, the tolerance.
+
+use super::axes::{Axis, heading, label};
+use super::canvas::{Canvas, Font};
+use super::legend::{Entry, Legend};
+use super::{FAINT, GREY, INK, WIDTH};
+
+/// Height of a row and of its bar, px.
+const ROW: f64 = 24.0;
+const BAR: f64 = 14.0;
+/// Serial robots warm, quasi-serial ones cool; apart in a grey print, too.
+const SERIAL: &str = "#e8893a";
+const QUASI_SERIAL: &str = "#2c6fbb";
+const TOLERANCE: &str = r#"fill="none" stroke-width="1.4" stroke-dasharray="10 3 2 3""#;
+
+/// One robot.
+pub(crate) struct BarRow {
+    /// Its name.
+    pub robot: String,
+    /// Serial or quasi-serial.
+    pub serial: bool,
+    /// Its geometry or limits are assumed.
+    pub estimated: bool,
+    /// By task: deflection and its proved lower bound, mm; absent where the task does not fit.
+    pub values: Vec<Option<(f64, f64)>>,
+}
+
+/// A ranking as it was asked for.
+pub(crate) struct BarsFigure {
+    /// First line.
+    pub title: String,
+    /// Second line, in grey.
+    pub subtitle: String,
+    /// The tasks.
+    pub tasks: Vec<String>,
+    /// Best first.
+    pub rows: Vec<BarRow>,
+    /// What the work allows, mm.
+    pub tolerance_mm: Option<f64>,
+}
+
+impl BarsFigure {
+    /// The figure as SVG text.
+    pub(crate) fn svg(&self) -> String {
+        let mut canvas = Canvas::new(WIDTH, 0.0);
+        let top = heading(&mut canvas, &self.title, &self.subtitle) + 40.0;
+        let bottom = top + ROW * self.rows.len() as f64;
+        let font = Font::new(12.5);
+        let widest = self.rows.iter().map(|row| font.width(&row.robot)).fold(60.0, f64::max).min(280.0);
+        for (row, y) in self.rows.iter().zip(lines(top)) {
+            canvas.text([20.0 + widest, y], &font.cut(&row.robot, widest), font.end());
+        }
+        let first = 34.0 + widest;
+        let column = (WIDTH - 20.0 - first) / self.tasks.len().max(1) as f64;
+        for (task, name) in self.tasks.iter().enumerate() {
+            let left = first + column * task as f64;
+            self.draw_task(&mut canvas, task, name, [left, left + column - 16.0], [top, bottom]);
+        }
+        let legend = Legend::new(self.entries(), WIDTH - 80.0, 4);
+        legend.draw(&mut canvas, [40.0, bottom + 48.0]);
+        canvas.height = bottom + 62.0 + legend.height();
+        canvas.finish()
+    }
+
+    fn draw_task(
+        &self,
+        canvas: &mut Canvas,
+        task: usize,
+        name: &str,
+        [left, right]: [f64; 2],
+        [top, bottom]: [f64; 2],
+    ) {
+        let value = |row: &BarRow| row.values.get(task).copied().flatten();
+        let most = self.rows.iter().filter_map(value).map(|(found, _)| found).filter(|mm| mm.is_finite());
+        let most = most.fold(0.0, f64::max);
+        // A tolerance far above all bars would press them flat; it is then only named in the legend.
+        let tolerance = self.tolerance_mm.filter(|tolerance| *tolerance <= 2.0 * most);
+        // Numbers stand behind the bars.
+        let room = Font::new(12.0).width("00.000") + 8.0;
+        let end = (right - room).max(left + 20.0);
+        let axis = Axis::new(0.0, most.max(tolerance.unwrap_or(most)).max(f64::MIN_POSITIVE), [left, end]);
+        let (ticks, step) = axis.ticks(48.0);
+        for tick in ticks {
+            let x = axis.at(tick);
+            canvas.line([x, top], [x, bottom + 5.0], &format!(r#"stroke="{FAINT}" stroke-width="0.8""#));
+            canvas.text([x, bottom + 13.0], &label(tick, step), Font::new(12.0).middle());
+        }
+        let mut numbers = Vec::new();
+        for (row, y) in self.rows.iter().zip(lines(top)) {
+            let Some((found, bound)) = value(row).filter(|(found, _)| found.is_finite()) else {
+                canvas.text([left + 4.0, y], "does not fit", Font::new(12.0).colour(GREY));
+                continue;
+            };
+            let (x, colour) = (axis.at(found), if row.serial { SERIAL } else { QUASI_SERIAL });
+            canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &look(colour, row.estimated));
+            let proved = axis.at(bound.clamp(0.0, found));
+            canvas.line([proved, y - BAR / 2.0], [proved, y + BAR / 2.0], &bound_look());
+            numbers.push(([x + 5.0, y], format!("{found:.3}")));
+        }
+        if let Some(tolerance) = tolerance {
+            let x = axis.at(tolerance);
+            canvas.line([x, top - 4.0], [x, bottom], &format!(r#"{TOLERANCE} stroke="{INK}""#));
+        }
+        for (at, text) in numbers {
+            canvas.text(at, &text, Font::new(12.0).halo());
+        }
+        canvas.line([left, top - 4.0], [left, bottom], &format!(r#"stroke="{INK}" stroke-width="1""#));
+        let font = Font::new(13.0).bold();
+        canvas.text([left, top - 16.0], &font.cut(&format!("{name} [mm]"), right - left), font);
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let bar = |text: &str, colour: &'static str, estimated: bool| {
+            Entry::new(text, move |canvas, [x, y]| {
+                canvas.rect([x - 15.0, y - 6.0], [x + 15.0, y + 6.0], &look(colour, estimated));
+            })
+        };
+        let mut entries = Vec::new();
+        for (serial, name, colour) in [(true, "serial", SERIAL), (false, "quasi-serial", QUASI_SERIAL)] {
+            for (estimated, suffix) in [(false, ""), (true, ", estimated")] {
+                if self.rows.iter().any(|row| row.serial == serial && row.estimated == estimated) {
+                    entries.push(bar(&format!("{name}{suffix}"), colour, estimated));
+                }
+            }
+        }
+        entries.push(Entry::new("proved: no place has less", |canvas, [x, y]| {
+            canvas.line([x, y - 7.0], [x, y + 7.0], &bound_look());
+        }));
+        if let Some(tolerance) = self.tolerance_mm {
+            entries.push(Entry::line(format!("tolerance {tolerance} mm"), format!(r#"{TOLERANCE} stroke="{INK}""#)));
+        }
+        entries
+    }
+}
+
+/// The middle heights of the rows, px.
+fn lines(top: f64) -> impl Iterator<Item = f64> {
+    (0..).map(move |i| top + ROW * (f64::from(i) + 0.5))
+}
+
+fn look(colour: &str, estimated: bool) -> String {
+    let opacity = if estimated { 0.25 } else { 1.0 };
+    format!(r#"fill="{colour}" fill-opacity="{opacity}" stroke="{colour}" stroke-width="1""#)
+}
+
+fn bound_look() -> String {
+    format!(r#"fill="none" stroke="{INK}" stroke-width="2""#)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::png;
+    use super::*;
+
+    #[test]
+    fn every_bar_is_as_long_as_its_value_and_odd_rankings_are_drawn() {
+        let row = |robot: &str, values: Vec<Option<(f64, f64)>>| BarRow {
+            robot: robot.into(),
+            serial: robot.len().is_multiple_of(2),
+            estimated: false,
+            values,
+        };
+        let figure = |rows: Vec<BarRow>, tolerance_mm| BarsFigure {
+            title: "<&>".into(),
+            subtitle: String::new(),
+            tasks: vec!["A:0.5".into(), "B:0.5".into()],
+            rows,
+            tolerance_mm,
+        };
+        let rows = vec![
+            row("one", vec![Some((1.0, 0.5)), None]),
+            row("four", vec![Some((2.0, 2.0)), Some((f64::NAN, f64::NAN))]),
+            row(&"long ".repeat(90), vec![Some((4.0, 0.0)), Some((1e9, 0.0))]),
+        ];
+        let svg = figure(rows, Some(3.0)).svg();
+        let widths: Vec<f64> = svg
+            .split("<rect")
+            .filter(|part| part.contains(r#"height="14"#))
+            .filter_map(|part| part.split(r#"width=""#).nth(1)?.split('"').next()?.parse().ok())
+            .collect();
+        assert_eq!(widths.len(), 4, "{svg}");
+        assert!((widths[1] / widths[0] - 2.0).abs() < 1e-2 && (widths[2] / widths[0] - 4.0).abs() < 2e-2, "{widths:?}");
+        assert_eq!(svg.matches("does not fit").count(), 2);
+        assert!(svg.contains("tolerance 3 mm") && png(&svg, 0.5).is_ok());
+        assert!(png(&figure(Vec::new(), None).svg(), 0.5).is_ok());
+    }
+}
