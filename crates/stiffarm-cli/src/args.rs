@@ -6,6 +6,7 @@ use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use stiffarm::drive::Architecture;
+use stiffarm::inverse::Class;
 use stiffarm::limits::Range;
 use stiffarm::map::{Component, Spacing};
 use stiffarm::place::{PlaceOptions, SpatialOptions, Within};
@@ -225,6 +226,12 @@ pub(crate) struct MapArgs {
     /// Only one elbow side [default: the stiffer that reaches a point]
     #[arg(long, value_enum)]
     pub(crate) elbow: Option<Side>,
+    /// Only one posture, with --model spatial: such as front,up,no-flip [default: the stiffest at each point]
+    #[arg(long, value_name = "POSTURE")]
+    pub(crate) posture: Option<Class>,
+    /// What the figure shows, with --model spatial; the tables have all of it
+    #[arg(long, value_enum, default_value_t = Layer::Deflection)]
+    pub(crate) layer: Layer,
     /// Draw the best placement of this task
     #[arg(long, value_name = "TASK")]
     pub(crate) zone: Option<Task>,
@@ -344,6 +351,16 @@ pub(crate) struct ImportArgs {
     /// The link whose frame is the flange [default: flange or tool0, or the link that joint 6 moves]
     #[arg(long, value_name = "LINK")]
     pub(crate) tip: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Layer {
+    /// The worst deflection
+    Deflection,
+    /// How far the nearest joint limit is
+    LimitMargin,
+    /// How far the nearest singular posture is
+    SingularMargin,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -434,6 +434,16 @@ fn answers_in_space_come_as_figures_pages_and_typed_columns() {
             assert!(at.iter().zip(worst).all(|(a, b)| (a - b).abs() < 2e-5), "{at:?} {worst:?}");
         }
     }
+    let margin = path(&folder, "margin.svg");
+    run(&[
+        &["map"],
+        &robot[..],
+        &["--size", "60", "--layer", "limit-margin", "--posture", "front,up,flip", "-o", &margin],
+    ]
+    .concat());
+    assert!(fs::read_to_string(margin).expect("written").contains("nearest joint limit [deg]"));
+    assert!(refused(&["map", "BT200L", "--layer", "limit-margin"]).1.contains("needs --model spatial"));
+    assert!(refused(&["map", "BT200L", "--model", "spatial", "--posture", "up"]).1.contains("front,up,no-flip"));
     let (code, errors) =
         refused(&["place", "TX40", "--task", "circle:3", "--model", "spatial", "-o", &path(&folder, "none.svg")]);
     assert!(code == 2 && errors.contains("no place"), "{errors}");

@@ -70,6 +70,42 @@ impl std::fmt::Display for Class {
     }
 }
 
+/// No name of a posture.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "posture '{0}' is not understood; expected front or back, elbow up or down, no-flip or flip, e.g. front,up,no-flip"
+)]
+pub struct UnknownClass(pub String);
+
+impl std::str::FromStr for Class {
+    type Err = UnknownClass;
+
+    /// As it is written, or shorter: `front,up,no-flip`.
+    fn from_str(text: &str) -> Result<Self, UnknownClass> {
+        let unknown = || UnknownClass(text.into());
+        let word = |part: &str| part.to_lowercase().replace([' ', '-'], "");
+        let [shoulder, elbow, wrist]: [String; 3] =
+            text.split(',').map(word).collect::<Vec<_>>().try_into().map_err(|_| unknown())?;
+        Ok(Self {
+            shoulder: match shoulder.as_str() {
+                "front" => Shoulder::Front,
+                "back" => Shoulder::Back,
+                _ => return Err(unknown()),
+            },
+            elbow: match elbow.trim_start_matches("elbow") {
+                "up" => Elbow::Up,
+                "down" => Elbow::Down,
+                _ => return Err(unknown()),
+            },
+            wrist: match wrist.as_str() {
+                "noflip" => Wrist::NoFlip,
+                "flip" => Wrist::Flip,
+                _ => return Err(unknown()),
+            },
+        })
+    }
+}
+
 /// All postures of a pose, without regard to limits.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Postures {
@@ -232,6 +268,19 @@ mod tests {
     /// Metres and radians between two poses, added.
     fn apart(a: &Pose, b: &Pose) -> f64 {
         (a.translation.vector - b.translation.vector).norm() + a.rotation.angle_to(&b.rotation)
+    }
+
+    #[test]
+    fn a_posture_is_read_as_it_is_written() {
+        for place in 0..8 {
+            let class = crate::space::class(place);
+            assert_eq!(class.to_string().parse(), Ok(class));
+        }
+        let short: Class = "Back,down,no-flip".parse().unwrap();
+        assert_eq!(short.to_string(), "back, elbow down, no flip");
+        for wrong in ["", "front", "front,up", "front,up,flip,flip", "up,front,flip"] {
+            assert!(wrong.parse::<Class>().unwrap_err().to_string().contains("front,up,no-flip"), "{wrong}");
+        }
     }
 
     #[test]

@@ -11,7 +11,7 @@ use stiffarm::robot::{Arm, ArmPlane, Robot};
 use stiffarm::task::Task;
 
 use super::spatial;
-use crate::args::{Common, MapArgs, Part};
+use crate::args::{Common, Layer, MapArgs, Part};
 use crate::failure::Failure;
 use crate::figures::map::MapFigure;
 use crate::figures::scene::{Scene, ZoneMark, links, rim};
@@ -30,6 +30,11 @@ pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let robot = selection::robot(&args.robot, common)?;
     if args.space.is_spatial()? {
         return spatial::map::run(robot, args, common);
+    }
+    for (name, given) in [("--posture", args.posture.is_some()), ("--layer", args.layer != Layer::Deflection)] {
+        if given {
+            return Err(Failure::Usage(format!("{name} needs --model spatial")));
+        }
     }
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let plane = arm_plane(&robot).map_err(failure)?;
@@ -180,6 +185,8 @@ impl MapAnswer {
             title: robot.full_name(),
             subtitle: self.subtitle(),
             map: &self.map,
+            factor: 1e3,
+            ends: ["stiff", "soft"],
             edge: Some(&self.plane.arm),
             scene: Scene {
                 axis: [0.0; 2],

@@ -64,7 +64,14 @@ impl Bands {
     }
 
     /// The colour bar between two corners, its limits on the right, what it shows beside them, read upwards.
-    pub(super) fn bar(&self, canvas: &mut Canvas, [left, bottom]: Px, [right, top]: Px, title: &str) {
+    pub(super) fn bar(
+        &self,
+        canvas: &mut Canvas,
+        [left, bottom]: Px,
+        [right, top]: Px,
+        title: &str,
+        [small, large]: [&str; 2],
+    ) {
         let height = (bottom - top) / self.count as f64;
         let y = |i: usize| bottom - i as f64 * height;
         let font = Font::new(12.0);
@@ -82,8 +89,8 @@ impl Bands {
         }
         let word = font.middle().colour(GREY);
         let middle = f64::midpoint(left, right);
-        canvas.text([middle, bottom + 12.0], "stiff", word);
-        canvas.text([middle, top - 11.0], "soft", word);
+        canvas.text([middle, bottom + 12.0], small, word);
+        canvas.text([middle, top - 11.0], large, word);
         let font = Font::new(13.0).middle();
         let title = font.cut(title, bottom - top + 30.0);
         canvas.text([right + 20.0 + widest, f64::midpoint(bottom, top)], &title, font.turned(-90.0));

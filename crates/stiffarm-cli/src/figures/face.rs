@@ -54,7 +54,13 @@ impl FaceFigure {
             Field { grid: &grid, region: &region, bands, at: &at }.draw(canvas, Font::new(12.0), &mut spots);
             draw_rim(canvas, &rim(self.zone, [0.0; 2], 0.0).into_iter().map(on_page).collect::<Vec<Px>>());
             worst_mark(canvas, worst);
-            bands.bar(canvas, [right + 28.0, bottom - 12.0], [right + 50.0, top + 12.0], &self.colour_label);
+            bands.bar(
+                canvas,
+                [right + 28.0, bottom - 12.0],
+                [right + 50.0, top + 12.0],
+                &self.colour_label,
+                ["stiff", "soft"],
+            );
         }
         frame.draw(canvas, "to the right of its centre [m]", &format!("{} [m]", self.up));
         bottom + 56.0

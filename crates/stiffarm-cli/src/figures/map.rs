@@ -25,13 +25,17 @@ pub(crate) struct MapFigure<'a> {
     pub title: String,
     /// Second line, in grey.
     pub subtitle: String,
-    /// Deflections, m; drawn in mm.
+    /// What is drawn, such as deflections, m.
     pub map: &'a Map,
+    /// What its values are multiplied by, such as 1000 for mm.
+    pub factor: f64,
+    /// What its smallest and its largest values are called.
+    pub ends: [&'static str; 2],
     /// The arm whose plane was mapped, where it says exactly where the mapped area ends.
     pub edge: Option<&'a PlanarArm>,
     /// Arm, base and zone in the axes of the map.
     pub scene: Scene,
-    /// What the colours mean, with the unit mm.
+    /// What the colours mean, with the unit.
     pub colour_label: String,
     /// What lengths are measured from.
     pub origin: &'static str,
@@ -94,7 +98,7 @@ impl MapFigure<'_> {
         let index = |i: usize, count: usize| (i * stride).min(last(count));
         let count = |count: usize| last(count).div_ceil(stride) + 1;
         let grid = Grid::new(count(x.count), count(z.count), |i, j| {
-            Some(1e3 * self.map.get(index(i, x.count), index(j, z.count))?)
+            Some(self.factor * self.map.get(index(i, x.count), index(j, z.count))?)
         });
         let [[_, bottom], [right, top]] = frame.corners();
         let Some(extremes) = grid.extremes() else {
@@ -126,6 +130,7 @@ impl MapFigure<'_> {
             [right + 28.0, middle + height / 2.0],
             [right + 50.0, middle - height / 2.0],
             &self.colour_label,
+            self.ends,
         );
     }
 }
@@ -209,6 +214,8 @@ mod tests {
             title,
             subtitle,
             map,
+            factor: 1e3,
+            ends: ["stiff", "soft"],
             edge: Some(arm),
             scene: scene(arm),
             colour_label: "worst [mm]".into(),

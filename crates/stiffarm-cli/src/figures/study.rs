@@ -117,7 +117,7 @@ fn draw_row(canvas: &mut Canvas, panel: &StudyPanel, labels: &[&str], top: f64) 
     }
     if let Some(range) = range {
         let right = COLUMNS[1].1;
-        Bands::of(range).bar(canvas, [right + 14.0, bottom], [right + 30.0, top], "accuracy ε/(kF)");
+        Bands::of(range).bar(canvas, [right + 14.0, bottom], [right + 30.0, top], "accuracy ε/(kF)", ["stiff", "soft"]);
     }
     draw_curves(canvas, panel, labels, top);
     Ok(())

@@ -7,7 +7,7 @@ use stiffarm::robot::Robot;
 
 use super::drawing::{over_everything, scene};
 use super::{direction, tool};
-use crate::args::{Common, MapArgs};
+use crate::args::{Common, Layer, MapArgs};
 use crate::failure::Failure;
 use crate::figures::map::MapFigure;
 use crate::figures::view3d::{ArmMark, Sheet, View};
@@ -36,7 +36,7 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
         elevation: args.space.elevation(),
         yaw: 0.0,
         roll: args.space.roll_deg.map(f64::to_radians),
-        class: None,
+        class: args.posture,
     };
     let Some(options) = over_everything(&robot, &asked, args.spacing())? else {
         return Err(Failure::Usage(format!(
@@ -46,13 +46,15 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
         )));
     };
     let section = section(&robot, &options).map_err(|error| Failure::Map { robot: robot.name.clone(), error })?;
-    deliver(&MapAnswer { robot, options, section }, common)
+    deliver(&MapAnswer { robot, options, section, layer: args.layer }, common)
 }
 
 struct MapAnswer {
     robot: Robot,
     options: SectionOptions,
     section: Section,
+    /// What the figure shows.
+    layer: Layer,
 }
 
 impl MapAnswer {
@@ -82,7 +84,7 @@ impl Answer for MapAnswer {
     const COMMAND: &'static str = "map";
 
     fn text(&self, markdown: bool) -> String {
-        let Self { robot, options, section } = self;
+        let Self { robot, options, section, .. } = self;
         let mut table = Table::new(["", ""]);
         table.row(["robot".into(), format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)]);
         table.row([
@@ -142,13 +144,24 @@ impl Answer for MapAnswer {
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {
+        let degrees = 1_f64.to_degrees();
+        let Section { worst, limit_margin, singular_margin, .. } = &self.section;
+        let (map, factor, ends, colour_label) = match self.layer {
+            Layer::Deflection => (worst, 1e3, ["stiff", "soft"], self.colour_label()),
+            Layer::LimitMargin => (limit_margin, degrees, ["near", "far"], "nearest joint limit [deg]".into()),
+            Layer::SingularMargin => {
+                (singular_margin, degrees, ["near", "far"], "nearest singular posture [deg]".into())
+            }
+        };
         let drawn = MapFigure {
             title: self.robot.full_name(),
             subtitle: self.subtitle(),
-            map: &self.section.worst,
+            map,
+            factor,
+            ends,
             edge: None,
             scene: scene(&self.robot, self.stiffest().as_ref(), &self.options.flange_from_tool, None),
-            colour_label: self.colour_label(),
+            colour_label,
             origin: "the base",
             face: None,
         };

@@ -200,6 +200,8 @@ impl PlaceAnswer {
             title: self.robot.full_name(),
             subtitle: self.subtitle(best),
             map: &section.worst,
+            factor: 1e3,
+            ends: ["stiff", "soft"],
             edge: None,
             scene: scene(&self.robot, Some(&self.joints(best)), &self.options.flange_from_tool, Some(mark)),
             colour_label: self.colour_label(),
