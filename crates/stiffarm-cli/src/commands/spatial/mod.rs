@@ -99,7 +99,9 @@ pub(crate) fn direction(elevation: f64) -> String {
     } else if (degrees - 90.0).abs() < 1e-9 {
         "tool up".into()
     } else {
-        format!("tool {degrees} deg above the horizontal")
+        let side = if degrees < 0.0 { "below" } else { "above" };
+        // As it was typed, not as it came out of radians.
+        format!("tool {} deg {side} the horizontal", (degrees.abs() * 1e9).round() / 1e9)
     }
 }
 
