@@ -14,6 +14,7 @@ pub use fault::{Fault, Faults};
 pub use filter::{Filter, NothingLeft};
 pub use index::{Entry, entries, find, matching, names, suggestions};
 pub use robot_file::read;
+pub(crate) use write::microradians;
 pub use write::write;
 
 use crate::drive::JointCompliance;
