@@ -18,7 +18,9 @@ Array = npt.NDArray[np.float64]
 def _plain(value: Any) -> Any:
     """Arrays as nested lists, and nan as None: what JSON says."""
     if isinstance(value, np.ndarray):
-        return np.where(np.isnan(value), None, value).tolist() if np.isnan(value).any() else value.tolist()
+        plain = value.astype(object)
+        plain[np.isnan(value)] = None
+        return plain.tolist()
     return copy.deepcopy(value)
 
 

@@ -6,7 +6,21 @@ import numpy as np
 import numpy.typing as npt
 
 __version__: str
-__all__: list[str]
+__all__ = [
+    "Robot",
+    "StiffarmError",
+    "__version__",
+    "map",
+    "matrices",
+    "place",
+    "posture",
+    "rank",
+    "robots",
+    "select",
+    "set_threads",
+    "study",
+    "worst",
+]
 
 class StiffarmError(ValueError): ...
 

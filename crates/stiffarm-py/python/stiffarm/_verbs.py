@@ -195,14 +195,14 @@ def compliance(
 
 
 def _numbers(name: str, values: npt.ArrayLike) -> Array:
-    """Float64 in one piece; copied only where it is not that already."""
+    """Float64 in one aligned piece; copied only where it is not that already."""
     try:
         array = np.asarray(values)
     except ValueError as error:
         raise StiffarmError(f"{name}: {error}") from None
     if array.dtype.kind not in "fiu" and array.size:
         raise StiffarmError(f"{name} of type {array.dtype}; expected numbers")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    return np.require(array, np.float64, ["C", "ALIGNED"])
 
 
 def place(
