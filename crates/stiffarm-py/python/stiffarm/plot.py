@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -48,9 +48,11 @@ def map(result: Map, *, ax: Axes | None = None, levels: Any = _BANDS, colorbar: 
     values = np.ma.masked_invalid(result.values_mm)
     shown = result._shown
     if values.count():
+        beyond: Literal["neither", "both"] = "both"
         if isinstance(levels, int):
+            beyond = "neither"
             levels = ticker.MaxNLocator(levels, steps=[1, 2, 5, 10]).tick_values(values.min(), values.max())
-        bands = ax.contourf(result.x_m, result.z_m, values, levels=levels, cmap="viridis_r", extend="max")
+        bands = ax.contourf(result.x_m, result.z_m, values, levels=levels, cmap="viridis_r", extend=beyond)
         if colorbar and ax.figure is not None:
             which = "worst deflection" if result.direction_deg is None else f"deflection at {result.direction_deg:g}°"
             ax.figure.colorbar(bands, ax=ax, label=f"{which} under {result.force_n:g} N [mm]")
