@@ -251,10 +251,10 @@ pub(crate) struct ComplianceArgs {
     /// A robot's name, or the path of a robot file
     pub(crate) robot: String,
     /// The six joint angles as the robot reports them [deg], separated by commas
-    #[arg(long, value_name = "Q1,..,Q6", value_delimiter = ',', required = true, allow_hyphen_values = true)]
+    #[arg(long, value_name = "Q1,..,Q6", value_delimiter = ',', required = true, value_parser = joint, allow_hyphen_values = true)]
     pub(crate) joints_deg: Vec<f64>,
     /// Force at the tool point, base axes [N]: x,y,z
-    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', value_parser = force_along, allow_hyphen_values = true)]
     pub(crate) force_n: Vec<f64>,
     /// Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange centre]
     #[arg(long, value_name = "X,Y,Z", value_parser = tool, allow_hyphen_values = true)]
@@ -267,10 +267,10 @@ pub(crate) struct StudyArgs {
     #[arg(long, value_name = "SHAPES", value_delimiter = ',', value_parser = shape, default_value = "A,B,C")]
     pub(crate) tasks: Vec<Task>,
     /// Sizes over l2 + l3
-    #[arg(long, value_name = "SIZES", value_delimiter = ',', allow_hyphen_values = true, default_values_t = [0.1, 0.3, 0.5, 0.8])]
+    #[arg(long, value_name = "SIZES", value_delimiter = ',', value_parser = size, allow_hyphen_values = true, default_values_t = [0.1, 0.3, 0.5, 0.8])]
     pub(crate) sizes: Vec<f64>,
     /// Link ratios mu = l3/l2
-    #[arg(long, value_name = "RATIOS", value_delimiter = ',', allow_hyphen_values = true, default_values_t = [0.8, 1.0, 1.2])]
+    #[arg(long, value_name = "RATIOS", value_delimiter = ',', value_parser = link_ratio, allow_hyphen_values = true, default_values_t = [0.8, 1.0, 1.2])]
     pub(crate) ratios: Vec<f64>,
     /// Link ratios among which the best is sought
     #[arg(long, value_name = "RANGE", value_parser = open_range, default_value = "0.5..1.5")]
@@ -279,10 +279,10 @@ pub(crate) struct StudyArgs {
     #[arg(long, value_name = "TWO", value_delimiter = ',', value_parser = architecture, default_value = "serial,quasi-serial")]
     pub(crate) compare: Vec<Architecture>,
     /// Compliance of drive 2 over the reference k, for both or one each
-    #[arg(long, value_name = "K", value_delimiter = ',', allow_hyphen_values = true, default_value = "1")]
+    #[arg(long, value_name = "K", value_delimiter = ',', value_parser = relative_compliance, allow_hyphen_values = true, default_value = "1")]
     pub(crate) k2: Vec<f64>,
     /// Compliance of drive 3 over the reference k, for both or one each
-    #[arg(long, value_name = "K", value_delimiter = ',', allow_hyphen_values = true, default_value = "1")]
+    #[arg(long, value_name = "K", value_delimiter = ',', value_parser = relative_compliance, allow_hyphen_values = true, default_value = "1")]
     pub(crate) k3: Vec<f64>,
 }
 
@@ -378,6 +378,26 @@ impl From<Side> for Elbow {
 
 fn force(text: &str) -> Result<f64, String> {
     number(text, 1e-3, 1e6, "N")
+}
+
+fn force_along(text: &str) -> Result<f64, String> {
+    number(text, -1e6, 1e6, "N along each of x, y, z")
+}
+
+fn joint(text: &str) -> Result<f64, String> {
+    number(text, -1080.0, 1080.0, "degrees for each of six joints")
+}
+
+fn size(text: &str) -> Result<f64, String> {
+    number(text, 1e-4, 10.0, "times l2 + l3")
+}
+
+fn link_ratio(text: &str) -> Result<f64, String> {
+    number(text, 0.05, 20.0, "(l3 over l2)")
+}
+
+fn relative_compliance(text: &str) -> Result<f64, String> {
+    number(text, 1e-3, 1e3, "times the reference")
 }
 
 fn gap(text: &str) -> Result<f64, String> {

@@ -1,4 +1,4 @@
-//! A table as typed columns in one Parquet file, for pandas, polars, DuckDB and the like.
+//! A table as typed columns in one Parquet file, for pandas, polars and the like.
 
 use std::sync::Arc;
 

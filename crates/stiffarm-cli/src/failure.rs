@@ -30,6 +30,9 @@ pub(crate) enum Failure {
         /// Why.
         error: io::Error,
     },
+    /// A single minus is no file.
+    #[error("-o - is no file; expected a file's name")]
+    Dash,
     /// An output of this kind does not exist for this command.
     #[error("{command} cannot write {}: expected a name that ends in {expected}", path.display())]
     Ending {
@@ -126,7 +129,7 @@ impl Failure {
     /// 2 for wrong usage, 1 for everything else.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
-            Self::Usage(_) | Self::Ending { .. } => 2,
+            Self::Usage(_) | Self::Dash | Self::Ending { .. } => 2,
             _ => 1,
         }
     }
@@ -140,6 +143,12 @@ impl Failure {
             Self::UnknownRobot { .. } | Self::NoRobot(_) => Some(
                 "`stiffarm robots list` names the robots; a path to a robot file or a folder of them works too".into(),
             ),
+            Self::Dash => Some(
+                "without -o the answer goes to standard output; --format json, csv or md chooses its form there".into(),
+            ),
+            Self::Write { path, error } if error.kind() == io::ErrorKind::NotFound => {
+                path.parent().map(|folder| format!("there is no folder {}; make it first", folder.display()))
+            }
             Self::NothingLeft { hint, .. } => Some(hint.clone()),
             Self::RobotFile(_) | Self::BadFiles(_) => Some("the README shows a complete robot file".into()),
             Self::Import(error) => import_hint(error),

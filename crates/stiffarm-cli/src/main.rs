@@ -24,7 +24,7 @@ fn main() -> ExitCode {
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     }
     let common = &arguments.common;
-    let outcome = match &arguments.command {
+    let outcome = output::check(&common.output).and_then(|()| match &arguments.command {
         Command::Rank(args) => commands::rank::run(args, common),
         Command::Place(args) => commands::place::run(args, common),
         Command::Map(args) => commands::map::run(args, common),
@@ -32,7 +32,7 @@ fn main() -> ExitCode {
         Command::Study(args) => commands::study::run(args, common),
         Command::Robots(args) => commands::robots::run(args, common),
         Command::Validate => commands::validate::run(common),
-    };
+    });
     match outcome {
         // A reader that has seen enough, as in `| head`, is no failure.
         Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,

@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::fs;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use atomic_write_file::AtomicWriteFile;
 use serde_json::Value;
@@ -56,6 +56,20 @@ pub(crate) fn deliver<A: Answer>(answer: &A, common: &Common) -> Result<(), Fail
     if !common.quiet {
         for path in &common.output {
             eprintln!("wrote {}", path.display());
+        }
+    }
+    Ok(())
+}
+
+/// Refuses what cannot be written wherever it comes from, before anything is computed.
+pub(crate) fn check(paths: &[PathBuf]) -> Result<(), Failure> {
+    for path in paths {
+        if path.as_os_str() == "-" {
+            return Err(Failure::Dash);
+        }
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        if let Some(error) = folder.and_then(|folder| fs::metadata(folder).err()) {
+            return Err(Failure::Write { path: path.clone(), error });
         }
     }
     Ok(())

@@ -78,6 +78,16 @@ fn a_urdf_stands_wherever_a_robot_does() {
     assert!(code == 0 && out.contains("Example 150") && out.contains("derived"), "{out}{errors}");
     let (code, out, _) = run(&["rank", "--robots", &format!("{EXAMPLE},BT200L"), "--task", "A:0.5"]);
     assert!(code == 0 && out.contains("Example 150") && out.contains("BT200L"), "{out}");
+    let joints = ["--joints-deg", "0,10,10,10,10,10"];
+    for verb in [
+        &["place", EXAMPLE, "--task", "A:0.5"][..],
+        &["map", EXAMPLE],
+        &[&["compliance", EXAMPLE][..], &joints].concat(),
+    ] {
+        let (code, out, errors) = run(verb);
+        assert!(code == 0 && errors.contains("example_150.urdf: architecture: serial is assumed"), "{errors}");
+        assert_eq!(run(&[verb, &["-q"]].concat()), (0, out, String::new()));
+    }
     let (code, out, _) = run(&["robots", "check", EXAMPLE]);
     assert!(code == 0 && out.contains("Example 150 can be used"), "{out}");
 }

@@ -40,6 +40,9 @@ fn path(folder: &TempDir, name: &str) -> String {
     folder.path().join(name).to_str().expect("a plain path").into()
 }
 
+const COMPLIANCE: &[&str] = &["compliance", "BT200L", "--joints-deg", "0,90,0,0,0,0"];
+const SPATIAL: &[&str] = &["place", "BT200L", "--task", "A:0.1", "--model", "spatial"];
+
 #[test]
 fn without_arguments_the_papers_robots_are_ranked_on_its_tasks() {
     let text = run(&["rank"]);
@@ -180,15 +183,47 @@ fn what_makes_no_sense_is_refused_with_what_to_do() {
         (&["map", "BT200L", "--size", "1000000"], 2, "expected a whole number from 2 to 100000"),
         (&["map", "BT200L", "--size", "1"], 2, "expected a whole number from 2"),
         (&["map", "BT200L", "--direction-deg", "nan"], 2, "expected a number from"),
-        (&["study", "--sizes", "-1"], 1, "a size over l2 + l3 is -1"),
+        (&["study", "--sizes", "-1"], 2, "expected a number from 0.0001 to 10"),
         (&["study", "--range", "..2"], 2, "takes both ends"),
         (&["map", "BT200L", "--component", "along"], 2, "--direction-deg"),
         (&["map", "BT200L", "--within", "1..2,.."], 2, "give --zone with them"),
-        (&["study", "--ratios", "nan"], 1, "a link ratio is NaN"),
+        (&["study", "--ratios", "nan"], 2, "for '--ratios <RATIOS>': expected a number from 0.05"),
         (&["study", "--compare", "serial"], 2, "takes two architectures"),
         (&["rank", "-o", "ranking.xlsx"], 2, "expected a name that ends in .svg"),
         (&["validate", "-o", "ledger.svg"], 2, "expected a name that ends in .json"),
         (&["rank", "-o", "no/such/folder/ranking.csv"], 1, "cannot write no/such/folder/ranking.csv"),
+        (&["rank", "-o", "no/such/folder/ranking.csv"], 1, "hint: there is no folder no/such/folder; make it first"),
+        (&["rank", "-o", "-"], 2, "hint: without -o the answer goes to standard output; --format json"),
+        (&["study", "--k2", "inf"], 2, "'inf' for '--k2 <K>': expected a number from 0.001 to 1000"),
+        (&["study", "--k3", "x"], 2, "'x' for '--k3 <K>': expected a number from 0.001 to 1000"),
+        (&["compliance", "BT200L", "--joints-deg", "0,90,0"], 2, "--joints-deg has 3 angles; expected six"),
+        (
+            &["compliance", "BT200L", "--joints-deg", "0,x,0,0,0,0"],
+            2,
+            "'x' for '--joints-deg <Q1,..,Q6>': expected a number",
+        ),
+        (&["compliance", "BT200L", "--joints-deg", "0,nan,0,0,0,0"], 2, "expected a number from -1080 to 1080 degrees"),
+        (&[COMPLIANCE, &["--force-n", "1,2"]].concat(), 2, "--force-n has 2 numbers; expected three"),
+        (&[COMPLIANCE, &["--force-n", "1,2,inf"]].concat(), 2, "'inf' for '--force-n <X,Y,Z>': expected a number"),
+        (&[COMPLIANCE, &["--tool-mm", "100000,0,0"]].concat(), 2, "lengths up to 10000 mm"),
+        (
+            &[COMPLIANCE, &["--tool-mm", "nan,0,0"]].concat(),
+            2,
+            "'nan,0,0' for '--tool-mm <X,Y,Z>': expected x,y,z in mm",
+        ),
+        (&[SPATIAL, &["--tool-direction", "sideways"]].concat(), 2, "expected down, forward, up, or -90 to 90 degrees"),
+        (&[SPATIAL, &["--yaw-deg", "nan"]].concat(), 2, "expected any, or an angle from -360 to 360"),
+        (&[SPATIAL, &["--roll-deg", "inf"]].concat(), 2, "expected a number from -360 to 360"),
+        (
+            &["place", "BT200L", "--task", "A:0.1", "--tolerance-mm", "nan"],
+            2,
+            "'nan' for '--tolerance-mm <MM>': expected",
+        ),
+        (&["rank", "--robots", ""], 2, "--robots holds an empty name; expected names, patterns"),
+        (&["rank", "--robots", "all", "--payload-kg", "500..100"], 2, "'500..100' is not a range; expected such as"),
+        (&["rank", "--robots", "all", "--payload-kg", "5000.."], 1, "payload 0.5 to 800 kg"),
+        (&["rank", "--robots", "all", "--reach-m", "nan.."], 2, "'nan..' is not a range"),
+        (&["rank", "--robots", "all", "--vendor", "Nobody"], 1, "hint: there are robots of ABB"),
     ];
     for (arguments, code, expected) in cases {
         let (found, errors) = refused(arguments);
@@ -354,4 +389,72 @@ fn an_interrupted_write_leaves_the_old_file_and_no_half_one() {
     assert!(!output.status.success());
     assert_eq!(fs::read_to_string(folder.path().join("map.csv")).unwrap(), "old");
     assert!(!folder.path().join("new.csv").exists());
+}
+
+/// The JSON object that a page hands to plotly.js.
+fn figure_on(page: &str) -> Value {
+    let start = page.find("const figure = ").expect("a figure") + "const figure = ".len();
+    let text = page[start..].lines().next().expect("a line");
+    serde_json::from_str(text.trim_end_matches(';')).expect("JSON")
+}
+
+#[test]
+fn answers_in_space_come_as_figures_pages_and_typed_columns() {
+    let folder = TempDir::new().expect("a folder");
+    let robot = ["KR 210 R2700 extra", "--model", "spatial", "--tool-mm", "0,0,200", "--quiet"];
+    for (command, more) in [("map", &["--size", "60"][..]), ("place", &["--task", "rect:0.4x0.2"])] {
+        let files =
+            ["svg", "png", "html", "parquet", "csv", "json"].map(|ending| path(&folder, &format!("a.{ending}")));
+        let outputs = files.iter().flat_map(|file| ["-o", file]);
+        run(&[&[command], &robot[..], more].concat().into_iter().chain(outputs).collect::<Vec<_>>());
+        let [svg, png, html, parquet, csv, json] = files.map(|file| fs::read(file).expect("written"));
+        let svg = String::from_utf8(svg).expect("text");
+        for text in ["x from the base [m]", "worst deflection under 1000 N [mm]", "KUKA KR 210 R2700 extra"] {
+            assert!(svg.contains(text), "{command}: {text}");
+        }
+        assert_eq!(svg.contains("seen along the tool axis"), command == "place");
+        assert!(png.starts_with(b"\x89PNG") && parquet.starts_with(b"PAR1") && parquet.ends_with(b"PAR1"));
+        let answer: Value = serde_json::from_slice(&json).expect("JSON");
+        assert!(String::from_utf8(csv).expect("text").lines().count() > 1);
+        let figure = figure_on(&String::from_utf8(html).expect("text"));
+        let traces = figure["data"].as_array().expect("traces");
+        let surfaces: Vec<&Value> = traces.iter().filter(|trace| trace["type"] == "surface").collect();
+        assert_eq!(surfaces.len(), if command == "place" { 2 } else { 1 });
+        if command == "place" {
+            // The largest value of the zone's own sheet is the answer, to the fineness of its grid and six digits.
+            let cells = surfaces[1]["surfacecolor"].as_array().expect("rows");
+            let values = cells.iter().flat_map(|row| row.as_array().expect("a row")).filter_map(Value::as_f64);
+            let (largest, found) = (values.fold(0.0, f64::max), answer["deflection_mm"].as_f64().expect("a number"));
+            assert!((largest / found - 1.0).abs() < 2e-3, "{largest} {found}");
+            let tool = traces.iter().find(|trace| trace["name"] == "tool axis").expect("a tool");
+            let at = ["x", "y", "z"].map(|axis| tool[axis][0].as_f64().expect("a number"));
+            let (s, c) = answer["bearing_deg"].as_f64().expect("a number").to_radians().sin_cos();
+            let worst = [0, 1, 2].map(|k| answer["worst_point_m"][k].as_f64().expect("a number"));
+            let worst = [c * worst[0] - s * worst[1], s * worst[0] + c * worst[1], worst[2]];
+            assert!(at.iter().zip(worst).all(|(a, b)| (a - b).abs() < 2e-5), "{at:?} {worst:?}");
+        }
+    }
+    let (code, errors) =
+        refused(&["place", "TX40", "--task", "circle:3", "--model", "spatial", "-o", &path(&folder, "none.svg")]);
+    assert!(code == 2 && errors.contains("no place"), "{errors}");
+    assert!(!Path::new(&path(&folder, "none.svg")).exists());
+}
+
+#[test]
+fn robots_that_are_named_alike_are_told_apart_by_their_files() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("first.toml"), SMALLEST).unwrap();
+    fs::write(folder.path().join("same.toml"), SMALLEST).unwrap();
+    fs::write(folder.path().join("second.toml"), SMALLEST.replace("l3_mm = 800", "l3_mm = 900")).unwrap();
+    let robots = format!("{},BT200L", folder.path().display());
+    let output = program().args(["rank", "--robots", &robots, "--task", "A:0.1"]).output().unwrap();
+    let (text, notes) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    for file in ["first.toml", "second.toml"] {
+        assert!(text.contains(&format!("{file})")), "{text}");
+        let note = format!("{file}: one of 2 different robots named two links");
+        assert!(notes.contains(&note), "{notes}");
+    }
+    assert!(!text.contains("same.toml"), "one robot in two files is one:\n{text}");
+    let quiet = program().args(["rank", "--robots", &robots, "--task", "A:0.1", "-q"]).output().unwrap();
+    assert!(quiet.stderr.is_empty());
 }

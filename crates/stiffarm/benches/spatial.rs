@@ -3,7 +3,12 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use rs_opw_kinematics::glam::{DQuat, DVec3};
+use rs_opw_kinematics::kinematic_traits::{Kinematics, Pose as OpwPose};
+use rs_opw_kinematics::kinematics_impl::OPWKinematics;
+use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
 use stiffarm::catalogue::paper_robots;
+use stiffarm::geometry::Geometry;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::space::SpatialArm;
 use stiffarm::spatial::Pose;
@@ -46,7 +51,25 @@ fn poses(c: &mut Criterion) {
     let mut group = c.benchmark_group("poses_100k");
     group.throughput(Throughput::Elements(COUNT as u64));
     group.bench_function("all_postures_limits_and_compliance", |b| b.iter(|| arm.best(black_box(&poses))));
+    // The peer finds the postures alone; a loop over single poses is all that it offers.
+    let opw = opw(geometry);
+    let opw_poses: Vec<OpwPose> = poses.iter().map(opw_pose).collect();
+    group.bench_function("rs_opw_kinematics_inverse", |b| {
+        b.iter(|| black_box(&opw_poses).iter().map(|pose| opw.inverse(pose).len()).sum::<usize>());
+    });
     group.finish();
+}
+
+/// The arm in rs-opw-kinematics, which counts joints by the same formula.
+fn opw(geometry: &Geometry) -> OPWKinematics {
+    let Geometry { a1, a2, b, c1, c2, c3, c4, offset, sign } = geometry.clone();
+    let sign_corrections = sign.map(|sign| if sign < 0.0 { -1 } else { 1 });
+    OPWKinematics::new(Parameters { a1, a2, b, c1, c2, c3, c4, offsets: offset, sign_corrections, dof: 6 })
+}
+
+fn opw_pose(pose: &Pose) -> OpwPose {
+    let translation = DVec3::from_array(pose.translation.vector.into());
+    OpwPose::from_parts(translation, DQuat::from_array(pose.rotation.coords.into()))
 }
 
 fn one_thread() -> Criterion {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::geometry::Geometry;
-use crate::limits::Limits;
+use crate::limits::{Limits, ThirdAxis};
 use crate::plane::Elbow;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
@@ -142,7 +142,10 @@ fn wrist_angles(r: &Matrix3<f64>) -> (Vec<(Wrist, [f64; 3])>, bool) {
         let forwards = if 0.0 < r[(2, 2)] { r[(0, 0)] } else { -r[(0, 0)] };
         return (vec![(Wrist::NoFlip, [0.0, theta_5, r[(1, 0)].atan2(forwards)])], true);
     }
-    let (theta_4, theta_6) = (r[(1, 2)].atan2(r[(0, 2)]), r[(2, 1)].atan2(-r[(2, 0)]));
+    let theta_4 = r[(1, 2)].atan2(r[(0, 2)]);
+    // What joint 4 leaves, not the small last row: near a straight wrist both angles are uncertain, and their sum must not be.
+    let (s4, c4) = theta_4.sin_cos();
+    let theta_6 = (c4 * r[(1, 0)] - s4 * r[(0, 0)]).atan2(c4 * r[(1, 1)] - s4 * r[(0, 1)]);
     let no_flip = (Wrist::NoFlip, [theta_4, theta_5, theta_6]);
     let flip = (Wrist::Flip, [theta_4 + PI, -theta_5, theta_6 + PI]);
     (vec![no_flip, flip], false)
@@ -153,12 +156,29 @@ fn wrist_angles(r: &Matrix3<f64>) -> (Vec<(Wrist, [f64; 3])>, bool) {
 /// Every limit is judged in the coordinates in which it is stated: joints, the forearm's absolute angle, the angle
 /// between the links.
 pub fn within_limits(geometry: &Geometry, limits: &Limits, theta: &[f64; 6]) -> Option<[f64; 6]> {
-    limits.elbow.turn_to(PI - theta[2], SLACK)?;
+    let third = third_within_limits(geometry, limits, theta)?;
     let mut q = geometry.reported(theta, limits.third_axis);
+    q[2] = third;
     for (q, range) in q.iter_mut().zip(&limits.joints) {
         *q = range.turn_to(*q, SLACK)?;
     }
     Some(q)
+}
+
+/// What joint 3 reports, where its limit and that of the angle between the links allow it with one and the same number of
+/// whole turns: the forearm's absolute angle is the sum of two angles, each with an end.
+pub(crate) fn third_within_limits(geometry: &Geometry, limits: &Limits, theta: &[f64; 6]) -> Option<f64> {
+    let mut wound = *theta;
+    wound[2] = PI - limits.elbow.turn_to(PI - theta[2], SLACK)?;
+    if limits.third_axis == ThirdAxis::Forearm {
+        wound[1] = geometry.theta(1, limits.joints[1]).turn_to(theta[1], SLACK)?;
+    }
+    let third = geometry.reported(&wound, limits.third_axis)[2];
+    if limits.third_is_wound() {
+        limits.joints[2].contains(third, SLACK).then_some(third)
+    } else {
+        limits.joints[2].turn_to(third, SLACK)
+    }
 }
 
 /// Every posture of a pose that the limits of a robot allow: its class and the joint angles it reports, rad.

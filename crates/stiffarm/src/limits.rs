@@ -91,6 +91,16 @@ impl Range {
         Self::spanning(a * self.min + b, a * self.max + b)
     }
 
+    /// The same angles, counted whole turns apart so that the middle lies as near as it can to that of `other`; what both
+    /// share is then as wide as it can be. Itself where either is unbounded.
+    pub(crate) fn turned_towards(self, other: Self) -> Self {
+        if !(self.is_bounded() && other.is_bounded()) {
+            return self;
+        }
+        let turns = ((other.middle() - self.middle()) / (2.0 * PI)).round_ties_even();
+        self.affine(1.0, turns * 2.0 * PI)
+    }
+
     /// The sum of two independent values.
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
@@ -138,6 +148,14 @@ pub struct Limits {
     pub speeds: Option<[f64; 6]>,
 }
 
+impl Limits {
+    /// Other limits leave joint 3 no choice between angles that are whole turns apart.
+    pub(crate) fn third_is_wound(&self) -> bool {
+        let one_turn = |range: Range| range.width() < 2.0 * PI;
+        one_turn(self.elbow) && (self.third_axis == ThirdAxis::Elbow || one_turn(self.joints[1]))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -151,6 +169,20 @@ mod tests {
         let found = below.turn_to(0.0, 0.0).unwrap();
         assert!(found <= -10.0 && (found / (2.0 * PI)).fract().abs() < 1e-12);
         assert_eq!(Range::ALL.turn_to(7.0, 0.0), Some(7.0));
+    }
+
+    #[test]
+    fn a_range_is_turned_to_where_it_shares_most_with_another() {
+        let degrees = |min: f64, max: f64| Range::spanning(min.to_radians(), max.to_radians());
+        let close = |a: Range, b: Range| (a.min() - b.min()).abs() < 1e-12 && (a.max() - b.max()).abs() < 1e-12;
+        assert!(close(degrees(-411.0, -41.0).turned_towards(degrees(50.0, 720.0)), degrees(309.0, 679.0)));
+        assert!(close(degrees(1.0, 300.0).turned_towards(degrees(900.0, 1000.0)), degrees(721.0, 1020.0)));
+        // Half a turn apart both ways are as good, and less than that is none.
+        for stays in [degrees(-10.0, 10.0), degrees(-190.0, -150.0)] {
+            assert_eq!(stays.turned_towards(degrees(-100.0, 100.0)), stays);
+            assert_eq!(stays.turned_towards(Range::POSITIVE), stays);
+        }
+        assert_eq!(Range::ALL.turned_towards(degrees(0.0, 1.0)), Range::ALL);
     }
 
     #[test]

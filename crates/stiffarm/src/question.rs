@@ -41,7 +41,7 @@ pub struct Held {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unasked {
     /// A proof in space.
-    #[error("gap is of the planar model: the spatial search proves no bound")]
+    #[error("gap is of the planar model: the spatial search proves 1 % where it can")]
     Gap,
     /// On a table no side is the upper one.
     #[error(

@@ -127,9 +127,14 @@ impl Robot {
         }
         let enclosed = geometry.elbow(limits.elbow);
         let third = geometry.third(limits.joints[2], limits.third_axis);
+        let shoulder = geometry.shoulder(limits.joints[1]);
+        // Where a robot counts its zeros from may differ by whole turns from joint to joint.
         let (elbow, forearm) = match limits.third_axis {
-            ThirdAxis::Elbow => (enclosed.intersect(third).ok_or(NoArmPlane::Limits)?, Range::ALL),
-            ThirdAxis::Forearm => (enclosed, third),
+            ThirdAxis::Elbow => {
+                let elbow = third.turned_towards(enclosed).intersect(enclosed);
+                (elbow.ok_or(NoArmPlane::Limits)?, Range::ALL)
+            }
+            ThirdAxis::Forearm => (enclosed, third.turned_towards(shoulder.plus(enclosed))),
         };
         let arm = PlanarArm {
             l2: geometry.c2,
@@ -137,7 +142,7 @@ impl Robot {
             k2: drives.compliance.0[1],
             k3: drives.compliance.0[2],
             architecture: self.architecture,
-            shoulder: geometry.shoulder(limits.joints[1]),
+            shoulder,
             elbow,
             forearm,
         };

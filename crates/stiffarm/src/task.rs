@@ -91,6 +91,15 @@ impl Zone {
         }
     }
 
+    /// The point, m from the centre along the first and the second side, that a place in the square `-1..1` stands for:
+    /// the square is stretched onto a rectangle, and squares about its centre become circles on a disc.
+    pub fn at(self, [a, b]: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Rectangle { width, height } => [a * width / 2.0, b * height / 2.0],
+            Self::Circle { diameter } => disc(a, b).map(|part| part * diameter / 2.0),
+        }
+    }
+
     /// The figure in its own axes with its centre at `centre`.
     pub(crate) fn shape(self, centre: Vector2<f64>) -> Shape {
         match self {
@@ -182,6 +191,20 @@ impl FromStr for Task {
             _ => return Err(form()),
         };
         Ok(Self { label: text.trim().into(), zone })
+    }
+}
+
+/// The square `-1..1` onto the unit disc.
+fn disc(a: f64, b: f64) -> [f64; 2] {
+    let quarter = std::f64::consts::FRAC_PI_4;
+    if a == 0.0 && b == 0.0 {
+        [0.0, 0.0]
+    } else if b.abs() <= a.abs() {
+        let angle = quarter * b / a;
+        [a * angle.cos(), a * angle.sin()]
+    } else {
+        let angle = quarter * a / b;
+        [b * angle.sin(), b * angle.cos()]
     }
 }
 

@@ -183,6 +183,27 @@ fn metres_where_millimetres_are_wanted_are_recognised() {
 }
 
 #[test]
+fn a_whole_robot_in_metres_is_recognised_and_a_short_offset_is_none() {
+    let metres = [("a1", 0.35), ("a2", -4.1), ("c1", 0.675), ("c2", 1.15), ("c3", 1.2), ("c4", 0.215)];
+    let mut text = SIX_AXES.to_owned();
+    for (name, m) in metres {
+        text = with(&text, &format!("{name}_mm"), &format!("{name}_mm = {m}"));
+    }
+    let faults = refused(&text);
+    assert_eq!(faults.faults.len(), metres.len(), "{faults}");
+    assert!(faults.faults.iter().all(|fault| fault.message.contains("if this is in m, write")), "{faults}");
+    for mm in ["0.5", "-0.7", "1", "4.999"] {
+        let robot = read(&with(SIX_AXES, "b_mm", &format!("b_mm = {mm}")), "robot.toml").expect("a true offset");
+        let stiffarm::robot::Arm::SixAxis { geometry, .. } = robot.arm else { unreachable!("six axes") };
+        assert_eq!(geometry.b, mm.parse::<f64>().unwrap() / 1e3);
+    }
+    let spring =
+        "[compensator]\nbase_mm = [-0.5, 1.5]\narm_mm = [0, 3]\nstiffness_n_per_mm = 200\nfree_length_mm = 300\n";
+    let faults = refused(&format!("{SIX_AXES}\n{spring}"));
+    assert_eq!(faults.faults.len(), 3, "{faults}");
+}
+
+#[test]
 fn a_compliance_in_rad_is_recognised() {
     let soft = with(SIX_AXES, "drive", "drive_urad_per_nm = [1, 1e-6, 1, 1, 1, 1]");
     assert_fault(&soft, 25, "compliance.drive_urad_per_nm", &["urad/(N m)", "if this is in rad/(N m), write 1"]);

@@ -630,3 +630,13 @@ fn speeds_are_taken_where_every_joint_has_one() {
         assert!(imported.notes.join("\n").contains("not every joint has a speed"), "{:?}", imported.notes);
     }
 }
+
+#[test]
+fn a_true_offset_below_five_millimetres_is_imported() {
+    for metres in ["0.0006", "-0.002", "0.0049"] {
+        let text = replaced(EXAMPLE, r#"<origin xyz="0.3 0 0.2"/>"#, &format!(r#"<origin xyz="{metres} 0 0.2"/>"#));
+        let imported = import(&text, "x.urdf", &ImportOptions::default()).unwrap();
+        // Written in mm and read back: a rounding or two.
+        assert!((geometry(&imported).a1 - metres.parse::<f64>().unwrap()).abs() < 1e-15, "{}", imported.text);
+    }
+}

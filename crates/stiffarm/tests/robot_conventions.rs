@@ -481,3 +481,27 @@ fn another_coupling_of_the_arm_has_no_planar_model_and_says_so() {
     let robot = read(&text, "x.toml").unwrap();
     assert!(robot.arm_plane().unwrap_err().to_string().contains("spatial"));
 }
+
+/// The forearm of a parallelogram may turn a full circle; the zeros of the joints 2 and 3 may lie whole turns apart.
+#[test]
+fn whole_turns_between_the_zeros_of_joints_change_nothing() {
+    let limits = |third_axis: &str| {
+        file_with(&format!("third_axis = \"{third_axis}\"\nelbow_deg = [1, 300]\n"))
+            .replace("[-60, 80], [-20, 150]", "[-185, 185], [-185, 185]")
+    };
+    let zone = Zone::Rectangle { width: 0.4, height: 0.2 };
+    for third_axis in ["forearm", "elbow"] {
+        let text = limits(third_axis).replace("offset_deg = [0, 0, 0", "offset_deg = [0, 325, -316");
+        let value = |second: i32, third: i32| {
+            let offsets = format!("[0, {}, {}", 325 + 360 * second, -316 + 360 * third);
+            let robot = read(&text.replace("[0, 325, -316", &offsets), "x.toml").unwrap();
+            let placed = place_robot(&robot, zone, &PlaceOptions::paper(1000.0)).unwrap();
+            placed.feasible().unwrap().deflection
+        };
+        let expected = value(0, 0);
+        for (second, third) in [(-1, 0), (0, 1), (-1, 1), (1, -1), (-2, 2)] {
+            let found = value(second, third);
+            assert!((found / expected - 1.0).abs() < 2e-4, "{third_axis}, {second}, {third}: {found} {expected}");
+        }
+    }
+}

@@ -15,15 +15,18 @@ use crate::selection;
 use crate::table::{Table, fixed};
 
 pub(crate) fn run(args: &ComplianceArgs, common: &Common) -> Result<(), Failure> {
-    let robot = selection::robot(&args.robot)?;
+    let robot = selection::robot(&args.robot, common)?;
     let q: [f64; 6] = args.joints_deg.as_slice().try_into().map_err(|_| {
         Failure::Usage(format!("--joints-deg has {} angles; expected six, separated by commas", args.joints_deg.len()))
     })?;
     let tool = args.tool_mm.unwrap_or_else(Pose::identity);
     let force = match *args.force_n.as_slice() {
         [] => None,
-        [x, y, z] if [x, y, z].iter().all(|n: &f64| n.abs() <= 1e6) => Some(Vector3::new(x, y, z)),
-        _ => return Err(Failure::Usage("--force-n takes x,y,z in N, each at most 1e6".into())),
+        [x, y, z] => Some(Vector3::new(x, y, z)),
+        ref parts => {
+            let count = parts.len();
+            return Err(Failure::Usage(format!("--force-n has {count} numbers; expected three: x,y,z in N")));
+        }
     };
     let radians = q.map(f64::to_radians);
     let posture =

@@ -4,6 +4,7 @@ use serde_json::Value;
 use stiffarm::limits::Range;
 use stiffarm::map::{Component, Direction, Map, MapError, MapOptions, Spacing, map, reached_box, stiffest_posture};
 use stiffarm::place::{PlaceOptions, Placement, Within, find_robot};
+use stiffarm::plane::PlanarArm;
 use stiffarm::question::Angle;
 use stiffarm::report;
 use stiffarm::robot::{Arm, ArmPlane, Robot};
@@ -12,7 +13,8 @@ use stiffarm::task::Task;
 use super::spatial;
 use crate::args::{Common, MapArgs, Part};
 use crate::failure::Failure;
-use crate::figures::map::{MapFigure, ZoneMark, outline};
+use crate::figures::map::MapFigure;
+use crate::figures::scene::{Scene, ZoneMark, links, rim};
 use crate::figures::view3d::{ArmMark, Cell, Sheet, View, Zone};
 use crate::output::{Answer, deliver, figure};
 use crate::selection;
@@ -25,7 +27,7 @@ pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     if args.zone.is_none() && (args.placing.within.is_some() || args.placing.angle != Angle::Axes) {
         return Err(Failure::Usage("--within and --angle place a zone: give --zone with them".into()));
     }
-    let robot = selection::robot(&args.robot)?;
+    let robot = selection::robot(&args.robot, common)?;
     if args.space.is_spatial()? {
         return spatial::map::run(robot, args, common);
     }
@@ -128,8 +130,7 @@ impl MapAnswer {
     fn mark(&self) -> Option<ZoneMark> {
         self.zone.as_ref().map(|(task, placement)| ZoneMark {
             zone: task.zone,
-            centre: placement.centre,
-            angle: placement.angle,
+            rim: rim(task.zone, placement.centre, placement.angle),
             worst_point: placement.worst_point,
             label: format!("{}: {:.3} mm at worst", task.label, placement.deflection * 1e3),
         })
@@ -145,7 +146,7 @@ impl MapAnswer {
         let [axis_x, axis_z] = plane.axis_from_base;
         let at = |[x, z]: [f64; 2]| [x + axis_x, y, z + axis_z];
         let zone = self.zone.as_ref().zip(self.mark()).map(|((_, placement), mark)| Zone {
-            rim: outline(&mark).into_iter().map(at).collect(),
+            rim: mark.rim.iter().copied().map(at).collect(),
             worst: Some(Cell { at: at(mark.worst_point), mm: Some(placement.deflection * 1e3) }),
             label: mark.label,
             sheet: None,
@@ -170,16 +171,22 @@ impl MapAnswer {
 
     pub(crate) fn figure(&self) -> Result<String, Failure> {
         let robot = &self.robot;
-        let base = (self.plane.axis_from_base != [0.0; 2]).then_some(self.plane.axis_from_base);
+        let PlanarArm { l2, l3, .. } = self.plane.arm;
         let figure_of_map = MapFigure {
             title: robot.full_name(),
             subtitle: self.subtitle(),
             map: &self.map,
-            arm: &self.plane.arm,
-            posture: self.posture(),
-            base,
-            zone: self.mark(),
+            edge: Some(&self.plane.arm),
+            scene: Scene {
+                axis: [0.0; 2],
+                links: self.posture().map_or_else(Vec::new, |posture| links(&self.plane.arm, posture)),
+                link: f64::midpoint(l2, l3),
+                base: self.floor().then_some(self.plane.axis_from_base.map(|part| -part)),
+                zone: self.mark(),
+            },
             colour_label: format!("{} [mm]", self.what()),
+            origin: "the joint-2 axis",
+            face: None,
         };
         figure_of_map.svg().map_err(figure)
     }

@@ -16,7 +16,7 @@ use crate::selection;
 use crate::table::{Table, fixed, full};
 
 pub(crate) fn run(args: &PlaceArgs, common: &Common) -> Result<(), Failure> {
-    let robot = selection::robot(&args.robot)?;
+    let robot = selection::robot(&args.robot, common)?;
     if args.space.is_spatial()? {
         return spatial::place::run(robot, args, common);
     }

@@ -36,7 +36,8 @@ pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
             "--angle horizontal or vertical means the long side of one task; give one --task with it".into(),
         ));
     }
-    let robots = args.filters.keep(selection::robots(&args.robots)?, &[]).map_err(|failure| widened(failure, args))?;
+    let robots = selection::robots(&args.robots, common)?;
+    let robots = args.filters.keep(robots, &[]).map_err(|failure| widened(failure, args))?;
     let tasks = distinct(&args.tasks);
     let first = args.tasks.first().ok_or_else(|| Failure::Usage("no task to rank for; give --task".into()))?;
     if args.space.is_spatial()? {

@@ -19,8 +19,8 @@ pub(crate) fn run(args: &RobotsArgs, common: &Common) -> Result<(), Failure> {
     match &args.action {
         None => list(&[], &Filters::default(), common),
         Some(RobotsAction::List { text, filters }) => list(text, filters, common),
-        Some(RobotsAction::Show { robot }) => deliver(&Sheet(selection::robot(robot)?), common),
-        Some(RobotsAction::Check { files }) => check(files),
+        Some(RobotsAction::Show { robot }) => deliver(&Sheet(selection::robot(robot, common)?), common),
+        Some(RobotsAction::Check { files }) => check(files, common),
         Some(RobotsAction::Import(args)) => super::import::run(args, common),
     }
 }
@@ -30,7 +30,7 @@ fn list(words: &[String], filters: &Filters, common: &Common) -> Result<(), Fail
 }
 
 /// Reads every file, and reports the faults of all of them, and what is doubtful about the rest.
-fn check(files: &[std::path::PathBuf]) -> Result<(), Failure> {
+fn check(files: &[std::path::PathBuf], common: &Common) -> Result<(), Failure> {
     let mut bad = 0;
     let mut all = Vec::new();
     for path in files {
@@ -41,7 +41,7 @@ fn check(files: &[std::path::PathBuf]) -> Result<(), Failure> {
         }
     }
     for file in &all {
-        match selection::read_file(file) {
+        match selection::read_file(file, common) {
             Ok(robot) => {
                 print(&format!("{}: {} can be used\n", file.display(), robot.full_name()))?;
                 for doubt in doubts(&robot) {

@@ -2,16 +2,15 @@
 
 use stiffarm::map::Map;
 use stiffarm::plane::{ElbowSide, PlanarArm};
-use stiffarm::task::Zone;
 
 use super::axes::{Frame, heading};
 use super::bands::{Bands, Field};
 use super::canvas::{Canvas, Font, rect_path};
 use super::contour::{Grid, Line, Node, area};
+use super::face::FaceFigure;
 use super::labels::Spots;
 use super::legend::Legend;
 use super::scene::Scene;
-pub(crate) use super::scene::outline;
 use super::{FigureError, WIDTH};
 
 /// No more grid points per side are drawn: finer than the pixels of a large print.
@@ -19,20 +18,6 @@ const MOST_POINTS: usize = 800;
 
 /// The edge of the mapped area is sought on at least this many points per side.
 const EDGE_POINTS: usize = 300;
-
-/// A zone at its place.
-pub(crate) struct ZoneMark {
-    /// What stands there.
-    pub zone: Zone,
-    /// Its centre, m from the joint-2 axis.
-    pub centre: [f64; 2],
-    /// Angle of the first side, rad.
-    pub angle: f64,
-    /// Where the deflection is largest, m from the joint-2 axis.
-    pub worst_point: [f64; 2],
-    /// Its entry in the legend.
-    pub label: String,
-}
 
 /// A map with what it is needed for.
 pub(crate) struct MapFigure<'a> {
@@ -42,23 +27,23 @@ pub(crate) struct MapFigure<'a> {
     pub subtitle: String,
     /// Deflections, m; drawn in mm.
     pub map: &'a Map,
-    /// The arm that was mapped; it says where exactly the mapped area ends.
-    pub arm: &'a PlanarArm,
-    /// Shoulder and elbow angle, rad, in which the arm is drawn.
-    pub posture: Option<(f64, f64)>,
-    /// The joint-2 axis from the base, m; with it base and floor are drawn, where it stands 5 cm or more above them.
-    pub base: Option<[f64; 2]>,
-    /// Where the work stands.
-    pub zone: Option<ZoneMark>,
+    /// The arm whose plane was mapped, where it says exactly where the mapped area ends.
+    pub edge: Option<&'a PlanarArm>,
+    /// Arm, base and zone in the axes of the map.
+    pub scene: Scene,
     /// What the colours mean, with the unit mm.
     pub colour_label: String,
+    /// What lengths are measured from.
+    pub origin: &'static str,
+    /// The zone seen along the tool axis, below the map.
+    pub face: Option<FaceFigure>,
 }
 
 impl MapFigure<'_> {
     /// The figure as SVG text.
     #[expect(clippy::unnecessary_wraps, reason = "all figures are called alike")]
     pub(crate) fn svg(&self) -> Result<String, FigureError> {
-        let scene = self.scene();
+        let scene = &self.scene;
         let legend = Legend::new(scene.entries(), WIDTH - 80.0, 4);
         let mut canvas = Canvas::new(WIDTH, 0.0);
         let top = heading(&mut canvas, &self.title, &self.subtitle) + 16.0;
@@ -73,14 +58,14 @@ impl MapFigure<'_> {
             scene.draw_arm(canvas, &frame);
             scene.draw_worst_point(canvas, &frame);
         });
-        frame.draw(&mut canvas, "x from the joint-2 axis [m]", "z from the joint-2 axis [m]");
+        frame.draw(&mut canvas, &format!("x from {} [m]", self.origin), &format!("z from {} [m]", self.origin));
         legend.draw(&mut canvas, [40.0, bottom + 52.0]);
         canvas.height = bottom + 66.0 + legend.height();
+        if let Some(face) = &self.face {
+            let top = canvas.height + 10.0;
+            canvas.height = face.draw(&mut canvas, top);
+        }
         Ok(canvas.finish())
-    }
-
-    fn scene(&self) -> Scene<'_> {
-        Scene { arm: self.arm, posture: self.posture, base: self.base, zone: self.zone.as_ref() }
     }
 
     /// Left bottom and right top of what is mapped, with a margin, m; of the whole grid where nothing is reached.
@@ -128,9 +113,9 @@ impl MapFigure<'_> {
             frame.at(x, z)
         };
         let bands = Bands::of(extremes);
-        let region = region(&grid, self.arm, &metres);
+        let region = self.edge.map_or_else(|| grid.smooth_outline(), |arm| region(&grid, arm, &metres));
         let mut spots = Spots::default();
-        for line in self.scene().covered(frame) {
+        for line in self.scene.covered(frame) {
             spots.take(&line, 9.0);
         }
         Field { grid: &grid, region: &region, bands, at: &at }.draw(canvas, Font::new(12.0), &mut spots);
@@ -197,7 +182,10 @@ mod tests {
     use stiffarm::limits::Range;
     use stiffarm::map::{self, Component, Direction, MapOptions};
 
+    use stiffarm::task::Zone;
+
     use super::super::png;
+    use super::super::scene::{ZoneMark, links, rim};
     use super::*;
 
     fn arm() -> PlanarArm {
@@ -211,17 +199,21 @@ mod tests {
         map::map(arm, &MapOptions { x: axis, z: axis, force: 1e3, direction, elbow: None }).unwrap()
     }
 
+    fn scene(arm: &PlanarArm) -> Scene {
+        Scene { axis: [0.0; 2], links: Vec::new(), link: f64::midpoint(arm.l2, arm.l3), base: None, zone: None }
+    }
+
     fn figure<'a>(map: &'a Map, arm: &'a PlanarArm) -> MapFigure<'a> {
         let (title, subtitle) = ("t <&\"> ".repeat(60), String::new());
         MapFigure {
             title,
             subtitle,
             map,
-            arm,
-            posture: None,
-            base: None,
-            zone: None,
+            edge: Some(arm),
+            scene: scene(arm),
             colour_label: "worst [mm]".into(),
+            origin: "the joint-2 axis",
+            face: None,
         }
     }
 
@@ -258,22 +250,35 @@ mod tests {
             let zone = Zone::Rectangle { width: 0.2, height: 0.4 };
             let mark = |x: f64| ZoneMark {
                 zone,
-                centre: [x, 0.5],
-                angle: 0.3,
+                rim: rim(zone, [x, 0.5], 0.3),
                 worst_point: [x, 0.5],
                 label: "<B>".repeat(90),
             };
             let plain = figure(map, &arm);
             let full = MapFigure {
-                zone: Some(mark(1.0)),
-                posture: Some((1.0, -1.0)),
-                base: Some([0.3, 0.7]),
+                scene: Scene {
+                    zone: Some(mark(1.0)),
+                    links: links(&arm, (1.0, -1.0)),
+                    base: Some([-0.3, -0.7]),
+                    ..scene(&arm)
+                },
+                face: Some(FaceFigure {
+                    zone,
+                    cells: vec![Some(0.5); 9],
+                    per_side: 3,
+                    angle: 0.4,
+                    up: "ahead",
+                    colour_label: "worst [mm]".into(),
+                }),
                 ..figure(map, &arm)
             };
             let lost = MapFigure {
-                zone: Some(mark(f64::NAN)),
-                posture: Some((f64::NAN, 0.0)),
-                base: Some([f64::INFINITY; 2]),
+                scene: Scene {
+                    zone: Some(mark(f64::NAN)),
+                    links: links(&arm, (f64::NAN, 0.0)),
+                    base: Some([f64::INFINITY; 2]),
+                    ..scene(&arm)
+                },
                 ..figure(map, &arm)
             };
             for figure in [plain, full, lost] {

@@ -9,7 +9,7 @@ use super::canvas::{Canvas, Px, path, rect_path};
 use super::contour::Node;
 use super::legend::{Entry, Legend};
 use super::map::edge;
-use super::scene::Scene;
+use super::scene::{Scene, links};
 use super::{FigureError, WIDTH};
 
 /// The edge is sought on so many points along the longer side.
@@ -43,7 +43,13 @@ impl ReachFigure<'_> {
         let nothing = |_| FigureError::Nothing("the arm reaches nothing");
         let [x, z] = reached_box(self.arm).map_err(nothing)?;
         let sides = self.arm.sides().map_err(|error| nothing(error.into()))?;
-        let scene = Scene { arm: self.arm, posture: usual_posture(self.arm), base: self.base, zone: None };
+        let scene = Scene {
+            axis: [0.0; 2],
+            links: usual_posture(self.arm).map_or_else(Vec::new, |posture| links(self.arm, posture)),
+            link: f64::midpoint(self.arm.l2, self.arm.l3),
+            base: self.base.map(|axis| axis.map(|part| -part)),
+            zone: None,
+        };
         let mut canvas = Canvas::new(WIDTH, 0.0);
         let top = heading(&mut canvas, &self.title, &self.subtitle) + 16.0;
         let margin = 0.04 * x.width().max(z.width());

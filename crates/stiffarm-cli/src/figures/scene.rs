@@ -8,35 +8,53 @@ use stiffarm::task::Zone;
 use super::axes::{Axis, Frame};
 use super::canvas::{Canvas, Px, path};
 use super::legend::Entry;
-use super::map::ZoneMark;
 use super::{ALARM, INK, marks};
 
 const LINK: &str = "#ececec";
 const HALO: &str = r#"fill="none" stroke="white" stroke-opacity="0.9" stroke-width="5" stroke-linejoin="round""#;
 const CROSS: &str = r#"stroke-linecap="round" fill="none""#;
 
-/// What is drawn over a map or a reached set.
-pub(super) struct Scene<'a> {
-    pub arm: &'a PlanarArm,
-    /// Shoulder and elbow angle, rad, in which the arm is drawn.
-    pub posture: Option<(f64, f64)>,
-    /// The joint-2 axis from the base, m.
+/// What is drawn over a map or a reached set; lengths in m in the axes of the diagram.
+pub(crate) struct Scene {
+    /// The joint-2 axis.
+    pub axis: [f64; 2],
+    /// Elbow, wrist centre, and from there on to the tool point; nothing where no arm is drawn.
+    pub links: Vec<[f64; 2]>,
+    /// The length of a link, for the size of the base.
+    pub link: f64,
+    /// Where the joint-1 axis meets the floor; base and floor are drawn where the joint-2 axis is 5 cm or more above.
     pub base: Option<[f64; 2]>,
-    pub zone: Option<&'a ZoneMark>,
+    /// Where the work stands.
+    pub zone: Option<ZoneMark>,
 }
 
-impl Scene<'_> {
+/// A zone at its place, as it is seen in a diagram.
+pub(crate) struct ZoneMark {
+    /// What stands there.
+    pub zone: Zone,
+    /// Its rim as a closed line, see [`rim`].
+    pub rim: Vec<[f64; 2]>,
+    /// Where the deflection is largest.
+    pub worst_point: [f64; 2],
+    /// Its entry in the legend.
+    pub label: String,
+}
+
+/// Elbow and wrist centre of an arm with its joint-2 axis at the origin, at shoulder and elbow angle, rad.
+pub(crate) fn links(arm: &PlanarArm, (shoulder, elbow): (f64, f64)) -> Vec<[f64; 2]> {
+    vec![[arm.l2 * shoulder.cos(), arm.l2 * shoulder.sin()], arm.forward(shoulder, elbow).into()]
+}
+
+impl Scene {
     /// A frame below `top` px with equal scales on both axes, around `shown` (m) and everything of the scene.
     pub(super) fn frame(&self, mut shown: Vec<[f64; 2]>, top: f64) -> Frame {
-        let room = 0.12 * (self.arm.l2 + self.arm.l3);
-        shown.extend(
-            self.joints().into_iter().flatten().flat_map(|[x, z]| [[x - room, z - room], [x + room, z + room]]),
-        );
+        let room = 0.24 * self.link;
+        shown.extend(self.joints().into_iter().flat_map(|[x, z]| [[x - room, z - room], [x + room, z + room]]));
         if let Some([x, z]) = self.standing() {
             let size = self.base_size();
-            shown.extend([[-x - 0.45 * size, -z - 0.15 * size], [-x + 0.45 * size, room]]);
+            shown.extend([[x - 0.45 * size, z - 0.15 * size], [x + 0.45 * size, self.axis[1] + room]]);
         }
-        shown.extend(self.zone.into_iter().flat_map(outline));
+        shown.extend(self.zone.iter().flat_map(|mark| mark.rim.iter().copied()));
         shown.retain(|point| point.iter().all(|x| x.is_finite()));
         let ends = |k: usize| {
             let values = shown.iter().map(|point| point[k]);
@@ -60,21 +78,20 @@ impl Scene<'_> {
         Frame { x: Axis::new(x.0, x.1, [left, left + width]), y: Axis::new(z.0, z.1, [top + height, top]) }
     }
 
-    /// Joint-2 axis, elbow and wrist centre, m.
-    pub(super) fn joints(&self) -> Option<[[f64; 2]; 3]> {
-        let (shoulder, elbow) = self.posture?;
-        let wrist = self.arm.forward(shoulder, elbow);
-        Some([[0.0; 2], [self.arm.l2 * shoulder.cos(), self.arm.l2 * shoulder.sin()], [wrist[0], wrist[1]]])
+    /// The joint-2 axis and what follows it; nothing where no arm is drawn.
+    fn joints(&self) -> Vec<[f64; 2]> {
+        let axis = (!self.links.is_empty()).then_some(self.axis);
+        axis.into_iter().chain(self.links.iter().copied()).collect()
     }
 
-    /// The joint-2 axis from the base, where it stands above one.
-    pub(super) fn standing(&self) -> Option<[f64; 2]> {
-        self.base.filter(|[x, z]| x.is_finite() && 0.05 < *z && z.is_finite())
+    /// The base, where there is one below the joint-2 axis.
+    fn standing(&self) -> Option<[f64; 2]> {
+        self.base.filter(|[x, z]| x.is_finite() && z.is_finite() && 0.05 < self.axis[1] - z)
     }
 
     /// A small arm stands on a small base; 1 for the heavy ones.
     fn base_size(&self) -> f64 {
-        f64::midpoint(self.arm.l2, self.arm.l3).clamp(0.1, 1.0)
+        self.link.clamp(0.1, 1.0)
     }
 
     /// What labels keep clear of.
@@ -82,19 +99,19 @@ impl Scene<'_> {
         let placed = |points: &[[f64; 2]]| points.iter().map(|[x, z]| frame.at(*x, *z)).collect::<Vec<_>>();
         let [[left, bottom], [right, top]] = frame.corners();
         let mut lines = vec![vec![[left, bottom], [right, bottom], [right, top], [left, top], [left, bottom]]];
-        lines.extend(self.joints().map(|joints| placed(&joints)));
-        lines.extend(self.standing().map(|[x, z]| placed(&[[-x, -z], [-x, 0.0], [0.0, 0.0]])));
-        if let Some(mark) = self.zone {
-            lines.push(placed(&outline(mark)));
+        lines.push(placed(&self.joints()));
+        lines.extend(self.standing().map(|[x, z]| placed(&[[x, z], [x, self.axis[1]], self.axis])));
+        if let Some(mark) = &self.zone {
+            lines.push(placed(&mark.rim));
             lines.push(placed(&[mark.worst_point; 2]));
         }
         lines
     }
 
     pub(super) fn floor(&self, canvas: &mut Canvas, frame: &Frame) {
-        let Some([_, height]) = self.standing() else { return };
+        let Some([_, floor]) = self.standing() else { return };
         let [[left, bottom], [right, _]] = frame.corners();
-        let y = frame.y.at(-height);
+        let y = frame.y.at(floor);
         for i in 0..=((right - left) / 12.0) as usize {
             let x = left + 12.0 * i as f64;
             canvas.line([x, y + 9.0], [x + 9.0, y], r##"stroke="#999999" stroke-width="0.8""##);
@@ -107,63 +124,58 @@ impl Scene<'_> {
     /// A foot, and a column that leans from the joint-1 axis to the joint-2 axis; half transparent, as the map goes on behind.
     pub(super) fn draw_base(&self, canvas: &mut Canvas, frame: &Frame) {
         let Some([x, z]) = self.standing() else { return };
-        let foot = (0.12 * z.abs()).min(0.1);
+        let [ahead, height] = [self.axis[0] - x, self.axis[1] - z];
+        let foot = (0.12 * height).min(0.1);
         let [half, waist, head] = [0.4, 0.28, 0.1].map(|width| width * self.base_size());
         let points = [
-            [-x - half, -z],
-            [-x + half, -z],
-            [-x + half, -z + foot],
-            [-x + waist, -z + foot],
-            [1.2 * head, -0.5 * head],
-            [head, head],
-            [-head, head],
-            [-x - waist, -z + foot],
-            [-x - half, -z + foot],
+            [-half, 0.0],
+            [half, 0.0],
+            [half, foot],
+            [waist, foot],
+            [ahead + 1.2 * head, height - 0.5 * head],
+            [ahead + head, height + head],
+            [ahead - head, height + head],
+            [-waist, foot],
+            [-half, foot],
         ];
-        let placed = points.map(|[x, z]| frame.at(x, z));
+        let placed = points.map(|[right, up]| frame.at(x + right, z + up));
         let look =
             format!(r##"fill="#b8b8b8" fill-opacity="0.7" stroke="{INK}" stroke-width="1.2" stroke-linejoin="round""##);
         canvas.path(&path(&placed, true), &look);
     }
 
     pub(super) fn draw_zone(&self, canvas: &mut Canvas, frame: &Frame) {
-        let Some(mark) = self.zone else { return };
-        let points: Vec<Px> = outline(mark).into_iter().map(|[x, z]| frame.at(x, z)).collect();
-        let d = path(&points, true);
-        canvas.path(&d, HALO);
-        canvas.path(&d, &format!(r#"fill="none" stroke="{ALARM}" stroke-width="2.5" stroke-linejoin="round""#));
+        if let Some(mark) = &self.zone {
+            draw_rim(canvas, &mark.rim.iter().map(|[x, z]| frame.at(*x, *z)).collect::<Vec<_>>());
+        }
     }
 
     pub(super) fn draw_arm(&self, canvas: &mut Canvas, frame: &Frame) {
-        if let Some(joints) = self.joints() {
-            let joints = joints.map(|[x, z]| frame.at(x, z));
-            for (from, to, width) in [(joints[1], joints[2], 11.0), (joints[0], joints[1], 15.0)] {
-                for (colour, width) in [(INK, width), (LINK, width - 3.0)] {
-                    canvas.line(
-                        from,
-                        to,
-                        &format!(r#"stroke="{colour}" stroke-width="{width}" stroke-linecap="round""#),
-                    );
-                }
-            }
-            for (joint, radius) in [(joints[1], 5.0), (joints[2], 4.0)] {
-                canvas.circle(joint, radius, &format!(r#"fill="white" stroke="{INK}" stroke-width="2""#));
+        let joints: Vec<Px> = self.joints().iter().map(|[x, z]| frame.at(*x, *z)).collect();
+        // Upper arm, forearm, hand, tool; the nearer to the base the nearer to the eye.
+        for (link, width) in joints.windows(2).zip([15.0, 11.0, 8.0, 5.0]).rev() {
+            for (colour, width) in [(INK, width), (LINK, width - 3.0)] {
+                let look = format!(r#"stroke="{colour}" stroke-width="{width}" stroke-linecap="round""#);
+                canvas.line(link[0], link[1], &look);
             }
         }
-        let axis = frame.at(0.0, 0.0);
+        for (joint, radius) in joints.iter().skip(1).zip([5.0, 4.0]) {
+            canvas.circle(*joint, radius, &format!(r#"fill="white" stroke="{INK}" stroke-width="2""#));
+        }
+        let axis = frame.at(self.axis[0], self.axis[1]);
         canvas.circle(axis, 6.0, &format!(r#"fill="white" stroke="{INK}" stroke-width="2""#));
         canvas.circle(axis, 2.0, &format!(r#"fill="{INK}""#));
     }
 
     pub(super) fn draw_worst_point(&self, canvas: &mut Canvas, frame: &Frame) {
-        if let Some(mark) = self.zone {
+        if let Some(mark) = &self.zone {
             worst_mark(canvas, frame.at(mark.worst_point[0], mark.worst_point[1]));
         }
     }
 
     pub(super) fn entries(&self) -> Vec<Entry> {
         let mut entries = Vec::new();
-        if let Some(mark) = self.zone {
+        if let Some(mark) = &self.zone {
             let zone = mark.zone;
             entries.push(Entry::new(mark.label.clone(), move |canvas, [x, y]| {
                 let look = format!(r#"fill="none" stroke="{ALARM}" stroke-width="2.5""#);
@@ -174,8 +186,10 @@ impl Scene<'_> {
             }));
             entries.push(Entry::new("worst point of the zone", worst_mark));
         }
-        if self.posture.is_some() {
-            entries.push(Entry::new("upper arm and forearm", |canvas, [x, y]| {
+        if !self.links.is_empty() {
+            let text =
+                if self.links.len() == 2 { "upper arm and forearm" } else { "the arm, seen from its right side" };
+            entries.push(Entry::new(text, |canvas, [x, y]| {
                 for (colour, width) in [(INK, 11.0), (LINK, 8.0)] {
                     let look = format!(r#"stroke="{colour}" stroke-width="{width}" stroke-linecap="round""#);
                     canvas.line([x - 12.0, y], [x + 12.0, y], &look);
@@ -190,22 +204,29 @@ impl Scene<'_> {
     }
 }
 
-fn worst_mark(canvas: &mut Canvas, at: Px) {
+/// The rim of a zone, px.
+pub(super) fn draw_rim(canvas: &mut Canvas, points: &[Px]) {
+    let d = path(points, true);
+    canvas.path(&d, HALO);
+    canvas.path(&d, &format!(r#"fill="none" stroke="{ALARM}" stroke-width="2.5" stroke-linejoin="round""#));
+}
+
+pub(super) fn worst_mark(canvas: &mut Canvas, at: Px) {
     marks::cross(canvas, at, 6.5, &format!(r#"{CROSS} stroke="white" stroke-width="7""#));
     marks::cross(canvas, at, 6.5, &format!(r#"{CROSS} stroke="{INK}" stroke-width="3.2""#));
 }
 
-/// The rim of a zone as a closed line, m.
-pub(crate) fn outline(mark: &ZoneMark) -> Vec<[f64; 2]> {
-    let own: Vec<[f64; 2]> = match mark.zone {
+/// The rim of a zone as a closed line, m, with its centre and the angle of its first side, rad.
+pub(crate) fn rim(zone: Zone, centre: [f64; 2], angle: f64) -> Vec<[f64; 2]> {
+    let own: Vec<[f64; 2]> = match zone {
         Zone::Circle { diameter } => (0..=72)
             .map(|i| (TAU * f64::from(i) / 72.0).sin_cos())
             .map(|(s, c)| [diameter / 2.0 * c, diameter / 2.0 * s])
             .collect(),
-        Zone::Rectangle { width, height } => [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (1.0, 1.0)]
-            .map(|(x, z)| [x * width / 2.0, z * height / 2.0])
-            .to_vec(),
+        Zone::Rectangle { .. } => {
+            [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0], [1.0, 1.0]].map(|corner| zone.at(corner)).to_vec()
+        }
     };
-    let (s, c) = mark.angle.sin_cos();
-    own.into_iter().map(|[x, z]| [mark.centre[0] + c * x - s * z, mark.centre[1] + s * x + c * z]).collect()
+    let (s, c) = angle.sin_cos();
+    own.into_iter().map(|[x, z]| [centre[0] + c * x - s * z, centre[1] + s * x + c * z]).collect()
 }

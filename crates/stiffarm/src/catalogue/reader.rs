@@ -173,6 +173,16 @@ impl<'a, 'i> Table<'a, 'i> {
         }
     }
 
+    /// The largest of all numbers under these keys, signs left out; zero where there are none.
+    pub(super) fn largest(&self, keys: &[&str]) -> f64 {
+        let values = keys.iter().filter_map(|key| self.entries?.get(*key));
+        let each = values.flat_map(|value| match value.get_ref() {
+            DeValue::Array(items) => items.iter().filter_map(|item| number(item.get_ref())).collect(),
+            value => number(value).into_iter().collect::<Vec<_>>(),
+        });
+        each.map(f64::abs).fold(0.0, f64::max)
+    }
+
     /// Exactly `N` numbers, or none at all; the outer `None` is a fault, the inner an absent key.
     pub(super) fn optional_numbers<const N: usize>(
         &mut self,

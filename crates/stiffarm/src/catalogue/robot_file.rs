@@ -13,9 +13,11 @@ use crate::limits::{Limits, Range, ThirdAxis};
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, NoArmPlane, Robot, Status};
 
-const METRES: Option<(f64, f64, &str)> = Some((5.0, 1e3, "m"));
 const LINK: Quantity = Quantity { unit: "mm", min: 20.0, max: 10_000.0, suspect: Some((20.0, 1e3, "m")) };
-const LENGTH: Quantity = Quantity { unit: "mm", min: -10_000.0, max: 10_000.0, suspect: METRES };
+/// A true offset may be short, but not so short that it moves nothing that matters.
+const LENGTH: Quantity = Quantity { unit: "mm", min: -10_000.0, max: 10_000.0, suspect: Some((0.5, 1e3, "m")) };
+/// Where no length of a group reaches this, mm, all of them are in metres: no arm is so small.
+const LARGEST_IN_METRES: f64 = 20.0;
 const ANGLE: Quantity = Quantity { unit: "deg", min: -1080.0, max: 1080.0, suspect: None };
 const SIGN: Quantity = Quantity { unit: "(+1 or -1)", min: -1.0, max: 1.0, suspect: None };
 const ENCLOSED: Quantity = Quantity { unit: "deg", min: 0.0, max: 360.0, suspect: None };
@@ -197,8 +199,9 @@ fn drives(root: &mut Table, architecture: Option<Architecture>) -> Option<Drives
 }
 
 fn compensator(mut table: Table) -> Option<GravityCompensator> {
-    let base = table.numbers("base_mm", LENGTH);
-    let arm = table.numbers("arm_mm", LENGTH);
+    let length = length_beside(&table, &["base_mm", "arm_mm"]);
+    let base = table.numbers("base_mm", length);
+    let arm = table.numbers("arm_mm", length);
     let stiffness = table.number("stiffness_n_per_mm", SPRING);
     let free_length = table.number("free_length_mm", SPRING_LENGTH);
     table.finish(&[]);
@@ -211,11 +214,18 @@ fn compensator(mut table: Table) -> Option<GravityCompensator> {
     })
 }
 
+/// What a length may be in a table that has lengths under these keys: all of them say in which unit they are.
+fn length_beside(table: &Table, keys: &[&str]) -> Quantity {
+    let in_metres = table.largest(keys) < LARGEST_IN_METRES;
+    if in_metres { Quantity { suspect: Some((LARGEST_IN_METRES, 1e3, "m")), ..LENGTH } } else { LENGTH }
+}
+
 fn geometry(mut table: Table) -> Option<Geometry> {
+    let offset = length_beside(&table, &["a1_mm", "a2_mm", "b_mm", "c1_mm", "c2_mm", "c3_mm", "c4_mm"]);
     let mut length = |key, quantity| table.number(key, quantity).map(|mm| mm / 1e3);
-    let (a1, a2, b) = (length("a1_mm", LENGTH), length("a2_mm", LENGTH), length("b_mm", LENGTH));
-    let (c1, c2) = (length("c1_mm", LENGTH), length("c2_mm", LINK));
-    let (c3, c4) = (length("c3_mm", LINK), length("c4_mm", LENGTH));
+    let (a1, a2, b) = (length("a1_mm", offset), length("a2_mm", offset), length("b_mm", offset));
+    let (c1, c2) = (length("c1_mm", offset), length("c2_mm", LINK));
+    let (c3, c4) = (length("c3_mm", LINK), length("c4_mm", offset));
     let offset = table.numbers("offset_deg", ANGLE).map(|x| x.map(f64::to_radians));
     let sign: Option<[f64; 6]> = table.numbers("sign", SIGN);
     if sign.is_some_and(|sign| sign.iter().any(|x| x.abs() != 1.0)) {

@@ -15,7 +15,7 @@ use crate::spatial::Pose;
 /// Rolls that are tried where any will do and they differ, rad apart.
 const ROLL_STEP: f64 = PI / 36.0;
 
-/// What is mapped: tool poses in the plane through the joint-1 axis that points straight ahead, the tool axis in it.
+/// What is mapped: tool poses in the plane through the joint-1 axis that points straight ahead.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SectionOptions {
     /// Ahead, from the joint-1 axis.
@@ -28,6 +28,8 @@ pub struct SectionOptions {
     pub flange_from_tool: Pose,
     /// Angle of the tool axis above the horizontal, rad: `-pi/2` down, `0` ahead.
     pub elevation: f64,
+    /// Angle of the tool axis about the vertical, rad: out of the plane, to the left.
+    pub yaw: f64,
     /// About the tool axis, rad; the stiffest of every 5 degrees at each point where `None`.
     pub roll: Option<f64>,
     /// One posture, or the stiffest at each point.
@@ -52,6 +54,18 @@ impl Section {
     pub fn posture(&self, i: usize, j: usize) -> Option<(Class, f64)> {
         self.postures[j * self.worst.x.count + i]
     }
+
+    /// Joint angles as reported, rad, at column `i` and row `j` of a section of `robot`, made with `options`.
+    ///
+    /// Joint 1 turns straight ahead whatever its limits, and so does joint 6 where the roll moves nothing.
+    pub fn joints(&self, robot: &Robot, options: &SectionOptions, i: usize, j: usize) -> Option<[f64; 6]> {
+        let (class, roll) = self.posture(i, j)?;
+        let arm = SpatialArm::new(robot, &options.flange_from_tool).ok()?;
+        let stand = Stand { x: options.x.at(i), z: options.z.at(j), yaw: options.yaw, angle: 0.0, roll };
+        let theta = held(&arm, &Patch::of(options.elevation, &stand), &stand, class)?;
+        let q = within_limits(&arm.geometry, &freed(&arm, options).limits, &theta);
+        Some(q.unwrap_or_else(|| arm.geometry.reported(&theta, arm.limits.third_axis)))
+    }
 }
 
 /// Maps the worst deflection over the section, all six drives compliant, at the best posture and roll of every point.
@@ -72,7 +86,7 @@ pub fn section(robot: &Robot, options: &SectionOptions) -> Result<Section, MapEr
             return Err(MapError::Grid { start, step });
         }
     }
-    for angle in [options.elevation, options.roll.unwrap_or(0.0)] {
+    for angle in [options.elevation, options.yaw, options.roll.unwrap_or(0.0)] {
         if !(angle.abs() <= 1e3) {
             return Err(MapError::Direction(angle));
         }
@@ -121,6 +135,22 @@ struct Cell {
     posture: Option<(Class, f64)>,
 }
 
+/// The arm without the limits that are left aside.
+fn freed(arm: &SpatialArm, options: &SectionOptions) -> SpatialArm {
+    let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
+    arm.without_limit_on(0, true).without_limit_on(5, roll_is_free)
+}
+
+/// Model angles of a class at the centre of a stand.
+fn held(arm: &SpatialArm, patch: &Patch, stand: &Stand, class: Class) -> Option<[f64; 6]> {
+    let flange = patch.pose(stand, [0.0; 2]) * arm.flange_from_tool.inverse();
+    let found = postures(&arm.geometry, &flange).found;
+    let same_arm = |other: &Class| other.shoulder == class.shoulder && other.elbow == class.elbow;
+    // At a singular wrist one representative stands for both.
+    let way = found.iter().find(|way| way.0 == class).or_else(|| found.iter().find(|way| same_arm(&way.0)));
+    way.map(|(_, theta)| *theta)
+}
+
 struct Scan<'a> {
     options: &'a SectionOptions,
     freed: SpatialArm,
@@ -135,10 +165,10 @@ impl<'a> Scan<'a> {
             None if roll_is_free => vec![0.0],
             None => (0..72).map(|i| f64::from(i) * ROLL_STEP).collect(),
         };
-        let patch = |roll| Patch::of(options.elevation, &Stand { x: 0.0, z: 0.0, yaw: 0.0, angle: 0.0, roll });
+        let patch = |roll| Patch::of(options.elevation, &Stand { x: 0.0, z: 0.0, yaw: options.yaw, angle: 0.0, roll });
         Self {
             options,
-            freed: arm.without_limit_on(0, true).without_limit_on(5, roll_is_free),
+            freed: freed(arm, options),
             patches: rolls.into_iter().map(|roll| (roll, patch(roll))).collect(),
         }
     }
@@ -170,22 +200,18 @@ impl<'a> Scan<'a> {
             return Cell { worst: f64::NAN, limit_margin: f64::NAN, singular_margin: f64::NAN, posture: None };
         }
         let (roll, patch) = &self.patches[number];
-        let stand = Stand { x, z, yaw: 0.0, angle: 0.0, roll: *roll };
-        let flange = patch.pose(&stand, [0.0; 2]) * self.options.flange_from_tool.inverse();
+        let stand = Stand { x, z, yaw: self.options.yaw, angle: 0.0, roll: *roll };
         let class = class(place);
-        let found = postures(&self.freed.geometry, &flange).found;
-        let same_arm = |other: &Class| other.shoulder == class.shoulder && other.elbow == class.elbow;
-        // At a singular wrist one representative stands for both.
-        let theta = found.iter().find(|way| way.0 == class).or_else(|| found.iter().find(|way| same_arm(&way.0)));
-        let limit_margin = theta.and_then(|(_, theta)| {
-            let q = within_limits(&self.freed.geometry, &self.freed.limits, theta)?;
+        let theta = held(&self.freed, patch, &stand, class);
+        let limit_margin = theta.and_then(|theta| {
+            let q = within_limits(&self.freed.geometry, &self.freed.limits, &theta)?;
             let room = |(q, range): (f64, &Range)| (q - range.min()).min(range.max() - q);
             Some(q.into_iter().zip(&self.freed.limits.joints).map(room).fold(f64::INFINITY, f64::min).max(0.0))
         });
         Cell {
             worst: worst * self.options.force,
             limit_margin: limit_margin.unwrap_or(0.0),
-            singular_margin: theta.map_or(0.0, |(_, theta)| self.freed.geometry.singular_margin(theta)),
+            singular_margin: theta.map_or(0.0, |theta| self.freed.geometry.singular_margin(&theta)),
             posture: Some((class, *roll)),
         }
     }
@@ -210,13 +236,14 @@ mod tests {
                 force: 1000.0,
                 flange_from_tool: tool,
                 elevation: [-FRAC_PI_2, 0.0][n / 2],
+                yaw: 0.2,
                 roll: Some(0.3),
                 class: None,
             };
             let found = section(robot, &options).unwrap();
             for j in 0..7 {
                 for i in 0..8 {
-                    let stand = Stand { x: options.x.at(i), z: options.z.at(j), yaw: 0.0, angle: 0.0, roll: 0.3 };
+                    let stand = Stand { x: options.x.at(i), z: options.z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
                     let pose = Patch::of(options.elevation, &stand).pose(&stand, [0.0; 2]);
                     let ways = reached(robot, &(pose * tool.inverse()));
                     let values = ways.iter().map(|way| compliance(robot, &way.1, &tool).unwrap().compliance.worst().0);
@@ -226,6 +253,9 @@ mod tests {
                             assert!((worst - expected).abs() <= 1e-7 * expected, "{} {stand:?}", robot.name);
                             let (class, roll) = found.posture(i, j).unwrap();
                             assert!(ways.iter().any(|way| way.0 == class) && roll == 0.3, "{class}");
+                            let q = found.joints(robot, &options, i, j).unwrap();
+                            let at = compliance(robot, &q, &tool).unwrap().tool;
+                            assert!((at.inverse() * pose).translation.vector.norm() < 1e-9, "{} {q:?}", robot.name);
                         }
                         None => assert!(ways.is_empty(), "{}: {stand:?} is reached by {ways:?}", robot.name),
                     }
@@ -243,6 +273,7 @@ mod tests {
             force: 1.0,
             flange_from_tool: Pose::identity(),
             elevation: 0.0,
+            yaw: 0.0,
             roll: None,
             class: None,
         };

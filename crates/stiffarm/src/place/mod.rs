@@ -8,7 +8,8 @@ mod spatial;
 use nalgebra::Vector2;
 
 pub use spatial::{
-    Resolution, SpatialMisfit, SpatialOptions, SpatialPlaceError, SpatialPlacement, SpatiallyPlaced, place_in_space,
+    Resolution, SpatialMisfit, SpatialOptions, SpatialPlaceError, SpatialPlacement, SpatiallyPlaced, ZonePoint,
+    across_zone, place_in_space,
 };
 
 use crate::limits::Range;

@@ -26,7 +26,7 @@ pub fn cell(
         SpatiallyPlaced::Feasible(best) => {
             put("feasible", json!(true));
             put("deflection_mm", json!(best.deflection * 1e3));
-            put("lower_bound_mm", Value::Null);
+            put("lower_bound_mm", json!(best.lower_bound * 1e3));
             put("x_m", json!(best.centre[0]));
             put("z_m", json!(best.centre[1]));
             put("bearing_deg", json!(best.bearing.to_degrees()));
@@ -48,13 +48,14 @@ pub fn cell(
                 json!({
                     "coarse_step_m": found.coarse_step, "coarse_mm": (found.coarse.is_finite()).then_some(found.coarse * 1e3),
                     "fine_step_m": found.fine_step, "fine_turn_deg": found.fine_turn.to_degrees(),
-                    "sample_step_m": found.sample_step, "samples": found.samples, "halving": found.halving,
+                    "sample_step_m": found.sample_step, "samples": found.samples, "halving": found.halving, "boxes": found.boxes,
                 }),
             );
         }
-        SpatiallyPlaced::Infeasible(misfit) => {
+        SpatiallyPlaced::Infeasible { reason, is_proved } => {
             put("feasible", json!(false));
-            put("reason", json!(misfit.to_string()));
+            put("reason", json!(reason.to_string()));
+            put("proved", json!(is_proved));
         }
     }
     if let Some(tolerance) = tolerance_mm {

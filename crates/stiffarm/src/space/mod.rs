@@ -9,11 +9,14 @@
     reason = "what is not inlined, or hides in an iterator's closure, is compiled without the wide instructions"
 )]
 
+mod affine;
+mod enclosure;
 mod joints;
 mod lanes;
 mod patch;
 mod poses;
 mod sector;
+mod stands;
 
 use nalgebra::{Matrix6, Vector3};
 use pulp::Simd;
@@ -24,12 +27,15 @@ use crate::geometry::Geometry;
 use crate::limits::{Limits, Range, ThirdAxis};
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
-use lanes::Lanes;
+use lanes::{Lanes, Mask};
 use sector::Sector;
 
+pub(crate) use affine::Affine;
+pub(crate) use enclosure::{Aim, Enclosing, Known, Way};
 pub(crate) use patch::{Grid, Patch, Stand};
 pub(crate) use poses::Near;
 pub use poses::{Best, CLASSES, class};
+pub(crate) use stands::{StandBox, middle, variables};
 
 /// A six-axis robot with a tool, ready to be evaluated in bulk.
 #[derive(Clone, Debug)]
@@ -57,6 +63,8 @@ enum Coupling {
 struct Sectors {
     /// Of theta 1, 2, 4, 5, 6 at their places; place 2 holds what joint 3 reports.
     joints: [Sector; 6],
+    /// Instead of place 2, where whole turns of the forearm's angle count.
+    winding: Option<Winding>,
     /// Joint 3 reports `theta2 + theta3`.
     third_is_forearm: bool,
     /// Of theta 3, from the angle between the links.
@@ -70,7 +78,44 @@ impl Sectors {
         let joints = std::array::from_fn(|i| Sector::of(geometry.theta(i, limits.joints[i])));
         let elbow = Sector::of(limits.elbow.affine(-1.0, std::f64::consts::PI));
         let any_wrist_split = std::f64::consts::TAU <= limits.joints[3].width() + limits.joints[5].width();
-        Self { joints, third_is_forearm: limits.third_axis == ThirdAxis::Forearm, elbow, any_wrist_split }
+        let third_is_forearm = limits.third_axis == ThirdAxis::Forearm;
+        let winding = limits.third_is_wound().then(|| Winding::new(geometry, limits));
+        Self { joints, winding, third_is_forearm, elbow, any_wrist_split }
+    }
+}
+
+/// The limit of joint 3 with its whole turns: half the sum of two angles, each counted from the middle of its range, stays
+/// within half a turn, so that a sector of it knows what a sector of the sum does not.
+#[derive(Clone, Copy, Debug)]
+struct Winding {
+    /// Cosine and sine of the middle of theta 2; of no turn, where joint 3 reports the elbow.
+    second: [f64; 2],
+    /// And of theta 3.
+    third: [f64; 2],
+    half: Sector,
+}
+
+impl Winding {
+    fn new(geometry: &Geometry, limits: &Limits) -> Self {
+        let forearm = limits.third_axis == ThirdAxis::Forearm;
+        let second = if forearm { geometry.theta(1, limits.joints[1]).middle() } else { 0.0 };
+        let third = std::f64::consts::PI - limits.elbow.middle();
+        let sum = geometry.theta(2, limits.joints[2]);
+        Self {
+            second: [second.cos(), second.sin()],
+            third: [third.cos(), third.sin()],
+            half: Sector::of(sum.affine(0.5, -0.5 * (second + third))),
+        }
+    }
+
+    /// For theta 2, or zero where joint 3 reports the elbow, and theta 3, both in their ranges.
+    #[inline(always)]
+    fn holds<S: Simd>(&self, [s2, c2]: [Lanes<S>; 2], [s3, c3]: [Lanes<S>; 2]) -> Mask<S> {
+        // From the middle; a vector of one more than the cosine, and of the sine, points along half the angle.
+        let halved = |s: Lanes<S>, c: Lanes<S>, [cos, sin]: [f64; 2]| [c * cos + s * sin + 1.0, s * cos - c * sin];
+        let ([x2, y2], [x3, y3]) = (halved(s2, c2, self.second), halved(s3, c3, self.third));
+        let (x, y) = (x2 * x3 - y2 * y3, x2 * y3 + y2 * x3);
+        self.half.holds(x, y, (x * x + y * y).sqrt())
     }
 }
 
@@ -124,6 +169,11 @@ impl SpatialArm {
         self.tool_is_on_axis_6() && z.xy().norm() < 1e-12 && 0.0 < z.z
     }
 
+    /// The two wrists of a posture give way alike: every drive turns one of the joints 4 to 6 at most.
+    pub(crate) fn wrists_are_alike(&self) -> bool {
+        !matches!(self.coupling, Coupling::Any(_))
+    }
+
     /// The same arm, of which joint `i` (from 0) may turn anywhere.
     pub(crate) fn without_limit_on(&self, i: usize, really: bool) -> Self {
         let mut arm = self.clone();
@@ -131,6 +181,15 @@ impl SpatialArm {
             arm.limits.joints[i] = Range::ALL;
             arm.sectors = Sectors::new(&arm.geometry, &arm.limits);
         }
+        arm
+    }
+
+    /// The same arm without any limits.
+    pub(crate) fn without_limits(&self) -> Self {
+        let mut arm = self.clone();
+        arm.limits.joints = [Range::ALL; 6];
+        arm.limits.elbow = Range::ALL;
+        arm.sectors = Sectors::new(&arm.geometry, &arm.limits);
         arm
     }
 

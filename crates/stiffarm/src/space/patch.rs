@@ -78,31 +78,13 @@ impl Grid {
         let mut points = Vec::with_capacity(columns * rows);
         for row in 0..rows {
             for column in 0..columns {
-                let (a, b) = (spread(column, columns), spread(row, rows));
-                points.push(match zone {
-                    Zone::Rectangle { width, height } => [a * width / 2.0, b * height / 2.0],
-                    Zone::Circle { diameter } => disc(a, b).map(|part| part * diameter / 2.0),
-                });
+                points.push(zone.at([spread(column, columns), spread(row, rows)]));
             }
         }
         let step = (first / (columns - 1) as f64).max(second / (rows - 1) as f64);
         // On the disc neighbours along the rim lie up to an eighth of a circle per half side apart.
         let step = if matches!(zone, Zone::Circle { .. }) { step * std::f64::consts::FRAC_PI_2 } else { step };
         Self { points, step }
-    }
-}
-
-/// The square `-1..1` onto the unit disc, squares about the centre to circles about it.
-fn disc(a: f64, b: f64) -> [f64; 2] {
-    let quarter = std::f64::consts::FRAC_PI_4;
-    if a == 0.0 && b == 0.0 {
-        [0.0, 0.0]
-    } else if b.abs() <= a.abs() {
-        let angle = quarter * b / a;
-        [a * angle.cos(), a * angle.sin()]
-    } else {
-        let angle = quarter * a / b;
-        [b * angle.sin(), b * angle.cos()]
     }
 }
 

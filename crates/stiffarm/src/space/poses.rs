@@ -179,11 +179,13 @@ impl SpatialArm {
             let (s3, c3) = (s * lean_c - c * lean_s, c * lean_c + s * lean_s);
             let (s23, c23) = (s2 * c3 + c2 * s3, c2 * c3 - s2 * s3);
             let [_, second, third, ..] = self.sectors.joints;
-            let (s_third, c_third) = if self.sectors.third_is_forearm { (s23, c23) } else { (s3, c3) };
-            let allowed = reached
-                & second.holds(c2, s2, one)
-                & third.holds(c_third, s_third, one)
-                & self.sectors.elbow.holds(c3, s3, one);
+            let forearm = self.sectors.third_is_forearm;
+            let third_allowed = match &self.sectors.winding {
+                Some(winding) => winding.holds(if forearm { [s2, c2] } else { [one.all(0.0), one] }, [s3, c3]),
+                None if forearm => third.holds(c23, s23, one),
+                None => third.holds(c3, s3, one),
+            };
+            let allowed = reached & second.holds(c2, s2, one) & third_allowed & self.sectors.elbow.holds(c3, s3, one);
             let [no_flip, flip] = self.wrists(seen, [s2, c2, s23, c23], allowed, near, first + 2 * elbow);
             found[2 * elbow] = no_flip;
             found[2 * elbow + 1] = flip;

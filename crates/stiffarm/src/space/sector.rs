@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use pulp::Simd;
 
+use super::affine::Affine;
 use super::lanes::{Lanes, Mask};
 use crate::limits::Range;
 
@@ -36,5 +37,9 @@ impl Sector {
             None => length.at_least(0.0),
             Some(least) => (length * least).not_above(cos * self.cos + sin * self.sin),
         }
+    }
+    /// What is negative where the angle of a vector of that length lies outside; `None` where no angle is excluded.
+    pub(super) fn room<const N: usize>(self, cos: Affine<N>, sin: Affine<N>, length: Affine<N>) -> Option<Affine<N>> {
+        self.least.map(|least| cos * self.cos + sin * self.sin - length * least)
     }
 }

@@ -1,14 +1,17 @@
 //! `stiffarm map --model spatial`: a section through everything the tool reaches.
 
 use serde_json::Value;
-use stiffarm::map::{Axis, Section, SectionOptions, reached_section, section};
+use stiffarm::map::{Axis, Section, SectionOptions, section};
 use stiffarm::report;
 use stiffarm::robot::Robot;
 
+use super::drawing::{over_everything, scene};
 use super::{direction, tool};
 use crate::args::{Common, MapArgs};
 use crate::failure::Failure;
-use crate::output::{Answer, deliver};
+use crate::figures::map::MapFigure;
+use crate::figures::view3d::{ArmMark, Sheet, View};
+use crate::output::{Answer, deliver, figure};
 use crate::table::Table;
 
 pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), Failure> {
@@ -24,7 +27,6 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
             )));
         }
     }
-    let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let unit = Axis { start: 0.0, step: 1.0, count: 2 };
     let asked = SectionOptions {
         x: unit,
@@ -32,19 +34,18 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
         force: args.placing.force_n,
         flange_from_tool: args.space.tool(),
         elevation: args.space.elevation(),
+        yaw: 0.0,
         roll: args.space.roll_deg.map(f64::to_radians),
         class: None,
     };
-    let Some(reached) = reached_section(&robot, &asked).map_err(failure)? else {
+    let Some(options) = over_everything(&robot, &asked, args.spacing())? else {
         return Err(Failure::Usage(format!(
             "{}: no point is reached with the {}",
             robot.name,
             direction(asked.elevation)
         )));
     };
-    let [x, z] = args.spacing().cover(reached);
-    let options = SectionOptions { x, z, ..asked };
-    let section = section(&robot, &options).map_err(failure)?;
+    let section = section(&robot, &options).map_err(|error| Failure::Map { robot: robot.name.clone(), error })?;
     deliver(&MapAnswer { robot, options, section }, common)
 }
 
@@ -52,6 +53,29 @@ struct MapAnswer {
     robot: Robot,
     options: SectionOptions,
     section: Section,
+}
+
+impl MapAnswer {
+    /// The joints at the stiffest point.
+    fn stiffest(&self) -> Option<[f64; 6]> {
+        let [(_, i, j), _] = self.section.worst.extremes()?;
+        self.section.joints(&self.robot, &self.options, i, j)
+    }
+
+    fn subtitle(&self) -> String {
+        let Self { robot, options, .. } = self;
+        format!(
+            "{}, {}; all six drives, {}, tool: {}; drawn at the stiffest point",
+            robot.architecture,
+            robot.status,
+            direction(options.elevation),
+            tool(&options.flange_from_tool)
+        )
+    }
+
+    fn colour_label(&self) -> String {
+        format!("worst deflection under {} N [mm]", self.options.force)
+    }
 }
 
 impl Answer for MapAnswer {
@@ -77,7 +101,7 @@ impl Answer for MapAnswer {
         }
         table.text(markdown)
             + "\nthe section points straight ahead and stands for every direction about the joint-1 axis; the best posture and roll of each point\n\
-               -o map.csv or .json writes the map, with posture, roll and the margins to limits and singular postures\n"
+               -o map.svg, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
     }
 
     fn json(&self) -> Value {
@@ -115,5 +139,32 @@ impl Answer for MapAnswer {
             ]);
         }
         table
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        let drawn = MapFigure {
+            title: self.robot.full_name(),
+            subtitle: self.subtitle(),
+            map: &self.section.worst,
+            edge: None,
+            scene: scene(&self.robot, self.stiffest().as_ref(), &self.options.flange_from_tool, None),
+            colour_label: self.colour_label(),
+            origin: "the base",
+            face: None,
+        };
+        Some(drawn.svg().map_err(figure))
+    }
+
+    fn view(&self) -> Option<Result<View, Failure>> {
+        let arm = self.stiffest().and_then(|q| ArmMark::posed(&self.robot, &q, &self.options.flange_from_tool, None));
+        Some(Ok(View {
+            title: self.robot.full_name(),
+            notes: vec![self.subtitle(), "the section stands for every direction about the joint-1 axis".into()],
+            arm,
+            section: Some(Sheet::of_map(&self.section.worst, [0.0; 2], 0.0)),
+            colour_label: self.colour_label(),
+            floor: true,
+            ..View::default()
+        }))
     }
 }

@@ -1,5 +1,6 @@
 //! The verbs with `--model spatial`: all six drives, the tool where it is.
 
+mod drawing;
 pub(crate) mod map;
 pub(crate) mod place;
 pub(crate) mod rank;
@@ -14,7 +15,7 @@ use stiffarm::task::Task;
 use crate::table::full;
 
 /// The columns of a placement in a spreadsheet.
-pub(crate) const CELL_COLUMNS: [&str; 27] = [
+pub(crate) const CELL_COLUMNS: [&str; 28] = [
     "robot",
     "vendor",
     "architecture",
@@ -23,6 +24,7 @@ pub(crate) const CELL_COLUMNS: [&str; 27] = [
     "force_n",
     "feasible",
     "deflection_mm",
+    "lower_bound_mm",
     "x_m",
     "z_m",
     "bearing_deg",
@@ -64,6 +66,7 @@ pub(crate) fn cell_row(
         force.to_string(),
         best.is_some().to_string(),
         full(best.map(|best| best.deflection * 1e3)),
+        full(best.map(|best| best.lower_bound * 1e3)),
         full(best.map(|best| best.centre[0])),
         full(best.map(|best| best.centre[1])),
         degrees(best.map(|best| best.bearing)),

@@ -1,16 +1,28 @@
 //! `stiffarm place --model spatial`: the best place of one flat zone about the robot.
 
 use serde_json::Value;
-use stiffarm::place::{SpatialOptions, SpatialPlacement, SpatiallyPlaced, place_in_space};
-use stiffarm::robot::Robot;
+use stiffarm::map::{Axis, Section, SectionOptions, Spacing, section};
+use stiffarm::place::{SpatialOptions, SpatialPlacement, SpatiallyPlaced, ZonePoint, across_zone, place_in_space};
+use stiffarm::robot::{Arm, Robot};
+use stiffarm::space::SpatialArm;
 use stiffarm::task::Task;
 
+use super::drawing::{over_everything, scene};
 use super::{CELL_COLUMNS, cell_json, cell_row, direction, tool, window};
 use crate::args::{Common, PlaceArgs};
 use crate::commands::progress;
 use crate::failure::Failure;
-use crate::output::{Answer, deliver};
+use crate::figures::face::FaceFigure;
+use crate::figures::map::MapFigure;
+use crate::figures::scene::{ZoneMark, rim};
+use crate::figures::view3d::{ArmMark, Cell, Point, Sheet, View, Zone};
+use crate::output::{Answer, deliver, figure};
 use crate::table::{Table, fixed};
+
+/// Points along the longer side of the section that is drawn.
+const FIGURE_SIZE: usize = 300;
+/// Points along each side of the zone that are drawn.
+const FACE_SIZE: usize = 33;
 
 pub(crate) fn run(robot: Robot, args: &PlaceArgs, common: &Common) -> Result<(), Failure> {
     let options = args.space.options_for(&args.placing, args.task.zone)?;
@@ -36,6 +48,7 @@ impl PlaceAnswer {
         let degrees = |angle: f64| format!("{:.1} deg", angle.to_degrees() + 0.0);
         let mut rows: Vec<(String, String)> = vec![
             ("worst deflection in the zone".into(), format!("{:.4} mm", best.deflection * 1e3)),
+            ("no place has less than".into(), bound(best)),
             ("centre from the base".into(), format!("x {x:.4} m ahead, z {z:.4} m up")),
         ];
         if best.bearing != 0.0 {
@@ -63,7 +76,7 @@ impl PlaceAnswer {
         rows.push((
             "looked for".into(),
             format!(
-                "every {:.0} mm ({coarse} there), then down to {:.2} mm and {:.3} deg; no bound is proved",
+                "every {:.0} mm ({coarse} there), then down to {:.2} mm and {:.3} deg",
                 found.coarse_step * 1e3,
                 found.fine_step * 1e3,
                 found.fine_turn.to_degrees()
@@ -80,6 +93,161 @@ impl PlaceAnswer {
         ));
         rows
     }
+}
+
+impl PlaceAnswer {
+    /// What is drawn, where there is something.
+    fn feasible(&self) -> Result<&SpatialPlacement, Failure> {
+        match &self.placed {
+            SpatiallyPlaced::Feasible(best) => Ok(best),
+            SpatiallyPlaced::Infeasible { reason, .. } => {
+                Err(Failure::Usage(format!("{}: no place for {} to draw: {reason}", self.robot.name, self.task.label)))
+            }
+        }
+    }
+
+    /// The section through the joint-1 axis, held as the zone is.
+    fn section(&self, best: &SpatialPlacement) -> Result<Option<Section>, Failure> {
+        let Self { robot, options, .. } = self;
+        let unit = Axis { start: 0.0, step: 1.0, count: 2 };
+        let arm = SpatialArm::new(robot, &options.flange_from_tool)
+            .map_err(|error| Failure::Posture { robot: robot.name.clone(), error })?;
+        let any_roll = options.roll.is_none() && arm.tool_turns_about_axis_6();
+        let asked = SectionOptions {
+            x: unit,
+            z: unit,
+            force: options.force,
+            flange_from_tool: options.flange_from_tool,
+            elevation: options.elevation,
+            yaw: best.yaw,
+            roll: (!any_roll).then_some(best.roll),
+            class: Some(best.class),
+        };
+        let Some(options) = over_everything(robot, &asked, Spacing::Points(FIGURE_SIZE))? else {
+            return Ok(None);
+        };
+        section(robot, &options).map(Some).map_err(|error| Failure::Map { robot: robot.name.clone(), error })
+    }
+
+    /// Points of the zone, given along its sides, with their deflections.
+    fn across(
+        &self,
+        best: &SpatialPlacement,
+        points: impl IntoIterator<Item = [f64; 2]>,
+    ) -> Result<Vec<ZonePoint>, Failure> {
+        across_zone(&self.robot, &self.options, best, points)
+            .map_err(|error| Failure::PlaceInSpace { robot: self.robot.name.clone(), error })
+    }
+
+    /// The zone row by row.
+    fn face(&self, best: &SpatialPlacement) -> Result<Vec<ZonePoint>, Failure> {
+        let side = |i: usize| 2.0 * i as f64 / (FACE_SIZE - 1) as f64 - 1.0;
+        let nodes = (0..FACE_SIZE).flat_map(|j| (0..FACE_SIZE).map(move |i| [side(i), side(j)]));
+        self.across(best, nodes.map(|node| self.task.zone.at(node)))
+    }
+
+    /// The rim of the zone, straight ahead.
+    fn rim(&self, best: &SpatialPlacement) -> Result<Vec<Point>, Failure> {
+        Ok(self.across(best, rim(self.task.zone, [0.0; 2], 0.0))?.iter().map(|point| point.at).collect())
+    }
+
+    /// The joints at the worst point, the zone straight ahead.
+    fn joints(&self, best: &SpatialPlacement) -> [f64; 6] {
+        let mut q = best.worst_joints;
+        if let Arm::SixAxis { geometry, .. } = &self.robot.arm {
+            q[0] -= geometry.sign[0] * best.bearing;
+        }
+        q
+    }
+
+    fn zone_label(&self, best: &SpatialPlacement) -> String {
+        format!("{}: {:.3} mm at worst", self.task.label, best.deflection * 1e3)
+    }
+
+    fn subtitle(&self, best: &SpatialPlacement) -> String {
+        let Self { robot, options, .. } = self;
+        let (architecture, status, towards) = (robot.architecture, robot.status, direction(options.elevation));
+        let tool = tool(&options.flange_from_tool);
+        format!("{architecture}, {status}; all six drives, {towards}, tool: {tool}; {}", best.class)
+    }
+
+    fn colour_label(&self) -> String {
+        format!("worst deflection under {} N [mm]", self.options.force)
+    }
+
+    fn figure(&self, best: &SpatialPlacement) -> Result<String, Failure> {
+        let Some(section) = self.section(best)? else {
+            return Err(Failure::Usage("the zone stands where no section is reached".into()));
+        };
+        let mark = ZoneMark {
+            zone: self.task.zone,
+            rim: self.rim(best)?.into_iter().map(|[x, _, z]| [x, z]).collect(),
+            worst_point: [best.worst_point[0], best.worst_point[2]],
+            label: self.zone_label(best),
+        };
+        let face = FaceFigure {
+            zone: self.task.zone,
+            angle: best.angle,
+            cells: self.face(best)?.iter().map(|point| point.deflection.map(|metres| metres * 1e3)).collect(),
+            per_side: FACE_SIZE,
+            up: match self.options.elevation.to_degrees() {
+                down if down < -89.9 => "ahead",
+                up if 89.9 < up => "back",
+                _ => "upwards in its plane",
+            },
+            colour_label: self.colour_label(),
+        };
+        let drawn = MapFigure {
+            title: self.robot.full_name(),
+            subtitle: self.subtitle(best),
+            map: &section.worst,
+            edge: None,
+            scene: scene(&self.robot, Some(&self.joints(best)), &self.options.flange_from_tool, Some(mark)),
+            colour_label: self.colour_label(),
+            origin: "the base",
+            face: Some(face),
+        };
+        drawn.svg().map_err(figure)
+    }
+
+    fn in_space(&self, best: &SpatialPlacement) -> Result<View, Failure> {
+        let (s, c) = best.bearing.sin_cos();
+        let turned = |[x, y, z]: Point| [c * x - s * y, s * x + c * y, z];
+        let cell = |point: &ZonePoint| Cell { at: turned(point.at), mm: point.deflection.map(|metres| metres * 1e3) };
+        let face: Vec<Cell> = self.face(best)?.iter().map(cell).collect();
+        let zone = Zone {
+            label: self.zone_label(best),
+            rim: self.rim(best)?.into_iter().map(turned).collect(),
+            sheet: Some(Sheet { rows: face.chunks(FACE_SIZE).map(<[Cell]>::to_vec).collect() }),
+            worst: Some(Cell { at: turned(best.worst_point), mm: Some(best.deflection * 1e3) }),
+        };
+        let section = self.section(best)?.map(|section| {
+            let mut sheet = Sheet::of_map(&section.worst, [0.0; 2], 0.0);
+            sheet.rows.iter_mut().flatten().for_each(|cell| cell.at = turned(cell.at));
+            sheet
+        });
+        Ok(View {
+            title: self.robot.full_name(),
+            notes: vec![self.subtitle(best), "arm at the worst point of the zone; section held as the zone is".into()],
+            arm: ArmMark::posed(
+                &self.robot,
+                &best.worst_joints,
+                &self.options.flange_from_tool,
+                Some(&best.worst_shares),
+            ),
+            zone: Some(zone),
+            section,
+            colour_label: self.colour_label(),
+            floor: true,
+            ..View::default()
+        })
+    }
+}
+
+/// The lower bound and how far it lies from the value.
+fn bound(best: &SpatialPlacement) -> String {
+    let gap = 100.0 * (1.0 - best.lower_bound / best.deflection);
+    format!("{:.4} mm (proved with {} boxes; gap {gap:.1} %)", best.lower_bound * 1e3, best.resolution.boxes)
 }
 
 impl Answer for PlaceAnswer {
@@ -108,7 +276,10 @@ impl Answer for PlaceAnswer {
                     table.row([format!("tolerance {tolerance} mm"), verdict]);
                 }
             }
-            SpatiallyPlaced::Infeasible(misfit) => table.row(["no place".into(), misfit.to_string()]),
+            SpatiallyPlaced::Infeasible { reason, is_proved } => {
+                let proof = if *is_proved { "; it is proved that there is none" } else { "" };
+                table.row(["no place".into(), format!("{reason}{proof}")]);
+            }
         }
         table.text(markdown)
             + "\nall six drives compliant, everything else rigid; the robot's own body and the table are not known: collisions are not checked\n"
@@ -122,5 +293,13 @@ impl Answer for PlaceAnswer {
         let mut table = Table::new(CELL_COLUMNS);
         table.row(cell_row(&self.robot, &self.task, self.options.force, &self.placed, self.tolerance_mm));
         table
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        Some(self.feasible().and_then(|best| self.figure(best)))
+    }
+
+    fn view(&self) -> Option<Result<View, Failure>> {
+        Some(self.feasible().and_then(|best| self.in_space(best)))
     }
 }

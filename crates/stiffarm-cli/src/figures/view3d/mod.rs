@@ -273,6 +273,6 @@ mod tests {
         assert!(sheet.rows[0][0].mm.is_none(), "out of reach");
         let inside = sheet.rows[sheet.rows.len() / 2].iter().filter_map(|cell| cell.mm);
         // Between k l3^2 and k ((l2 + l3)^2 + l3^2), at 1 kN and 1 urad/(N m), mm.
-        assert!(inside.clone().count() > 100 && inside.into_iter().all(|mm| 0.64 - 1e-9 <= mm && mm <= 3.88 + 1e-9));
+        assert!(inside.clone().count() > 100 && inside.into_iter().all(|mm| (0.64 - 1e-9..=3.88 + 1e-9).contains(&mm)));
     }
 }

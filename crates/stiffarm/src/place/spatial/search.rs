@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
+use super::bound::Prover;
 use super::sweep::{Sweep, sweep};
 use super::{Resolution, SpatialMisfit, SpatialOptions, SpatialPlacement, SpatiallyPlaced, wrapped};
 use crate::compliance::compliance;
@@ -29,34 +30,36 @@ const FINE: (f64, f64) = (5e-5, 5e-5);
 const HALVING: f64 = 1e-3;
 /// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
 const CELLS: [usize; 4] = [2, 6, 16, 64];
+/// How often the place that stands in the way of a proof is refined.
+const RESTARTS: usize = 3;
 
-/// Finds the best place that a coarse search and its refinement see.
+/// Finds the best place that a coarse search and its refinement see, and proves how much better another could be.
 pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &SpatialOptions) -> SpatiallyPlaced {
     let search = Search::new(robot, arm, zone, options);
-    let seen = match search.coarse() {
-        Ok(seen) => seen,
-        Err(misfit) => return SpatiallyPlaced::Infeasible(misfit),
+    let mut found = search.find();
+    let prover = Prover::new(&search.freed, zone, options, search.region, search.roll_is_free);
+    let value = |found: &Result<SpatialPlacement, SpatialMisfit>| {
+        found.as_ref().map_or(f64::INFINITY, |placement| placement.deflection / options.force)
     };
-    let refine = |starts: &[Candidate], cells: usize, step: f64| {
-        let grid = Grid::of(zone, cells);
-        let mut refined: Vec<Candidate> = starts.par_iter().map(|start| search.refine(start, &grid, step)).collect();
-        refined.sort_by(|a, b| a.score.total_cmp(&b.score));
-        refined.retain(|candidate| candidate.score.is_feasible());
-        refined
-    };
-    let mut rough = refine(&seen, CELLS[1], search.step / 2.0);
-    rough.truncate(FINALISTS);
-    let refined = refine(&rough, CELLS[2], search.step / 8.0);
-    if refined.is_empty() {
-        return SpatiallyPlaced::Infeasible(SpatialMisfit::ZoneTooLarge { step: search.step });
-    }
-    let coarse = seen.iter().map(|candidate| candidate.score).min_by(Score::total_cmp).expect("a start");
-    for candidate in &refined {
-        if let Some(placement) = search.judge(candidate, coarse) {
-            return SpatiallyPlaced::Feasible(Box::new(placement));
+    let mut proof = prover.prove(value(&found));
+    for _ in 0..RESTARTS {
+        let Some(better) = proof.open.and_then(|stand| search.find_near(stand)) else { break };
+        if value(&found) * (1.0 - HALVING) <= better.deflection / options.force {
+            break;
         }
+        // What the coarse search saw stays what it is.
+        let coarse = found.map_or(f64::NAN, |placement| placement.resolution.coarse);
+        found = Ok(SpatialPlacement { resolution: Resolution { coarse, ..better.resolution }, ..better });
+        proof = prover.prove(value(&found));
     }
-    SpatiallyPlaced::Infeasible(SpatialMisfit::Turning)
+    match found {
+        Ok(placement) => SpatiallyPlaced::Feasible(Box::new(SpatialPlacement {
+            lower_bound: proof.lower * options.force,
+            resolution: Resolution { boxes: proof.boxes, ..placement.resolution },
+            ..placement
+        })),
+        Err(reason) => SpatiallyPlaced::Infeasible { reason, is_proved: proof.open.is_none() },
+    }
 }
 
 /// How good a place is: first how many poses no single posture reaches, then the largest compliance, m/N.
@@ -118,6 +121,35 @@ impl<'a> Search<'a> {
             region,
             step: (longest / PLACES as f64).max(1e-3),
         }
+    }
+
+    /// The best place that the coarse search and its refinement see.
+    fn find(&self) -> Result<SpatialPlacement, SpatialMisfit> {
+        let seen = self.coarse()?;
+        let mut rough = self.refined(&seen, CELLS[1], self.step / 2.0);
+        rough.truncate(FINALISTS);
+        let refined = self.refined(&rough, CELLS[2], self.step / 8.0);
+        if refined.is_empty() {
+            return Err(SpatialMisfit::ZoneTooLarge { step: self.step });
+        }
+        let coarse = seen.iter().map(|candidate| candidate.score).min_by(Score::total_cmp).expect("a start");
+        refined.iter().find_map(|candidate| self.judge(candidate, coarse)).ok_or(SpatialMisfit::Turning)
+    }
+
+    /// The best place that a refinement from one stand sees.
+    fn find_near(&self, stand: Stand) -> Option<SpatialPlacement> {
+        let start = self.candidate(stand, &Grid::of(self.zone, CELLS[1]));
+        let rough = self.refined(&[start], CELLS[1], self.step / 8.0);
+        self.refined(&rough, CELLS[2], self.step / 8.0).iter().find_map(|found| self.judge(found, Score::NONE))
+    }
+
+    /// Every start refined, the best first.
+    fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Vec<Candidate> {
+        let grid = Grid::of(self.zone, cells);
+        let mut refined: Vec<Candidate> = starts.par_iter().map(|start| self.refine(start, &grid, step)).collect();
+        refined.sort_by(|a, b| a.score.total_cmp(&b.score));
+        refined.retain(|candidate| candidate.score.is_feasible());
+        refined
     }
 
     /// The turns that are tried: yaw, angle of the first side, roll.
@@ -353,6 +385,7 @@ impl<'a> Search<'a> {
         let half_turn = |angle: f64| angle.rem_euclid(PI);
         Some(SpatialPlacement {
             deflection: value * self.options.force,
+            lower_bound: 0.0,
             centre: [stand.x, stand.z],
             bearing: sweep.bearing,
             yaw: wrapped(stand.yaw),
@@ -372,6 +405,7 @@ impl<'a> Search<'a> {
                 sample_step: grid.step,
                 samples: grid.points.len(),
                 halving,
+                boxes: 0,
             },
         })
     }

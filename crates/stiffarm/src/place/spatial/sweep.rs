@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::wrapped;
-use crate::inverse::{Class, SLACK, postures};
+use crate::inverse::{Class, SLACK, postures, third_within_limits};
 use crate::robot::{Arm, Robot};
 use crate::space::{Grid, Patch, SpatialArm, Stand};
 
@@ -63,6 +63,10 @@ pub(super) fn sweep(
         let low = joints.iter().map(|q| q[joint]).fold(f64::INFINITY, f64::min);
         let high = joints.iter().map(|q| q[joint]).fold(f64::NEG_INFINITY, f64::max);
         let shift = match joint {
+            2 if limits.third_is_wound() => {
+                let shift = third_within_limits(geometry, limits, &centre)? - joints[joints.len() / 2][2];
+                (range.contains(low + shift, SLACK) && range.contains(high + shift, SLACK)).then_some(shift)?
+            }
             5 if roll_is_free && range.is_bounded() => {
                 (high - low <= range.width() + SLACK).then(|| range.middle() - f64::midpoint(low, high))?
             }

@@ -1,0 +1,90 @@
+//! The deflection across a zone that has its place.
+
+use nalgebra::Point2;
+
+use super::{SpatialOptions, SpatialPlaceError, SpatialPlacement};
+use crate::compliance::{PostureError, compliance};
+use crate::inverse::postures;
+use crate::robot::{Arm, Robot};
+use crate::space::{Patch, Stand};
+
+/// A point of a zone at its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ZonePoint {
+    /// Ahead, left, up, m from the base; at bearing zero.
+    pub at: [f64; 3],
+    /// In the worst direction, m; absent where the posture of the zone does not lead there.
+    pub deflection: Option<f64>,
+}
+
+/// The worst deflection at points of a zone, m from its centre along its sides, held as the placement says.
+///
+/// # Errors
+/// Where robot or tool make no sense.
+pub fn across_zone(
+    robot: &Robot,
+    options: &SpatialOptions,
+    placement: &SpatialPlacement,
+    points: impl IntoIterator<Item = [f64; 2]>,
+) -> Result<Vec<ZonePoint>, SpatialPlaceError> {
+    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else {
+        return Err(PostureError::Planar(robot.name.clone()).into());
+    };
+    let [x, z] = placement.centre;
+    let stand = Stand { x, z, yaw: placement.yaw, angle: placement.angle, roll: placement.roll };
+    let patch = Patch::of(options.elevation, &stand);
+    let flange_from_tool = options.flange_from_tool.inverse();
+    let judged = |at: Point2<f64>| {
+        let pose = patch.pose(&stand, at.into());
+        let found = postures(geometry, &(pose * flange_from_tool)).found;
+        let theta = found.into_iter().find(|(class, _)| *class == placement.class).map(|(_, theta)| theta);
+        let deflection = theta.map(|theta| {
+            let q = geometry.reported(&theta, limits.third_axis);
+            let posture = compliance(robot, &q, &options.flange_from_tool)?;
+            Ok::<_, PostureError>(posture.compliance.worst().0 * options.force)
+        });
+        Ok(ZonePoint { at: pose.translation.vector.into(), deflection: deflection.transpose()? })
+    };
+    points.into_iter().map(|at| judged(at.into())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::paper_robots;
+    use crate::limits::Range;
+    use crate::place::{Orientation, SpatiallyPlaced, place_in_space};
+    use crate::spatial::Pose;
+    use crate::task::Zone;
+
+    #[test]
+    fn the_largest_deflection_across_a_zone_is_that_of_its_placement() {
+        let zone = Zone::Rectangle { width: 0.3, height: 0.2 };
+        for (robot, elevation) in paper_robots().iter().take(3).zip([-std::f64::consts::FRAC_PI_2, 0.0, -0.6]) {
+            let options = SpatialOptions {
+                elevation,
+                yaw: Range::spanning(-0.5, 0.5),
+                flange_from_tool: Pose::translation(0.0, 0.05, 0.2),
+                orientation: Orientation::Free,
+                ..SpatialOptions::tool_down(1000.0)
+            };
+            let SpatiallyPlaced::Feasible(found) = place_in_space(robot, zone, &options).unwrap() else {
+                panic!("{}: no place", robot.name)
+            };
+            let side = |i: i32| f64::from(i) / 20.0 - 1.0;
+            let points = (0..=40).flat_map(|j| (0..=40).map(move |i| zone.at([side(i), side(j)])));
+            let across = across_zone(robot, &options, &found, points).unwrap();
+            assert_eq!(across.len(), 41 * 41);
+            let centre = across[20 * 41 + 20].at;
+            let expected = [found.centre[0], 0.0, found.centre[1]];
+            assert!(centre.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{centre:?}");
+            let worst = across.iter().map(|point| point.deflection.unwrap()).fold(0.0, f64::max);
+            assert!((worst - found.deflection).abs() <= 2e-3 * worst, "{}: {worst} {found:?}", robot.name);
+            let near = |point: &&ZonePoint| {
+                point.at.iter().zip(found.worst_point).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() < 0.01
+            };
+            let there = across.iter().filter(near).filter_map(|point| point.deflection).fold(0.0, f64::max);
+            assert!((there - found.deflection).abs() <= 1e-2 * worst, "{}: {there} {found:?}", robot.name);
+        }
+    }
+}

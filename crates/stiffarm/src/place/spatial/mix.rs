@@ -1,0 +1,112 @@
+//! The least that the largest of several numbers can be.
+
+use crate::space::Affine;
+
+/// Rounds of improvement.
+const ROUNDS: usize = 4;
+
+/// A number no larger than `at + slope . variables`.
+#[derive(Clone, Copy)]
+struct Line<const N: usize> {
+    at: f64,
+    slope: [f64; N],
+}
+
+impl<const N: usize> Line<N> {
+    /// The least it can be, each variable anywhere in `-1..1`.
+    fn least(&self) -> f64 {
+        self.at - self.slope.iter().map(|slope| slope.abs()).sum::<f64>()
+    }
+
+    /// `self + part * towards`.
+    fn moved(&self, towards: &Self, part: f64) -> Self {
+        let slope = std::array::from_fn(|i| self.slope[i] + part * towards.slope[i]);
+        Self { at: self.at + part * towards.at, slope }
+    }
+
+    /// The best of `self + part * towards`, `part` in `0..most`: where the least is concave in it, so at an end or where a
+    /// slope vanishes.
+    fn best_towards(&self, towards: &Self, most: f64) -> Self {
+        let mut best = *self;
+        let zeros = (0..N).map(|i| -self.slope[i] / towards.slope[i]).filter(|part| 0.0 < *part && *part < most);
+        for part in zeros.chain((most < f64::INFINITY).then_some(most)) {
+            let moved = self.moved(towards, part);
+            if best.least() < moved.least() {
+                best = moved;
+            }
+        }
+        best
+    }
+}
+
+/// A lower bound on the largest of `values` wherever all `limits` are not negative; zero where nothing better is known.
+///
+/// The largest is no less than any weighted mean, and what is not negative may be taken away any number of times: each such
+/// sum is an affine number with a known least value. Which weights are tried decides how good the bound is, not whether
+/// it holds.
+pub(super) fn least_largest<const N: usize>(values: &[Affine<N>], limits: &[Affine<N>]) -> f64 {
+    let values: Vec<Line<N>> =
+        values.iter().filter(|x| !x.is_unknown()).map(|x| Line { at: x.middle - x.rest, slope: x.slope }).collect();
+    let limits: Vec<Line<N>> = limits
+        .iter()
+        .filter(|x| !x.is_unknown())
+        .map(|x| Line { at: -x.middle - x.rest, slope: x.slope.map(|slope| -slope) })
+        .collect();
+    let Some(mut best) = values.iter().copied().max_by(|a, b| a.least().total_cmp(&b.least())) else { return 0.0 };
+    for _ in 0..ROUNDS {
+        let before = best.least();
+        for value in &values {
+            let towards = value.moved(&best, -1.0);
+            best = best.best_towards(&towards, 1.0);
+        }
+        for limit in &limits {
+            best = best.best_towards(limit, f64::INFINITY);
+        }
+        if best.least() <= before * (1.0 + 1e-4) {
+            break;
+        }
+    }
+    best.least().max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn random(rng: &mut fastrand::Rng) -> Affine<3> {
+        let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+        let slope = std::array::from_fn(|_| part(-1.0, 1.0));
+        Affine { middle: part(0.0, 3.0), slope, rest: part(0.0, 0.1) }
+    }
+
+    #[test]
+    fn the_largest_is_nowhere_less_where_the_limits_allow() {
+        let mut rng = fastrand::Rng::with_seed(34);
+        let (mut allowed, mut better) = (0, 0);
+        for _ in 0..2000 {
+            let values: Vec<_> = (0..4).map(|_| random(&mut rng)).collect();
+            let limits: Vec<_> =
+                (0..2).map(|_| random(&mut rng)).map(|x| Affine { middle: x.middle - 1.0, ..x }).collect();
+            let bound = least_largest(&values, &limits);
+            better += usize::from(values.iter().map(Affine::min).fold(0.0, f64::max) < bound - 0.01);
+            for _ in 0..50 {
+                let at: [f64; 3] = std::array::from_fn(|_| 2.0 * rng.f64() - 1.0);
+                let linear = |x: &Affine<3>| x.middle + (0..3).map(|i| x.slope[i] * at[i]).sum::<f64>();
+                if limits.iter().all(|x| 0.0 <= linear(x) + x.rest) {
+                    allowed += 1;
+                    let largest = values.iter().map(|x| linear(x) - x.rest).fold(0.0, f64::max);
+                    assert!(bound <= largest + 1e-12, "{values:?} {limits:?}");
+                }
+            }
+        }
+        assert!(1000 < allowed && 1000 < better, "{allowed} {better}");
+    }
+
+    #[test]
+    fn two_that_cross_are_no_less_than_where_they_do() {
+        let line = |slope: f64| Affine { middle: 1.0, slope: [slope], rest: 0.0 };
+        assert!((least_largest(&[line(0.5), line(-0.3)], &[]) - 1.0).abs() < 1e-12);
+        // And one that falls is no less than where the limit stops it.
+        assert!((least_largest(&[line(0.5)], &[Affine { middle: 0.2, slope: [1.0], rest: 0.0 }]) - 0.9).abs() < 1e-12);
+    }
+}

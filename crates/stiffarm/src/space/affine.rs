@@ -1,0 +1,257 @@
+//! Affine arithmetic: numbers of which is known how they depend on a few variables, and what is left over.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::limits::Range;
+
+/// What is known of a number that depends on `N` variables, each anywhere in `-1..1`: it differs from
+/// `middle + slope . variables` by at most `rest`.
+///
+/// A formula that is evaluated with such numbers gives one that holds for all values of the variables at which the formula
+/// itself holds. What depends on the variables in the first order is carried along and cancels where it should; `rest` is of
+/// the second. Rounding is not counted. NaN means that nothing is known.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Affine<const N: usize> {
+    pub(crate) middle: f64,
+    pub(crate) slope: [f64; N],
+    pub(crate) rest: f64,
+}
+
+impl<const N: usize> Affine<N> {
+    /// A known number.
+    pub(crate) const fn point(x: f64) -> Self {
+        Self { middle: x, slope: [0.0; N], rest: 0.0 }
+    }
+
+    /// How far from the middle it can be.
+    #[inline]
+    pub(crate) fn radius(&self) -> f64 {
+        self.slope.iter().fold(self.rest, |sum, slope| sum + slope.abs())
+    }
+
+    /// The least it can be.
+    #[inline]
+    pub(crate) fn min(&self) -> f64 {
+        self.middle - self.radius()
+    }
+
+    /// The most it can be.
+    #[inline]
+    pub(crate) fn max(&self) -> f64 {
+        self.middle + self.radius()
+    }
+
+    /// Nothing is known of it.
+    pub(crate) fn is_unknown(&self) -> bool {
+        !(self.radius() < f64::INFINITY)
+    }
+
+    /// Its square, which is never negative.
+    #[inline]
+    pub(crate) fn square(self) -> Self {
+        let radius = self.radius();
+        // (m + d)^2 = m^2 + 2 m d + d^2 with d^2 in 0..radius^2.
+        let half = radius * radius / 2.0;
+        Self {
+            middle: self.middle * self.middle + half,
+            slope: self.slope.map(|slope| 2.0 * self.middle * slope),
+            rest: 2.0 * self.middle.abs() * self.rest + half,
+        }
+    }
+
+    /// `f` of a number that lies in `known`, for a concave `f` that gives its value and its slope; `None` where the number
+    /// cannot lie there.
+    ///
+    /// A concave function lies below its tangent in the middle, and farthest below it at an end.
+    #[inline]
+    pub(crate) fn concave(self, known: Range, f: impl Fn(f64) -> (f64, f64)) -> Option<Self> {
+        let (least, most) = (self.min().max(known.min()), self.max().min(known.max()));
+        if most < least {
+            return None;
+        }
+        let middle = f64::midpoint(least, most);
+        let (top, slope) = f(middle);
+        if least == most {
+            return Some(Self::point(top));
+        }
+        let below = |x: f64| top + slope * (x - middle) - f(x).0;
+        let rest = below(least).max(below(most)).max(0.0) / 2.0;
+        Some(Self {
+            middle: top - rest + slope * (self.middle - middle),
+            slope: self.slope.map(|part| slope * part),
+            rest: slope.abs() * self.rest + rest,
+        })
+    }
+
+    /// The root of what is not negative; `None` where it is negative for certain.
+    #[inline]
+    pub(crate) fn sqrt(self) -> Option<Self> {
+        self.concave(Range::POSITIVE, |x| (x.sqrt(), 0.5 / x.sqrt()))
+    }
+
+    /// `1/x` of what lies in `known`, a range of positive numbers.
+    #[inline]
+    pub(crate) fn inverse(self, known: Range) -> Option<Self> {
+        Some(-self.concave(known, |x| (-1.0 / x, 1.0 / (x * x)))?)
+    }
+}
+
+/// Sine and cosine of the angles in a range, which variable `variable` runs through.
+pub(crate) fn sin_cos<const N: usize>(angles: Range, variable: usize) -> (Affine<N>, Affine<N>) {
+    let ((s, c), half) = (angles.middle().sin_cos(), angles.width() / 2.0);
+    if 1.2 < half {
+        let anything = Affine { rest: 1.0, ..Affine::point(0.0) };
+        return (anything, anything);
+    }
+    // With d in -half..half: cos d in cos(half)..1, and sin d from (1 - half^2/8) d by at most half^3/24 + half^5/120.
+    let lost = (1.0 - half.cos()) / 2.0;
+    let bent = half.powi(3) / 24.0 + half.powi(5) / 120.0;
+    let linear = half * (1.0 - half * half / 8.0);
+    let turned = |of: f64, by: f64| {
+        let mut slope = [0.0; N];
+        if 0.0 < half {
+            slope[variable] = by * linear;
+        }
+        Affine { middle: of * (1.0 - lost), slope, rest: of.abs() * lost + by.abs() * bent }
+    };
+    (turned(s, c), turned(c, -s))
+}
+
+impl<const N: usize> Add for Affine<N> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let slope = std::array::from_fn(|i| self.slope[i] + other.slope[i]);
+        Self { middle: self.middle + other.middle, slope, rest: self.rest + other.rest }
+    }
+}
+
+impl<const N: usize> Sub for Affine<N> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<const N: usize> Neg for Affine<N> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self { middle: -self.middle, slope: self.slope.map(|slope| -slope), rest: self.rest }
+    }
+}
+
+impl<const N: usize> Add<f64> for Affine<N> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: f64) -> Self {
+        Self { middle: self.middle + other, ..self }
+    }
+}
+
+impl<const N: usize> Mul<f64> for Affine<N> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        let slope = self.slope.map(|slope| slope * factor);
+        Self { middle: self.middle * factor, slope, rest: self.rest * factor.abs() }
+    }
+}
+
+impl<const N: usize> Mul for Affine<N> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let (a, b) = (self.middle, other.middle);
+        let (mut squares, mut spread) = (0.0, 0.0);
+        let slope = std::array::from_fn(|i| {
+            // The square of a variable lies in 0..1: half of it goes to the middle.
+            let both = self.slope[i] * other.slope[i] / 2.0;
+            squares += both;
+            spread += both.abs();
+            a * other.slope[i] + b * self.slope[i]
+        });
+        let rest = a.abs() * other.rest + b.abs() * self.rest + (self.radius() * other.radius() - spread);
+        Self { middle: a * b + squares, slope, rest }
+    }
+}
+
+/// A vector in space.
+pub(crate) type Vector<const N: usize> = [Affine<N>; 3];
+
+/// `a + b`.
+pub(crate) fn sum<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
+    std::array::from_fn(|i| a[i] + b[i])
+}
+
+/// `v` times a known factor.
+pub(crate) fn scaled<const N: usize>(v: &Vector<N>, factor: f64) -> Vector<N> {
+    v.map(|part| part * factor)
+}
+
+/// The scalar product.
+#[inline]
+pub(crate) fn dot<const N: usize>([ax, ay, az]: &Vector<N>, [bx, by, bz]: &Vector<N>) -> Affine<N> {
+    *ax * *bx + *ay * *by + *az * *bz
+}
+
+/// The vector product.
+#[inline]
+pub(crate) fn cross<const N: usize>([ax, ay, az]: &Vector<N>, [bx, by, bz]: &Vector<N>) -> Vector<N> {
+    [*ay * *bz - *az * *by, *az * *bx - *ax * *bz, *ax * *by - *ay * *bx]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_computed_with_affine_numbers_holds_for_all_values_of_the_variables() {
+        let mut rng = fastrand::Rng::with_seed(31);
+        for _ in 0..3000 {
+            let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+            let at: [f64; 3] = std::array::from_fn(|_| part(-1.0, 1.0));
+            let mut number = || {
+                let slope: [f64; 3] = std::array::from_fn(|_| part(-0.5, 0.5));
+                let rest = part(0.0, 0.2);
+                let x = Affine { middle: part(-2.0, 2.0), slope, rest };
+                let value = x.middle + (0..3).map(|i| slope[i] * at[i]).sum::<f64>() + rest * part(-1.0, 1.0);
+                (x, value)
+            };
+            let ((a, x), (b, y)) = (number(), number());
+            let angles = Range::spanning(y, y + part(0.0, 2.0));
+            let angle = angles.middle() + at[1] * angles.width() / 2.0;
+            let (sine, cosine) = sin_cos::<3>(angles, 1);
+            let positive = Range::spanning(1e-3, f64::INFINITY);
+            let mut all = vec![
+                (a + b, x + y),
+                (a - b, x - y),
+                (a * b, x * y),
+                (a * -3.0, x * -3.0),
+                (a.square(), x * x),
+                (sine, angle.sin()),
+                (cosine, angle.cos()),
+            ];
+            if 1e-3 < x {
+                all.push((a.sqrt().unwrap(), x.sqrt()));
+                all.push((a.inverse(positive).unwrap(), 1.0 / x));
+            }
+            for (found, value) in all {
+                let linear = found.middle + (0..3).map(|i| found.slope[i] * at[i]).sum::<f64>();
+                assert!((value - linear).abs() <= found.rest + 1e-9 * (1.0 + value.abs()), "{found:?} {value}");
+                assert!(found.min() - 1e-9 <= value && value <= found.max() + 1e-9 * (1.0 + value.abs()));
+            }
+        }
+    }
+
+    #[test]
+    fn halving_the_variables_quarters_what_is_left_over() {
+        let rest = |half: f64| {
+            let (s, c) = sin_cos::<1>(Range::spanning(0.5 - half, 0.5 + half), 0);
+            let sum = (s * c + s.square() + 1.0).sqrt().unwrap();
+            (sum.inverse(Range::spanning(0.1, 9.0)).unwrap() * c).rest
+        };
+        assert!((3.5..4.5).contains(&(rest(0.1) / rest(0.05))) && (3.8..4.2).contains(&(rest(0.01) / rest(0.005))));
+    }
+}

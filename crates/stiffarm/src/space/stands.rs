@@ -1,0 +1,104 @@
+//! A box of stands: what [`super::patch`] says of one, said of all of them at once.
+
+use super::affine::{Affine, Vector, scaled, sin_cos, sum};
+use super::patch::Stand;
+use crate::limits::Range;
+
+/// Ranges of x, z, yaw, angle and roll of a [`Stand`].
+pub(crate) type StandBox = [Range; 5];
+
+/// The stands of a box, the `N` ranges that are no points as variables.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stands<const N: usize> {
+    centre: Vector<N>,
+    first: Vector<N>,
+    second: Vector<N>,
+    /// The tool's axes in those of the base.
+    tool: [Vector<N>; 3],
+}
+
+/// Which ranges of a box are variables: x and z always, the turns where they are free.
+pub(crate) fn variables(stands: &StandBox) -> usize {
+    2 + stands[2..].iter().filter(|range| 0.0 < range.width()).count()
+}
+
+/// The stand in the middle of a box.
+pub(crate) fn middle(stands: &StandBox) -> Stand {
+    let [x, z, yaw, angle, roll] = stands.map(Range::middle);
+    Stand { x, z, yaw, angle, roll }
+}
+
+impl<const N: usize> Stands<N> {
+    /// With a tool axis that rises by `elevation`, rad, above the horizontal; `N` must be what [`variables`] says.
+    pub(crate) fn of(elevation: f64, stands: &StandBox) -> Self {
+        let length = |range: Range, variable: usize| {
+            let mut length = Affine::point(range.middle());
+            length.slope[variable] = range.width() / 2.0;
+            length
+        };
+        let zero = Affine::point(0.0);
+        let centre = [length(stands[0], 0), zero, length(stands[1], 1)];
+        let mut next = 2;
+        let mut turn = |range: Range| {
+            let turned = sin_cos::<N>(range, next);
+            next += usize::from(0.0 < range.width());
+            turned
+        };
+        let [(sy, cy), (sa, ca), (sr, cr)] = [turn(stands[2]), turn(stands[3]), turn(stands[4])];
+        let (se, ce) = elevation.sin_cos();
+        let upwards = [cy * -se, sy * -se, Affine::point(ce)];
+        let left = [-sy, cy, zero];
+        let axis = [cy * ce, sy * ce, Affine::point(se)];
+        let mixed = |a: &Vector<N>, by: Affine<N>, b: &Vector<N>, with: Affine<N>| -> Vector<N> {
+            std::array::from_fn(|i| a[i] * by + b[i] * with)
+        };
+        // The tool's y axis at roll zero points to the right.
+        let tool = [mixed(&upwards, cr, &left, -sr), mixed(&left, -cr, &upwards, -sr), axis];
+        Self { centre, first: mixed(&upwards, ca, &left, sa), second: mixed(&left, ca, &upwards, -sa), tool }
+    }
+
+    /// A point of the patch, base axes.
+    pub(crate) fn point(&self, [u, v]: [f64; 2]) -> Vector<N> {
+        sum(&self.centre, &sum(&scaled(&self.first, u), &scaled(&self.second, v)))
+    }
+
+    /// A vector that the tool carries, base axes.
+    pub(crate) fn carried(&self, [x, y, z]: [f64; 3]) -> Vector<N> {
+        let across = sum(&scaled(&self.tool[0], x), &scaled(&self.tool[1], y));
+        sum(&across, &scaled(&self.tool[2], z))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+    use crate::space::Patch;
+
+    #[test]
+    fn the_patches_of_all_stands_of_a_box_lie_where_it_says() {
+        let mut rng = fastrand::Rng::with_seed(32);
+        for case in 0..500 {
+            let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+            let elevation = part(-1.5, 1.5);
+            let width = [0.3, 0.01][case % 2];
+            let stands: StandBox = std::array::from_fn(|_| {
+                let from = part(-1.0, 1.0);
+                Range::spanning(from, from + part(0.1, 1.0) * width)
+            });
+            let [x, z, yaw, angle, roll] = stands.map(|range| part(range.min(), range.max()));
+            let stand = Stand { x, z, yaw, angle, roll };
+            let patch = Patch::of(elevation, &stand);
+            let all = Stands::<5>::of(elevation, &stands);
+            let (at, carried) = ([part(-1.0, 1.0), part(-1.0, 1.0)], [part(-1.0, 1.0), part(-1.0, 1.0), 0.3]);
+            let expected = [patch.point(&stand, at), patch.tool() * Vector3::from(carried)];
+            for (found, expected) in [all.point(at), all.carried(carried)].iter().zip(expected) {
+                for (found, expected) in found.iter().zip(&expected) {
+                    assert!(found.min() - 1e-12 <= *expected && *expected <= found.max() + 1e-12);
+                    assert!(found.rest < 2.0 * width, "{found:?}");
+                }
+            }
+        }
+    }
+}
