@@ -3,6 +3,13 @@
 //! Nothing is computed here. The Python side spells its arguments as the command line does (`within_m="0.5..,0.."`), so that
 //! both faces share one notation and its words.
 
+#![allow(clippy::needless_pass_by_value, reason = "arguments from Python arrive by value")]
+#![allow(
+    clippy::doc_markdown,
+    rustdoc::broken_intra_doc_links,
+    reason = "docstrings are for Python and put units in brackets"
+)]
+
 mod asked;
 mod batch;
 mod json;
@@ -21,7 +28,6 @@ pyo3::create_exception!(
 );
 
 /// An error in the library's words.
-#[expect(clippy::needless_pass_by_value, reason = "used with map_err")]
 fn refused(error: impl ToString) -> PyErr {
     StiffarmError::new_err(error.to_string())
 }

@@ -34,7 +34,7 @@ const USUAL: [(&str, &str, &str); 3] = [
 /// The text of a robot file; the library reads and checks it.
 pub(crate) fn robot_file(name: &str, numbers: Option<&Bound<'_, PyDict>>) -> PyResult<String> {
     let mut given = Vec::new();
-    for (key, value) in numbers.into_iter().flat_map(|numbers| numbers.iter()) {
+    for (key, value) in numbers.into_iter().flat_map(PyDictMethods::iter) {
         if !value.is_none() {
             given.push((key.extract::<String>()?, literal(&value)?));
         }

@@ -302,6 +302,19 @@ fn read_file(path: &Path) -> PyResult<Robot> {
     read(&text, &name).map(Robot).map_err(refused)
 }
 
+/// Every robot file in a folder, in the order of their names.
+fn folder(path: &Path) -> PyResult<Vec<Robot>> {
+    let failed = |error| refused(format!("cannot read {}: {error}", path.display()));
+    let files: Result<Vec<_>, _> = fs::read_dir(path).map_err(failed)?.collect();
+    let mut files: Vec<PathBuf> = files.map_err(failed)?.into_iter().map(|file| file.path()).collect();
+    files.retain(|file| ends_in(file, "toml"));
+    files.sort();
+    if files.is_empty() {
+        return Err(refused(format!("'{}' matches no robot", path.display())));
+    }
+    files.iter().map(|file| read_file(file)).collect()
+}
+
 /// The robots that names, patterns, paths and the sets `paper` and `all` mean, in the order given.
 #[pyfunction]
 pub(crate) fn select(name: &str) -> PyResult<Vec<Robot>> {
@@ -315,6 +328,7 @@ pub(crate) fn select(name: &str) -> PyResult<Vec<Robot>> {
             }
             found.iter().map(Entry::robot).collect()
         }
+        _ if Path::new(name).is_dir() => return folder(Path::new(name)),
         _ => return Ok(vec![robot(name)?]),
     };
     Ok(found.into_iter().map(Robot).collect())

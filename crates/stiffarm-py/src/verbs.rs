@@ -9,8 +9,8 @@ use stiffarm::compliance::compliance;
 use stiffarm::drive::Architecture;
 use stiffarm::limits::Range;
 use stiffarm::map::{
-    Axis, Component, Direction, Map, MapError, MapOptions, SectionOptions, Spacing, reached_box, reached_section,
-    section, stiffest_posture,
+    Axis, Component, Direction, Map, MapError, MapOptions, Section, SectionOptions, Spacing, reached_box,
+    reached_section, section, stiffest_posture,
 };
 use stiffarm::place::{PlaceOptions, find_robot, place_in_space, place_robot};
 use stiffarm::plane::Elbow;
@@ -18,7 +18,7 @@ use stiffarm::question::{Angle, degrees, distinct, number, shape};
 use stiffarm::rank::{rank as rank_in_plane, rank_in_space};
 use stiffarm::report;
 use stiffarm::report::map::MapReport;
-use stiffarm::robot::Robot as Arms;
+use stiffarm::robot::{Arm, Robot as Arms};
 use stiffarm::study::{Contender, StudyOptions, study as studied};
 use stiffarm::task::{Task, Zone};
 
@@ -193,6 +193,7 @@ fn spatial_map<'py>(
         force: asked.force()?,
         flange_from_tool: held.tool(),
         elevation: held.elevation(),
+        yaw: 0.0,
         roll: held.roll(),
         class: None,
     };
@@ -206,8 +207,18 @@ fn spatial_map<'py>(
     let shown = json!({
         "title": robot.full_name(),
         "subtitle": format!("{}, {}", robot.architecture, robot.status),
+        "arm_m": stiffest_links(robot, &options, &section),
     });
     handed_over(py, &report::map::spatial(robot, &options, &section), &section.worst, &shown)
+}
+
+/// The links at the stiffest point, seen from the side: ahead and up.
+fn stiffest_links(robot: &Arms, options: &SectionOptions, section: &Section) -> Option<[[f64; 2]; 5]> {
+    let [(_, i, j), _] = section.worst.extremes()?;
+    let joints = section.joints(robot, options, i, j)?;
+    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return None };
+    let points = geometry.points(&geometry.model_angles(&joints, limits.third_axis));
+    Some(points.map(|[x, _, z]| [x, z]))
 }
 
 fn handed_over<'py>(
@@ -226,14 +237,14 @@ fn handed_over<'py>(
 
 /// Architecture against link ratio and size.
 #[pyfunction]
-pub(crate) fn study<'py>(
-    py: Python<'py>,
+pub(crate) fn study(
+    py: Python<'_>,
     tasks: Vec<String>,
     sizes: Vec<f64>,
     ratios: Vec<f64>,
     range: [f64; 2],
     contenders: [(String, f64, f64); 2],
-) -> Answer<'py> {
+) -> Answer<'_> {
     let contender = |(name, k2, k3): &(String, f64, f64)| {
         let known = Architecture::ALL.into_iter().find(|known| known.name() == name);
         let architecture = known.ok_or_else(|| refused(format!("'{name}'; expected serial or quasi-serial")))?;

@@ -122,6 +122,14 @@ def test_robots_from_numbers_and_files(program, tmp_path):
         assert stiffarm.place(robot, task="A:0.3").to_dict() == program("place", str(path), "--task", "A:0.3")
 
 
+def test_folders_of_robots(program, tmp_path):
+    for name, length in (("b", 1000), ("a", 900)):
+        robot = stiffarm.Robot.from_numbers(name, l2_mm=length, l3_mm=800)
+        (tmp_path / f"{name}.toml").write_text(robot.to_toml())
+    found = stiffarm.rank([tmp_path, "BT200L"], tasks="A:0.2")
+    assert found.to_dict() == program("rank", "--robots", f"{tmp_path},BT200L", "--task", "A:0.2")
+
+
 def test_many_postures_are_what_single_ones_are():
     rng = np.random.default_rng(7)
     for robot in ROBOTS:

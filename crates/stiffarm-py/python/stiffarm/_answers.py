@@ -176,6 +176,8 @@ class Placement(_Table):
     feasible: bool
     #: Why there is no place.
     reason: str | None
+    #: Spatial model: that there is no place is proved.
+    proved: bool | None
     deflection_mm: float | None
     #: No allowed place has less.
     lower_bound_mm: float | None

@@ -10,7 +10,7 @@ use crate::space::SpatialArm;
 use crate::spatial::{Pose, Wrench};
 
 /// Postures that are turned into radians at a time: they stay in the nearest cache.
-const BLOCK: usize = 512;
+const BLOCK: usize = 256;
 
 /// One of many postures that cannot be judged.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -69,11 +69,13 @@ pub fn worst_um_per_n(
         let mut columns = [[0.0; BLOCK]; 6];
         let joints = radians(joints_deg, &mut columns);
         arm.worst(joints, found)?;
-        found.iter_mut().for_each(|value| *value *= 1e6);
+        for value in found {
+            *value *= 1e6;
+        }
         Ok(())
     };
     let done = joints_deg.par_chunks(BLOCK).zip(found.par_chunks_mut(BLOCK)).try_for_each(block);
-    named(robot, flange_from_tool, joints_deg, done)
+    named(robot, flange_from_tool, joints_deg, &done)
 }
 
 /// The block from force to translation, um/N, base axes, at many postures; else as [`worst_um_per_n`].
@@ -102,7 +104,7 @@ pub fn matrices_um_per_n(
         Ok(())
     };
     let done = joints_deg.par_chunks(BLOCK).zip(found.par_chunks_mut(BLOCK)).try_for_each(block);
-    named(robot, flange_from_tool, joints_deg, done)
+    named(robot, flange_from_tool, joints_deg, &done)
 }
 
 /// One slice per joint, in radians.
@@ -120,7 +122,7 @@ fn named(
     robot: &Robot,
     flange_from_tool: &Pose,
     joints_deg: &[[f64; 6]],
-    done: Result<(), PostureError>,
+    done: &Result<(), PostureError>,
 ) -> Result<(), RowError> {
     // Wide registers do not notice where a compensator is held by nothing.
     let may_slip = matches!(&robot.arm, Arm::SixAxis { drives, .. } if drives.compensator.is_some());
@@ -132,4 +134,61 @@ fn named(
         judged.err().map(|error| RowError { row, error })
     };
     joints_deg.par_iter().enumerate().find_map_first(judge).map_or(Ok(()), Err)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::paper_robots;
+    use crate::drive::GravityCompensator;
+
+    fn postures() -> Vec<[f64; 6]> {
+        let mut rng = fastrand::Rng::with_seed(8);
+        (0..3 * BLOCK + 7).map(|_| std::array::from_fn(|_| 340.0 * (rng.f64() - 0.5))).collect()
+    }
+
+    #[test]
+    fn many_postures_in_degrees_are_what_single_ones_are() {
+        let tool = Pose::translation(0.1, -0.05, 0.2);
+        for robot in paper_robots() {
+            let joints = postures();
+            let mut worst = vec![0.0; joints.len()];
+            let mut matrices = vec![[0.0; 9]; joints.len()];
+            worst_um_per_n(&robot, &tool, &joints, &mut worst).unwrap();
+            matrices_um_per_n(&robot, &tool, &joints, &mut matrices).unwrap();
+            for ((q, worst), matrix) in joints.iter().zip(worst).zip(matrices) {
+                let c = compliance(&robot, &q.map(f64::to_radians), &tool).unwrap().compliance;
+                let largest = c.worst().0 * 1e6;
+                assert!((worst - largest).abs() <= 3e-8 * largest, "{}: {worst} {largest}", robot.name);
+                for (n, entry) in matrix.iter().enumerate() {
+                    // Some forty roundings of numbers up to the largest entry.
+                    let expected = c.translation()[(n / 3, n % 3)] * 1e6;
+                    assert!((entry - expected).abs() <= 2e-14 * largest, "{}: {n}", robot.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_first_posture_that_cannot_be_judged_is_named_whichever_thread_finds_one() {
+        let mut robot = paper_robots().swap_remove(4);
+        let mut joints = postures();
+        joints[2 * BLOCK + 3][4] = f64::NAN;
+        joints[BLOCK + 3][1] = 1081.0;
+        let error = worst_um_per_n(&robot, &Pose::identity(), &joints, &mut vec![0.0; joints.len()]).unwrap_err();
+        assert_eq!(error.row, BLOCK + 3);
+        assert!(error.to_string().starts_with(&format!("posture {}: joint 2: 1081", BLOCK + 3)), "{error}");
+
+        // A spring that is pressed together pushes the upper arm over.
+        let Arm::SixAxis { drives, .. } = &mut robot.arm else { unreachable!("six axes") };
+        let (base, arm) = ([-0.5, -0.1], [0.05, 0.4]);
+        drives.compensator = Some(GravityCompensator { base, arm, stiffness: 2e7, free_length: 2.0 });
+        let joints = postures();
+        let judged = |q: &[f64; 6]| compliance(&robot, &q.map(f64::to_radians), &Pose::identity());
+        let row = joints.iter().position(|q| judged(q).is_err()).expect("some lean that nothing holds");
+        let error = worst_um_per_n(&robot, &Pose::identity(), &joints, &mut vec![0.0; joints.len()]).unwrap_err();
+        assert_eq!((error.row, error.error), (row, PostureError::Unstable(robot.name.clone())));
+        let held: Vec<[f64; 6]> = joints.into_iter().filter(|q| judged(q).is_ok()).collect();
+        assert_eq!(worst_um_per_n(&robot, &Pose::identity(), &held, &mut vec![0.0; held.len()]), Ok(()));
+    }
 }
