@@ -26,6 +26,7 @@ def test_placements(program, robot, task):
     for words, options in [
         ([], {}),
         (["--force-n", "123.4", "--tolerance-mm", "1.5"], {"force_n": 123.4, "tolerance_mm": 1.5}),
+        (["--force-n", repr(1000 / 3), "--angle", repr(100 / 7)], {"force_n": 1000 / 3, "angle": 100 / 7}),
         (["--within", "0.3..,0.1..2"], {"within_m": ((0.3, None), (0.1, 2))}),
         (["--angle", "30", "--gap", "0.001"], {"angle": 30, "gap": 0.001}),
         (["--angle", "horizontal"], {"angle": "horizontal"}),
