@@ -194,6 +194,15 @@ pub fn map(arm: &PlanarArm, options: &MapOptions) -> Result<Map, MapError> {
     Ok(Map { x: options.x, z: options.z, cells })
 }
 
+/// Shoulder and elbow angle, rad, at the stiffest point of a map, with the one elbow side or the first that reaches it.
+pub fn stiffest_posture(arm: &PlanarArm, map: &Map, elbow: Option<Elbow>) -> Option<(f64, f64)> {
+    let [(_, i, j), _] = map.extremes()?;
+    let p = [map.x.at(i), map.z.at(j)];
+    let sides = arm.sides().ok()?;
+    let wanted = |side: &&ElbowSide| elbow.is_none_or(|only| only == side.elbow);
+    sides.iter().filter(wanted).find_map(|side| side.posture(p.into()))
+}
+
 /// The upright box, m from the joint-2 axis, outside which the arm reaches nothing: forwards, upwards.
 ///
 /// Found on a 256 x 256 grid and widened by one step, so that it holds all of the reached set that a map can show.

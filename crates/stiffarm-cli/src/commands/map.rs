@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use stiffarm::limits::Range;
-use stiffarm::map::{Component, Direction, Map, MapError, MapOptions, Spacing, map, reached_box};
+use stiffarm::map::{Component, Direction, Map, MapError, MapOptions, Spacing, map, reached_box, stiffest_posture};
 use stiffarm::place::{PlaceOptions, Placement, Within, find_robot};
 use stiffarm::plane::PlanarArm;
 use stiffarm::question::Angle;
@@ -124,11 +124,7 @@ impl MapAnswer {
             let [shoulder, elbow] = placement.worst_posture;
             return Some((shoulder, elbow));
         }
-        let [(_, i, j), _] = self.map.extremes()?;
-        let p = [self.map.x.at(i), self.map.z.at(j)];
-        let sides = self.plane.arm.sides().ok()?;
-        let wanted = |elbow| self.options.elbow.is_none_or(|only| only == elbow);
-        sides.iter().filter(|side| wanted(side.elbow)).find_map(|side| side.posture(p.into()))
+        stiffest_posture(&self.plane.arm, &self.map, self.options.elbow)
     }
 
     fn subtitle(&self) -> String {

@@ -14,6 +14,7 @@ pub use fault::{Fault, Faults};
 pub use filter::{Filter, NothingLeft};
 pub use index::{Entry, entries, find, matching, names, suggestions};
 pub use robot_file::read;
+pub(crate) use write::microradians;
 pub use write::write;
 
 use crate::drive::JointCompliance;
@@ -59,4 +60,22 @@ pub fn with_compliance(robot: &Robot, drive_urad_per_nm: [f64; 6]) -> Result<Rob
         Arm::Planar(arm) => (arm.k2, arm.k3) = (k[1], k[2]),
     }
     read(&write(&changed), &robot.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn other_compliances_change_nothing_else_and_are_held_to_what_a_file_may_say() {
+        let urad = [0.7, 1.1, 1.9, 3.0, 5.0, 8.0];
+        for robot in paper_robots() {
+            let changed = with_compliance(&robot, urad).unwrap();
+            let Arm::SixAxis { drives, .. } = &changed.arm else { unreachable!("six axes") };
+            assert_eq!(drives.compliance.0, urad.map(|urad| urad / 1e6));
+            assert_eq!(with_compliance(&changed, [1.0; 6]).unwrap(), robot);
+            assert_eq!(with_compliance(&robot, [1.0, 1.0, f64::NAN, 1.0, 1.0, 1.0]).unwrap_err().faults.len(), 1);
+            assert!(with_compliance(&robot, [1e-6; 6]).is_err());
+        }
+    }
 }

@@ -110,7 +110,7 @@ impl Text {
             self.table("compliance");
         }
         if !paper {
-            self.list("drive_urad_per_nm", drives.compliance.0.map(microradians));
+            self.list("drive_urad_per_nm", drives.compliance.0.map(|k| plain(microradians(k))));
         }
         if own {
             let rows = (0..6).map(|i| list(drives.transmission.0.row(i).iter().copied().map(plain)));
@@ -134,7 +134,7 @@ impl Text {
         self.range("forearm_deg", arm.forearm);
         for (key, k) in [("k2_urad_per_nm", arm.k2), ("k3_urad_per_nm", arm.k3)] {
             if k != JointCompliance::PAPER.0[1] {
-                self.entry(key, &microradians(k));
+                self.entry(key, &plain(microradians(k)));
             }
         }
     }
@@ -182,12 +182,18 @@ fn degrees(radians: f64) -> String {
     inverse(radians, 1_f64.to_degrees(), f64::to_radians)
 }
 
-fn microradians(k: f64) -> String {
-    inverse(k, 1e6, |urad| urad / 1e6)
+/// urad/(N m), without the noise of the change of units.
+pub(crate) fn microradians(k: f64) -> f64 {
+    shortest(k, 1e6, |urad| urad / 1e6)
 }
 
 /// The shortest decimals that `read` turns into `x`, which is about the `factor`-th part of what is written.
 fn inverse(x: f64, factor: f64, read: impl Fn(f64) -> f64) -> String {
+    plain(shortest(x, factor, read))
+}
+
+/// The number that they are.
+fn shortest(x: f64, factor: f64, read: impl Fn(f64) -> f64) -> f64 {
     const MOST_DIGITS: usize = 17;
     let about = x * factor;
     let neighbours = [about, about.next_up(), about.next_down()];
@@ -195,7 +201,7 @@ fn inverse(x: f64, factor: f64, read: impl Fn(f64) -> f64) -> String {
     let target = read(exact);
     let short = (0..MOST_DIGITS).map(|digits| format!("{exact:.digits$}"));
     let found = short.into_iter().find_map(|text| text.parse().ok().filter(|&y| read(y) == target));
-    plain(found.unwrap_or(exact))
+    found.unwrap_or(exact)
 }
 
 #[cfg(test)]
@@ -229,7 +235,7 @@ mod tests {
         assert_eq!(millimetres(-0.0), "0");
         assert_eq!(degrees(-90_f64.to_radians()), "-90");
         assert_eq!(degrees(0.1_f64.to_radians()), "0.1");
-        assert_eq!(microradians(0.25e-6), "0.25");
+        assert_eq!(microradians(0.7e-6).to_string(), "0.7");
         assert_eq!(quoted("a \"b\" \\ \n"), "\"a \\\"b\\\" \\\\ \\u000A\"");
     }
 }

@@ -125,6 +125,11 @@ impl PlanarArm {
         )
     }
 
+    /// Joint-2 axis, elbow and wrist centre, m, at a shoulder and an elbow angle, rad.
+    pub fn points(&self, shoulder: f64, elbow: f64) -> [[f64; 2]; 3] {
+        [[0.0; 2], [self.l2 * shoulder.cos(), self.l2 * shoulder.sin()], self.forward(shoulder, elbow).into()]
+    }
+
     /// Cartesian compliance at the wrist centre, m/N, base axes (x, z): `C = (J A) k (J A)^T`.
     ///
     /// `J = [e x p, e x (p - E)]` with the elbow at `E`; no inverse, so every posture has one.

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::Object;
+use crate::catalogue::microradians;
 use crate::geometry::Geometry;
 use crate::limits::{Limits, Range, ThirdAxis};
 use crate::plane::PlanarArm;
@@ -82,4 +83,12 @@ pub fn lengths(geometry: &Geometry) -> [(&'static str, f64); 7] {
 /// A number to six decimals, which is finer than any file: without the noise of a change of units.
 pub fn rounded(x: f64) -> f64 {
     (x * 1e6).round() / 1e6 + 0.0
+}
+
+/// The compliance of the drives as a robot file says it, urad/(N m): six, or of a planar robot those of the drives 2 and 3.
+pub fn drive_urad_per_nm(robot: &Robot) -> Vec<f64> {
+    match &robot.arm {
+        Arm::SixAxis { drives, .. } => drives.compliance.0.map(microradians).to_vec(),
+        Arm::Planar(arm) => [arm.k2, arm.k3].map(microradians).to_vec(),
+    }
 }

@@ -1,0 +1,42 @@
+"""Which robot is stiff enough for machining, where must the work stand, and how far is the tool pushed off there?
+
+A robot and a task go in; each verb is one function:
+
+============== ==========================================================
+`compliance`   how compliant is an arm at one posture, or at a million?
+`map`          how far is the tool pushed off, everywhere the arm reaches?
+`place`        where must a zone stand, and who proves it?
+`rank`         which robot holds the force best?
+`study`        which architecture suits which link ratio and size?
+============== ==========================================================
+
+Units stand in the names: ``force_n``, ``tool_mm``, ``deflection_mm``. The numbers are those of the program `stiffarm`, to
+the last bit. What is not reached is ``nan`` in arrays and None elsewhere. Whatever is refused raises `StiffarmError`.
+
+Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl-C takes effect when the call returns.
+"""
+
+from ._answers import Answer, Compliance, Compliances, Map, Placement, Ranking, Study
+from ._stiffarm import Robot, StiffarmError, __version__, set_threads
+from ._verbs import cell, compliance, map, place, rank, robots, study
+
+__all__ = [
+    "Answer",
+    "Compliance",
+    "Compliances",
+    "Map",
+    "Placement",
+    "Ranking",
+    "Robot",
+    "StiffarmError",
+    "Study",
+    "__version__",
+    "cell",
+    "compliance",
+    "map",
+    "place",
+    "rank",
+    "robots",
+    "set_threads",
+    "study",
+]

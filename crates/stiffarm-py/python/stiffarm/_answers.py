@@ -1,0 +1,323 @@
+"""What the verbs answer: attributes by the keys of the program's JSON, and the ways out to other libraries."""
+
+from __future__ import annotations
+
+import copy
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+
+Array = npt.NDArray[np.float64]
+
+
+def _plain(value: Any) -> Any:
+    """Arrays as nested lists, and nan as None: what JSON says."""
+    if isinstance(value, np.ndarray):
+        plain = value.astype(object)
+        plain[np.isnan(value)] = None
+        return plain.tolist()
+    return copy.deepcopy(value)
+
+
+def _same(one: Any, other: Any) -> bool:
+    if isinstance(one, np.ndarray) or isinstance(other, np.ndarray):
+        return type(one) is type(other) and np.array_equal(one, other, equal_nan=True)
+    return bool(one == other)
+
+
+class Answer:
+    """An answer; its attributes are the keys of the program's JSON. Absent keys are None."""
+
+    _arrays: tuple[str, ...] = ()
+    _data: dict[str, Any]
+
+    def __init__(self, data: dict[str, Any]) -> None:
+        arrays = {key: np.asarray(data[key], dtype=np.float64) for key in self._arrays if key in data}
+        self._data = {**data, **arrays}
+
+    def __getattr__(self, key: str) -> Any:
+        if key.startswith("_"):
+            raise AttributeError(key)
+        if key in self._data:
+            return self._data[key]
+        if any(key in kind.__dict__.get("__annotations__", ()) for kind in type(self).__mro__):
+            return None
+        raise AttributeError(f"{type(self).__name__} has no attribute {key!r}; it has {', '.join(self._data)}")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._data]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The JSON of the program, as `json.loads` reads it."""
+        return {key: _plain(value) for key, value in self._data.items()}
+
+    def __eq__(self, other: object) -> bool:
+        if type(self) is not type(other) or not isinstance(other, Answer):
+            return NotImplemented
+        mine, theirs = self._data, other._data
+        return mine.keys() == theirs.keys() and all(_same(mine[key], theirs[key]) for key in mine)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def _words(self) -> str:
+        return ", ".join(f"{key}={value!r}" for key, value in self._data.items())
+
+    def __repr__(self) -> str:
+        return f"<stiffarm.{type(self).__name__} {self._words()}>"
+
+
+class _Table(Answer):
+    """An answer that has rows."""
+
+    def _columns(self) -> dict[str, Any]:
+        raise NotImplementedError
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The rows as a pandas DataFrame; needs pandas."""
+        try:
+            import pandas
+        except ImportError as error:
+            raise ImportError("to_pandas() needs pandas: pip install pandas") from error
+        return pandas.DataFrame(self._columns())
+
+    def to_polars(self) -> polars.DataFrame:
+        """The rows as a polars DataFrame; needs polars."""
+        try:
+            import polars
+        except ImportError as error:
+            raise ImportError("to_polars() needs polars: pip install polars") from error
+        return polars.DataFrame(self._columns(), nan_to_null=True, strict=False)
+
+
+def _columns_of(rows: list[dict[str, Any]]) -> dict[str, list[Any]]:
+    """Rows as columns; what is no single number or word is left out."""
+    keys = {key: None for row in rows for key, value in row.items() if not isinstance(value, (list, dict))}
+    return {key: [row.get(key) for row in rows] for key in keys}
+
+
+class Compliance(Answer):
+    """One posture. Base axes: x forward, y left, z up."""
+
+    _arrays = (
+        "joints_deg",
+        "tcp_m",
+        "compliance_um_per_n",
+        "compliance_6x6_si",
+        "principal_um_per_n",
+        "worst_direction",
+        "worst_shares",
+        "force_n",
+        "deflection_mm",
+        "rotation_mrad",
+    )
+
+    robot: str
+    model: str
+    #: (6,) as the robot reports them.
+    joints_deg: Array
+    #: (3,) the tool point from the base.
+    tcp_m: Array
+    #: (3, 3) from force to translation.
+    compliance_um_per_n: Array
+    #: (6, 6) translation first, m and rad per N and N m.
+    compliance_6x6_si: Array
+    #: (3,) ascending.
+    principal_um_per_n: Array
+    #: (3,) the unit direction of the last of them.
+    worst_direction: Array
+    #: (6,) what each drive gives of it; adds up to 1.
+    worst_shares: Array
+    #: (3,) the force, where one was given.
+    force_n: Array | None
+    #: (3,) the translation under it.
+    deflection_mm: Array | None
+    #: (3,) the rotation under it.
+    rotation_mrad: Array | None
+
+    def _words(self) -> str:
+        worst = float(self.principal_um_per_n[2])
+        return f"{self.robot}: worst {worst:.4f} um/N along {np.round(self.worst_direction, 3).tolist()}"
+
+
+class Compliances(_Table):
+    """Many postures."""
+
+    robot: str
+    #: (n,) largest translation per force in any direction.
+    worst_um_per_n: Array
+    #: (n, 3, 3) from force to translation, base axes; where ``full=True`` was asked.
+    compliance_um_per_n: Array | None
+
+    def __len__(self) -> int:
+        return len(self.worst_um_per_n)
+
+    def _columns(self) -> dict[str, Any]:
+        return {"worst_um_per_n": self.worst_um_per_n}
+
+    def _words(self) -> str:
+        return f"{self.robot}: {len(self)} postures"
+
+
+class Placement(_Table):
+    """The best place of one zone; what only one model knows is None in the other.
+
+    Positions count from the joint-2 axis in the planar model, from the base in the spatial one.
+    """
+
+    robot: str
+    task: str
+    model: str
+    force_n: float
+    feasible: bool
+    #: Why there is no place.
+    reason: str | None
+    #: Spatial model: that there is no place is proved.
+    proved: bool | None
+    deflection_mm: float | None
+    #: No allowed place has less.
+    lower_bound_mm: float | None
+    x_m: float | None
+    z_m: float | None
+    angle_deg: float | None
+    elbow: str | None
+    worst_point_m: list[float] | None
+    largest_feasible_scale: float | None
+    below_base: bool | None
+    behind_axis_1: bool | None
+    bearing_deg: float | None
+    yaw_deg: float | None
+    roll_deg: float | None
+    shoulder: str | None
+    wrist: str | None
+    worst_joints_deg: list[float] | None
+    worst_shares: list[float] | None
+    limit_margin_deg: float | None
+    limit_margin_joint: int | None
+    singular_margin_deg: float | None
+    resolution: dict[str, Any] | None
+    tolerance_mm: float | None
+    margin_mm: float | None
+
+    @property
+    def passes(self) -> bool | None:
+        """The key ``pass``: whether the tolerance is kept; None where none was given."""
+        verdict: bool | None = self._data.get("pass")
+        return verdict
+
+    def _columns(self) -> dict[str, Any]:
+        return _columns_of([self._data])
+
+    def _words(self) -> str:
+        if self.deflection_mm is None:
+            return f"{self.robot}, {self.task}: no place; {self.reason}"
+        place = f"{self.deflection_mm:.4f} mm at x {self.x_m:.4f} m, z {self.z_m:.4f} m"
+        return f"{self.robot}, {self.task}: {place}, {self.force_n:g} N, {self.model} model"
+
+
+class Ranking(_Table):
+    """Robots in order, the best first."""
+
+    tasks: list[str]
+    model: str
+    force_n: float
+    #: One per robot: names, status, ``mean_ratio``, and ``cells`` with one placement per task.
+    rows: list[dict[str, Any]]
+    #: Planar model: who is best at each task.
+    winners: list[dict[str, Any]] | None
+    #: What a manager would read.
+    summary: list[str]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def cell(self, robot: str, task: str) -> Placement:
+        """The placement of a task (by its label) on a robot (by its name)."""
+        for row in self.rows:
+            for found in row["cells"]:
+                if (found["robot"], found["task"]) == (robot, task):
+                    return Placement(copy.deepcopy(found))
+        raise KeyError((robot, task))
+
+    def _columns(self) -> dict[str, Any]:
+        rows = []
+        for rank, row in enumerate(self.rows, start=1):
+            rows += [{"rank": rank, **row, **cell} for cell in row["cells"]]
+        return _columns_of(rows)
+
+    def _words(self) -> str:
+        best = f"; best {self.rows[0]['robot']}" if self.rows else ""
+        return f"{len(self)} robots, {len(self.tasks)} tasks, {self.force_n:g} N, {self.model} model{best}"
+
+
+class Study(_Table):
+    """Accuracies over link ratio and size, normalised as Table I of the paper."""
+
+    #: ``task, d, mu_l3_over_l2, best, architecture, k2, k3, accuracy``.
+    rows: list[dict[str, Any]]
+    #: Sizes at which the better architecture changes.
+    boundaries: list[dict[str, Any]]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def _columns(self) -> dict[str, Any]:
+        return _columns_of(self.rows)
+
+    def _words(self) -> str:
+        return f"{len(self)} rows, {len(self.boundaries)} boundaries"
+
+
+class Map(_Table):
+    """Deflections over a grid: nan where nothing is reached.
+
+    Points count from the joint-2 axis in the planar model, from the base in the spatial one.
+    """
+
+    _arrays = ("x_m", "z_m")
+    _layers: tuple[str, ...]
+    _shown: dict[str, Any]
+
+    robot: str
+    model: str
+    force_n: float
+    #: (nx,) forwards.
+    x_m: Array
+    #: (nz,) upwards.
+    z_m: Array
+    #: (nz, nx) under the force in its worst direction.
+    worst_mm: Array | None
+    #: (nz, nx) under the force in the direction that was given.
+    deflection_mm: Array | None
+    direction_deg: float | None
+    tool_direction_deg: float | None
+    #: (nz, nx) of the nearest joint to its limits; spatial model.
+    limit_margin_deg: Array | None
+    #: (nz, nx) to the nearest singular posture; spatial model.
+    singular_margin_deg: Array | None
+    #: The best placement of the task that was given.
+    zone: dict[str, Any] | None
+
+    def __init__(self, data: dict[str, Any], layers: dict[str, Array], shown: dict[str, Any]) -> None:
+        super().__init__({key: layers.get(key, value) for key, value in data.items()})
+        self._layers = tuple(layers)
+        self._shown = shown
+
+    @property
+    def values_mm(self) -> Array:
+        """(nz, nx) the deflections, whichever direction of the force was asked for."""
+        values: Array = self._data[self._layers[0]]
+        return values
+
+    def _columns(self) -> dict[str, Any]:
+        x, z = np.meshgrid(self.x_m, self.z_m)
+        columns = {"x_m": x.ravel(), "z_m": z.ravel(), "deflection_mm": self.values_mm.ravel()}
+        return {**columns, **{key: self._data[key].ravel() for key in self._layers[1:]}}
+
+    def _words(self) -> str:
+        nz, nx = self.values_mm.shape
+        return f"{self.robot}: {nx} x {nz} points, {self.force_n:g} N, {self.model} model"

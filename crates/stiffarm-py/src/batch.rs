@@ -1,0 +1,50 @@
+//! Many postures at once: arrays in, arrays out.
+
+use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use stiffarm::report::compliance::{matrices_um_per_n, worst_um_per_n};
+
+use crate::asked::Asked;
+use crate::pool::detached;
+use crate::refused;
+use crate::robot::Robot;
+
+/// Rows of six of an array that lies in one piece: nothing is copied.
+fn rows<'a>(joints_deg: &'a PyReadonlyArray2<'_, f64>) -> PyResult<&'a [[f64; 6]]> {
+    match (joints_deg.shape(), joints_deg.as_slice()) {
+        ([_, 6], Ok(numbers)) => Ok(numbers.as_chunks().0),
+        (shape, _) => Err(refused(format!("joint angles of shape {shape:?}; expected rows of six in one piece"))),
+    }
+}
+
+/// The worst compliance at every posture, um/N.
+#[pyfunction]
+pub(crate) fn worst<'py>(
+    py: Python<'py>,
+    robot: &Robot,
+    joints_deg: PyReadonlyArray2<'py, f64>,
+    asked: Asked,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let (robot, tool) = (&robot.0, asked.held()?.tool());
+    let joints_deg = rows(&joints_deg)?;
+    let mut found = vec![0.0; joints_deg.len()];
+    detached(py, || worst_um_per_n(robot, &tool, joints_deg, &mut found))?
+        .map_err(|error| refused(format!("{}: {error}", robot.name)))?;
+    Ok(PyArray1::from_vec(py, found))
+}
+
+/// The 3 x 3 compliance at every posture, um/N.
+#[pyfunction]
+pub(crate) fn matrices<'py>(
+    py: Python<'py>,
+    robot: &Robot,
+    joints_deg: PyReadonlyArray2<'py, f64>,
+    asked: Asked,
+) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let (robot, tool) = (&robot.0, asked.held()?.tool());
+    let joints_deg = rows(&joints_deg)?;
+    let mut found = vec![[0.0; 9]; joints_deg.len()];
+    detached(py, || matrices_um_per_n(robot, &tool, joints_deg, &mut found))?
+        .map_err(|error| refused(format!("{}: {error}", robot.name)))?;
+    PyArray1::from_vec(py, found.into_flattened()).reshape([joints_deg.len(), 3, 3])
+}

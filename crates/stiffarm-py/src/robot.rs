@@ -1,0 +1,367 @@
+//! Robots, and which of them are meant.
+
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use serde_json::Value;
+use stiffarm::catalogue::import::{ImportOptions, import};
+use stiffarm::catalogue::{self, Entry, Filter, find, matching, paper_robots, read, suggestions, write};
+use stiffarm::drive::Architecture;
+use stiffarm::question::open_range;
+use stiffarm::report::robot::{drive_urad_per_nm, sheet};
+use stiffarm::robot::{Arm, Robot as Arms, Status};
+
+use crate::json::to_python;
+use crate::{numbers, refused};
+
+/// A robot: lengths, limits, drives, and where they come from. Never changed; equal where all numbers are.
+///
+/// Parameters
+/// ----------
+/// name : str or path
+///     A name in the catalogue, or the path of a robot file or URDF.
+///
+/// Raises
+/// ------
+/// StiffarmError
+///     Where no robot has the name, or the file has faults.
+#[pyclass(frozen, eq, module = "stiffarm._stiffarm")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct Robot(pub(crate) Arms);
+
+impl Robot {
+    fn key(&self, key: &str) -> Value {
+        sheet(&self.0)[key].clone()
+    }
+}
+
+#[pymethods]
+impl Robot {
+    #[new]
+    fn new(name: PathBuf) -> PyResult<Self> {
+        robot(&name.to_string_lossy())
+    }
+
+    /// A robot that comes with the package, by its name; case, blanks and punctuation do not matter.
+    ///
+    /// Parameters
+    /// ----------
+    /// name : str
+    ///     With or without the maker, such as ``"KR 210 R2700 extra"``.
+    ///
+    /// Raises
+    /// ------
+    /// StiffarmError
+    ///     Where no robot has the name; it suggests some that are close.
+    #[staticmethod]
+    fn catalogue(name: &str) -> PyResult<Self> {
+        find(name).map(|entry| Self(entry.robot())).ok_or_else(|| unknown(name))
+    }
+
+    /// A robot from the text of a robot file, or from its path.
+    ///
+    /// Parameters
+    /// ----------
+    /// source : str or path
+    ///     What holds an equals sign or more than one line is taken as the text.
+    ///
+    /// Raises
+    /// ------
+    /// StiffarmError
+    ///     Every fault of the file at once, each with its line and key.
+    #[staticmethod]
+    fn from_toml(source: PathBuf) -> PyResult<Self> {
+        match source.to_str() {
+            Some(text) if text.contains(['\n', '=']) => read(text, "robot").map(Self).map_err(refused),
+            _ => read(&text_of(&source)?, &source.display().to_string()).map(Self).map_err(refused),
+        }
+    }
+
+    /// A robot from a URDF or from OPW parameters (YAML), proved at random postures.
+    ///
+    /// Parameters
+    /// ----------
+    /// path : str or path
+    ///     The file.
+    /// name, vendor : str, optional
+    ///     In place of the file's.
+    /// base, tip : str, optional
+    ///     The links at which the arm begins and ends.
+    ///
+    /// Raises
+    /// ------
+    /// StiffarmError
+    ///     Where the file describes no arm with a spherical wrist.
+    #[staticmethod]
+    #[pyo3(signature = (path, *, name=None, vendor=None, base=None, tip=None))]
+    fn from_urdf(
+        path: PathBuf,
+        name: Option<String>,
+        vendor: Option<String>,
+        base: Option<String>,
+        tip: Option<String>,
+    ) -> PyResult<Self> {
+        let options = ImportOptions { name, vendor, base, tip, ..ImportOptions::default() };
+        let text = text_of(&path)?;
+        import(&text, &path.display().to_string(), &options).map(|found| Self(found.robot)).map_err(refused)
+    }
+
+    /// A robot from its numbers, by the keys of a robot file.
+    ///
+    /// Either the seven lengths with ``joint_deg``, or ``l2_mm`` and ``l3_mm`` of a planar arm.
+    ///
+    /// Parameters
+    /// ----------
+    /// name : str
+    ///     What to call it.
+    /// a1_mm, a2_mm, b_mm, c1_mm, c2_mm, c3_mm, c4_mm : float
+    ///     Lengths [mm]; ``b_mm`` is 0 where it is left out.
+    /// offset_deg, sign : (6,) array_like, optional
+    ///     Zero positions [deg] and signs of the joints; without them those of the model.
+    /// joint_deg : (6, 2) array_like
+    ///     Ranges of the joints as reported [deg].
+    /// drive_urad_per_nm : (6,) array_like, optional
+    ///     Compliance of the drives [urad/(N m)]; 1 where it is left out.
+    /// l2_mm, l3_mm : float
+    ///     The two links of a planar arm [mm].
+    /// k2_urad_per_nm, k3_urad_per_nm : float, optional
+    ///     Compliance of its drives [urad/(N m)].
+    /// shoulder_deg, elbow_deg, forearm_deg : (2,) array_like, optional
+    ///     Ranges [deg]; ``elbow_deg`` of a six-axis robot is the angle between the links.
+    /// architecture, status, vendor, third_axis : str, optional
+    ///     ``"serial"`` or ``"quasi-serial"``; how well the numbers are known (``"estimated"``).
+    /// payload_kg, reach_m, mass_kg, repeatability_mm : float, optional
+    ///     By the data sheet.
+    #[staticmethod]
+    #[pyo3(signature = (name, **numbers))]
+    fn from_numbers(name: &str, numbers: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let text = numbers::robot_file(name, numbers)?;
+        read(&text, name).map(Self).map_err(refused)
+    }
+
+    /// The same robot with other compliances of its drives.
+    ///
+    /// Parameters
+    /// ----------
+    /// drive_urad_per_nm : float or (6,) array_like
+    ///     Of all drives, or of each [urad/(N m)], 0.001 to 10000; of a planar robot those of the drives 2 and 3 count.
+    #[pyo3(signature = (*, drive_urad_per_nm))]
+    fn with_compliance(&self, drive_urad_per_nm: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let each = drive_urad_per_nm
+            .extract::<f64>()
+            .map(|all| [all; 6])
+            .or_else(|_| drive_urad_per_nm.extract::<[f64; 6]>())
+            .map_err(|_| refused("drive_urad_per_nm takes one number, or six"))?;
+        catalogue::with_compliance(&self.0, each).map(Self).map_err(refused)
+    }
+
+    /// The robot file that makes an equal robot.
+    fn to_toml(&self) -> String {
+        write(&self.0)
+    }
+
+    /// Everything that is known of it, as ``stiffarm robots show --format json`` prints it.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &sheet(&self.0))
+    }
+
+    /// The maker's name for it.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// The maker; empty where none is known.
+    #[getter]
+    fn vendor(&self) -> &str {
+        &self.0.vendor
+    }
+
+    /// Maker and name.
+    #[getter]
+    fn full_name(&self) -> String {
+        self.0.full_name()
+    }
+
+    /// ``"serial"`` or ``"quasi-serial"``.
+    #[getter]
+    fn architecture(&self) -> &str {
+        self.0.architecture.name()
+    }
+
+    /// Nothing says that the architecture is so.
+    #[getter]
+    fn architecture_assumed(&self) -> bool {
+        self.0.architecture_is_assumed
+    }
+
+    /// ``"identified"``, ``"data-sheet"``, ``"derived"`` or ``"estimated"``.
+    #[getter]
+    fn status(&self) -> &str {
+        self.0.status.name()
+    }
+
+    /// Nominal payload [kg], or None.
+    #[getter]
+    fn payload_kg(&self) -> Option<f64> {
+        self.0.payload_kg
+    }
+
+    /// Reach by the data sheet [m], or None.
+    #[getter]
+    fn reach_m(&self) -> Option<f64> {
+        self.0.reach
+    }
+
+    /// Mass of the arm [kg], or None.
+    #[getter]
+    fn mass_kg(&self) -> Option<f64> {
+        self.0.mass_kg
+    }
+
+    /// Repeatability by the data sheet [mm], or None.
+    #[getter]
+    fn repeatability_mm(&self) -> Option<f64> {
+        self.key("repeatability_mm").as_f64()
+    }
+
+    /// Only its two links are known: there is no spatial model.
+    #[getter]
+    fn is_planar(&self) -> bool {
+        matches!(self.0.arm, Arm::Planar(_))
+    }
+
+    /// Compliance of the drives [urad/(N m)]: six, or those of the drives 2 and 3 of a planar robot.
+    #[getter]
+    fn drive_urad_per_nm(&self) -> Vec<f64> {
+        drive_urad_per_nm(&self.0)
+    }
+
+    /// Where each group of numbers comes from.
+    #[getter]
+    fn source<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.key("source"))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<stiffarm.Robot {} ({}, {})>", self.0.full_name(), self.0.architecture, self.0.status)
+    }
+
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        write(&self.0).hash(&mut hasher);
+        hasher.finish()
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let make = py.get_type::<Self>().getattr("from_toml")?;
+        Ok((make, PyTuple::new(py, [write(&self.0)])?))
+    }
+}
+
+/// The one robot that a name or path means.
+fn robot(name: &str) -> PyResult<Robot> {
+    if let Some(entry) = find(name) {
+        return Ok(Robot(entry.robot()));
+    }
+    let path = Path::new(name);
+    if path.is_file() || ends_in(path, "toml") || is_description(path) { read_file(path) } else { Err(unknown(name)) }
+}
+
+fn unknown(name: &str) -> PyErr {
+    let near = suggestions(name);
+    let hint = if near.is_empty() {
+        "stiffarm.robots() lists the robots; a path to a robot file works too".into()
+    } else {
+        format!("did you mean {}?", near.join(", "))
+    };
+    refused(format!("robot '{name}' is not known; {hint}"))
+}
+
+fn ends_in(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+}
+
+/// A description of a robot that others made.
+fn is_description(path: &Path) -> bool {
+    ends_in(path, "urdf") || ends_in(path, "xacro")
+}
+
+fn text_of(path: &Path) -> PyResult<String> {
+    fs::read_to_string(path).map_err(|error| refused(format!("cannot read {}: {error}", path.display())))
+}
+
+fn read_file(path: &Path) -> PyResult<Robot> {
+    let (text, name) = (text_of(path)?, path.display().to_string());
+    if is_description(path) {
+        return import(&text, &name, &ImportOptions::default()).map(|found| Robot(found.robot)).map_err(refused);
+    }
+    read(&text, &name).map(Robot).map_err(refused)
+}
+
+/// Every robot file in a folder, in the order of their names.
+fn folder(path: &Path) -> PyResult<Vec<Robot>> {
+    let failed = |error| refused(format!("cannot read {}: {error}", path.display()));
+    let files: Result<Vec<_>, _> = fs::read_dir(path).map_err(failed)?.collect();
+    let mut files: Vec<PathBuf> = files.map_err(failed)?.into_iter().map(|file| file.path()).collect();
+    files.retain(|file| ends_in(file, "toml"));
+    files.sort();
+    if files.is_empty() {
+        return Err(refused(format!("'{}' matches no robot", path.display())));
+    }
+    files.iter().map(|file| read_file(file)).collect()
+}
+
+/// The robots that names, patterns, paths and the sets `paper` and `all` mean, in the order given.
+#[pyfunction]
+pub(crate) fn select(name: &str) -> PyResult<Vec<Robot>> {
+    let found = match name {
+        "paper" => paper_robots(),
+        "all" => catalogue::robots(),
+        _ if name.contains(['*', '?', '[']) => {
+            let found = matching(name).map_err(|error| refused(format!("'{name}' is not a pattern: {error}")))?;
+            if found.is_empty() {
+                return Err(refused(format!("'{name}' matches no robot")));
+            }
+            found.iter().map(Entry::robot).collect()
+        }
+        _ if Path::new(name).is_dir() => return folder(Path::new(name)),
+        _ => return Ok(vec![robot(name)?]),
+    };
+    Ok(found.into_iter().map(Robot).collect())
+}
+
+/// Those of some robots that have all that is asked for.
+#[pyfunction]
+pub(crate) fn robots(
+    among: Vec<PyRef<'_, Robot>>,
+    words: Vec<String>,
+    vendors: Vec<String>,
+    ranges: [Option<String>; 2],
+    architecture: Option<String>,
+    statuses: Vec<String>,
+) -> PyResult<Vec<Robot>> {
+    let [payload_kg, reach] = ranges.map(|range| range.map(|text| open_range(&text).map_err(refused)).transpose());
+    let architecture = architecture.map(|name| {
+        let known = Architecture::ALL.into_iter().find(|known| known.name() == name);
+        known.ok_or_else(|| refused(format!("architecture='{name}'; expected serial or quasi-serial")))
+    });
+    let statuses = statuses.iter().map(|name| {
+        let known = Status::ALL.into_iter().find(|known| known.name() == name);
+        known.ok_or_else(|| refused(format!("status='{name}'; expected identified, data-sheet, derived or estimated")))
+    });
+    let filter = Filter {
+        words,
+        vendors,
+        payload_kg: payload_kg?,
+        reach: reach?,
+        architecture: architecture.transpose()?,
+        statuses: statuses.collect::<PyResult<_>>()?,
+    };
+    let among = among.iter().map(|robot| robot.0.clone()).collect();
+    let kept = filter.keep(among, str::to_owned).map_err(|nothing| refused(format!("{nothing}; {}", nothing.hint)))?;
+    Ok(kept.into_iter().map(Robot).collect())
+}

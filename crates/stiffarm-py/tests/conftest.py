@@ -1,0 +1,25 @@
+"""Figures without a screen, and the program to compare with."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+os.environ.setdefault("MPLBACKEND", "Agg")
+ROOT = Path(__file__).resolve().parents[3]
+
+
+@pytest.fixture(scope="session")
+def program():
+    """The JSON that the program prints. STIFFARM_PROGRAM says where it is."""
+    path = os.environ.get("STIFFARM_PROGRAM", str(ROOT / "target" / "debug" / "stiffarm"))
+    assert Path(path).is_file(), f"{path} is not there: cargo build, or set STIFFARM_PROGRAM"
+
+    def run(*arguments):
+        command = [path, *arguments, "--format", "json", "--quiet"]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        return json.loads(done.stdout)
+
+    return run

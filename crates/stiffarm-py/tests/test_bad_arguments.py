@@ -1,0 +1,116 @@
+"""What makes no sense is refused in words, and what merely looks odd is taken."""
+
+import numpy as np
+import pytest
+import stiffarm
+from stiffarm import Robot, StiffarmError
+
+ROBOT = Robot("KR 210 R2700 extra")
+Q = np.array([[10.0, -80.0, 85.0, 20.0, -30.0, 5.0], [0.0, -90.0, 90.0, 0.0, 10.0, 0.0]])
+
+
+def refused(match, call, *arguments, **options):
+    with pytest.raises(StiffarmError, match=match):
+        call(*arguments, **options)
+
+
+@pytest.mark.parametrize("shape", [(), (5,), (7,), (2, 5), (6, 2), (1, 2, 6), (0,), (3, 0)])
+def test_shapes(shape):
+    refused("expected \\(6,\\) or \\(n, 6\\)", stiffarm.compliance, ROBOT, joints_deg=np.zeros(shape))
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, 1080.1, 1e300])
+def test_angles_that_are_none(bad):
+    joints = np.tile(Q, (5000, 1))
+    joints[7003, 4] = joints[9000, 2] = bad
+    for full in (False, True):
+        refused("posture 7003: joint 5", stiffarm.compliance, ROBOT, joints_deg=joints, full=full)
+    refused("joint 3: .* deg", stiffarm.compliance, ROBOT, joints_deg=[0, 0, bad, 0, 0, 0])
+
+
+def test_types_that_hold_no_numbers():
+    for bad in (Q.astype(complex), Q.astype(str), Q.astype(object), Q > 0, [[None] * 6], [[1] * 6, [2] * 5]):
+        refused("joints_deg", stiffarm.compliance, ROBOT, joints_deg=bad)
+
+
+def test_layouts_and_types_give_the_same_numbers():
+    joints = np.round(np.tile(Q, (700, 1)))
+    expected = stiffarm.compliance(ROBOT, joints_deg=joints).worst_um_per_n
+    wide = np.zeros((1400, 12))
+    wide[:, ::2] = joints
+    read_only = joints.copy()
+    read_only.flags.writeable = False
+    unaligned = np.frombuffer(b"x" + joints.tobytes(), dtype=np.float64, offset=1).reshape(joints.shape)
+    swapped = joints.astype(joints.dtype.newbyteorder())
+    odd = [np.asfortranarray(joints), wide[:, ::2], read_only, unaligned, swapped, joints.tolist()]
+    odd += [joints.astype(kind) for kind in (np.float32, np.int16, np.int64)] + [joints[::-1][::-1]]
+    for given in odd:
+        assert np.array_equal(stiffarm.compliance(ROBOT, joints_deg=given).worst_um_per_n, expected)
+    assert np.array_equal(stiffarm.compliance(ROBOT, joints_deg=joints[::-1]).worst_um_per_n, expected[::-1])
+
+
+def test_arrays_in_one_piece_are_not_copied():
+    from stiffarm._verbs import _numbers
+
+    assert np.shares_memory(_numbers("q", Q), Q)
+
+
+def test_empty_arrays_give_empty_answers():
+    found = stiffarm.compliance(ROBOT, joints_deg=np.zeros((0, 6)), full=True)
+    assert found.worst_um_per_n.shape == (0,) and found.compliance_um_per_n.shape == (0, 3, 3)
+    assert len(found.to_pandas()) == len(found.to_polars()) == 0
+
+
+def test_huge_questions_are_refused_before_memory_is_taken():
+    refused("cells", stiffarm.map, ROBOT, step_m=1e-6)
+    refused("cells", stiffarm.map, ROBOT, size=100_000)
+
+
+def test_numbers_out_of_range_are_named():
+    place = {"task": "A:0.3"}
+    for options in (
+        {"force_n": 0}, {"force_n": np.nan}, {"force_n": np.inf}, {"tolerance_mm": -1}, {"gap": 0}, {"angle": 1e9},
+        {"angle": "sideways"}, {"within_m": "1..0,.."}, {"within_m": ((np.nan, 1), None)}, {"within_m": ((1, 0), None)},
+    ):  # fmt: skip
+        name = next(iter(options))
+        refused(f"{name}|range", stiffarm.place, ROBOT, **place, **options)
+    for options in ({"tool_mm": (1, 2)}, {"tool_mm": (0, 0, 1e5)}, {"tool_direction": 91}, {"yaw_deg": np.nan}):
+        refused(next(iter(options)), stiffarm.place, ROBOT, **place, model="spatial", **options)
+    refused("gap", stiffarm.place, ROBOT, **place, model="spatial", gap=0.01)
+    refused("tool_mm needs", stiffarm.place, ROBOT, **place, tool_mm=(0, 0, 1))
+    refused("model", stiffarm.place, ROBOT, **place, model="flat")
+    refused("size", stiffarm.map, ROBOT, size=1)
+    refused("zone", stiffarm.map, ROBOT, within_m="0..")
+    refused("space", stiffarm.map, ROBOT, model="spatial", zone="A:0.3")
+    refused("component", stiffarm.map, ROBOT, component="along")
+    refused("expected", stiffarm.study, sizes=[-1])
+    refused("two", stiffarm.study, compare=("serial",))
+    refused("both ends", stiffarm.study, range=(0.5, np.inf))
+    refused("force_n", stiffarm.compliance, ROBOT, joints_deg=Q[0], force_n=(1, 2))
+    refused("force_n", stiffarm.compliance, ROBOT, joints_deg=Q[0], force_n=(1, np.nan, 2))
+    refused("one posture", stiffarm.compliance, ROBOT, joints_deg=Q, force_n=(1, 2, 3))
+
+
+def test_robots_that_are_none(tmp_path):
+    refused("did you mean", Robot, "KR 210 R2700 extr")
+    refused("cannot read", Robot, tmp_path / "nothing.toml")
+    refused("matches no robot", stiffarm.rank, "xyz*")
+    refused("a1_mm: missing", Robot.from_numbers, "x", c2_mm=1000)
+    refused("a9_mm", Robot.from_numbers, "x", a9_mm=1000)
+    refused("nan|NaN", Robot.from_numbers, "x", l2_mm=np.nan, l3_mm=800)
+    refused("if this is in m", Robot.from_numbers, "x", l2_mm=1.0, l3_mm=800)
+    refused("drive_urad_per_nm", ROBOT.with_compliance, drive_urad_per_nm=[1, 2])
+    refused("urad", ROBOT.with_compliance, drive_urad_per_nm=0)
+    refused("planar robot", stiffarm.compliance, Robot.from_numbers("x", l2_mm=900, l3_mm=800), joints_deg=Q)
+    refused("none of", stiffarm.robots, vendor="nobody")
+    refused("status", stiffarm.robots, status="known")
+    assert issubclass(StiffarmError, ValueError)
+
+
+def test_answers_say_what_they_have():
+    found = stiffarm.place(ROBOT, task="A:0.3")
+    assert found.feasible and found.reason is None and found.roll_deg is None
+    with pytest.raises(AttributeError, match="deflection_mm"):
+        found.deflection_m  # noqa: B018
+    nowhere = stiffarm.place(ROBOT, task="A:9")
+    assert not nowhere.feasible and nowhere.deflection_mm is None and "fit" in nowhere.reason

@@ -1,0 +1,133 @@
+"""Answers and robots behave as Python's own values do."""
+
+import copy
+import multiprocessing
+import pickle
+import threading
+import time
+
+import numpy as np
+import pandas
+import pytest
+import stiffarm
+from stiffarm import Robot, StiffarmError
+
+ROBOT = Robot("KR 210 R2700 extra")
+
+
+def answers():
+    joints = np.random.default_rng(3).uniform(-90, 90, (9, 6))
+    return [
+        stiffarm.compliance(ROBOT, joints_deg=joints[0], force_n=(1, 2, 3)),
+        stiffarm.compliance(ROBOT, joints_deg=joints, full=True),
+        stiffarm.place(ROBOT, task="A:0.3"),
+        stiffarm.place(ROBOT, task="A:9"),
+        stiffarm.rank([ROBOT, "BT200L"], tasks=["A:0.3", "A:9"]),
+        stiffarm.map(ROBOT, size=30, zone="B:0.3"),
+        stiffarm.map(ROBOT, size=12, model="spatial"),
+        stiffarm.study(tasks="A", sizes=[0.2, 0.9]),
+    ]
+
+
+def test_answers_can_be_pickled_copied_and_compared():
+    first, again = answers(), answers()
+    for i, (answer, same) in enumerate(zip(first, again)):
+        assert answer == same == pickle.loads(pickle.dumps(answer)) == copy.deepcopy(answer)
+        assert all(answer != other for j, other in enumerate(first) if i != j)
+        assert type(answer).__name__ in repr(answer) and len(repr(answer)) < 300
+        assert set(answer.to_dict()) <= set(dir(answer))
+        answer.to_dict().clear()
+        assert answer == same
+
+
+def test_robots_can_be_pickled_compared_and_hashed():
+    for robot in stiffarm.robots()[::7]:
+        again = pickle.loads(pickle.dumps(robot))
+        assert again == robot and hash(again) == hash(robot) and repr(again) == repr(robot)
+    assert len({ROBOT, Robot("kuka kr210-r2700 extra"), Robot("BT200L")}) == 2
+    assert ROBOT != "KR 210 R2700 extra"
+    with pytest.raises(AttributeError):
+        ROBOT.name = "other"
+    assert len(stiffarm.rank([ROBOT, "KR 210 R2700 extra", ROBOT], tasks="A:0.2")) == 1
+    error = pickle.loads(pickle.dumps(StiffarmError("words")))
+    assert type(error) is StiffarmError and str(error) == "words"
+
+
+def test_tables_go_to_pandas_and_polars():
+    for answer in answers()[1:]:
+        frame, other = answer.to_pandas(), answer.to_polars()
+        assert list(frame.columns) == other.columns and frame.shape == other.shape
+    ranking = stiffarm.rank([ROBOT, "BT200L"], tasks=["A:0.3", "A:9"])
+    frame = ranking.to_pandas()
+    assert list(frame["rank"]) == [1, 1, 2, 2] and list(frame["feasible"]) == [True, False] * 2
+    best = frame.iloc[0]
+    assert best["deflection_mm"] == ranking.cell(best["robot"], best["task"]).deflection_mm
+    assert frame["deflection_mm"].isna().sum() == 2
+    assert ranking.to_polars()["deflection_mm"].null_count() == 2
+    section = stiffarm.map(ROBOT, size=30)
+    assert isinstance(section.to_pandas(), pandas.DataFrame) and len(section.to_pandas()) == section.values_mm.size
+    assert section.to_polars()["deflection_mm"].null_count() == np.isnan(section.values_mm).sum()
+
+
+def test_the_interpreter_goes_on_while_a_long_call_runs():
+    joints = np.random.default_rng(1).uniform(-90, 90, (400_000, 6))
+    stiffarm.set_threads(1)
+    try:
+        ticks, done = [], threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks.append(time.perf_counter())
+                time.sleep(0.001)
+
+        other = threading.Thread(target=tick)
+        other.start()
+        start = time.perf_counter()
+        while time.perf_counter() - start < 0.3:
+            begun = time.perf_counter()
+            stiffarm.compliance(ROBOT, joints_deg=joints)
+            ended = time.perf_counter()
+        done.set()
+        other.join()
+    finally:
+        stiffarm.set_threads(None)
+    # Ticks strictly inside the last call: with the lock held there would be none but at its ends.
+    inside = [moment for moment in ticks if begun + 0.2 * (ended - begun) < moment < ended - 0.2 * (ended - begun)]
+    assert inside, (ended - begun, len(ticks))
+
+
+def test_calls_from_several_threads_agree():
+    found = {}
+
+    def work(i):
+        found[i] = stiffarm.rank(["BT200L", ROBOT], tasks=["A:0.3", "B:0.3"])
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(answer == found[0] for answer in found.values()) and len(found) == 4
+
+
+def _placed(scale):
+    return stiffarm.cell(ROBOT.with_compliance(drive_urad_per_nm=scale), "A:0.3")["deflection_mm"]
+
+
+@pytest.mark.parametrize("how", ["fork", "spawn"])
+@pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+def test_other_processes_work_after_threads_were_used(how):
+    expected = [_placed(scale) for scale in (1.0, 1.5)]
+    with multiprocessing.get_context(how).Pool(1) as pool:
+        assert pool.map_async(_placed, [1.0, 1.5]).get(timeout=60) == expected
+
+
+def test_the_number_of_threads_changes_no_number():
+    joints = np.random.default_rng(2).uniform(-90, 90, (5001, 6))
+    expected = stiffarm.compliance(ROBOT, joints_deg=joints)
+    for threads in (1, 3, None):
+        stiffarm.set_threads(threads)
+        assert stiffarm.compliance(ROBOT, joints_deg=joints) == expected
+    for bad in (0, 1025):
+        with pytest.raises(StiffarmError, match="threads"):
+            stiffarm.set_threads(bad)

@@ -1,0 +1,47 @@
+"""Every figure is a picture with headings, units and something on it."""
+
+import io
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+import stiffarm
+from stiffarm import plot
+
+
+def picture(ax):
+    data = io.BytesIO()
+    ax.figure.savefig(data, format="png")
+    plt.close(ax.figure)
+    pixels = plt.imread(io.BytesIO(data.getvalue()))
+    assert np.unique(pixels.reshape(-1, pixels.shape[2]), axis=0).shape[0] > 50
+    return ax
+
+
+def test_maps():
+    for options in ({"zone": "B:0.5", "angle": "free"}, {"zone": "A:0.5"}, {"direction_deg": 20}, {"model": "spatial"}):
+        ax = picture(plot.map(stiffarm.map("KR 210 R2700 extra", size=40, **options)))
+        origin = "base" if "model" in options else "joint-2 axis"
+        assert ax.get_xlabel() == f"x from the {origin} [m]" and "KUKA" in ax.get_title(loc="left")
+        assert len(ax.patches) == ("zone" in options)
+        assert "[mm]" in ax.figure.axes[1].get_ylabel() and "1000 N" in ax.figure.axes[1].get_ylabel()
+
+
+def test_rankings_and_studies():
+    ax = picture(plot.ranking(stiffarm.rank(tasks=["A:0.1", "A:1.0", "A:9"], tolerance_mm=2)))
+    assert len(ax.lines) == 11 and "[mm]" in ax.get_ylabel()
+    assert np.isnan(ax.lines[0].get_ydata()[2])
+    assert len(plot.ranking(stiffarm.rank(tasks="A:0.1"), most=3).lines) == 3
+    study = stiffarm.study()
+    for task in (None, "C"):
+        ax = picture(plot.study(study, task=task))
+        assert len(ax.get_legend_handles_labels()[0]) == 8 and "Task" in ax.get_title(loc="left")
+    with pytest.raises(KeyError):
+        plot.study(study, task="Z")
+
+
+def test_a_figure_is_drawn_where_it_is_wanted():
+    _, axes = plt.subplots(1, 2)
+    assert plot.map(stiffarm.map("BT200L", size=20), ax=axes[1], colorbar=False) is axes[1]
+    assert not axes[0].has_data() and axes[1].has_data()
+    plt.close("all")

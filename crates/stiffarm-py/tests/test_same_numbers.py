@@ -1,0 +1,155 @@
+"""Python says what the program says, key by key and bit by bit."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+import stiffarm
+
+ROBOTS = ["KR 210 R2700 extra", "IRB 6400 2.4-200", "Kawasaki BT200L", "KR 16-2", "M-900iA/200P"]
+
+
+def test_defaults_are_those_of_the_program(program):
+    assert stiffarm.rank().to_dict() == program("rank")
+    assert stiffarm.study().to_dict() == program("study")
+    assert stiffarm.map("BT200L").to_dict() == program("map", "BT200L")
+    assert stiffarm.place("BT200L", task="B:0.5").to_dict() == program("place", "BT200L", "--task", "B:0.5")
+    assert [robot.to_dict() for robot in stiffarm.robots()] == program("robots", "list")
+    spatial = program("place", "BT200L", "--task", "B:0.5", "--model", "spatial")
+    assert stiffarm.place("BT200L", task="B:0.5", model="spatial").to_dict() == spatial
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+@pytest.mark.parametrize("task", ["A:0.3", "rect:0.2x0.7", "C:0.4"])
+def test_placements(program, robot, task):
+    for words, options in [
+        ([], {}),
+        (["--force-n", "123.4", "--tolerance-mm", "1.5"], {"force_n": 123.4, "tolerance_mm": 1.5}),
+        (["--force-n", repr(1000 / 3), "--angle", repr(100 / 7)], {"force_n": 1000 / 3, "angle": 100 / 7}),
+        (["--within", "0.3..,0.1..2"], {"within_m": ((0.3, None), (0.1, 2))}),
+        (["--angle", "30", "--gap", "0.001"], {"angle": 30, "gap": 0.001}),
+        (["--angle", "horizontal"], {"angle": "horizontal"}),
+    ]:
+        assert stiffarm.place(robot, task=task, **options).to_dict() == program("place", robot, "--task", task, *words)
+
+
+@pytest.mark.parametrize("robot", ROBOTS[:2])
+def test_placements_in_space(program, robot):
+    for words, options in [
+        (["--tool-mm", "0,0,200"], {"tool_mm": (0, 0, 200)}),
+        (
+            ["--tool-mm", "10,-20,150,0,30,0", "--roll-deg", "45", "--tool-direction", "down"],
+            {"tool_mm": np.array([10, -20, 150, 0, 30, 0]), "roll_deg": 45, "tool_direction": "down"},
+        ),
+        (
+            ["--tool-direction=0", "--yaw-deg", "any", "--angle", "vertical", "--tolerance-mm", "3"],
+            {"tool_direction": 0.0, "yaw_deg": "any", "angle": "vertical", "tolerance_mm": 3},
+        ),
+    ]:
+        expected = program("place", robot, "--task", "rect:0.3x0.5", "--model", "spatial", *words)
+        found = stiffarm.place(robot, task="rect:0.3x0.5", model="spatial", **options)
+        assert found.to_dict() == expected
+
+
+def test_rankings(program):
+    names = ["KR 210*", "BT200L"]
+    words = ["--robots", ",".join(names), "--task", "A:0.2,B:0.3", "--tolerance-mm", "2", "--within", "0..,0.."]
+    found = stiffarm.rank(names, tasks=["A:0.2", "B:0.3"], tolerance_mm=2, within_m="0..,0..")
+    assert found.to_dict() == program("rank", *words)
+    found = stiffarm.rank("KR 210 R2700 extra, BT200L", tasks="B:0.3", model="spatial", tool_mm=(0, 0, 150))
+    words = ["--robots", "KR 210 R2700 extra,BT200L", "--task", "B:0.3", "--model", "spatial", "--tool-mm", "0,0,150"]
+    assert found.to_dict() == program("rank", *words)
+
+
+def test_maps(program):
+    for words, options in [
+        (["--size", "60", "--zone", "B:0.5"], {"size": 60, "zone": "B:0.5"}),
+        (["--step-m", "0.1", "--elbow", "down"], {"step_m": 0.1, "elbow": "down"}),
+        (
+            ["--size", "41", "--direction-deg", "30", "--component", "along"],
+            {"size": 41, "direction_deg": 30, "component": "along"},
+        ),
+        (
+            ["--size", "30", "--model", "spatial", "--tool-direction", "forward", "--roll-deg", "10"],
+            {"size": 30, "model": "spatial", "tool_direction": "forward", "roll_deg": 10},
+        ),
+    ]:
+        found = stiffarm.map(ROBOTS[0], **options)
+        assert found.to_dict() == program("map", ROBOTS[0], *words)
+        assert found.values_mm.shape == (len(found.z_m), len(found.x_m))
+        assert np.isnan(found.values_mm).any()
+
+
+def test_postures(program):
+    joints, tool, force = (10, -80, 85, 20, -30, 5), (0, 50, 200, 0, 10, 0), (100, -50, 20)
+    for robot in ROBOTS:
+        for words, options in [
+            ([], {}),
+            (["--tool-mm", "0,50,200,0,10,0"], {"tool_mm": tool}),
+            (["--tool-mm", "0,50,200,0,10,0", "--force-n=100,-50,20"], {"tool_mm": tool, "force_n": force}),
+        ]:
+            found = stiffarm.compliance(robot, joints_deg=joints, **options)
+            assert found.to_dict() == program("compliance", robot, "--joints-deg=10,-80,85,20,-30,5", *words)
+
+
+def test_studies(program):
+    words = ["--tasks", "A,rect:1x3", "--sizes", "0.2,0.4", "--ratios", "0.9", "--range", "0.6..1.4", "--k3", "1,0.5"]
+    found = stiffarm.study(tasks=["A", "rect:1x3"], sizes=[0.2, 0.4], ratios=[0.9], range=(0.6, 1.4), k3=(1, 0.5))
+    assert found.to_dict() == program("study", *words)
+
+
+def test_catalogue_and_filters(program):
+    found = stiffarm.robots("6700", vendor="abb", reach_m=(None, 2.8), payload_kg="200..")
+    expected = program("robots", "list", "6700", "--vendor", "abb", "--reach-m", "..2.8", "--payload-kg", "200..")
+    assert [robot.to_dict() for robot in found] == expected
+    found = stiffarm.robots(architecture="quasi-serial", status=["estimated", "derived"])
+    expected = program("robots", "list", "--architecture", "quasi-serial", "--status", "estimated,derived")
+    assert [robot.to_dict() for robot in found] == expected
+
+
+def test_robots_from_numbers_and_files(program, tmp_path):
+    numbers = {
+        "a1_mm": 350, "a2_mm": 41, "c1_mm": 675, "c2_mm": 1150, "c3_mm": 1200, "c4_mm": 215,
+        "offset_deg": (0, -90, 0, 0, 0, 0), "sign": np.array([-1, 1, 1, -1, 1, -1]),
+        "joint_deg": np.array([[-185, 185], [-140, -5], [-120, 155], [-350, 350], [-125, 125], [-350, 350]]),
+        "drive_urad_per_nm": [0.7, 1.1, 1.9, 3, 5, 8],
+    }  # fmt: skip
+    planar = stiffarm.Robot.from_numbers("two links", l2_mm=1000, l3_mm=800, shoulder_deg=(0, 180), k3_urad_per_nm=2)
+    for robot in (stiffarm.Robot.from_numbers("mine", vendor='A "B"', **numbers), planar):
+        path = tmp_path / "robot.toml"
+        path.write_text(robot.to_toml())
+        assert stiffarm.Robot.from_toml(path) == stiffarm.Robot(path) == robot
+        assert stiffarm.place(robot, task="A:0.3").to_dict() == program("place", str(path), "--task", "A:0.3")
+
+
+def test_folders_of_robots(program, tmp_path):
+    for name, length in (("b", 1000), ("a", 900)):
+        robot = stiffarm.Robot.from_numbers(name, l2_mm=length, l3_mm=800)
+        (tmp_path / f"{name}.toml").write_text(robot.to_toml())
+    found = stiffarm.rank([tmp_path, "BT200L"], tasks="A:0.2")
+    assert found.to_dict() == program("rank", "--robots", f"{tmp_path},BT200L", "--task", "A:0.2")
+
+
+def test_many_postures_are_what_single_ones_are():
+    rng = np.random.default_rng(7)
+    for robot in ROBOTS:
+        joints = rng.uniform(-170, 170, (1203, 6))
+        many = stiffarm.compliance(robot, joints_deg=joints, tool_mm=(30, 0, 200), full=True)
+        for i in range(0, len(joints), 97):
+            one = stiffarm.compliance(robot, joints_deg=joints[i], tool_mm=(30, 0, 200))
+            worst = one.principal_um_per_n[2]
+            # The bounds of the batch: eigenvalues that nearly agree, and some forty roundings.
+            assert math.isclose(many.worst_um_per_n[i], worst, rel_tol=3e-8)
+            assert np.allclose(many.compliance_um_per_n[i], one.compliance_um_per_n, rtol=0, atol=2e-14 * worst)
+
+
+def test_scaled_joint_compliance_scales_the_deflection():
+    robot = stiffarm.Robot("BT200L")
+    softer = robot.with_compliance(drive_urad_per_nm=2)
+    assert softer.drive_urad_per_nm == [2.0] * 6
+    once, twice = stiffarm.cell(robot, "B:0.5"), stiffarm.cell(softer, "B:0.5")
+    assert json.loads(json.dumps(twice)) == twice
+    # Linear in the compliance; the search is cut off at a gap of 1e-4.
+    assert math.isclose(twice["deflection_mm"], 2 * once["deflection_mm"], rel_tol=1e-4)
+    assert robot.with_compliance(drive_urad_per_nm=[1, 1, 1, 1, 1, 1]) == robot != softer
