@@ -74,6 +74,28 @@ fn an_estimated_robot_never_wins_silently() {
         text.contains("ABB IRB 6400 2.4-200 ~") && text.contains("find its data sheet before you decide"),
         "{text}"
     );
+    for model in ["planar", "spatial"] {
+        let csv = run(&["rank", "--task", "A:1.0", "--model", model, "--format", "csv"]);
+        let first: Vec<&str> = csv.lines().nth(1).expect("a row").split(',').collect();
+        assert!(first[0].is_empty() && first.contains(&"IRB 6400 2.4-200"), "{csv}");
+        assert!(csv.lines().any(|line| line.starts_with("1,") && line.contains("data-sheet")), "{csv}");
+    }
+}
+
+/// Drive 3 turns the forearm against drive 2: no arm plane that the paper knows.
+#[test]
+fn a_robot_without_an_arm_plane_is_ranked_in_space() {
+    let folder = TempDir::new().expect("a folder");
+    let file = path(&folder, "coupled.toml");
+    let example = include_str!("../../stiffarm/robots/paper/kuka_kr_210_r2700_extra.toml");
+    let rows =
+        "transmission = [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,-0.5,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]]";
+    fs::write(&file, example.replace("[limits]", &format!("[compliance]\n{rows}\n\n[limits]"))).expect("written");
+    let ranking = json(&["rank", "--robots", &format!("{file},BT200L"), "--task", "A:0.5", "--model", "spatial"]);
+    let rows = ranking["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), 2);
+    assert!(rows.iter().all(|row| row["cells"][0]["feasible"] == true), "{ranking}");
+    assert!(rows.iter().any(|row| row["planar_place"].is_null()), "{ranking}");
 }
 
 #[test]

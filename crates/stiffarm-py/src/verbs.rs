@@ -12,10 +12,10 @@ use stiffarm::map::{
     Axis, Component, Direction, Map, MapError, MapOptions, Section, SectionOptions, Spacing, reached_box,
     reached_section, section, stiffest_posture,
 };
-use stiffarm::place::{PlaceOptions, find_robot, place_in_space, place_robot};
+use stiffarm::place::{find_robot, place_in_space, place_robot};
 use stiffarm::plane::Elbow;
 use stiffarm::question::{Angle, degrees, distinct, number, shape};
-use stiffarm::rank::{rank as rank_in_plane, rank_in_space};
+use stiffarm::rank::{rank as rank_for, rank_in_plane, rank_in_space};
 use stiffarm::report;
 use stiffarm::report::map::MapReport;
 use stiffarm::robot::{Arm, Robot as Arms};
@@ -95,13 +95,13 @@ pub(crate) fn rank<'py>(
         let options = options.map_err(refused)?;
         detached(py, || {
             let ranking = rank_in_space(&robots, &tasks, &options, || ())?;
-            let planar = rank_in_plane(&robots, &tasks, &PlaceOptions::paper(options.force), || ())?;
+            let planar = rank_in_plane(&robots, &tasks, options.force)?;
             Ok(report::spatial::ranking(&ranking, &planar, &options, tolerance_mm))
         })?
     } else {
         let options = wanted.planar(first.zone);
         detached(py, || {
-            let ranking = rank_in_plane(&robots, &tasks, &options, || ())?;
+            let ranking = rank_for(&robots, &tasks, &options, || ())?;
             Ok(report::rank::ranking(&ranking, &options, tolerance_mm))
         })?
     };

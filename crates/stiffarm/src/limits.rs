@@ -112,6 +112,11 @@ impl Range {
         ((self.min - x) / period).ceil()
     }
 
+    /// How far `x` is from the nearer end; negative outside.
+    pub fn room(self, x: f64) -> f64 {
+        (x - self.min).min(self.max - x)
+    }
+
     /// An angle equal to `x` up to whole turns that lies in the range (within `slack`), if there is one.
     pub fn turn_to(self, x: f64, slack: f64) -> Option<f64> {
         if self.min == f64::NEG_INFINITY {

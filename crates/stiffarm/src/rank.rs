@@ -199,6 +199,16 @@ pub fn rank(
     })
 }
 
+/// The ranking of the paper, zones anywhere in the arm plane, of those robots that have an arm plane: what stands beside a
+/// ranking in space.
+///
+/// # Errors
+/// As [`rank`].
+pub fn rank_in_plane(robots: &[Robot], tasks: &[Task], force: f64) -> Result<Ranking, RankError> {
+    let in_plane: Vec<Robot> = robots.iter().filter(|robot| robot.arm_plane().is_ok()).cloned().collect();
+    rank(&in_plane, tasks, &PlaceOptions::paper(force), || ())
+}
+
 /// The same in space: all six drives, flat zones about the robot ([`place_in_space`]).
 ///
 /// # Errors

@@ -55,6 +55,8 @@ struct Held {
     /// The least and the largest angle of every joint, followed without a jump.
     joints: [Range; 6],
     singular_margin: f64,
+    /// How far the angle between the links stays from its limits, rad.
+    elbow_room: f64,
     /// The largest change of a joint from one sample to the next, rad.
     pace: f64,
 }
@@ -159,7 +161,13 @@ impl Question {
         let (geometry, limits) = six_axis(robot);
         let model = |q: &[f64; 6]| geometry.model_angles(q, limits.third_axis);
         let centre = self.posture(robot, stand, class, [0.0; 2])?;
-        let mut held = Held { worst: 0.0, joints: centre.map(Range::point), singular_margin: f64::INFINITY, pace: 0.0 };
+        let mut held = Held {
+            worst: 0.0,
+            joints: centre.map(Range::point),
+            singular_margin: f64::INFINITY,
+            elbow_room: f64::INFINITY,
+            pace: 0.0,
+        };
         for [u, v] in rim(self.zone, cells) {
             let mut last = centre;
             for step in 0..=cells {
@@ -174,6 +182,11 @@ impl Question {
                 }
                 held.worst = held.worst.max(worst);
                 held.singular_margin = held.singular_margin.min(geometry.singular_margin(&model(&q)));
+                if limits.elbow.is_bounded() {
+                    let enclosed = PI - model(&q)[2];
+                    let whole = ((limits.elbow.middle() - enclosed) / TAU).round() * TAU;
+                    held.elbow_room = held.elbow_room.min(room(limits.elbow, Range::point(enclosed + whole)));
+                }
                 for joint in 0..6 {
                     held.pace = held.pace.max((q[joint] - last[joint]).abs());
                     let taken = held.joints[joint];
@@ -322,7 +335,7 @@ impl Question {
         let apart = |value: f64| (value * options.force - found.deflection) / found.deflection;
         assert!(apart(value).abs() < 1e-9, "{value} at the worst point: {}", case());
         assert_eq!(beyond_limits(&self.robot, &found.worst_joints), [0; 0], "{}", case());
-        let turned = Pose::rotation(Vector3::z() * stand.bearing) * Point3::from(found.worst_point);
+        let turned = Point3::from(found.worst_point);
         assert!((worst.tool.translation.vector - turned.coords).norm() < 1e-9, "{}: {}", worst.tool, case());
         let centre = stand.pose(options.elevation, [0.0; 2]);
         assert!(worst.tool.rotation.angle_to(&centre.rotation) < 1e-9, "{}: {}", worst.tool, case());
@@ -344,10 +357,11 @@ impl Question {
 
         // The margins: an extreme of an angle lies on the rim, between two samples of either side at most.
         let rooms: Vec<f64> = (0..6).map(|joint| room(limits.joints[joint], held.joints[joint])).collect();
+        let rooms: Vec<f64> = [held.elbow_room].into_iter().chain(rooms).collect();
         let least = rooms.iter().copied().fold(f64::INFINITY, f64::min);
         let (margin, joint) = found.limit_margin;
         assert!((margin - least).abs() <= held.pace / 2.0 || margin == least, "{rooms:?}: {}", case());
-        assert!((rooms[joint - 1] - least).abs() <= held.pace / 2.0 || margin == least, "{rooms:?}: {}", case());
+        assert!((rooms[joint] - least).abs() <= held.pace / 2.0 || margin == least, "{rooms:?}: {}", case());
         let singular = (found.singular_margin - held.singular_margin).abs();
         assert!(singular <= held.pace / 2.0, "{} {}", held.singular_margin, case());
         let centre = self.posture(&self.robot, &stand, found.class, [0.0; 2]).unwrap();

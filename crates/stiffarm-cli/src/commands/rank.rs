@@ -274,10 +274,11 @@ impl Answer for RankAnswer<'_> {
 
     fn csv(&self) -> Table {
         let mut table = Table::new(["rank", "bound_mm"].into_iter().chain(CELL_COLUMNS));
-        for (i, row) in self.ranking.rows.iter().enumerate() {
+        for (row, place) in self.ranking.rows.iter().zip(self.ranking.places()) {
             for (task, cell) in self.ranking.tasks.iter().zip(&row.cells) {
                 let Ok(placed) = cell else { continue };
-                let mut cells = vec![(i + 1).to_string(), (row.floor(self.ranking.force) * 1e3).to_string()];
+                let rank = place.map_or_else(String::new, |place| place.to_string());
+                let mut cells = vec![rank, (row.floor(self.ranking.force) * 1e3).to_string()];
                 cells.extend(cell_row(&row.robot, task, &self.options, placed, self.tolerance_mm()));
                 table.row(cells);
             }

@@ -194,6 +194,10 @@ class Placement(_Table):
     roll_deg: float | None
     shoulder: str | None
     wrist: str | None
+    tool_mm: list[float] | None
+    tool_direction_deg: float | None
+    within_m: list[list[float | None]] | None
+    from_axis_1_m: float | None
     worst_joints_deg: list[float] | None
     worst_shares: list[float] | None
     limit_margin_deg: float | None
@@ -294,7 +298,12 @@ class Map(_Table):
     #: (nz, nx) under the force in the direction that was given.
     deflection_mm: Array | None
     direction_deg: float | None
+    tool_mm: list[float] | None
     tool_direction_deg: float | None
+    #: By row and column, in words; spatial model.
+    posture: list[list[str | None]] | None
+    #: By row and column, about the tool axis; spatial model.
+    roll_deg: list[list[float | None]] | None
     #: (nz, nx) of the nearest joint to its limits; spatial model.
     limit_margin_deg: Array | None
     #: (nz, nx) to the nearest singular posture; spatial model.

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 
 use super::{Axis, MOST_CELLS, Map, MapError};
-use crate::inverse::{Class, postures, within_limits};
-use crate::limits::Range;
+use crate::inverse::{Class, SLACK, postures, within_limits};
+use crate::limits::{Limits, Range};
 use crate::place::check_force;
 use crate::robot::Robot;
 use crate::space::{CLASSES, Near, Patch, SpatialArm, Stand, class};
@@ -41,7 +41,7 @@ pub struct SectionOptions {
 pub struct Section {
     /// Worst deflection, m.
     pub worst: Map,
-    /// Distance of the nearest joint to its limits, rad; joint 1 left aside, and joint 6 where the roll moves nothing.
+    /// Distance of the nearest joint, or of the angle between the links, to its limits, rad; joint 1 left aside, and joint 6 where the roll moves nothing.
     pub limit_margin: Map,
     /// Distance to a straight wrist or a stretched or folded arm, rad.
     pub singular_margin: Map,
@@ -205,8 +205,10 @@ impl<'a> Scan<'a> {
         let theta = held(&self.freed, patch, &stand, class);
         let limit_margin = theta.and_then(|theta| {
             let q = within_limits(&self.freed.geometry, &self.freed.limits, &theta)?;
-            let room = |(q, range): (f64, &Range)| (q - range.min()).min(range.max() - q);
-            Some(q.into_iter().zip(&self.freed.limits.joints).map(room).fold(f64::INFINITY, f64::min).max(0.0))
+            let Limits { joints, elbow, .. } = &self.freed.limits;
+            let enclosed = elbow.room(elbow.turn_to(PI - theta[2], SLACK)?);
+            let rooms = q.into_iter().zip(joints).map(|(q, range)| range.room(q));
+            Some(rooms.fold(enclosed, f64::min).max(0.0))
         });
         Cell {
             worst: worst * self.options.force,

@@ -2,6 +2,8 @@
 
 use serde_json::{Value, json};
 
+use super::spatial::tool_mm;
+use crate::inverse::Class;
 use crate::map::{Direction, Map, MapOptions, Section, SectionOptions};
 use crate::place::Placement;
 use crate::robot::Robot;
@@ -100,6 +102,7 @@ pub fn spatial<'a>(robot: &Robot, options: &SectionOptions, section: &'a Section
         "robot": robot.name,
         "model": "spatial",
         "force_n": options.force,
+        "tool_mm": tool_mm(&options.flange_from_tool),
         "tool_direction_deg": options.elevation.to_degrees(),
         "x_m": section.worst.x.points(),
         "z_m": section.worst.z.points(),
@@ -107,5 +110,11 @@ pub fn spatial<'a>(robot: &Robot, options: &SectionOptions, section: &'a Section
     for layer in &layers {
         head[layer.key] = Value::Null;
     }
+    let held = |part: &dyn Fn((Class, f64)) -> Value| -> Value {
+        let cell = |i, j| section.posture(i, j).map_or(Value::Null, part);
+        (0..section.worst.z.count).map(|j| (0..section.worst.x.count).map(|i| cell(i, j)).collect::<Value>()).collect()
+    };
+    head["posture"] = held(&|(class, _)| json!(class.to_string()));
+    head["roll_deg"] = held(&|(_, roll)| json!(roll.to_degrees()));
     MapReport { head, layers }
 }

@@ -3,9 +3,11 @@
 use serde_json::{Value, json};
 
 use super::Object;
+use crate::limits::Range;
 use crate::place::{SpatialOptions, SpatiallyPlaced};
 use crate::rank::{Ranking, Row};
 use crate::robot::Robot;
+use crate::spatial::Pose;
 use crate::task::Task;
 
 /// One zone of one robot; positions from the base.
@@ -22,6 +24,9 @@ pub fn cell(
     put("task", json!(task.label));
     put("model", json!("spatial"));
     put("force_n", json!(options.force));
+    put("tool_mm", json!(tool_mm(&options.flange_from_tool)));
+    put("tool_direction_deg", json!(options.elevation.to_degrees()));
+    put("within_m", json!([options.within.x, options.within.z].map(ends)));
     match placed {
         SpatiallyPlaced::Feasible(best) => {
             put("feasible", json!(true));
@@ -37,6 +42,7 @@ pub fn cell(
             put("elbow", json!(best.class.elbow.name()));
             put("wrist", json!(best.class.wrist.name()));
             put("worst_point_m", json!(best.worst_point));
+            put("from_axis_1_m", json!(best.from_axis_1));
             put("worst_joints_deg", json!(best.worst_joints.map(f64::to_degrees)));
             put("worst_shares", json!(best.worst_shares));
             put("limit_margin_deg", json!(best.limit_margin.0.to_degrees()));
@@ -67,6 +73,18 @@ pub fn cell(
         }
     }
     cell
+}
+
+/// As `--tool-mm` takes it: x, y, z, mm, and the turns about fixed axes, deg.
+pub(super) fn tool_mm(tool: &Pose) -> [f64; 6] {
+    let (rx, ry, rz) = tool.rotation.euler_angles();
+    let [x, y, z] = tool.translation.vector.map(|metres| metres * 1e3).into();
+    [x, y, z, rx.to_degrees(), ry.to_degrees(), rz.to_degrees()].map(|part| part + 0.0)
+}
+
+/// Both ends of a range; none where it is open.
+fn ends(range: Range) -> [Option<f64>; 2] {
+    [range.min(), range.max()].map(|end| end.is_finite().then_some(end))
 }
 
 /// Robots in order, with their place in the planar ranking of the same robots and tasks.

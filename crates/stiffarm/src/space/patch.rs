@@ -51,6 +51,18 @@ impl Patch {
         Vector3::new(stand.x, 0.0, stand.z) + self.first * u + self.second * v
     }
 
+    /// How far the zone extends from its centre along the base axes, m.
+    pub(crate) fn half_extents(&self, zone: Zone) -> [f64; 3] {
+        let [first, second] = zone.sides().map(|side| side / 2.0);
+        std::array::from_fn(|axis| {
+            let (a, b) = (first * self.first[axis], second * self.second[axis]);
+            match zone {
+                Zone::Circle { .. } => a.hypot(b),
+                Zone::Rectangle { .. } => a.abs() + b.abs(),
+            }
+        })
+    }
+
     /// The pose of the tool there.
     pub(crate) fn pose(&self, stand: &Stand, at: [f64; 2]) -> Pose {
         let rotation = nalgebra::Rotation3::from_matrix_unchecked(self.tool);
@@ -58,7 +70,10 @@ impl Patch {
     }
 }
 
-/// Points that cover a zone row by row; the middle one is its centre.
+/// From so many cells on, the rim, where deflections and angles have most of their extremes, is covered four times as densely.
+const WITH_RIM: usize = 16;
+
+/// Points that cover a zone; the middle one is its centre.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
     pub(crate) points: Vec<[f64; 2]>,
@@ -81,11 +96,26 @@ impl Grid {
                 points.push(zone.at([spread(column, columns), spread(row, rows)]));
             }
         }
+        if WITH_RIM <= cells {
+            // Half before and half after, so that the centre stays in the middle.
+            let rim = rim(zone, 4 * (columns - 1), 4 * (rows - 1));
+            let later = rim.len() / 2;
+            points.extend_from_slice(&rim[later..]);
+            points.splice(0..0, rim[..later].iter().copied());
+        }
         let step = (first / (columns - 1) as f64).max(second / (rows - 1) as f64);
         // On the disc neighbours along the rim lie up to an eighth of a circle per half side apart.
         let step = if matches!(zone, Zone::Circle { .. }) { step * std::f64::consts::FRAC_PI_2 } else { step };
         Self { points, step }
     }
+}
+
+/// Points on the rim, each distance between them once: `across` along the first side, `along` along the second.
+fn rim(zone: Zone, across: usize, along: usize) -> Vec<[f64; 2]> {
+    let spread = |i: usize, count: usize| 2.0 * i as f64 / count as f64 - 1.0;
+    let level = (0..across).flat_map(|i| [[spread(i, across), -1.0], [-spread(i, across), 1.0]]);
+    let upright = (0..along).flat_map(|i| [[1.0, spread(i, along)], [-1.0, -spread(i, along)]]);
+    level.chain(upright).map(|at| zone.at(at)).collect()
 }
 
 #[cfg(test)]
@@ -110,6 +140,33 @@ mod tests {
         close(wall.tool().column(2).into(), [0.0, 1.0, 0.0]);
         close(wall.tool().column(0).into(), [1.0, 0.0, 0.0]);
         assert!((wall.tool().determinant() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_rim_is_covered_more_densely_and_extents_are_those_of_its_points() {
+        let stand = Stand { x: 0.0, z: 0.0, yaw: 0.4, angle: 0.7, roll: 0.0 };
+        for zone in [Zone::Circle { diameter: 0.6 }, Zone::Rectangle { width: 0.2, height: 0.5 }] {
+            let grid = Grid::of(zone, 16);
+            assert_eq!(grid.points[grid.points.len() / 2], [0.0; 2]);
+            let on_rim = |&[u, v]: &[f64; 2]| match zone {
+                Zone::Circle { diameter } => (u.hypot(v) - diameter / 2.0).abs() < 1e-12,
+                Zone::Rectangle { width, height } => {
+                    (u.abs() - width / 2.0).abs() < 1e-12 || (v.abs() - height / 2.0).abs() < 1e-12
+                }
+            };
+            let rim: Vec<[f64; 2]> = grid.points.iter().copied().filter(on_rim).collect();
+            let apart = |[a, b]: [f64; 2], [c, d]: [f64; 2]| (a - c).hypot(b - d);
+            for &at in &rim {
+                let others = rim.iter().map(|&other| apart(at, other)).filter(|distance| 1e-12 < *distance);
+                assert!(others.fold(f64::INFINITY, f64::min) <= grid.step / 4.0 + 1e-12, "{zone:?} {at:?}");
+            }
+            let patch = Patch::of(-0.5, &stand);
+            let extents = patch.half_extents(zone);
+            for axis in 0..3 {
+                let far = rim.iter().map(|&at| patch.point(&stand, at)[axis]).fold(0.0, f64::max);
+                assert!(far <= extents[axis] + 1e-12 && extents[axis] * 0.9995 <= far, "{zone:?}: {far} {extents:?}");
+            }
+        }
     }
 
     #[test]

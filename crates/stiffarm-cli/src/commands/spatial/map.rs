@@ -94,6 +94,9 @@ impl Answer for MapAnswer {
         table.row(["tool".into(), tool(&options.flange_from_tool)]);
         let (x, z) = (section.worst.x, section.worst.z);
         table.row(["points".into(), format!("{} x {}, every {:.4} m", x.count, z.count, x.step)]);
+        if section.worst.extremes().is_none() {
+            table.row(["reached", "no point of the grid: choose a smaller step"]);
+        }
         if let Some([least, most]) = section.worst.extremes() {
             for (name, (value, i, j)) in [("least", least), ("most", most)] {
                 let class = section.posture(i, j).map_or_else(String::new, |(class, _)| format!(" ({class})"));

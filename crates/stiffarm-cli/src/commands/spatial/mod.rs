@@ -14,8 +14,11 @@ use stiffarm::task::Task;
 
 use crate::table::full;
 
+/// A zone that is nearer to the joint-1 axis, m, stands where most robots have their own base.
+pub(crate) const COLUMN: f64 = 0.3;
+
 /// The columns of a placement in a spreadsheet.
-pub(crate) const CELL_COLUMNS: [&str; 28] = [
+pub(crate) const CELL_COLUMNS: [&str; 32] = [
     "robot",
     "vendor",
     "architecture",
@@ -34,6 +37,10 @@ pub(crate) const CELL_COLUMNS: [&str; 28] = [
     "shoulder",
     "elbow",
     "wrist",
+    "worst_x_m",
+    "worst_y_m",
+    "worst_z_m",
+    "from_axis_1_m",
     "q1_deg",
     "q2_deg",
     "q3_deg",
@@ -77,6 +84,8 @@ pub(crate) fn cell_row(
         word(best.map(|best| best.class.elbow.name())),
         word(best.map(|best| best.class.wrist.name())),
     ];
+    row.extend((0..3).map(|axis| full(best.map(|best| best.worst_point[axis]))));
+    row.push(full(best.map(|best| best.from_axis_1)));
     row.extend((0..6).map(|joint| degrees(best.map(|best| best.worst_joints[joint]))));
     row.push(degrees(best.map(|best| best.limit_margin.0)));
     row.push(degrees(best.map(|best| best.singular_margin)));

@@ -8,7 +8,7 @@ use stiffarm::space::SpatialArm;
 use stiffarm::task::Task;
 
 use super::drawing::{over_everything, scene};
-use super::{CELL_COLUMNS, cell_json, cell_row, direction, tool, window};
+use super::{CELL_COLUMNS, COLUMN, cell_json, cell_row, direction, tool, window};
 use crate::args::{Common, PlaceArgs};
 use crate::commands::progress;
 use crate::failure::Failure;
@@ -62,12 +62,17 @@ impl PlaceAnswer {
         rows.push(("roll of the tool".into(), degrees(best.roll)));
         rows.push(("posture".into(), best.class.to_string()));
         let [wx, wy, wz] = best.worst_point.map(|part| part + 0.0);
+        if best.from_axis_1 < COLUMN {
+            let near = format!("{:.2} m; the robot's own base stands there, --within keeps away", best.from_axis_1);
+            rows.push(("nearest to the joint-1 axis".into(), near));
+        }
         rows.push(("worst point".into(), format!("x {wx:.4} m, y {wy:.4} m, z {wz:.4} m")));
         let joints = best.worst_joints.map(|angle| fixed(angle.to_degrees() + 0.0, 1));
         rows.push(("joints there, as reported".into(), format!("{} deg", joints.join(", "))));
         rows.push(("drives 1 to 6 give of it".into(), percentages(&best.worst_shares)));
         let (margin, joint) = best.limit_margin;
-        rows.push(("nearest limit".into(), format!("joint {joint}, {} away", degrees(margin))));
+        let which = if joint == 0 { "the angle between the links".into() } else { format!("joint {joint}") };
+        rows.push(("nearest limit".into(), format!("{which}, {} away", degrees(margin))));
         rows.push(("nearest singular posture".into(), format!("{} away", degrees(best.singular_margin))));
         let found = &best.resolution;
         let coarse =
@@ -178,10 +183,12 @@ impl PlaceAnswer {
         let Some(section) = self.section(best)? else {
             return Err(Failure::Usage("the zone stands where no section is reached".into()));
         };
+        // Turned back: the section points straight ahead.
+        let ((s, c), [wx, wy, wz]) = (best.bearing.sin_cos(), best.worst_point);
         let mark = ZoneMark {
             zone: self.task.zone,
             rim: self.rim(best)?.into_iter().map(|[x, _, z]| [x, z]).collect(),
-            worst_point: [best.worst_point[0], best.worst_point[2]],
+            worst_point: [c * wx + s * wy, wz],
             label: self.zone_label(best),
         };
         let face = FaceFigure {
@@ -220,7 +227,7 @@ impl PlaceAnswer {
             label: self.zone_label(best),
             rim: self.rim(best)?.into_iter().map(turned).collect(),
             sheet: Some(Sheet { rows: face.chunks(FACE_SIZE).map(<[Cell]>::to_vec).collect() }),
-            worst: Some(Cell { at: turned(best.worst_point), mm: Some(best.deflection * 1e3) }),
+            worst: Some(Cell { at: best.worst_point, mm: Some(best.deflection * 1e3) }),
         };
         let section = self.section(best)?.map(|section| {
             let mut sheet = Sheet::of_map(&section.worst, [0.0; 2], 0.0);
@@ -247,6 +254,9 @@ impl PlaceAnswer {
 
 /// The lower bound and how far it lies from the value.
 fn bound(best: &SpatialPlacement) -> String {
+    if best.lower_bound <= 0.0 {
+        return format!("nothing is proved ({} boxes)", best.resolution.boxes);
+    }
     let gap = 100.0 * (1.0 - best.lower_bound / best.deflection);
     format!("{:.4} mm (proved with {} boxes; gap {gap:.1} %)", best.lower_bound * 1e3, best.resolution.boxes)
 }

@@ -2,13 +2,13 @@
 
 use serde_json::Value;
 use stiffarm::drive::Architecture;
-use stiffarm::place::{PlaceOptions, SpatialOptions, SpatialPlacement, SpatiallyPlaced};
-use stiffarm::rank::{Ranking, Row, rank, rank_in_space};
+use stiffarm::place::{SpatialOptions, SpatialPlacement, SpatiallyPlaced};
+use stiffarm::rank::{Ranking, Row, rank_in_plane, rank_in_space};
 use stiffarm::report;
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::Task;
 
-use super::{CELL_COLUMNS, cell_row, direction, tool, window};
+use super::{CELL_COLUMNS, COLUMN, cell_row, direction, tool, window};
 use crate::args::{Common, RankArgs};
 use crate::commands::progress;
 use crate::commands::sheet::{ASSUMED_ARCHITECTURE, architecture};
@@ -28,8 +28,7 @@ pub(crate) fn run(robots: &[Robot], tasks: &[Task], args: &RankArgs, common: &Co
     let bar = progress(robots.len() * tasks.len(), "placing zones in space", common);
     let ranking = rank_in_space(robots, tasks, &options, || bar.inc(1))?;
     bar.finish_and_clear();
-    // What the paper's model says of the same robots and tasks, anywhere in the arm plane.
-    let planar = rank(robots, tasks, &PlaceOptions::paper(options.force), || ())?;
+    let planar = rank_in_plane(robots, tasks, options.force)?;
     deliver(&RankAnswer { ranking, planar, options, tolerance_mm: args.tolerance_mm }, common)
 }
 
@@ -108,6 +107,16 @@ impl RankAnswer {
         if rows.iter().any(|row| row.robot.architecture_is_assumed) {
             notes += ASSUMED_ARCHITECTURE;
         }
+        let inside = |row: &&Row<SpatiallyPlaced>| {
+            row.cells.iter().filter_map(SpatiallyPlaced::feasible).any(|best| best.from_axis_1 < COLUMN)
+        };
+        let names: Vec<&str> = rows.iter().filter(inside).map(|row| row.robot.name.as_str()).collect();
+        if !names.is_empty() {
+            notes += &format!(
+                "zones within {COLUMN} m of the joint-1 axis, where the robot's own base stands (--within keeps away): {}\n",
+                names.join(", ")
+            );
+        }
         notes += &self.proof();
         notes += "collisions are not checked\n";
         notes
@@ -125,7 +134,8 @@ impl Answer for RankAnswer {
         let mut table = Table::new(headings);
         for (row, place) in rows.iter().zip(self.ranking.places()) {
             let robot = &row.robot;
-            let or_estimated = |place: Option<usize>| place.map_or_else(|| "~".to_owned(), |place| place.to_string());
+            let none = if robot.status == Status::Estimated { "~" } else { "-" };
+            let or_estimated = |place: Option<usize>| place.map_or_else(|| none.to_owned(), |place| place.to_string());
             let mut cells = vec![or_estimated(place), robot.full_name(), architecture(robot), robot.status.to_string()];
             cells.extend((0..tasks.len()).map(|task| self.cell(row, task)));
             cells.push(if row.score.is_finite() { fixed(row.score, 3) } else { "-".into() });
@@ -150,10 +160,11 @@ impl Answer for RankAnswer {
 
     fn csv(&self) -> Table {
         let mut table = Table::new(["rank", "planar_rank"].into_iter().chain(CELL_COLUMNS));
-        for (i, row) in self.ranking.rows.iter().enumerate() {
-            let planar = self.planar.rows.iter().position(|other| other.robot == row.robot).map_or(0, |at| at + 1);
+        let number = |place: Option<usize>| place.map_or_else(String::new, |place| place.to_string());
+        for (row, place) in self.ranking.rows.iter().zip(self.ranking.places()) {
+            let planar = self.planar.place_of(&row.robot);
             for (task, placed) in self.ranking.tasks.iter().zip(&row.cells) {
-                let mut cells = vec![(i + 1).to_string(), planar.to_string()];
+                let mut cells = vec![number(place), number(planar)];
                 cells.extend(cell_row(&row.robot, task, self.options.force, placed, self.tolerance_mm));
                 table.row(cells);
             }

@@ -50,6 +50,8 @@ pub fn across_zone(
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::{Rotation3, Vector3};
+
     use super::*;
     use crate::catalogue::paper_robots;
     use crate::limits::Range;
@@ -80,8 +82,10 @@ mod tests {
             assert!(centre.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{centre:?}");
             let worst = across.iter().map(|point| point.deflection.unwrap()).fold(0.0, f64::max);
             assert!((worst - found.deflection).abs() <= 2e-3 * worst, "{}: {worst} {found:?}", robot.name);
+            let turned = Vector3::from(found.worst_point);
+            let worst_point = Rotation3::from_axis_angle(&Vector3::z_axis(), -found.bearing) * turned;
             let near = |point: &&ZonePoint| {
-                point.at.iter().zip(found.worst_point).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() < 0.01
+                point.at.iter().zip(&worst_point).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() < 0.01
             };
             let there = across.iter().filter(near).filter_map(|point| point.deflection).fold(0.0, f64::max);
             assert!((there - found.deflection).abs() <= 1e-2 * worst, "{}: {there} {found:?}", robot.name);

@@ -123,13 +123,16 @@ pub struct SpatialPlacement {
     pub roll: f64,
     /// The posture, throughout the zone.
     pub class: Class,
-    /// Where in the zone the deflection is largest: ahead, left, up; at bearing zero.
+    /// Where in the zone the deflection is largest: in the axes of the base, the zone at its bearing.
     pub worst_point: [f64; 3],
+    /// Distance of the zone's nearest point from the joint-1 axis, m: the robot's own base and column stand there.
+    pub from_axis_1: f64,
     /// Joint angles there as the robot reports them, rad.
     pub worst_joints: [f64; 6],
     /// Deflection along the force's worst direction by drive, adding up to 1.
     pub worst_shares: [f64; 6],
-    /// The smallest distance of any joint to its limits over the zone, rad, and that joint from 1.
+    /// The smallest distance of any joint to its limits over the zone, rad, and that joint from 1; 0 is the angle between
+    /// the links.
     pub limit_margin: (f64, usize),
     /// The smallest angle between a singular posture (wrist or arm straight) and one in the zone, rad.
     pub singular_margin: f64,
@@ -140,6 +143,8 @@ pub struct SpatialPlacement {
 /// Why no place was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SpatialMisfit {
+    /// The window is narrower than the zone.
+    WindowTooNarrow,
     /// No single point with this direction of the tool.
     NothingReached,
     /// Points are reached, but nowhere the whole zone in one posture.
@@ -154,6 +159,7 @@ pub enum SpatialMisfit {
 impl std::fmt::Display for SpatialMisfit {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         match self {
+            Self::WindowTooNarrow => f.write_str("the allowed place is narrower than the zone"),
             Self::NothingReached => f.write_str("no point of the allowed place is reached with this direction of the tool"),
             Self::ZoneTooLarge { step } => write!(
                 f,

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::Vector3;
+use nalgebra::{Rotation3, Vector3};
 use rayon::prelude::*;
 
 use super::bound::Prover;
@@ -11,7 +11,7 @@ use super::{Resolution, SpatialMisfit, SpatialOptions, SpatialPlacement, Spatial
 use crate::compliance::compliance;
 use crate::inverse::Class;
 use crate::limits::Range;
-use crate::place::Orientation;
+use crate::place::{Orientation, Within};
 use crate::robot::Robot;
 use crate::space::{CLASSES, Grid, Near, Patch, SpatialArm, Stand, class};
 use crate::task::Zone;
@@ -26,6 +26,8 @@ const FINALISTS: usize = 5;
 const BLOCK: usize = 256;
 /// The refinement ends at steps of this length, m, and this angle, rad.
 const FINE: (f64, f64) = (5e-5, 5e-5);
+/// What a zone may stand outside its window by, m: rounding.
+const WINDOW: f64 = 1e-9;
 /// Halving the distance between samples must change less than this.
 const HALVING: f64 = 1e-3;
 /// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
@@ -58,6 +60,9 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Spat
             resolution: Resolution { boxes: proof.boxes, ..placement.resolution },
             ..placement
         })),
+        Err(_) if search.window_is_too_narrow() => {
+            SpatiallyPlaced::Infeasible { reason: SpatialMisfit::WindowTooNarrow, is_proved: true }
+        }
         Err(reason) => SpatiallyPlaced::Infeasible { reason, is_proved: proof.open.is_none() },
     }
 }
@@ -271,6 +276,24 @@ impl<'a> Search<'a> {
         Candidate { stand, score, place }
     }
 
+    /// All of the zone stands in the window.
+    fn stands_within(&self, stand: &Stand, [ahead, _, up]: [f64; 3]) -> bool {
+        let Within { x, z } = self.options.within;
+        [(x, stand.x, ahead), (z, stand.z, up)]
+            .into_iter()
+            .all(|(range, at, half)| range.contains(at - half, WINDOW) && range.contains(at + half, WINDOW))
+    }
+
+    /// The window is too narrow for the zone however it is turned.
+    fn window_is_too_narrow(&self) -> bool {
+        let Within { x, z } = self.options.within;
+        self.turns().into_iter().all(|[yaw, angle, roll]| {
+            let stand = Stand { x: 0.0, z: 0.0, yaw, angle, roll };
+            let [ahead, _, up] = Patch::of(self.options.elevation, &stand).half_extents(self.zone);
+            x.width() + WINDOW < 2.0 * ahead || z.width() + WINDOW < 2.0 * up
+        })
+    }
+
     /// The score of every class.
     fn scores(&self, stand: &Stand, grid: &Grid) -> [Score; CLASSES] {
         let patch = Patch::of(self.options.elevation, stand);
@@ -278,13 +301,12 @@ impl<'a> Search<'a> {
         let mut points = vec![0.0; 3 * count];
         let (x, yz) = points.split_at_mut(count);
         let (y, z) = yz.split_at_mut(count);
-        let within = &self.options.within;
+        if !self.stands_within(stand, patch.half_extents(self.zone)) {
+            return [Score::NONE; CLASSES];
+        }
         for (i, &at) in grid.points.iter().enumerate() {
             let point = patch.point(stand, at);
             (x[i], y[i], z[i]) = (point.x, point.y, point.z);
-            if !(within.x.contains(point.x, 1e-9) && within.z.contains(point.z, 1e-9)) {
-                return [Score::NONE; CLASSES];
-            }
         }
         let mut classes = vec![0.0; CLASSES * count];
         let mut rows = classes.chunks_exact_mut(count);
@@ -381,7 +403,10 @@ impl<'a> Search<'a> {
         let worst = judged.iter().map(|posture| posture.compliance.worst());
         let (at, (value, direction)) = worst.enumerate().max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
         let patch = Patch::of(self.options.elevation, stand);
-        let worst_point: Vector3<f64> = patch.point(stand, grid.points[at]);
+        let points = || grid.points.iter().map(|&at| patch.point(stand, at));
+        let worst_point =
+            Rotation3::from_axis_angle(&Vector3::z_axis(), sweep.bearing) * patch.point(stand, grid.points[at]);
+        let from_axis_1 = points().map(|point| point.xy().norm()).fold(f64::INFINITY, f64::min);
         let half_turn = |angle: f64| angle.rem_euclid(PI);
         Some(SpatialPlacement {
             deflection: value * self.options.force,
@@ -393,6 +418,7 @@ impl<'a> Search<'a> {
             roll: wrapped(sweep.roll),
             class,
             worst_point: worst_point.into(),
+            from_axis_1,
             worst_joints: sweep.joints[at],
             worst_shares: judged[at].shares(&direction),
             limit_margin: sweep.limit_margin,

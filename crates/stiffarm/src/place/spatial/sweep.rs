@@ -16,7 +16,7 @@ pub(super) struct Sweep {
     pub(super) roll: f64,
     /// Joint angles as reported, rad, by grid point.
     pub(super) joints: Vec<[f64; 6]>,
-    /// Smallest distance to a limit, rad, and its joint from 1.
+    /// Smallest distance to a limit, rad, and its joint from 1; 0 is the angle between the links.
     pub(super) limit_margin: (f64, usize),
     /// Smallest distance to a straight wrist or arm, rad.
     pub(super) singular_margin: f64,
@@ -86,9 +86,12 @@ pub(super) fn sweep(
             limit_margin = (margin.max(0.0), joint + 1);
         }
     }
-    let between = |theta: &[f64; 6]| limits.elbow.turn_to(PI - theta[2], SLACK).is_some();
-    if !thetas.iter().all(between) {
-        return None;
+    for theta in &thetas {
+        let enclosed = limits.elbow.turn_to(PI - theta[2], SLACK)?;
+        let margin = limits.elbow.room(enclosed);
+        if margin < limit_margin.0 {
+            limit_margin = (margin.max(0.0), 0);
+        }
     }
     let singular_margin = thetas.iter().map(|theta| geometry.singular_margin(theta)).fold(f64::INFINITY, f64::min);
     Some(Sweep { bearing, roll, joints, limit_margin, singular_margin })
