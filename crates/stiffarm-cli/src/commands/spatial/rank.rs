@@ -1,5 +1,7 @@
 //! `stiffarm rank --model spatial`: robots in order, all six drives, with their place in the planar ranking beside it.
 
+use std::fmt::Write;
+
 use serde_json::Value;
 use stiffarm::drive::Architecture;
 use stiffarm::place::{SpatialOptions, SpatialPlacement, SpatiallyPlaced};
@@ -112,9 +114,10 @@ impl RankAnswer {
         };
         let names: Vec<&str> = rows.iter().filter(inside).map(|row| row.robot.name.as_str()).collect();
         if !names.is_empty() {
-            notes += &format!(
-                "zones within {COLUMN} m of the joint-1 axis, where the robot's own base stands (--within keeps away): {}\n",
-                names.join(", ")
+            let names = names.join(", ");
+            let _ = writeln!(
+                notes,
+                "zones within {COLUMN} m of the joint-1 axis, where the robot's own base stands (--within keeps away): {names}"
             );
         }
         notes += &self.proof();
