@@ -144,7 +144,7 @@ def sweep(
         tolerance_mm=tolerance_mm, within_m=_within(within_m), angle=angle, gap=gap, model=model, tool_mm=tool_mm,
         tool_direction=tool_direction, yaw_deg=yaw_deg, roll_deg=roll_deg,
     )  # fmt: skip
-    question = _question(robots, tasks, forces, asked, scenarios, chunk_rows)
+    question = _checked(robots, tasks, forces, asked, scenarios, chunk_rows)
     from ._run import run
 
     path = Path(folder).absolute()
@@ -207,7 +207,7 @@ def _needed() -> None:
         raise ImportError(words) from error
 
 
-def _question(
+def _checked(
     robots: RobotLike | Iterable[RobotLike],
     tasks: str | Iterable[str],
     forces_n: list[float],

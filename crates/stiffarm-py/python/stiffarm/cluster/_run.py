@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import concurrent.futures
 import contextlib
 import json
 import logging
@@ -34,11 +36,13 @@ def run(
 ) -> None:
     """Answers what the folder lacks."""
     with _held(folder):
-        _begin(folder, question)
+        begun = _is_begun(folder, question)
         missing = [chunk for chunk in range(question.chunks) if not _is_whole(question, folder, chunk)]
         if not missing:
             return
         with _connected(client, workers, timeout_s) as connected, _told(question, len(missing), progress) as tell:
+            if not begun:
+                write_question(folder, question)
             _share_out(question, folder, missing, connected, timeout_s, tell)
 
 
@@ -69,19 +73,19 @@ def _held(folder: Path) -> Iterator[None]:
         yield
 
 
-def _begin(folder: Path, question: Question) -> None:
-    """Writes the question down, or finds that the folder was begun with it."""
+def _is_begun(folder: Path, question: Question) -> bool:
+    """Whether the question stands in the folder; refuses another."""
     # What a killed run left half written.
     for left in folder.glob("_*.*.*"):
         left.unlink(missing_ok=True)
     if not (folder / ASKED).exists():
-        write_question(folder, question)
-        return
+        return False
     held = read_question(folder)
     if held.fingerprint != question.fingerprint:
         other = json.loads(json.dumps(question.written))
         differ = ", ".join(key for key, value in json.loads(json.dumps(held.written)).items() if other[key] != value)
         raise StiffarmError(f"{folder} answers another question ({differ} differ); give another folder")
+    return True
 
 
 def _is_whole(question: Question, folder: Path, chunk: int) -> bool:
@@ -109,7 +113,8 @@ def _connected(client: Client | str | None, workers: int | None, timeout_s: floa
             raise StiffarmError(f"workers={workers!r}; expected a whole number from 1 to 1024")
         with (
             LocalCluster(
-                n_workers=count, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=logging.CRITICAL
+                n_workers=count, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0",
+                silence_logs=logging.CRITICAL,
             ) as cluster,
             Client(cluster) as made,
         ):  # fmt: skip
@@ -139,6 +144,7 @@ def _share_out(
     question: Question, folder: Path, missing: list[int], client: Client, timeout_s: float, tell: Any
 ) -> None:
     from distributed import wait
+    from distributed.comm.core import CommClosedError
     from distributed.scheduler import KilledWorker
 
     run_id = uuid.uuid4().hex[:8]
@@ -167,7 +173,7 @@ def _share_out(
             except TimeoutError:
                 done = set()
             if client.status != "running":
-                raise StiffarmError(f"the scheduler is gone; {_KEPT}")
+                raise CommClosedError
             for future in done:
                 chunk = flying.pop(future)
                 try:
@@ -175,10 +181,12 @@ def _share_out(
                 except KilledWorker:
                     words = f"chunk {chunk} ended every worker that tried it (out of memory?); {_KEPT}"
                     raise StiffarmError(words) from None
-    except BaseException:
-        with contextlib.suppress(Exception):
-            client.cancel(list(flying), force=True)
-        raise
+    except (CommClosedError, asyncio.CancelledError, concurrent.futures.CancelledError):
+        raise StiffarmError(f"the scheduler is gone; {_KEPT}") from None
+    finally:
+        if flying and client.status == "running":
+            with contextlib.suppress(Exception):
+                client.cancel(list(flying), force=True)
 
 
 _KEPT = "finished parts are kept: ask again with the same folder"
