@@ -241,6 +241,22 @@ def test_a_caller_that_dies_and_asks_again(slow, client, tmp_path):
     assert all((folder / name).stat().st_mtime_ns == when for name, when in before.items())
 
 
+def test_a_script_that_its_workers_would_run_again(tmp_path):
+    path = tmp_path / "script.py"
+    path.write_text(f"from stiffarm import cluster\ncluster.sweep({ROBOTS!r}, folder={str(tmp_path / 'g')!r}, workers=1)\n")
+    found = subprocess.run([sys.executable, str(path)], capture_output=True, text=True, timeout=30)
+    assert found.returncode == 1 and found.stderr.rstrip().endswith('put the call under if __name__ == "__main__":')
+
+
+def test_ctrl_c_ends_the_run_and_keeps_the_parts(slow, tmp_path):
+    folder = tmp_path / "k"
+    caller = script(folder)
+    wait_for(lambda: folder.is_dir() and len(parts(folder)) >= 1)
+    caller.send_signal(signal.SIGINT)
+    assert "KeyboardInterrupt" in caller.communicate(timeout=15)[1] and not left_over(folder)
+    assert parts(folder).items() <= slow.items() and len(parts(folder)) < len(slow)
+
+
 def test_a_scheduler_of_the_command_line_that_dies(slow, client, tmp_path):
     folder, programs = tmp_path / "d", []
 

@@ -35,6 +35,8 @@ def run(
     progress: bool | None,
 ) -> None:
     """Answers what the folder lacks."""
+    if getattr(multiprocessing.current_process(), "_inheriting", False):
+        raise StiffarmError(_GUARD)
     with _held(folder):
         begun = _is_begun(folder, question)
         missing = [chunk for chunk in range(question.chunks) if not _is_whole(question, folder, chunk)]
@@ -106,18 +108,17 @@ def _connected(client: Client | str | None, workers: int | None, timeout_s: floa
     from distributed import Client, LocalCluster
 
     if client is None:
-        if getattr(multiprocessing.process.current_process(), "_inheriting", False):
-            raise StiffarmError('workers import this script: put the call under if __name__ == "__main__":')
         count = (os.cpu_count() or 1) if workers is None else workers
         if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= 1024:
             raise StiffarmError(f"workers={workers!r}; expected a whole number from 1 to 1024")
-        with (
-            LocalCluster(
+        try:
+            cluster = LocalCluster(
                 n_workers=count, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0",
                 silence_logs=logging.CRITICAL,
-            ) as cluster,
-            Client(cluster) as made,
-        ):  # fmt: skip
+            )  # fmt: skip
+        except (RuntimeError, OSError) as error:
+            raise StiffarmError(f"workers cannot be started ({error}). In a script: {_GUARD}") from None
+        with cluster, Client(cluster) as made:
             yield made
         return
     if workers is not None:
@@ -189,6 +190,7 @@ def _share_out(
                 client.cancel(list(flying), force=True)
 
 
+_GUARD = 'workers import it first, so put the call under if __name__ == "__main__":'
 _KEPT = "finished parts are kept: ask again with the same folder"
 
 
