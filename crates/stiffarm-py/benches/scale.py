@@ -1,10 +1,11 @@
 """How many rows a second `stiffarm.cluster` computes, what a chunk costs besides, and how large its file is.
 
-``python benches/scale.py`` prints one JSON line a number, and takes some three minutes; docs/scale.md tells what follows.
+``python benches/scale.py`` prints one JSON line a number, and takes some two minutes; docs/scale.md tells what follows.
 Medians of rounds that take turns, so that other work on the machine slows all of them alike: trust ratios more than rates.
 """
 
 import json
+import logging
 import os
 import shutil
 import statistics
@@ -18,8 +19,8 @@ import stiffarm
 from distributed import Client, LocalCluster
 from stiffarm import cluster
 
-ROUNDS = 5
-POSTURES, BATCHES = 200_000, 8
+ROUNDS = 3
+POSTURES, BATCHES = 200_000, 4
 
 
 def evaluate(seed: int) -> int:
@@ -67,8 +68,9 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="scale-", dir=sys.argv[1] if len(sys.argv) > 1 else None) as kept:
         bench = Bench(Path(kept))
         made = [
-            LocalCluster(n_workers=n, threads_per_worker=1, dashboard_address="127.0.0.1:0") for n in (1, 2)
-        ]  # fmt: skip
+            LocalCluster(n_workers=n, threads_per_worker=1, dashboard_address="127.0.0.1:0", silence_logs=logging.ERROR)
+            for n in (1, 2)
+        ]
         try:
             bench.clients = {n: Client(each) for n, each in zip((1, 2), made)}
             measure(bench)
@@ -79,12 +81,12 @@ def main() -> None:
 
 def measure(bench: Bench) -> None:
     tell("load before", os.getloadavg()[0], "processes", cores=os.cpu_count())
-    planar = {"robots": "paper", "tasks": "B:0.5", "scenarios": cluster.spread(4000, robots=10), "chunk_rows": 2500}
+    planar = {"robots": "paper", "tasks": "B:0.5", "scenarios": cluster.spread(1500, robots=10), "chunk_rows": 2500}
     # Six tasks and one force share each robot of a scenario, which takes as long to make as to place.
-    shared = {**planar, "tasks": stiffarm._verbs.PAPER_TASKS, "scenarios": cluster.spread(700, robots=10)}
+    shared = {**planar, "tasks": stiffarm._verbs.PAPER_TASKS, "scenarios": cluster.spread(250, robots=10)}
     spatial = {
         "robots": ["KR 210 R2700 extra", "IRB 6650S-200"], "tasks": "B:0.5", "model": "spatial",
-        "scenarios": cluster.spread(8, robots=2), "chunk_rows": 2,
+        "scenarios": cluster.spread(4, robots=2), "chunk_rows": 2,
     }  # fmt: skip
     # The same rows in many chunks and in few: the difference is what chunks cost.
     small = {**planar, "scenarios": cluster.spread(500, robots=10), "chunk_rows": 25}

@@ -15,6 +15,7 @@ import threading
 import time
 from pathlib import Path
 
+import dask
 import matplotlib.pyplot as plt
 import numpy as np
 import pyarrow.parquet as pq
@@ -205,9 +206,12 @@ def script(folder, workers=2):
     return subprocess.Popen([sys.executable, str(path)], stderr=subprocess.PIPE, text=True)
 
 
-def test_a_worker_that_dies(slow, tmp_path):
+@pytest.mark.parametrize("again", [3, 0])
+def test_a_worker_that_dies(slow, tmp_path, again):
+    """Its chunk is tried again; where it ended all the workers that may try it, the chunk is named."""
     folder, killed = tmp_path / "w", []
-    with local(2) as made, Client(made) as connected:
+    failures = {"distributed.scheduler.allowed-failures": again}
+    with dask.config.set(failures), local(2) as made, Client(made) as connected:
         pids = list(connected.run(os.getpid).values())
 
         def kill():
@@ -218,10 +222,13 @@ def test_a_worker_that_dies(slow, tmp_path):
 
         thread = threading.Thread(target=kill)
         thread.start()
-        cluster.sweep(ROBOTS, folder=folder, client=connected, **SLOW)
+        if again:
+            cluster.sweep(ROBOTS, folder=folder, client=connected, **SLOW)
+        else:
+            refused(r"chunk \d ended every worker.*finished parts are kept", folder=folder, client=connected, **SLOW)
         thread.join()
     assert killed[0] < len(slow), "killed too late to prove anything"
-    assert parts(folder) == slow
+    assert parts(folder) == slow if again else parts(folder).items() < slow.items()
 
 
 def test_a_caller_that_dies_and_asks_again(slow, client, tmp_path):

@@ -150,7 +150,7 @@ def _share_out(
 
     run_id = uuid.uuid4().hex[:8]
     left = iter(missing)
-    flying: dict[Any, int] = {}
+    flying: set[Any] = set()
     alone_since: float | None = None
     threads, looked = 0, -1.0
     try:
@@ -163,25 +163,25 @@ def _share_out(
                     raise StiffarmError(f"the scheduler has lost all workers; {_KEPT}")
             for chunk in left:
                 arguments = (str(folder), question.fingerprint, chunk, os.getpid())
-                future = client.submit(answer_chunk, *arguments, key=f"stiffarm-{run_id}-{chunk}", pure=False)
-                flying[future] = chunk
+                flying.add(client.submit(answer_chunk, *arguments, key=f"stiffarm-{run_id}-{chunk}", pure=False))
                 if len(flying) >= max(_AT_LEAST, _PER_THREAD * threads):
                     break
             if not flying:
                 return
             try:
-                done = wait(list(flying), timeout=1.0, return_when="FIRST_COMPLETED").done
+                done = list(wait(list(flying), timeout=1.0, return_when="FIRST_COMPLETED").done)
             except TimeoutError:
-                done = set()
+                done = []
             if client.status != "running":
                 raise CommClosedError
-            for future in done:
-                chunk = flying.pop(future)
-                try:
-                    tell(*future.result())
-                except KilledWorker:
-                    words = f"chunk {chunk} ended every worker that tried it (out of memory?); {_KEPT}"
-                    raise StiffarmError(words) from None
+            # One answer from the scheduler for all of them.
+            for future, (rows, errors) in zip(done, client.gather(done)):
+                flying.remove(future)
+                tell(rows, errors)
+    except KilledWorker as error:
+        number = str(error.task).rpartition("-")[2]
+        words = f"chunk {number} ended every worker that tried it (out of memory?); {_KEPT}"
+        raise StiffarmError(words) from None
     except (CommClosedError, asyncio.CancelledError, concurrent.futures.CancelledError):
         raise StiffarmError(f"the scheduler is gone; {_KEPT}") from None
     finally:
