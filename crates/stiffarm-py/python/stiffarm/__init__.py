@@ -13,6 +13,8 @@ A robot and a task go in; each verb is one function:
 Units stand in the names: ``force_n``, ``tool_mm``, ``deflection_mm``. The numbers are those of the program `stiffarm`, to
 the last bit. What is not reached is ``nan`` in arrays and None elsewhere. Whatever is refused raises `StiffarmError`.
 
+`stiffarm.plot` draws the answers; `stiffarm.cluster` asks many machines how sure a ranking is.
+
 Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl-C takes effect when the call returns.
 """
 

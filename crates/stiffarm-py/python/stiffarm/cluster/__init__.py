@@ -1,0 +1,286 @@
+"""Robots x tasks x forces x joint stiffnesses on many machines: which robot wins, and how sure is that?
+
+`sweep` computes every combination on a `dask.distributed` cluster and writes a folder of Parquet files; `rank` puts robots
+in order; `spread` draws joint stiffnesses that are known to some percent; `load` reads a finished folder.
+
+A chunk is one task of the scheduler and one file. Files appear whole or not at all, under the fingerprint of the question:
+ask again with the same folder, and only what is missing is computed. The bytes do not depend on the workers.
+
+Needs ``pip install 'stiffarm[cluster]'``. A script that starts workers needs ``if __name__ == "__main__":``.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from .. import _stiffarm
+from .._answers import Array
+from .._stiffarm import Robot, StiffarmError
+from .._verbs import PAPER_TASKS, Model, RangeLike, RobotLike, _asked, _numbers, _robots, _tasks, _within
+from ._answer import Order, Sweep, Wins
+from ._question import Question
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+__all__ = ["Order", "Sweep", "Wins", "load", "rank", "spread", "sweep"]
+
+#: Rows of a chunk where nothing is said: docs/scale.md derives them.
+CHUNK_ROWS = {"planar": 20_000, "spatial": 20}
+
+#: A client, the address of a scheduler, or None for workers on this machine.
+ClientLike = Union["Client", str, None]
+
+
+def spread(m: int, *, percent: float = 30.0, robots: int | None = None, seed: int = 0) -> Array:
+    """Scenarios of joint stiffnesses that are known to some percent.
+
+    Every stiffness is drawn evenly between ``1 - percent / 100`` and ``1 + percent / 100`` of its nominal value, on its own.
+
+    Parameters
+    ----------
+    m : int
+        Scenarios.
+    percent : float
+        Below 100.
+    robots : int, optional
+        As many robots, each with its own draws: their makers err independently. Without it all robots share the draws,
+        as where one unknown (a load, a wear) acts on all of them.
+    seed : int
+        The same seed gives the same draws.
+
+    Returns
+    -------
+    (m, 6) or (m, robots, 6) ndarray
+        Factors on the compliance of each drive [1].
+    """
+    if not 0 <= percent < 100:
+        raise StiffarmError(f"percent={percent}; expected 0 to less than 100")
+    if m < 1 or (robots is not None and robots < 1):
+        raise StiffarmError(f"{m} scenarios for {'all' if robots is None else robots} robots; expected at least one")
+    shape = (m, 6) if robots is None else (m, robots, 6)
+    drawn: Array = 1.0 / np.random.default_rng(seed).uniform(1 - percent / 100, 1 + percent / 100, shape)
+    return drawn
+
+
+def load(folder: str | os.PathLike[str]) -> Sweep:
+    """A finished sweep, read from its folder."""
+    _needed()
+    return Sweep(folder)
+
+
+def sweep(
+    robots: RobotLike | Iterable[RobotLike] = "paper",
+    *,
+    folder: str | os.PathLike[str],
+    tasks: str | Iterable[str] = PAPER_TASKS,
+    force_n: float | Sequence[float] = 1000.0,
+    scenarios: npt.ArrayLike | None = None,
+    tolerance_mm: float | None = None,
+    within_m: str | Sequence[RangeLike | None] | None = None,
+    angle: str | float = "axes",
+    gap: float | None = None,
+    model: Model = "planar",
+    tool_mm: npt.ArrayLike | str | None = None,
+    tool_direction: str | float | None = None,
+    yaw_deg: str | float | None = None,
+    roll_deg: float | None = None,
+    client: ClientLike = None,
+    workers: int | None = None,
+    chunk_rows: int | None = None,
+    timeout_s: float = 30.0,
+    progress: bool | None = None,
+) -> Sweep:
+    """Every robot at every task, force and scenario, on a cluster.
+
+    Parameters
+    ----------
+    robots : robots
+        As in `stiffarm.rank`. A file that cannot be read becomes rows with an ``error``.
+    folder : path
+        Where the Parquet files go: new, empty, or begun with the same question, which is then finished. All workers
+        must see it.
+    tasks : str or list of str
+        As in `stiffarm.rank`.
+    force_n : float or list of float
+        Cutting forces [N].
+    scenarios : (m, 6) or (m, robots, 6) array_like, optional
+        Factors on the compliance of each drive [1], for all robots or for each: `spread`. A factor that is no positive
+        number becomes rows with an ``error``.
+    tolerance_mm, within_m, angle, gap, model, tool_mm, tool_direction, yaw_deg, roll_deg
+        As in `stiffarm.place`.
+    client : distributed.Client or str, optional
+        A client, or the address of a scheduler. Without it workers of one thread on this machine.
+    workers : int, optional
+        How many of them; as many as there are cores without it.
+    chunk_rows : int, optional
+        Rows of a part file. Belongs to the question: a folder is finished with the one it was begun with.
+    timeout_s : float
+        How long to wait for a scheduler and its first worker [s].
+    progress : bool, optional
+        Whether to show how far it is; without it on a terminal.
+
+    Returns
+    -------
+    Sweep
+        Null where there is no place (``reason``) or no answer (``error``).
+
+    Raises
+    ------
+    StiffarmError
+        Where the question makes no sense, the folder holds something else or cannot be written, another run is
+        writing there, or no worker answers. Finished parts are kept.
+    """
+    _needed()
+    forces = [float(force) for force in np.atleast_1d(_numbers("force_n", force_n))]
+    asked = _asked(
+        tolerance_mm=tolerance_mm, within_m=_within(within_m), angle=angle, gap=gap, model=model, tool_mm=tool_mm,
+        tool_direction=tool_direction, yaw_deg=yaw_deg, roll_deg=roll_deg,
+    )  # fmt: skip
+    question = _checked(robots, tasks, forces, asked, scenarios, chunk_rows)
+    from ._run import run
+
+    path = Path(folder).absolute()
+    run(question, path, client, workers, timeout_s, progress)
+    return Sweep(path)
+
+
+def rank(
+    robots: RobotLike | Iterable[RobotLike] = "paper",
+    *,
+    folder: str | os.PathLike[str] | None = None,
+    tasks: str | Iterable[str] = PAPER_TASKS,
+    force_n: float = 1000.0,
+    tolerance_mm: float | None = None,
+    within_m: str | Sequence[RangeLike | None] | None = None,
+    angle: str | float = "axes",
+    gap: float | None = None,
+    model: Model = "planar",
+    tool_mm: npt.ArrayLike | str | None = None,
+    tool_direction: str | float | None = None,
+    yaw_deg: str | float | None = None,
+    roll_deg: float | None = None,
+    client: ClientLike = None,
+    workers: int | None = None,
+    chunk_rows: int | None = None,
+    timeout_s: float = 30.0,
+    progress: bool | None = None,
+) -> Order:
+    """Robots in the order of `stiffarm.rank`, with its deflections.
+
+    Parameters
+    ----------
+    folder : path, optional
+        Where the Parquet files go; nothing is kept without it. Workers on other machines need one.
+    **options
+        All others as in `sweep`.
+
+    Returns
+    -------
+    Order
+        The best first; an estimated robot takes no place.
+    """
+    if folder is None and client is not None:
+        raise StiffarmError("folder is missing: the workers of a client write where they can all see it")
+    with tempfile.TemporaryDirectory(prefix="stiffarm-") as kept:
+        return sweep(
+            robots, folder=kept if folder is None else folder, tasks=tasks, force_n=force_n, tolerance_mm=tolerance_mm,
+            within_m=within_m, angle=angle, gap=gap, model=model, tool_mm=tool_mm, tool_direction=tool_direction,
+            yaw_deg=yaw_deg, roll_deg=roll_deg, client=client, workers=workers, chunk_rows=chunk_rows,
+            timeout_s=timeout_s, progress=progress,
+        ).order()  # fmt: skip
+
+
+def _needed() -> None:
+    try:
+        import distributed  # noqa: F401
+        import pyarrow  # noqa: F401
+    except ImportError as error:
+        words = "stiffarm.cluster needs dask, distributed and pyarrow: pip install 'stiffarm[cluster]'"
+        raise ImportError(words) from error
+
+
+def _checked(
+    robots: RobotLike | Iterable[RobotLike],
+    tasks: str | Iterable[str],
+    forces_n: list[float],
+    asked: dict[str, str],
+    scenarios: npt.ArrayLike | None,
+    chunk_rows: int | None,
+) -> Question:
+    """Refuses what would be wrong in every row."""
+    who = _told_apart(robots)
+    wanted = _tasks(tasks)
+    if not who or not wanted or not forces_n:
+        what = "robot" if not who else "task" if not wanted else "force"
+        raise StiffarmError(f"no {what} is given; a sweep needs at least one robot, one task and one force")
+    if all(robot["toml"] is None for robot in who):
+        raise StiffarmError(f"no robot can be read; the first says: {who[0]['error']}")
+    # Any robot of the catalogue will do: a zone that no arm reaches is refused at once, after its options were read.
+    any_robot = Robot("KR 210 R2700 extra")
+    for force in forces_n:
+        _stiffarm.place(any_robot, "circle:50", {**asked, "force_n": repr(force)})
+    named: dict[str, str] = {}
+    for task in wanted:
+        named.setdefault(_stiffarm.place(any_robot, task, {"model": "planar", "force_n": "1"})["task"], task)
+    drawn = None if scenarios is None else _numbers("scenarios", scenarios)
+    if drawn is not None:
+        if drawn.shape[1:] not in ((6,), (len(who), 6)) or not len(drawn):
+            raise StiffarmError(
+                f"scenarios of shape {drawn.shape}; expected (m, 6) or (m, {len(who)}, 6): factors on the compliance of "
+                "six drives, for all robots or for each"
+            )
+        if not (np.isfinite(drawn) & (drawn > 0)).all(axis=-1).any():
+            raise StiffarmError("scenarios hold no six factors that are positive numbers")
+    rows = CHUNK_ROWS[asked["model"]] if chunk_rows is None else chunk_rows
+    if isinstance(rows, bool) or not isinstance(rows, int) or not 1 <= rows <= 10_000_000:
+        raise StiffarmError(f"chunk_rows={rows!r}; expected a whole number from 1 to 10000000")
+    forces = list(dict.fromkeys(forces_n))
+    return Question(who, list(named.values()), list(named), forces, asked, drawn, rows)
+
+
+def _told_apart(robots: RobotLike | Iterable[RobotLike]) -> list[dict[str, str | None]]:
+    """Robots as plain text, each under a name of its own; a file that cannot be read keeps its place, with the reason."""
+    if isinstance(robots, (Robot, str, os.PathLike)):
+        robots = [robots]
+    found: dict[Robot | tuple[str, str], None] = {}
+    for item in robots:
+        parts: list[RobotLike] = [part.strip() for part in item.split(",")] if isinstance(item, str) else [item]
+        for each in parts:
+            for one in _files(each):
+                try:
+                    found.update(dict.fromkeys(_robots(one)))
+                except StiffarmError as error:
+                    # A name that is not found is a slip of the pen; a file that is broken is one of many.
+                    if isinstance(one, Robot) or not Path(one).is_file():
+                        raise
+                    found[os.fspath(one), str(error)] = None
+    told: list[dict[str, str | None]] = []
+    names: dict[tuple[str | None, str | None], int] = {}
+    for robot in found:
+        if isinstance(robot, Robot):
+            who = {"robot": robot.name, "vendor": robot.vendor or None, "status": robot.status}
+            told.append({**who, "toml": robot.to_toml(), "error": None})
+        else:
+            told.append({"robot": robot[0], "vendor": None, "status": None, "toml": None, "error": robot[1]})
+        name = told[-1]["vendor"], told[-1]["robot"]
+        names[name] = names.get(name, 0) + 1
+        if names[name] > 1:
+            told[-1]["robot"] = f"{name[1]} #{names[name]}"
+    return told
+
+
+def _files(robot: RobotLike) -> list[RobotLike]:
+    """The robot files of a folder, one by one."""
+    if isinstance(robot, Robot):
+        return [robot]
+    path = Path(robot)
+    files: list[RobotLike] = [*sorted(path.glob("*.toml"))] if path.is_dir() else [robot]
+    return files

@@ -1,0 +1,312 @@
+"""What a sweep answers: its rows as a Parquet data set, and who wins how often."""
+
+from __future__ import annotations
+
+import math
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .._answers import Array, _columns_of, _Table
+from .._stiffarm import StiffarmError
+from ._question import read_question
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+    from matplotlib.axes import Axes
+
+Flags = npt.NDArray[np.bool_]
+
+#: Standard deviations of a normal distribution that hold 95 %.
+_Z95 = 1.959963984540054
+
+
+def wilson(wins: float, of: int) -> tuple[float, float]:
+    """Both ends of the 95 % confidence interval of a share (Wilson's score interval) [1]."""
+    if of == 0:
+        return 0.0, 1.0
+    share, weight = wins / of, _Z95**2 / of
+    middle, half = share + weight / 2, _Z95 * math.sqrt(max(share * (1 - share), 0.0) / of + weight / of / 4)
+    low = 0.0 if wins <= 0 else (middle - half) / (1 + weight)
+    return low, (1.0 if wins >= of else (middle + half) / (1 + weight))
+
+
+class Wins(_Table):
+    """Who is the stiffest how often, task by task, the most frequent winner first.
+
+    An estimated robot (``~``) cannot win: ``share`` is counted among the others, ``share_with_estimated`` among all.
+    """
+
+    #: ``task, force_n, robot, vendor, status, estimated, scenarios, errors, feasible_share``, ``share`` with its 95 % confidence
+    #: ``share_low, share_high``, the same of ``share_with_estimated``, ``p05_mm, median_mm, p95_mm`` of the deflection.
+    rows: list[dict[str, Any]]
+    #: What a manager would read.
+    summary: list[str]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def _columns(self) -> dict[str, Any]:
+        return _columns_of(self.rows)
+
+    def _words(self) -> str:
+        return f"{len(self)} rows; {self.summary[0] if self.summary else 'nothing to compare'}"
+
+
+class Order(_Table):
+    """Robots in order, the best first, as `stiffarm.rank` puts them."""
+
+    tasks: list[str]
+    model: str
+    force_n: float
+    #: ``place`` (None for an estimated robot: it takes none), ``robot, vendor, status, feasible_tasks, mean_ratio, error``, and
+    #: the deflection [mm] under the name of each task.
+    rows: list[dict[str, Any]]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def _columns(self) -> dict[str, Any]:
+        return _columns_of(self.rows)
+
+    def _words(self) -> str:
+        best = next((f"; best {row['robot']}" for row in self.rows if row["place"] == 1), "")
+        return f"{len(self)} robots, {len(self.tasks)} tasks, {self.force_n:g} N, {self.model} model{best}"
+
+
+class Sweep:
+    """The answer of a finished sweep: a folder of Parquet files, read where it is asked for."""
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        self._folder = Path(folder).absolute()
+        self._question = question = read_question(self._folder)
+        missing = [chunk for chunk in range(question.chunks) if not question.part(self._folder, chunk).is_file()]
+        if missing:
+            raise StiffarmError(
+                f"{folder} is not finished: {len(missing)} of {question.chunks} chunks are missing, the first is "
+                f"{missing[0]}; ask again with the same folder to go on"
+            )
+
+    @property
+    def folder(self) -> Path:
+        """Where the part files are; what else is there begins with ``_``."""
+        return self._folder
+
+    @property
+    def files(self) -> list[Path]:
+        """The parts in the order of their rows."""
+        return [self._question.part(self._folder, chunk) for chunk in range(self._question.chunks)]
+
+    @property
+    def shape(self) -> tuple[int, int, int, int]:
+        """Scenarios, tasks, forces, robots: the order of the rows, robots changing fastest."""
+        return self._question.shape
+
+    def __len__(self) -> int:
+        return self._question.rows
+
+    def __repr__(self) -> str:
+        scenarios, tasks, forces, robots = self.shape
+        return f"<stiffarm.cluster.Sweep {scenarios} scenarios x {tasks} tasks x {forces} forces x {robots} robots>"
+
+    def to_arrow(self, columns: list[str] | None = None) -> pyarrow.Table:
+        """All rows, or some columns of them, in memory."""
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+
+        return pa.concat_tables([pq.ParquetFile(path).read(columns) for path in self.files])
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The rows as a pandas DataFrame; needs pandas."""
+        try:
+            import pandas  # noqa: F401
+        except ImportError as error:
+            raise ImportError("to_pandas() needs pandas: pip install pandas") from error
+        frame: pandas.DataFrame = self.to_arrow().to_pandas()
+        return frame
+
+    def to_polars(self) -> polars.DataFrame:
+        """The rows as a polars DataFrame; needs polars."""
+        try:
+            import polars
+        except ImportError as error:
+            raise ImportError("to_polars() needs polars: pip install polars") from error
+        return polars.read_parquet(self.files)
+
+    def _deflections(self) -> tuple[Array, Flags]:
+        """Deflections [mm], nan where there is none, and whether there is an answer at all; both of `shape`."""
+        import pyarrow.parquet as pq
+
+        values, answered = np.full(len(self), np.nan), np.zeros(len(self), dtype=bool)
+        first = 0
+        for path in self.files:
+            part = pq.ParquetFile(path).read(["deflection_mm", "feasible"])
+            last = first + len(part)
+            values[first:last] = part["deflection_mm"].to_numpy()
+            answered[first:last] = part["feasible"].is_valid().to_numpy()
+            first = last
+        return values.reshape(self.shape), answered.reshape(self.shape)
+
+    def wins(self) -> Wins:
+        """How often is each robot the stiffest, and how far is the tool pushed off?
+
+        A scenario counts where all robots have an answer, apart from those that have none in any scenario. Robots that
+        agree to the last bit share a win. Takes nine bytes of memory a row, and some copies of one task's.
+
+        Returns
+        -------
+        Wins
+            One row per task, force and robot.
+        """
+        values, answered = self._deflections()
+        who = self._question.robots
+        known: Flags = np.array([robot["status"] != "estimated" for robot in who])
+        sound: Flags = np.asarray(answered.any(axis=(0, 1, 2)))
+        rows: list[dict[str, Any]] = []
+        summary: list[str] = []
+        for t, task in enumerate(self._question.labels):
+            for f, force_n in enumerate(self._question.forces_n):
+                counted: Flags = np.asarray(answered[:, t, f][:, sound].all(axis=1) & sound.any())
+                found, of = values[counted, t, f], int(counted.sum())
+                among_all, among_known = _shares(found, sound), _shares(found, sound & known)
+                group = []
+                for r, robot in enumerate(who):
+                    row: dict[str, Any] = {
+                        "task": task, "force_n": force_n, **_who(robot), "estimated": not known[r], "scenarios": of,
+                        "errors": int((~answered[:, t, f, r]).sum()),
+                    }  # fmt: skip
+                    reached = found[:, r][np.isfinite(found[:, r])]
+                    row["feasible_share"] = len(reached) / of if of and sound[r] else None
+                    for name, shares, may in (("share", among_known, known[r]), ("share_with_estimated", among_all, True)):
+                        counts = bool(of and sound[r] and may)
+                        low, high = wilson(shares[r], of) if counts else (None, None)
+                        row.update({name: shares[r] / of if counts else None, f"{name}_low": low, f"{name}_high": high})
+                    quantiles = np.percentile(reached, [5, 50, 95]).tolist() if len(reached) else [None] * 3
+                    row.update(zip(("p05_mm", "median_mm", "p95_mm"), quantiles))
+                    group.append(row)
+                group.sort(key=_frequency)
+                rows += group
+                summary += _told(group, task, force_n, of)
+        return Wins({"rows": rows, "summary": summary})
+
+    def order(self) -> Order:
+        """Robots in order: those that can do more tasks first, then by how much worse than the best they are.
+
+        For one scenario and one force.
+        """
+        scenarios, _, forces, _ = self.shape
+        if (scenarios, forces) != (1, 1):
+            raise StiffarmError(f"{scenarios} scenarios and {forces} forces have no one order; wins() compares them")
+        values, answered = self._deflections()
+        values, answered = values[0, :, 0], answered[0, :, 0]
+        best = np.array([min((v for v in task if np.isfinite(v)), default=np.nan) for task in values])
+        errors = self.to_arrow(["error"])["error"].to_pylist()
+        labels, who = self._question.labels, self._question.robots
+        rows: list[dict[str, Any]] = []
+        for r, robot in enumerate(who):
+            ratios = [math.log(v / b) for v, b in zip(values[:, r], best) if np.isfinite(v)]
+            row: dict[str, Any] = {"place": None, **_who(robot), "feasible_tasks": len(ratios)}
+            row["mean_ratio"] = math.exp(sum(ratios) / len(ratios)) if ratios else None
+            row.update({task: float(v) if np.isfinite(v) else None for task, v in zip(labels, values[:, r])})
+            row["error"] = next((error for error in errors[r :: len(who)] if error), None)
+            rows.append(row)
+        judged: Flags = np.asarray(answered.any(axis=0))
+        ranks = sorted(range(len(rows)), key=lambda r: (not judged[r], *_standing(rows[r])))
+        place = 0
+        for r in ranks:
+            if who[r]["status"] != "estimated" and judged[r]:
+                place += 1
+                rows[r]["place"] = place
+        rows = [rows[r] for r in ranks]
+        model = self._question.options["model"]
+        return Order({"tasks": labels, "model": model, "force_n": self._question.forces_n[0], "rows": rows})
+
+    def plot(self, *, task: str | None = None, force_n: float | None = None, ax: Axes | None = None) -> Axes:
+        """How often each robot wins one task, beside the 5 to 95 % of its deflection; estimated robots ~ and pale.
+
+        Parameters
+        ----------
+        task : str, optional
+            As the rows call it; the first without it.
+        force_n : float, optional
+            One of the forces [N]; the first without it.
+        ax : matplotlib Axes, optional
+            Where to draw; a new figure without it.
+        """
+        from ..plot import _axes
+
+        task = self._question.labels[0] if task is None else task
+        force_n = self._question.forces_n[0] if force_n is None else force_n
+        rows = [row for row in self.wins().rows if (row["task"], row["force_n"]) == (task, force_n)]
+        if not rows:
+            raise KeyError((task, force_n))
+        ax = _axes(ax)
+        names = []
+        for y, row in enumerate(rows):
+            names.append(_name(row))
+            if row["median_mm"] is None:
+                continue
+            span = [[row["median_mm"] - row["p05_mm"]], [row["p95_mm"] - row["median_mm"]]]
+            alpha, colour = (0.4, "0.4") if row["estimated"] else (1.0, "tab:blue")
+            ax.errorbar(row["median_mm"], y, xerr=span, fmt="o", capsize=3, color=colour, alpha=alpha)
+            if row["share_with_estimated"] is not None:
+                where = (row["p95_mm"], y)
+                ax.annotate(f" {row['share_with_estimated']:.0%}", where, (6, 0), textcoords="offset points", va="center")
+        ax.set_yticks(range(len(names)), names)
+        ax.invert_yaxis()
+        ax.margins(x=0.15)
+        ax.set_xlabel("worst deflection at the best place [mm]: median, 5 to 95 %")
+        about = f"%: the stiffest of {rows[0]['scenarios']} scenarios" + ("; ~ estimated" if "~" in "".join(names) else "")
+        ax.set_title(f"Task {task} under {force_n:g} N\n{about}", fontsize="medium", loc="left")
+        return ax
+
+
+def _who(robot: dict[str, str | None]) -> dict[str, str | None]:
+    return {key: robot[key] for key in ("robot", "vendor", "status")}
+
+
+def _name(row: dict[str, Any]) -> str:
+    """Maker and name, estimated robots marked."""
+    return f"{row['vendor'] or ''} {row['robot']}".strip() + ("~" if row["status"] == "estimated" else "")
+
+
+def _standing(row: dict[str, Any]) -> tuple[Any, ...]:
+    ratio = math.inf if row["mean_ratio"] is None else row["mean_ratio"]
+    return -row["feasible_tasks"], ratio, row["vendor"] or "", row["robot"]
+
+
+def _frequency(row: dict[str, Any]) -> tuple[float, float]:
+    share, median = row["share_with_estimated"], row["median_mm"]
+    return (math.inf if share is None else -share), (math.inf if median is None else median)
+
+
+def _shares(values: Array, may: Flags) -> list[float]:
+    """How many scenarios each robot wins, ties shared; (scenarios, robots) deflections, nan where there is none."""
+    held = np.where(np.isfinite(values) & may, values, np.inf)
+    best = held.min(axis=1, keepdims=True, initial=np.inf)
+    first = (held == best) & np.isfinite(held)
+    shares: list[float] = (first / np.maximum(first.sum(axis=1, keepdims=True), 1)).sum(axis=0).tolist()
+    return shares
+
+
+def _told(group: list[dict[str, Any]], task: str, force_n: float, of: int) -> list[str]:
+    """The winner of a task in words; an estimated robot is named as such, and takes no win."""
+    name = f"{task} under {force_n:g} N"
+    winner = max((row for row in group if row["share"]), key=lambda row: float(row["share"]), default=None)
+    if winner is None:
+        told = [f"{name}: no robot whose lengths are known can do it in any of {of} scenarios."]
+    else:
+        told = [
+            f"{name}: {_name(winner)} is the stiffest in {winner['share']:.0%} of {of} scenarios "
+            f"(95 % confidence {winner['share_low']:.0%} to {winner['share_high']:.0%})."
+        ]
+    rivals = [row for row in group if row["estimated"] and row["share_with_estimated"]]
+    if rivals:
+        words = ", ".join(f"{_name(row)} in {row['share_with_estimated']:.0%}" for row in rivals)
+        told.append(f"By estimated numbers would be stiffer: {words}; find the data sheets before you decide.")
+    return told

@@ -1,0 +1,289 @@
+"""What is asked of a cluster: written down once in the folder, read by every worker, answered in parts."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import functools
+import hashlib
+import io
+import json
+import math
+import os
+import platform
+import uuid
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import _stiffarm
+from .._answers import Array
+from .._stiffarm import Robot, StiffarmError
+
+if TYPE_CHECKING:
+    import pyarrow
+
+#: Names that begin so are passed over by whoever reads a folder of Parquet files.
+ASKED, SCENARIOS, LOCK = "_question.json", "_scenarios.npy", "_lock"
+#: What a part looks like; a change of it makes another question.
+FORMAT = 1
+#: Rows that are Python's own values at once: those take ten times the memory of columns.
+_PIECE = 10_000
+
+
+@dataclass(frozen=True)
+class Question:
+    """Robots x tasks x forces x scenarios. Row n: robots change fastest, then forces, tasks, scenarios."""
+
+    #: ``robot, vendor, status``, and either ``toml`` or ``error``.
+    robots: list[dict[str, str | None]]
+    #: As they were given, and as the answers call them.
+    tasks: list[str]
+    labels: list[str]
+    forces_n: list[float]
+    #: What else was asked, as the command line spells it.
+    options: dict[str, str]
+    #: (m, 6) or (m, robots, 6) factors on the compliance of the drives; None where they stay as they are.
+    scenarios: Array | None
+    chunk_rows: int
+
+    @property
+    def shape(self) -> tuple[int, int, int, int]:
+        """Scenarios, tasks, forces, robots."""
+        scenarios = 1 if self.scenarios is None else len(self.scenarios)
+        return scenarios, len(self.tasks), len(self.forces_n), len(self.robots)
+
+    @property
+    def rows(self) -> int:
+        return math.prod(self.shape)
+
+    @property
+    def chunks(self) -> int:
+        return -(-self.rows // self.chunk_rows)
+
+    @property
+    def spatial(self) -> bool:
+        return self.options["model"] == "spatial"
+
+    @functools.cached_property
+    def written(self) -> dict[str, Any]:
+        """What stands in the folder; the scenarios by their digest."""
+        drawn = None
+        if self.scenarios is not None:
+            digest = hashlib.sha256(np.ascontiguousarray(self.scenarios, "<f8").tobytes()).hexdigest()
+            drawn = {"shape": list(self.scenarios.shape), "sha256": digest}
+        return {
+            "format": FORMAT, "stiffarm": _stiffarm.__version__, "robots": self.robots, "tasks": self.tasks,
+            "labels": self.labels, "force_n": self.forces_n, "options": self.options, "scenarios": drawn,
+            "chunk_rows": self.chunk_rows,
+        }  # fmt: skip
+
+    @functools.cached_property
+    def fingerprint(self) -> str:
+        text = json.dumps(self.written, sort_keys=True, allow_nan=False)
+        return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+    def part(self, folder: Path, chunk: int) -> Path:
+        return folder / f"part-{chunk:09d}-{self.fingerprint}.parquet"
+
+    def schema(self) -> pyarrow.Schema:
+        import pyarrow as pa
+
+        number, text = pa.float64(), pa.string()
+        columns = [
+            pa.field("scenario", pa.int64(), nullable=False), pa.field("task", text, nullable=False),
+            pa.field("force_n", number, nullable=False), pa.field("robot", text, nullable=False),
+            pa.field("vendor", text), pa.field("status", text), pa.field("feasible", pa.bool_()), ("deflection_mm", number),
+            ("lower_bound_mm", number), ("x_m", number), ("z_m", number), ("angle_deg", number), ("elbow", text),
+        ]  # fmt: skip
+        if self.spatial:
+            columns += [
+                ("bearing_deg", number), ("yaw_deg", number), ("roll_deg", number), ("shoulder", text), ("wrist", text),
+                ("limit_margin_deg", number), ("singular_margin_deg", number),
+            ]  # fmt: skip
+        if "tolerance_mm" in self.options:
+            columns.append(("pass", pa.bool_()))
+        return pa.schema([*columns, ("reason", text), ("error", text)], {"stiffarm": self.fingerprint})
+
+    def answer(self, first: int, last: int) -> list[dict[str, Any]]:
+        """The rows from ``first`` up to ``last``; what goes wrong in one of them stands in its ``error``."""
+        _, tasks, forces, robots = self.shape
+        made: dict[tuple[int, int], Robot | str] = {}
+        found: dict[tuple[int, int, float], tuple[dict[str, Any], int]] = {}
+        rows = []
+        for n in range(first, last):
+            rest, robot = divmod(n, robots)
+            rest, force = divmod(rest, forces)
+            scenario, task = divmod(rest, tasks)
+            if robot == 0 and force == 0 and task == 0:
+                made.clear()
+                found.clear()
+            if (scenario, robot) not in made:
+                made[scenario, robot] = self._robot(scenario, robot)
+            arm, force_n = made[scenario, robot], self.forces_n[force]
+            who = self.robots[robot]
+            row: dict[str, Any] = {"scenario": scenario, "task": self.labels[task], "force_n": force_n}
+            row.update((name, who[name]) for name in ("robot", "vendor", "status"))
+            if isinstance(arm, str):
+                rows.append({**row, "error": arm})
+                continue
+            # Deflections are linear in the force, and doubling rounds nothing: forces that are each other's doubles
+            # are computed once. All else is computed, for no other factor is exact to the last bit.
+            mantissa, exponent = math.frexp(force_n)
+            key = (task, robot, mantissa)
+            if key in found:
+                known, before = found[key]
+                known = _doubled(known, exponent - before, self.options)
+            else:
+                known = _placed(arm, self.tasks[task], {**self.options, "force_n": repr(force_n)})
+                if forces > 1 and "error" not in known:
+                    found[key] = known, exponent
+            rows.append({**known, **row})
+        return rows
+
+    def _robot(self, scenario: int, robot: int) -> Robot | str:
+        """One robot of one scenario, or why there is none."""
+        toml = self.robots[robot]["toml"]
+        if toml is None:
+            return self.robots[robot]["error"] or "no robot"
+        nominal = _nominal(toml)
+        if self.scenarios is None:
+            return nominal
+        factors = self.scenarios[scenario] if self.scenarios.ndim == 2 else self.scenarios[scenario, robot]
+        good = np.isfinite(factors) & (factors > 0)
+        if not good.all():
+            drive = int(np.argmin(good))
+            return f"scenario {scenario}: factor {factors[drive]} of drive {drive + 1}; expected a positive number"
+        drives = np.ones(6)
+        given = nominal.drive_urad_per_nm
+        # A planar robot has the drives 2 and 3 only.
+        drives[slice(1, 3) if len(given) == 2 else slice(None)] = given
+        try:
+            return nominal.with_compliance(drive_urad_per_nm=(drives * factors).tolist())
+        except StiffarmError as error:
+            return str(error)
+
+    def table(self, chunk: int) -> pyarrow.Table:
+        import pyarrow as pa
+
+        first = chunk * self.chunk_rows
+        last = min(first + self.chunk_rows, self.rows)
+        pieces = [
+            pa.Table.from_pylist(self.answer(piece, min(piece + _PIECE, last)), self.schema())
+            for piece in range(first, last, _PIECE)
+        ]
+        return pa.concat_tables(pieces).combine_chunks()
+
+
+@functools.lru_cache(maxsize=1024)
+def _nominal(toml: str) -> Robot:
+    return Robot.from_toml(toml)
+
+
+def _placed(robot: Robot, task: str, asked: dict[str, str]) -> dict[str, Any]:
+    try:
+        return _stiffarm.place(robot, task, asked)
+    except (KeyboardInterrupt, SystemExit):
+        raise
+    # A panic of the library is no Exception, and must not end the run either.
+    except BaseException as error:
+        return {"error": str(error) if isinstance(error, StiffarmError) else f"{type(error).__name__}: {error}"}
+
+
+def _doubled(known: dict[str, Any], times: int, options: dict[str, str]) -> dict[str, Any]:
+    row = dict(known)
+    for key in ("deflection_mm", "lower_bound_mm"):
+        if row.get(key) is not None:
+            row[key] = math.ldexp(row[key], times)
+    if "pass" in row and row.get("deflection_mm") is not None:
+        row["pass"] = row["deflection_mm"] <= float(options["tolerance_mm"])
+    return row
+
+
+def part_bytes(table: pyarrow.Table) -> bytes:
+    """The same table gives the same bytes: one row group, fixed options."""
+    import pyarrow.parquet as pq
+
+    data = io.BytesIO()
+    pq.write_table(
+        table, data, row_group_size=max(len(table), 1), version="2.6", compression="zstd", compression_level=3,
+        use_dictionary=True, write_statistics=True, store_schema=True,
+    )  # fmt: skip
+    return data.getvalue()
+
+
+def write_whole(path: Path, data: bytes) -> None:
+    """A file that is there is complete: it gets its name only when all of it is on the disk."""
+    beside = path.with_name(f"_{path.name}.{uuid.uuid4().hex}")
+    try:
+        with open(beside, "xb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(beside, path)
+    except OSError as error:
+        full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+        what = "make room there" if full else "see to it"
+        raise StiffarmError(
+            f"cannot write {path}: {error.strerror or error}; {what} and ask again with the same folder: "
+            "finished parts are kept"
+        ) from None
+    finally:
+        with contextlib.suppress(OSError):
+            beside.unlink()
+
+
+def write_question(folder: Path, question: Question) -> None:
+    if question.scenarios is not None:
+        data = io.BytesIO()
+        np.save(data, np.ascontiguousarray(question.scenarios, "<f8"), allow_pickle=False)
+        write_whole(folder / SCENARIOS, data.getvalue())
+    text = json.dumps({**question.written, "fingerprint": question.fingerprint}, indent=1, allow_nan=False)
+    write_whole(folder / ASKED, text.encode())
+
+
+def read_question(folder: Path) -> Question:
+    """The question that a folder answers."""
+    try:
+        held = json.loads((folder / ASKED).read_text())
+        scenarios = np.load(folder / SCENARIOS, mmap_mode="r", allow_pickle=False) if held["scenarios"] else None
+        question = Question(
+            held["robots"], held["tasks"], held["labels"], held["force_n"], held["options"], scenarios, held["chunk_rows"]
+        )  # fmt: skip
+        fingerprint = held["fingerprint"]
+    except FileNotFoundError as error:
+        raise StiffarmError(f"{folder} holds no sweep: {error.filename} is not there") from None
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise StiffarmError(f"{folder / ASKED} cannot be read: {type(error).__name__}: {error}") from None
+    if held["stiffarm"] != _stiffarm.__version__ or held["format"] != FORMAT:
+        raise StiffarmError(
+            f"{folder} was begun by stiffarm {held['stiffarm']}, and {platform.node()} has {_stiffarm.__version__}: "
+            "install the same on all, or give another folder"
+        )
+    if question.fingerprint != fingerprint:
+        raise StiffarmError(f"{folder} was changed: {ASKED} does not fit its fingerprint; give another folder")
+    return question
+
+
+@functools.lru_cache(maxsize=4)
+def _known(folder: str, fingerprint: str) -> Question:
+    path = Path(folder)
+    if not (path / ASKED).is_file():
+        raise StiffarmError(f"the worker on {platform.node()} does not see {path}: give a folder that all workers share")
+    question = read_question(path)
+    if question.fingerprint != fingerprint:
+        raise StiffarmError(f"{path} holds another question on {platform.node()}: give a folder that all workers share")
+    return question
+
+
+def answer_chunk(folder: str, fingerprint: str, chunk: int, caller: int) -> tuple[int, int]:
+    """On a worker: computes one chunk and writes its part; gives its rows, and how many of them are errors."""
+    if os.getpid() != caller:
+        # The cluster shares out the cores already.
+        _stiffarm.set_threads(1)
+    question = _known(folder, fingerprint)
+    table = question.table(chunk)
+    write_whole(question.part(Path(folder), chunk), part_bytes(table))
+    return len(table), len(table) - int(table["error"].null_count)

@@ -1,0 +1,495 @@
+"""Sweeps on a cluster: the same numbers, the same bytes, and nothing lost when something breaks. Real processes throughout."""
+
+import contextlib
+import json
+import logging
+import math
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+from pathlib import Path
+
+import dask
+import matplotlib.pyplot as plt
+import numpy as np
+import pyarrow.parquet as pq
+import pytest
+import stiffarm
+from distributed import Client, LocalCluster
+from stiffarm import Robot, StiffarmError, cluster
+from stiffarm.cluster import _question
+
+ROBOTS = ["KR 210 R2700 extra", "IRB 6650S-200", "ES200RD II", "IRB 6400 2.4-200"]
+ASKED = {
+    "tasks": ["A:0.3", "B:0.5", "A:9"], "force_n": [500, 1000, 1234.5], "chunk_rows": 60,
+    "scenarios": cluster.spread(12, robots=4, seed=5),
+}  # fmt: skip
+
+
+def local(workers):
+    return LocalCluster(
+        n_workers=workers, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0", silence_logs=logging.CRITICAL
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def client():
+    with local(2) as made, Client(made) as connected:
+        yield connected
+
+
+@pytest.fixture(scope="module")
+def done(client, tmp_path_factory):
+    return cluster.sweep(ROBOTS, folder=tmp_path_factory.mktemp("sweep") / "done", client=client, **ASKED)
+
+
+def parts(folder):
+    return {path.name: path.read_bytes() for path in sorted(Path(folder).glob("part-*"))}
+
+
+def left_over(folder):
+    return {path.name for path in Path(folder).iterdir() if path.suffix != ".parquet"} - {
+        "_question.json", "_scenarios.npy", "_lock"
+    }  # fmt: skip
+
+
+def refused(match, **options):
+    with pytest.raises(StiffarmError, match=match):
+        cluster.sweep(**{"robots": ROBOTS, **ASKED, **options})
+
+
+# Numbers
+
+
+def test_every_row_is_what_place_says(done):
+    frame = done.to_arrow().to_pylist()
+    assert len(frame) == len(done) == 12 * 3 * 3 * 4
+    robots = [Robot(name) for name in ROBOTS]
+    cases = [(s, t, f, r) for s in range(12) for t in ASKED["tasks"] for f in ASKED["force_n"] for r in range(4)]
+    for row, (s, task, force, r) in zip(frame, cases):
+        made = robots[r].with_compliance(drive_urad_per_nm=robots[r].drive_urad_per_nm * ASKED["scenarios"][s, r])
+        cell = stiffarm.cell(made, task, force_n=force)
+        assert (row["scenario"], row["task"], row["force_n"], row["robot"]) == (s, task, force, ROBOTS[r])
+        for key in ("feasible", "deflection_mm", "lower_bound_mm", "x_m", "z_m", "angle_deg", "elbow", "reason"):
+            assert row[key] == cell.get(key)
+        assert row["error"] is None and (row["deflection_mm"] is None) == (task == "A:9")
+
+
+@pytest.mark.parametrize("model", ["planar", "spatial"])
+def test_doubled_forces_give_the_bits_that_are_computed(model):
+    options = {"model": model, "tolerance_mm": "1.5"}
+    forces = [375.3 * 2**k for k in (0, 1, -2, 3)]
+    robots = cluster._told_apart(ROBOTS if model == "planar" else ROBOTS[:1])
+    asked = _question.Question(robots, ["B:0.5", "A:9"], ["B:0.5", "A:9"], forces, options, cluster.spread(1), 99)
+    alone = [
+        row
+        for task in ("B:0.5", "A:9")
+        for force in forces
+        for row in _question.Question(robots, [task], [task], [force], options, asked.scenarios, 99).answer(0, len(robots))
+    ]
+    known = set(asked.schema().names)
+    pick = [{key: row[key] for key in row if key in known} for row in asked.answer(0, asked.rows)]
+    assert pick == [{key: row[key] for key in row if key in known} for row in alone]
+    assert {row["pass"] for row in pick} == {True, False}
+
+
+def test_the_order_is_that_of_rank(client, tmp_path):
+    tasks = ["A:0.3", "B:9", "B:0.5"]
+    found, expected = cluster.rank(tasks=tasks, client=client, folder=tmp_path / "r"), stiffarm.rank(tasks=tasks)
+    assert [row["robot"] for row in found.rows] == [row["robot"] for row in expected.rows]
+    for row, other in zip(found.rows, expected.rows):
+        assert math.isclose(row["mean_ratio"], other["mean_ratio"], rel_tol=1e-14)
+        for task in tasks:
+            assert row[task] == expected.cell(row["robot"], task).deflection_mm
+        assert (row["place"] is None) == (row["status"] == "estimated")
+    assert len(found.to_pandas()) == len(found) == 10 and "best IRB 6650S-200" in repr(found)
+
+
+def test_space(client, tmp_path):
+    options = {"model": "spatial", "tool_mm": (0, 0, 200), "roll_deg": 0, "yaw_deg": 0}
+    planar = Robot.from_numbers("two links", l2_mm=900, l3_mm=800)
+    found = cluster.sweep([ROBOTS[0], planar], tasks="B:0.3", client=client, folder=tmp_path / "s", **options)
+    row, flat = found.to_arrow().to_pylist()
+    cell = stiffarm.cell(ROBOTS[0], "B:0.3", **options)
+    assert {key: row[key] for key in row if key in cell} == {key: cell[key] for key in row if key in cell}
+    assert row["singular_margin_deg"] is not None and "two links" in flat["error"] and flat["feasible"] is None
+
+
+def test_columns_carry_units_and_types(done):
+    schema = pq.read_schema(done.files[0])
+    assert {str(schema.field(name).type) for name in schema.names if name.endswith(("_mm", "_m", "_deg", "_n"))} == {"double"}
+    assert not schema.field("robot").nullable and schema.field("error").nullable
+    frame, other = done.to_pandas(), done.to_polars()
+    assert list(frame.columns) == other.columns == schema.names and frame.shape == other.shape
+    assert other["deflection_mm"].null_count() == 12 * 3 * 4
+    # The folder is an ordinary data set: what is no part begins with an underscore.
+    assert pq.read_table(done.folder).equals(done.to_arrow())
+    assert cluster.load(done.folder).wins() == done.wins()
+
+
+# Bytes
+
+
+def test_bytes_do_not_depend_on_the_workers(done, tmp_path):
+    again = cluster.sweep(ROBOTS, folder=tmp_path / "one", workers=1, **ASKED)
+    assert parts(again.folder) == parts(done.folder) and len(again.files) == 8
+    assert not left_over(again.folder)
+
+
+def test_finished_chunks_are_not_computed_again(done, client, tmp_path):
+    folder = tmp_path / "copy"
+    shutil.copytree(done.folder, folder)
+    expected, names = parts(folder), sorted(parts(folder))
+    (folder / names[2]).unlink()
+    (folder / names[5]).write_bytes(expected[names[5]][:-9])
+    before = {name: (folder / name).stat().st_mtime_ns for name in names if name != names[2]}
+    with pytest.raises(StiffarmError, match="1 of 8 chunks are missing"):
+        cluster.load(folder)
+    cluster.sweep(ROBOTS, folder=folder, client=client, **ASKED)
+    assert parts(folder) == expected
+    changed = {name for name in before if (folder / name).stat().st_mtime_ns != before[name]}
+    assert changed == {names[5]}
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"robots": ROBOTS[::-1]}, {"tasks": "A:0.3"}, {"force_n": 7}, {"scenarios": None}, {"gap": 0.01}, {"chunk_rows": 9},
+     {"scenarios": ASKED["scenarios"] * 1.0000001}],
+)  # fmt: skip
+def test_another_question_is_never_mixed_in(done, change):
+    before = parts(done.folder)
+    refused("answers another question .*differ", folder=done.folder, **change)
+    assert parts(done.folder) == before
+
+
+def test_another_version_is_never_mixed_in(done, client, monkeypatch, tmp_path):
+    monkeypatch.setattr(stiffarm._stiffarm, "__version__", "9.9.9")
+    refused("begun by stiffarm .* has 9.9.9", folder=done.folder)
+    refused("begun by stiffarm 9.9.9", folder=tmp_path / "new", client=client)
+
+
+# Faults
+
+
+#: Each chunk takes long enough to be interrupted.
+SLOW = {"tasks": ["B:0.5", "C:0.15"], "force_n": 1000, "scenarios": cluster.spread(2500), "chunk_rows": 2500}
+
+
+@pytest.fixture(scope="module")
+def slow(client, tmp_path_factory):
+    return parts(cluster.sweep(ROBOTS, folder=tmp_path_factory.mktemp("slow") / "s", client=client, **SLOW).folder)
+
+
+def wait_for(what, seconds=30):
+    end = time.monotonic() + seconds
+    while not what():
+        assert time.monotonic() < end, "nothing happened"
+        time.sleep(0.01)
+
+
+def script(folder, workers=2):
+    """A caller in a process of its own."""
+    text = f"""
+    from stiffarm import cluster
+    if __name__ == "__main__":
+        cluster.sweep({ROBOTS!r}, folder={str(folder)!r}, workers={workers}, tasks=["B:0.5", "C:0.15"],
+                      scenarios=cluster.spread(2500), chunk_rows=2500)
+    """
+    path = folder.with_suffix(".py")
+    path.write_text(textwrap.dedent(text))
+    return subprocess.Popen([sys.executable, str(path)], stderr=subprocess.PIPE, text=True)
+
+
+@pytest.mark.parametrize("again", [3, 0])
+def test_a_worker_that_dies(slow, tmp_path, again):
+    """Its chunk is tried again; where it ended all the workers that may try it, the chunk is named."""
+    folder, killed = tmp_path / "w", []
+    failures = {"distributed.scheduler.allowed-failures": again}
+    with dask.config.set(failures), local(2) as made, Client(made) as connected:
+        pids = list(connected.run(os.getpid).values())
+
+        def kill():
+            with contextlib.suppress(TimeoutError):
+                wait_for(lambda: len(parts(folder)) >= 1)
+            os.kill(pids[0], signal.SIGKILL)
+            killed.append(len(parts(folder)))
+
+        thread = threading.Thread(target=kill)
+        thread.start()
+        if again:
+            cluster.sweep(ROBOTS, folder=folder, client=connected, **SLOW)
+        else:
+            refused(r"chunk \d ended every worker.*finished parts are kept", folder=folder, client=connected, **SLOW)
+        thread.join()
+    assert killed[0] < len(slow), "killed too late to prove anything"
+    assert parts(folder) == slow if again else parts(folder).items() < slow.items()
+
+
+def test_a_caller_that_dies_and_asks_again(slow, client, tmp_path):
+    folder = tmp_path / "c"
+    caller = script(folder)
+    wait_for(lambda: folder.is_dir() and len(parts(folder)) >= 2)
+    # A second caller is refused while the first one runs.
+    refused("another run is writing", folder=folder, **SLOW)
+    caller.kill()
+    caller.communicate()
+    time.sleep(0.5)
+    before = {name: (folder / name).stat().st_mtime_ns for name in parts(folder)}
+    assert 2 <= len(before) < len(slow), "killed too late to prove anything"
+    (folder / "_part-000000007-x.parquet.half").write_bytes(b"half")
+    cluster.sweep(ROBOTS, folder=folder, client=client, **SLOW)
+    assert parts(folder) == slow and not left_over(folder)
+    assert all((folder / name).stat().st_mtime_ns == when for name, when in before.items())
+
+
+def test_a_script_that_its_workers_would_run_again(tmp_path):
+    path = tmp_path / "script.py"
+    path.write_text(f"from stiffarm import cluster\ncluster.sweep({ROBOTS!r}, folder={str(tmp_path / 'g')!r}, workers=1)\n")
+    found = subprocess.run([sys.executable, str(path)], capture_output=True, text=True, timeout=30)
+    assert found.returncode == 1 and found.stderr.rstrip().endswith('put the call under if __name__ == "__main__":')
+
+
+def test_ctrl_c_ends_the_run_and_keeps_the_parts(slow, tmp_path):
+    folder = tmp_path / "k"
+    caller = script(folder)
+    wait_for(lambda: folder.is_dir() and len(parts(folder)) >= 1)
+    caller.send_signal(signal.SIGINT)
+    assert "KeyboardInterrupt" in caller.communicate(timeout=15)[1] and not left_over(folder)
+    assert parts(folder).items() <= slow.items() and len(parts(folder)) < len(slow)
+
+
+def test_a_scheduler_of_the_command_line_that_dies(slow, client, tmp_path):
+    folder, programs = tmp_path / "d", []
+
+    def start(*arguments):
+        command = [sys.executable, "-m", *arguments]
+        programs.append(subprocess.Popen(command, stderr=subprocess.PIPE, text=True))
+        return programs[-1].stderr
+
+    try:
+        told = start("distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
+        address = next(found[0] for line in told if (found := re.search(r"tcp://[\d.:]+", line)))
+        refused("has no workers", folder=folder, client=address, timeout_s=0.5)
+        start("distributed.cli.dask_worker", address, "--nthreads", "1", "--no-nanny", "--no-dashboard")
+
+        def kill():
+            wait_for(lambda: len(parts(folder)) >= 1)
+            programs[0].kill()
+
+        killer = threading.Thread(target=kill)
+        killer.start()
+        refused("scheduler is gone; finished parts are kept", folder=folder, client=address, timeout_s=20, **SLOW)
+        killer.join()
+    finally:
+        for program in programs:
+            program.kill()
+            program.communicate()
+    assert 1 <= len(parts(folder)) < len(slow)
+    refused("no scheduler answers", folder=folder, client=address, timeout_s=0.5, **SLOW)
+    assert parts(cluster.sweep(ROBOTS, folder=folder, client=client, **SLOW).folder) == slow
+
+
+def test_poisonous_rows(client, tmp_path):
+    good, bad = tmp_path / "robots" / "good.toml", tmp_path / "robots" / "bad.toml"
+    good.parent.mkdir()
+    good.write_text(Robot(ROBOTS[0]).to_toml())
+    bad.write_text("name = [")
+    scenarios = cluster.spread(5)
+    scenarios[1, 3], scenarios[3, 0], scenarios[4, 1] = np.nan, -1, 1e9
+    found = cluster.sweep([good.parent, ROBOTS[1]], tasks="A:0.3", scenarios=scenarios, client=client, folder=tmp_path / "p")
+    rows = found.to_arrow().to_pylist()
+    errors = [row["error"] for row in rows]
+    assert all("bad.toml" in errors[i] for i in range(0, 15, 3)) and rows[0]["robot"] == str(bad)
+    assert all("factor nan of drive 4" in errors[i] for i in (4, 5)) and all("factor -1.0" in errors[i] for i in (10, 11))
+    assert all("10000 urad" in errors[i] for i in (13, 14))
+    assert [errors[i] for i in (1, 2, 7, 8)] == [None] * 4 and all(rows[i]["feasible"] for i in (1, 2, 7, 8))
+    wins = {row["robot"]: row for row in found.wins().rows}
+    assert wins[str(bad)]["errors"] == 5 and wins[str(bad)]["share"] is None
+    assert wins[ROBOTS[1]]["errors"] == 3 and wins[ROBOTS[1]]["scenarios"] == 2
+    order = cluster.rank([good.parent, ROBOTS[1]], tasks="A:0.3", client=client, folder=tmp_path / "o")
+    assert order.rows[-1]["robot"] == str(bad) and order.rows[-1]["error"] and order.rows[-1]["place"] is None
+
+
+def test_a_full_disk(client, tmp_path):
+    folder = tmp_path / "small"
+    folder.mkdir()
+    if os.name != "posix" or subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", str(folder)], capture_output=True
+    ).returncode:  # fmt: skip
+        pytest.skip("no file system can be mounted here")
+    try:
+        refused(r"cannot write .*part-\d+.*No space left on device; make room", folder=folder, client=client, chunk_rows=9)
+        # The other worker may be at its chunk still.
+        wait_for(lambda: not left_over(folder), seconds=5)
+        kept = parts(folder)
+        assert kept
+        assert all(pq.read_metadata(folder / name).num_rows == 9 for name in kept)
+        subprocess.run(["mount", "-o", "remount,size=16m", str(folder)], check=True)
+        whole = cluster.sweep(ROBOTS, folder=folder, client=client, **{**ASKED, "chunk_rows": 9})
+        assert kept.items() <= parts(folder).items() and len(whole.to_arrow()) == len(whole)
+    finally:
+        subprocess.run(["umount", "-l", str(folder)], check=True)
+
+
+def test_a_disk_that_fills_while_a_file_is_written(tmp_path, monkeypatch):
+    def full(_):
+        raise OSError(28, "No space left on device")
+
+    path = tmp_path / "part"
+    path.write_bytes(b"before")
+    with monkeypatch.context() as patched, pytest.raises(StiffarmError, match="part: No space left.*finished parts are kept"):
+        patched.setattr(os, "fsync", full)
+        _question.write_whole(path, b"after")
+    assert [each.name for each in tmp_path.iterdir()] == ["part"] and path.read_bytes() == b"before"
+
+
+def test_a_file_has_its_name_only_when_it_is_complete(tmp_path, monkeypatch):
+    """What a reader sees while a part is being written, and what a kill in the middle leaves."""
+    seen = []
+    fsync = os.fsync
+    monkeypatch.setattr(os, "fsync", lambda file: (fsync(file), seen.extend(path.name for path in tmp_path.iterdir())))
+    _question.write_whole(tmp_path / "part", b"whole")
+    assert len(seen) == 1 and seen[0].startswith("_part.") and (tmp_path / "part").read_bytes() == b"whole"
+
+
+# What makes no sense
+
+
+def test_questions_that_make_no_sense(tmp_path):
+    folder = tmp_path / "n"
+    for match, options in (
+        ("no robot", {"robots": []}), ("no task", {"tasks": []}), ("no force", {"force_n": []}),
+        ("did you mean", {"robots": "KR 210 R2700 extr"}), ("task|circle", {"tasks": "Q:1"}), ("force_n", {"force_n": [1, np.nan]}),
+        ("force_n", {"force_n": -1}), ("gap", {"gap": 0}), ("model", {"model": "flat"}), ("tool_mm needs", {"tool_mm": (0, 0, 1)}),
+        ("shape \\(3, 5\\)", {"scenarios": np.ones((3, 5))}), ("shape \\(6,\\)", {"scenarios": np.ones(6)}),
+        ("shape \\(0, 6\\)", {"scenarios": np.ones((0, 6))}), ("shape \\(2, 3, 6\\)", {"scenarios": np.ones((2, 3, 6))}),
+        ("scenarios of type", {"scenarios": [["a"] * 6]}), ("no six factors", {"scenarios": np.full((2, 6), np.nan)}),
+        ("no six factors", {"scenarios": np.zeros((2, 6))}), ("chunk_rows", {"chunk_rows": 0}), ("chunk_rows", {"chunk_rows": 1.5}),
+        ("workers", {"workers": 0}), ("leave one", {"workers": 2, "client": "tcp://127.0.0.1:9"}),
+        ("no scheduler answers at tcp://127.0.0.1:9", {"client": "tcp://127.0.0.1:9", "timeout_s": 0.3}),
+        ("no scheduler answers", {"client": "what://ever", "timeout_s": 0.3}),
+    ):  # fmt: skip
+        refused(match, folder=folder, **options)
+    for bad in ({"m": 0}, {"m": 3, "percent": 100}, {"m": 3, "percent": math.nan}, {"m": 3, "robots": 0}):
+        with pytest.raises(StiffarmError):
+            cluster.spread(**bad)
+    with pytest.raises(StiffarmError, match="folder is missing"):
+        cluster.rank(client="tcp://127.0.0.1:9")
+
+
+def test_folders_that_hold_something_else(tmp_path):
+    (tmp_path / "notes.txt").write_text("mine")
+    refused("holds something else \\(notes.txt\\)", folder=tmp_path)
+    refused("cannot write into", folder=tmp_path / "notes.txt")
+    assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]
+    with pytest.raises(StiffarmError, match="holds no sweep"):
+        cluster.load(tmp_path)
+    other = tmp_path / "other"
+    other.mkdir()
+    for text in ("{", "[]", "{}", json.dumps({"format": 1})):
+        (other / "_question.json").write_text(text)
+        refused("cannot be read", folder=other)
+
+
+def test_a_folder_that_was_tampered_with(done, tmp_path):
+    folder = tmp_path / "t"
+    shutil.copytree(done.folder, folder)
+    np.save(folder / "_scenarios.npy", ASKED["scenarios"] * 2)
+    refused("was changed", folder=folder)
+
+
+def test_workers_that_do_not_see_the_folder(tmp_path):
+    with pytest.raises(StiffarmError, match="does not see .* share"):
+        _question.answer_chunk(str(tmp_path / "elsewhere"), "0" * 16, 0, os.getpid())
+
+
+def test_what_is_not_installed_is_named(monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(ImportError, match=r"pip install 'stiffarm\[cluster\]'"):
+        cluster.sweep(folder=tmp_path)
+
+
+# Who wins
+
+
+def test_wins_against_a_count_by_hand(done):
+    """Shares and quantiles from the rows alone, without the code of wins()."""
+    rows, wins = done.to_arrow().to_pylist(), done.wins()
+    for task in ("A:0.3", "B:0.5"):
+        values = {name: [] for name in ROBOTS}
+        for row in rows:
+            if (row["task"], row["force_n"]) == (task, 1000):
+                values[row["robot"]].append(row["deflection_mm"])
+        all_of_them = [min(ROBOTS, key=lambda name: values[name][s]) for s in range(12)]  # noqa: B023
+        published = [min(ROBOTS[:3], key=lambda name: values[name][s]) for s in range(12)]  # noqa: B023
+        for row in wins.rows:
+            if (row["task"], row["force_n"]) == (task, 1000):
+                assert row["share_with_estimated"] == all_of_them.count(row["robot"]) / 12
+                assert row["share"] == (None if row["estimated"] else published.count(row["robot"]) / 12)
+                assert row["median_mm"] == np.median(values[row["robot"]]) and row["scenarios"] == 12
+                assert row["p05_mm"] <= row["median_mm"] <= row["p95_mm"] and row["feasible_share"] == 1
+    nowhere = [row for row in wins.rows if row["task"] == "A:9"]
+    assert all(not row["share_with_estimated"] and row["median_mm"] is None and row["feasible_share"] == 0 for row in nowhere)
+    assert len(wins.to_pandas()) == len(wins) == len(wins.to_polars()) == 3 * 3 * 4
+
+
+def test_an_estimated_robot_wins_nowhere_unmarked(done):
+    wins = done.wins()
+    assert any(row["estimated"] and row["share_with_estimated"] for row in wins.rows)
+    assert all("6400 2.4-200~" in line for line in wins.summary if "6400" in line)
+    assert not any("6400" in line for line in wins.summary if "is the stiffest" in line)
+    ax = done.plot(task="B:0.5", force_n=1000)
+    names = [label.get_text() for label in ax.get_yticklabels()]
+    assert "ABB IRB 6400 2.4-200~" in names and "KUKA KR 210 R2700 extra" in names and "[mm]" in ax.get_xlabel()
+    plt.close(ax.figure)
+    with pytest.raises(KeyError):
+        done.plot(task="B:7")
+
+
+def test_equal_robots_share_their_wins(client, tmp_path):
+    twin = Robot.from_numbers("twin", l2_mm=1150, l3_mm=1000)
+    other = Robot.from_numbers("other", l2_mm=1150, l3_mm=1000)
+    found = cluster.sweep([twin, other], tasks="A:0.2", scenarios=cluster.spread(6), client=client, folder=tmp_path / "t")
+    assert [row["share_with_estimated"] for row in found.wins().rows] == [0.5, 0.5]
+    assert [row["share"] for row in found.wins().rows] == [None, None] and "no robot whose" in found.wins().summary[0]
+
+
+def test_a_scenario_that_fails_for_one_robot_counts_for_none(client, tmp_path):
+    scenarios = cluster.spread(6, robots=2)
+    scenarios[:, 1] = 3.0
+    scenarios[[1, 4], 0] = np.nan
+    names = ["KR 210 R2700 extra", "IRB 6650S-200"]
+    found = cluster.sweep(names, tasks="A:0.3", scenarios=scenarios, client=client, folder=tmp_path / "f").wins()
+    told = {row["robot"]: (row["scenarios"], row["errors"], row["share"]) for row in found.rows}
+    assert told == {names[0]: (4, 2, 1.0), names[1]: (4, 0, 0.0)}
+
+
+def test_wilson_against_published_values():
+    """Newcombe 1998, table I, method 3: 81 of 263, 15 of 148, 0 of 20, 1 of 29."""
+    from stiffarm.cluster._answer import wilson
+
+    for wins, of, low, high in ((81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0, 0.1611), (1, 29, 0.0061, 0.1718)):
+        assert np.allclose(wilson(wins, of), (low, high), rtol=0, atol=5.1e-5)
+    assert wilson(0, 0) == (0, 1) and wilson(5, 5)[1] == 1
+
+
+def test_spread_is_what_it_says():
+    factors = cluster.spread(4000, percent=30, robots=2, seed=1)
+    assert factors.shape == (4000, 2, 6) and np.array_equal(factors, cluster.spread(4000, robots=2, seed=1))
+    stiffness = 1 / factors
+    assert 0.7 <= stiffness.min() < 0.701 and 1.299 < stiffness.max() <= 1.3 and abs(stiffness.mean() - 1) < 0.005
+    assert np.array_equal(cluster.spread(2, percent=0), np.ones((2, 6)))
+
+
+def test_progress_on_a_terminal(tmp_path, client, capsys):
+    options = {"tasks": "A:0.3", "client": client, "chunk_rows": 2}
+    cluster.sweep(ROBOTS, folder=tmp_path / "a", **options)
+    assert capsys.readouterr().err == ""
+    cluster.sweep(ROBOTS, folder=tmp_path / "b", progress=True, **options)
+    assert "2/2 chunks" in capsys.readouterr().err
