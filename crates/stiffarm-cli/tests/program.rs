@@ -354,6 +354,8 @@ fn in_space_a_zone_has_a_place_a_posture_and_joint_angles_and_planar_questions_a
     assert!((found - alone).abs() <= 1e-9 * alone, "{found} mm under 1 kN, {alone} um/N");
     let (code, errors) = refused(&["place", "BT200L", "--task", "A:0.5", "--tool-direction", "forward"]);
     assert!(code == 2 && errors.contains("needs --model spatial"), "{errors}");
+    let (_, errors) = refused(&["place", "BT200L", "--task", "A:0.5", "--model", "spatial", "--yaw-deg", "30"]);
+    assert!(errors.contains("--yaw-deg turns nothing"), "{errors}");
 }
 
 #[test]

@@ -112,7 +112,7 @@ def test_the_order_is_that_of_rank(client, tmp_path):
 
 
 def test_space(client, tmp_path):
-    options = {"model": "spatial", "tool_mm": (0, 0, 200), "roll_deg": 0, "yaw_deg": 0}
+    options = {"model": "spatial", "tool_mm": (0, 0, 200), "roll_deg": 0}
     planar = Robot.from_numbers("two links", l2_mm=900, l3_mm=800)
     found = cluster.sweep([ROBOTS[0], planar], tasks="B:0.3", client=client, folder=tmp_path / "s", **options)
     row, flat = found.to_arrow().to_pylist()

@@ -48,6 +48,9 @@ pub enum Unasked {
         "angle horizontal and vertical mean the long side on a wall; on a table give degrees, 0 has the first side ahead"
     )]
     LongSide,
+    /// A vertical tool has no yaw.
+    #[error("yaw-deg turns nothing where the tool points straight down or up; the angle of the zone does")]
+    Yaw,
 }
 
 impl Wanted {
@@ -71,6 +74,9 @@ impl Wanted {
             return Err(Unasked::Gap);
         }
         let usual = SpatialOptions::tool_down(self.force);
+        if held.yaw.is_some() && (SpatialOptions { elevation: held.elevation(), ..usual }).is_vertical() {
+            return Err(Unasked::Yaw);
+        }
         let is_wall = held.elevation().abs() < 1.5;
         let orientation = match self.angle {
             Angle::Axes => Orientation::Axes,

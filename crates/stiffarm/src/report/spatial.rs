@@ -125,7 +125,9 @@ pub fn ranking(
 /// What a manager would read.
 pub fn sentences(ranking: &Ranking<SpatiallyPlaced>, planar: &Ranking, tolerance_mm: Option<f64>) -> Vec<String> {
     let Ranking { tasks, force, .. } = ranking;
-    let name = |robot: Option<&Robot>| robot.map_or_else(|| "no robot".to_owned(), Robot::full_name);
+    let name = |robot: Option<&Robot>| {
+        robot.map_or_else(|| "no robot (none without assumed numbers holds it)".to_owned(), Robot::full_name)
+    };
     let mut sentences = Vec::new();
     for (i, task) in tasks.iter().enumerate() {
         let best = ranking.best_published(i);
