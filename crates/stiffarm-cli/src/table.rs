@@ -1,5 +1,7 @@
 //! Tables as people read them (plain or Markdown) and as spreadsheets do.
 
+pub(crate) use stiffarm::report::fixed;
+
 use comfy_table::presets::{ASCII_MARKDOWN, NOTHING};
 use comfy_table::{CellAlignment, ContentArrangement};
 
@@ -65,15 +67,6 @@ fn is_number(cell: &str) -> bool {
     cell.trim().is_empty()
         || matches!(cell, "-" | "~" | "?")
         || cell.starts_with(|c: char| c.is_ascii_digit() || c == '-')
-}
-
-/// Rounded for people; what rounds to zero has no sign.
-pub(crate) fn fixed(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    match text.strip_prefix('-') {
-        Some(rest) if rest.chars().all(|c| "0.".contains(c)) => rest.into(),
-        _ => text,
-    }
 }
 
 /// What each drive gives, in percent.

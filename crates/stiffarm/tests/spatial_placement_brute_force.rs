@@ -349,6 +349,12 @@ impl Question {
             Zone::Rectangle { width, height } => u.abs() <= width / 2.0 + 1e-9 && v.abs() <= height / 2.0 + 1e-9,
         };
         assert!(is_in_the_zone && in_plane.z.abs() < 1e-9, "{in_plane}: {}", case());
+        // The nearest point is on the rim, or the axis goes through the zone; samples stand a part of the rim apart.
+        let at = |point| stand.pose(options.elevation, point).translation.vector.xy().norm();
+        let nearest = self::rim(self.zone, 24).into_iter().map(at).fold(f64::INFINITY, f64::min);
+        let part = self.zone.sides().into_iter().fold(0.0, f64::max) / 24.0;
+        let off = found.from_axis_1 - nearest;
+        assert!(-part <= off && off <= 1e-2 * part, "{nearest} {}: {}", found.from_axis_1, case());
         let shares = worst.shares(&direction).into_iter().zip(found.worst_shares).map(|(a, b)| (a - b).abs());
         assert!(shares.fold(0.0, f64::max) < 1e-9, "{}", case());
         // The library halves its steps until that gains less than a thousandth.

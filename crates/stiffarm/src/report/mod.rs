@@ -16,7 +16,11 @@ use serde_json::{Map, Value};
 /// Keys in the order in which they are told.
 type Object = Map<String, Value>;
 
-/// Rounded for people.
-fn fixed(value: f64, digits: usize) -> String {
-    format!("{value:.digits$}")
+/// Rounded for people; what rounds to zero has no sign.
+pub fn fixed(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| "0.".contains(c)) => rest.into(),
+        _ => text,
+    }
 }
