@@ -14,6 +14,10 @@ use crate::spatial::Pose;
 const SINGULAR: f64 = 1e-9;
 /// What a limit may be overstepped by, rad: rounding of a pose that was computed at the limit.
 pub(crate) const SLACK: f64 = 1e-9;
+/// How far the postures of a place stay from singular ones: the angle of a wrist or arm to a straight one, rad, and the
+/// distance of the wrist centre from the joint-1 axis, as part of the upper arm. Nearer, joints turn a thousand times as fast
+/// as the tool, and no machine follows.
+pub(crate) const CLEARANCE: f64 = 1e-3;
 
 /// Which way joint 1 faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -21,6 +21,10 @@ use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
 
+mod questions;
+
+use questions::{Question, random_question, random_robot};
+
 const CASES: u64 = 60;
 /// Places along each side of what the arm might reach, and places about the answer, nearer and farther.
 const COLUMNS: usize = 16;
@@ -30,13 +34,6 @@ const NUDGES: usize = 400;
 const GAIN: f64 = 0.01;
 /// What a limit may be overstepped by, twice what the library allows itself.
 const SLACK: f64 = 2e-9;
-#[derive(Clone, Debug)]
-struct Question {
-    robot: Robot,
-    zone: Zone,
-    options: SpatialOptions,
-}
-
 /// Where a zone stands and how the tool is turned.
 #[derive(Clone, Copy, Debug)]
 struct Stand {
@@ -373,89 +370,6 @@ impl Question {
         let centre = self.posture(&self.robot, &stand, found.class, [0.0; 2]).unwrap();
         assert!(geometry.singular_margin(&geometry.model_angles(&centre, limits.third_axis)) >= found.singular_margin);
     }
-}
-
-fn random_robot(rng: &mut fastrand::Rng) -> Robot {
-    let architecture = rng.choice(Architecture::ALL).unwrap();
-    let mut length = |low: f64, high: f64| low + (high - low) * rng.f64();
-    let geometry = Geometry {
-        a1: length(-0.1, 0.6),
-        a2: length(-0.25, 0.25),
-        b: length(-0.3, 0.15).max(0.0),
-        c1: length(0.3, 0.9),
-        c2: length(0.6, 1.3),
-        c3: length(0.6, 1.5),
-        c4: length(0.0, 0.3),
-        offset: std::array::from_fn(|_| length(-PI, PI)),
-        sign: std::array::from_fn(|_| if length(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 }),
-    };
-    let drives = JointCompliance(std::array::from_fn(|_| 1e-6 * length(0.2, 3.0)));
-    let third_axis = if length(0.0, 1.0) < 0.5 { ThirdAxis::Elbow } else { ThirdAxis::Forearm };
-    // Middle and half width of the model angles, before they are seen as reported.
-    let about = [(0.0, 3.0), (0.6, 1.3), (1.2, 1.6), (0.0, 3.0), (0.0, 2.0), (0.0, 3.5)];
-    let joints = std::array::from_fn(|joint| {
-        let (middle, half) = about[joint];
-        let (middle, half) = (middle + length(-0.5, 0.5), half * length(0.5, 1.3));
-        let seen = |theta: f64| (theta + geometry.offset[joint]) * geometry.sign[joint];
-        if length(0.0, 1.0) < 0.15 { Range::ALL } else { Range::spanning(seen(middle - half), seen(middle + half)) }
-    });
-    let elbow = if length(0.0, 1.0) < 0.5 { Range::ALL } else { Range::spanning(length(0.2, 1.0), length(2.6, 3.6)) };
-    let limits = Limits { joints, third_axis, elbow, speeds: None };
-    let mut robot = paper_robots().swap_remove(0);
-    robot.architecture = architecture;
-    robot.arm = Arm::SixAxis { geometry, limits, drives: Drives::new(architecture, drives) };
-    robot
-}
-
-fn random_question(seed: u64) -> Question {
-    let mut rng = fastrand::Rng::with_seed(seed);
-    let robot = if seed.is_multiple_of(2) {
-        random_robot(&mut rng)
-    } else {
-        loop {
-            let entries = entries();
-            let robot = entries[rng.usize(0..entries.len())].robot();
-            if matches!(robot.arm, Arm::SixAxis { .. }) {
-                break robot;
-            }
-        }
-    };
-    let reach = robot.stretch();
-    // One in eight too large for most arms.
-    let size = reach * if seed % 8 < 7 { 0.05 + 0.5 * rng.f64().powi(2) } else { 0.8 + rng.f64() };
-    let zone = match rng.u8(0..3) {
-        0 => Zone::Circle { diameter: size },
-        1 => Zone::Rectangle { width: size, height: size / 2.0 },
-        _ => Zone::Rectangle { width: size * (0.4 + 0.5 * rng.f64()), height: size },
-    };
-    let mut options = SpatialOptions::tool_down(100.0 + 2000.0 * rng.f64());
-    options.elevation = [-FRAC_PI_2, -FRAC_PI_2, 0.0, 30_f64.to_radians(), FRAC_PI_2][rng.usize(0..5)];
-    options.yaw = match rng.u8(0..4) {
-        0 => Range::point(0.0),
-        1 => Range::spanning(-2.0, -0.5),
-        _ => options.yaw,
-    };
-    options.orientation = match rng.u8(0..4) {
-        0 => Orientation::Fixed(3.0 * rng.f64()),
-        1 => Orientation::Free,
-        _ => Orientation::Axes,
-    };
-    let long = 0.3 * rng.f64();
-    options.flange_from_tool = match rng.u8(0..4) {
-        0 => Pose::identity(),
-        1 => Pose::translation(0.0, 0.0, long),
-        2 => Pose::translation(0.15, -0.1, long),
-        _ => Pose::new(Vector3::new(0.0, 0.1, long), Vector3::new(0.2, FRAC_PI_4, -0.5)),
-    };
-    if rng.u8(0..3) == 0 {
-        options.roll = Some(TAU * (rng.f64() - 0.5));
-    }
-    if rng.u8(0..3) == 0 {
-        let (low, left) = (reach * (0.6 * rng.f64() - 0.2), 0.5 * reach * rng.f64());
-        options.within.x = Range::spanning(left, left + size * (1.0 + rng.f64()));
-        options.within.z = Range::spanning(low, low + size * (1.0 + 2.0 * rng.f64()));
-    }
-    Question { robot, zone, options }
 }
 
 #[test]

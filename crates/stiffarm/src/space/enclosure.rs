@@ -11,10 +11,13 @@ use super::patch::Patch;
 use super::sector::Sector;
 use super::stands::{StandBox, Stands};
 use super::{Coupling, SpatialArm};
+use crate::inverse::CLEARANCE;
 use crate::limits::{Limits, Range, ThirdAxis};
 
 /// How far a limit must be overstepped for certain before a posture counts as impossible: more than a place is granted.
 const SLACK: f64 = 2e-9;
+/// How near to a singular posture none is given up: nearer than a place may be.
+const CLEAR: f64 = CLEARANCE * (1.0 - 1e-5);
 /// The second direction is looked at as well where it gives way by this part of the first.
 const SECOND: f64 = 0.6;
 
@@ -156,7 +159,7 @@ impl Enclosing {
         wrists: &mut [bool; 2],
         known: &mut Known<N>,
     ) -> Option<Option<Facing<N>>> {
-        let Some(turned) = self.turned(aim, at, way)? else { return Some(None) };
+        let turned = self.turned(aim, at, way)?;
         let Some(links) = self.links(&turned.wrist, way, known)? else { return Some(None) };
         let [(s2, c2), (s23, c23)] = [links.upper, links.forearm].map(|[x, z]| (x, z));
         let one = Affine::point(1.0);
@@ -168,8 +171,8 @@ impl Enclosing {
         // The axis of joint 6 seen from the forearm: forwards, across, along.
         let [spin_x, across, spin_z] = turned.spin;
         let (fore, c5) = (c23 * spin_x - s23 * spin_z, s23 * spin_x + c23 * spin_z);
-        let s5 =
-            (fore.square() + across.square()).concave(Range::spanning(0.0, 1.0), |x| (x.sqrt(), 0.5 / x.sqrt()))?;
+        let clear = Range::spanning(CLEAR * CLEAR, 1.0);
+        let s5 = (fore.square() + across.square()).concave(clear, |x| (x.sqrt(), 0.5 / x.sqrt()))?;
         let along = [s23, Affine::point(0.0), c23];
         let sixth = [-dot(&along, &turned.side), dot(&along, &cross(&turned.spin, &turned.side))];
         let facing = Facing([turned.first, [fore, across], sixth]);
@@ -192,39 +195,38 @@ impl Enclosing {
         Some(Some(facing))
     }
 
-    /// Joint 1 turned towards the wrist centre, or away from it. Inner `None`: joint 1 could be anywhere.
-    fn turned<const N: usize>(&self, aim: &Aim<N>, at: [f64; 2], way: Way) -> Option<Option<Turned<N>>> {
+    /// Joint 1 turned towards the wrist centre, or away from it.
+    fn turned<const N: usize>(&self, aim: &Aim<N>, at: [f64; 2], way: Way) -> Option<Turned<N>> {
         let geometry = &self.arm.geometry;
         let point = aim.stands.point(at);
         let [wx, wy, wz]: Vector<N> = std::array::from_fn(|i| point[i] - aim.beyond[i]);
         let square = wx.square() + wy.square();
         let b2 = geometry.b * geometry.b;
-        let least = b2.max(1e-9 * geometry.c2 * geometry.c2);
-        if square.max() < b2 - SLACK * geometry.c2 * geometry.c2 {
+        let least = b2.max((CLEAR * geometry.c2).powi(2));
+        if square.max() < least - SLACK * geometry.c2 * geometry.c2 {
             return None;
         }
+        let sign = if way.back { -1.0 } else { 1.0 };
+        let wrist = [(square + -b2).sqrt()? * sign + -geometry.a1, wz + -geometry.c1];
         if !(least < square.min()) {
-            return Some(None);
+            // It may stand over the axis, and joint 1 face anywhere: heights and lengths are known.
+            let any = |length: f64| Affine { rest: length, ..Affine::point(0.0) };
+            let most = |x: Affine<N>| x.min().abs().max(x.max().abs());
+            let seen = |[x, y, z]: Vector<N>| [any(most(x).hypot(most(y))), any(most(x).hypot(most(y))), z];
+            let (spin, side, beyond) = (seen(aim.spin), seen(aim.side), seen(aim.beyond));
+            return Some(Turned { wrist, first: [any(1.0); 2], spin, side, beyond });
         }
-        let known = Range::spanning(least, f64::INFINITY);
-        let inverse = square.inverse(known)?;
-        let ahead = (square + -b2).sqrt()?;
+        let inverse = square.inverse(Range::spanning(least, f64::INFINITY))?;
         // sqrt(square - b^2)/square, concave in 1/square.
         let part = inverse.concave(Range::spanning(0.0, 1.0 / least), |i| {
             let root = (i - b2 * i * i).max(0.0).sqrt();
             (root, (0.5 - b2 * i) / root)
         })?;
-        let sign = if way.back { -1.0 } else { 1.0 };
         let (part, aside) = (part * sign, inverse * geometry.b);
         let (c1, s1) = (wx * part + wy * aside, wy * part - wx * aside);
         let seen = |[x, y, z]: Vector<N>| [c1 * x + s1 * y, c1 * y - s1 * x, z];
-        Some(Some(Turned {
-            wrist: [ahead * sign + -geometry.a1, wz + -geometry.c1],
-            first: [c1, s1],
-            spin: seen(aim.spin),
-            side: seen(aim.side),
-            beyond: seen(aim.beyond),
-        }))
+        let (spin, side, beyond) = (seen(aim.spin), seen(aim.side), seen(aim.beyond));
+        Some(Turned { wrist, first: [c1, s1], spin, side, beyond })
     }
 
     /// The links that put the wrist centre there. Inner `None`: they could be anywhere.
@@ -234,10 +236,8 @@ impl Enclosing {
         let square = x.square() + z.square();
         known.require((square + -ring.min()) * (1.0 / (l2 * l2)))?;
         known.require((-square + ring.max()) * (1.0 / (l2 * l2)))?;
-        let least = ring.min().max(1e-9 * l2 * l2);
-        if ring.min() < least && !(least < square.min()) {
-            return Some(None); // links of one length, folded: the upper arm could point anywhere
-        }
+        // Not zero even with links of one length: a folded arm is not allowed.
+        let least = ring.min();
         let Some(inverse) = square.inverse(Range::new(least, ring.max())?) else { return Some(None) };
         // The upper arm is a part `along` of the wrist vector, and a part `aside` of that turned by a right angle: the height
         // of a triangle with known sides, whose square is quadratic in 1/square.
@@ -366,7 +366,7 @@ fn ring(arm: &SpatialArm, sign: f64) -> Option<Range> {
     let (l2, l3, lean) = (arm.geometry.c2, arm.geometry.l3(), arm.geometry.lean());
     // The bend from a stretched arm, 0 to pi, is theta3 + lean, or its negative.
     let bends = |theta_3: Range| bends(theta_3.affine(sign, sign * lean));
-    let mut allowed = bends(elbow.affine(-1.0, PI))?;
+    let mut allowed = bends(elbow.affine(-1.0, PI))?.intersect(Range::spanning(CLEAR, PI - CLEAR))?;
     if *third_axis == ThirdAxis::Elbow {
         allowed = allowed.intersect(bends(arm.geometry.theta(2, joints[2]))?)?;
     }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::lanes::{Lanes, Mask};
 use super::sector::Sector;
 use super::{At, Coupling, SpatialArm, Triple};
-use crate::inverse::{Class, Shoulder, Wrist, postures};
+use crate::inverse::{CLEARANCE, Class, Shoulder, Wrist, postures};
 use crate::limits::Range;
 use crate::plane::Elbow;
 use crate::spatial::Pose;
@@ -46,12 +46,14 @@ fn place(class: Class) -> usize {
         + usize::from(class.wrist == Wrist::Flip)
 }
 
-/// Where joints 1, 4 and 6 must stay; anywhere by default. See [`SpatialArm::near`].
+/// Where joints 1, 4 and 6 must stay, and how clear of singular postures all; anywhere by default. See [`SpatialArm::near`].
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Near {
     first: [Sector; 2],
     fourth: [Sector; CLASSES],
     sixth: [Sector; CLASSES],
+    /// See [`CLEARANCE`]; zero by default.
+    clearance: f64,
 }
 
 /// What the poses of one orientation of the tool share.
@@ -84,9 +86,9 @@ impl SpatialArm {
     /// What holds all postures within a quarter turn, joint by joint, of those at a pose of the tool (base axes).
     ///
     /// Joints 2, 3 and 5 of one class never span more; joints 1, 4 and 6 turn fast near singular postures and by half a
-    /// turn across them.
+    /// turn across them. [`CLEARANCE`] is kept.
     pub(crate) fn near(&self, tool: &Pose) -> Near {
-        let mut near = Near::default();
+        let mut near = Near { clearance: CLEARANCE, ..Near::default() };
         for (class, theta) in postures(&self.geometry, &(tool * self.flange_from_tool.inverse())).found {
             let place = place(class);
             near.first[place / 4] = self.about(0, theta[0]);
@@ -131,7 +133,8 @@ impl SpatialArm {
         let square = wx * wx + wy * wy;
         let across = square - b * b;
         let ahead = across.max(0.0).sqrt();
-        let reached = across.at_least(-1e-9 * self.geometry.c2 * self.geometry.c2);
+        let clear = (near.clearance * self.geometry.c2).powi(2);
+        let reached = across.at_least(-1e-9 * self.geometry.c2 * self.geometry.c2) & square.at_least(clear);
         // Above its own axis joint 1 is free: straight ahead stands for all.
         let free = square.at_most(1e-18 * self.geometry.c2 * self.geometry.c2);
         let inverse = free.select(px.all(0.0), px.all(1.0) / square);
@@ -165,7 +168,8 @@ impl SpatialArm {
         let (x, z) = (seen.x, seen.z);
         let square = x * x + z * z;
         let c = (square - (l2 * l2 + l3 * l3)) * (1.0 / (2.0 * l2 * l3));
-        let reached = turned & c.at_most(1.0 + 1e-12) & c.at_least(-1.0 - 1e-12) & square.at_least(1e-18 * l2 * l2);
+        let straight = if near.clearance == 0.0 { 1.0 + 1e-12 } else { near.clearance.cos() };
+        let reached = turned & c.at_most(straight) & c.at_least(-straight) & square.at_least(1e-18 * l2 * l2);
         let c = c.max(-1.0).min(1.0);
         let s = (c.all(1.0) - c * c).max(0.0).sqrt();
         let inverse = c.all(1.0) / square.max(1e-18 * l2 * l2);
@@ -236,7 +240,7 @@ impl SpatialArm {
             let turns = turns
                 & near.fourth[first + wrist].holds(fore * sign, across * sign, s5)
                 & near.sixth[first + wrist].holds(cos_6 * sign, sin_6 * sign, s5);
-            let fine = allowed & turns & fifth.holds(c5, s5 * sign, s2.all(1.0));
+            let fine = allowed & turns & fifth.holds(c5, s5 * sign, s2.all(1.0)) & s5.at_least(near.clearance);
             found[wrist] = fine.select(worst[wrist], none);
         }
         found

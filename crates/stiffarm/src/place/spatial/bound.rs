@@ -288,6 +288,7 @@ mod tests {
     use super::*;
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
+    use crate::place::spatial::search::region;
     use crate::place::{SpatiallyPlaced, place_in_space};
     use crate::spatial::Pose;
 
@@ -326,8 +327,7 @@ mod tests {
                 let arm = SpatialArm::new(robot, &options.flange_from_tool).unwrap();
                 let roll_is_free = arm.tool_turns_about_axis_6();
                 let freed = arm.without_limit_on(0, true).without_limit_on(5, roll_is_free);
-                let [ahead, up] = arm.reach();
-                let region = [options.within.x.intersect(ahead).unwrap(), options.within.z.intersect(up).unwrap()];
+                let region = region(&arm, options.within);
                 let prover = Prover::new(&freed, zone, &options, region, roll_is_free);
                 let Some(best) = place_in_space(robot, zone, &options).unwrap().feasible().cloned() else { continue };
                 let (worst, _) =

@@ -67,6 +67,14 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Spat
     }
 }
 
+/// Where centres may stand by the lengths of the arm, ahead of the joint-1 axis and behind it, and up.
+pub(super) fn region(arm: &SpatialArm, within: Within) -> [Range; 2] {
+    let [ahead, up] = arm.reach();
+    let both = Range::spanning(-ahead.max(), ahead.max());
+    // Where both share nothing, one place far away says so.
+    [within.x.intersect(both), within.z.intersect(up)].map(|range| range.unwrap_or(Range::point(1e9)))
+}
+
 /// How good a place is: first how many poses no single posture reaches, then the largest compliance, m/N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Score {
@@ -111,10 +119,7 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a SpatialOptions) -> Self {
         let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
-        let [ahead, up] = arm.reach();
-        // Where both share nothing, one place far away says so.
-        let region = [options.within.x.intersect(ahead), options.within.z.intersect(up)]
-            .map(|range| range.unwrap_or(Range::point(1e9)));
+        let region = region(arm, options.within);
         let longest = region[0].width().max(region[1].width());
         Self {
             robot,

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::wrapped;
-use crate::inverse::{Class, SLACK, postures, third_within_limits};
+use crate::inverse::{CLEARANCE, Class, SLACK, postures, third_within_limits};
 use crate::robot::{Arm, Robot};
 use crate::space::{Grid, Patch, SpatialArm, Stand};
 
@@ -94,6 +94,9 @@ pub(super) fn sweep(
         }
     }
     let singular_margin = thetas.iter().map(|theta| geometry.singular_margin(theta)).fold(f64::INFINITY, f64::min);
+    if singular_margin < CLEARANCE - SLACK {
+        return None;
+    }
     Some(Sweep { bearing, roll, joints, limit_margin, singular_margin })
 }
 
@@ -105,7 +108,11 @@ fn shift_into(min: f64, max: f64, low: f64, high: f64, free: bool) -> Option<f64
         return None;
     }
     if free {
-        return Some(0.0_f64.clamp(least, most));
+        let nearest = |turns: f64| (turns * 2.0 * PI).clamp(least, most);
+        return [0.0, 1.0, -1.0]
+            .map(nearest)
+            .into_iter()
+            .min_by(|a, b| wrapped(*a).abs().total_cmp(&wrapped(*b).abs()));
     }
     if !(least.is_finite() && most.is_finite()) {
         let turns = if least.is_finite() { (least / (2.0 * PI)).ceil() } else { (most / (2.0 * PI)).floor() };

@@ -1,0 +1,112 @@
+//! Questions about places in space, drawn at random: the witness answers them, and the benchmark counts what is proved.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+
+use nalgebra::Vector3;
+use stiffarm::catalogue::{entries, paper_robots};
+use stiffarm::drive::{Architecture, Drives, JointCompliance};
+use stiffarm::geometry::Geometry;
+use stiffarm::limits::{Limits, Range, ThirdAxis};
+use stiffarm::place::{Orientation, SpatialOptions};
+use stiffarm::robot::{Arm, Robot};
+use stiffarm::spatial::Pose;
+use stiffarm::task::Zone;
+
+/// What is asked of one robot.
+#[derive(Clone, Debug)]
+pub(crate) struct Question {
+    pub(crate) robot: Robot,
+    pub(crate) zone: Zone,
+    pub(crate) options: SpatialOptions,
+}
+
+/// An arm as no maker builds it, with limits anywhere.
+pub(crate) fn random_robot(rng: &mut fastrand::Rng) -> Robot {
+    let architecture = rng.choice(Architecture::ALL).unwrap();
+    let mut length = |low: f64, high: f64| low + (high - low) * rng.f64();
+    let geometry = Geometry {
+        a1: length(-0.1, 0.6),
+        a2: length(-0.25, 0.25),
+        b: length(-0.3, 0.15).max(0.0),
+        c1: length(0.3, 0.9),
+        c2: length(0.6, 1.3),
+        c3: length(0.6, 1.5),
+        c4: length(0.0, 0.3),
+        offset: std::array::from_fn(|_| length(-PI, PI)),
+        sign: std::array::from_fn(|_| if length(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 }),
+    };
+    let drives = JointCompliance(std::array::from_fn(|_| 1e-6 * length(0.2, 3.0)));
+    let third_axis = if length(0.0, 1.0) < 0.5 { ThirdAxis::Elbow } else { ThirdAxis::Forearm };
+    // Middle and half width of the model angles, before they are seen as reported.
+    let about = [(0.0, 3.0), (0.6, 1.3), (1.2, 1.6), (0.0, 3.0), (0.0, 2.0), (0.0, 3.5)];
+    let joints = std::array::from_fn(|joint| {
+        let (middle, half) = about[joint];
+        let (middle, half) = (middle + length(-0.5, 0.5), half * length(0.5, 1.3));
+        let seen = |theta: f64| (theta + geometry.offset[joint]) * geometry.sign[joint];
+        if length(0.0, 1.0) < 0.15 { Range::ALL } else { Range::spanning(seen(middle - half), seen(middle + half)) }
+    });
+    let elbow = if length(0.0, 1.0) < 0.5 { Range::ALL } else { Range::spanning(length(0.2, 1.0), length(2.6, 3.6)) };
+    let limits = Limits { joints, third_axis, elbow, speeds: None };
+    let mut robot = paper_robots().swap_remove(0);
+    robot.architecture = architecture;
+    robot.arm = Arm::SixAxis { geometry, limits, drives: Drives::new(architecture, drives) };
+    robot
+}
+
+/// Every other one about a robot of the catalogue; one zone in eight is too large for most arms.
+pub(crate) fn random_question(seed: u64) -> Question {
+    let mut rng = fastrand::Rng::with_seed(seed);
+    let robot = if seed.is_multiple_of(2) {
+        random_robot(&mut rng)
+    } else {
+        loop {
+            let entries = entries();
+            let robot = entries[rng.usize(0..entries.len())].robot();
+            if matches!(robot.arm, Arm::SixAxis { .. }) {
+                break robot;
+            }
+        }
+    };
+    let reach = robot.stretch();
+    // One in eight too large for most arms.
+    let size = reach * if seed % 8 < 7 { 0.05 + 0.5 * rng.f64().powi(2) } else { 0.8 + rng.f64() };
+    let zone = match rng.u8(0..3) {
+        0 => Zone::Circle { diameter: size },
+        1 => Zone::Rectangle { width: size, height: size / 2.0 },
+        _ => Zone::Rectangle { width: size * (0.4 + 0.5 * rng.f64()), height: size },
+    };
+    let mut options = SpatialOptions::tool_down(100.0 + 2000.0 * rng.f64());
+    options.elevation = [-FRAC_PI_2, -FRAC_PI_2, 0.0, 30_f64.to_radians(), FRAC_PI_2][rng.usize(0..5)];
+    options.yaw = match rng.u8(0..4) {
+        0 => Range::point(0.0),
+        1 => Range::spanning(-2.0, -0.5),
+        _ => options.yaw,
+    };
+    options.orientation = match rng.u8(0..4) {
+        0 => Orientation::Fixed(3.0 * rng.f64()),
+        1 => Orientation::Free,
+        _ => Orientation::Axes,
+    };
+    let long = 0.3 * rng.f64();
+    options.flange_from_tool = match rng.u8(0..4) {
+        0 => Pose::identity(),
+        1 => Pose::translation(0.0, 0.0, long),
+        2 => Pose::translation(0.15, -0.1, long),
+        _ => Pose::new(Vector3::new(0.0, 0.1, long), Vector3::new(0.2, FRAC_PI_4, -0.5)),
+    };
+    if rng.u8(0..3) == 0 {
+        options.roll = Some(TAU * (rng.f64() - 0.5));
+    }
+    if rng.u8(0..3) == 0 {
+        let (low, left) = (reach * (0.6 * rng.f64() - 0.2), 0.5 * reach * rng.f64());
+        options.within.x = Range::spanning(left, left + size * (1.0 + rng.f64()));
+        options.within.z = Range::spanning(low, low + size * (1.0 + 2.0 * rng.f64()));
+        // Some of the windows behind the robot, some across its axis.
+        match rng.u8(0..4) {
+            0 => options.within.x = options.within.x.affine(-1.0, 0.0),
+            1 => options.within.x = options.within.x.affine(1.0, -left - size * rng.f64()),
+            _ => {}
+        }
+    }
+    Question { robot, zone, options }
+}
