@@ -4,6 +4,9 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::limits::Range;
 
+/// What a number depends on is forgotten where its known range is so much narrower.
+const FORGET: f64 = 0.6;
+
 /// What is known of a number that depends on `N` variables, each anywhere in `-1..1`: it differs from
 /// `middle + slope . variables` by at most `rest`.
 ///
@@ -56,6 +59,18 @@ impl<const N: usize> Affine<N> {
             middle: self.middle * self.middle + half,
             slope: self.slope.map(|slope| 2.0 * self.middle * slope),
             rest: 2.0 * self.middle.abs() * self.rest + half,
+        }
+    }
+
+    /// The same number, where it lies in `known` whatever the variables are: forgets how it depends on them where that says less.
+    #[inline]
+    pub(crate) fn clipped(self, known: Range) -> Self {
+        let (least, most) = (self.min().max(known.min()), self.max().min(known.max()));
+        let half = (most - least) / 2.0;
+        if half < FORGET * self.radius() || self.is_unknown() {
+            Self { rest: half.max(0.0), ..Self::point(f64::midpoint(least, most)) }
+        } else {
+            self
         }
     }
 

@@ -82,15 +82,25 @@ pub(crate) struct Aim<const N: usize> {
     side: Vector<N>,
 }
 
-/// Where joints 1, 4 and 6 point at a pose: cosine and sine of each, the last two times a length.
+/// Where joints 1, 4 and 6 point at a pose: cosine and sine of each, the last two times a length; the wrist not flipped.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Facing<const N: usize>([[Affine<N>; 2]; 3]);
+
+/// How far joints 1, 4 and 6 turn for certain from where they point at the centre of a zone, as the poses of the zone are
+/// learnt: the least that is passed on the positive side, and the most on the negative one, rad.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Turning([[f64; 2]; 3]);
+
+/// The joints of [`Facing`], from 0.
+const FACING: [usize; 3] = [0, 3, 5];
 
 /// A vector in the arm plane: forwards, up.
 type Flat<const N: usize> = [Affine<N>; 2];
 
 /// Where the wrist centre stands, joint 1 turned, and what the tool is seen like from there.
 struct Turned<const N: usize> {
+    /// The tool point, base axes.
+    point: Vector<N>,
     /// From the joint-2 axis.
     wrist: Flat<N>,
     /// Cosine and sine of theta 1.
@@ -117,16 +127,28 @@ pub(crate) struct Enclosing {
     /// Squared distances of the wrist centre from the joint-2 axis, elbow up and down, that the links and the limits on
     /// the angle between them allow.
     rings: [Option<Range>; 2],
+    /// What joints 1, 4 and 6 may turn by within a zone, rad, and their ranges of model angles.
+    turns: [f64; 3],
+    ranges: [Range; 3],
 }
 
 impl Enclosing {
-    pub(crate) fn new(arm: SpatialArm) -> Self {
+    /// For an arm as it is asked about, but for the limits that turning the zone or the tool as a whole meets: `free`.
+    pub(crate) fn new(asked: &SpatialArm, free: [bool; 6]) -> Self {
+        let arm = (0..6).fold(asked.clone(), |arm, joint| arm.without_limit_on(joint, free[joint]));
+        let turns = FACING.map(|joint| asked.limits.joints[joint].width());
+        let ranges = FACING.map(|joint| arm.geometry.theta(joint, arm.limits.joints[joint]));
         let tool_from_flange = arm.flange_from_tool.rotation.inverse();
         let point = arm.flange_from_tool.translation.vector + Vector3::z() * arm.geometry.c4;
         let seen = |v: Vector3<f64>| (tool_from_flange * v).into();
         let (beyond, spin, side) = (seen(point), seen(Vector3::z()), seen(Vector3::x()));
         let rings = [1.0, -1.0].map(|sign| ring(&arm, sign));
-        Self { arm, beyond, spin, side, rings }
+        Self { arm, beyond, spin, side, rings, turns, ranges }
+    }
+
+    /// How far the wrist centre lies from the axis of the tool, m.
+    pub(crate) fn beside_the_tool_axis(&self) -> f64 {
+        self.beyond[0].hypot(self.beyond[1])
     }
 
     /// What the tool is like at the stands of a box.
@@ -155,40 +177,44 @@ impl Enclosing {
         aim: &Aim<N>,
         at: [f64; 2],
         way: Way,
-        centre: Option<&Facing<N>>,
+        centre: Option<(&Facing<N>, &mut Turning)>,
         wrists: &mut [bool; 2],
         known: &mut Known<N>,
     ) -> Option<Option<Facing<N>>> {
         let turned = self.turned(aim, at, way)?;
+        self.by_distance(&turned, way, known);
         let Some(links) = self.links(&turned.wrist, way, known)? else { return Some(None) };
         let [(s2, c2), (s23, c23)] = [links.upper, links.forearm].map(|[x, z]| (x, z));
         let one = Affine::point(1.0);
         let sectors = &self.arm.sectors;
         known.require_in(&sectors.joints[1], c2, s2, one)?;
-        if sectors.third_is_forearm {
-            known.require_in(&sectors.joints[2], c23, s23, one)?;
+        // Of theta 3.
+        let (c3, s3) = (unit(c2 * c23 + s2 * s23), unit(c2 * s23 - s2 * c23));
+        known.require_in(&sectors.elbow, c3, s3, one)?;
+        match &sectors.winding {
+            Some(_) => self.third_is_within([c2, s2], [c3, s3])?,
+            None if sectors.third_is_forearm => known.require_in(&sectors.joints[2], c23, s23, one)?,
+            None => known.require_in(&sectors.joints[2], c3, s3, one)?,
         }
         // The axis of joint 6 seen from the forearm: forwards, across, along.
-        let [spin_x, across, spin_z] = turned.spin;
-        let (fore, c5) = (c23 * spin_x - s23 * spin_z, s23 * spin_x + c23 * spin_z);
+        let [spin_x, across, spin_z] = turned.spin.map(unit);
+        let (fore, c5) = (unit(c23 * spin_x - s23 * spin_z), unit(s23 * spin_x + c23 * spin_z));
         let clear = Range::spanning(CLEAR * CLEAR, 1.0);
         let s5 = (fore.square() + across.square()).concave(clear, |x| (x.sqrt(), 0.5 / x.sqrt()))?;
         let along = [s23, Affine::point(0.0), c23];
-        let sixth = [-dot(&along, &turned.side), dot(&along, &cross(&turned.spin, &turned.side))];
+        let sixth = [-dot(&along, &turned.side), dot(&along, &cross(&turned.spin, &turned.side))].map(unit);
         let facing = Facing([turned.first, [fore, across], sixth]);
-        if let Some(centre) = centre {
-            for ([c, s], [centre_c, centre_s]) in facing.0.into_iter().zip(centre.0) {
-                known.require(c * centre_c + s * centre_s)?;
-            }
+        if let Some((centre, turning)) = centre {
+            self.turn_on(&facing, centre, turning, wrists, known)?;
         }
         self.wrists(&facing, s5, c5, wrists);
         if *wrists == [false; 2] {
             return None;
         }
-        let inverse = s5.inverse(Range::spanning(1e-6, 1.0)).filter(|_| 1e-6 < s5.min());
+        let inverse = s5.inverse(Range::spanning(CLEAR, 1.0)).filter(|_| CLEAR < s5.min());
         let sign = if wrists[0] { 1.0 } else { -1.0 };
         let bend = inverse.map(|inverse| {
-            let (x, y) = (-across * inverse * sign, fore * inverse * sign);
+            let (x, y) = (unit(-across * inverse * sign), unit(fore * inverse * sign));
             [c23 * x, y, -(s23 * x)]
         });
         self.values(&turned, &links, bend, known);
@@ -214,7 +240,7 @@ impl Enclosing {
             let most = |x: Affine<N>| x.min().abs().max(x.max().abs());
             let seen = |[x, y, z]: Vector<N>| [any(most(x).hypot(most(y))), any(most(x).hypot(most(y))), z];
             let (spin, side, beyond) = (seen(aim.spin), seen(aim.side), seen(aim.beyond));
-            return Some(Turned { wrist, first: [any(1.0); 2], spin, side, beyond });
+            return Some(Turned { point, wrist, first: [any(1.0); 2], spin, side, beyond });
         }
         let inverse = square.inverse(Range::spanning(least, f64::INFINITY))?;
         // sqrt(square - b^2)/square, concave in 1/square.
@@ -223,10 +249,47 @@ impl Enclosing {
             (root, (0.5 - b2 * i) / root)
         })?;
         let (part, aside) = (part * sign, inverse * geometry.b);
-        let (c1, s1) = (wx * part + wy * aside, wy * part - wx * aside);
+        let (c1, s1) = (unit(wx * part + wy * aside), unit(wy * part - wx * aside));
         let seen = |[x, y, z]: Vector<N>| [c1 * x + s1 * y, c1 * y - s1 * x, z];
         let (spin, side, beyond) = (seen(aim.spin), seen(aim.side), seen(aim.beyond));
-        Some(Turned { wrist, first: [c1, s1], spin, side, beyond })
+        Some(Turned { point, wrist, first: [c1, s1], spin, side, beyond })
+    }
+
+    /// Adds what drives 1, 2 and 3 give way by at least, each alone, by the distances of the tool point from the axes of
+    /// their joints: what is left to say of boxes in which the links could point anywhere.
+    fn by_distance<const N: usize>(&self, turned: &Turned<N>, way: Way, known: &mut Known<N>) {
+        let (geometry, k) = (&self.arm.geometry, self.arm.k);
+        if matches!(self.arm.coupling, Coupling::Any(_)) {
+            return;
+        }
+        let [x, y, z] = turned.point;
+        known.values.push(squares(&[(Affine::point(k[0]), x), (Affine::point(k[0]), y)], |x| x.middle));
+        // How far the tool point is from the wrist centre, forwards, across and up, and how far forwards from the joint-1 axis.
+        let [ux, uy, uz] = turned.beyond;
+        let most = |x: Affine<N>| x.min().abs().max(x.max().abs());
+        let (far, aside) = (most(ux).hypot(most(uz)), most(uy) + geometry.b.abs());
+        let across = Affine { rest: aside * aside / 2.0, ..Affine::point(aside * aside / 2.0) };
+        let Some(ahead) = (x.square() + y.square() - across).sqrt() else { return };
+        let sign = if way.back { -1.0 } else { 1.0 };
+        if ((turned.wrist[0] + geometry.a1) * sign).min() <= most(ux) {
+            return; // it could be on either side of the axis
+        }
+        let (px, pz) = (ahead * sign + -geometry.a1, z + -geometry.c1);
+        // From the elbow: as far as the links leave it.
+        let from_elbow = geometry.l3() - far;
+        let Some(from_2) = (px.square() + pz.square()).sqrt() else { return };
+        let (near_2, far_2) = (from_2.min(), from_2.max());
+        let from_elbow = from_elbow.max(near_2 - geometry.c2).max(geometry.c2 - far_2).max(0.0);
+        known.values.push(Affine::point(k[2] * from_elbow * from_elbow));
+        match self.arm.coupling {
+            Coupling::Serial if self.arm.compensator.is_none() => {
+                known.values.push(squares(&[(Affine::point(k[1]), px), (Affine::point(k[1]), pz)], |x| x.middle));
+            }
+            Coupling::QuasiSerial if self.arm.compensator.is_none() => {
+                known.values.push(Affine::point(k[1] * geometry.c2 * geometry.c2));
+            }
+            _ => {}
+        }
     }
 
     /// The links that put the wrist centre there. Inner `None`: they could be anywhere.
@@ -253,9 +316,59 @@ impl Enclosing {
         let [gx, gz] = [*x - elbow[0], *z - elbow[1]];
         let (c3, a2) = (self.arm.geometry.c3 / (l3 * l3), self.arm.geometry.a2 / (l3 * l3));
         Some(Some(Links {
-            upper: elbow.map(|part| part * (1.0 / l2)),
-            forearm: [gx * c3 - gz * a2, gz * c3 + gx * a2],
+            upper: elbow.map(|part| unit(part * (1.0 / l2))),
+            forearm: [unit(gx * c3 - gz * a2), unit(gz * c3 + gx * a2)],
         }))
+    }
+
+    /// What joint 3 reports lies within its limit, as do theta 2 and the angle between the links with the same whole turns;
+    /// cosine and sine of theta 2 and theta 3.
+    fn third_is_within<const N: usize>(
+        &self,
+        [c2, s2]: [Affine<N>; 2],
+        [c3, s3]: [Affine<N>; 2],
+    ) -> Option<()> {
+        let Limits { joints, elbow, third_axis, .. } = &self.arm.limits;
+        let geometry = &self.arm.geometry;
+        let (Some(second), Some(third)) = (angle(c2, s2), angle(c3, s3)) else { return Some(()) };
+        let seconds = match third_axis {
+            ThirdAxis::Elbow => vec![Range::point(0.0)],
+            ThirdAxis::Forearm => turned_into(geometry.theta(1, joints[1]), second).collect(),
+        };
+        let reported = geometry.theta(2, joints[2]);
+        let allowed = Range::spanning(reported.min() - SLACK, reported.max() + SLACK);
+        turned_into(elbow.affine(-1.0, PI), third)
+            .any(|third| seconds.iter().any(|second| allowed.intersect(second.plus(third)).is_some()))
+            .then_some(())
+    }
+
+    /// Joints 1, 4 and 6 turn by less than a quarter turn from the centre on, by no more than their ranges are wide, and
+    /// without coming round from the other end.
+    fn turn_on<const N: usize>(
+        &self,
+        facing: &Facing<N>,
+        centre: &Facing<N>,
+        turning: &mut Turning,
+        wrists: &mut [bool; 2],
+        known: &mut Known<N>,
+    ) -> Option<()> {
+        for part in 0..3 {
+            let ([c, s], [from_c, from_s]) = (facing.0[part], centre.0[part]);
+            let ahead = c * from_c + s * from_s;
+            known.require(ahead)?;
+            let Some(turned) = angle(ahead, s * from_c - c * from_s) else { continue };
+            let [most, least] = &mut turning.0[part];
+            (*most, *least) = (most.max(turned.min()), least.min(turned.max()));
+            if self.turns[part] + SLACK < *most - *least {
+                return None;
+            }
+            let Some(from) = angle(from_c, from_s).filter(|_| self.ranges[part].is_bounded()) else { continue };
+            for (flip, wrist) in [0.0, PI].into_iter().zip(wrists.iter_mut()) {
+                let flip = if part == 0 { 0.0 } else { flip };
+                *wrist &= stays_within(self.ranges[part], from.affine(1.0, flip), turned);
+            }
+        }
+        Some(())
     }
 
     /// Takes away the wrists that no stand of the box allows; sine and cosine of joint 5, the sine not negative.
@@ -326,12 +439,13 @@ impl Enclosing {
             if *value < SECOND * largest {
                 continue;
             }
-            let along = parts.iter().fold(zero, |sum, (k, column)| {
-                let moved = column[0] * direction[0] + column[1] * direction[1] + column[2] * direction[2];
-                let square = moved.square();
-                sum + if k.radius() == 0.0 { square * k.middle } else { square * *k }
+            let moved = parts.iter().map(|(k, column)| {
+                (*k, column[0] * direction[0] + column[1] * direction[1] + column[2] * direction[2])
             });
-            known.values.push(along);
+            let moved: Vec<(Affine<N>, Affine<N>)> = moved.collect();
+            // A square lies above its tangents: that in the middle, and the one that is greatest at the worse end.
+            known.values.push(squares(&moved, |x| x.middle));
+            known.values.push(squares(&moved, |x: &Affine<N>| (x.middle.abs() - x.radius()).max(0.0).copysign(x.middle)));
         }
     }
 
@@ -358,6 +472,57 @@ impl Enclosing {
         }
         k
     }
+}
+
+/// A part of a vector of length one.
+fn unit<const N: usize>(x: Affine<N>) -> Affine<N> {
+    x.clipped(Range::spanning(-1.0, 1.0))
+}
+
+/// What drives give way by at least: of each its compliance times the square of what it moves, above its tangent there.
+fn squares<const N: usize>(moved: &[(Affine<N>, Affine<N>)], tangent: impl Fn(&Affine<N>) -> f64) -> Affine<N> {
+    moved.iter().fold(Affine::point(0.0), |sum, (k, x)| {
+        let at = tangent(x);
+        let square = *x * (2.0 * at) + -(at * at);
+        sum + if k.radius() == 0.0 { square * k.middle } else { square * *k }
+    })
+}
+
+/// The angles of vectors with these cosines and sines, up to a common length; `None` where they point more than a quarter
+/// turn apart.
+fn angle<const N: usize>(cos: Affine<N>, sin: Affine<N>) -> Option<Range> {
+    let (from_s, from_c) = (sin.middle, cos.middle);
+    let length = from_s.hypot(from_c);
+    if !(0.0 < length) {
+        return None;
+    }
+    let (s, c) = (from_s / length, from_c / length);
+    let (ahead, aside) = (cos * c + sin * s, sin * c - cos * s);
+    if !(0.0 < ahead.min()) {
+        return None;
+    }
+    let turned = |aside: f64| (aside / if aside < 0.0 { ahead.min() } else { ahead.max() }).atan();
+    let (low, high) = (turned(aside.min()), -turned(-aside.max()));
+    Range::new(low, high).map(|range| range.affine(1.0, s.atan2(c)))
+}
+
+/// Some angle `from` lies in the range, and still does, whole turns left as they are, when it has `turned` on.
+fn stays_within(range: Range, from: Range, turned: Range) -> bool {
+    let wide = Range::spanning(range.min() - SLACK, range.max() + SLACK);
+    turned_into(range, from).any(|from| wide.intersect(from.plus(turned)).is_some())
+}
+
+/// The angles with all whole turns added with which some of them lie in the range; as they are where it has no ends.
+fn turned_into(range: Range, angles: Range) -> impl Iterator<Item = Range> {
+    let wide = Range::spanning(range.min() - SLACK, range.max() + SLACK);
+    let (first, turns) = if wide.is_bounded() {
+        (((wide.min() - angles.max()) / TAU).ceil(), (wide.width() / TAU) as usize + 2)
+    } else {
+        (0.0, 1)
+    };
+    (0..turns)
+        .map(move |turn| angles.affine(1.0, (first + turn as f64) * TAU))
+        .filter(move |turned| wide.intersect(*turned).is_some())
 }
 
 /// The squared distances at which the limits allow the angle between the links, elbow up (`sign` 1) or down (-1).
@@ -439,7 +604,7 @@ mod tests {
             let width = [0.4, 0.1, 0.02][n / 3 % 3];
             let from = [part(0.2, 2.3), part(0.0, 2.2), part(-1.5, 1.5), part(0.0, 3.0), part(0.0, 6.0)];
             let stands: StandBox = from.map(|from| Range::spanning(from, from + width * part(0.1, 1.0)));
-            let enclosing = Enclosing::new(arm.clone());
+            let enclosing = Enclosing::new(&arm, [false; 6]);
             let aim = enclosing.aim::<5>(elevation, &stands);
             let at = [part(-0.3, 0.3), part(-0.3, 0.3)];
             let variables: [f64; 5] = std::array::from_fn(|_| part(-1.0, 1.0));
@@ -462,7 +627,9 @@ mod tests {
                 let near = begun.is_some_and(|begun| [0, 3, 5].iter().all(|&i| 0.0 < (theta[i] - begun[i]).cos()));
                 let facing = if near { facing } else { None };
                 let mut known = Known::default();
-                let learnt = enclosing.learn(&aim, at, way, facing.as_ref(), &mut wrists, &mut known);
+                let mut turning = Turning::default();
+                let from = facing.as_ref().map(|facing| (facing, &mut turning));
+                let learnt = enclosing.learn(&aim, at, way, from, &mut wrists, &mut known);
                 let Some(q) = within_limits(geometry, limits, &theta) else {
                     refused += usize::from(learnt.is_none());
                     continue;

@@ -31,7 +31,7 @@ use lanes::{Lanes, Mask};
 use sector::Sector;
 
 pub(crate) use affine::Affine;
-pub(crate) use enclosure::{Aim, Enclosing, Known, Way};
+pub(crate) use enclosure::{Aim, Enclosing, Known, Turning, Way};
 pub(crate) use patch::{Grid, Patch, Stand};
 pub(crate) use poses::Near;
 pub use poses::{Best, CLASSES, class};

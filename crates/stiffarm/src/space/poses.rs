@@ -86,29 +86,44 @@ impl SpatialArm {
     /// What holds all postures within a quarter turn, joint by joint, of those at a pose of the tool (base axes).
     ///
     /// Joints 2, 3 and 5 of one class never span more; joints 1, 4 and 6 turn fast near singular postures and by half a
-    /// turn across them. [`CLEARANCE`] is kept.
-    pub(crate) fn near(&self, tool: &Pose) -> Near {
-        let mut near = Near { clearance: CLEARANCE, ..Near::default() };
-        for (class, theta) in postures(&self.geometry, &(tool * self.flange_from_tool.inverse())).found {
-            let place = place(class);
-            near.first[place / 4] = self.about(0, theta[0]);
-            near.fourth[place] = self.about(3, theta[3]);
-            near.sixth[place] = self.about(5, theta[5]);
+    /// turn across them. [`CLEARANCE`] is kept. Where a range is wider than a turn, and an angle near both ends, the joint
+    /// stands at either: each is a case of its own.
+    pub(crate) fn near(&self, tool: &Pose) -> Vec<Near> {
+        let postures = postures(&self.geometry, &(tool * self.flange_from_tool.inverse())).found;
+        let turns = |joint: usize| {
+            1 + usize::from(postures.iter().any(|(_, theta)| self.about(joint, theta[joint]).1.is_some()))
+        };
+        let mut cases = Vec::new();
+        for (fourth, sixth) in (0..turns(3)).flat_map(|fourth| (0..turns(5)).map(move |sixth| (fourth, sixth))) {
+            let mut near = Near { clearance: CLEARANCE, ..Near::default() };
+            for (class, theta) in &postures {
+                let place = place(*class);
+                let about = |joint: usize, turn: usize| {
+                    let (roomiest, other) = self.about(joint, theta[joint]);
+                    if turn == 0 { roomiest } else { other.unwrap_or(roomiest) }
+                };
+                near.first[place / 4] = about(0, 0);
+                near.fourth[place] = about(3, fourth);
+                near.sixth[place] = about(5, sixth);
+            }
+            cases.push(near);
         }
-        near
+        cases
     }
 
-    /// Within a quarter turn of a model angle, and in the range of its joint without coming round from the other end.
-    fn about(&self, joint: usize, theta: f64) -> Sector {
+    /// Within a quarter turn of a model angle, and in the range of its joint without coming round from the other end: from
+    /// the turn of the angle with most room to both ends, and from the next where that leaves other room.
+    fn about(&self, joint: usize, theta: f64) -> (Sector, Option<Sector>) {
         let range = self.geometry.theta(joint, self.limits.joints[joint]);
         let quarter = Range::spanning(theta - FRAC_PI_2, theta + FRAC_PI_2);
         if !range.is_bounded() {
-            return Sector::of(quarter);
+            return (Sector::of(quarter), None);
         }
-        // Of all turns of the angle the one with most room to both ends.
-        let middle = theta + ((range.middle() - theta) / TAU).round() * TAU;
-        let room = range.affine(1.0, theta - middle).intersect(quarter);
-        room.map_or_else(|| Sector::of(quarter), Sector::of)
+        let room = |turned: f64| range.affine(1.0, theta - turned).intersect(quarter).unwrap_or(quarter);
+        let roomiest = theta + ((range.middle() - theta) / TAU).round() * TAU;
+        let other = if roomiest < range.middle() { roomiest + TAU } else { roomiest - TAU };
+        let has_other = range.contains(other, 0.0) && room(roomiest) != quarter;
+        (Sector::of(room(roomiest)), has_other.then(|| Sector::of(room(other))))
     }
 
     /// The largest translation per force, m/N, of every class at points of one orientation; infinite where a limit, or

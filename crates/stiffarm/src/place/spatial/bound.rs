@@ -5,24 +5,26 @@ use std::collections::BinaryHeap;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::SpatialOptions;
-use super::mix::least_largest;
+use super::mix::{Line, least_largest, remaining};
 use crate::limits::Range;
 use crate::place::{Orientation, Within};
 use crate::space::{
-    Affine, Aim, CLASSES, Enclosing, Grid, Known, Near, Patch, SpatialArm, Stand, StandBox, Way, middle, variables,
+    Affine, Aim, CLASSES, Enclosing, Grid, Known, Near, Patch, SpatialArm, Stand, StandBox, Turning, Way, middle, variables,
 };
 use crate::task::Zone;
 
-/// Relative distance between value and bound at which the proof is good enough.
-const GAP: f64 = 0.01;
+/// Relative distance between value and bound at which the proof is good enough: less than 1 % is told.
+const GAP: f64 = 0.0099;
 /// Poses of boxes that are enclosed before the proof stops as far as it is: about a second.
-const MOST_POSES: usize = 200_000;
+const MOST_POSES: usize = 400_000;
 /// The same where no place is known: most zones that fit nowhere are soon proved not to, the others hardly ever.
 const MOST_POSES_FOR_NONE: usize = 50_000;
 /// Poses of a box at which it gives way most in the middle, and which are enclosed.
 const SOFTEST: usize = 4;
 /// Poses of a box that a limit forbids in the middle, and which are enclosed.
 const FORBIDDEN: usize = 3;
+/// Boxes larger than this part of the upper arm are not worth the softest poses and those that a limit forbids.
+const COARSE: f64 = 0.15;
 /// Boxes of this size, m, are not split: a place is found no finer.
 const SMALLEST: f64 = 2e-5;
 /// Relative allowance for the rounding of a bound.
@@ -49,6 +51,8 @@ struct Node {
     way: usize,
     /// Not flipped, flipped.
     wrists: [bool; 2],
+    /// Looked at once more since something was cut off it.
+    is_whole: bool,
 }
 
 impl PartialEq for Node {
@@ -69,6 +73,17 @@ impl Ord for Node {
     }
 }
 
+/// What is known of the places of a box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Bound {
+    /// There are none.
+    None,
+    /// No better than was asked.
+    Enough,
+    /// No better than this, where they were not cut off.
+    Open(f64),
+}
+
 /// What stays the same from box to box.
 pub(super) struct Prover<'a> {
     options: &'a SpatialOptions,
@@ -77,7 +92,9 @@ pub(super) struct Prover<'a> {
     bare: SpatialArm,
     freed: SpatialArm,
     wrists_are_alike: bool,
-    /// Poses at which every place is judged: the rim and the centre of the zone.
+    /// Of boxes larger than that, m, only the extremes of the zone are looked at.
+    coarse: f64,
+    /// Poses at which every place is judged.
     samples: Vec<[f64; 2]>,
     /// Of every turn, how far it moves the wrist centre in the zone, m/rad; 1 for lengths.
     lever: [f64; 5],
@@ -85,9 +102,9 @@ pub(super) struct Prover<'a> {
 }
 
 impl<'a> Prover<'a> {
-    /// For the places that `region` and the options allow; `freed` is without the limits that turning zone or tool meets.
+    /// For the places that `region` and the options allow.
     pub(super) fn new(
-        freed: &SpatialArm,
+        arm: &SpatialArm,
         zone: Zone,
         options: &'a SpatialOptions,
         region: [Range; 2],
@@ -95,16 +112,19 @@ impl<'a> Prover<'a> {
     ) -> Self {
         let [first, second] = zone.sides();
         let half = first.hypot(second) / 2.0;
-        let tool = freed.flange_from_tool.translation.vector;
-        let long = tool.z.abs() + freed.geometry.c4.abs() + tool.xy().norm();
+        let tool = arm.flange_from_tool.translation.vector;
+        let long = tool.z.abs() + arm.geometry.c4.abs() + tool.xy().norm();
+        let enclosing = Enclosing::new(arm, [true, false, false, false, false, roll_is_free]);
+        let lever = [1.0, 1.0, half + long, half, enclosing.beside_the_tool_axis() + 0.1];
         Self {
             options,
-            enclosing: Enclosing::new(freed.clone()),
-            bare: freed.without_limits(),
-            freed: freed.clone(),
-            wrists_are_alike: freed.wrists_are_alike(),
-            samples: rim(zone),
-            lever: [1.0, 1.0, half + long, half, tool.xy().norm() + 0.1],
+            enclosing,
+            bare: arm.without_limits(),
+            freed: arm.without_limit_on(0, true).without_limit_on(5, roll_is_free),
+            wrists_are_alike: arm.wrists_are_alike(),
+            coarse: COARSE * arm.geometry.c2,
+            samples: Grid::of(zone, if matches!(zone, Zone::Circle { .. }) { 8 } else { 4 }).points,
+            lever,
             roots: roots(zone, options, region, roll_is_free),
         }
     }
@@ -127,26 +147,29 @@ impl<'a> Prover<'a> {
             for way in 0..Way::ALL.len() {
                 let wrists: &[[bool; 2]] =
                     if self.wrists_are_alike { &[[true; 2]] } else { &[[true, false], [false, true]] };
-                queue.extend(wrists.iter().map(|&wrists| Node { lower: 0.0, stands: *stands, way, wrists }));
+                queue.extend(wrists.iter().map(|&wrists| Node { lower: 0.0, stands: *stands, way, wrists, is_whole: false }));
             }
         }
         // The least bound of the boxes that are good enough.
         let mut lower = upper;
         let mut open = None;
         while let Some(node) = queue.pop() {
-            if most < poses || self.size(&node) < SMALLEST {
+            let is_small = self.size(&node) < SMALLEST;
+            if most < poses || is_small && node.is_whole {
                 lower = lower.min(node.lower);
                 open = Some(middle(&node.stands));
                 break;
             }
-            for mut half in self.split(&node) {
+            let parts = if is_small { vec![node] } else { self.split(&node).to_vec() };
+            for mut part in parts {
                 boxes += 1;
-                if let Some(bound) = self.bound::<N>(&mut half, enough, &mut poses) {
-                    half.lower = node.lower.max(bound * (1.0 - ROUNDING));
-                    if half.lower < enough {
-                        queue.push(half);
-                    } else {
-                        lower = lower.min(half.lower);
+                match self.bound::<N>(&mut part, enough, &mut poses) {
+                    Bound::None => {}
+                    Bound::Enough => lower = lower.min(enough * (1.0 - ROUNDING)),
+                    Bound::Open(bound) => {
+                        part.lower = node.lower.max(bound * (1.0 - ROUNDING));
+                        part.is_whole = is_small;
+                        queue.push(part);
                     }
                 }
             }
@@ -170,27 +193,56 @@ impl<'a> Prover<'a> {
         halves
     }
 
-    /// A lower bound on every place of the box, no further than `enough`; `None` where there is none.
-    fn bound<const N: usize>(&self, node: &mut Node, enough: f64, poses: &mut usize) -> Option<f64> {
-        let elevation = self.options.elevation;
-        let aim = self.enclosing.aim::<N>(elevation, &node.stands);
+    /// A lower bound on every place of the box, no further than `enough`; what is no better than that is cut off the box.
+    fn bound<const N: usize>(&self, node: &mut Node, enough: f64, poses: &mut usize) -> Bound {
         let mut known = Known::default();
-        self.stand_within(&aim, &mut known)?;
+        let Some(best) = self.learn::<N>(node, enough, &mut known, poses) else { return Bound::None };
+        if enough <= best {
+            return Bound::Enough;
+        }
+        let values: Vec<Line<N>> = known.values.iter().filter_map(Line::below).collect();
+        let limits: Vec<Line<N>> = known.limits.iter().filter_map(Line::allowing).collect();
+        let Some(part) = remaining(&values, &limits, enough) else { return Bound::Enough };
+        cut(&mut node.stands, &part);
+        let within = |lines: Vec<Line<N>>| lines.into_iter().map(|line| line.within(&part)).collect::<Vec<_>>();
+        let bound = best.max(least_largest(&within(values), &within(limits)));
+        if enough <= bound { Bound::Enough } else { Bound::Open(bound) }
+    }
+
+    /// Learns from the poses of the zone until their values are `enough`, and tells the largest; `None` where no place of the
+    /// box holds them.
+    fn learn<const N: usize>(
+        &self,
+        node: &mut Node,
+        enough: f64,
+        known: &mut Known<N>,
+        poses: &mut usize,
+    ) -> Option<f64> {
+        let aim = self.enclosing.aim::<N>(self.options.elevation, &node.stands);
+        self.stand_within(&aim, known)?;
         let way = Way::ALL[node.way];
         let mut best = 0.0_f64;
+        let size = self.size(node);
         let wrists = &mut node.wrists;
-        let centre = self.enclosing.learn(&aim, [0.0; 2], way, None, wrists, &mut known)?;
+        let centre = self.enclosing.learn(&aim, [0.0; 2], way, None, wrists, known)?;
         *poses += 1;
-        for at in self.order(&node.stands, node.way, *wrists) {
+        let mut turning = Turning::default();
+        let order = if self.coarse < size {
+            self.extremes(&node.stands, node.way).to_vec()
+        } else {
+            self.order(&node.stands, node.way, *wrists)
+        };
+        for at in order {
             *poses += 1;
             let from = known.values.len();
-            self.enclosing.learn(&aim, self.samples[at], way, centre.as_ref(), wrists, &mut known)?;
+            let centre = centre.as_ref().map(|centre| (centre, &mut turning));
+            self.enclosing.learn(&aim, self.samples[at], way, centre, wrists, known)?;
             best = known.values[from..].iter().map(Affine::min).fold(best, f64::max);
             if enough <= best {
-                return Some(best);
+                break;
             }
         }
-        Some(best.max(least_largest(&known.values, &known.limits)))
+        Some(best)
     }
 
     /// All of the zone in its window.
@@ -209,16 +261,24 @@ impl<'a> Prover<'a> {
         Some(())
     }
 
+    /// The poses of the zone with the wrist centre nearest to the joint-2 axis, and farthest from it.
+    fn extremes(&self, stands: &StandBox, way: usize) -> [usize; 2] {
+        let stand = middle(stands);
+        let patch = Patch::of(self.options.elevation, &stand);
+        let distance = |at: &[f64; 2]| self.enclosing.distance(&patch, &patch.point(&stand, *at), Way::ALL[way]);
+        let distances: Vec<f64> = self.samples.iter().map(distance).collect();
+        let by_distance = |a: &usize, b: &usize| distances[*a].total_cmp(&distances[*b]);
+        let all = || 0..self.samples.len();
+        [all().min_by(by_distance).expect("poses"), all().max_by(by_distance).expect("poses")]
+    }
+
     /// The poses worth enclosing: the nearest and the farthest, which limits forbid first, then the softest.
     fn order(&self, stands: &StandBox, way: usize, wrists: [bool; 2]) -> Vec<usize> {
         let stand = middle(stands);
         let patch = Patch::of(self.options.elevation, &stand);
         let points: Vec<_> = self.samples.iter().map(|&at| patch.point(&stand, at)).collect();
-        let distances: Vec<f64> =
-            points.iter().map(|point| self.enclosing.distance(&patch, point, Way::ALL[way])).collect();
-        let by_distance = |a: &usize, b: &usize| distances[*a].total_cmp(&distances[*b]);
         let all = || 0..points.len();
-        let mut order = vec![all().min_by(by_distance).expect("poses"), all().max_by(by_distance).expect("poses")];
+        let mut order = self.extremes(stands, way).to_vec();
         let columns = [0, 1, 2].map(|i| points.iter().map(|point| point[i]).collect::<Vec<f64>>());
         let values = |arm: &SpatialArm, near: &Near| {
             let mut classes = vec![0.0; CLASSES * points.len()];
@@ -229,11 +289,15 @@ impl<'a> Prover<'a> {
             let mut of_way = classes.chunks_exact(points.len()).skip(2 * way);
             [of_way.next().expect("no flip").to_vec(), of_way.next().expect("flip").to_vec()]
         };
-        let allowed = values(&self.freed, &self.freed.near(&patch.pose(&stand, [0.0; 2])));
-        let forbidden: Vec<usize> =
-            all().filter(|&i| (0..2).all(|w| !wrists[w] || !allowed[w][i].is_finite())).collect();
-        for part in 0..FORBIDDEN.min(forbidden.len()) {
-            order.push(forbidden[part * forbidden.len() / FORBIDDEN.min(forbidden.len())]);
+        let allowed = values(&self.freed, &self.freed.near(&patch.pose(&stand, [0.0; 2]))[0]);
+        for of_wrist in allowed.iter().zip(wrists).filter_map(|(values, asked)| asked.then_some(values)) {
+            let forbidden: Vec<usize> = all().filter(|&i| !of_wrist[i].is_finite()).collect();
+            let taken = FORBIDDEN.min(forbidden.len());
+            for at in (0..taken).map(|part| forbidden[part * forbidden.len() / taken]) {
+                if !order.contains(&at) {
+                    order.push(at);
+                }
+            }
         }
         let [no_flip, flip] = values(&self.bare, &Near::default());
         let row = if wrists[0] { no_flip } else { flip };
@@ -248,16 +312,18 @@ impl<'a> Prover<'a> {
     }
 }
 
-/// The rim of a zone and its centre, at poses that every place is judged at.
-fn rim(zone: Zone) -> Vec<[f64; 2]> {
-    let is_circle = matches!(zone, Zone::Circle { .. });
-    let [first, second] = zone.sides().map(|side| side / 2.0 * (1.0 - 1e-9));
-    let mut points = Grid::of(zone, if is_circle { 8 } else { 4 }).points;
-    points.retain(|&[u, v]| match zone {
-        Zone::Circle { .. } => first <= u.hypot(v) || [u, v] == [0.0; 2],
-        Zone::Rectangle { .. } => first <= u.abs() || second <= v.abs() || [u, v] == [0.0; 2],
-    });
-    points
+/// Leaves of a box the part that lies in these ranges of its variables, each from -1 to 1.
+fn cut<const N: usize>(stands: &mut StandBox, part: &[Range; N]) {
+    let mut next = 2;
+    for (i, range) in stands.iter_mut().enumerate() {
+        let variable = if i < 2 { i } else { next };
+        if 2 <= i && range.width() == 0.0 {
+            continue;
+        }
+        next += usize::from(2 <= i);
+        let (middle, half, kept) = (range.middle(), range.width() / 2.0, part[variable]);
+        *range = Range::spanning(middle + half * kept.min(), middle + half * kept.max());
+    }
 }
 
 /// Boxes that hold every stand that is asked for.
@@ -326,9 +392,8 @@ mod tests {
             for robot in paper_robots().iter().step_by(3) {
                 let arm = SpatialArm::new(robot, &options.flange_from_tool).unwrap();
                 let roll_is_free = arm.tool_turns_about_axis_6();
-                let freed = arm.without_limit_on(0, true).without_limit_on(5, roll_is_free);
                 let region = region(&arm, options.within);
-                let prover = Prover::new(&freed, zone, &options, region, roll_is_free);
+                let prover = Prover::new(&arm, zone, &options, region, roll_is_free);
                 let Some(best) = place_in_space(robot, zone, &options).unwrap().feasible().cloned() else { continue };
                 let (worst, _) =
                     compliance(robot, &best.worst_joints, &options.flange_from_tool).unwrap().compliance.worst();

@@ -1,18 +1,61 @@
 //! The least that the largest of several numbers can be.
 
+use crate::limits::Range;
 use crate::space::Affine;
 
 /// Rounds of improvement.
 const ROUNDS: usize = 4;
+/// Rounds of cutting.
+const CUTS: usize = 2;
 
 /// A number no larger than `at + slope . variables`.
-#[derive(Clone, Copy)]
-struct Line<const N: usize> {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line<const N: usize> {
     at: f64,
     slope: [f64; N],
 }
 
 impl<const N: usize> Line<N> {
+    /// What a number is no less than.
+    pub(super) fn below(x: &Affine<N>) -> Option<Self> {
+        (!x.is_unknown()).then_some(Self { at: x.middle - x.rest, slope: x.slope })
+    }
+
+    /// What is not positive where a number may be not negative.
+    pub(super) fn allowing(x: &Affine<N>) -> Option<Self> {
+        Self::below(&-*x)
+    }
+
+    /// The same with variables that run from -1 to 1 through parts of their ranges.
+    pub(super) fn within(&self, part: &[Range; N]) -> Self {
+        let at = (0..N).fold(self.at, |at, i| at + self.slope[i] * part[i].middle());
+        Self { at, slope: std::array::from_fn(|i| self.slope[i] * part[i].width() / 2.0) }
+    }
+
+    /// Takes from the ranges of the variables what lets the line rise above `most`; `None` where nothing is left.
+    fn keep_below(&self, most: f64, part: &mut [Range; N]) -> Option<()> {
+        let least = |i: usize, range: Range| (self.slope[i] * range.min()).min(self.slope[i] * range.max());
+        let sum = (0..N).fold(self.at, |sum, i| sum + least(i, part[i]));
+        let slack = 1e-12 * (most.abs() + self.at.abs());
+        if most + slack < sum {
+            return None;
+        }
+        for i in 0..N {
+            // What this variable may add to its own least.
+            let room = most + slack - sum;
+            let reach = room / self.slope[i].abs();
+            let range = part[i];
+            if reach < range.width() {
+                part[i] = if 0.0 < self.slope[i] {
+                    Range::spanning(range.min(), range.min() + reach)
+                } else {
+                    Range::spanning(range.max() - reach, range.max())
+                };
+            }
+        }
+        Some(())
+    }
+
     /// The least it can be, each variable anywhere in `-1..1`.
     fn least(&self) -> f64 {
         self.at - self.slope.iter().map(|slope| slope.abs()).sum::<f64>()
@@ -39,27 +82,35 @@ impl<const N: usize> Line<N> {
     }
 }
 
-/// A lower bound on the largest of `values` wherever all `limits` are not negative; zero where nothing better is known.
+/// The part of the variables' ranges, each from -1 to 1, outside which a value is larger than `most` or a limit positive;
+/// `None` where that is so everywhere.
+pub(super) fn remaining<const N: usize>(values: &[Line<N>], limits: &[Line<N>], most: f64) -> Option<[Range; N]> {
+    let mut part = [Range::spanning(-1.0, 1.0); N];
+    for _ in 0..CUTS {
+        for value in values.iter().filter(|_| most.is_finite()) {
+            value.keep_below(most, &mut part)?;
+        }
+        for limit in limits {
+            limit.keep_below(0.0, &mut part)?;
+        }
+    }
+    Some(part)
+}
+
+/// A lower bound on the largest of `values` wherever no limit is positive; zero where nothing better is known.
 ///
 /// The largest is no less than any weighted mean, and what is not negative may be taken away any number of times: each such
 /// sum is an affine number with a known least value. Which weights are tried decides how good the bound is, not whether
 /// it holds.
-pub(super) fn least_largest<const N: usize>(values: &[Affine<N>], limits: &[Affine<N>]) -> f64 {
-    let values: Vec<Line<N>> =
-        values.iter().filter(|x| !x.is_unknown()).map(|x| Line { at: x.middle - x.rest, slope: x.slope }).collect();
-    let limits: Vec<Line<N>> = limits
-        .iter()
-        .filter(|x| !x.is_unknown())
-        .map(|x| Line { at: -x.middle - x.rest, slope: x.slope.map(|slope| -slope) })
-        .collect();
+pub(super) fn least_largest<const N: usize>(values: &[Line<N>], limits: &[Line<N>]) -> f64 {
     let Some(mut best) = values.iter().copied().max_by(|a, b| a.least().total_cmp(&b.least())) else { return 0.0 };
     for _ in 0..ROUNDS {
         let before = best.least();
-        for value in &values {
+        for value in values {
             let towards = value.moved(&best, -1.0);
             best = best.best_towards(&towards, 1.0);
         }
-        for limit in &limits {
+        for limit in limits {
             best = best.best_towards(limit, f64::INFINITY);
         }
         if best.least() <= before * (1.0 + 1e-4) {

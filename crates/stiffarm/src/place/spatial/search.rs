@@ -39,7 +39,7 @@ const RESTARTS: usize = 3;
 pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &SpatialOptions) -> SpatiallyPlaced {
     let search = Search::new(robot, arm, zone, options);
     let mut found = search.find();
-    let prover = Prover::new(&search.freed, zone, options, search.region, search.roll_is_free);
+    let prover = Prover::new(arm, zone, options, search.region, search.roll_is_free);
     let value = |found: &Result<SpatialPlacement, SpatialMisfit>| {
         found.as_ref().map_or(f64::INFINITY, |placement| placement.deflection / options.force)
     };
@@ -314,17 +314,22 @@ impl<'a> Search<'a> {
             (x[i], y[i], z[i]) = (point.x, point.y, point.z);
         }
         let mut classes = vec![0.0; CLASSES * count];
-        let mut rows = classes.chunks_exact_mut(count);
-        let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
-        let near = self.freed.near(&patch.pose(stand, [0.0; 2]));
-        self.freed.classes_at(&self.freed.orientation(patch.tool()), &near, [x, y, z], into);
-        let mut rows = classes.chunks_exact(count);
-        std::array::from_fn(|_| {
-            let row = rows.next().expect("one row per class");
-            let reached = row.iter().filter(|value| value.is_finite());
-            let worst = reached.clone().copied().fold(0.0, f64::max);
-            Score { unreached: count - reached.count(), worst }
-        })
+        let orientation = self.freed.orientation(patch.tool());
+        let mut best = [Score::NONE; CLASSES];
+        for near in self.freed.near(&patch.pose(stand, [0.0; 2])) {
+            let mut rows = classes.chunks_exact_mut(count);
+            let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
+            self.freed.classes_at(&orientation, &near, [x, y, z], into);
+            for (best, row) in best.iter_mut().zip(classes.chunks_exact(count)) {
+                let reached = row.iter().filter(|value| value.is_finite());
+                let worst = reached.clone().copied().fold(0.0, f64::max);
+                let score = Score { unreached: count - reached.count(), worst };
+                if score.total_cmp(best).is_lt() {
+                    *best = score;
+                }
+            }
+        }
+        best
     }
 
     /// Steps in every direction of what is free, halved where none is better.
