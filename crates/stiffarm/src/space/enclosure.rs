@@ -7,12 +7,13 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
 use super::affine::{Affine, Vector, cross, dot};
-use super::patch::Patch;
+use super::patch::{Patch, Stand};
 use super::sector::Sector;
 use super::stands::{StandBox, Stands};
 use super::{Coupling, SpatialArm};
-use crate::inverse::CLEARANCE;
+use crate::inverse::{CLEARANCE, Class, Shoulder, Wrist};
 use crate::limits::{Limits, Range, ThirdAxis};
+use crate::plane::Elbow;
 
 /// How far a limit must be overstepped for certain before a posture counts as impossible: more than a place is granted.
 const SLACK: f64 = 2e-9;
@@ -90,6 +91,9 @@ pub(crate) struct Facing<const N: usize>([[Affine<N>; 2]; 3]);
 /// learnt: the least that is passed on the positive side, and the most on the negative one, rad.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Turning([[f64; 2]; 3]);
+
+/// Ranges of theta 1 to 6 and of the forearm's angle, `theta 2 + theta 3`.
+pub(crate) type Angles = [Range; 7];
 
 /// The joints of [`Facing`], from 0.
 const FACING: [usize; 3] = [0, 3, 5];
@@ -196,14 +200,11 @@ impl Enclosing {
             None if sectors.third_is_forearm => known.require_in(&sectors.joints[2], c23, s23, one)?,
             None => known.require_in(&sectors.joints[2], c3, s3, one)?,
         }
-        // The axis of joint 6 seen from the forearm: forwards, across, along.
-        let [spin_x, across, spin_z] = turned.spin.map(unit);
-        let (fore, c5) = (unit(c23 * spin_x - s23 * spin_z), unit(s23 * spin_x + c23 * spin_z));
+        let (fourth, sixth, c5) = seen_from_forearm(&turned, &links);
+        let [fore, across] = fourth;
         let clear = Range::spanning(CLEAR * CLEAR, 1.0);
         let s5 = (fore.square() + across.square()).concave(clear, |x| (x.sqrt(), 0.5 / x.sqrt()))?;
-        let along = [s23, Affine::point(0.0), c23];
-        let sixth = [-dot(&along, &turned.side), dot(&along, &cross(&turned.spin, &turned.side))].map(unit);
-        let facing = Facing([turned.first, [fore, across], sixth]);
+        let facing = Facing([turned.first, fourth, sixth]);
         if let Some((centre, turning)) = centre {
             self.turn_on(&facing, centre, turning, wrists, known)?;
         }
@@ -219,6 +220,42 @@ impl Enclosing {
         });
         self.values(&turned, &links, bend, known);
         Some(Some(facing))
+    }
+
+    /// The model angles with which a class holds all of a part of a patch, up to whole turns: of joints 1 to 6, and of the forearm
+    /// from upright. `None` where they are not known, or some may be singular.
+    pub(crate) fn angles(&self, patch: &Patch, stand: &Stand, part: [Affine<2>; 2], class: Class) -> Option<Angles> {
+        let [beyond, spin, side] =
+            [self.beyond, self.spin, self.side].map(|v| <[f64; 3]>::from(patch.tool() * Vector3::from(v)));
+        let fixed = |v: [f64; 3]| v.map(Affine::point);
+        let stands = Stands::at(patch.part(stand, part), patch.tool());
+        let aim = Aim { stands, beyond: fixed(beyond), spin: fixed(spin), side: fixed(side) };
+        let way = Way { back: class.shoulder == Shoulder::Back, down: class.elbow == Elbow::Down };
+        let turned = self.turned(&aim, [0.0; 2], way)?;
+        let square = turned.wrist[0].square() + turned.wrist[1].square();
+        let ring = self.rings[usize::from(way.down)]?;
+        if !(ring.min() < square.min() && square.max() < ring.max()) {
+            return None;
+        }
+        let links = self.links(&turned.wrist, way, &mut Known::default()).flatten()?;
+        let [(s2, c2), (s23, c23)] = [links.upper, links.forearm].map(|[x, z]| (x, z));
+        let (fourth, sixth, c5) = seen_from_forearm(&turned, &links);
+        let square = fourth[0].square() + fourth[1].square();
+        if !(CLEAR * CLEAR < square.min()) {
+            return None;
+        }
+        let sign = if class.wrist == Wrist::Flip { -1.0 } else { 1.0 };
+        let s5 = square.sqrt()? * sign;
+        let (fourth, sixth) = (fourth.map(|x| x * sign), sixth.map(|x| x * sign));
+        Some([
+            angle(turned.first[0], turned.first[1])?,
+            angle(c2, s2)?,
+            angle(c2 * c23 + s2 * s23, c2 * s23 - s2 * c23)?,
+            angle(fourth[0], fourth[1])?,
+            angle(c5, s5)?,
+            angle(sixth[0], sixth[1])?,
+            angle(c23, s23)?,
+        ])
     }
 
     /// Joint 1 turned towards the wrist centre, or away from it.
@@ -323,11 +360,7 @@ impl Enclosing {
 
     /// What joint 3 reports lies within its limit, as do theta 2 and the angle between the links with the same whole turns;
     /// cosine and sine of theta 2 and theta 3.
-    fn third_is_within<const N: usize>(
-        &self,
-        [c2, s2]: [Affine<N>; 2],
-        [c3, s3]: [Affine<N>; 2],
-    ) -> Option<()> {
+    fn third_is_within<const N: usize>(&self, [c2, s2]: [Affine<N>; 2], [c3, s3]: [Affine<N>; 2]) -> Option<()> {
         let Limits { joints, elbow, third_axis, .. } = &self.arm.limits;
         let geometry = &self.arm.geometry;
         let (Some(second), Some(third)) = (angle(c2, s2), angle(c3, s3)) else { return Some(()) };
@@ -445,7 +478,9 @@ impl Enclosing {
             let moved: Vec<(Affine<N>, Affine<N>)> = moved.collect();
             // A square lies above its tangents: that in the middle, and the one that is greatest at the worse end.
             known.values.push(squares(&moved, |x| x.middle));
-            known.values.push(squares(&moved, |x: &Affine<N>| (x.middle.abs() - x.radius()).max(0.0).copysign(x.middle)));
+            known
+                .values
+                .push(squares(&moved, |x: &Affine<N>| (x.middle.abs() - x.radius()).max(0.0).copysign(x.middle)));
         }
     }
 
@@ -472,6 +507,20 @@ impl Enclosing {
         }
         k
     }
+}
+
+/// Where joints 4 and 6 of a wrist that is not flipped point, cosine and sine of each times that of joint 5, and its cosine.
+fn seen_from_forearm<const N: usize>(
+    turned: &Turned<N>,
+    links: &Links<N>,
+) -> ([Affine<N>; 2], [Affine<N>; 2], Affine<N>) {
+    let [s23, c23] = links.forearm;
+    // The axis of joint 6 seen from the forearm: forwards, across, along.
+    let [spin_x, across, spin_z] = turned.spin.map(unit);
+    let (fore, c5) = (unit(c23 * spin_x - s23 * spin_z), unit(s23 * spin_x + c23 * spin_z));
+    let along = [s23, Affine::point(0.0), c23];
+    let sixth = [-dot(&along, &turned.side), dot(&along, &cross(&turned.spin, &turned.side))].map(unit);
+    ([fore, across], sixth, c5)
 }
 
 /// A part of a vector of length one.
@@ -562,10 +611,9 @@ mod tests {
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
     use crate::drive::{GravityCompensator, JointCompliance, Transmission};
-    use crate::inverse::{Shoulder, Wrist, postures, within_limits};
-    use crate::plane::Elbow;
+    use crate::inverse::{postures, within_limits};
     use crate::robot::{Arm, Robot};
-    use crate::space::{Stand, middle};
+    use crate::space::middle;
     use crate::spatial::Pose;
 
     /// A robot of the paper with other drives and an offset; every other one with a geared wrist and a compensator.

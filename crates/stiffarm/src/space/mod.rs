@@ -11,6 +11,7 @@
 
 mod affine;
 mod enclosure;
+mod follow;
 mod joints;
 mod lanes;
 mod patch;
@@ -31,7 +32,8 @@ use lanes::{Lanes, Mask};
 use sector::Sector;
 
 pub(crate) use affine::Affine;
-pub(crate) use enclosure::{Aim, Enclosing, Known, Turning, Way};
+pub(crate) use enclosure::{Aim, Angles, Enclosing, Known, Turning, Way};
+pub(crate) use follow::{Follower, TOLERANCE};
 pub(crate) use patch::{Grid, Patch, Stand};
 pub(crate) use poses::Near;
 pub use poses::{Best, CLASSES, class};
@@ -182,6 +184,16 @@ impl SpatialArm {
             arm.sectors = Sectors::new(&arm.geometry, &arm.limits);
         }
         arm
+    }
+
+    /// The same arm with limits that leave so much less at either end, rad; `None` where one would leave nothing.
+    pub(crate) fn narrowed(&self, by: f64) -> Option<Self> {
+        let mut arm = self.clone();
+        for range in arm.limits.joints.iter_mut().chain([&mut arm.limits.elbow]) {
+            *range = Range::new(range.min() + by, range.max() - by)?;
+        }
+        arm.sectors = Sectors::new(&arm.geometry, &arm.limits);
+        Some(arm)
     }
 
     /// The same arm without any limits.

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::affine::{Affine, Vector};
 use crate::spatial::Pose;
 use crate::task::Zone;
 
@@ -49,6 +50,12 @@ impl Patch {
     /// A point of the patch, base axes.
     pub(crate) fn point(&self, stand: &Stand, [u, v]: [f64; 2]) -> Vector3<f64> {
         Vector3::new(stand.x, 0.0, stand.z) + self.first * u + self.second * v
+    }
+
+    /// All points of a part of the patch, base axes.
+    pub(crate) fn part(&self, stand: &Stand, [u, v]: [Affine<2>; 2]) -> Vector<2> {
+        let centre = [stand.x, 0.0, stand.z];
+        std::array::from_fn(|i| u * self.first[i] + v * self.second[i] + centre[i])
     }
 
     /// How far the zone extends from its centre along the base axes, m.

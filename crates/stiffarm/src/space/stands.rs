@@ -1,5 +1,7 @@
 //! A box of stands: what [`super::patch`] says of one, said of all of them at once.
 
+use nalgebra::Matrix3;
+
 use super::affine::{Affine, Vector, scaled, sin_cos, sum};
 use super::patch::Stand;
 use crate::limits::Range;
@@ -55,6 +57,13 @@ impl<const N: usize> Stands<N> {
         // The tool's y axis at roll zero points to the right.
         let tool = [mixed(&upwards, cr, &left, -sr), mixed(&left, -cr, &upwards, -sr), axis];
         Self { centre, first: mixed(&upwards, ca, &left, sa), second: mixed(&left, ca, &upwards, -sa), tool }
+    }
+
+    /// One point, where the tool stands as it does.
+    pub(crate) fn at(point: Vector<N>, tool: &Matrix3<f64>) -> Self {
+        let none = [Affine::point(0.0); 3];
+        let axis = |i: usize| std::array::from_fn(|part| Affine::point(tool[(part, i)]));
+        Self { centre: point, first: none, second: none, tool: [axis(0), axis(1), axis(2)] }
     }
 
     /// A point of the patch, base axes.

@@ -9,7 +9,8 @@ use super::mix::{Line, least_largest, remaining};
 use crate::limits::Range;
 use crate::place::{Orientation, Within};
 use crate::space::{
-    Affine, Aim, CLASSES, Enclosing, Grid, Known, Near, Patch, SpatialArm, Stand, StandBox, Turning, Way, middle, variables,
+    Affine, Aim, CLASSES, Enclosing, Grid, Known, Near, Patch, SpatialArm, Stand, StandBox, Turning, Way, middle,
+    variables,
 };
 use crate::task::Zone;
 
@@ -147,7 +148,13 @@ impl<'a> Prover<'a> {
             for way in 0..Way::ALL.len() {
                 let wrists: &[[bool; 2]] =
                     if self.wrists_are_alike { &[[true; 2]] } else { &[[true, false], [false, true]] };
-                queue.extend(wrists.iter().map(|&wrists| Node { lower: 0.0, stands: *stands, way, wrists, is_whole: false }));
+                queue.extend(wrists.iter().map(|&wrists| Node {
+                    lower: 0.0,
+                    stands: *stands,
+                    way,
+                    wrists,
+                    is_whole: false,
+                }));
             }
         }
         // The least bound of the boxes that are good enough.

@@ -130,6 +130,42 @@ mod tests {
         Affine { middle: part(0.0, 3.0), slope, rest: part(0.0, 0.1) }
     }
 
+    fn lines<const N: usize>(values: &[Affine<N>], limits: &[Affine<N>]) -> (Vec<Line<N>>, Vec<Line<N>>) {
+        (values.iter().filter_map(Line::below).collect(), limits.iter().filter_map(Line::allowing).collect())
+    }
+
+    /// Nothing that a line forbids is kept, nothing that all allow is cut off, and most of what may be cut is.
+    #[test]
+    fn what_is_cut_off_is_forbidden() {
+        let mut rng = fastrand::Rng::with_seed(35);
+        let (mut kept, mut cut, mut gone) = (0, 0, 0);
+        for _ in 0..2000 {
+            let values: Vec<_> = (0..3).map(|_| random(&mut rng)).collect();
+            let limits: Vec<_> =
+                (0..2).map(|_| random(&mut rng)).map(|x| Affine { middle: x.middle - 1.0, ..x }).collect();
+            let (values, limits) = lines(&values, &limits);
+            let part = remaining(&values, &limits, 1.8);
+            gone += usize::from(part.is_none());
+            for _ in 0..50 {
+                let at: [f64; 3] = std::array::from_fn(|_| 2.0 * rng.f64() - 1.0);
+                let linear = |line: &Line<3>| line.at + (0..3).map(|i| line.slope[i] * at[i]).sum::<f64>();
+                let allowed = values.iter().all(|x| linear(x) <= 1.8) && limits.iter().all(|x| linear(x) <= 0.0);
+                let remains = part.is_some_and(|part| (0..3).all(|i| part[i].contains(at[i], 1e-9)));
+                assert!(remains || !allowed, "{values:?} {limits:?} {at:?}");
+                kept += usize::from(allowed);
+                cut += usize::from(!remains && part.is_some());
+            }
+            // A line within the part says there what it says of the whole.
+            if let Some(part) = part {
+                let [first, ..] = &values[..] else { unreachable!("three") };
+                let seen = first.within(&part);
+                let corner = first.at + (0..3).map(|i| first.slope[i] * part[i].max()).sum::<f64>();
+                assert!((seen.at + seen.slope.iter().sum::<f64>() - corner).abs() < 1e-12);
+            }
+        }
+        assert!(5000 < kept && 5000 < cut && 100 < gone, "{kept} {cut} {gone}");
+    }
+
     #[test]
     fn the_largest_is_nowhere_less_where_the_limits_allow() {
         let mut rng = fastrand::Rng::with_seed(34);
@@ -138,7 +174,8 @@ mod tests {
             let values: Vec<_> = (0..4).map(|_| random(&mut rng)).collect();
             let limits: Vec<_> =
                 (0..2).map(|_| random(&mut rng)).map(|x| Affine { middle: x.middle - 1.0, ..x }).collect();
-            let bound = least_largest(&values, &limits);
+            let (lines, allowed_by) = lines(&values, &limits);
+            let bound = least_largest(&lines, &allowed_by);
             better += usize::from(values.iter().map(Affine::min).fold(0.0, f64::max) < bound - 0.01);
             for _ in 0..50 {
                 let at: [f64; 3] = std::array::from_fn(|_| 2.0 * rng.f64() - 1.0);
@@ -156,8 +193,12 @@ mod tests {
     #[test]
     fn two_that_cross_are_no_less_than_where_they_do() {
         let line = |slope: f64| Affine { middle: 1.0, slope: [slope], rest: 0.0 };
-        assert!((least_largest(&[line(0.5), line(-0.3)], &[]) - 1.0).abs() < 1e-12);
+        let least = |values: &[Affine<1>], limits: &[Affine<1>]| {
+            let (values, limits) = lines(values, limits);
+            least_largest(&values, &limits)
+        };
+        assert!((least(&[line(0.5), line(-0.3)], &[]) - 1.0).abs() < 1e-12);
         // And one that falls is no less than where the limit stops it.
-        assert!((least_largest(&[line(0.5)], &[Affine { middle: 0.2, slope: [1.0], rest: 0.0 }]) - 0.9).abs() < 1e-12);
+        assert!((least(&[line(0.5)], &[Affine { middle: 0.2, slope: [1.0], rest: 0.0 }]) - 0.9).abs() < 1e-12);
     }
 }

@@ -6,14 +6,14 @@ use nalgebra::{Rotation3, Vector3};
 use rayon::prelude::*;
 
 use super::bound::Prover;
-use super::sweep::{Sweep, sweep};
+use super::sweep::{Sweep, Unswept, sweep};
 use super::{Resolution, SpatialMisfit, SpatialOptions, SpatialPlacement, SpatiallyPlaced, wrapped};
 use crate::compliance::compliance;
 use crate::inverse::Class;
 use crate::limits::Range;
 use crate::place::{Orientation, Within};
 use crate::robot::Robot;
-use crate::space::{CLASSES, Grid, Near, Patch, SpatialArm, Stand, class};
+use crate::space::{CLASSES, Grid, Near, Patch, SpatialArm, Stand, TOLERANCE, class};
 use crate::task::Zone;
 
 /// Places along the longer side of what is searched.
@@ -32,6 +32,8 @@ const WINDOW: f64 = 1e-9;
 const HALVING: f64 = 1e-3;
 /// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
 const CELLS: [usize; 4] = [2, 6, 16, 64];
+/// How often a place is sought anew within narrower limits.
+const NARROWINGS: usize = 5;
 /// How often the place that stands in the way of a proof is refined.
 const RESTARTS: usize = 3;
 
@@ -102,6 +104,7 @@ struct Candidate {
     place: usize,
 }
 
+#[derive(Clone)]
 struct Search<'a> {
     robot: &'a Robot,
     /// As asked, and without the limits that turning the zone or the tool meets.
@@ -365,27 +368,49 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// The answer at a refined place, with samples so fine that halving their distance changes little; `None` where no
-    /// class sweeps the zone in one go.
+    /// The answer at a refined place; where a limit is overstepped between samples, at the place next to it that was refined
+    /// within limits so much narrower. `None` where no class sweeps the zone in one go.
     fn judge(&self, candidate: &Candidate, coarse: Score) -> Option<SpatialPlacement> {
-        let mut order: Vec<(Score, usize)> =
-            self.scores(&candidate.stand, &Grid::of(self.zone, CELLS[2])).into_iter().zip(0..).collect();
-        order.retain(|(score, _)| score.is_feasible());
-        order.sort_by(|a, b| a.0.total_cmp(&b.0));
-        order.into_iter().find_map(|(_, place)| self.judge_class(&candidate.stand, place, coarse))
+        let mut narrower = 0.0;
+        let mut stand = candidate.stand;
+        for _ in 0..NARROWINGS {
+            match self.judge_stand(&stand, coarse) {
+                Ok(placement) => return Some(placement),
+                Err(Unswept::Impossible) => return None,
+                Err(Unswept::Oversteps(by)) => narrower += 1.1 * by + 2.0 * TOLERANCE,
+            }
+            let within = Self { freed: self.freed.narrowed(narrower)?, ..self.clone() };
+            let start = within.candidate(stand, &Grid::of(self.zone, CELLS[2]));
+            stand = within.refined(&[start], CELLS[2], self.step / 64.0).first()?.stand;
+        }
+        None
     }
 
-    fn judge_class(&self, stand: &Stand, place: usize, coarse: Score) -> Option<SpatialPlacement> {
+    /// The answer at a stand, by the best class that sweeps the zone.
+    fn judge_stand(&self, stand: &Stand, coarse: Score) -> Result<SpatialPlacement, Unswept> {
+        let mut order: Vec<(Score, usize)> =
+            self.scores(stand, &Grid::of(self.zone, CELLS[2])).into_iter().zip(0..).collect();
+        order.retain(|(score, _)| score.is_feasible());
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let judged = order.into_iter().map(|(_, place)| self.judge_class(stand, place, coarse));
+        judged
+            .skip_while(|judged| matches!(judged, Err(Unswept::Impossible)))
+            .next()
+            .unwrap_or(Err(Unswept::Impossible))
+    }
+
+    /// The same in one class, with samples so fine that halving their distance changes little.
+    fn judge_class(&self, stand: &Stand, place: usize, coarse: Score) -> Result<SpatialPlacement, Unswept> {
+        let score = |grid: &Grid| self.class_score(stand, grid, place).ok_or(Unswept::Impossible);
         let mut cells = CELLS[2];
-        let mut before = self.class_score(stand, &Grid::of(self.zone, cells / 2), place)?;
+        let mut before = score(&Grid::of(self.zone, cells / 2))?;
         loop {
             let grid = Grid::of(self.zone, cells);
-            let found = self.class_score(stand, &grid, place)?;
+            let found = score(&grid)?;
             let halving = (found - before) / before;
             if halving.abs() < HALVING || CELLS[3] <= cells {
-                let sweep =
-                    sweep(self.robot, self.arm, self.options.elevation, stand, &grid, class(place), self.roll_is_free)?;
-                return self.placement(stand, class(place), &grid, &sweep, coarse, halving);
+                let sweep = sweep(self.robot, self.arm, self.options, self.zone, stand, &grid, class(place))?;
+                return self.placement(stand, class(place), &grid, &sweep, coarse, halving).ok_or(Unswept::Impossible);
             }
             before = found;
             cells *= 2;

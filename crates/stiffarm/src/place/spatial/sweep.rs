@@ -2,10 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::wrapped;
+use super::{SpatialOptions, wrapped};
 use crate::inverse::{CLEARANCE, Class, SLACK, postures, third_within_limits};
+use crate::limits::{Range, ThirdAxis};
 use crate::robot::{Arm, Robot};
-use crate::space::{Grid, Patch, SpatialArm, Stand};
+use crate::space::{Angles, Follower, Grid, Patch, SpatialArm, Stand, TOLERANCE};
+use crate::task::Zone;
 
 /// A zone swept in one posture.
 #[derive(Clone, Debug)]
@@ -16,13 +18,22 @@ pub(super) struct Sweep {
     pub(super) roll: f64,
     /// Joint angles as reported, rad, by grid point.
     pub(super) joints: Vec<[f64; 6]>,
-    /// Smallest distance to a limit, rad, and its joint from 1; 0 is the angle between the links.
+    /// Smallest distance to a limit anywhere in the zone, rad, and its joint from 1; 0 is the angle between the links.
     pub(super) limit_margin: (f64, usize),
-    /// Smallest distance to a straight wrist or arm, rad.
+    /// Smallest distance to a straight wrist or arm anywhere in the zone, rad.
     pub(super) singular_margin: f64,
 }
 
-/// Follows a class over a grid; `None` where a joint turns too far.
+/// Why a zone is not swept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Unswept {
+    /// A pose is out of reach, a joint turns too far, or passes a singular posture.
+    Impossible,
+    /// All samples keep the limits; between them one is overstepped, rad.
+    Oversteps(f64),
+}
+
+/// Follows a class over a grid, and proves that every limit is kept everywhere in the zone.
 ///
 /// No joint may turn by a quarter turn or more from its angle at the centre: around a singular posture of the wrist joints
 /// 4 and 6 turn by a whole one (and by half a turn straight across it), around the joint-1 axis joint 1 does, so that no
@@ -31,19 +42,21 @@ pub(super) struct Sweep {
 pub(super) fn sweep(
     robot: &Robot,
     arm: &SpatialArm,
-    elevation: f64,
+    asked: &SpatialOptions,
+    zone: Zone,
     stand: &Stand,
     grid: &Grid,
     class: Class,
-    roll_is_free: bool,
-) -> Option<Sweep> {
-    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return None };
-    let patch = Patch::of(elevation, stand);
+) -> Result<Sweep, Unswept> {
+    let impossible = Unswept::Impossible;
+    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return Err(impossible) };
+    let roll_is_free = asked.roll.is_none() && arm.tool_turns_about_axis_6();
+    let patch = Patch::of(asked.elevation, stand);
     let flange_from_tool = arm.flange_from_tool.inverse();
     let mut thetas = Vec::with_capacity(grid.points.len());
     for &at in &grid.points {
-        let found = postures(geometry, &(patch.pose(stand, at) * flange_from_tool));
-        thetas.push(found.found.into_iter().find(|(found, _)| *found == class)?.1);
+        let found = postures(geometry, &(patch.pose(stand, at) * flange_from_tool)).found;
+        thetas.push(found.into_iter().find(|(found, _)| *found == class).ok_or(impossible)?.1);
     }
     // An odd number of rows and columns: the middle one is the centre.
     let centre = thetas[thetas.len() / 2];
@@ -51,30 +64,45 @@ pub(super) fn sweep(
         for (angle, centre) in theta.iter_mut().zip(centre) {
             *angle = centre + wrapped(*angle - centre);
             if FRAC_PI_2 <= (*angle - centre).abs() {
-                return None;
+                return Err(impossible);
             }
         }
     }
+    let follower = Follower::new(arm, asked.elevation, stand, zone, class, &centre);
+    let reported = |angles: &Angles| -> [Range; 6] {
+        std::array::from_fn(|i| {
+            let forearm = i == 2 && limits.third_axis == ThirdAxis::Forearm;
+            let model = angles[if forearm { 6 } else { i }];
+            model.affine(geometry.sign[i], geometry.sign[i] * geometry.offset[i])
+        })
+    };
     let mut joints: Vec<[f64; 6]> = thetas.iter().map(|theta| geometry.reported(theta, limits.third_axis)).collect();
-    let mut limit_margin = (f64::INFINITY, 1);
-    let (mut bearing, mut roll) = (0.0, stand.roll);
+    let mut least = (f64::INFINITY, 1);
+    let (mut bearing, mut roll, mut shifts) = (0.0, stand.roll, [0.0; 6]);
     for joint in 0..6 {
         let range = limits.joints[joint];
-        let low = joints.iter().map(|q| q[joint]).fold(f64::INFINITY, f64::min);
-        let high = joints.iter().map(|q| q[joint]).fold(f64::NEG_INFINITY, f64::max);
+        let is_free = range.is_bounded() && (joint == 0 || joint == 5 && roll_is_free);
+        let (low, high) = if is_free {
+            let low = follower.least(f64::INFINITY, |angles| reported(angles)[joint].min());
+            (low, -follower.least(f64::INFINITY, |angles| -reported(angles)[joint].max()))
+        } else {
+            let of_joint = joints.iter().map(|q| q[joint]);
+            (of_joint.clone().fold(f64::INFINITY, f64::min), of_joint.fold(f64::NEG_INFINITY, f64::max))
+        };
         let shift = match joint {
             2 if limits.third_is_wound() => {
-                let shift = third_within_limits(geometry, limits, &centre)? - joints[joints.len() / 2][2];
-                (range.contains(low + shift, SLACK) && range.contains(high + shift, SLACK)).then_some(shift)?
+                let third = third_within_limits(geometry, limits, &centre).ok_or(impossible)?;
+                let shift = third - joints[joints.len() / 2][2];
+                (range.contains(low + shift, SLACK) && range.contains(high + shift, SLACK)).then_some(shift)
             }
-            5 if roll_is_free && range.is_bounded() => {
-                (high - low <= range.width() + SLACK).then(|| range.middle() - f64::midpoint(low, high))?
-            }
-            _ => shift_into(range.min(), range.max(), low, high, joint == 0)?,
+            5 if is_free => (high - low <= range.width() + SLACK).then(|| range.middle() - f64::midpoint(low, high)),
+            _ => shift_into(range.min(), range.max(), low, high, joint == 0),
         };
+        let shift = shift.ok_or(impossible)?;
         for q in &mut joints {
             q[joint] += shift;
         }
+        shifts[joint] = shift;
         let turned = wrapped(shift * geometry.sign[joint]);
         match joint {
             0 => bearing = turned,
@@ -82,28 +110,52 @@ pub(super) fn sweep(
             _ => {}
         }
         let margin = (low + shift - range.min()).min(range.max() - high - shift);
-        if margin < limit_margin.0 {
-            limit_margin = (margin.max(0.0), joint + 1);
+        if margin < least.0 {
+            least = (margin, joint + 1);
         }
     }
     for theta in &thetas {
-        let enclosed = limits.elbow.turn_to(PI - theta[2], SLACK)?;
+        let enclosed = limits.elbow.turn_to(PI - theta[2], SLACK).ok_or(impossible)?;
         let margin = limits.elbow.room(enclosed);
-        if margin < limit_margin.0 {
-            limit_margin = (margin.max(0.0), 0);
+        if margin < least.0 {
+            least = (margin, 0);
         }
     }
-    let singular_margin = thetas.iter().map(|theta| geometry.singular_margin(theta)).fold(f64::INFINITY, f64::min);
-    if singular_margin < CLEARANCE - SLACK {
-        return None;
+    let straight = |angles: &Angles| to_a_line(angles[4]).min(to_a_line(angles[2].affine(1.0, geometry.lean())));
+    let singular_margin = follower.least(f64::INFINITY, straight);
+    if !(CLEARANCE - SLACK <= singular_margin && follower.turns_less_than_a_quarter()) {
+        return Err(impossible);
     }
-    Some(Sweep { bearing, roll, joints, limit_margin, singular_margin })
+    let elbow_turns = limits.elbow.turn_to(PI - centre[2], SLACK).ok_or(impossible)? - (PI - centre[2]);
+    let room = |angles: &Angles| {
+        let elbow = inside(limits.elbow, angles[2].affine(-1.0, PI + elbow_turns));
+        let joints = reported(angles).into_iter().zip(shifts).zip(limits.joints);
+        joints.map(|((q, shift), range)| inside(range, q.affine(1.0, shift))).fold(elbow, f64::min)
+    };
+    let margin = follower.least(f64::INFINITY, room);
+    if margin < -SLACK {
+        return Err(if margin.is_finite() { Unswept::Oversteps(-margin) } else { impossible });
+    }
+    Ok(Sweep { bearing, roll, joints, limit_margin: (margin.max(0.0), least.1), singular_margin })
+}
+
+/// How far a range keeps from the ends of another.
+fn inside(range: Range, part: Range) -> f64 {
+    (part.min() - range.min()).min(range.max() - part.max())
+}
+
+/// The smallest of the angles between a range of angles and half turns.
+fn to_a_line(angles: Range) -> f64 {
+    let turned = angles.affine(1.0, -(angles.middle() / PI).floor() * PI);
+    turned.min().min(PI - turned.max())
 }
 
 /// What to add to the interval `low..high` so that it lies in `min..max`: whole turns, or, where the angle is `free`, as
 /// little as possible. Of several turns the one that leaves most room.
 fn shift_into(min: f64, max: f64, low: f64, high: f64, free: bool) -> Option<f64> {
-    let (least, most) = (min - SLACK - low, max + SLACK - high);
+    // Where nothing else decides, the angle keeps clear of its limits by what proofs may be wrong.
+    let slack = if free { -2.0 * TOLERANCE } else { SLACK };
+    let (least, most) = (min - slack - low, max + slack - high);
     if most < least {
         return None;
     }

@@ -1,0 +1,184 @@
+//! How far joints turn within a zone that stands still: enclosed, so that nothing between two samples is missed.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::SpatialArm;
+use super::affine::{Affine, sin_cos};
+use super::enclosure::{Angles, Enclosing};
+use super::patch::{Patch, Stand};
+use crate::inverse::{Class, postures};
+use crate::limits::Range;
+use crate::spatial::Pose;
+use crate::task::Zone;
+
+/// What a least value is told too low by at most, rad.
+pub(crate) const TOLERANCE: f64 = 1e-7;
+/// Parts of a zone that are looked at before a least value is told as far as it is known.
+const MOST_PARTS: usize = 20_000;
+
+/// A zone at its stand, held in one class.
+pub(crate) struct Follower<'a> {
+    arm: &'a SpatialArm,
+    enclosing: Enclosing,
+    tool_from_flange: Pose,
+    patch: Patch,
+    stand: Stand,
+    zone: Zone,
+    class: Class,
+    /// The model angles at its centre, and the forearm's.
+    centre: [f64; 7],
+}
+
+/// A part of a zone: sides of a rectangle, or radius and angle on a disc; and what is least in it.
+struct Part {
+    sides: [Range; 2],
+    least: f64,
+}
+
+impl PartialEq for Part {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+impl Eq for Part {}
+impl PartialOrd for Part {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Part {
+    /// The heap hands out the greatest first: what is least.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.least.total_cmp(&self.least)
+    }
+}
+
+impl<'a> Follower<'a> {
+    /// From the model angles with which the class holds the centre of the zone.
+    pub(crate) fn new(
+        arm: &'a SpatialArm,
+        elevation: f64,
+        stand: &Stand,
+        zone: Zone,
+        class: Class,
+        centre: &[f64; 6],
+    ) -> Self {
+        let [t1, t2, t3, t4, t5, t6] = *centre;
+        Self {
+            arm,
+            enclosing: Enclosing::new(&arm.without_limits(), [false; 6]),
+            tool_from_flange: arm.flange_from_tool.inverse(),
+            patch: Patch::of(elevation, stand),
+            stand: *stand,
+            zone,
+            class,
+            centre: [t1, t2, t3, t4, t5, t6, t2 + t3],
+        }
+    }
+
+    /// A lower bound on the least value in the zone of what the model angles say, at most [`TOLERANCE`] too low unless it lies
+    /// above `enough`; minus infinity where that is not known. Angles are followed from the centre, less than half a turn away.
+    pub(crate) fn least(&self, enough: f64, value: impl Fn(&Angles) -> f64) -> f64 {
+        let mut queue = BinaryHeap::new();
+        let mut found = f64::INFINITY;
+        let whole = match self.zone {
+            Zone::Circle { diameter } => [Range::spanning(0.0, diameter / 2.0), Range::spanning(-PI, PI)],
+            Zone::Rectangle { width, height } => [width, height].map(|side| Range::spanning(-side / 2.0, side / 2.0)),
+        };
+        queue.push(Part { sides: whole, least: f64::NEG_INFINITY });
+        let mut parts = 0;
+        while let Some(Part { sides, least }) = queue.pop() {
+            if enough <= least || found - TOLERANCE <= least || MOST_PARTS < parts {
+                return least.min(found);
+            }
+            for sides in self.halves(sides) {
+                parts += 1;
+                for at in self.corners(sides) {
+                    let Some(angles) = self.angles_at(at) else { return f64::NEG_INFINITY };
+                    found = found.min(value(&angles.map(Range::point)));
+                }
+                let angles = self.enclosing.angles(&self.patch, &self.stand, self.part(sides), self.class);
+                let least_here = angles.map_or(f64::NEG_INFINITY, |angles| value(&self.followed(angles)));
+                queue.push(Part { sides, least: least.max(least_here) });
+            }
+        }
+        found
+    }
+
+    /// The two halves of a part across its longer side; an angle counts as the way along the rim.
+    fn halves(&self, sides: [Range; 2]) -> [[Range; 2]; 2] {
+        let lever = match self.zone {
+            Zone::Circle { .. } => sides[0].max(),
+            Zone::Rectangle { .. } => 1.0,
+        };
+        let longer = usize::from(sides[0].width() < lever * sides[1].width());
+        let (range, mut halves) = (sides[longer], [sides; 2]);
+        halves[0][longer] = Range::spanning(range.min(), range.middle());
+        halves[1][longer] = Range::spanning(range.middle(), range.max());
+        halves
+    }
+
+    /// A part as numbers in the zone.
+    fn part(&self, sides: [Range; 2]) -> [Affine<2>; 2] {
+        let length = |i: usize| {
+            let mut length = Affine::point(sides[i].middle());
+            length.slope[i] = sides[i].width() / 2.0;
+            length
+        };
+        match self.zone {
+            Zone::Rectangle { .. } => [length(0), length(1)],
+            Zone::Circle { .. } => {
+                let (sine, cosine) = sin_cos::<2>(sides[1], 1);
+                [length(0) * cosine, length(0) * sine]
+            }
+        }
+    }
+
+    fn corners(&self, sides: [Range; 2]) -> [[f64; 2]; 4] {
+        let corner = |a: f64, b: f64| match self.zone {
+            Zone::Rectangle { .. } => [a, b],
+            Zone::Circle { .. } => [a * b.cos(), a * b.sin()],
+        };
+        let [first, second] = sides;
+        [
+            corner(first.min(), second.min()),
+            corner(first.min(), second.max()),
+            corner(first.max(), second.min()),
+            corner(first.max(), second.max()),
+        ]
+    }
+
+    /// The angles at a point of the zone, m from its centre.
+    fn angles_at(&self, at: [f64; 2]) -> Option<[f64; 7]> {
+        let flange = self.patch.pose(&self.stand, at) * self.tool_from_flange;
+        let found = postures(&self.arm.geometry, &flange).found;
+        let [t1, t2, t3, t4, t5, t6] = found.into_iter().find(|(class, _)| *class == self.class)?.1;
+        let mut angles = [t1, t2, t3, t4, t5, t6, t2 + t3];
+        for (angle, centre) in angles.iter_mut().zip(self.centre) {
+            *angle -= ((*angle - centre) / TAU).round() * TAU;
+        }
+        Some(angles)
+    }
+
+    /// Whole turns added so that the middles lie less than half a turn from the centre's.
+    fn followed(&self, angles: Angles) -> Angles {
+        std::array::from_fn(|i| {
+            let turns = ((angles[i].middle() - self.centre[i]) / TAU).round();
+            angles[i].affine(1.0, -turns * TAU)
+        })
+    }
+
+    /// No joint turns by a quarter turn from the centre: angles that are followed are those that a robot passes through.
+    pub(crate) fn turns_less_than_a_quarter(&self) -> bool {
+        let room = |angles: &Angles| {
+            let least = |i: usize| {
+                let turned = angles[i].affine(1.0, -self.centre[i]);
+                FRAC_PI_2 - turned.max().max(-turned.min())
+            };
+            (0..6).map(least).fold(f64::INFINITY, f64::min)
+        };
+        0.0 < self.least(1e-3, room)
+    }
+}
