@@ -217,6 +217,8 @@ fn what_makes_no_sense_is_refused_with_what_to_do() {
         (&["rank", "-o", "no/such/folder/ranking.csv"], 1, "hint: there is no folder no/such/folder; make it first"),
         (&["rank", "-o", "-"], 2, "hint: without -o the answer goes to standard output; --format json"),
         (&["study", "--k2", "inf"], 2, "'inf' for '--k2 <K>': expected a number from 0.001 to 1000"),
+        (&["study", "--k2", "1e-4"], 2, "or 0 for a rigid drive"),
+        (&["study", "--k2", "0", "--k3", "0"], 1, "k2 and k3 are both 0"),
         (&["study", "--k3", "x"], 2, "'x' for '--k3 <K>': expected a number from 0.001 to 1000"),
         (&["compliance", "BT200L", "--joints-deg", "0,90,0"], 2, "--joints-deg has 3 angles; expected six"),
         (

@@ -7,6 +7,7 @@ mod spatial;
 
 use nalgebra::Vector2;
 
+pub(crate) use exact::best_near;
 pub use spatial::{
     Resolution, SpatialMisfit, SpatialOptions, SpatialPlaceError, SpatialPlacement, SpatiallyPlaced, ZonePoint,
     across_zone, place_in_space,
@@ -285,14 +286,16 @@ fn plane_and_options(robot: &Robot, options: &PlaceOptions) -> Result<(ArmPlane,
 
 /// The value of the best place, m/N, of a zone for an arm whose limits are left aside; `None` where it does not fit.
 ///
-/// Exact: the paper's section III, where any angle of a rectangle is as good as another. An arm or zone that makes no
-/// sense holds nothing.
-pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Option<f64> {
-    arm.check().ok()?;
-    check_zone(zone).ok()?;
+/// Exact: the paper's section III, where any angle of a rectangle is as good as another.
+///
+/// # Errors
+/// Where a length, a compliance or a side of the zone makes no sense.
+pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Result<Option<f64>, PlaceError> {
+    arm.check()?;
+    check_zone(zone)?;
     let sigma = arm.radial();
     let ring = Range::spanning(sigma.folded, sigma.stretched);
-    exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance)
+    Ok(exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance))
 }
 
 /// The largest scale at which a zone fits an arm whose limits are left aside.
