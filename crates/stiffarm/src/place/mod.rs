@@ -18,6 +18,9 @@ use crate::plane::{Elbow, InvalidArm, PlanarArm};
 use crate::robot::{ArmPlane, NoArmPlane, Robot};
 use crate::task::Zone;
 
+/// Deflections below this, m, are rounding: nothing gives way.
+pub(crate) const NOTHING: f64 = 1e-15;
+
 /// Which angles of a rectangle are tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
@@ -259,7 +262,7 @@ impl Outside {
     /// Looks where a placement of a robot stands; nowhere outside for a robot of which only the plane is known.
     pub fn of(robot: &Robot, zone: Zone, placement: &Placement) -> Self {
         const SLACK: f64 = 1e-6;
-        let axis = robot.arm_plane().map_or([0.0; 2], |plane| plane.axis_from_base);
+        let axis = robot.axis_2();
         if axis == [0.0; 2] {
             return Self { below: false, behind: false };
         }
