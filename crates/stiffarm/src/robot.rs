@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::drive::{Architecture, Drives};
+use crate::drive::{Architecture, Drives, JointCompliance};
 use crate::geometry::Geometry;
 use crate::limits::{Limits, Range, ThirdAxis};
-use crate::plane::PlanarArm;
+use crate::plane::{InvalidArm, PlanarArm};
 
 /// How well a robot's numbers are known; shown wherever the robot is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -106,6 +106,19 @@ impl Robot {
             Arm::SixAxis { geometry, .. } => geometry.a1 + geometry.c2 + geometry.l3(),
             Arm::Planar(arm) => arm.l2 + arm.l3,
         }
+    }
+
+    /// How far from the joint-1 axis the wrist centre comes ahead within the limits, m: what makers call the reach.
+    ///
+    /// # Errors
+    /// Where the limits leave nothing, or a length makes no sense.
+    pub fn reach_ahead(&self) -> Result<f64, InvalidArm> {
+        let plane = self.two_links().map_err(|_| InvalidArm::NothingReachable)?;
+        let ArmPlane { arm, axis_from_base: [a1, _] } = plane;
+        let sideways = if let Arm::SixAxis { geometry, .. } = &self.arm { geometry.b } else { 0.0 };
+        // Rigid drives move as others do.
+        let arm = PlanarArm { k2: JointCompliance::PAPER.0[1], ..arm };
+        Ok((a1 + arm.farthest_ahead()?).hypot(sideways))
     }
 
     /// The planar model of this robot: links 2 and 3, drives 2 and 3, the tool point at the wrist centre.

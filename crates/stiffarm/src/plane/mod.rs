@@ -1,5 +1,6 @@
 //! How compliant is the paper's planar two-link arm, and what does it reach?
 
+mod ahead;
 mod radial;
 mod shape;
 mod side;
