@@ -275,7 +275,7 @@ pub fn rank_in_space(
 
 /// How much worse than the best; 1 for two robots of which neither gives way.
 fn ratio(deflection: f64, best: f64) -> f64 {
-    if deflection <= NOTHING { 1.0 } else { deflection / best }
+    deflection.max(NOTHING) / best.max(NOTHING)
 }
 
 /// Judges every robot for every task, and puts the robots in order.
