@@ -1,4 +1,4 @@
-//! Compensators, unusual couplings and rigid drives: is what docs/robot_file.md says true, and does every verb say what it cannot answer?
+//! Compensators, unusual couplings and rigid drives: is what `docs/robot_file.md` says true, and does every verb say what it cannot answer?
 
 use nalgebra::Matrix6;
 use stiffarm::catalogue::{paper_robots, read};
@@ -126,7 +126,7 @@ fn rigid_drives_are_taken_and_two_that_do_not_give_way_are_as_good_as_each_other
     let twin = Robot { name: "twin".into(), ..still.clone() };
     let task: Task = Zone::Circle { diameter: 0.1 }.into();
     let options = SpatialOptions::tool_down(1000.0);
-    let ranking = rank_in_space(&[still.clone(), twin], &[task.clone()], &options, || ()).unwrap();
+    let ranking = rank_in_space(&[still.clone(), twin], std::slice::from_ref(&task), &options, || ()).unwrap();
     for row in &ranking.rows {
         // Rounding of sines and cosines, squared.
         assert!(row.deflection(0).unwrap() < 1e-30 && row.score == 1.0, "{row:?}");

@@ -242,7 +242,8 @@ mod tests {
             let about_reach = doubts(&robot).into_iter().filter(|doubt| doubt.starts_with("reach_m")).count();
             match row {
                 None => {
-                    assert!(robot.payload_kg.is_none() || doubts(&robot).is_empty(), "{name}: {:?}", doubts(&robot))
+                    let found = doubts(&robot);
+                    assert!(robot.payload_kg.is_none() || found.is_empty(), "{name}: {found:?}");
                 }
                 Some(row) => {
                     let numbers = format!("| {:.3} | {:.3} |", robot.reach.unwrap(), robot.reach_ahead().unwrap());

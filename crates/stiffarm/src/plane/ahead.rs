@@ -37,6 +37,7 @@ mod tests {
 
     #[test]
     fn no_posture_of_a_dense_scan_comes_farther_ahead_and_one_comes_nearly_as_far() {
+        const STEPS: usize = 400;
         let mut rng = fastrand::Rng::with_seed(9);
         let mut limited = 0;
         for _ in 0..200 {
@@ -47,7 +48,6 @@ mod tests {
             let (shoulder, elbow, forearm) = (range(3.0), range(3.0), range(4.0));
             let arm =
                 PlanarArm { shoulder, elbow, forearm, ..PlanarArm::free(1.0, 0.8, 1e-6, 1e-6, Architecture::Serial) };
-            const STEPS: usize = 400;
             let step = |range: Range, i: usize| range.min() + range.width() * i as f64 / STEPS as f64;
             let mut scan = f64::NEG_INFINITY;
             for i in 0..=STEPS {

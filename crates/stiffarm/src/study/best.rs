@@ -77,23 +77,22 @@ impl<'a> Stance<'a> {
         let arm_at = |s: f64| self.arm(a.x + (b.x - a.x) * s);
         let near_at = |s: f64| a.near + (b.near - a.near) * s;
         let middle = arm_at(0.5);
-        let least = |end: &dyn Fn(f64) -> f64, falls: bool| {
+        let least = |end: &dyn Fn(f64) -> f64, by_distance: &dyn Fn(f64, f64) -> f64| {
             let g = support(&middle, end(0.5));
             let parabola = |s: f64| {
                 let arm = arm_at(s);
-                // A plane that slopes the other way is as low as at the axis, or as at the rim.
-                let by_distance = match falls {
-                    true => g.x.min(0.0) * end(s).powi(2),
-                    false => g.x.max(0.0) * end(s).powi(2) + g.x.min(0.0),
-                };
-                by_distance + g.y * arm.l2 * arm.l2 + g.z * arm.l3 * arm.l3
+                by_distance(g.x, end(s)) + g.y * arm.l2 * arm.l2 + g.z * arm.l3 * arm.l3
             };
             least_of_parabola([0.0, 0.5, 1.0].map(parabola))
         };
         let is_folded = [a, b].iter().all(|end| end.near == self.folded(end.x));
         let is_outermost = [a, b].iter().all(|end| end.near == self.outermost);
-        let nearer = if is_folded { f64::INFINITY } else { least(&near_at, true) };
-        let farther = if is_outermost { f64::INFINITY } else { least(&|s| self.far(near_at(s)), false) };
+        let far_at = |s: f64| self.far(near_at(s));
+        // A plane that slopes the other way is as low as at the axis, or as at the rim.
+        let falling = |slope: f64, end: f64| slope.min(0.0) * end * end;
+        let rising = |slope: f64, end: f64| slope.max(0.0) * end * end + slope.min(0.0);
+        let nearer = if is_folded { f64::INFINITY } else { least(&near_at, &falling) };
+        let farther = if is_outermost { f64::INFINITY } else { least(&far_at, &rising) };
         nearer.min(farther)
     }
 }
@@ -123,7 +122,9 @@ pub(super) fn best<'a>(contender: &'a Contender, zone: Zone, shares: Range) -> O
         for half in [Range::spanning(0.0, 0.5), Range::spanning(0.5, 1.0)] {
             let Some(part) = fitting.intersect(half) else { continue };
             let ends = [part.min(), part.max()].map(|x| stance.judged(x));
-            ends.into_iter().for_each(|end| _ = better(stance, end));
+            for end in ends {
+                better(stance, end);
+            }
             open.push((stance, ends));
         }
     }
