@@ -1,6 +1,7 @@
 //! `stiffarm rank`: robots in order, for several tasks, against a tolerance.
 
 use std::cell::OnceCell;
+use std::fmt::Write;
 
 use serde_json::Value;
 use stiffarm::drive::Architecture;
@@ -112,7 +113,7 @@ impl RankAnswer<'_> {
         notes += "; - the zone does not fit (`stiffarm place` says why)\n";
         for row in &self.ranking.rows {
             if let Some(error) = row.why_not_of_the_plane() {
-                notes += &format!("n/a {}: {error} (--model spatial)\n", row.robot.name);
+                let _ = writeln!(notes, "n/a {}: {error} (--model spatial)", row.robot.name);
             }
         }
         let unfinished = |cell: &PlanarCell| cell.as_ref().is_err_and(|error| !is_not_of_the_plane(error));
