@@ -285,10 +285,10 @@ pub(crate) struct StudyArgs {
     /// The two architectures that are compared
     #[arg(long, value_name = "TWO", value_delimiter = ',', value_parser = architecture, default_value = "serial,quasi-serial")]
     pub(crate) compare: Vec<Architecture>,
-    /// Compliance of drive 2 over the reference k, for both or one each
+    /// Compliance of drive 2 over the reference k, for both or one each; 0: rigid
     #[arg(long, value_name = "K", value_delimiter = ',', value_parser = relative_compliance, allow_hyphen_values = true, default_value = "1")]
     pub(crate) k2: Vec<f64>,
-    /// Compliance of drive 3 over the reference k, for both or one each
+    /// Compliance of drive 3 over the reference k, for both or one each; 0: rigid
     #[arg(long, value_name = "K", value_delimiter = ',', value_parser = relative_compliance, allow_hyphen_values = true, default_value = "1")]
     pub(crate) k3: Vec<f64>,
 }
@@ -414,7 +414,7 @@ fn link_ratio(text: &str) -> Result<f64, String> {
 }
 
 fn relative_compliance(text: &str) -> Result<f64, String> {
-    number(text, 1e-3, 1e3, "times the reference")
+    number(text, 0.0, 0.0, "").or_else(|_| number(text, 1e-3, 1e3, "times the reference, or 0 for a rigid drive"))
 }
 
 fn gap(text: &str) -> Result<f64, String> {

@@ -19,7 +19,7 @@ const GROUP: usize = 1 << 20;
 /// Headings that count, answer yes or no, or name something, whatever their cells look like.
 const COUNTS: [&str; 1] = ["rank"];
 const TRUTHS: [&str; 5] = ["agrees", "below_base", "best", "feasible", "pass"];
-const TEXTS: [&str; 14] = [
+const TEXTS: [&str; 15] = [
     "architecture",
     "cell",
     "elbow",
@@ -27,6 +27,7 @@ const TEXTS: [&str; 14] = [
     "key",
     "note",
     "printed",
+    "reason",
     "robot",
     "row",
     "source",

@@ -4,6 +4,10 @@ use std::io;
 use std::path::PathBuf;
 
 use stiffarm::catalogue::import::ImportError;
+use stiffarm::map::MapError;
+use stiffarm::place::{PlaceError, SpatialPlaceError};
+use stiffarm::rank::RankError;
+use stiffarm::robot::NoArmPlane;
 
 /// Every way in which a command ends without an answer.
 #[derive(Debug, thiserror::Error)]
@@ -75,14 +79,14 @@ pub(crate) enum Failure {
     Usage(String),
     /// A robot that cannot be judged.
     #[error(transparent)]
-    Rank(#[from] stiffarm::rank::RankError),
+    Rank(#[from] RankError),
     /// A zone that cannot be placed.
     #[error("{robot}: {error}")]
     Place {
         /// Which robot.
         robot: String,
         /// Why.
-        error: stiffarm::place::PlaceError,
+        error: PlaceError,
     },
     /// A zone that cannot be placed in space.
     #[error("{robot}: {error}")]
@@ -90,7 +94,7 @@ pub(crate) enum Failure {
         /// Which robot.
         robot: String,
         /// Why.
-        error: stiffarm::place::SpatialPlaceError,
+        error: SpatialPlaceError,
     },
     /// A map that cannot be made.
     #[error("{robot}: {error}")]
@@ -98,7 +102,7 @@ pub(crate) enum Failure {
         /// Which robot.
         robot: String,
         /// Why.
-        error: stiffarm::map::MapError,
+        error: MapError,
     },
     /// A posture that cannot be judged.
     #[error("{robot}: {error}")]
@@ -152,7 +156,14 @@ impl Failure {
             Self::NothingLeft { hint, .. } => Some(hint.clone()),
             Self::RobotFile(_) | Self::BadFiles(_) => Some("the README shows a complete robot file".into()),
             Self::Import(error) => import_hint(error),
-            Self::Map { error: stiffarm::map::MapError::Size { .. }, .. } => Some("try --size 1000".into()),
+            Self::Map { error: MapError::Size { .. }, .. } => Some("try --size 1000".into()),
+            Self::Place { error: PlaceError::NoArmPlane(error), .. }
+            | Self::Map { error: MapError::Arm(PlaceError::NoArmPlane(error)), .. }
+            | Self::Rank(RankError { error: SpatialPlaceError::Place(PlaceError::NoArmPlane(error)), .. })
+                if *error != NoArmPlane::Limits =>
+            {
+                Some("--model spatial asks the model with all six drives".into())
+            }
             _ => None,
         }
     }

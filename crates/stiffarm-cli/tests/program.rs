@@ -217,6 +217,8 @@ fn what_makes_no_sense_is_refused_with_what_to_do() {
         (&["rank", "-o", "no/such/folder/ranking.csv"], 1, "hint: there is no folder no/such/folder; make it first"),
         (&["rank", "-o", "-"], 2, "hint: without -o the answer goes to standard output; --format json"),
         (&["study", "--k2", "inf"], 2, "'inf' for '--k2 <K>': expected a number from 0.001 to 1000"),
+        (&["study", "--k2", "1e-4"], 2, "or 0 for a rigid drive"),
+        (&["study", "--k2", "0", "--k3", "0"], 1, "k2 and k3 are both 0"),
         (&["study", "--k3", "x"], 2, "'x' for '--k3 <K>': expected a number from 0.001 to 1000"),
         (&["compliance", "BT200L", "--joints-deg", "0,90,0"], 2, "--joints-deg has 3 angles; expected six"),
         (
@@ -494,4 +496,39 @@ fn robots_that_are_named_alike_are_told_apart_by_their_files() {
     assert!(!text.contains("same.toml"), "one robot in two files is one:\n{text}");
     let quiet = program().args(["rank", "--robots", &robots, "--task", "A:0.1", "-q"]).output().unwrap();
     assert!(quiet.stderr.is_empty());
+}
+
+#[test]
+fn a_robot_with_a_compensator_is_a_row_that_says_why_and_alone_a_refusal_with_advice() {
+    let text = include_str!("../../../docs/robot_file.md");
+    let block = text.split("```toml\n").last().unwrap().split("```").next().unwrap();
+    let folder = TempDir::new().unwrap();
+    let file = path(&folder, "compensator.toml");
+    fs::write(&file, block).unwrap();
+    let both = ["rank", "--robots", "BT200L", "--robots", &file, "--task", "A:0.5"];
+    let table = run(&both);
+    assert!(table.lines().any(|line| line.starts_with(" n/a") && line.matches("n/a").count() == 3), "{table}");
+    assert!(table.contains("n/a geared wrist and compensator: its gravity compensator"), "{table}");
+    let rows = json(&both);
+    let last = &rows["rows"][1];
+    assert_eq!((&last["bound_mm"], &last["cells"][0]["feasible"]), (&Value::Null, &Value::Null));
+    assert!(last["cells"][0]["reason"].as_str().unwrap().contains("gravity compensator"), "{last}");
+    let csv = run(&[&both[..], &["--format", "csv"]].concat());
+    let line = csv.lines().nth(2).unwrap();
+    assert!(line.starts_with(",,geared wrist") && line.contains("gravity compensator"), "{csv}");
+    for alone in [
+        &["rank", "--robots", &file, "--task", "A:0.5"][..],
+        &["place", &file, "--task", "A:0.5"],
+        &["map", &file, "--size", "20"],
+    ] {
+        let (code, errors) = refused(alone);
+        assert!(
+            code == 1 && errors.contains("gravity compensator") && errors.contains("hint: --model spatial"),
+            "{errors}"
+        );
+    }
+    assert!(run(&["robots", "show", &file]).contains("n/a: its gravity compensator"));
+    assert!(run(&["robots", "show", &file, "--format", "csv"]).contains("shoulder"));
+    let spatial = run(&["rank", "--robots", &file, "--task", "A:0.1", "--model", "spatial"]);
+    assert!(spatial.contains("n/a geared wrist and compensator"), "{spatial}");
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix6, Vector3, Vector6};
 
-use crate::robot::{Arm, Robot};
+use crate::robot::{Arm, Robot, Unheld};
 use crate::spatial::{Compliance, Pose};
 
 /// An arm at one posture.
@@ -44,6 +44,14 @@ pub enum PostureError {
     /// Nothing holds joint 2.
     #[error("{0}: at this posture the gravity compensator pushes harder than drive 2 holds; its numbers must be wrong")]
     Unstable(String),
+    /// The same, wherever joint 2 may turn.
+    #[error("{robot}: {unheld}")]
+    Unheld {
+        /// Which robot.
+        robot: String,
+        /// What happens where.
+        unheld: Unheld,
+    },
     /// A tool that no arm carries.
     #[error("a tool point {0} m from the flange; expected at most 10 m")]
     Tool(f64),
@@ -78,6 +86,11 @@ pub fn compliance(robot: &Robot, q: &[f64; 6], flange_from_tool: &Pose) -> Resul
 pub(crate) fn check_joint(joint: usize, angle: f64) -> Result<(), PostureError> {
     let value = angle.to_degrees();
     if value.abs() <= 1080.0 { Ok(()) } else { Err(PostureError::Joint { joint: joint + 1, value }) }
+}
+
+/// Checks that drive 2 holds the gravity compensator at every posture within the limits.
+pub(crate) fn check_held(robot: &Robot) -> Result<(), PostureError> {
+    robot.check_compensator().map_err(|unheld| PostureError::Unheld { robot: robot.name.clone(), unheld })
 }
 
 /// Checks that a tool point lies where an arm can carry it.

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use crate::catalogue::{names, paper_robots};
 use crate::drive::Architecture;
-use crate::place::{PlaceOptions, best_without_limits, largest_scale_without_limits, place_robot};
+use crate::place::{PlaceError, PlaceOptions, best_without_limits, largest_scale_without_limits, place_robot};
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot};
 use crate::study::{Contender, Study, StudyOptions, study};
-use crate::task::{Task, Zone};
+use crate::task::{Task, TaskError, Zone};
 
 /// What the ledger reads, as CSV texts: what is printed, and which cells are known to disagree.
 #[derive(Clone, Copy, Debug)]
@@ -79,6 +79,12 @@ pub enum LedgerError {
     /// The paper's study cannot be made.
     #[error(transparent)]
     Study(#[from] crate::study::StudyError),
+    /// A robot of the paper cannot be judged.
+    #[error(transparent)]
+    Place(#[from] PlaceError),
+    /// A column names no task.
+    #[error(transparent)]
+    Task(#[from] TaskError),
     /// A row names what the ledger cannot compute.
     #[error("{file}: '{item}', '{cell}' is not known")]
     Unknown {
@@ -116,11 +122,7 @@ pub fn validate(printed: &Printed) -> Result<Vec<Entry>, LedgerError> {
         });
     };
     for [item, cell, figure] in rows("text.csv", printed.text)? {
-        let computed = text_figure(&robots, &study, &item, &cell).ok_or_else(|| LedgerError::Unknown {
-            file: "text.csv",
-            item: item.clone(),
-            cell: cell.clone(),
-        })?;
+        let computed = text_figure(&robots, &study, &item, &cell)?;
         add("text", &item, &cell, &figure, computed);
     }
     for [task, mu, d, architecture, figure] in rows("table1.csv", printed.table_1)? {
@@ -145,10 +147,12 @@ pub fn validate(printed: &Printed) -> Result<Vec<Entry>, LedgerError> {
     for row in rows::<7>("table3.csv", printed.table_3)? {
         for (column, figure) in tasks.iter().zip(&row[1..]) {
             let label = column.replace('_', ":");
-            let computed = find(&robots, &row[0]).map(|robot| deflection_mm(robot, &label)).ok_or_else(|| {
-                LedgerError::Unknown { file: "table3.csv", item: row[0].clone(), cell: label.clone() }
+            let robot = find(&robots, &row[0]).ok_or_else(|| LedgerError::Unknown {
+                file: "table3.csv",
+                item: row[0].clone(),
+                cell: label.clone(),
             })?;
-            add("Table III", &row[0], &label, figure, computed);
+            add("Table III", &row[0], &label, figure, deflection_mm(robot, &label)?);
         }
     }
     match listed.into_keys().next() {
@@ -217,10 +221,11 @@ fn links(robots: &[Robot], name: &str) -> Option<Links> {
     }
 }
 
-fn deflection_mm(robot: &Robot, task: &str) -> Option<f64> {
-    let task: Task = task.parse().ok()?;
-    let placed = place_robot(robot, task.zone, &PlaceOptions::paper(1000.0)).ok()?;
-    placed.feasible().map(|placement| placement.deflection * 1e3)
+/// At 1 kN, as the paper's Table III; `None` where the task has no place.
+fn deflection_mm(robot: &Robot, task: &str) -> Result<Option<f64>, LedgerError> {
+    let task: Task = task.parse()?;
+    let placed = place_robot(robot, task.zone, &PlaceOptions::paper(1000.0))?;
+    Ok(placed.feasible().map(|placement| placement.deflection * 1e3))
 }
 
 /// The outer `None`: no such cell; the inner: nothing fits.
@@ -244,44 +249,51 @@ fn table_1(study: &Study, task: &str, mu: &str, d: &str, architecture: &str) -> 
     row.map(|row| row.accuracy)
 }
 
-fn text_figure(robots: &[Robot], study: &Study, item: &str, cell: &str) -> Option<Option<f64>> {
+/// A figure of the running text; `None` where nothing fits.
+fn text_figure(robots: &[Robot], study: &Study, item: &str, cell: &str) -> Result<Option<f64>, LedgerError> {
+    let unknown = || LedgerError::Unknown { file: "text.csv", item: item.into(), cell: cell.into() };
+    let architecture = || architecture(cell).ok_or_else(unknown);
+    let robot = || find(robots, cell).ok_or_else(unknown);
+    let last_number = || cell.rsplit(' ').next().and_then(|word| word.parse::<f64>().ok()).ok_or_else(unknown);
     let example = |architecture| PlanarArm::free(1.0, 0.8, 1e-6, 1e-6, architecture);
     let tasks = &study.options.tasks;
-    let range = study.options.range;
-    let figure = match item {
+    Ok(match item {
         "section II, largest deflection in the workspace" => {
-            let sigma = example(architecture(cell)?).radial();
+            let sigma = example(architecture()?).radial();
             Some(sigma.at(sigma.stretched).max(sigma.at(sigma.folded)) * 1e6)
         }
-        "section II, smallest worst-direction deflection" => Some(example(architecture(cell)?).radial().floor() * 1e6),
+        "section II, smallest worst-direction deflection" => Some(example(architecture()?).radial().floor() * 1e6),
         "section II, zone of 0.5 x 2 m" => {
             let zone = Zone::Rectangle { width: 0.5, height: 2.0 };
-            best_without_limits(&example(architecture(cell)?), zone).map(|compliance| compliance * 1e6)
+            best_without_limits(&example(architecture()?), zone)?.map(|compliance| compliance * 1e6)
         }
         "section III, best link ratio of small tasks" | "section III, best link ratio of large tasks" => {
-            let size = cell.rsplit_once(' ')?.1.parse().ok()?;
             let serial = Contender::equal(Architecture::Serial);
-            serial.best_ratio(tasks[0].zone.scaled(size), range).map(|(mu, _)| mu)
+            serial.best_ratio(tasks[0].zone.scaled(last_number()?), study.options.range)?.map(|(mu, _)| mu)
         }
         "section III, size above which quasi-serial is better" => {
             study.boundaries.iter().find(|b| b.task == 0 && b.mu.is_none()).map(|b| b.size)
         }
         "section III, largest size" => {
-            let mu: f64 = cell.rsplit_once(' ')?.1.parse().ok()?;
+            let mu = last_number()?;
             let arm = PlanarArm::free(1.0 / (1.0 + mu), mu / (1.0 + mu), 1.0, 1.0, Architecture::QuasiSerial);
             Some(largest_scale_without_limits(&arm, tasks[1].zone))
         }
         "section IV, stiffest point" => {
-            let plane = find(robots, cell)?.arm_plane().ok()?;
+            let plane = robot()?.arm_plane().map_err(PlaceError::from)?;
             Some(plane.arm.radial().floor() * 1e6)
         }
-        "section IV, zone of 0.5 x 1 m" => deflection_mm(find(robots, cell)?, "B:0.5"),
+        "section IV, zone of 0.5 x 1 m" => deflection_mm(robot()?, "B:0.5")?,
         "section IV, smallest of task C 0.15" => {
-            let architecture = architecture(cell)?;
-            let robots = robots.iter().filter(|robot| robot.architecture == architecture);
-            robots.filter_map(|robot| deflection_mm(robot, "C:0.15")).reduce(f64::min)
+            let architecture = architecture()?;
+            let mut smallest: Option<f64> = None;
+            for robot in robots.iter().filter(|robot| robot.architecture == architecture) {
+                if let Some(found) = deflection_mm(robot, "C:0.15")? {
+                    smallest = Some(smallest.map_or(found, |smallest| smallest.min(found)));
+                }
+            }
+            smallest
         }
-        _ => return None,
-    };
-    Some(figure)
+        _ => return Err(unknown()),
+    })
 }

@@ -3,25 +3,41 @@
 use rayon::prelude::*;
 
 use crate::place::{
-    PlaceError, PlaceOptions, Placed, Placement, SpatialOptions, SpatialPlaceError, SpatiallyPlaced, find_robot,
-    place_in_space, place_robot,
+    NOTHING, PlaceError, PlaceOptions, Placed, Placement, SpatialOptions, SpatialPlaceError, SpatiallyPlaced,
+    find_robot, place_in_space, place_robot,
 };
 use crate::robot::{Robot, Status};
 use crate::task::Task;
 
 /// What a ranking knows of one robot and one task.
 pub trait Cell {
-    /// Deflection at the best place, m; `None` where there is no place.
+    /// Deflection at the best place, m; `None` where there is no place, or it is not known.
     fn deflection(&self) -> Option<f64>;
+
+    /// It is known whether there is a place.
+    fn is_judged(&self) -> bool {
+        true
+    }
 }
 
-/// In the planar model: an error where the search did not end ([`PlaceError::Unfinished`]).
+/// In the planar model: an error where the search did not end ([`PlaceError::Unfinished`]), or the model does not hold for
+/// the robot ([`is_not_of_the_plane`]).
 pub type PlanarCell = Result<Placed, PlaceError>;
 
 impl Cell for PlanarCell {
     fn deflection(&self) -> Option<f64> {
         self.as_ref().ok()?.feasible().map(|placement| placement.deflection)
     }
+
+    fn is_judged(&self) -> bool {
+        self.is_ok()
+    }
+}
+
+/// The robot is sound, but the planar model has no answer for it: a compensator, an unusual coupling, or rigid drives 2
+/// and 3.
+pub fn is_not_of_the_plane(error: &PlaceError) -> bool {
+    matches!(error, PlaceError::NoArmPlane(_))
 }
 
 impl Cell for SpatiallyPlaced {
@@ -42,7 +58,7 @@ pub struct Row<C = PlanarCell> {
 }
 
 impl<C: Cell> Row<C> {
-    /// How many tasks have no place.
+    /// How many tasks have no place, or none that is known.
     pub fn misfits(&self) -> usize {
         self.cells.iter().filter(|cell| cell.deflection().is_none()).count()
     }
@@ -55,8 +71,14 @@ impl<C: Cell> Row<C> {
 
 impl Row {
     /// Deflection, m, under a force, N, at the stiffest posture the links allow: no placement of any task can have less.
-    pub fn floor(&self, force: f64) -> f64 {
-        self.robot.arm_plane().map_or(f64::NAN, |plane| plane.arm.radial().floor() * force)
+    /// `None` where the planar model has no answer.
+    pub fn floor(&self, force: f64) -> Option<f64> {
+        self.robot.arm_plane().ok().map(|plane| plane.arm.radial().floor() * force)
+    }
+
+    /// Why the planar model has no answer for this robot, where it has none.
+    pub fn why_not_of_the_plane(&self) -> Option<&PlaceError> {
+        self.cells.iter().find_map(|cell| cell.as_ref().err().filter(|error| is_not_of_the_plane(error)))
     }
 
     /// The best place of a task, where there is one.
@@ -93,12 +115,14 @@ impl<C: Cell> Ranking<C> {
     }
 }
 
-impl<C> Ranking<C> {
-    /// Places from 1, row by row: an estimated robot stands where its values put it, but takes none.
+impl<C: Cell> Ranking<C> {
+    /// Places from 1, row by row: an estimated robot stands where its values put it, but takes none, nor does one of which
+    /// nothing is known.
     pub fn places(&self) -> Vec<Option<usize>> {
         let mut place = 0;
         let mut next = |row: &Row<C>| {
-            (row.robot.status != Status::Estimated).then(|| {
+            let is_known = row.cells.iter().any(Cell::is_judged);
+            (is_known && row.robot.status != Status::Estimated).then(|| {
                 place += 1;
                 place
             })
@@ -135,6 +159,7 @@ pub struct Curve {
 }
 
 /// Deflection of a zone at ascending scales for every robot, in their order; the last point where the zone stops fitting.
+/// A scale of which the search does not end has no point, and a robot that is not of the plane has none at all.
 ///
 /// # Errors
 /// As [`rank`].
@@ -145,9 +170,11 @@ pub fn curves(
     options: &PlaceOptions,
     done: impl Fn() + Sync,
 ) -> Result<Vec<Curve>, RankError> {
+    // The outer `None`: not known; the inner: it does not fit.
     let deflection = |robot: &Robot, scale: f64| match find_robot(robot, shape.zone.scaled(scale), options) {
-        Ok(placement) => Ok(placement.map(|placement| placement.deflection)),
+        Ok(placement) => Ok(Some(placement.map(|placement| placement.deflection))),
         Err(PlaceError::Unfinished { .. }) => Ok(None),
+        Err(error) if is_not_of_the_plane(&error) => Ok(None),
         Err(error) => Err(RankError { robot: robot.name.clone(), task: shape.label.clone(), error: error.into() }),
     };
     let curve = |robot: &Robot| {
@@ -157,21 +184,25 @@ pub fn curves(
             if curve.is_complete {
                 continue;
             }
-            if let Some(value) = deflection(robot, scale)? {
-                curve.points.push((scale, value));
-                continue;
+            match deflection(robot, scale)? {
+                None => continue,
+                Some(Some(value)) => {
+                    curve.points.push((scale, value));
+                    continue;
+                }
+                Some(None) => curve.is_complete = true,
             }
-            curve.is_complete = true;
             let (mut fit, mut misfit) = (curve.points.last().map_or(0.0, |point| point.0), scale);
             while 1e-4 * misfit < misfit - fit {
                 let scale = f64::midpoint(fit, misfit);
                 match deflection(robot, scale)? {
-                    Some(value) => {
+                    Some(Some(value)) => {
                         curve.points.retain(|point| scales.contains(&point.0));
                         curve.points.push((scale, value));
                         fit = scale;
                     }
-                    None => misfit = scale,
+                    Some(None) => misfit = scale,
+                    None => return Ok(Curve { is_complete: false, ..curve }),
                 }
             }
         }
@@ -185,28 +216,48 @@ pub fn curves(
 /// `options.within` counts from each robot's base. `done` is called once per cell, from any thread. The order does not
 /// depend on the order of `robots`: ties go by name.
 ///
+/// Robots that are not of the plane are rows without values, and say why.
+///
 /// # Errors
-/// The first robot (in the order given) that cannot be judged.
+/// The first robot (in the order given) that makes no sense; the first one where none is of the plane.
 pub fn rank(
     robots: &[Robot],
     tasks: &[Task],
     options: &PlaceOptions,
     done: impl Fn() + Sync,
 ) -> Result<Ranking, RankError> {
+    let ranking = ranked_in_plane(robots, tasks, options, done)?;
+    match ranking.rows.first().and_then(Row::why_not_of_the_plane) {
+        Some(error) if ranking.rows.iter().all(|row| row.why_not_of_the_plane().is_some()) => Err(RankError {
+            robot: ranking.rows[0].robot.name.clone(),
+            task: tasks[0].label.clone(),
+            error: error.clone().into(),
+        }),
+        _ => Ok(ranking),
+    }
+}
+
+fn ranked_in_plane(
+    robots: &[Robot],
+    tasks: &[Task],
+    options: &PlaceOptions,
+    done: impl Fn() + Sync,
+) -> Result<Ranking, RankError> {
     ranked(robots, tasks, options.force, done, |robot, task| match place_robot(robot, task.zone, options) {
-        placed @ (Ok(_) | Err(PlaceError::Unfinished { .. })) => Ok(placed),
-        Err(error) => Err(error.into()),
+        Err(error) if !is_not_of_the_plane(&error) && !matches!(error, PlaceError::Unfinished { .. }) => {
+            Err(error.into())
+        }
+        placed => Ok(placed),
     })
 }
 
-/// The ranking of the paper, zones anywhere in the arm plane, of those robots that have an arm plane: what stands beside a
-/// ranking in space.
+/// The ranking of the paper, zones anywhere in the arm plane: what stands beside a ranking in space. None of the robots need
+/// be of the plane.
 ///
 /// # Errors
 /// As [`rank`].
 pub fn rank_in_plane(robots: &[Robot], tasks: &[Task], force: f64) -> Result<Ranking, RankError> {
-    let in_plane: Vec<Robot> = robots.iter().filter(|robot| robot.arm_plane().is_ok()).cloned().collect();
-    rank(&in_plane, tasks, &PlaceOptions::paper(force), || ())
+    ranked_in_plane(robots, tasks, &PlaceOptions::paper(force), || ())
 }
 
 /// The same in space: all six drives, flat zones about the robot ([`place_in_space`]).
@@ -220,6 +271,11 @@ pub fn rank_in_space(
     done: impl Fn() + Sync,
 ) -> Result<Ranking<SpatiallyPlaced>, RankError> {
     ranked(robots, tasks, options.force, done, |robot, task| place_in_space(robot, task.zone, options))
+}
+
+/// How much worse than the best; 1 for two robots of which neither gives way.
+fn ratio(deflection: f64, best: f64) -> f64 {
+    deflection.max(NOTHING) / best.max(NOTHING)
 }
 
 /// Judges every robot for every task, and puts the robots in order.
@@ -255,7 +311,7 @@ fn ranked<C: Cell + Send>(
         .collect();
     for row in &mut rows {
         let ratios: Vec<f64> =
-            (0..tasks.len()).filter_map(|task| Some((row.deflection(task)? / best[task]).ln())).collect();
+            (0..tasks.len()).filter_map(|task| Some(ratio(row.deflection(task)?, best[task]).ln())).collect();
         if !ratios.is_empty() {
             row.score = (ratios.iter().sum::<f64>() / ratios.len() as f64).exp();
         }

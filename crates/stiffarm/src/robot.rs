@@ -1,11 +1,12 @@
 //! What is a robot, and what is its arm plane?
 
 use std::collections::BTreeMap;
+use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::drive::{Architecture, Drives};
+use crate::drive::{Architecture, Drives, JointCompliance};
 use crate::geometry::Geometry;
 use crate::limits::{Limits, Range, ThirdAxis};
-use crate::plane::PlanarArm;
+use crate::plane::{InvalidArm, PlanarArm};
 
 /// How well a robot's numbers are known; shown wherever the robot is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -107,24 +108,55 @@ impl Robot {
         }
     }
 
+    /// How far from the joint-1 axis the wrist centre comes ahead within the limits, m: what makers call the reach.
+    ///
+    /// # Errors
+    /// Where the limits leave nothing, or a length makes no sense.
+    pub fn reach_ahead(&self) -> Result<f64, InvalidArm> {
+        let plane = self.two_links().map_err(|_| InvalidArm::NothingReachable)?;
+        let ArmPlane { arm, axis_from_base: [a1, _] } = plane;
+        let sideways = if let Arm::SixAxis { geometry, .. } = &self.arm { geometry.b } else { 0.0 };
+        // Rigid drives move as others do.
+        let arm = PlanarArm { k2: JointCompliance::PAPER.0[1], ..arm };
+        Ok((a1 + arm.farthest_ahead()?).hypot(sideways))
+    }
+
     /// The planar model of this robot: links 2 and 3, drives 2 and 3, the tool point at the wrist centre.
     ///
-    /// Limits, offsets, signs and the meaning of joint 3 are carried into angles of the arm plane, counter-clockwise
-    /// seen with x to the right and z up. Left out: the other drives, and the sideways offset `b` of the plane.
-    /// A gravity compensator is left out too: the paper's drives have constant compliance.
+    /// Left out: the other drives, and the sideways offset `b` of the plane.
     ///
     /// # Errors
     /// Where the planar model does not hold for the robot.
     pub fn arm_plane(&self) -> Result<ArmPlane, NoArmPlane> {
+        if let Arm::SixAxis { drives, .. } = &self.arm {
+            if drives.compensator.is_some() {
+                return Err(NoArmPlane::Compensator);
+            }
+            if !drives.transmission.keeps_the_arm(self.architecture) {
+                return Err(NoArmPlane::Transmission(self.architecture));
+            }
+            if drives.compliance.0[1..3] == [0.0; 2] {
+                return Err(NoArmPlane::Rigid);
+            }
+        }
+        self.two_links()
+    }
+
+    /// What moves in the arm plane, whatever springs: links 2 and 3, with the compliances of drives 2 and 3 as they are
+    /// stated. What they reach is this robot's reach even where [`Self::arm_plane`] does not hold.
+    ///
+    /// Limits, offsets, signs and the meaning of joint 3 are carried into angles of the arm plane, counter-clockwise
+    /// seen with x to the right and z up.
+    ///
+    /// # Errors
+    /// Where the limits contradict each other.
+    pub fn two_links(&self) -> Result<ArmPlane, NoArmPlane> {
         let (geometry, limits, drives) = match &self.arm {
             Arm::Planar(arm) => {
-                return Ok(ArmPlane { arm: arm.clone(), axis_from_base: [0.0; 2] });
+                return Ok(ArmPlane { arm: arm.clone(), axis_from_base: self.axis_2() });
             }
             Arm::SixAxis { geometry, limits, drives } => (geometry, limits, drives),
         };
-        if !drives.transmission.keeps_the_arm(self.architecture) {
-            return Err(NoArmPlane::Transmission(self.architecture));
-        }
         let enclosed = geometry.elbow(limits.elbow);
         let third = geometry.third(limits.joints[2], limits.third_axis);
         let shoulder = geometry.shoulder(limits.joints[1]);
@@ -146,8 +178,50 @@ impl Robot {
             elbow,
             forearm,
         };
-        Ok(ArmPlane { arm, axis_from_base: [geometry.a1, geometry.c1] })
+        Ok(ArmPlane { arm, axis_from_base: self.axis_2() })
     }
+
+    /// The joint-2 axis from the base, forwards and up, m; zero for a robot of which only the plane is known.
+    pub fn axis_2(&self) -> [f64; 2] {
+        match &self.arm {
+            Arm::SixAxis { geometry, .. } => [geometry.a1, geometry.c1],
+            Arm::Planar(_) => [0.0; 2],
+        }
+    }
+
+    /// Checks that drive 2 holds the gravity compensator, where there is one, wherever joint 2 may turn.
+    ///
+    /// Looked at every tenth of a degree.
+    ///
+    /// # Errors
+    /// Where it does not, and what happens there.
+    pub fn check_compensator(&self) -> Result<(), Unheld> {
+        const STEPS: u32 = 3600;
+        let Arm::SixAxis { geometry, limits, drives } = &self.arm else { return Ok(()) };
+        let Some(compensator) = drives.compensator else { return Ok(()) };
+        let lean = geometry.shoulder(limits.joints[1]).affine(-1.0, FRAC_PI_2);
+        let lean = if lean.is_bounded() { lean } else { Range::spanning(-PI, PI) };
+        for i in 0..=STEPS {
+            let theta_2 = lean.min() + lean.width() * f64::from(i) / f64::from(STEPS);
+            if compensator.length(theta_2) < 1e-3 {
+                return Err(Unheld { what: "its two ends meet", theta_2 });
+            }
+            if drives.compliance_at(theta_2).is_none() {
+                return Err(Unheld { what: "it pushes harder than drive 2 holds", theta_2 });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A gravity compensator that no arm has.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("gravity compensator: {what} where the upper arm leans {:.1} deg forwards", theta_2.to_degrees())]
+pub struct Unheld {
+    /// What is wrong.
+    pub what: &'static str,
+    /// The model angle of joint 2 at which it is, rad.
+    pub theta_2: f64,
 }
 
 /// Why a robot has no planar model.
@@ -161,4 +235,12 @@ pub enum NoArmPlane {
         "its transmission couples the joints 2 and 3 in another way than a {0} arm does: the planar model does not hold; use the spatial one"
     )]
     Transmission(Architecture),
+    /// With a spring beside drive 2 the deflection is no function of the distance alone.
+    #[error(
+        "its gravity compensator makes drive 2 as stiff as the upper arm leans: the planar model does not hold; use the spatial one"
+    )]
+    Compensator,
+    /// Nothing gives way in the arm plane.
+    #[error("its drives 2 and 3 are rigid: in the planar model nothing gives way; use the spatial one")]
+    Rigid,
 }

@@ -1,12 +1,14 @@
 //! Verb 5: which architecture suits which link ratio and task size, and where does the better one change?
 
+mod best;
+
 use rayon::prelude::*;
+
+use best::Stance;
 
 use crate::drive::Architecture;
 use crate::limits::Range;
-use crate::place::best_without_limits;
-use crate::plane::PlanarArm;
-use crate::root::{minimum, root};
+use crate::root::root;
 use crate::task::{Task, Zone};
 
 /// An architecture with its joint compliances, in units of a reference compliance `k`.
@@ -14,9 +16,9 @@ use crate::task::{Task, Zone};
 pub struct Contender {
     /// Serial or quasi-serial.
     pub architecture: Architecture,
-    /// Of drive 2, over `k`.
+    /// Of drive 2, over `k`; 0 where it is rigid, which not both are.
     pub k2: f64,
-    /// Of drive 3, over `k`.
+    /// Of drive 3, over `k`; 0 where it is rigid.
     pub k3: f64,
 }
 
@@ -29,34 +31,49 @@ impl Contender {
     /// The worst deflection at the best place over `k F (l2 + l3)^2` for `mu = l3/l2`; `None` where the zone does not fit.
     ///
     /// Zone in units of `l2 + l3`; no joint limits (\[paper\], Table I).
-    pub fn accuracy(&self, zone: Zone, mu: f64) -> Option<f64> {
-        let (l2, l3) = (1.0 / (1.0 + mu), mu / (1.0 + mu));
-        best_without_limits(&PlanarArm::free(l2, l3, self.k2, self.k3, self.architecture), zone)
+    ///
+    /// # Errors
+    /// Where the ratio, a compliance or a side of the zone is out of range.
+    pub fn accuracy(&self, zone: Zone, mu: f64) -> Result<Option<f64>, StudyError> {
+        self.check(zone, [mu; 2])?;
+        Ok(self.accuracy_at(zone, mu))
     }
 
-    /// The ratio in `ratios` with the best accuracy, and that accuracy.
+    /// The ratio in `ratios` with the best accuracy, and that accuracy; `None` where the zone fits with none of them.
     ///
-    /// A scan of 101 ratios finds the valleys, golden sections their floors; the paper's mu = 1 is among those scanned.
-    pub fn best_ratio(&self, zone: Zone, ratios: Range) -> Option<(f64, f64)> {
-        const STEPS: usize = 100;
-        let ratio = |i: usize| ratios.min() + ratios.width() * i as f64 / STEPS as f64;
-        let value = |mu: f64| self.accuracy(zone, mu).unwrap_or(f64::INFINITY);
-        let scan: Vec<f64> = (0..=STEPS).map(|i| value(ratio(i))).collect();
-        let mut best: Option<(f64, f64)> = None;
-        for i in 0..=STEPS {
-            let (low, high) = (i.saturating_sub(1), (i + 1).min(STEPS));
-            if !scan[i].is_finite() || scan[low] < scan[i] || scan[high] < scan[i] {
-                continue;
-            }
-            let found = minimum(ratio(low), ratio(high), value);
-            for candidate in [(ratio(i), scan[i]), found] {
-                if best.is_none_or(|best| candidate.1 < best.1) {
-                    best = Some(candidate);
-                }
+    /// Proved: no ratio of the range has an accuracy that is better by more than 1e-9 of it.
+    ///
+    /// # Errors
+    /// As [`Self::accuracy`].
+    pub fn best_ratio(&self, zone: Zone, ratios: Range) -> Result<Option<(f64, f64)>, StudyError> {
+        self.check(zone, [ratios.min(), ratios.max()])?;
+        Ok(self.best_among(zone, ratios))
+    }
+
+    fn accuracy_at(&self, zone: Zone, mu: f64) -> Option<f64> {
+        Stance::all(self, zone).filter_map(|stance| stance.accuracy(share(mu))).reduce(f64::min)
+    }
+
+    fn best_among(&self, zone: Zone, ratios: Range) -> Option<(f64, f64)> {
+        let shares = Range::spanning(share(ratios.min()), share(ratios.max()));
+        best::best(self, zone, shares).map(|(x, accuracy)| (ratios.clamp(x / (1.0 - x)), accuracy))
+    }
+
+    fn check(&self, zone: Zone, ratios: [f64; 2]) -> Result<(), StudyError> {
+        within("a link ratio", LINK_RATIO, ratios)?;
+        within("a side of a zone over l2 + l3", [1e-9, 1e6], zone.sides())?;
+        for value in [self.k2, self.k3] {
+            if value != 0.0 {
+                within("a joint compliance other than 0, which is rigid,", [1e-3, 1e3], [value])?;
             }
         }
-        best
+        if self.k2 == 0.0 && self.k3 == 0.0 { Err(StudyError::Rigid) } else { Ok(()) }
     }
+}
+
+/// `l3/(l2 + l3)` of a ratio `l3/l2`.
+fn share(mu: f64) -> f64 {
+    mu / (1.0 + mu)
 }
 
 /// The ratio of a row.
@@ -161,6 +178,9 @@ pub enum StudyError {
         /// Largest accepted.
         max: f64,
     },
+    /// Nothing gives way.
+    #[error("k2 and k3 are both 0, so nothing gives way; give drive 2 or 3 a compliance from 0.001 to 1000")]
+    Rigid,
     /// Too many rows.
     #[error("{0} rows; expected at most 1000000")]
     Size(usize),
@@ -200,8 +220,8 @@ pub fn study(options: &StudyOptions) -> Result<Study, StudyError> {
 fn value(options: &StudyOptions, contender: usize, zone: Zone, mu: Option<f64>) -> Option<(f64, f64)> {
     let contender = &options.contenders[contender];
     match mu {
-        Some(mu) => contender.accuracy(zone, mu).map(|accuracy| (mu, accuracy)),
-        None => contender.best_ratio(zone, options.range),
+        Some(mu) => contender.accuracy_at(zone, mu).map(|accuracy| (mu, accuracy)),
+        None => contender.best_among(zone, options.range),
     }
 }
 
@@ -224,7 +244,8 @@ fn boundaries(options: &StudyOptions, task: usize, mu: Option<f64>) -> Vec<Bound
         };
         if before.signum() * after.signum() < 0.0 {
             let sign = -before.signum();
-            let size = root(size(i + 1), size(i + 2), |size| sign * difference(size).unwrap_or(f64::NAN));
+            let between = |size| sign * difference(size).expect("a zone fits where a larger one of its shape does");
+            let size = root(size(i + 1), size(i + 2), between);
             found.push(Boundary { task, mu, size, below: usize::from(0.0 < before) });
         }
     }
@@ -232,27 +253,32 @@ fn boundaries(options: &StudyOptions, task: usize, mu: Option<f64>) -> Vec<Bound
 }
 
 fn check(options: &StudyOptions) -> Result<(), StudyError> {
-    let within = |quantity, min: f64, max: f64, values: &mut dyn Iterator<Item = f64>| {
-        for value in values {
-            if !(min <= value && value <= max) {
-                return Err(StudyError::Quantity { quantity, value, min, max });
-            }
+    within("a link ratio", LINK_RATIO, options.ratios.iter().copied())?;
+    within("a size over l2 + l3", [1e-4, 10.0], options.sizes.iter().copied())?;
+    for task in &options.tasks {
+        within("a side of a shape", [1e-3, 1e3], task.zone.sides())?;
+        for contender in &options.contenders {
+            contender.check(task.zone, [options.range.min(), options.range.max()])?;
         }
-        Ok(())
-    };
-    within(
-        "a link ratio",
-        0.05,
-        20.0,
-        &mut options.ratios.iter().copied().chain([options.range.min(), options.range.max()]),
-    )?;
-    within("a size over l2 + l3", 1e-4, 10.0, &mut options.sizes.iter().copied())?;
-    within("a joint compliance", 1e-3, 1e3, &mut options.contenders.iter().flat_map(|c| [c.k2, c.k3]))?;
-    within("a side of a shape", 1e-3, 1e3, &mut options.tasks.iter().flat_map(|task| task.zone.sides()))?;
+    }
     let rows = [options.tasks.len(), options.sizes.len(), options.ratios.len() + 1, 2]
         .into_iter()
         .fold(1, usize::saturating_mul);
     if rows <= 1_000_000 { Ok(()) } else { Err(StudyError::Size(rows)) }
+}
+
+/// Smallest and largest `l3/l2`.
+const LINK_RATIO: [f64; 2] = [0.05, 20.0];
+
+fn within(
+    quantity: &'static str,
+    [min, max]: [f64; 2],
+    values: impl IntoIterator<Item = f64>,
+) -> Result<(), StudyError> {
+    match values.into_iter().find(|value| !(min <= *value && *value <= max)) {
+        Some(value) => Err(StudyError::Quantity { quantity, value, min, max }),
+        None => Ok(()),
+    }
 }
 
 #[cfg(test)]
@@ -287,7 +313,8 @@ mod tests {
         let c = ((centre + d / 2.0).powi(2) - l2 * l2 - l3 * l3) / (2.0 * l2 * l3);
         let (trace, determinant) = (l2 * l2 + l3 * l3, (l2 * l3).powi(2) * (1.0 - c * c));
         let expected = f64::midpoint(trace, (trace * trace - 4.0 * determinant).sqrt());
-        let found = Contender::equal(Architecture::QuasiSerial).accuracy(Zone::Circle { diameter: d }, mu).unwrap();
+        let found = Contender::equal(Architecture::QuasiSerial).accuracy(Zone::Circle { diameter: d }, mu);
+        let found = found.unwrap().unwrap();
         assert!((found - expected).abs() < 1e-12, "{found} {expected}");
     }
 }

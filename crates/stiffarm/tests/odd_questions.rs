@@ -78,12 +78,19 @@ fn a_study_of_a_zone_without_size_is_refused() {
     }
 }
 #[test]
-fn best_without_limits_does_not_panic_or_give_nan() {
-    let _ = best_without_limits(&PlanarArm { k2: f64::NAN, ..free() }, CIRCLE).is_none_or(|x| {
-        assert!(!x.is_nan(), "NaN");
-        true
-    });
-    let _ = best_without_limits(&PlanarArm { l2: f64::NAN, ..free() }, CIRCLE);
+fn without_limits_an_arm_or_zone_without_sense_is_refused_and_a_rigid_drive_is_not() {
+    for arm in
+        [PlanarArm { k2: f64::NAN, ..free() }, PlanarArm { l2: f64::NAN, ..free() }, PlanarArm { k3: 2.0, ..free() }]
+    {
+        assert!(matches!(best_without_limits(&arm, CIRCLE), Err(PlaceError::Arm(_))), "{arm:?}");
+    }
+    assert!(matches!(best_without_limits(&free(), CIRCLE.scaled(1e6)), Err(PlaceError::Side(_))));
+    let rigid = PlanarArm { k2: 0.0, k3: 0.0, ..free() };
+    assert_eq!(best_without_limits(&rigid, CIRCLE), Err(PlaceError::Arm(InvalidArm::Rigid)));
+    // With drive 2 rigid and drive 3 in the elbow only the forearm turns: k3 l3^2 wherever the zone stands.
+    let arm = PlanarArm { k2: 0.0, ..free() };
+    let found = best_without_limits(&arm, CIRCLE).unwrap().unwrap();
+    assert!((found - arm.k3 * arm.l3 * arm.l3).abs() <= 1e-12 * found, "{found}");
 }
 #[test]
 fn a_map_shows_the_axis_where_an_arm_of_equal_links_folds() {
@@ -154,7 +161,10 @@ fn equal_links_with_a_shoulder_limit_place_a_zone_beside_the_axis() {
 fn without_limits_a_zone_fits_up_to_its_largest_scale_and_no_further() {
     for zone in [RECT, CIRCLE, Zone::Rectangle { width: 1.0, height: 0.1 }] {
         let largest = largest_scale_without_limits(&free(), zone);
-        assert!(best_without_limits(&free(), zone.scaled(largest * (1.0 - 1e-9))).is_some(), "{zone:?} {largest}");
-        assert_eq!(best_without_limits(&free(), zone.scaled(largest * (1.0 + 1e-9))), None, "{zone:?} {largest}");
+        assert!(
+            best_without_limits(&free(), zone.scaled(largest * (1.0 - 1e-9))).unwrap().is_some(),
+            "{zone:?} {largest}"
+        );
+        assert_eq!(best_without_limits(&free(), zone.scaled(largest * (1.0 + 1e-9))), Ok(None), "{zone:?} {largest}");
     }
 }

@@ -11,7 +11,7 @@ use stiffarm::catalogue::{names, paper_robots, read};
 use stiffarm::geometry::Geometry;
 use stiffarm::limits::{Limits, Range, ThirdAxis};
 use stiffarm::place::{PlaceOptions, Within, place_robot};
-use stiffarm::robot::{Arm, Robot};
+use stiffarm::robot::{Arm, NoArmPlane, Robot};
 use stiffarm::task::Zone;
 
 /// Lengths are below 4 m and a dozen operations round each: 1e-12 m is a thousand times more than that.
@@ -451,7 +451,15 @@ fn a_geared_wrist_a_compensator_and_speeds_come_from_the_file() {
     // By hand: ends (-0.4, -0.1) and (0, 0.3), so 0.4 apart each way.
     assert!((spring.length(0.0) - 0.32_f64.sqrt()).abs() < 1e-12);
     assert!((spring.stiffness - 150e3).abs() < 1e-6);
-    assert!(robot.arm_plane().is_ok(), "a geared wrist leaves the planar model as it is");
+    // A geared wrist leaves the planar model as it is; the compensator does not.
+    let refused = robot.arm_plane().unwrap_err();
+    assert_eq!(refused, NoArmPlane::Compensator);
+    assert!(refused.to_string().contains("use the spatial one"), "{refused}");
+    let plane = robot.two_links().unwrap();
+    let mut without = robot.clone();
+    let Arm::SixAxis { drives, .. } = &mut without.arm else { panic!("six axes") };
+    drives.compensator = None;
+    assert_eq!(without.arm_plane().unwrap(), plane);
 }
 
 #[test]

@@ -80,7 +80,7 @@ impl Report {
         rows.push((
             "proved",
             format!(
-                "at {SAMPLES} random postures against {compared_with}: largest error {} um, {:.5} deg",
+                "at {SAMPLES} postures, and uphill from the worst, against {compared_with}: largest error {} um, {:.5} deg",
                 micrometres(*largest_error),
                 largest_turn.to_degrees()
             ),

@@ -1,7 +1,7 @@
 //! `stiffarm place`: the best place of one zone.
 
 use serde_json::Value;
-use stiffarm::place::{Outside, PlaceOptions, Placed, Placement, place_robot};
+use stiffarm::place::{Outside, PlaceError, PlaceOptions, Placed, Placement, place_robot};
 use stiffarm::report;
 use stiffarm::robot::Robot;
 use stiffarm::task::Task;
@@ -61,9 +61,8 @@ impl Answer for PlaceAnswer {
                     format!("{:.4} mm ({})", best.lower_bound * 1e3, proof(gap)),
                 ]);
                 table.row(["centre from the joint-2 axis".into(), format!("x {x:.4} m, z {z:.4} m")]);
-                if let Ok([ax, az]) = robot.arm_plane().map(|plane| plane.axis_from_base)
-                    && [ax, az] != [0.0; 2]
-                {
+                let [ax, az] = robot.axis_2();
+                if [ax, az] != [0.0; 2] {
                     table.row(["centre from the base".into(), format!("x {:.4} m, z {:.4} m", x + ax, z + az)]);
                 }
                 if let Some(note) = outside(robot, task, best) {
@@ -96,7 +95,7 @@ impl Answer for PlaceAnswer {
 
     fn csv(&self) -> Table {
         let mut table = Table::new(CELL_COLUMNS);
-        table.row(cell_row(&self.robot, &self.task, &self.options, &self.placed, self.tolerance_mm));
+        table.row(cell_row(&self.robot, &self.task, &self.options, Ok(&self.placed), self.tolerance_mm));
         table
     }
 
@@ -136,7 +135,7 @@ fn largest(task: &Task, scale: f64) -> String {
 }
 
 /// The columns of a placement in a spreadsheet.
-pub(crate) const CELL_COLUMNS: [&str; 17] = [
+pub(crate) const CELL_COLUMNS: [&str; 18] = [
     "robot",
     "vendor",
     "architecture",
@@ -154,20 +153,23 @@ pub(crate) const CELL_COLUMNS: [&str; 17] = [
     "below_base",
     "tolerance_mm",
     "pass",
+    "reason",
 ];
 
 pub(crate) fn cell_row(
     robot: &Robot,
     task: &Task,
     options: &PlaceOptions,
-    placed: &Placed,
+    placed: Result<&Placed, &PlaceError>,
     tolerance_mm: Option<f64>,
 ) -> Vec<String> {
-    let best = placed.feasible();
+    let best = placed.ok().and_then(Placed::feasible);
     let scale = match placed {
-        Placed::Feasible(_) => None,
-        Placed::Infeasible { largest_scale, .. } => Some(*largest_scale),
+        Ok(Placed::Infeasible { largest_scale, .. }) => Some(*largest_scale),
+        Ok(Placed::Feasible(_)) | Err(_) => None,
     };
+    // Blank where it is not known.
+    let or_blank = |text: String| if placed.is_ok() { text } else { String::new() };
     vec![
         robot.name.clone(),
         robot.vendor.clone(),
@@ -175,7 +177,7 @@ pub(crate) fn cell_row(
         robot.status.to_string(),
         task.label.clone(),
         options.force.to_string(),
-        best.is_some().to_string(),
+        or_blank(best.is_some().to_string()),
         full(best.map(|best| best.deflection * 1e3)),
         full(best.map(|best| best.lower_bound * 1e3)),
         full(best.map(|best| best.centre[0])),
@@ -186,7 +188,12 @@ pub(crate) fn cell_row(
         best.map_or_else(String::new, |best| Outside::of(robot, task.zone, best).below.to_string()),
         full(tolerance_mm),
         tolerance_mm.map_or_else(String::new, |tolerance| {
-            best.is_some_and(|best| best.deflection * 1e3 <= tolerance).to_string()
+            or_blank(best.is_some_and(|best| best.deflection * 1e3 <= tolerance).to_string())
         }),
+        match placed {
+            Ok(Placed::Feasible(_)) => String::new(),
+            Ok(Placed::Infeasible { reason, .. }) => reason.to_string(),
+            Err(error) => error.to_string(),
+        },
     ]
 }

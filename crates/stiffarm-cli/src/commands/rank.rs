@@ -1,12 +1,13 @@
 //! `stiffarm rank`: robots in order, for several tasks, against a tolerance.
 
 use std::cell::OnceCell;
+use std::fmt::Write;
 
 use serde_json::Value;
 use stiffarm::drive::Architecture;
 use stiffarm::place::{Outside, PlaceOptions};
 use stiffarm::question::{Angle, distinct};
-use stiffarm::rank::{Ranking, Row, curves, rank};
+use stiffarm::rank::{PlanarCell, Ranking, Row, curves, is_not_of_the_plane, rank};
 use stiffarm::report;
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
@@ -19,7 +20,7 @@ use crate::failure::Failure;
 use crate::figures::ranking::{self, Curve, Panel};
 use crate::output::{Answer, deliver, figure};
 use crate::selection;
-use crate::table::{Table, fixed};
+use crate::table::{Table, fixed, full};
 
 /// Sizes along each curve of the figure.
 const CURVE_POINTS: usize = 40;
@@ -78,7 +79,11 @@ impl RankAnswer<'_> {
     /// `1.234`, marked when it is the best of its column, with the margin where a tolerance is given.
     fn cell(&self, row: &Row, task: usize) -> String {
         let Some(deflection) = row.deflection(task) else {
-            return if row.cells[task].is_ok() { "-".into() } else { "?".into() };
+            return match &row.cells[task] {
+                Ok(_) => "-".into(),
+                Err(error) if is_not_of_the_plane(error) => "n/a".into(),
+                Err(_) => "?".into(),
+            };
         };
         let is = |best: Option<&Row>| best.is_some_and(|best| best.robot == row.robot);
         let published = self.ranking.best_published(task);
@@ -106,7 +111,13 @@ impl RankAnswer<'_> {
             notes += "; ~ estimated robot: it cannot win, even where its value is smaller";
         }
         notes += "; - the zone does not fit (`stiffarm place` says why)\n";
-        if self.ranking.rows.iter().any(|row| row.cells.iter().any(Result::is_err)) {
+        for row in &self.ranking.rows {
+            if let Some(error) = row.why_not_of_the_plane() {
+                let _ = writeln!(notes, "n/a {}: {error} (--model spatial)", row.robot.name);
+            }
+        }
+        let unfinished = |cell: &PlanarCell| cell.as_ref().is_err_and(|error| !is_not_of_the_plane(error));
+        if self.ranking.rows.iter().any(|row| row.cells.iter().any(unfinished)) {
             notes += "? the search for a place did not end; `stiffarm place` says between which values\n";
         }
         notes += &self.overloaded();
@@ -227,7 +238,8 @@ fn shapes(tasks: &[Task]) -> Vec<(Task, Vec<f64>)> {
 fn largest_scale(robots: &[Robot], zone: Zone) -> f64 {
     robots
         .iter()
-        .filter_map(|robot| Some(stiffarm::place::largest_scale_without_limits(&robot.arm_plane().ok()?.arm, zone)))
+        .filter_map(|robot| robot.arm_plane().ok()) // others have no curve
+        .map(|plane| stiffarm::place::largest_scale_without_limits(&plane.arm, zone))
         .fold(0.0, f64::max)
 }
 
@@ -241,18 +253,16 @@ impl Answer for RankAnswer<'_> {
         headings.extend(tasks.iter().map(|task| format!("{} mm", task.label)));
         headings.push("mean ratio".into());
         let mut table = Table::new(headings);
-        let mut place = 0;
-        for row in rows {
+        for (row, place) in rows.iter().zip(self.ranking.places()) {
             let robot = &row.robot;
-            // An estimated robot stands where its values put it, but takes no place.
             let estimated = robot.status == Status::Estimated;
-            place += usize::from(!estimated);
+            let none = if estimated { "~" } else { "n/a" };
             let mut cells = vec![
-                if estimated { "~".into() } else { place.to_string() },
-                format!("{}{}", robot.full_name(), if robot.status == Status::Estimated { " ~" } else { "" }),
+                place.map_or_else(|| none.to_owned(), |place| place.to_string()),
+                format!("{}{}", robot.full_name(), if estimated { " ~" } else { "" }),
                 architecture(robot),
                 robot.status.to_string(),
-                fixed(row.floor(self.ranking.force) * 1e3, 3),
+                row.floor(*force).map_or_else(|| "n/a".to_owned(), |floor| fixed(floor * 1e3, 3)),
             ];
             cells.extend((0..tasks.len()).map(|task| self.cell(row, task)));
             cells.push(if row.score.is_finite() { fixed(row.score, 3) } else { "-".into() });
@@ -276,10 +286,9 @@ impl Answer for RankAnswer<'_> {
         let mut table = Table::new(["rank", "bound_mm"].into_iter().chain(CELL_COLUMNS));
         for (row, place) in self.ranking.rows.iter().zip(self.ranking.places()) {
             for (task, cell) in self.ranking.tasks.iter().zip(&row.cells) {
-                let Ok(placed) = cell else { continue };
                 let rank = place.map_or_else(String::new, |place| place.to_string());
-                let mut cells = vec![rank, (row.floor(self.ranking.force) * 1e3).to_string()];
-                cells.extend(cell_row(&row.robot, task, &self.options, placed, self.tolerance_mm()));
+                let mut cells = vec![rank, full(row.floor(self.ranking.force).map(|floor| floor * 1e3))];
+                cells.extend(cell_row(&row.robot, task, &self.options, cell.as_ref(), self.tolerance_mm()));
                 table.row(cells);
             }
         }

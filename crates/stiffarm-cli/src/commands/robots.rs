@@ -102,7 +102,7 @@ impl Answer for List {
             "bound um/N",
         ]);
         for robot in &self.0 {
-            let arm = robot.arm_plane().ok().map(|plane| plane.arm);
+            let arm = robot.two_links().ok().map(|plane| plane.arm);
             let of_arm = |value: fn(&PlanarArm) -> f64| fixed_or_dash(arm.as_ref().map(value), 3);
             table.row([
                 robot.vendor.clone(),
@@ -114,7 +114,7 @@ impl Answer for List {
                 of_arm(|arm| arm.l2),
                 of_arm(|arm| arm.l3),
                 of_arm(|arm| arm.l3 / arm.l2),
-                of_arm(floor),
+                fixed_or_dash(floor(robot), 3),
             ]);
         }
         format!("{}\n{}\n{}", table.text(markdown), self.count(), self.notes())
@@ -140,7 +140,7 @@ impl Answer for List {
             "repeatability_mm",
         ]);
         for robot in &self.0 {
-            let arm = robot.arm_plane().ok().map(|plane| plane.arm);
+            let arm = robot.two_links().ok().map(|plane| plane.arm);
             let of_arm = |value: fn(&PlanarArm) -> f64| full(arm.as_ref().map(value));
             table.row([
                 robot.vendor.clone(),
@@ -151,7 +151,7 @@ impl Answer for List {
                 full(robot.reach),
                 of_arm(|arm| arm.l2),
                 of_arm(|arm| arm.l3),
-                of_arm(floor),
+                full(floor(robot)),
                 robot.architecture_is_assumed.to_string(),
                 full(robot.mass_kg),
                 full(robot.repeatability.map(|m| m * 1e3)),

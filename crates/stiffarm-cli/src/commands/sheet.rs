@@ -7,8 +7,8 @@ use stiffarm::limits::{Limits, Range, ThirdAxis};
 use stiffarm::map::MapError;
 use stiffarm::plane::PlanarArm;
 use stiffarm::report;
-use stiffarm::report::robot::{floor, lengths, rounded};
-use stiffarm::robot::{Arm, Robot};
+use stiffarm::report::robot::{lengths, rounded};
+use stiffarm::robot::{Arm, ArmPlane, Robot};
 
 use crate::failure::Failure;
 use crate::figures::reach::ReachFigure;
@@ -55,9 +55,19 @@ impl Sheet {
             rows.extend(limit_rows(limits));
             rows.extend(drive_rows(drives, robot.architecture));
         }
-        if let Ok(plane) = robot.arm_plane() {
+        if let Ok(plane) = robot.two_links() {
             rows.extend(plane_rows(&plane.arm));
         }
+        rows.push((
+            "stiffest posture".into(),
+            match robot.arm_plane() {
+                Ok(ArmPlane { arm, .. }) => {
+                    let sigma = arm.radial();
+                    format!("{:.4} um/N at {:.3} m from the joint-2 axis", sigma.floor() * 1e6, sigma.valley())
+                }
+                Err(error) => format!("n/a: {error}"),
+            },
+        ));
         rows.extend(robot.source.iter().map(|(key, text)| (format!("source: {key}"), text.clone())));
         rows
     }
@@ -65,7 +75,7 @@ impl Sheet {
     fn figure(&self) -> Result<String, Failure> {
         let robot = &self.0;
         let failure = |error| Failure::Map { robot: robot.name.clone(), error };
-        let plane = robot.arm_plane().map_err(|error| failure(MapError::Arm(error.into())))?;
+        let plane = robot.two_links().map_err(|error| failure(MapError::Arm(error.into())))?;
         let assumed = if robot.architecture_is_assumed { " (assumed)" } else { "" };
         let base = (plane.axis_from_base != [0.0; 2]).then_some(plane.axis_from_base);
         let drawn = ReachFigure {
@@ -131,13 +141,11 @@ fn drive_rows(drives: &Drives, architecture: Architecture) -> Rows {
 
 fn plane_rows(arm: &PlanarArm) -> Rows {
     let links = format!("l2 {:.4} m, l3 {:.4} m, l3/l2 {:.4}", arm.l2, arm.l3, arm.l3 / arm.l2);
-    let stiffest = format!("{:.4} um/N at {:.3} m from the joint-2 axis", floor(arm), arm.radial().valley());
     vec![
         ("arm plane".into(), links),
         ("  shoulder".into(), degrees(arm.shoulder)),
         ("  elbow".into(), degrees(arm.elbow)),
         ("  forearm".into(), degrees(arm.forearm)),
-        ("stiffest posture".into(), stiffest),
     ]
 }
 

@@ -173,7 +173,8 @@ class Placement(_Table):
     task: str
     model: str
     force_n: float
-    feasible: bool
+    #: None where it is not known: the search did not end, or the planar model does not hold.
+    feasible: bool | None
     #: Why there is no place.
     reason: str | None
     #: Spatial model: that there is no place is proved.
@@ -218,7 +219,8 @@ class Placement(_Table):
 
     def _words(self) -> str:
         if self.deflection_mm is None:
-            return f"{self.robot}, {self.task}: no place; {self.reason}"
+            known = "not known" if self.feasible is None else "no place"
+            return f"{self.robot}, {self.task}: {known}; {self.reason}"
         place = f"{self.deflection_mm:.4f} mm at x {self.x_m:.4f} m, z {self.z_m:.4f} m"
         return f"{self.robot}, {self.task}: {place}, {self.force_n:g} N, {self.model} model"
 

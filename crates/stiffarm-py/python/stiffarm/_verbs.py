@@ -411,7 +411,7 @@ def study(
     compare : (str, str)
         The two architectures.
     k2, k3 : float or (float, float)
-        Compliance of the drives 2 and 3 over the reference k, for both or one each.
+        Compliance of the drives 2 and 3 over the reference k, for both or one each; 0 for a rigid drive.
 
     Returns
     -------

@@ -2,9 +2,8 @@
 
 use crate::robot::{Arm, Robot};
 
-/// A data sheet may count its reach to another point than the wrist centre, or with a bent elbow; by more than this it
-/// is rather a mistake.
-const REACH_MAY_DIFFER: f64 = 0.05;
+/// By more than this, m, a reach that is published and one that lengths and limits give are not the same, rounded.
+const REACH_MAY_DIFFER: f64 = 0.01;
 
 /// Offsets of real arms are rarely as short as this, m, and lengths in metres always are.
 const SHORT: f64 = 5e-3;
@@ -23,16 +22,18 @@ pub fn doubts(robot: &Robot) -> Vec<String> {
             doubts.push(format!("{name}_mm is {mm} mm: is that the unit? if it is in m, write {}", mm * 1e3));
         }
     }
-    let stretch = robot.stretch();
-    if let Some(reach) = robot.reach
-        && REACH_MAY_DIFFER * stretch < (reach - stretch).abs()
-    {
-        doubts.push(format!(
-            "reach_m is {reach} m, but a1 + l2 + l3 is {stretch:.3} m, {:+.1} % off: is a length wrong, or does the \
-             reach count to the flange?",
-            100.0 * (stretch / reach - 1.0)
-        ));
-    }
+    doubts.extend(robot.reach.and_then(|reach| match robot.reach_ahead() {
+        Ok(ahead) if (reach - ahead).abs() <= REACH_MAY_DIFFER => None,
+        Ok(ahead) => {
+            let (off, stretch) = (1e3 * (ahead - reach), robot.stretch());
+            Some(format!(
+                "reach_m is {reach} m, but within the limits the wrist centre comes {ahead:.3} m ahead of the joint-1 axis, \
+                 {off:+.0} mm off; a1 + l2 + l3 is {stretch:.3} m: is a length or a limit wrong, does the reach count to \
+                 the flange, or is it rounded?"
+            ))
+        }
+        Err(error) => Some(format!("reach_m cannot be compared: {error}")),
+    }));
     doubts
 }
 
@@ -42,14 +43,19 @@ mod tests {
     use crate::catalogue::paper_robots;
 
     #[test]
-    fn a_reach_five_per_cent_off_the_stretched_arm_is_doubted_and_less_is_not() {
+    fn a_reach_more_than_a_centimetre_off_is_doubted_and_less_is_not() {
         let kuka = &paper_robots()[4]; // a1 + l2 + l3 = 0.350 + 1.150 + 1.2007 = 2.7007 m
         assert!((kuka.stretch() - 2.7007).abs() < 1e-4);
         let with = |reach| doubts(&Robot { reach: Some(reach), ..kuka.clone() });
-        assert_eq!(with(2.566 + 0.001), Vec::<String>::new());
-        assert_eq!(with(2.8355 - 0.001), Vec::<String>::new());
-        assert!(with(2.565)[0].contains("2.701 m, +5.3 % off"), "{:?}", with(2.565));
-        assert!(with(2.837)[0].starts_with("reach_m is 2.837 m"));
+        assert_eq!(with(2.687), Vec::<String>::new());
+        assert_eq!(with(2.706), Vec::<String>::new());
+        assert!(with(2.685)[0].contains("comes 2.696 m ahead of the joint-1 axis, +11 mm off"), "{:?}", with(2.685));
+        assert!(with(2.707)[0].starts_with("reach_m is 2.707 m"));
+        // By hand: an upper arm that stops upright leaves a1 + l3 = 0.350 + 1.2007 m.
+        let mut upright = kuka.clone();
+        let Arm::SixAxis { limits, .. } = &mut upright.arm else { unreachable!("six axes") };
+        limits.joints[1] = crate::limits::Range::spanning(-140_f64.to_radians(), -90_f64.to_radians());
+        assert!(doubts(&upright)[0].contains("comes 1.551 m ahead"), "{:?}", doubts(&upright));
         let Arm::SixAxis { geometry, limits, drives } = kuka.arm.clone() else { unreachable!("six axes") };
         let geometry = crate::geometry::Geometry { b: -0.0015, ..geometry };
         let offset = doubts(&Robot { arm: Arm::SixAxis { geometry, limits, drives }, ..kuka.clone() });

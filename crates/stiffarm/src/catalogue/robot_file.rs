@@ -11,7 +11,7 @@ use crate::drive::{Architecture, Drives, GravityCompensator, JointCompliance, Tr
 use crate::geometry::Geometry;
 use crate::limits::{Limits, Range, ThirdAxis};
 use crate::plane::PlanarArm;
-use crate::robot::{Arm, NoArmPlane, Robot, Status};
+use crate::robot::{Arm, Robot, Status};
 
 const LINK: Quantity = Quantity { unit: "mm", min: 20.0, max: 10_000.0, suspect: Some((20.0, 1e3, "m")) };
 /// A true offset may be short, but not so short that it moves nothing that matters.
@@ -21,8 +21,9 @@ const LARGEST_IN_METRES: f64 = 20.0;
 const ANGLE: Quantity = Quantity { unit: "deg", min: -1080.0, max: 1080.0, suspect: None };
 const SIGN: Quantity = Quantity { unit: "(+1 or -1)", min: -1.0, max: 1.0, suspect: None };
 const ENCLOSED: Quantity = Quantity { unit: "deg", min: 0.0, max: 360.0, suspect: None };
+/// Zero is a rigid drive.
 const COMPLIANCE: Quantity =
-    Quantity { unit: "urad/(N m)", min: 1e-3, max: 1e4, suspect: Some((1e-3, 1e6, "rad/(N m)")) };
+    Quantity { unit: "urad/(N m)", min: 0.0, max: 1e4, suspect: Some((1e-3, 1e6, "rad/(N m)")) };
 const COUPLING: Quantity = Quantity { unit: "(ratio)", min: -1000.0, max: 1000.0, suspect: None };
 const SPRING: Quantity = Quantity { unit: "N/mm", min: 1e-3, max: 1e6, suspect: None };
 const SPRING_LENGTH: Quantity = Quantity { unit: "mm", min: 0.0, max: 10_000.0, suspect: None };
@@ -59,46 +60,37 @@ pub fn read(text: &str, file: &str) -> Result<Robot, Faults> {
     }
 }
 
-/// Refuses limits that leave nothing, and a compensator that no drive can hold.
+/// Refuses limits that leave nothing, drives that all are rigid, and a compensator that no drive can hold.
 fn reachable(robot: Robot, text: &str, file: &str) -> Result<Robot, Faults> {
-    let (key, message) = match robot.arm_plane() {
-        Ok(plane) => match plane.arm.sides() {
-            Ok(_) => match unheld(&robot) {
-                None => return Ok(robot),
-                Some(message) => ("compensator", message),
-            },
-            Err(error) => {
-                let key = if matches!(robot.arm, Arm::Planar(_)) { "planar" } else { "limits" };
-                (key, error.to_string())
-            }
-        },
-        Err(NoArmPlane::Transmission(_)) => return Ok(robot), // every spatial question can be asked
-        Err(error @ NoArmPlane::Limits) => ("limits", error.to_string()),
+    let fault = |key: &str, message: String| {
+        let line =
+            text.lines().position(|line| line.trim_start().starts_with(&format!("[{key}"))).map_or(1, |line| line + 1);
+        let fault = Fault { line, key: key.into(), message };
+        Err(Faults { file: file.into(), faults: vec![fault] })
     };
-    let line =
-        text.lines().position(|line| line.trim_start().starts_with(&format!("[{key}"))).map_or(1, |line| line + 1);
-    let fault = Fault { line, key: key.into(), message };
-    Err(Faults { file: file.into(), faults: vec![fault] })
-}
-
-/// What is wrong with the compensator at some angle of the upper arm, if anything; looked at every tenth of a degree.
-fn unheld(robot: &Robot) -> Option<String> {
-    let Arm::SixAxis { geometry, limits, drives } = &robot.arm else { return None };
-    let compensator = drives.compensator?;
-    let lean = geometry.shoulder(limits.joints[1]).affine(-1.0, std::f64::consts::FRAC_PI_2);
-    let lean = if lean.is_bounded() { lean } else { Range::spanning(-std::f64::consts::PI, std::f64::consts::PI) };
-    let steps = 3600;
-    (0..=steps).find_map(|i| {
-        let theta_2 = lean.min() + lean.width() * f64::from(i) / f64::from(steps);
-        let what = if compensator.length(theta_2) < 1e-3 {
-            "its two ends meet"
-        } else if drives.compliance_at(theta_2).is_none() {
-            "it pushes harder than drive 2 holds"
-        } else {
-            return None;
-        };
-        Some(format!("{what} where the upper arm leans {:.1} deg forwards", theta_2.to_degrees()))
-    })
+    let key = if matches!(robot.arm, Arm::Planar(_)) { "planar" } else { "limits" };
+    let plane = match robot.two_links() {
+        Ok(plane) => plane,
+        Err(error) => return fault(key, error.to_string()),
+    };
+    let mut arm = plane.arm;
+    if let Arm::SixAxis { drives, .. } = &robot.arm {
+        if drives.compliance.0.iter().all(|&k| k == 0.0) {
+            return fault(
+                "compliance",
+                "every drive is rigid: nothing gives way, so there is nothing to compute".into(),
+            );
+        }
+        // Drives 2 and 3 may both be rigid: only the planar model has no answer then.
+        [arm.k2, arm.k3] = [JointCompliance::PAPER.0[1], JointCompliance::PAPER.0[2]];
+    }
+    if let Err(error) = arm.sides() {
+        return fault(key, error.to_string());
+    }
+    match robot.check_compensator() {
+        Ok(()) => Ok(robot),
+        Err(unheld) => fault("compensator", unheld.to_string()),
+    }
 }
 
 fn robot(mut root: Table) -> Option<Robot> {

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 
 use super::{Axis, MOST_CELLS, Map, MapError};
+use crate::compliance::check_held;
 use crate::inverse::{Class, SLACK, postures, within_limits};
 use crate::limits::{Limits, Range};
 use crate::place::check_force;
@@ -92,6 +93,7 @@ pub fn section(robot: &Robot, options: &SectionOptions) -> Result<Section, MapEr
         }
     }
     let arm = SpatialArm::new(robot, &options.flange_from_tool)?;
+    check_held(robot)?;
     let scan = Scan::new(&arm, options);
     let cells: Vec<Cell> = (0..rows).into_par_iter().flat_map_iter(|j| scan.row(j)).collect();
     let layer = |value: fn(&Cell) -> f64| Map { x: options.x, z: options.z, cells: cells.iter().map(value).collect() };

@@ -19,8 +19,7 @@ pub(super) struct Stance {
 /// The two symmetrical ways of standing, the better first, each at its best distance; without those that do not fit.
 ///
 /// For a given nearest distance `n` no way of standing has a nearer farthest point than a symmetrical one,
-/// `far(n) = hypot(n + depth, half_width)`. `sigma(far(n)) - sigma(n)` changes sign once, from minus to plus: before,
-/// moving outwards helps, after, it hurts. So the best `n` is that root, or the end of the ring nearest to it.
+/// `far(n) = hypot(n + depth, half_width)`.
 pub(super) fn stances(sigma: &RadialCompliance, ring: Range, zone: Zone) -> Vec<Stance> {
     let mut stances: Vec<Stance> = zone
         .stances()
@@ -29,20 +28,28 @@ pub(super) fn stances(sigma: &RadialCompliance, ring: Range, zone: Zone) -> Vec<
             let far = |near: f64| (near + depth).hypot(half_width);
             let farthest_near = (ring.max().powi(2) - half_width.powi(2)).sqrt() - depth;
             let nears = Range::new(ring.min(), farthest_near)?;
-            let worse_outside = |near: f64| sigma.at(far(near)) - sigma.at(near);
-            let near = if 0.0 <= worse_outside(nears.min()) {
-                nears.min()
-            } else if worse_outside(nears.max()) <= 0.0 {
-                nears.max()
-            } else {
-                root(nears.min(), nears.max(), worse_outside)
-            };
+            let near = best_near(sigma, nears, far);
             let compliance = sigma.at(near).max(sigma.at(far(near)));
             Some(Stance { compliance, distance: near + depth / 2.0, across })
         })
         .collect();
     stances.sort_by(|a, b| a.compliance.total_cmp(&b.compliance));
     stances
+}
+
+/// The best of the nearest distances `nears`, m, of a zone that reaches out to `far` of it.
+///
+/// `sigma(far(n)) - sigma(n)` changes sign once, from minus to plus: before, moving outwards helps, after, it hurts. So the
+/// best `n` is that root, or the end of the range nearest to it.
+pub(crate) fn best_near(sigma: &RadialCompliance, nears: Range, far: impl Fn(f64) -> f64) -> f64 {
+    let worse_outside = |near: f64| sigma.at(far(near)) - sigma.at(near);
+    if 0.0 <= worse_outside(nears.min()) {
+        nears.min()
+    } else if worse_outside(nears.max()) <= 0.0 {
+        nears.max()
+    } else {
+        root(nears.min(), nears.max(), worse_outside)
+    }
 }
 
 /// The largest scale at which the zone fits the ring in some orientation.

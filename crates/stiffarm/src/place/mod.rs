@@ -7,6 +7,7 @@ mod spatial;
 
 use nalgebra::Vector2;
 
+pub(crate) use exact::best_near;
 pub use spatial::{
     Resolution, SpatialMisfit, SpatialOptions, SpatialPlaceError, SpatialPlacement, SpatiallyPlaced, ZonePoint,
     across_zone, place_in_space,
@@ -16,6 +17,9 @@ use crate::limits::Range;
 use crate::plane::{Elbow, InvalidArm, PlanarArm};
 use crate::robot::{ArmPlane, NoArmPlane, Robot};
 use crate::task::Zone;
+
+/// Deflections below this, m, are rounding: nothing gives way.
+pub(crate) const NOTHING: f64 = 1e-15;
 
 /// Which angles of a rectangle are tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -258,7 +262,7 @@ impl Outside {
     /// Looks where a placement of a robot stands; nowhere outside for a robot of which only the plane is known.
     pub fn of(robot: &Robot, zone: Zone, placement: &Placement) -> Self {
         const SLACK: f64 = 1e-6;
-        let axis = robot.arm_plane().map_or([0.0; 2], |plane| plane.axis_from_base);
+        let axis = robot.axis_2();
         if axis == [0.0; 2] {
             return Self { below: false, behind: false };
         }
@@ -285,14 +289,16 @@ fn plane_and_options(robot: &Robot, options: &PlaceOptions) -> Result<(ArmPlane,
 
 /// The value of the best place, m/N, of a zone for an arm whose limits are left aside; `None` where it does not fit.
 ///
-/// Exact: the paper's section III, where any angle of a rectangle is as good as another. An arm or zone that makes no
-/// sense holds nothing.
-pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Option<f64> {
-    arm.check().ok()?;
-    check_zone(zone).ok()?;
+/// Exact: the paper's section III, where any angle of a rectangle is as good as another.
+///
+/// # Errors
+/// Where a length, a compliance or a side of the zone makes no sense.
+pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Result<Option<f64>, PlaceError> {
+    arm.check()?;
+    check_zone(zone)?;
     let sigma = arm.radial();
     let ring = Range::spanning(sigma.folded, sigma.stretched);
-    exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance)
+    Ok(exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance))
 }
 
 /// The largest scale at which a zone fits an arm whose limits are left aside.

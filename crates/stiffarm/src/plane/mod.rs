@@ -1,14 +1,17 @@
 //! How compliant is the paper's planar two-link arm, and what does it reach?
 
+mod ahead;
 mod radial;
 mod shape;
 mod side;
+mod support;
 
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
 pub use radial::RadialCompliance;
 pub(crate) use shape::Shape;
 pub use side::{Elbow, ElbowSide};
+pub(crate) use support::support;
 
 use crate::drive::Architecture;
 use crate::limits::Range;
@@ -29,9 +32,9 @@ pub struct PlanarArm {
     pub l2: f64,
     /// Elbow to wrist centre, m.
     pub l3: f64,
-    /// Compliance of drive 2, rad/(N m).
+    /// Compliance of drive 2, rad/(N m); 0 where it is rigid, which not both are.
     pub k2: f64,
-    /// Compliance of drive 3, rad/(N m).
+    /// Compliance of drive 3, rad/(N m); 0 where it is rigid.
     pub k3: f64,
     /// Where drive 3 acts.
     pub architecture: Architecture,
@@ -46,8 +49,8 @@ pub struct PlanarArm {
 /// A planar arm with which nothing can be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum InvalidArm {
-    /// A length or a compliance outside the range in which the model is meant.
-    #[error("{quantity} is {value:e} {unit}; expected a number from {min:e} to {max:e} {unit}")]
+    /// A length or a compliance outside the range in which the model is meant; a compliance may be zero, too.
+    #[error("{quantity} is {value:e} {unit}; expected a number from {min:e} to {max:e} {unit}{}", or_rigid(unit))]
     Quantity {
         /// Which one.
         quantity: &'static str,
@@ -60,6 +63,11 @@ pub enum InvalidArm {
         /// Largest accepted.
         max: f64,
     },
+    /// Nothing gives way in the arm plane.
+    #[error(
+        "k2 and k3 are both 0, so nothing gives way in the arm plane; give drive 2 or 3 a compliance, or use the spatial model"
+    )]
+    Rigid,
     /// An end of a limit that is no angle of an arm.
     #[error("the {joint} limit ends at {value:e} rad; expected at most {MOST_TURNED} rad either way, or none")]
     Limit {
@@ -71,6 +79,10 @@ pub enum InvalidArm {
     /// The limits contradict each other.
     #[error("the joint limits leave nothing reachable (shoulder, elbow and forearm ranges share no posture)")]
     NothingReachable,
+}
+
+fn or_rigid(unit: &str) -> &'static str {
+    if unit == "m" { "" } else { ", or 0 for a rigid drive" }
 }
 
 impl PlanarArm {
@@ -98,9 +110,13 @@ impl PlanarArm {
             ("k3", self.k3, "rad/(N m)", 1e-12, 1.0),
         ];
         for (quantity, value, unit, min, max) in quantities {
-            if !(min <= value && value <= max) {
+            let is_rigid = value == 0.0 && unit != "m";
+            if !(is_rigid || (min <= value && value <= max)) {
                 return Err(InvalidArm::Quantity { quantity, value, unit, min, max });
             }
+        }
+        if self.k2 == 0.0 && self.k3 == 0.0 {
+            return Err(InvalidArm::Rigid);
         }
         for (joint, limit) in [("shoulder", self.shoulder), ("elbow", self.elbow), ("forearm", self.forearm)] {
             let ends = [limit.min(), limit.max()];

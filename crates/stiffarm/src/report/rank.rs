@@ -6,7 +6,7 @@ use super::{fixed, place};
 use crate::drive::Architecture;
 use crate::place::PlaceOptions;
 use crate::rank::{Ranking, Row};
-use crate::robot::{Robot, Status};
+use crate::robot::Status;
 
 /// Robots in order, and who wins each task.
 pub fn ranking(ranking: &Ranking, options: &PlaceOptions, tolerance_mm: Option<f64>) -> Value {
@@ -29,7 +29,7 @@ pub fn ranking(ranking: &Ranking, options: &PlaceOptions, tolerance_mm: Option<f
             "vendor": robot.vendor,
             "architecture": robot.architecture.name(),
             "status": robot.status.name(),
-            "bound_mm": row.floor(ranking.force) * 1e3,
+            "bound_mm": row.floor(ranking.force).map(|floor| floor * 1e3),
             "mean_ratio": if row.score.is_finite() { json!(row.score) } else { Value::Null },
             "cells": cells.collect::<Value>(),
         })
@@ -58,36 +58,37 @@ pub fn ranking(ranking: &Ranking, options: &PlaceOptions, tolerance_mm: Option<f
 /// What a manager would read.
 pub fn sentences(ranking: &Ranking, tolerance_mm: Option<f64>) -> Vec<String> {
     let mut sentences = Vec::new();
-    let mut winners: Vec<(&Robot, Vec<usize>)> = Vec::new();
+    let mut winners: Vec<(&Row, Vec<usize>)> = Vec::new();
     for task in 0..ranking.tasks.len() {
         if let Some(best) = ranking.best_published(task) {
-            match winners.iter_mut().find(|(robot, _)| **robot == best.robot) {
+            match winners.iter_mut().find(|(row, _)| row.robot == best.robot) {
                 Some((_, tasks)) => tasks.push(task),
-                None => winners.push((&best.robot, vec![task])),
+                None => winners.push((best, vec![task])),
             }
         }
     }
-    let millimetres = |robot: &Robot, task: usize| {
-        let row = ranking.rows.iter().find(|row| row.robot == *robot);
-        row.and_then(|row| row.deflection(task)).map_or_else(String::new, |deflection| fixed(deflection * 1e3, 2))
-    };
-    let won = |robot: &Robot, tasks: &[usize]| {
+    let won = |row: &Row, tasks: &[usize]| {
         let tasks: Vec<String> = tasks
             .iter()
-            .map(|&task| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(robot, task)))
+            .map(|&task| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(row, task)))
             .collect();
-        format!("{} for {}", robot.full_name(), tasks.join(", "))
+        format!("{} for {}", row.robot.full_name(), tasks.join(", "))
     };
     if winners.is_empty() {
         sentences.push("No robot of which all numbers are known can do any of these tasks.".into());
     } else {
-        let list: Vec<String> = winners.iter().map(|(robot, tasks)| won(robot, tasks)).collect();
+        let list: Vec<String> = winners.iter().map(|(row, tasks)| won(row, tasks)).collect();
         sentences.push(format!("Under {} N in the worst direction take {}.", ranking.force, list.join("; ")));
     }
     sentences.extend(by_architecture(ranking));
     sentences.extend(estimated_rivals(ranking));
     sentences.extend(tolerance_mm.map(|tolerance| tolerance_sentence(ranking, tolerance)));
     sentences
+}
+
+/// Of a row that has a place for the task.
+fn millimetres(row: &Row, task: usize) -> String {
+    row.deflection(task).map_or_else(|| "-".to_owned(), |deflection| fixed(deflection * 1e3, 2))
 }
 
 fn by_architecture(ranking: &Ranking) -> Option<String> {
@@ -105,7 +106,7 @@ fn by_architecture(ranking: &Ranking) -> Option<String> {
         .map(|&(task, serial, quasi)| {
             let show = |row: &Row| {
                 let mark = if row.robot.status == Status::Estimated { "~" } else { "" };
-                format!("{}{mark}", fixed(row.deflection(task).unwrap_or(f64::NAN) * 1e3, 2))
+                format!("{}{mark}", millimetres(row, task))
             };
             let sign = if serial.deflection(task) <= quasi.deflection(task) { "<" } else { ">" };
             format!("{} {} {sign} {}", ranking.tasks[task].label, show(serial), show(quasi))

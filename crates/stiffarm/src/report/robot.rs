@@ -6,7 +6,6 @@ use super::Object;
 use crate::catalogue::microradians;
 use crate::geometry::Geometry;
 use crate::limits::{Limits, Range, ThirdAxis};
-use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot};
 
 /// Everything that is known of one robot.
@@ -26,14 +25,15 @@ pub fn sheet(robot: &Robot) -> Value {
         put("geometry", geometry_json(geometry));
         put("limits", limits_json(limits));
     }
-    if let Ok(plane) = robot.arm_plane() {
+    // The reader of robot files refuses limits that contradict each other, the only ones without links in a plane.
+    if let Ok(plane) = robot.two_links() {
         let arm = &plane.arm;
         put(
             "arm_plane",
             json!({
                 "l2_m": arm.l2, "l3_m": arm.l3, "k2_urad_per_nm": arm.k2 * 1e6, "k3_urad_per_nm": arm.k3 * 1e6,
                 "shoulder_deg": range(arm.shoulder), "elbow_deg": range(arm.elbow), "forearm_deg": range(arm.forearm),
-                "axis_from_base_m": plane.axis_from_base, "bound_um_per_n": floor(arm),
+                "axis_from_base_m": plane.axis_from_base, "bound_um_per_n": floor(robot),
             }),
         );
     }
@@ -69,9 +69,9 @@ fn limits_json(limits: &Limits) -> Value {
     })
 }
 
-/// The stiffest posture's deflection, um/N.
-pub fn floor(arm: &PlanarArm) -> f64 {
-    arm.radial().floor() * 1e6
+/// The stiffest posture's deflection, um/N; `None` where the planar model does not hold.
+pub fn floor(robot: &Robot) -> Option<f64> {
+    robot.arm_plane().ok().map(|plane| plane.arm.radial().floor() * 1e6)
 }
 
 /// The lengths of a robot file by their letters, m.

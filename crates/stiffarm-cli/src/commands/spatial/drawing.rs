@@ -22,7 +22,6 @@ pub(super) fn over_everything(
 
 /// The arm at joint angles as reported, rad, seen from its right side, on its base.
 pub(super) fn scene(robot: &Robot, joints: Option<&[f64; 6]>, tool: &Pose, zone: Option<ZoneMark>) -> Scene {
-    let plane = robot.arm_plane().ok().map(|plane| plane.axis_from_base);
     let link = match &robot.arm {
         Arm::SixAxis { geometry, .. } => f64::midpoint(geometry.c2, geometry.l3()),
         Arm::Planar(arm) => f64::midpoint(arm.l2, arm.l3),
@@ -30,7 +29,7 @@ pub(super) fn scene(robot: &Robot, joints: Option<&[f64; 6]>, tool: &Pose, zone:
     let arm = joints.and_then(|q| ArmMark::posed(robot, q, tool, None));
     let mut points = arm.iter().flat_map(|arm| &arm.points).skip(1).map(|([x, _, z], _)| [*x, *z]);
     Scene {
-        axis: points.next().or(plane).unwrap_or_default(),
+        axis: points.next().unwrap_or_else(|| robot.axis_2()),
         links: points.collect(),
         link,
         base: Some([0.0; 2]),

@@ -254,10 +254,10 @@ impl PlaceAnswer {
 
 /// The lower bound and how far it lies from the value.
 fn bound(best: &SpatialPlacement) -> String {
-    if best.lower_bound <= 0.0 {
+    if best.lower_bound <= 0.0 && 0.0 < best.gap() {
         return format!("nothing is proved ({} boxes)", best.resolution.boxes);
     }
-    let gap = 100.0 * (1.0 - best.lower_bound / best.deflection);
+    let gap = 100.0 * best.gap();
     format!("{:.4} mm (proved with {} boxes; gap {gap:.1} %)", best.lower_bound * 1e3, best.resolution.boxes)
 }
 

@@ -86,7 +86,7 @@ impl RankAnswer {
     fn proof(&self) -> String {
         let cells =
             || self.ranking.rows.iter().flat_map(|row| row.cells.iter().map(move |cell| (cell.feasible(), row)));
-        let gap = |best: &SpatialPlacement| 100.0 * (1.0 - best.lower_bound / best.deflection);
+        let gap = |best: &SpatialPlacement| 100.0 * best.gap();
         let placed = || cells().filter_map(|(best, row)| Some((gap(best?), row)));
         let count = placed().count();
         let near = placed().filter(|(gap, _)| *gap <= 1.0).count();
@@ -103,6 +103,11 @@ impl RankAnswer {
         );
         notes +=
             "planar #: place in the planar ranking of the same robots and tasks (zones in the arm plane, anywhere)\n";
+        for row in &self.planar.rows {
+            if let Some(error) = row.why_not_of_the_plane() {
+                let _ = writeln!(notes, "n/a {}: {error}", row.robot.name);
+            }
+        }
         if rows.iter().any(|row| row.robot.status == Status::Estimated) {
             notes += "~ estimated: lengths or limits partly assumed; such a robot takes no place\n";
         }
@@ -142,7 +147,8 @@ impl Answer for RankAnswer {
             let mut cells = vec![or_estimated(place), robot.full_name(), architecture(robot), robot.status.to_string()];
             cells.extend((0..tasks.len()).map(|task| self.cell(row, task)));
             cells.push(if row.score.is_finite() { fixed(row.score, 3) } else { "-".into() });
-            cells.push(or_estimated(self.planar.place_of(robot)));
+            let planar = self.planar.place_of(robot).map(|place| place.to_string());
+            cells.push(planar.unwrap_or_else(|| if none == "~" { "~".into() } else { "n/a".into() }));
             table.row(cells);
         }
         format!(

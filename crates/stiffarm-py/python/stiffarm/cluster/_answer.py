@@ -25,6 +25,9 @@ Flags = npt.NDArray[np.bool_]
 #: Standard deviations of a normal distribution that hold 95 %.
 _Z95 = 1.959963984540054
 
+#: Deflections below this, mm, are rounding: nothing gives way.
+_NOTHING_MM = 1e-12
+
 
 def wilson(wins: float, of: int) -> tuple[float, float]:
     """Both ends of the 95 % confidence interval of a share (Wilson's score interval) [1]."""
@@ -209,7 +212,7 @@ class Sweep:
         labels, who = self._question.labels, self._question.robots
         rows: list[dict[str, Any]] = []
         for r, robot in enumerate(who):
-            ratios = [math.log(v / b) for v, b in zip(values[:, r], best) if np.isfinite(v)]
+            ratios = [math.log(max(v, _NOTHING_MM) / max(b, _NOTHING_MM)) for v, b in zip(values[:, r], best) if np.isfinite(v)]
             row: dict[str, Any] = {"place": None, **_who(robot), "feasible_tasks": len(ratios)}
             row["mean_ratio"] = math.exp(sum(ratios) / len(ratios)) if ratios else None
             row.update({task: float(v) if np.isfinite(v) else None for task, v in zip(labels, values[:, r])})

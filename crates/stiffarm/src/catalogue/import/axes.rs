@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Point3, UnitQuaternion, Vector3};
 
 use super::chain::Chain;
 use super::flange::{Flange, flange};
-use super::{MEETS_M, STRAIGHT_DEG};
+use super::{MEETS_M, STRAIGHT_DEG, TOLD_DEG, TOLD_M};
 use crate::catalogue::reader::Log;
 use crate::geometry::Geometry;
 
@@ -20,10 +20,12 @@ const NO_LENGTH: f64 = 1e-3;
 #[derive(Debug)]
 pub(super) struct Recovered {
     pub(super) geometry: Geometry,
-    /// Axis 1 in the URDF's base frame: its foot is the origin of the arm's base frame.
-    pub(super) foot: Vector3<f64>,
+    /// The origin of the arm's base frame in the URDF's: the foot of axis 1, or zero where that is too near to be said.
+    pub(super) moved: Vector3<f64>,
     pub(super) flange: Flange,
     pub(super) notes: Vec<String>,
+    /// What the description has and a robot file has not.
+    pub(super) left: Vec<String>,
 }
 
 /// A joint axis at joint zero, base frame.
@@ -82,11 +84,22 @@ pub(super) fn recover(chain: &Chain, tip: Option<&str>, log: &Log) -> Option<Rec
         None
     })?;
     let forearm = axes[3].along * geometry.sign[3];
-    let flange = flange(chain, tip, &axes[5], &wrist, &forearm, log)?;
+    let mut flange = flange(chain, tip, &axes[5], &wrist, &forearm, log)?;
     geometry.c4 = (flange.centre - wrist).dot(&flange.out);
     bend(&mut geometry, &axes, &frame, theta, &flange);
+    let mut left = std::mem::take(&mut flange.left);
+    left.extend(leans(&axes));
+    let apart = axes[3..].iter().map(|axis| axis.aside(&wrist).norm()).fold(0.0, f64::max);
+    if TOLD_M < apart {
+        left.push(format!("the axes 4, 5, 6 pass their common point by up to {:.3} mm", apart * 1e3));
+    }
+    let is_moved = MEETS_M < foot.norm();
+    if !is_moved && TOLD_M < foot.norm() {
+        left.push(format!("axis 1 stands {:.3} mm beside the origin of link {}", foot.norm() * 1e3, chain.base));
+    }
+    let moved = if is_moved { foot } else { Vector3::zeros() };
     let mut notes = Vec::new();
-    if MEETS_M < foot.norm() {
+    if is_moved {
         notes.push(format!(
             "axis 1 stands {:.1} mm, {:.1} mm from the origin of link {}: the base frame was moved onto it",
             foot.x * 1e3,
@@ -94,7 +107,7 @@ pub(super) fn recover(chain: &Chain, tip: Option<&str>, log: &Log) -> Option<Rec
             chain.base
         ));
     }
-    Some(Recovered { geometry, foot, flange, notes })
+    Some(Recovered { geometry, moved, flange, notes, left })
 }
 
 /// The angle between two lines, deg, 0 to 90.
@@ -102,31 +115,35 @@ fn angle(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     a.cross(b).norm().atan2(a.dot(b).abs()).to_degrees()
 }
 
+/// Every axis from joint 0 with what it stands beside: `(joint, that, the angle, the angle expected)`, deg.
+fn angles(axes: &[Axis; 6]) -> impl Iterator<Item = (usize, &'static str, f64, f64)> {
+    let e = axes.map(|axis| axis.along);
+    let others = ["the base's z axis", "axis 1", "axis 2", "axis 3", "axis 4", "axis 5"];
+    let expected = [0.0, 90.0, 0.0, 90.0, 90.0, 90.0];
+    (0..6).map(move |joint| {
+        let beside = if joint == 0 { Vector3::z() } else { e[joint - 1] };
+        (joint, others[joint], angle(&e[joint], &beside), expected[joint])
+    })
+}
+
 /// The axes that do not stand as those of an arm with a spherical wrist do.
 fn leaning(axes: &[Axis; 6]) -> Vec<(usize, String)> {
-    let e = axes.map(|axis| axis.along);
-    let up = Vector3::z();
-    let pairs = [
-        (0, "the base's z axis", &up, 0.0),
-        (1, "axis 1", &e[0], 90.0),
-        (2, "axis 2", &e[1], 0.0),
-        (3, "axis 3", &e[2], 90.0),
-        (4, "axis 4", &e[3], 90.0),
-        (5, "axis 5", &e[4], 90.0),
-    ];
-    let judged = pairs.into_iter().filter_map(|(joint, other, direction, expected)| {
-        let found = angle(&e[joint], direction);
-        let right = (found - expected).abs() <= STRAIGHT_DEG;
+    let judged = angles(axes).filter(|(_, _, found, expected)| !((found - expected).abs() <= STRAIGHT_DEG));
+    let told = judged.map(|(joint, other, found, expected)| {
         let wanted = if expected == 0.0 { "parallel" } else { "at right angles" };
-        (!right).then(|| {
-            let name = joint + 1;
-            (
-                joint,
-                format!("axis {name} stands at {found:.3} deg to {other}; expected {wanted} within {STRAIGHT_DEG} deg"),
-            )
-        })
+        let name = joint + 1;
+        (joint, format!("axis {name} stands at {found:.3} deg to {other}; expected {wanted} within {STRAIGHT_DEG} deg"))
     });
-    judged.collect()
+    told.collect()
+}
+
+/// The leans that are taken for none.
+fn leans(axes: &[Axis; 6]) -> Vec<String> {
+    let small = angles(axes).map(|(joint, other, found, expected)| (joint + 1, other, (found - expected).abs()));
+    small
+        .filter(|(_, _, lean)| TOLD_DEG < *lean)
+        .map(|(name, other, lean)| format!("axis {name} leans by {lean:.4} deg against {other}"))
+        .collect()
 }
 
 /// The point with the least squared distance from the axes 4, 5 and 6.

@@ -1,10 +1,12 @@
 //! Where is the flange?
 
+use std::f64::consts::FRAC_PI_2;
+
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 use super::axes::Axis;
 use super::chain::Chain;
-use super::{MEETS_M, STRAIGHT_DEG};
+use super::{MEETS_M, STRAIGHT_DEG, TOLD_DEG, TOLD_M};
 use crate::catalogue::reader::{Log, shown};
 use crate::spatial::Pose;
 
@@ -18,10 +20,13 @@ pub(super) struct Flange {
     /// Away from the wrist centre, along axis 6.
     pub(super) out: Vector3<f64>,
     pub(super) turned: UnitQuaternion<f64>,
-    /// In the frame of the sixth moving link.
+    /// The frame of the description in that of the sixth moving link: its centre where it stands, its z axis turned outwards
+    /// by the angle that is said, and not onto axis 6 exactly.
     pub(super) in_link: Pose,
     /// Which frame was taken, and how it was turned.
     pub(super) note: String,
+    /// How the frame stands otherwise than a flange on axis 6.
+    pub(super) left: Vec<String>,
 }
 
 /// Takes the frame of link `tip`, else of a link named flange or tool0, else of the sixth moving link.
@@ -82,9 +87,22 @@ pub(super) fn flange(
     let out = axis.along * 1_f64.copysign(outwards);
     let onto = least_turn(&z, &out, &(pose.rotation * Vector3::x()));
     let turned = onto * pose.rotation;
-    let at_zero = Pose::from_parts(centre.coords.into(), turned);
-    let note = note(name, onto.angle().to_degrees(), from_wrist.abs());
-    Some(Flange { centre, out, turned, in_link: link.inverse() * at_zero, note })
+    // Frames turned by right angles are a custom; what is left beside one is a lean.
+    let angle = onto.angle();
+    let square = (angle / FRAC_PI_2).round() * FRAC_PI_2;
+    let lean = (angle - square).abs();
+    let meant = if lean.to_degrees() <= STRAIGHT_DEG { square } else { angle };
+    let said = onto.axis().map_or(UnitQuaternion::identity(), |about| UnitQuaternion::from_axis_angle(&about, meant));
+    let stands = Pose::from_parts(pose.translation, said * pose.rotation);
+    let mut left = Vec::new();
+    if TOLD_M < aside(pose) {
+        left.push(format!("link '{}' stands {:.3} mm beside axis 6", shown(name), aside(pose) * 1e3));
+    }
+    if meant == square && TOLD_DEG < lean.to_degrees() {
+        left.push(format!("link '{}' leans by {:.4} deg against axis 6", shown(name), lean.to_degrees()));
+    }
+    let note = note(name, angle.to_degrees(), from_wrist.abs());
+    Some(Flange { centre, out, turned, in_link: link.inverse() * stands, note, left })
 }
 
 /// The least turn that brings the unit vector `from` onto `to`; about `spare` where they are opposite.

@@ -1,7 +1,8 @@
 //! How does a robot description of others become a robot file?
 //!
 //! [`import`] takes the text of a URDF or of an OPW parameter file (YAML), recovers lengths, offsets, signs and limits,
-//! writes the robot file, reads it back and compares it with the description at [`SAMPLES`] random postures.
+//! writes the robot file, reads it back and compares it with the description as it stands, at [`SAMPLES`] postures and uphill
+//! from the worst of them.
 
 mod axes;
 mod chain;
@@ -33,11 +34,15 @@ pub const MEETS_M: f64 = 0.5e-3;
 /// Axes may lean by this much from parallel and from right angles, deg; 3.1416 for pi leans by 0.0004 deg.
 pub const STRAIGHT_DEG: f64 = 0.05;
 /// A robot file may differ from the description by this much at the flange, m.
-pub const LARGEST_ERROR_M: f64 = 1e-3;
+pub const LARGEST_ERROR_M: f64 = 0.5e-3;
 /// And by this angle, deg.
-pub const LARGEST_TURN_DEG: f64 = 0.1;
-/// Random postures at which file and description are compared.
+pub const LARGEST_TURN_DEG: f64 = 0.05;
+/// Postures at which file and description are compared before the worst of them are made worse.
 pub const SAMPLES: usize = 1000;
+/// What a robot file cannot say of a description is told from here on, m.
+const TOLD_M: f64 = 1e-6;
+/// And from this angle, deg; 3.1416 for pi is less.
+const TOLD_DEG: f64 = 1e-3;
 /// Longer texts describe no arm.
 const MOST_BYTES: usize = 4 << 20;
 
@@ -105,10 +110,11 @@ pub enum ImportError {
     },
     /// The robot file would move otherwise than the description.
     #[error(
-        "{file}: the recovered arm differs from the description by {:.3} mm and {turn_deg:.4} deg; expected at most {} mm and {} deg",
+        "{file}: the recovered arm differs from the description by {:.3} mm and {turn_deg:.4} deg; expected at most {} mm and {} deg{}",
         error_m * 1e3,
         LARGEST_ERROR_M * 1e3,
-        LARGEST_TURN_DEG
+        LARGEST_TURN_DEG,
+        because(causes)
     )]
     Inexact {
         /// As the user named it.
@@ -117,7 +123,13 @@ pub enum ImportError {
         error_m: f64,
         /// Largest angle, deg.
         turn_deg: f64,
+        /// What the description has and a robot file cannot say.
+        causes: Vec<String>,
     },
+}
+
+fn because(causes: &[String]) -> String {
+    if causes.is_empty() { String::new() } else { format!(": {}", causes.join("; ")) }
 }
 
 /// A description as it was understood, before it is written.
@@ -126,6 +138,8 @@ struct Understood {
     geometry: Geometry,
     limits: Limits,
     notes: Vec<String>,
+    /// What the description has and a robot file has not.
+    left: Vec<String>,
     compared_with: &'static str,
     source: [String; 2],
 }
@@ -195,10 +209,11 @@ fn from_urdf(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> 
         geometry: recovered.geometry,
         limits,
         notes: told,
+        left: recovered.left,
         compared_with: "the joint frames of the URDF",
         source: [format!("recovered from the joint axes of {}", base_name(file)), said],
     };
-    let base_from_root = Pose::from_parts((-recovered.foot).into(), nalgebra::UnitQuaternion::identity());
+    let base_from_root = Pose::from_parts((-recovered.moved).into(), nalgebra::UnitQuaternion::identity());
     let flange_in_link = recovered.flange.in_link;
     settle(understood, file, options, |q| base_from_root * chain.forward(q) * flange_in_link)
 }
@@ -225,6 +240,7 @@ fn from_opw(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> R
             speeds: None,
         },
         notes,
+        left: Vec::new(),
         compared_with: "the closed-form wrist and flange of [OPW]",
         source: [format!("OPW parameters of {}", base_name(file)), "given at the import".into()],
     };
@@ -242,7 +258,7 @@ fn settle(
     let written = |steps: (f64, f64)| {
         let text = write(&robot(&understood, rounded(&understood.geometry, steps), options));
         let robot = read(&text, file).map_err(|faults| as_recovered(faults, file))?;
-        let errors = compare(&robot, &described, SAMPLES);
+        let errors = compare(&robot, &described);
         Ok::<_, ImportError>((text, robot, errors))
     };
     let mut best = written((1e7, 1e9))?;
@@ -255,10 +271,12 @@ fn settle(
     }
     let (text, robot, Errors { distance, angle }) = best;
     let turn_deg = angle.to_degrees();
+    let Understood { mut notes, mut left, compared_with, geometry, .. } = understood;
+    left.extend(dropped(&geometry));
     if !(distance <= LARGEST_ERROR_M && turn_deg <= LARGEST_TURN_DEG) {
-        return Err(ImportError::Inexact { file: file.into(), error_m: distance, turn_deg });
+        return Err(ImportError::Inexact { file: file.into(), error_m: distance, turn_deg, causes: left });
     }
-    let Understood { mut notes, compared_with, .. } = understood;
+    notes.extend(left.into_iter().map(|left| format!("not in the robot file: {left}")));
     notes.extend(architecture_notes(options));
     Ok(Imported { robot, text, notes, compared_with, largest_error: distance, largest_turn: angle })
 }
@@ -294,6 +312,14 @@ fn robot(understood: &Understood, geometry: Geometry, options: &ImportOptions) -
         },
         source: BTreeMap::from(source),
     }
+}
+
+/// Offsets too short to be offsets.
+fn dropped(geometry: &Geometry) -> impl Iterator<Item = String> {
+    let Geometry { a1, a2, b, c1, c4, .. } = *geometry;
+    let short = [("a1", a1), ("a2", a2), ("b", b), ("c1", c1), ("c4", c4)].into_iter();
+    let short = short.filter(|(_, x)| TOLD_M < x.abs() && x.abs() <= MEETS_M);
+    short.map(|(name, x)| format!("{name} of {:.3} mm, which is taken for none", x * 1e3))
 }
 
 /// Offsets too short to be offsets are none; the rest is rounded.

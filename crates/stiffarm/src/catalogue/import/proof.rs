@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
+use super::SAMPLES;
 use crate::geometry::Geometry;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
@@ -26,29 +27,60 @@ impl Errors {
     }
 }
 
-/// Compares the flange of a robot with where a description has it, at seeded random angles within the limits.
-pub(super) fn compare(robot: &Robot, described: &impl Fn(&[f64; 6]) -> Pose, samples: usize) -> Errors {
-    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else {
-        return Errors { distance: f64::INFINITY, angle: f64::INFINITY };
-    };
-    let mut rng = fastrand::Rng::with_seed(1);
-    let mut largest = Errors { distance: 0.0, angle: 0.0 };
-    for _ in 0..samples {
-        let q = limits.joints.map(|range| range.min() + rng.f64() * range.width());
+/// Compares the flange of a robot with where a description has it: at both ends and the middle of every joint's range in
+/// all combinations, at seeded postures in between, and uphill from the worst of them.
+pub(super) fn compare(robot: &Robot, described: &impl Fn(&[f64; 6]) -> Pose) -> Errors {
+    const UNKNOWN: Errors = Errors { distance: f64::INFINITY, angle: f64::INFINITY };
+    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return UNKNOWN };
+    // In shares of each range.
+    let at = |shares: &[f64; 6]| {
+        let q = std::array::from_fn(|i| limits.joints[i].min() + shares[i] * limits.joints[i].width());
         let written = geometry.forward(&geometry.model_angles(&q, limits.third_axis));
         let expected = described(&q);
         let distance = (written.translation.vector - expected.translation.vector).norm();
         let turn = written.rotation.inverse() * expected.rotation;
         // The arc cosine of a number near 1, which `angle` takes, has half the digits.
-        let angle = 2.0 * turn.imag().norm().atan2(turn.w.abs());
-        // NaN is the largest error of all.
-        let larger = |new: f64, old: f64| if new <= old { old } else { new };
-        largest = Errors { distance: larger(distance, largest.distance), angle: larger(angle, largest.angle) };
-        if !(distance + angle).is_finite() {
-            return Errors { distance: f64::INFINITY, angle: f64::INFINITY };
+        Errors { distance, angle: 2.0 * turn.imag().norm().atan2(turn.w.abs()) }
+    };
+    let mut rng = fastrand::Rng::with_seed(1);
+    let postures: Vec<[f64; 6]> = (0..SAMPLES)
+        .map(|n| match n.checked_sub(3_usize.pow(6)) {
+            None => std::array::from_fn(|joint| (n / 3_usize.pow(joint as u32) % 3) as f64 / 2.0),
+            Some(_) => std::array::from_fn(|_| rng.f64()),
+        })
+        .collect();
+    let errors: Vec<Errors> = postures.iter().map(&at).collect();
+    if !errors.iter().all(|error| (error.distance + error.angle).is_finite()) {
+        return UNKNOWN;
+    }
+    let largest = |value: fn(&Errors) -> f64| {
+        let worst = (0..SAMPLES).max_by(|&a, &b| value(&errors[a]).total_cmp(&value(&errors[b])));
+        worst.map_or(0.0, |worst| uphill(postures[worst], |shares| value(&at(shares))))
+    };
+    Errors { distance: largest(|error| error.distance), angle: largest(|error| error.angle) }
+}
+
+/// The largest value that steps along single joints lead to, each share in 0 to 1; steps are halved where none helps.
+fn uphill(mut shares: [f64; 6], value: impl Fn(&[f64; 6]) -> f64) -> f64 {
+    let mut best = value(&shares);
+    let mut step = 0.25;
+    while 1e-4 < step {
+        let before = best;
+        for joint in 0..6 {
+            for way in [-step, step] {
+                let mut next = shares;
+                next[joint] = (next[joint] + way).clamp(0.0, 1.0);
+                let found = value(&next);
+                if best < found {
+                    (shares, best) = (next, found);
+                }
+            }
+        }
+        if best <= before {
+            step /= 2.0;
         }
     }
-    largest
+    best
 }
 
 /// The flange by the closed form of \[OPW\], at the joint angles `q` as reported.

@@ -10,8 +10,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 pub use across::{ZonePoint, across_zone};
 
-use super::{Orientation, PlaceError, Within, check_force, check_zone};
-use crate::compliance::PostureError;
+use super::{NOTHING, Orientation, PlaceError, Within, check_force, check_zone};
+use crate::compliance::{PostureError, check_held};
 use crate::inverse::Class;
 use crate::limits::Range;
 use crate::robot::Robot;
@@ -140,6 +140,13 @@ pub struct SpatialPlacement {
     pub resolution: Resolution,
 }
 
+impl SpatialPlacement {
+    /// How far the lower bound lies below the value, relative to it; 0 where nothing gives way.
+    pub fn gap(&self) -> f64 {
+        if self.deflection <= NOTHING { 0.0 } else { 1.0 - self.lower_bound / self.deflection }
+    }
+}
+
 /// Why no place was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SpatialMisfit {
@@ -226,6 +233,7 @@ pub fn place_in_space(
 ) -> Result<SpatiallyPlaced, SpatialPlaceError> {
     options.check(zone)?;
     let arm = SpatialArm::new(robot, &options.flange_from_tool)?;
+    check_held(robot)?;
     Ok(search::search(robot, &arm, zone, options))
 }
 
