@@ -20,7 +20,8 @@ use proof::{Errors, compare};
 use ranges::{hundredths, joint_limits, round};
 use urdf::NoUrdf;
 
-use super::reader::{Log, shown};
+use super::files::MOST_BYTES;
+use super::reader::{Log, shown, unfit_name};
 use super::{Fault, Faults, read, write};
 use crate::drive::{Architecture, Drives, JointCompliance};
 use crate::geometry::Geometry;
@@ -38,8 +39,6 @@ pub const LARGEST_ERROR_M: f64 = 1e-3;
 pub const LARGEST_TURN_DEG: f64 = 0.1;
 /// Random postures at which file and description are compared.
 pub const SAMPLES: usize = 1000;
-/// Longer texts describe no arm.
-const MOST_BYTES: usize = 4 << 20;
 
 /// What the description does not say, or says otherwise.
 #[derive(Clone, Debug, Default)]
@@ -166,6 +165,8 @@ fn from_urdf(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> 
     let name = options.name.clone().unwrap_or_else(|| urdf.name.clone());
     if name.trim().is_empty() {
         log.add(0, "robot name", "missing; expected a name in the file or beside it");
+    } else if let Some(fault) = unfit_name(&name) {
+        log.add(0, "robot name", fault);
     }
     if log.has_faults() {
         return Err(wrong());
@@ -184,6 +185,10 @@ fn from_urdf(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> 
     let mut told = vec![format!("base: the frame of link '{}'", shown(&chain.base)), recovered.flange.note.clone()];
     told.extend(recovered.notes);
     told.extend(chain.notes.iter().cloned());
+    // Who has said what it is needs no advice.
+    if let (Some(joint), None) = (&chain.elbow_followed, options.architecture) {
+        told.push(format!("links follow joint {joint}: it may be a parallelogram arm; then import it as quasi-serial"));
+    }
     told.extend(notes);
     let said = if options.limits.is_some() {
         "given at the import".into()
@@ -215,6 +220,10 @@ fn from_opw(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> R
         notes.push(format!("named '{}' after the file", shown(&name)));
         name
     });
+    if let Some(fault) = unfit_name(&name) {
+        log.add(0, "robot name", fault);
+        return Err(ImportError::Faults(faults(log.clone(), file)));
+    }
     let understood = Understood {
         name,
         geometry: geometry.clone(),
