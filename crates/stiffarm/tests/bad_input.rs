@@ -569,7 +569,7 @@ fn a_map_that_is_too_large_or_none_is_refused_before_memory_is_taken() {
     ] {
         let count = |count| Axis { start: -2.0, step: 0.1, count };
         let refused = map(&free(), &MapOptions { x: count(x), z: count(z), ..asked(3) }).unwrap_err();
-        assert_eq!(refused, MapError::Size { columns: x, rows: z });
+        assert_eq!(refused, MapError::Size { columns: x, rows: z, most: MOST_CELLS });
         assert!(
             refused.to_string().contains(&format!("{x} x {z}"))
                 && refused.to_string().contains(&MOST_CELLS.to_string())
