@@ -95,11 +95,19 @@ impl<'a> Table<'a> {
     /// Comma-separated values with a line of headings.
     pub(crate) fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(out);
-        writer.write_record(&self.headings)?;
+        writer.write_record(&self.headings).map_err(of_system)?;
         for row in self.rows() {
-            writer.write_record(row.iter().map(|cell| in_spreadsheet(cell).into_owned()))?;
+            writer.write_record(row.iter().map(|cell| in_spreadsheet(cell).into_owned())).map_err(of_system)?;
         }
         writer.flush()
+    }
+}
+
+/// What the system has against writing, as it said it: a closed pipe must be known as one.
+fn of_system(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
     }
 }
 

@@ -340,6 +340,17 @@ fn an_error_is_no_longer_than_a_page() {
         errors.contains("keys.toml:20: unknown_19") && errors.contains("keys.toml: and 29980 faults more"),
         "{errors}"
     );
+    let digits = "1".repeat(100_000);
+    for value in
+        [digits.clone(), format!("0x{digits}"), format!("{digits}.5"), format!("\"{digits}\""), format!("[{digits}]")]
+    {
+        for key in ["architecture = \"serial\"", "l2_mm = 1000"] {
+            let (name, _) = key.split_once(" = ").expect("a key");
+            fs::write(root.join("long.toml"), SMALLEST.replace(key, &format!("{name} = {value}"))).expect("written");
+            let (code, _, errors) = outcome(root, "$S robots check long.toml");
+            assert!(code == 1 && errors.len() < 1_000, "{key}: {} bytes", errors.len());
+        }
+    }
     let long = "x".repeat(201);
     for text in [SMALLEST.replace("two links", &long), format!("vendor = \"{long}\"\n{SMALLEST}")] {
         fs::write(root.join("long.toml"), text).expect("written");

@@ -365,8 +365,8 @@ pub(super) fn shown(text: &str) -> String {
 fn describe(value: &DeValue) -> String {
     match value {
         DeValue::String(text) => format!("\"{}\"", shown(text)),
-        DeValue::Integer(integer) => integer_as_written(integer),
-        DeValue::Float(float) => float.as_str().into(),
+        DeValue::Integer(integer) => shown(&integer_as_written(integer)),
+        DeValue::Float(float) => shown(float.as_str()),
         DeValue::Boolean(flag) => flag.to_string(),
         DeValue::Datetime(_) => "a date".into(),
         DeValue::Array(_) => "a list".into(),
