@@ -17,7 +17,7 @@ const SMALLEST: &str =
 fn shell(folder: &Path, script: &str) -> Output {
     let mut command = Command::new("bash");
     command.args(["-c", script]).env("S", assert_cmd::cargo::cargo_bin("stiffarm")).current_dir(folder);
-    let output = command.timeout(Duration::from_secs(60)).output().expect("bash runs");
+    let output = command.timeout(Duration::from_mins(1)).output().expect("bash runs");
     assert!(output.status.code().is_some(), "{script}: killed or too slow: {output:?}");
     assert!(!String::from_utf8_lossy(&output.stderr).contains("panicked"), "{script}: {output:?}");
     output

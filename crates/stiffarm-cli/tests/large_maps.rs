@@ -1,6 +1,7 @@
 //! Are maps written cell by cell as they would be written whole, in little memory?
 #![cfg(unix)]
 
+use std::fmt::Write;
 use std::fs;
 use std::process::Command;
 
@@ -37,7 +38,7 @@ fn a_map_of_the_plane_is_written_as_it_was_when_it_was_held_whole() {
     let mm = |i, j| map.get(i, j).map(|metres| metres * 1e3);
     let mut csv = String::from("x_m,z_m,deflection_mm\n");
     for (j, i) in (0..z.count).flat_map(|j| (0..x.count).map(move |i| (j, i))) {
-        csv += &format!("{},{},{}\n", x.at(i), z.at(j), number(mm(i, j)));
+        let _ = writeln!(csv, "{},{},{}", x.at(i), z.at(j), number(mm(i, j)));
     }
     let rows: Vec<Vec<Option<f64>>> = (0..z.count).map(|j| (0..x.count).map(|i| mm(i, j)).collect()).collect();
     let expected = json!({

@@ -28,9 +28,12 @@ pub(crate) fn run(asked: &[PathBuf], common: &Common) -> Result<(), Failure> {
     for Checked { file, found } in &checked {
         match found {
             Ok(Found { notes, doubts, .. }) => {
-                let notes = notes.iter().filter(|_| !common.quiet);
-                notes.for_each(|note| say(&format!("note: {file}: {note}")));
-                doubts.iter().for_each(|doubt| say(&format!("warning: {file}: {doubt}")));
+                for note in notes.iter().filter(|_| !common.quiet) {
+                    say(&format!("note: {file}: {note}"));
+                }
+                for doubt in doubts {
+                    say(&format!("warning: {file}: {doubt}"));
+                }
             }
             Err(failure) => say(&failure.to_string()),
         }
@@ -123,7 +126,9 @@ impl Answer for Check {
                 let line = if *line == 0 { String::new() } else { line.to_string() };
                 row(line, key.clone(), message.clone());
             }
-            checked.doubts().iter().for_each(|doubt| row(String::new(), String::new(), doubt.clone()));
+            for doubt in checked.doubts() {
+                row(String::new(), String::new(), doubt.clone());
+            }
             if faults.is_empty() && checked.doubts().is_empty() {
                 row(String::new(), String::new(), String::new());
             }

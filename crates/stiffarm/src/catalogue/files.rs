@@ -142,7 +142,7 @@ pub fn text(path: &Path) -> Result<String, Unreadable> {
     }
     let text = String::from_utf8(bytes).map_err(|error| {
         let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        because(Why::NoText { line: 1 + good.iter().filter(|byte| **byte == b'\n').count() })
+        because(Why::NoText { line: good.split(|byte| *byte == b'\n').count() })
     })?;
     Ok(match text.strip_prefix('\u{feff}') {
         Some(text) => text.into(),
