@@ -10,6 +10,7 @@ mod output;
 mod selection;
 mod table;
 
+use std::io::ErrorKind;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -53,21 +54,28 @@ fn answer(arguments: &Arguments) -> Result<(), Failure> {
 
 /// The threads asked for, or the caller's alone where the system gives no others (a container, `ulimit -v`).
 fn pool(common: &Common) -> ThreadPool {
-    let asked = common.threads.unwrap_or_default();
-    let threads = || ThreadPoolBuilder::new().num_threads(asked).stack_size(STACK);
-    let made = if asked == 1 { None } else { Some(threads().build()) };
-    if let (Some(Err(error)), false) = (&made, common.quiet) {
-        say(&format!("note: {error}; computing on one thread"));
+    let callers = || {
+        let pool = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
+        pool.expect("no thread is made, and this one has no pool yet")
+    };
+    if common.threads == Some(1) {
+        return callers();
     }
-    let callers = || ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
-    made.and_then(Result::ok).unwrap_or_else(|| callers().expect("no thread is made, and no pool was before"))
+    let all_cores = 0;
+    let threads = common.threads.unwrap_or(all_cores);
+    ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build().unwrap_or_else(|error| {
+        if !common.quiet {
+            say(&format!("note: no further threads can be made ({error}); computing on one thread"));
+        }
+        callers()
+    })
 }
 
 /// Prints help, or what is wrong with the arguments.
 fn told(usage: &clap::Error) -> ExitCode {
     // Help goes to standard output: it must arrive. Errors go to standard error, where there is nowhere left to tell.
     match usage.print() {
-        Err(_) if !usage.use_stderr() => ExitCode::FAILURE,
+        Err(error) if !usage.use_stderr() && error.kind() != ErrorKind::BrokenPipe => ExitCode::FAILURE,
         _ => ExitCode::from(u8::try_from(usage.exit_code()).unwrap_or(2)),
     }
 }
