@@ -1,11 +1,12 @@
 //! A table as typed columns in one Parquet file, for pandas, polars and the like.
 
+use std::io::{self, Write};
 use std::sync::Arc;
 
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
-use parquet::errors::Result;
+use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
@@ -14,27 +15,31 @@ use parquet::schema::types::{Type, TypePtr};
 use crate::table::Table;
 
 /// Rows that are written at once.
-const GROUP: usize = 1 << 20;
+const GROUP: usize = 1 << 18;
 
 /// Headings that count, answer yes or no, or name something, whatever their cells look like.
-const COUNTS: [&str; 1] = ["rank"];
-const TRUTHS: [&str; 5] = ["agrees", "below_base", "best", "feasible", "pass"];
-const TEXTS: [&str; 15] = [
+const COUNTS: [&str; 2] = ["line", "rank"];
+const TRUTHS: [&str; 6] = ["agrees", "below_base", "best", "feasible", "pass", "usable"];
+const TEXTS: [&str; 19] = [
     "architecture",
     "cell",
     "elbow",
+    "file",
     "item",
     "key",
+    "message",
     "note",
     "printed",
     "reason",
     "robot",
     "row",
+    "shoulder",
     "source",
     "status",
     "task",
     "value",
     "vendor",
+    "wrist",
 ];
 
 /// What a column holds.
@@ -88,14 +93,17 @@ fn is_blank(cell: &str) -> bool {
     matches!(cell, "" | "-")
 }
 
-/// The file's bytes: the columns of the CSV, numbers to the last bit, blanks as null; it says which command made it.
-pub(crate) fn parquet(table: &Table, command: &str) -> Vec<u8> {
-    write(table, command).expect("memory takes everything, and every column is of one type")
+/// Writes the columns of the CSV, numbers to the last bit, blanks as null, group by group; the file says which command made it.
+pub(crate) fn write_parquet(table: &Table, command: &str, out: &mut (impl Write + Send)) -> io::Result<()> {
+    write(table, command, out).map_err(|error| match error {
+        // What the system says of the file, not what the format makes of it.
+        ParquetError::External(error) => error.downcast().map_or_else(io::Error::other, |error| *error),
+        error => io::Error::other(error),
+    })
 }
 
-fn write(table: &Table, command: &str) -> Result<Vec<u8>> {
-    let columns: Vec<Vec<&str>> = (0..table.headings().len()).map(|i| table.column(i)).collect();
-    let kinds: Vec<Kind> = table.headings().iter().zip(&columns).map(|(name, cells)| Kind::of(name, cells)).collect();
+fn write(table: &Table, command: &str, out: &mut (impl Write + Send)) -> Result<()> {
+    let kinds = kinds(table);
     let fields: Result<Vec<TypePtr>> =
         table.headings().iter().zip(&kinds).map(|(heading, kind)| kind.field(heading)).collect();
     let schema = Type::group_type_builder("stiffarm").with_fields(fields?).build()?;
@@ -105,18 +113,28 @@ fn write(table: &Table, command: &str) -> Result<Vec<u8>> {
         .set_created_by(format!("stiffarm version {version}"))
         .set_key_value_metadata(Some(keys.map(|(key, value)| KeyValue::new(key.into(), value.to_owned())).into()))
         .build();
-    let mut file = SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties))?;
-    let rows = columns.first().map_or(0, Vec::len);
-    for first in (0..rows).step_by(GROUP) {
+    let mut file = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
+    for first in (0..table.len()).step_by(GROUP) {
+        let rows: Vec<_> = (first..table.len().min(first + GROUP)).map(|i| table.at(i)).collect();
         let mut group = file.next_row_group()?;
-        for (column, kind) in columns.iter().zip(&kinds) {
+        for (i, kind) in kinds.iter().enumerate() {
+            let cells: Vec<&str> = rows.iter().map(|row| row.get(i).map_or("", String::as_str)).collect();
             let mut writer = group.next_column()?.expect("as many columns as the schema has");
-            write_cells(&mut writer, *kind, &column[first..rows.min(first + GROUP)])?;
+            write_cells(&mut writer, *kind, &cells)?;
             writer.close()?;
         }
         group.close()?;
     }
-    file.into_inner()
+    file.close()?;
+    Ok(())
+}
+
+/// Of every column: by its heading, and where rows are kept by its cells, too.
+fn kinds(table: &Table) -> Vec<Kind> {
+    let kept = if table.is_made() { 0 } else { table.len() };
+    let rows: Vec<_> = (0..kept).map(|i| table.at(i)).collect();
+    let cells = |i: usize| rows.iter().map(|row| row.get(i).map_or("", String::as_str)).collect::<Vec<_>>();
+    table.headings().iter().enumerate().map(|(i, heading)| Kind::of(heading, &cells(i))).collect()
 }
 
 fn write_cells(writer: &mut SerializedColumnWriter, kind: Kind, cells: &[&str]) -> Result<()> {
@@ -150,7 +168,9 @@ mod tests {
     use super::*;
 
     fn read(table: &Table) -> SerializedFileReader<Bytes> {
-        SerializedFileReader::new(Bytes::from(parquet(table, "place"))).unwrap()
+        let mut bytes = Vec::new();
+        write_parquet(table, "place", &mut bytes).unwrap();
+        SerializedFileReader::new(Bytes::from(bytes)).unwrap()
     }
 
     fn rows(table: &Table) -> Vec<Vec<Field>> {
@@ -216,11 +236,7 @@ mod tests {
 
     #[test]
     fn more_rows_than_one_group_holds_are_all_written() {
-        let mut table = Table::new(["x_m"]);
-        for i in 0..GROUP + 3 {
-            table.row([i.to_string()]);
-        }
-        let file = read(&table);
+        let file = read(&Table::made(["x_m"], GROUP + 3, |i| [i.to_string()]));
         assert_eq!(file.num_row_groups(), 2);
         let last = file.get_row_iter(None).unwrap().last().unwrap().unwrap().into_columns();
         assert_eq!(last[0].1, Field::Double((GROUP + 2) as f64));

@@ -1,8 +1,9 @@
 //! What went wrong, and what to do about it.
 
-use std::io;
-use std::path::PathBuf;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
 
+use stiffarm::catalogue::files::{LoadError, Unreadable, shown};
 use stiffarm::catalogue::import::ImportError;
 use stiffarm::map::MapError;
 use stiffarm::place::{PlaceError, SpatialPlaceError};
@@ -19,34 +20,32 @@ pub(crate) enum Failure {
     #[error("cannot write to standard output: {0}")]
     Stdout(io::Error),
     /// A file cannot be written; nothing is left of it.
-    #[error("cannot write {}: {error}", path.display())]
+    #[error("cannot write {}: {error}", shown(path))]
     Write {
         /// Which.
         path: PathBuf,
         /// Why.
         error: io::Error,
     },
-    /// A file cannot be read.
-    #[error("cannot read {}: {error}", path.display())]
-    Read {
-        /// Which.
-        path: PathBuf,
-        /// Why.
-        error: io::Error,
-    },
+    /// A file or folder is not read.
+    #[error(transparent)]
+    Unreadable(#[from] Unreadable),
     /// A single minus is no file.
     #[error("-o - is no file; expected a file's name")]
     Dash,
     /// An output of this kind does not exist for this command.
-    #[error("{command} cannot write {}: expected a name that ends in {expected}", path.display())]
+    #[error("{command} cannot write {}: expected a name that ends in {}", shown(path), either(expected))]
     Ending {
         /// Which command.
         command: &'static str,
         /// The file asked for.
         path: PathBuf,
-        /// The endings there are.
-        expected: String,
+        /// The endings there are, with their dots.
+        expected: Vec<String>,
     },
+    /// A file would be written over what is read.
+    #[error("cannot write {}: the command reads this file", shown(.0))]
+    OntoInput(PathBuf),
     /// No robot of this name.
     #[error("robot '{name}' is not known")]
     UnknownRobot {
@@ -55,7 +54,15 @@ pub(crate) enum Failure {
         /// Names that are close.
         suggestions: Vec<String>,
     },
-    /// A folder or pattern without a robot.
+    /// A pattern that is none.
+    #[error("'{pattern}' is not a pattern: {error}")]
+    Pattern {
+        /// As it was typed.
+        pattern: String,
+        /// Why.
+        error: &'static str,
+    },
+    /// A pattern without a robot.
     #[error("'{0}' matches no robot")]
     NoRobot(String),
     /// No robot has all that is asked for.
@@ -72,8 +79,13 @@ pub(crate) enum Failure {
     #[error("{0}")]
     RobotFile(#[from] stiffarm::catalogue::Faults),
     /// A description of a robot that makes no robot file.
-    #[error("{0}")]
-    Import(#[from] ImportError),
+    #[error("{error}")]
+    Import {
+        /// Why.
+        error: ImportError,
+        /// Whether the user has said at which links the arm begins and ends.
+        ends_are_given: bool,
+    },
     /// Wrong usage that clap cannot see.
     #[error("{0}")]
     Usage(String),
@@ -122,56 +134,115 @@ pub(crate) enum Failure {
     #[error("{0} published numbers are neither reproduced nor listed with a reason")]
     Unsettled(usize),
     /// Some robot files have faults.
-    #[error("{0} of the files cannot be used")]
-    BadFiles(usize),
+    #[error("{count} of the files cannot be used")]
+    BadFiles {
+        /// How many.
+        count: usize,
+        /// What to do about the first.
+        hint: String,
+    },
     /// A figure that cannot be drawn.
     #[error("cannot draw the figure: {0}")]
     Figure(String),
+}
+
+impl From<LoadError> for Failure {
+    fn from(error: LoadError) -> Self {
+        match error {
+            LoadError::Unreadable(error) => error.into(),
+            LoadError::RobotFile(error) => error.into(),
+            LoadError::Import(error) => Self::Import { error, ends_are_given: false },
+        }
+    }
 }
 
 impl Failure {
     /// 2 for wrong usage, 1 for everything else.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
-            Self::Usage(_) | Self::Dash | Self::Ending { .. } => 2,
+            Self::Usage(_) | Self::Pattern { .. } | Self::Dash | Self::Ending { .. } | Self::OntoInput(_) => 2,
             _ => 1,
         }
     }
 
-    /// What the user can do, where that is known.
-    pub(crate) fn hint(&self) -> Option<String> {
+    /// What the user can do.
+    pub(crate) fn hint(&self) -> String {
         match self {
             Self::UnknownRobot { suggestions, .. } if !suggestions.is_empty() => {
-                Some(format!("did you mean {}?", suggestions.join(", ")))
+                return format!("did you mean {}?", suggestions.join(", "));
             }
-            Self::UnknownRobot { .. } | Self::NoRobot(_) => Some(
-                "`stiffarm robots list` names the robots; a path to a robot file or a folder of them works too".into(),
-            ),
-            Self::Dash => Some(
-                "without -o the answer goes to standard output; --format json, csv or md chooses its form there".into(),
-            ),
-            Self::Write { path, error } if error.kind() == io::ErrorKind::NotFound => {
-                path.parent().map(|folder| format!("there is no folder {}; make it first", folder.display()))
-            }
-            Self::NothingLeft { hint, .. } => Some(hint.clone()),
-            Self::RobotFile(_) | Self::BadFiles(_) => Some("the README shows a complete robot file".into()),
-            Self::Import(error) => import_hint(error),
-            Self::Map { error: MapError::Size { .. }, .. } => Some("try --size 1000".into()),
+            Self::Write { path, error } => return write_hint(path, error),
+            Self::NothingLeft { hint, .. } | Self::BadFiles { hint, .. } => return hint.clone(),
             Self::Place { error: PlaceError::NoArmPlane(error), .. }
             | Self::Map { error: MapError::Arm(PlaceError::NoArmPlane(error)), .. }
             | Self::Rank(RankError { error: SpatialPlaceError::Place(PlaceError::NoArmPlane(error)), .. })
                 if *error != NoArmPlane::Limits =>
             {
-                Some("--model spatial asks the model with all six drives".into())
+                "--model spatial asks the model with all six drives"
             }
-            _ => None,
+            Self::Place { robot, .. } | Self::PlaceInSpace { robot, .. } => {
+                return format!("`stiffarm robots show \"{robot}\"` tells lengths and limits; --within, --angle and --gap bound the search");
+            }
+            Self::Posture { robot, .. } => {
+                return format!("`stiffarm robots show \"{robot}\"` tells what is known of its joints and drives");
+            }
+            Self::UnknownRobot { .. } | Self::NoRobot(_) => {
+                "`stiffarm robots list` names the robots; a path to a robot file or a folder of them works too"
+            }
+            Self::Pattern { .. } => {
+                "* stands for any letters, ? for one, [abc] for one of these; a * or [ itself is written [*] and [[]"
+            }
+            Self::ClosedPipe => "nothing is left to do",
+            Self::Stdout(_) => "-o FILE writes the answer to a file instead",
+            Self::Dash => {
+                "without -o the answer goes to standard output; --format json, csv or md chooses its form there"
+            }
+            Self::Ending { .. } => "the ending of the name chooses what is written",
+            Self::OntoInput(_) => "choose another name: what is read is not written over",
+            Self::Unreadable(unreadable) => unreadable.advice(),
+            Self::RobotFile(_) => "the README shows a complete robot file",
+            Self::Import { error, ends_are_given } => import_hint(error, *ends_are_given),
+            Self::Usage(_) => "--help behind the command tells its options",
+            Self::Map { error: MapError::Size { .. }, .. } => "try --size 1000",
+            Self::Map { .. } | Self::Figure(_) => "--format csv or json gives the numbers; `stiffarm robots show` what is reached",
+            Self::Rank(_) | Self::Study(_) => "--help behind the command tells what each option takes",
+            Self::Ledger(_) => "the tables are compiled in: this is a fault of the program, please report it",
+            Self::Unsettled(_) => "the rows that say DISAGREES or LISTED; validation/ holds what is printed and why it differs",
         }
+        .into()
     }
 }
 
-/// What makes a description usable, where that is known.
-fn import_hint(error: &ImportError) -> Option<String> {
-    let hint = match error {
+/// What lets a file be written.
+fn write_hint(path: &Path, error: &io::Error) -> String {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match error.kind() {
+        ErrorKind::NotFound => format!("there is no folder {}; make it first", shown(folder)),
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+            format!("it, or the folder {}, is closed to you for writing; choose another place", shown(folder))
+        }
+        ErrorKind::NotADirectory => format!("{} is a file, not a folder; choose another place", shown(folder)),
+        ErrorKind::IsADirectory => "there is a folder of this name; choose another name, or a name in it".into(),
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
+            "there is no room for it; the answer stands on standard output, so that it is not lost".into()
+        }
+        ErrorKind::InvalidFilename => "the name is longer than the system takes; choose a shorter one".into(),
+        _ if path.is_symlink() => "it is a link: `ls -l` shows where it leads; name the file itself".into(),
+        _ => "choose another place; where the answer was computed, it stands on standard output".into(),
+    }
+}
+
+/// `.json, .csv or .txt`.
+fn either(words: &[String]) -> String {
+    match words {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        words => words.concat(),
+    }
+}
+
+/// What makes a description usable; nothing that was done already.
+fn import_hint(error: &ImportError, ends_are_given: bool) -> &'static str {
+    match error {
         ImportError::Xacro { .. } => {
             "expand it first: xacro FILE > robot.urdf (the ROS package xacro, or `pip install xacro`); a file of macros alone \
              needs a file that calls them"
@@ -179,14 +250,20 @@ fn import_hint(error: &ImportError) -> Option<String> {
         ImportError::NoLimits { .. } => {
             "give them: stiffarm robots import FILE --limits-deg=-185..185,-140..-5,-120..155,-350..350,-125..125,-350..350"
         }
-        ImportError::Which(_) => {
+        ImportError::Which(_) if !ends_are_given => {
             "stiffarm robots import FILE --base LINK --tip LINK says where the arm begins and ends"
         }
-        ImportError::Class(_) => {
+        ImportError::Class(_) if !ends_are_given => {
             "stiffarm knows arms with six turning axes: 1 upright, 2 and 3 parallel, 4, 5 and 6 through one point; --base LINK \
              and --tip LINK choose another part of the file"
         }
-        ImportError::Faults(_) | ImportError::Inexact { .. } => return None,
-    };
-    Some(hint.into())
+        ImportError::Which(_) | ImportError::Class(_) => {
+            "stiffarm knows arms with six turning axes: 1 upright, 2 and 3 parallel, 4, 5 and 6 through one point; between these \
+             links there is another"
+        }
+        ImportError::Faults(_) => "mend the lines that are named; docs/ and the README show what is read",
+        ImportError::Inexact { .. } => {
+            "the description bends or shifts an axis by more than is allowed: correct its origins"
+        }
+    }
 }

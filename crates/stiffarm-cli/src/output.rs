@@ -1,15 +1,17 @@
-//! Where answers go: standard output, or files that appear whole or not at all.
+//! Where answers go: standard output, or files that are open before anything is computed and appear whole or not at all.
 
 use std::ffi::OsStr;
 use std::fs;
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
 
 use atomic_write_file::AtomicWriteFile;
-use serde_json::Value;
+use serde::Serialize;
+use stiffarm::plain::on_its_lines;
 
 use crate::args::{Common, Format};
-use crate::columns::parquet;
+use crate::columns::write_parquet;
+use crate::commands::waiting;
 use crate::failure::Failure;
 use crate::figures::view3d::View;
 use crate::table::Table;
@@ -18,12 +20,14 @@ use crate::table::Table;
 pub(crate) trait Answer {
     /// The command's name, for errors.
     const COMMAND: &'static str;
+    /// Endings of the files it can be written to besides those of tables: svg and png, html, toml.
+    const FURTHER: &'static [&'static str] = &[];
     /// For people.
     fn text(&self, markdown: bool) -> String;
-    /// For programs.
-    fn json(&self) -> Value;
+    /// For programs; through [`pretty`].
+    fn json(&self, out: &mut dyn Write) -> io::Result<()>;
     /// For spreadsheets, and as typed columns for data frames.
-    fn csv(&self) -> Table;
+    fn csv(&self) -> Table<'_>;
     /// A robot file, where the command makes one.
     fn robot_file(&self) -> Option<String> {
         None
@@ -38,41 +42,166 @@ pub(crate) trait Answer {
     }
 }
 
-/// Prints an answer and writes it to every file asked for.
-pub(crate) fn deliver<A: Answer>(answer: &A, common: &Common) -> Result<(), Failure> {
-    for path in &common.output {
-        write_file(path, &contents(answer, path)?)?;
-    }
-    let only_data_file = common.format == Format::Table && common.output.iter().any(|path| !is_picture(path));
-    if !(only_data_file || common.quiet && !common.output.is_empty()) {
-        let text = match common.format {
-            Format::Table => answer.text(false),
-            Format::Md => answer.text(true),
-            Format::Json => json_text(&answer.json()),
-            Format::Csv => answer.csv().csv(),
-        };
-        print(&text)?;
-    }
-    if !common.quiet {
-        for path in &common.output {
-            eprintln!("wrote {}", path.display());
-        }
-    }
-    Ok(())
+/// Endings of the files that every answer can be written to.
+const TABLES: [&str; 5] = ["json", "csv", "parquet", "md", "txt"];
+
+/// The files that were asked for. Without them no answer is delivered, so none is computed that could not be written.
+pub(crate) struct Outputs<'a> {
+    common: &'a Common,
+    files: Vec<(&'a Path, Sink)>,
 }
 
-/// Refuses what cannot be written wherever it comes from, before anything is computed.
-pub(crate) fn check(paths: &[PathBuf]) -> Result<(), Failure> {
-    for path in paths {
-        if path.as_os_str() == "-" {
-            return Err(Failure::Dash);
+/// Where the bytes of a file go.
+enum Sink {
+    /// Into a file without a name, which takes its place when it is whole; a signal leaves nothing of it.
+    Atomic(AtomicWriteFile),
+    /// Into a pipe or device that is there.
+    Straight,
+}
+
+impl<'a> Outputs<'a> {
+    /// Opens every file that was asked for; `inputs` are the names under which the command reads.
+    ///
+    /// # Errors
+    /// Where an ending is not known, a folder is missing or closed to us, or a file would be written over what is read.
+    pub(crate) fn open<A: Answer>(common: &'a Common, inputs: &[&Path]) -> Result<Self, Failure> {
+        let mut files = Vec::new();
+        for path in &common.output {
+            if path.as_os_str() == "-" {
+                return Err(Failure::Dash);
+            }
+            let endings = || A::FURTHER.iter().chain(&TABLES);
+            if !endings().any(|known| *known == ending(path)) {
+                let expected: Vec<String> = endings().map(|known| format!(".{known}")).collect();
+                return Err(Failure::Ending { command: A::COMMAND, path: path.into(), expected });
+            }
+            files.push((path.as_path(), sink(path, inputs)?));
         }
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-        if let Some(error) = folder.and_then(|folder| fs::metadata(folder).err()) {
-            return Err(Failure::Write { path: path.clone(), error });
+        Ok(Self { common, files })
+    }
+
+    /// Prints an answer and writes it to every file; what cannot be written is printed, so that it is not lost.
+    pub(crate) fn deliver<A: Answer>(self, answer: &A) -> Result<(), Failure> {
+        let Self { common, files } = self;
+        let only_data_file = common.format == Format::Table && files.iter().any(|(path, _)| !is_picture(path));
+        let is_printed = !(only_data_file || common.quiet && !files.is_empty());
+        let mut written = Vec::new();
+        let mut failed: Vec<(&Path, Failure)> = Vec::new();
+        for (path, sink) in files {
+            match waiting("writing", common, || write(answer, path, sink)) {
+                Ok(()) => written.push(path),
+                Err(failure) => failed.push((path, failure)),
+            }
+        }
+        let printed = match failed.first() {
+            Some((path, _)) => print(&Body::printable(answer, path, common.format)),
+            None if is_printed => print(&Body::of_format(answer, common.format)),
+            None => Ok(()),
+        };
+        if !common.quiet {
+            for path in written {
+                say(&format!("wrote {}", path.display()));
+            }
+        }
+        let mut failures = failed.into_iter().map(|(_, failure)| failure);
+        let Some(first) = failures.next() else { return printed };
+        for further in failures {
+            say(&format!("error: {further}"));
+        }
+        Err(first)
+    }
+}
+
+/// Opens one file, whatever it points to.
+fn sink(path: &Path, inputs: &[&Path]) -> Result<Sink, Failure> {
+    let failure = |error| Failure::Write { path: path.into(), error };
+    let target = match fs::canonicalize(path) {
+        Ok(target) => target,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => path.into(),
+        Err(error) => return Err(failure(error)),
+    };
+    if inputs.iter().any(|input| fs::canonicalize(input).is_ok_and(|input| input == target)) {
+        return Err(Failure::OntoInput(path.into()));
+    }
+    match fs::metadata(&target) {
+        Ok(found) if found.is_dir() => Err(failure(io::ErrorKind::IsADirectory.into())),
+        Ok(found) if !found.is_file() => Ok(Sink::Straight),
+        Ok(found) if found.permissions().readonly() => Err(failure(io::ErrorKind::PermissionDenied.into())),
+        _ => AtomicWriteFile::open(target).map(Sink::Atomic).map_err(failure),
+    }
+}
+
+fn write<A: Answer>(answer: &A, path: &Path, sink: Sink) -> Result<(), Failure> {
+    let body = Body::of_file(answer, path)?;
+    let write = || match sink {
+        Sink::Straight => body.write(&mut fs::OpenOptions::new().write(true).open(path)?),
+        Sink::Atomic(mut file) => {
+            body.write(file.as_file_mut())?;
+            file.commit()
+        }
+    };
+    write().map_err(|error| Failure::Write { path: path.into(), error })
+}
+
+/// An answer in one form. Tables and JSON are made while they are written: maps are larger than memory.
+enum Body<'a, A> {
+    Bytes(Vec<u8>),
+    Json(&'a A),
+    Csv(Table<'a>),
+    Parquet(Table<'a>, &'static str),
+}
+
+impl<'a, A: Answer> Body<'a, A> {
+    fn of_format(answer: &'a A, format: Format) -> Self {
+        match format {
+            Format::Table => Self::Bytes(on_its_lines(&answer.text(false)).into_owned().into()),
+            Format::Md => Self::Bytes(on_its_lines(&answer.text(true)).into_owned().into()),
+            Format::Json => Self::Json(answer),
+            Format::Csv => Self::Csv(answer.csv()),
         }
     }
-    Ok(())
+
+    /// By its ending, which was found to be one of this command's.
+    fn of_file(answer: &'a A, path: &Path) -> Result<Self, Failure> {
+        Ok(match ending(path).as_str() {
+            "json" => Self::of_format(answer, Format::Json),
+            "csv" => Self::of_format(answer, Format::Csv),
+            "md" => Self::of_format(answer, Format::Md),
+            "parquet" => Self::Parquet(answer.csv(), A::COMMAND),
+            "toml" => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
+            "svg" => Self::Bytes(picture(answer.svg())?.into()),
+            "png" => Self::Bytes(crate::figures::png(&picture(answer.svg())?, 2.0).map_err(figure)?),
+            "html" => Self::Bytes(picture(answer.view())?.html().into()),
+            _ => Self::of_format(answer, Format::Table),
+        })
+    }
+
+    /// What stands for a file that could not be written: its own text, the table for its columns, and the usual for a picture.
+    fn printable(answer: &'a A, path: &Path, usual: Format) -> Self {
+        match ending(path).as_str() {
+            "json" => Self::of_format(answer, Format::Json),
+            "csv" | "parquet" => Self::of_format(answer, Format::Csv),
+            "md" => Self::of_format(answer, Format::Md),
+            "toml" => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
+            _ => Self::of_format(answer, usual),
+        }
+    }
+
+    fn write(&self, out: &mut (impl Write + Send)) -> io::Result<()> {
+        let mut out = BufWriter::new(out);
+        match self {
+            Self::Bytes(bytes) => out.write_all(bytes)?,
+            Self::Json(answer) => answer.json(&mut out)?,
+            Self::Csv(table) => table.write_csv(&mut out)?,
+            Self::Parquet(table, command) => write_parquet(table, command, &mut out)?,
+        }
+        out.flush()
+    }
+}
+
+/// A picture of a kind that the command has said it can make.
+fn picture<T>(made: Option<Result<T, Failure>>) -> Result<T, Failure> {
+    made.unwrap_or_else(|| Err(Failure::Figure("there is nothing to draw".into())))
 }
 
 fn is_picture(path: &Path) -> bool {
@@ -83,73 +212,29 @@ fn ending(path: &Path) -> String {
     path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase()
 }
 
-fn contents<A: Answer>(answer: &A, path: &Path) -> Result<Vec<u8>, Failure> {
-    match ending(path).as_str() {
-        "json" => return Ok(json_text(&answer.json()).into_bytes()),
-        "csv" => return Ok(answer.csv().csv().into_bytes()),
-        "parquet" => return Ok(parquet(&answer.csv(), A::COMMAND)),
-        "md" => return Ok(answer.text(true).into_bytes()),
-        "txt" => return Ok(answer.text(false).into_bytes()),
-        "toml" => {
-            if let Some(text) = answer.robot_file() {
-                return Ok(text.into_bytes());
-            }
-        }
-        picture @ ("svg" | "png") => {
-            if let Some(svg) = answer.svg() {
-                let svg = svg?;
-                return if picture == "svg" {
-                    Ok(svg.into_bytes())
-                } else {
-                    crate::figures::png(&svg, 2.0).map_err(figure)
-                };
-            }
-        }
-        "html" => {
-            if let Some(view) = answer.view() {
-                return Ok(view?.html().into_bytes());
-            }
-        }
-        _ => {}
-    }
-    let pictures = if answer.svg().is_some() { ".svg, .png, " } else { "" };
-    let robot_file = if answer.robot_file().is_some() { ".toml, " } else { "" };
-    let views = if answer.view().is_some() { ".html, " } else { "" };
-    let expected = format!("{robot_file}{pictures}{views}.json, .csv, .parquet, .md or .txt");
-    Err(Failure::Ending { command: A::COMMAND, path: path.into(), expected })
-}
-
 /// A figure's error as a failure.
 #[expect(clippy::needless_pass_by_value, reason = "used with map_err")]
 pub(crate) fn figure(error: crate::figures::FigureError) -> Failure {
     Failure::Figure(error.to_string())
 }
 
-fn json_text(value: &Value) -> String {
-    let mut text = serde_json::to_string_pretty(value).expect("a JSON value is always text");
-    text.push('\n');
-    text
-}
-
-/// Writes a file whole or not at all: through a link to what it points to, and straight into a pipe or device.
-fn write_file(path: &Path, contents: &[u8]) -> Result<(), Failure> {
-    let write = || {
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
-        if fs::metadata(&target).is_ok_and(|found| !found.is_file()) {
-            return fs::write(&target, contents);
-        }
-        let mut file = AtomicWriteFile::open(target)?;
-        file.write_all(contents)?;
-        file.commit()
-    };
-    write().map_err(|error| Failure::Write { path: path.into(), error })
+/// JSON with line breaks, as people can read it.
+pub(crate) fn pretty(out: &mut dyn Write, value: &impl Serialize) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, value)?;
+    out.write_all(b"\n")
 }
 
 /// Writes to standard output.
-pub(crate) fn print(text: &str) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+fn print<A: Answer>(body: &Body<A>) -> Result<(), Failure> {
+    body.write(&mut io::stdout()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
         _ => Failure::Stdout(error),
     })
+}
+
+/// Talks to the user, beside the answer.
+pub(crate) fn say(text: &str) {
+    let lines = on_its_lines(text).into_owned() + "\n";
+    // Where standard error is closed or full, nobody listens, and there is nowhere left to say so.
+    let _ = io::stderr().write_all(lines.as_bytes());
 }

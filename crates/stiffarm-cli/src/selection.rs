@@ -1,17 +1,14 @@
 //! Which robots are meant: names, patterns, files, folders, the sets `paper` and `all`.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use stiffarm::catalogue::import::{ImportOptions, import};
-use stiffarm::catalogue::{self, paper_robots, read, suggestions};
+use stiffarm::catalogue::files::{self, Loaded};
+use stiffarm::catalogue::{self, paper_robots, suggestions};
 use stiffarm::robot::Robot;
 
 use crate::args::Common;
 use crate::failure::Failure;
-
-/// Robot files are small; a larger file is something else.
-const MOST_BYTES: u64 = 1 << 20;
+use crate::output::say;
 
 /// The one robot that a name or path means.
 pub(crate) fn robot(name: &str, common: &Common) -> Result<Robot, Failure> {
@@ -19,13 +16,8 @@ pub(crate) fn robot(name: &str, common: &Common) -> Result<Robot, Failure> {
         return Ok(entry.robot());
     }
     let path = Path::new(name);
-    if path.is_file() {
+    if path.exists() || files::is_robot_file(path) {
         return read_file(path, common);
-    }
-    let looks_like_a_file = ends_in(path, "toml") || is_description(path);
-    if looks_like_a_file || path.is_dir() {
-        let error = fs::read(path).err().unwrap_or_else(|| std::io::ErrorKind::InvalidInput.into());
-        return Err(Failure::Read { path: path.into(), error });
     }
     let suggestions = suggestions(name).into_iter().map(Into::into).collect();
     Err(Failure::UnknownRobot { name: name.into(), suggestions })
@@ -64,9 +56,9 @@ fn told_apart(found: Vec<Found>, common: &Common) -> Vec<Robot> {
         let alike = names.iter().filter(|other| *other == name).count();
         if let Some(file) = file.filter(|_| 1 < alike) {
             if !common.quiet {
-                eprintln!("note: {}: one of {alike} different robots named {name}", file.display());
+                say(&format!("note: {}: one of {alike} different robots named {name}", files::shown(&file)));
             }
-            robot.name = format!("{} ({})", robot.name, file.display());
+            robot.name = format!("{} ({})", robot.name, files::shown(&file));
         }
         robots.push(robot);
     }
@@ -86,59 +78,27 @@ fn matching(name: &str, common: &Common) -> Result<Vec<Found>, Failure> {
         _ => {}
     }
     if path.is_dir() {
-        return files_in(path)?.iter().map(|path| with_file(path)).collect();
+        return files::robot_files(path)?.iter().map(|path| with_file(path)).collect();
     }
-    if catalogue::find(name).is_none() && path.is_file() {
+    if catalogue::find(name).is_none() && path.exists() {
         return Ok(vec![with_file(path)?]);
     }
     if !name.contains(['*', '?', '[']) {
         return Ok(vec![robot(name, common)?.into()]);
     }
     let found =
-        catalogue::matching(name).map_err(|error| Failure::Usage(format!("'{name}' is not a pattern: {error}")))?;
+        catalogue::matching(name).map_err(|error| Failure::Pattern { pattern: name.into(), error: error.msg })?;
     let found: Vec<Found> = found.iter().map(|entry| entry.robot().into()).collect();
     if found.is_empty() { Err(Failure::NoRobot(name.into())) } else { Ok(found) }
 }
 
-/// The robot files in a folder, in the order of their names.
-pub(crate) fn files_in(path: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let failure = |error| Failure::Read { path: path.into(), error };
-    let entries: Result<Vec<_>, _> = fs::read_dir(path).map_err(failure)?.collect();
-    let mut paths: Vec<_> = entries.map_err(failure)?.into_iter().map(|entry| entry.path()).collect();
-    paths.retain(|path| ends_in(path, "toml"));
-    paths.sort();
-    if paths.is_empty() { Err(Failure::NoRobot(path.display().to_string())) } else { Ok(paths) }
-}
-
 /// Reads and checks one robot file; a URDF is imported as it stands, and what was chosen in that is said on stderr.
 pub(crate) fn read_file(path: &Path, common: &Common) -> Result<Robot, Failure> {
-    let (text, name) = (read_text(path)?, path.display().to_string());
-    if is_description(path) {
-        let imported = import(&text, &name, &ImportOptions::default())?;
-        if !common.quiet {
-            for note in &imported.notes {
-                eprintln!("note: {name}: {note}");
-            }
+    let Loaded { robot, notes } = files::load(path)?;
+    if !common.quiet {
+        for note in &notes {
+            say(&format!("note: {}: {note}", files::shown(path)));
         }
-        return Ok(imported.robot);
     }
-    Ok(read(&text, &name)?)
-}
-
-/// The text of a file that is no larger than what describes a robot.
-pub(crate) fn read_text(path: &Path) -> Result<String, Failure> {
-    let failure = |error| Failure::Read { path: path.into(), error };
-    if MOST_BYTES < fs::metadata(path).map_err(failure)?.len() {
-        return Err(failure(std::io::Error::other("larger than 1 MiB; expected a robot file")));
-    }
-    fs::read_to_string(path).map_err(failure)
-}
-
-/// A description of a robot that others made.
-fn is_description(path: &Path) -> bool {
-    ends_in(path, "urdf") || ends_in(path, "xacro")
-}
-
-fn ends_in(path: &Path, ending: &str) -> bool {
-    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+    Ok(robot)
 }

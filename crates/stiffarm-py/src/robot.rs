@@ -1,12 +1,12 @@
 //! Robots, and which of them are meant.
 
-use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
+use stiffarm::catalogue::files::{self, LoadError, Unreadable};
 use stiffarm::catalogue::import::{ImportOptions, import};
 use stiffarm::catalogue::{self, Entry, Filter, find, matching, paper_robots, read, suggestions, write};
 use stiffarm::drive::Architecture;
@@ -76,7 +76,7 @@ impl Robot {
     fn from_toml(source: PathBuf) -> PyResult<Self> {
         match source.to_str() {
             Some(text) if text.contains(['\n', '=']) => read(text, "robot").map(Self).map_err(refused),
-            _ => read(&text_of(&source)?, &source.display().to_string()).map(Self).map_err(refused),
+            _ => read(&text_of(&source)?, &files::shown(&source)).map(Self).map_err(refused),
         }
     }
 
@@ -106,7 +106,7 @@ impl Robot {
     ) -> PyResult<Self> {
         let options = ImportOptions { name, vendor, base, tip, ..ImportOptions::default() };
         let text = text_of(&path)?;
-        import(&text, &path.display().to_string(), &options).map(|found| Self(found.robot)).map_err(refused)
+        import(&text, &files::shown(&path), &options).map(|found| Self(found.robot)).map_err(refused)
     }
 
     /// A robot from its numbers, by the keys of a robot file.
@@ -268,7 +268,7 @@ fn robot(name: &str) -> PyResult<Robot> {
         return Ok(Robot(entry.robot()));
     }
     let path = Path::new(name);
-    if path.is_file() || ends_in(path, "toml") || is_description(path) { read_file(path) } else { Err(unknown(name)) }
+    if path.exists() || files::is_robot_file(path) { read_file(path) } else { Err(unknown(name)) }
 }
 
 fn unknown(name: &str) -> PyErr {
@@ -281,38 +281,25 @@ fn unknown(name: &str) -> PyErr {
     refused(format!("robot '{name}' is not known; {hint}"))
 }
 
-fn ends_in(path: &Path, ending: &str) -> bool {
-    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
-}
-
-/// A description of a robot that others made.
-fn is_description(path: &Path) -> bool {
-    ends_in(path, "urdf") || ends_in(path, "xacro")
+fn read_file(path: &Path) -> PyResult<Robot> {
+    match files::load(path) {
+        Ok(found) => Ok(Robot(found.robot)),
+        Err(LoadError::Unreadable(error)) => Err(unread(&error)),
+        Err(error) => Err(refused(error)),
+    }
 }
 
 fn text_of(path: &Path) -> PyResult<String> {
-    fs::read_to_string(path).map_err(|error| refused(format!("cannot read {}: {error}", path.display())))
+    files::text(path).map_err(|error| unread(&error))
 }
 
-fn read_file(path: &Path) -> PyResult<Robot> {
-    let (text, name) = (text_of(path)?, path.display().to_string());
-    if is_description(path) {
-        return import(&text, &name, &ImportOptions::default()).map(|found| Robot(found.robot)).map_err(refused);
-    }
-    read(&text, &name).map(Robot).map_err(refused)
+fn unread(error: &Unreadable) -> PyErr {
+    refused(format!("{error}; {}", error.advice()))
 }
 
 /// Every robot file in a folder, in the order of their names.
 fn folder(path: &Path) -> PyResult<Vec<Robot>> {
-    let failed = |error| refused(format!("cannot read {}: {error}", path.display()));
-    let files: Result<Vec<_>, _> = fs::read_dir(path).map_err(failed)?.collect();
-    let mut files: Vec<PathBuf> = files.map_err(failed)?.into_iter().map(|file| file.path()).collect();
-    files.retain(|file| ends_in(file, "toml"));
-    files.sort();
-    if files.is_empty() {
-        return Err(refused(format!("'{}' matches no robot", path.display())));
-    }
-    files.iter().map(|file| read_file(file)).collect()
+    files::robot_files(path).map_err(|error| unread(&error))?.iter().map(|file| read_file(file)).collect()
 }
 
 /// The robots that names, patterns, paths and the sets `paper` and `all` mean, in the order given.

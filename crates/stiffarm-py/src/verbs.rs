@@ -232,7 +232,7 @@ fn handed_over<'py>(
         let cells: Bound<PyArray2<f64>> = PyArray1::from_vec(py, layer.cells()).reshape([map.z.count, map.x.count])?;
         layers.set_item(layer.key, cells)?;
     }
-    Ok((to_python(py, &report.head)?, layers, to_python(py, shown)?))
+    Ok((to_python(py, &report.head_with_postures())?, layers, to_python(py, shown)?))
 }
 
 /// Architecture against link ratio and size.

@@ -95,6 +95,13 @@ def test_numbers_out_of_range_are_named():
 def test_robots_that_are_none(tmp_path):
     refused("did you mean", Robot, "KR 210 R2700 extr")
     refused("cannot read", Robot, tmp_path / "nothing.toml")
+    refused("a pipe, a device or a socket", Robot, "/dev/zero")
+    refused("it is a folder", Robot, tmp_path)
+    refused("ends in .toml", stiffarm.rank, str(tmp_path))
+    (tmp_path / "wide.toml").write_text("name = 'a'", encoding="utf-16")
+    refused("save it as UTF-8", Robot, tmp_path / "wide.toml")
+    (tmp_path / "long.toml").write_bytes(b"#" * (5 << 20))
+    refused("larger than 4 MiB", Robot.from_toml, tmp_path / "long.toml")
     refused("matches no robot", stiffarm.rank, "xyz*")
     refused("a1_mm: missing", Robot.from_numbers, "x", c2_mm=1000)
     refused("a9_mm", Robot.from_numbers, "x", a9_mm=1000)

@@ -17,6 +17,9 @@ pub use section::{Section, SectionOptions, reached_section, section};
 /// More cells than this are refused before memory is taken (800 MB).
 pub const MOST_CELLS: usize = 100_000_000;
 
+/// And in space, where a cell holds margins, posture and roll besides (half a gigabyte while it is made).
+pub const MOST_CELLS_IN_SPACE: usize = MOST_CELLS / 20;
+
 /// Evenly spaced points along one axis of a map, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
@@ -128,13 +131,15 @@ pub enum MapError {
     Posture(#[from] PostureError),
     /// Too many cells, or none.
     #[error(
-        "a map of {columns} x {rows} cells; expected at least 2 x 2 and at most {MOST_CELLS} cells: choose a larger step"
+        "a map of {columns} x {rows} cells; expected at least 2 x 2 and at most {most} cells: choose a larger step"
     )]
     Size {
         /// Along x.
         columns: usize,
         /// Along z.
         rows: usize,
+        /// How many may be asked for.
+        most: usize,
     },
     /// A grid that is not finite.
     #[error("a grid that starts at {start} m with steps of {step} m; expected finite numbers and a positive step")]
@@ -187,7 +192,7 @@ impl Map {
 pub fn map(arm: &PlanarArm, options: &MapOptions) -> Result<Map, MapError> {
     let (columns, rows) = (options.x.count, options.z.count);
     if columns < 2 || rows < 2 || !columns.checked_mul(rows).is_some_and(|cells| cells <= MOST_CELLS) {
-        return Err(MapError::Size { columns, rows });
+        return Err(MapError::Size { columns, rows, most: MOST_CELLS });
     }
     let mut cells = vec![0.0; columns * rows];
     map_into(arm, options, &mut cells)?;

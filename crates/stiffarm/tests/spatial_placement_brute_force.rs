@@ -8,12 +8,11 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
-use stiffarm::catalogue::{entries, paper_robots};
 use stiffarm::compliance::{beyond_limits, compliance};
-use stiffarm::drive::{Architecture, Drives, JointCompliance};
+use stiffarm::drive::JointCompliance;
 use stiffarm::geometry::Geometry;
 use stiffarm::inverse::{Class, reached};
-use stiffarm::limits::{Limits, Range, ThirdAxis};
+use stiffarm::limits::{Limits, Range};
 use stiffarm::place::{
     Orientation, PlaceOptions, Placed, Placement, SpatialOptions, SpatialPlacement, Within, place, place_in_space,
 };

@@ -1,7 +1,9 @@
 //! `stiffarm compliance`: one posture, all six drives.
 
+use std::io::{self, Write};
+use std::path::Path;
+
 use nalgebra::Vector3;
-use serde_json::Value;
 use stiffarm::compliance::{Posture, beyond_limits, compliance};
 use stiffarm::report;
 use stiffarm::robot::Robot;
@@ -10,11 +12,12 @@ use stiffarm::spatial::{Pose, Wrench};
 use crate::args::{Common, ComplianceArgs};
 use crate::failure::Failure;
 use crate::figures::view3d::{ArmMark, Arrow, View};
-use crate::output::{Answer, deliver};
+use crate::output::{Answer, Outputs, pretty, say};
 use crate::selection;
 use crate::table::{Table, fixed, percentages};
 
 pub(crate) fn run(args: &ComplianceArgs, common: &Common) -> Result<(), Failure> {
+    let outputs = Outputs::open::<ComplianceAnswer>(common, &[Path::new(&args.robot)])?;
     let robot = selection::robot(&args.robot, common)?;
     let q: [f64; 6] = args.joints_deg.as_slice().try_into().map_err(|_| {
         Failure::Usage(format!("--joints-deg has {} angles; expected six, separated by commas", args.joints_deg.len()))
@@ -34,17 +37,17 @@ pub(crate) fn run(args: &ComplianceArgs, common: &Common) -> Result<(), Failure>
     if !common.quiet {
         remarks(&robot, &q, &radians);
     }
-    deliver(&ComplianceAnswer { robot, q, tool, force, posture }, common)
+    outputs.deliver(&ComplianceAnswer { robot, q, tool, force, posture })
 }
 
 /// Says on stderr what looks wrong about the joint angles.
 fn remarks(robot: &Robot, q: &[f64; 6], radians: &[f64; 6]) {
     if q.iter().any(|angle| *angle != 0.0) && q.iter().all(|angle| angle.abs() <= std::f64::consts::TAU) {
-        eprintln!("warning: no joint angle is beyond 6.3 deg; if these are radians, convert them to degrees");
+        say("warning: no joint angle is beyond 6.3 deg; if these are radians, convert them to degrees");
     }
     for joint in beyond_limits(robot, radians) {
         let which = if joint == 0 { "the angle between the links".into() } else { format!("joint {joint}") };
-        eprintln!("warning: {which} is beyond its limits (`stiffarm robots show` lists them)");
+        say(&format!("warning: {which} is beyond its limits (`stiffarm robots show` lists them)"));
     }
 }
 
@@ -96,6 +99,7 @@ fn vector(v: &Vector3<f64>, digits: usize) -> String {
 
 impl Answer for ComplianceAnswer {
     const COMMAND: &'static str = "compliance";
+    const FURTHER: &'static [&'static str] = &["html"];
 
     fn text(&self, markdown: bool) -> String {
         let Self { robot, q, posture, .. } = self;
@@ -129,11 +133,11 @@ impl Answer for ComplianceAnswer {
         table.text(markdown) + "\nbase axes: x forward, y left, z up; all six drives compliant, everything else rigid\n"
     }
 
-    fn json(&self) -> Value {
-        report::compliance::posture(&self.robot, &self.q, &self.posture, self.force.as_ref())
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &report::compliance::posture(&self.robot, &self.q, &self.posture, self.force.as_ref()))
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let mut table = Table::new(["row", "x_m", "y_m", "z_m", "rx_rad", "ry_rad", "rz_rad"]);
         for (i, name) in ["fx_n", "fy_n", "fz_n", "mx_nm", "my_nm", "mz_nm"].into_iter().enumerate() {
             let column = self.posture.compliance.0.column(i).map(|x| x.to_string());
@@ -141,6 +145,7 @@ impl Answer for ComplianceAnswer {
         }
         table
     }
+
     fn view(&self) -> Option<Result<View, Failure>> {
         let Self { robot, q, posture, .. } = self;
         let (worst, direction) = posture.compliance.worst();

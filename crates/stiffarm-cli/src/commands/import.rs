@@ -1,24 +1,30 @@
 //! `stiffarm robots import`: a robot file from a URDF or from OPW parameters.
 
-use serde_json::{Value, json};
+use std::io::{self, Write};
+
+use serde_json::json;
+use stiffarm::catalogue::files;
 use stiffarm::catalogue::import::{ImportOptions, Imported, SAMPLES, import};
 use stiffarm::limits::Range;
 use stiffarm::robot::Arm;
 
 use crate::args::{Common, Format, ImportArgs};
 use crate::failure::Failure;
-use crate::output::{Answer, deliver};
-use crate::selection;
+use crate::output::{Answer, Outputs, pretty, say};
 use crate::table::Table;
 
 pub(crate) fn run(args: &ImportArgs, common: &Common) -> Result<(), Failure> {
+    let outputs = Outputs::open::<Report>(common, &[&args.file])?;
     let options = options(args)?;
-    let text = selection::read_text(&args.file)?;
-    let answer = Report(import(&text, &args.file.display().to_string(), &options)?);
+    let text = files::text(&args.file)?;
+    let answer = Report(
+        import(&text, &files::shown(&args.file), &options)
+            .map_err(|error| Failure::Import { error, ends_are_given: args.base.is_some() && args.tip.is_some() })?,
+    );
     if common.format == Format::Table && !common.quiet {
-        eprint!("{}", answer.report(false));
+        say(answer.report(false).trim_end());
     }
-    deliver(&answer, common)
+    outputs.deliver(&answer)
 }
 
 fn options(args: &ImportArgs) -> Result<ImportOptions, Failure> {
@@ -99,14 +105,15 @@ impl Report {
 
 impl Answer for Report {
     const COMMAND: &'static str = "robots import";
+    const FURTHER: &'static [&'static str] = &["toml"];
 
     fn text(&self, markdown: bool) -> String {
         if markdown { self.report(true) } else { self.0.text.clone() }
     }
 
-    fn json(&self) -> Value {
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
         let Imported { robot, text, notes, compared_with, largest_error, largest_turn } = &self.0;
-        json!({
+        let report = json!({
             "robot": robot.name,
             "vendor": robot.vendor,
             "architecture": robot.architecture.name(),
@@ -117,10 +124,11 @@ impl Answer for Report {
             "largest_error_m": largest_error,
             "largest_error_rad": largest_turn,
             "robot_file": text,
-        })
+        });
+        pretty(out, &report)
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let mut table = Table::new(["key", "value"]);
         for (key, value) in self.rows() {
             table.row([key.to_owned(), value]);

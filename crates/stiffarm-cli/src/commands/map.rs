@@ -1,6 +1,8 @@
 //! `stiffarm map`: the deflection over everything a robot reaches.
 
-use serde_json::Value;
+use std::io::{self, Write};
+use std::path::Path;
+
 use stiffarm::limits::Range;
 use stiffarm::map::{Component, Direction, Map, MapError, MapOptions, Spacing, map, reached_box, stiffest_posture};
 use stiffarm::place::{PlaceOptions, Placement, Within, find_robot};
@@ -10,15 +12,15 @@ use stiffarm::report;
 use stiffarm::robot::{Arm, ArmPlane, Robot};
 use stiffarm::task::Task;
 
-use super::spatial;
+use super::{spatial, waiting};
 use crate::args::{Common, Layer, MapArgs, Part};
 use crate::failure::Failure;
 use crate::figures::map::MapFigure;
 use crate::figures::scene::{Scene, ZoneMark, links, rim};
 use crate::figures::view3d::{ArmMark, Cell, Sheet, View, Zone};
-use crate::output::{Answer, deliver, figure};
+use crate::output::{Answer, Outputs, figure, pretty, say};
 use crate::selection;
-use crate::table::Table;
+use crate::table::{Table, full};
 
 /// Points along the longer side of a map that is only drawn.
 const FIGURE_SIZE: usize = 400;
@@ -36,6 +38,7 @@ pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
             return Err(Failure::Usage(format!("{name} needs --model spatial")));
         }
     }
+    let outputs = Outputs::open::<MapAnswer>(common, &[Path::new(&args.robot)])?;
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let plane = arm_plane(&robot).map_err(failure)?;
     let [x, z] = args.spacing().cover(reached_box(&plane.arm).map_err(failure)?);
@@ -43,20 +46,20 @@ pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         Direction::Given(angle.to_radians(), args.component.unwrap_or(Part::Total).into())
     });
     let options = MapOptions { x, z, force: args.placing.force_n, direction, elbow: args.elbow.map(Into::into) };
-    let map = map(&plane.arm, &options).map_err(failure)?;
+    let map = waiting("mapping", common, || map(&plane.arm, &options)).map_err(failure)?;
     let zone = match &args.zone {
         None => None,
         Some(task) => {
             let placing = args.placing.options(task.zone);
-            let found = find_robot(&robot, task.zone, &placing)
+            let found = waiting("searching places", common, || find_robot(&robot, task.zone, &placing))
                 .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
             if found.is_none() && !common.quiet {
-                eprintln!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label);
+                say(&format!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label));
             }
             found.map(|placement| (task.clone(), placement))
         }
     };
-    deliver(&MapAnswer { within: args.placing.planar_within(), robot, plane, options, map, zone }, common)
+    outputs.deliver(&MapAnswer { within: args.placing.planar_within(), robot, plane, options, map, zone })
 }
 
 fn arm_plane(robot: &Robot) -> Result<ArmPlane, MapError> {
@@ -201,6 +204,7 @@ impl MapAnswer {
 
 impl Answer for MapAnswer {
     const COMMAND: &'static str = "map";
+    const FURTHER: &'static [&'static str] = &["svg", "png", "html"];
 
     fn text(&self, markdown: bool) -> String {
         let Self { robot, map, options, .. } = self;
@@ -220,11 +224,14 @@ impl Answer for MapAnswer {
                 }
             }
         }
-        let floor = self.plane.arm.radial().floor() * options.force * 1e3;
-        table.row([
-            "bound".into(),
-            format!("{floor:.4} mm in the worst direction at the stiffest posture of the links"),
-        ]);
+        // In one direction a posture may give way less than in its worst: down to nothing.
+        if options.direction == Direction::Worst {
+            let floor = self.plane.arm.radial().floor() * options.force * 1e3;
+            table.row([
+                "bound".into(),
+                format!("{floor:.4} mm in the worst direction at the stiffest posture of the links"),
+            ]);
+        }
         if let Some((task, placement)) = &self.zone {
             let [x, z] = placement.centre;
             let deflection = placement.deflection * 1e3;
@@ -236,21 +243,18 @@ impl Answer for MapAnswer {
         table.text(markdown) + "\n-o map.svg, .png, .html, .csv, .parquet or .json writes the map\n"
     }
 
-    fn json(&self) -> Value {
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
         let zone = self.zone.as_ref().map(|(task, placement)| (task, placement));
-        report::map::planar(&self.robot, &self.options, &self.map, zone).json()
+        pretty(out, &report::map::planar(&self.robot, &self.options, &self.map, zone))
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let map = &self.map;
-        let mut table = Table::new(["x_m", "z_m", "deflection_mm"]);
-        for j in 0..map.z.count {
-            for (i, cell) in map.row(j).enumerate() {
-                let value = cell.map_or_else(String::new, |cell| (cell * 1e3).to_string());
-                table.row([map.x.at(i).to_string(), map.z.at(j).to_string(), value]);
-            }
-        }
-        table
+        let row = |cell: usize| {
+            let (i, j) = (cell % map.x.count, cell / map.x.count);
+            [map.x.at(i).to_string(), map.z.at(j).to_string(), full(map.get(i, j).map(|metres| metres * 1e3))]
+        };
+        Table::made(["x_m", "z_m", "deflection_mm"], map.x.count * map.z.count, row)
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {

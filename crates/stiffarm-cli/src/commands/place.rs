@@ -1,17 +1,19 @@
 //! `stiffarm place`: the best place of one zone.
 
-use serde_json::Value;
+use std::io::{self, Write};
+use std::path::Path;
+
 use stiffarm::place::{Outside, PlaceError, PlaceOptions, Placed, Placement, place_robot};
 use stiffarm::report;
 use stiffarm::robot::Robot;
 use stiffarm::task::Task;
 
 use super::map::{MapAnswer, placement_map};
-use super::spatial;
+use super::{spatial, waiting};
 use crate::args::{Common, PlaceArgs};
 use crate::failure::Failure;
 use crate::figures::view3d::View;
-use crate::output::{Answer, deliver};
+use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
 use crate::table::{Table, fixed, full};
 
@@ -20,11 +22,12 @@ pub(crate) fn run(args: &PlaceArgs, common: &Common) -> Result<(), Failure> {
     if args.space.is_spatial()? {
         return spatial::place::run(robot, args, common);
     }
+    let outputs = Outputs::open::<PlaceAnswer>(common, &[Path::new(&args.robot)])?;
     let options = args.placing.options(args.task.zone);
-    let placed = place_robot(&robot, args.task.zone, &options)
+    let placed = waiting("searching places", common, || place_robot(&robot, args.task.zone, &options))
         .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
     let answer = PlaceAnswer { robot, task: args.task.clone(), options, placed, tolerance_mm: args.tolerance_mm };
-    deliver(&answer, common)
+    outputs.deliver(&answer)
 }
 
 struct PlaceAnswer {
@@ -44,6 +47,7 @@ impl PlaceAnswer {
 
 impl Answer for PlaceAnswer {
     const COMMAND: &'static str = "place";
+    const FURTHER: &'static [&'static str] = &["svg", "png", "html"];
 
     fn text(&self, markdown: bool) -> String {
         let Self { robot, task, options, .. } = self;
@@ -89,11 +93,12 @@ impl Answer for PlaceAnswer {
         table.text(markdown)
     }
 
-    fn json(&self) -> Value {
-        Value::Object(report::place::cell(&self.robot, &self.task, &self.options, &self.placed, self.tolerance_mm))
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        let cell = report::place::cell(&self.robot, &self.task, &self.options, &self.placed, self.tolerance_mm);
+        pretty(out, &cell)
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let mut table = Table::new(CELL_COLUMNS);
         table.row(cell_row(&self.robot, &self.task, &self.options, Ok(&self.placed), self.tolerance_mm));
         table

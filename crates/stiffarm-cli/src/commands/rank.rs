@@ -1,9 +1,10 @@
 //! `stiffarm rank`: robots in order, for several tasks, against a tolerance.
 
 use std::cell::OnceCell;
-use std::fmt::Write;
+use std::fmt::Write as _;
+use std::io::{self, Write};
+use std::path::Path;
 
-use serde_json::Value;
 use stiffarm::drive::Architecture;
 use stiffarm::place::{Outside, PlaceOptions};
 use stiffarm::question::{Angle, distinct};
@@ -18,9 +19,9 @@ use super::{progress, spatial};
 use crate::args::{Common, RankArgs};
 use crate::failure::Failure;
 use crate::figures::ranking::{self, Curve, Panel};
-use crate::output::{Answer, deliver, figure};
+use crate::output::{Answer, Outputs, figure, pretty};
 use crate::selection;
-use crate::table::{Table, fixed, full};
+use crate::table::{Table, fixed, full, prose};
 
 /// Sizes along each curve of the figure.
 const CURVE_POINTS: usize = 40;
@@ -44,12 +45,18 @@ pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
     if args.space.is_spatial()? {
         return spatial::rank::run(&robots, &tasks, args, common);
     }
+    let outputs = Outputs::open::<RankAnswer>(common, &inputs(args))?;
     let options = args.placing.options(first.zone);
     let bar = progress(robots.len() * tasks.len(), "placing zones", common);
     let ranking = rank(&robots, &tasks, &options, || bar.inc(1))?;
     bar.finish_and_clear();
     let answer = RankAnswer { ranking, options, args, common, svg: OnceCell::new() };
-    deliver(&answer, common)
+    outputs.deliver(&answer)
+}
+
+/// What may be files among the robots.
+pub(crate) fn inputs(args: &RankArgs) -> Vec<&Path> {
+    args.robots.iter().map(|robot| Path::new(robot.trim())).collect()
 }
 
 /// Where only the paper's robots were asked, there are more.
@@ -245,6 +252,7 @@ fn largest_scale(robots: &[Robot], zone: Zone) -> f64 {
 
 impl Answer for RankAnswer<'_> {
     const COMMAND: &'static str = "rank";
+    const FURTHER: &'static [&'static str] = &["svg", "png"];
 
     fn text(&self, markdown: bool) -> String {
         let Ranking { tasks, force, rows } = &self.ranking;
@@ -273,16 +281,16 @@ impl Answer for RankAnswer<'_> {
             "Worst deflection inside each zone at its best place, {force} N in the worst direction, planar model; proved to {gap}\n\n\
              {}\n{}\n{}\n",
             table.text(markdown),
-            self.notes(),
-            report::rank::sentences(&self.ranking, self.tolerance_mm()).join("\n")
+            prose(&self.notes(), markdown),
+            prose(&report::rank::sentences(&self.ranking, self.tolerance_mm()).join("\n"), markdown)
         )
     }
 
-    fn json(&self) -> Value {
-        report::rank::ranking(&self.ranking, &self.options, self.tolerance_mm())
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &report::rank::ranking(&self.ranking, &self.options, self.tolerance_mm()))
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let mut table = Table::new(["rank", "bound_mm"].into_iter().chain(CELL_COLUMNS));
         for (row, place) in self.ranking.rows.iter().zip(self.ranking.places()) {
             for (task, cell) in self.ranking.tasks.iter().zip(&row.cells) {

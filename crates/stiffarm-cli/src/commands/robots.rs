@@ -1,7 +1,10 @@
-//! `stiffarm robots`: list, show and check robots.
+//! `stiffarm robots`: lists robots, and hands on what is asked of some.
+
+use std::io::{self, Write};
+use std::path::Path;
 
 use serde_json::Value;
-use stiffarm::catalogue::{self, doubts};
+use stiffarm::catalogue;
 use stiffarm::plane::PlanarArm;
 use stiffarm::report;
 use stiffarm::report::robot::floor;
@@ -11,7 +14,7 @@ use super::sheet::{ASSUMED_ARCHITECTURE, Sheet, architecture};
 use crate::args::{Common, RobotsAction, RobotsArgs};
 use crate::failure::Failure;
 use crate::filters::Filters;
-use crate::output::{Answer, deliver, print};
+use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
 use crate::table::{Table, fixed_or_dash, full};
 
@@ -19,42 +22,20 @@ pub(crate) fn run(args: &RobotsArgs, common: &Common) -> Result<(), Failure> {
     match &args.action {
         None => list(&[], &Filters::default(), common),
         Some(RobotsAction::List { text, filters }) => list(text, filters, common),
-        Some(RobotsAction::Show { robot }) => deliver(&Sheet(selection::robot(robot, common)?), common),
-        Some(RobotsAction::Check { files }) => check(files, common),
+        Some(RobotsAction::Show { robot }) => show(robot, common),
+        Some(RobotsAction::Check { files }) => super::check::run(files, common),
         Some(RobotsAction::Import(args)) => super::import::run(args, common),
     }
 }
 
 fn list(words: &[String], filters: &Filters, common: &Common) -> Result<(), Failure> {
-    deliver(&List(filters.keep(catalogue::robots(), words)?), common)
+    let outputs = Outputs::open::<List>(common, &[])?;
+    outputs.deliver(&List(filters.keep(catalogue::robots(), words)?))
 }
 
-/// Reads every file, and reports the faults of all of them, and what is doubtful about the rest.
-fn check(files: &[std::path::PathBuf], common: &Common) -> Result<(), Failure> {
-    let mut bad = 0;
-    let mut all = Vec::new();
-    for path in files {
-        if path.is_dir() {
-            all.extend(selection::files_in(path)?);
-        } else {
-            all.push(path.clone());
-        }
-    }
-    for file in &all {
-        match selection::read_file(file, common) {
-            Ok(robot) => {
-                print(&format!("{}: {} can be used\n", file.display(), robot.full_name()))?;
-                for doubt in doubts(&robot) {
-                    eprintln!("warning: {}: {doubt}", file.display());
-                }
-            }
-            Err(failure) => {
-                bad += 1;
-                eprintln!("{failure}");
-            }
-        }
-    }
-    if bad == 0 { Ok(()) } else { Err(Failure::BadFiles(bad)) }
+fn show(robot: &str, common: &Common) -> Result<(), Failure> {
+    let outputs = Outputs::open::<Sheet>(common, &[Path::new(robot)])?;
+    outputs.deliver(&Sheet(selection::robot(robot, common)?))
 }
 
 struct List(Vec<Robot>);
@@ -120,11 +101,11 @@ impl Answer for List {
         format!("{}\n{}\n{}", table.text(markdown), self.count(), self.notes())
     }
 
-    fn json(&self) -> Value {
-        self.0.iter().map(report::robot::sheet).collect()
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.0.iter().map(report::robot::sheet).collect::<Value>())
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let mut table = Table::new([
             "vendor",
             "robot",

@@ -1,6 +1,7 @@
 //! `stiffarm robots show`: everything that is known of one robot, and what it reaches.
 
-use serde_json::Value;
+use std::io::{self, Write};
+
 use stiffarm::drive::{Architecture, Drives, Transmission};
 use stiffarm::geometry::Geometry;
 use stiffarm::limits::{Limits, Range, ThirdAxis};
@@ -12,7 +13,7 @@ use stiffarm::robot::{Arm, ArmPlane, Robot};
 
 use crate::failure::Failure;
 use crate::figures::reach::ReachFigure;
-use crate::output::{Answer, figure};
+use crate::output::{Answer, figure, pretty};
 use crate::table::Table;
 
 /// What the question mark of `architecture` means.
@@ -151,6 +152,7 @@ fn plane_rows(arm: &PlanarArm) -> Rows {
 
 impl Answer for Sheet {
     const COMMAND: &'static str = "robots show";
+    const FURTHER: &'static [&'static str] = &["svg", "png"];
 
     fn text(&self, markdown: bool) -> String {
         let mut table = Table::new(["", ""]);
@@ -162,11 +164,11 @@ impl Answer for Sheet {
                -o reach.svg or .png draws what it reaches\n"
     }
 
-    fn json(&self) -> Value {
-        report::robot::sheet(&self.0)
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &report::robot::sheet(&self.0))
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let mut table = Table::new(["key", "value"]);
         for (key, value) in self.rows() {
             table.row([key.trim().to_owned(), value]);

@@ -1,13 +1,15 @@
 //! `stiffarm study`: architecture against link ratio and task size.
 
-use serde_json::Value;
+use std::io::{self, Write};
+
 use stiffarm::report;
 use stiffarm::study::{Boundary, Contender, Row, Study, StudyOptions, study};
 
+use super::waiting;
 use crate::args::{Common, StudyArgs};
 use crate::failure::Failure;
 use crate::figures::study::{self as figure_of, StudyCurve, StudyPanel};
-use crate::output::{Answer, deliver, figure};
+use crate::output::{Answer, Outputs, figure, pretty};
 use crate::table::{Table, fixed, fixed_or_dash, full};
 
 /// Ratios and sizes along the sides of a figure.
@@ -15,6 +17,7 @@ const FIGURE_RATIOS: usize = 61;
 const FIGURE_SIZES: usize = 48;
 
 pub(crate) fn run(args: &StudyArgs, common: &Common) -> Result<(), Failure> {
+    let outputs = Outputs::open::<StudyAnswer>(common, &[])?;
     let pick = |key: &str, values: &[f64]| match *values {
         [both] => Ok([both, both]),
         [first, second] => Ok([first, second]),
@@ -37,7 +40,7 @@ pub(crate) fn run(args: &StudyArgs, common: &Common) -> Result<(), Failure> {
         ratios: args.ratios.clone(),
         range: args.range,
     };
-    deliver(&StudyAnswer(study(&options)?), common)
+    outputs.deliver(&StudyAnswer(waiting("studying", common, || study(&options))?))
 }
 
 struct StudyAnswer(Study);
@@ -134,6 +137,7 @@ impl StudyAnswer {
 
 impl Answer for StudyAnswer {
     const COMMAND: &'static str = "study";
+    const FURTHER: &'static [&'static str] = &["svg", "png"];
 
     fn text(&self, markdown: bool) -> String {
         let Study { options, rows, boundaries } = &self.0;
@@ -163,11 +167,11 @@ impl Answer for StudyAnswer {
         )
     }
 
-    fn json(&self) -> Value {
-        report::study::study(&self.0)
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &report::study::study(&self.0))
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let Study { options, rows, .. } = &self.0;
         let mut table = Table::new(["task", "d", "mu_l3_over_l2", "best", "architecture", "k2", "k3", "accuracy"]);
         for row in rows {

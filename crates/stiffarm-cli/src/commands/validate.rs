@@ -1,16 +1,19 @@
 //! `stiffarm validate`: every published number beside the computed one.
 
+use std::io::{self, Write};
+
 use serde_json::{Value, json};
 use stiffarm::ledger::{Entry, Printed, validate};
 
 use crate::args::Common;
 use crate::failure::Failure;
-use crate::output::{Answer, deliver};
+use crate::output::{Answer, Outputs, pretty};
 use crate::table::{Table, fixed_or_dash, full};
 
 pub(crate) fn run(common: &Common) -> Result<(), Failure> {
+    let outputs = Outputs::open::<Ledger>(common, &[])?;
     let ledger = Ledger(validate(&Printed::PAPER)?);
-    deliver(&ledger, common)?;
+    outputs.deliver(&ledger)?;
     match ledger.0.iter().filter(|entry| !entry.is_settled()).count() {
         0 => Ok(()),
         unsettled => Err(Failure::Unsettled(unsettled)),
@@ -65,7 +68,7 @@ impl Answer for Ledger {
         )
     }
 
-    fn json(&self) -> Value {
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
         let rows = self.0.iter().map(|entry| {
             json!({
                 "source": entry.source,
@@ -77,10 +80,10 @@ impl Answer for Ledger {
                 "note": entry.note,
             })
         });
-        json!({ "rows": rows.collect::<Value>() })
+        pretty(out, &json!({ "rows": rows.collect::<Value>() }))
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let mut table = Table::new(["source", "item", "cell", "printed", "computed", "agrees", "note"]);
         for entry in &self.0 {
             table.row([

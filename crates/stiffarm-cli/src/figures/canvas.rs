@@ -63,35 +63,59 @@ impl<'a> Font<'a> {
 
     /// Width of a text, px, in the font that comes with the program.
     pub(super) fn width(&self, text: &str) -> f64 {
+        let advance = self.advance();
+        text.chars().map(advance).sum()
+    }
+
+    /// How far each letter moves the next one, px.
+    fn advance(&self) -> impl Fn(char) -> f64 {
         let data = if self.bold { dejavu::sans::bold() } else { dejavu::sans::regular() };
-        let Ok(font) = FontRef::from_index(data, 0) else { return 0.6 * self.size * text.chars().count() as f64 };
-        let (glyphs, advances) =
-            (font.charmap(), font.glyph_metrics(Size::new(self.size as f32), LocationRef::default()));
-        let advance = |c| advances.advance_width(glyphs.map(c).unwrap_or_default()).unwrap_or_default();
-        text.chars().map(|c| f64::from(advance(c))).sum()
+        let size = self.size;
+        let measures = FontRef::from_index(data, 0)
+            .ok()
+            .map(|font| (font.charmap(), font.glyph_metrics(Size::new(size as f32), LocationRef::default())));
+        move |c| match &measures {
+            Some((glyphs, advances)) => {
+                f64::from(advances.advance_width(glyphs.map(c).unwrap_or_default()).unwrap_or_default())
+            }
+            None => 0.6 * size,
+        }
     }
 
     /// The text, cut with an ellipsis where it is wider than `room` px.
     pub(super) fn cut(&self, text: &str, room: f64) -> String {
-        if self.width(text) <= room {
-            return text.into();
+        let advance = self.advance();
+        let (mut width, mut kept) = (0.0, 0);
+        for (at, c) in text.char_indices() {
+            if width + advance('…') <= room {
+                kept = at;
+            }
+            width += advance(c);
+            if room < width {
+                return text[..kept].trim_end().to_owned() + "…";
+            }
         }
-        let mut kept: String = text.into();
-        while kept.pop().is_some() && room < self.width(&kept) + self.width("…") {}
-        kept.trim_end().to_owned() + "…"
+        text.into()
     }
 
     /// The text in at most `most` lines of `room` px each; the last is cut.
     pub(super) fn wrapped(&self, text: &str, room: f64, most: usize) -> Vec<String> {
+        let advance = self.advance();
+        let after = |width: f64, text: &str| text.chars().fold(width, |width, c| width + advance(c));
         let mut lines: Vec<String> = Vec::new();
+        let mut width = 0.0;
         for word in text.split_whitespace() {
-            let full = most <= lines.len();
+            let (joined, full) = (after(after(width, " "), word), most <= lines.len());
             match lines.last_mut() {
-                Some(line) if full || self.width(&format!("{line} {word}")) <= room => {
+                Some(line) if full || joined <= room => {
                     line.push(' ');
                     line.push_str(word);
+                    width = joined;
                 }
-                _ => lines.push(word.into()),
+                _ => {
+                    lines.push(word.into());
+                    width = after(0.0, word);
+                }
             }
         }
         lines.into_iter().map(|line| self.cut(&line, room)).collect()
@@ -281,9 +305,22 @@ mod tests {
         assert_eq!(font.cut("short", 100.0), "short");
         let cut = font.cut(&long, 100.0);
         assert!(cut.ends_with('…') && font.width(&cut) <= 100.0);
+        // The longest start that fits, found by trying all of them.
+        let fitting = |end: &usize| font.width(&format!("{}…", &long[..*end])) <= 100.0;
+        let longest = (0..long.len()).rev().find(fitting).unwrap();
+        assert_eq!(cut, format!("{}…", long[..longest].trim_end()));
         let lines = font.wrapped(&long, 150.0, 2);
         assert!(lines.len() == 2 && lines.iter().all(|line| font.width(line) <= 150.0), "{lines:?}");
         assert!(font.wrapped("", 10.0, 2).is_empty());
+    }
+
+    /// Linear: a megabyte of letters would take hours otherwise.
+    #[test]
+    fn a_text_of_a_million_letters_is_cut_and_wrapped_at_once() {
+        let font = Font::new(12.0).bold();
+        let long = "W".repeat(1_000_000);
+        assert!(font.cut(&long, 8e6).len() < 1_000_000);
+        assert_eq!(font.wrapped(&"W ".repeat(500_000), 150.0, 2).len(), 2);
     }
 
     #[test]

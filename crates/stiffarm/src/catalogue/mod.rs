@@ -2,6 +2,7 @@
 
 mod doubts;
 mod fault;
+pub mod files;
 mod filter;
 pub mod import;
 mod index;

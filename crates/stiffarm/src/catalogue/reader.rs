@@ -8,6 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::Fault;
+use crate::plain::steers;
 
 /// Finds the line of a place in the text, and collects faults.
 #[derive(Debug)]
@@ -121,13 +122,15 @@ impl<'a, 'i> Table<'a, 'i> {
 
     pub(super) fn text(&mut self, key: &'static str, required: bool) -> Option<String> {
         let value = if required { self.required(key, "a text in quotes") } else { self.optional(key) }?;
-        match value.get_ref().as_str() {
-            Some(text) if !text.trim().is_empty() => Some(text.trim().into()),
-            _ => {
-                self.fault(key, "expected a text in quotes that is not empty");
-                None
-            }
-        }
+        let fault = match value.get_ref().as_str().map(str::trim) {
+            None | Some("") => "expected a text in quotes that is not empty".into(),
+            Some(text) => match unfit_name(text) {
+                None => return Some(text.into()),
+                Some(fault) => fault,
+            },
+        };
+        self.fault(key, fault);
+        None
     }
 
     /// One of several words.
@@ -280,9 +283,14 @@ impl<'a, 'i> Table<'a, 'i> {
         let mut texts = BTreeMap::new();
         for (key, value) in self.entries.into_iter().flat_map(DeTable::iter) {
             let key: &str = key.get_ref();
-            match value.get_ref().as_str() {
-                Some(text) => drop(texts.insert(key.to_owned(), text.to_owned())),
-                None => self.log.add(value.span().start, &self.name(&shown(key)), "expected a text in quotes"),
+            let fault = |message: String| self.log.add(value.span().start, &self.name(&shown(key)), message);
+            let Some(text) = value.get_ref().as_str() else {
+                fault("expected a text in quotes".into());
+                continue;
+            };
+            match steering(key).or_else(|| steering(&text.replace(['\n', '\r', '\t'], " "))) {
+                None => drop(texts.insert(key.to_owned(), text.to_owned())),
+                Some(message) => fault(message),
             }
         }
         texts
@@ -326,6 +334,27 @@ fn integer_as_written(integer: &toml::de::DeInteger) -> String {
     format!("{prefix}{}", integer.as_str())
 }
 
+/// Makers need no more letters for a name.
+const MOST_LETTERS: usize = 200;
+
+/// What is wrong with a name of a robot or a maker, if anything.
+pub(super) fn unfit_name(name: &str) -> Option<String> {
+    let letters = name.chars().count();
+    if MOST_LETTERS < letters {
+        return Some(format!("a name of {letters} letters; expected at most {MOST_LETTERS}"));
+    }
+    steering(name)
+}
+
+/// Names the character that would steer a terminal or the direction of reading, if there is one.
+fn steering(text: &str) -> Option<String> {
+    let found = text.chars().find(|&c| steers(c))?;
+    Some(format!(
+        "holds the character {}, which steers terminals and lines; expected letters that can be seen",
+        found.escape_default()
+    ))
+}
+
 /// A text from a file as it may stand in a message: short, on one line, without control characters.
 pub(super) fn shown(text: &str) -> String {
     const MOST: usize = 60;
@@ -336,8 +365,8 @@ pub(super) fn shown(text: &str) -> String {
 fn describe(value: &DeValue) -> String {
     match value {
         DeValue::String(text) => format!("\"{}\"", shown(text)),
-        DeValue::Integer(integer) => integer_as_written(integer),
-        DeValue::Float(float) => float.as_str().into(),
+        DeValue::Integer(integer) => shown(&integer_as_written(integer)),
+        DeValue::Float(float) => shown(float.as_str()),
         DeValue::Boolean(flag) => flag.to_string(),
         DeValue::Datetime(_) => "a date".into(),
         DeValue::Array(_) => "a list".into(),

@@ -10,6 +10,7 @@ use super::{Fault, Faults};
 use crate::drive::{Architecture, Drives, GravityCompensator, JointCompliance, Transmission};
 use crate::geometry::Geometry;
 use crate::limits::{Limits, Range, ThirdAxis};
+use crate::plain::on_one_line;
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot, Status};
 
@@ -45,7 +46,7 @@ pub fn read(text: &str, file: &str) -> Result<Robot, Faults> {
         match DeTable::parse(text) {
             Ok(root) => robot(Table::root(root.get_ref(), log.clone())),
             Err(error) => {
-                log.add(error.span().map_or(0, |span| span.start), "", error.message());
+                log.add(error.span().map_or(0, |span| span.start), "", on_one_line(error.message()));
                 None
             }
         }

@@ -209,6 +209,7 @@ mod tests {
     use super::super::read;
     use super::*;
     use crate::catalogue::paper_robots;
+    use crate::plain::steers;
 
     #[test]
     fn every_robot_that_is_compiled_in_is_written_and_read_back_unchanged() {
@@ -219,13 +220,19 @@ mod tests {
     }
 
     #[test]
-    fn texts_with_any_character_survive() {
+    fn texts_with_any_character_that_can_be_seen_survive_and_others_are_refused() {
         let mut robot = paper_robots().swap_remove(0);
-        let odd: String = ('\0'..='\u{a0}').chain("\u{2028}\u{202e}\u{1f9be}".chars()).collect();
-        robot.name = format!("x{odd}x");
-        robot.source.insert(odd.clone(), odd);
+        let any: Vec<char> = ('\0'..='\u{a0}').chain("\u{2028}\u{202e}\u{1f9be}".chars()).collect();
+        let seen: String = any.iter().filter(|&&c| !steers(c)).collect();
+        robot.name = format!("x{seen}x");
+        robot.source.insert(seen.clone(), format!("{seen}\n\r\t"));
         robot.source.insert(String::new(), String::new());
         assert_eq!(read(&write(&robot), "written.toml").as_ref(), Ok(&robot));
+        for unseen in any.into_iter().filter(|&c| steers(c)) {
+            robot.name = format!("x{unseen}x");
+            let faults = read(&write(&robot), "written.toml").unwrap_err().faults;
+            assert!(faults.len() == 1 && faults[0].key == "name", "{unseen:?}: {faults:?}");
+        }
     }
 
     #[test]

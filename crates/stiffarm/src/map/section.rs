@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
-use super::{Axis, MOST_CELLS, Map, MapError};
+use super::{Axis, MOST_CELLS_IN_SPACE, Map, MapError};
 use crate::compliance::check_held;
 use crate::inverse::{Class, SLACK, postures, within_limits};
 use crate::limits::{Limits, Range};
@@ -56,6 +56,12 @@ impl Section {
         self.postures[j * self.worst.x.count + i]
     }
 
+    /// Posture and roll, rad, of every cell of row `j`.
+    pub fn row(&self, j: usize) -> impl Iterator<Item = Option<(Class, f64)>> {
+        let columns = self.worst.x.count;
+        self.postures[j * columns..(j + 1) * columns].iter().copied()
+    }
+
     /// Joint angles as reported, rad, at column `i` and row `j` of a section of `robot`, made with `options`.
     ///
     /// Joint 1 turns straight ahead whatever its limits, and so does joint 6 where the roll moves nothing.
@@ -78,9 +84,9 @@ impl Section {
 pub fn section(robot: &Robot, options: &SectionOptions) -> Result<Section, MapError> {
     check_force(options.force)?;
     let (columns, rows) = (options.x.count, options.z.count);
-    // Five numbers a cell instead of one.
-    if columns < 2 || rows < 2 || !columns.checked_mul(rows).is_some_and(|cells| cells <= MOST_CELLS / 5) {
-        return Err(MapError::Size { columns, rows });
+    let most = MOST_CELLS_IN_SPACE;
+    if columns < 2 || rows < 2 || !columns.checked_mul(rows).is_some_and(|cells| cells <= most) {
+        return Err(MapError::Size { columns, rows, most });
     }
     for Axis { start, step, .. } in [options.x, options.z] {
         if !(start.is_finite() && step.is_finite() && 0.0 < step) {

@@ -1,21 +1,25 @@
 //! How is a map told?
 
+use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 
 use super::spatial::tool_mm;
-use crate::inverse::Class;
 use crate::map::{Direction, Map, MapOptions, Section, SectionOptions};
 use crate::place::Placement;
 use crate::robot::Robot;
 use crate::task::Task;
 
 /// A map: what is said once, and its layers of cells.
+///
+/// As JSON it is written cell by cell, so that a map of any size takes no memory besides its own.
 #[derive(Clone, Debug)]
 pub struct MapReport<'a> {
     /// Every key; null where a layer belongs.
     pub head: Value,
-    /// The layers.
+    /// The layers of numbers.
     pub layers: Vec<Layer<'a>>,
+    /// What holds posture and roll of each cell, in space.
+    section: Option<&'a Section>,
 }
 
 /// One number per cell, in the unit of its key.
@@ -36,20 +40,85 @@ impl Layer<'_> {
     fn row(&self, j: usize) -> impl Iterator<Item = Option<f64>> {
         self.map.row(j).map(|cell| cell.map(|value| value * self.factor))
     }
+}
 
-    fn json(&self) -> Value {
-        (0..self.map.z.count).map(|j| self.row(j).map(|cell| json!(cell)).collect::<Value>()).collect()
+/// Keys of what is no number of a layer.
+const POSTURE: &str = "posture";
+const ROLL: &str = "roll_deg";
+
+impl<'a> MapReport<'a> {
+    /// Every key but those of the layers, with posture and roll of each cell.
+    ///
+    /// # Panics
+    /// Never: texts and finite numbers are JSON.
+    pub fn head_with_postures(&self) -> Value {
+        let mut head = self.head.clone();
+        for key in [POSTURE, ROLL] {
+            if let Some(grid) = self.grid(key) {
+                head[key] = serde_json::to_value(grid).expect("texts and numbers");
+            }
+        }
+        head
+    }
+
+    /// What stands under a key that holds something for each cell.
+    fn grid(&self, key: &str) -> Option<Grid<'a>> {
+        let layer = self.layers.iter().find(|layer| layer.key == key).copied().map(Grid::Layer);
+        let held = self.section.and_then(|section| match key {
+            POSTURE => Some(Grid::Postures(section)),
+            ROLL => Some(Grid::Rolls(section)),
+            _ => None,
+        });
+        layer.or(held)
     }
 }
 
-impl MapReport<'_> {
-    /// All of it as JSON; null where nothing is reached.
-    pub fn json(self) -> Value {
-        let mut object = self.head;
-        for layer in &self.layers {
-            object[layer.key] = layer.json();
+impl Serialize for MapReport<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let head = self.head.as_object().into_iter().flatten();
+        let mut object = serializer.serialize_map(Some(head.clone().count()))?;
+        for (key, value) in head {
+            match self.grid(key) {
+                Some(grid) => object.serialize_entry(key, &grid)?,
+                None => object.serialize_entry(key, value)?,
+            }
         }
-        object
+        object.end()
+    }
+}
+
+/// Rows from the first z, each from the first x; null where nothing is reached.
+#[derive(Clone, Copy)]
+enum Grid<'a> {
+    Layer(Layer<'a>),
+    Postures(&'a Section),
+    Rolls(&'a Section),
+}
+
+impl Serialize for Grid<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let rows = match self {
+            Self::Layer(layer) => layer.map.z.count,
+            Self::Postures(section) | Self::Rolls(section) => section.worst.z.count,
+        };
+        serializer.collect_seq((0..rows).map(|j| GridRow(*self, j)))
+    }
+}
+
+struct GridRow<'a>(Grid<'a>, usize);
+
+impl Serialize for GridRow<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(grid, j) = *self;
+        match grid {
+            Grid::Layer(layer) => serializer.collect_seq(layer.row(j)),
+            Grid::Postures(section) => {
+                serializer.collect_seq(section.row(j).map(|held| held.map(|(class, _)| class.to_string())))
+            }
+            Grid::Rolls(section) => {
+                serializer.collect_seq(section.row(j).map(|held| held.map(|(_, roll)| roll.to_degrees())))
+            }
+        }
     }
 }
 
@@ -87,7 +156,7 @@ pub fn planar<'a>(
             "worst_point_m": placement.worst_point,
         });
     }
-    MapReport { head, layers: vec![Layer { key, map, factor: 1e3 }] }
+    MapReport { head, layers: vec![Layer { key, map, factor: 1e3 }], section: None }
 }
 
 /// A section through everything the tool reaches, from the base.
@@ -107,14 +176,8 @@ pub fn spatial<'a>(robot: &Robot, options: &SectionOptions, section: &'a Section
         "x_m": section.worst.x.points(),
         "z_m": section.worst.z.points(),
     });
-    for layer in &layers {
-        head[layer.key] = Value::Null;
+    for key in layers.iter().map(|layer| layer.key).chain([POSTURE, ROLL]) {
+        head[key] = Value::Null;
     }
-    let held = |part: &dyn Fn((Class, f64)) -> Value| -> Value {
-        let cell = |i, j| section.posture(i, j).map_or(Value::Null, part);
-        (0..section.worst.z.count).map(|j| (0..section.worst.x.count).map(|i| cell(i, j)).collect::<Value>()).collect()
-    };
-    head["posture"] = held(&|(class, _)| json!(class.to_string()));
-    head["roll_deg"] = held(&|(_, roll)| json!(roll.to_degrees()));
-    MapReport { head, layers }
+    MapReport { head, layers, section: Some(section) }
 }

@@ -1,6 +1,8 @@
 //! `stiffarm map --model spatial`: a section through everything the tool reaches.
 
-use serde_json::Value;
+use std::io::{self, Write};
+use std::path::Path;
+
 use stiffarm::map::{Axis, Section, SectionOptions, section};
 use stiffarm::report;
 use stiffarm::robot::Robot;
@@ -8,11 +10,12 @@ use stiffarm::robot::Robot;
 use super::drawing::{over_everything, scene};
 use super::{direction, tool};
 use crate::args::{Common, Layer, MapArgs};
+use crate::commands::waiting;
 use crate::failure::Failure;
 use crate::figures::map::MapFigure;
 use crate::figures::view3d::{ArmMark, Sheet, View};
-use crate::output::{Answer, deliver, figure};
-use crate::table::Table;
+use crate::output::{Answer, Outputs, figure, pretty};
+use crate::table::{Table, full};
 
 pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), Failure> {
     for (name, given) in [
@@ -27,6 +30,7 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
             )));
         }
     }
+    let outputs = Outputs::open::<MapAnswer>(common, &[Path::new(&args.robot)])?;
     let unit = Axis { start: 0.0, step: 1.0, count: 2 };
     let asked = SectionOptions {
         x: unit,
@@ -45,8 +49,9 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
             direction(asked.elevation)
         )));
     };
-    let section = section(&robot, &options).map_err(|error| Failure::Map { robot: robot.name.clone(), error })?;
-    deliver(&MapAnswer { robot, options, section, layer: args.layer }, common)
+    let section = waiting("mapping", common, || section(&robot, &options))
+        .map_err(|error| Failure::Map { robot: robot.name.clone(), error })?;
+    outputs.deliver(&MapAnswer { robot, options, section, layer: args.layer })
 }
 
 struct MapAnswer {
@@ -82,6 +87,7 @@ impl MapAnswer {
 
 impl Answer for MapAnswer {
     const COMMAND: &'static str = "map";
+    const FURTHER: &'static [&'static str] = &["svg", "png", "html"];
 
     fn text(&self, markdown: bool) -> String {
         let Self { robot, options, section, .. } = self;
@@ -109,13 +115,14 @@ impl Answer for MapAnswer {
                -o map.svg, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
     }
 
-    fn json(&self) -> Value {
-        report::map::spatial(&self.robot, &self.options, &self.section).json()
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &report::map::spatial(&self.robot, &self.options, &self.section))
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let section = &self.section;
-        let mut table = Table::new([
+        let (x, z) = (section.worst.x, section.worst.z);
+        let headings = [
             "x_m",
             "z_m",
             "deflection_mm",
@@ -125,25 +132,24 @@ impl Answer for MapAnswer {
             "roll_deg",
             "limit_margin_deg",
             "singular_margin_deg",
-        ]);
-        let (x, z) = (section.worst.x, section.worst.z);
-        for (i, j) in (0..z.count).flat_map(|j| (0..x.count).map(move |i| (i, j))) {
-            let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
+        ];
+        let row = move |cell: usize| {
+            let (i, j) = (cell % x.count, cell / x.count);
             let posture = section.posture(i, j);
             let word = |word: Option<&str>| word.unwrap_or_default().to_owned();
-            table.row([
+            [
                 x.at(i).to_string(),
                 z.at(j).to_string(),
-                number(section.worst.get(i, j).map(|metres| metres * 1e3)),
+                full(section.worst.get(i, j).map(|metres| metres * 1e3)),
                 word(posture.map(|(class, _)| class.shoulder.name())),
                 word(posture.map(|(class, _)| class.elbow.name())),
                 word(posture.map(|(class, _)| class.wrist.name())),
-                number(posture.map(|(_, roll)| roll.to_degrees())),
-                number(section.limit_margin.get(i, j).map(f64::to_degrees)),
-                number(section.singular_margin.get(i, j).map(f64::to_degrees)),
-            ]);
-        }
-        table
+                full(posture.map(|(_, roll)| roll.to_degrees())),
+                full(section.limit_margin.get(i, j).map(f64::to_degrees)),
+                full(section.singular_margin.get(i, j).map(f64::to_degrees)),
+            ]
+        };
+        Table::made(headings, x.count * z.count, row)
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {

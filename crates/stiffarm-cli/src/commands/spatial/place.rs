@@ -1,6 +1,8 @@
 //! `stiffarm place --model spatial`: the best place of one flat zone about the robot.
 
-use serde_json::Value;
+use std::io::{self, Write};
+use std::path::Path;
+
 use stiffarm::map::{Axis, Section, SectionOptions, Spacing, section};
 use stiffarm::place::{SpatialOptions, SpatialPlacement, SpatiallyPlaced, ZonePoint, across_zone, place_in_space};
 use stiffarm::robot::{Arm, Robot};
@@ -10,13 +12,13 @@ use stiffarm::task::Task;
 use super::drawing::{over_everything, scene};
 use super::{CELL_COLUMNS, COLUMN, cell_json, cell_row, direction, tool, window};
 use crate::args::{Common, PlaceArgs};
-use crate::commands::progress;
+use crate::commands::waiting;
 use crate::failure::Failure;
 use crate::figures::face::FaceFigure;
 use crate::figures::map::MapFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::view3d::{ArmMark, Cell, Point, Sheet, View, Zone};
-use crate::output::{Answer, deliver, figure};
+use crate::output::{Answer, Outputs, figure, pretty};
 use crate::table::{Table, fixed, percentages};
 
 /// Points along the longer side of the section that is drawn.
@@ -25,13 +27,12 @@ const FIGURE_SIZE: usize = 300;
 const FACE_SIZE: usize = 33;
 
 pub(crate) fn run(robot: Robot, args: &PlaceArgs, common: &Common) -> Result<(), Failure> {
+    let outputs = Outputs::open::<PlaceAnswer>(common, &[Path::new(&args.robot)])?;
     let options = args.space.options_for(&args.placing, args.task.zone)?;
-    let bar = progress(1, "searching places", common);
-    let placed = place_in_space(&robot, args.task.zone, &options)
+    let placed = waiting("searching places", common, || place_in_space(&robot, args.task.zone, &options))
         .map_err(|error| Failure::PlaceInSpace { robot: robot.name.clone(), error })?;
-    bar.finish_and_clear();
     let answer = PlaceAnswer { robot, task: args.task.clone(), options, placed, tolerance_mm: args.tolerance_mm };
-    deliver(&answer, common)
+    outputs.deliver(&answer)
 }
 
 struct PlaceAnswer {
@@ -263,6 +264,7 @@ fn bound(best: &SpatialPlacement) -> String {
 
 impl Answer for PlaceAnswer {
     const COMMAND: &'static str = "place";
+    const FURTHER: &'static [&'static str] = &["svg", "png", "html"];
 
     fn text(&self, markdown: bool) -> String {
         let Self { robot, task, options, .. } = self;
@@ -296,11 +298,11 @@ impl Answer for PlaceAnswer {
             + "\nall six drives compliant, everything else rigid; the robot's own body and the table are not known: collisions are not checked\n"
     }
 
-    fn json(&self) -> Value {
-        Value::Object(cell_json(&self.robot, &self.task, &self.options, &self.placed, self.tolerance_mm))
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &cell_json(&self.robot, &self.task, &self.options, &self.placed, self.tolerance_mm))
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let mut table = Table::new(CELL_COLUMNS);
         table.row(cell_row(&self.robot, &self.task, self.options.force, &self.placed, self.tolerance_mm));
         table

@@ -1,8 +1,8 @@
 //! `stiffarm rank --model spatial`: robots in order, all six drives, with their place in the planar ranking beside it.
 
-use std::fmt::Write;
+use std::fmt::Write as _;
+use std::io::{self, Write};
 
-use serde_json::Value;
 use stiffarm::drive::Architecture;
 use stiffarm::place::{SpatialOptions, SpatialPlacement, SpatiallyPlaced};
 use stiffarm::rank::{Ranking, Row, rank_in_plane, rank_in_space};
@@ -12,17 +12,19 @@ use stiffarm::task::Task;
 
 use super::{CELL_COLUMNS, COLUMN, cell_row, direction, tool, window};
 use crate::args::{Common, RankArgs};
-use crate::commands::progress;
+use crate::commands::rank::inputs;
 use crate::commands::sheet::{ASSUMED_ARCHITECTURE, architecture};
+use crate::commands::{progress, waiting};
 use crate::failure::Failure;
 use crate::figures::bars::{BarRow, BarsFigure};
-use crate::output::{Answer, deliver};
-use crate::table::{Table, fixed};
+use crate::output::{Answer, Outputs, pretty};
+use crate::table::{Table, fixed, prose};
 
 /// More bars are not told apart on one page.
 const MOST_DRAWN: usize = 60;
 
 pub(crate) fn run(robots: &[Robot], tasks: &[Task], args: &RankArgs, common: &Common) -> Result<(), Failure> {
+    let outputs = Outputs::open::<RankAnswer>(common, &inputs(args))?;
     let options = match tasks {
         [task] => args.space.options_for(&args.placing, task.zone)?,
         _ => args.space.options(&args.placing)?,
@@ -30,8 +32,8 @@ pub(crate) fn run(robots: &[Robot], tasks: &[Task], args: &RankArgs, common: &Co
     let bar = progress(robots.len() * tasks.len(), "placing zones in space", common);
     let ranking = rank_in_space(robots, tasks, &options, || bar.inc(1))?;
     bar.finish_and_clear();
-    let planar = rank_in_plane(robots, tasks, options.force)?;
-    deliver(&RankAnswer { ranking, planar, options, tolerance_mm: args.tolerance_mm }, common)
+    let planar = waiting("placing zones in the plane", common, || rank_in_plane(robots, tasks, options.force))?;
+    outputs.deliver(&RankAnswer { ranking, planar, options, tolerance_mm: args.tolerance_mm })
 }
 
 struct RankAnswer {
@@ -133,6 +135,7 @@ impl RankAnswer {
 
 impl Answer for RankAnswer {
     const COMMAND: &'static str = "rank";
+    const FURTHER: &'static [&'static str] = &["svg", "png"];
 
     fn text(&self, markdown: bool) -> String {
         let Ranking { tasks, force, rows } = &self.ranking;
@@ -158,16 +161,16 @@ impl Answer for RankAnswer {
             tool(&self.options.flange_from_tool),
             window(&self.options.within),
             table.text(markdown),
-            self.notes(),
-            report::spatial::sentences(&self.ranking, &self.planar, self.tolerance_mm).join("\n")
+            prose(&self.notes(), markdown),
+            prose(&report::spatial::sentences(&self.ranking, &self.planar, self.tolerance_mm).join("\n"), markdown)
         )
     }
 
-    fn json(&self) -> Value {
-        report::spatial::ranking(&self.ranking, &self.planar, &self.options, self.tolerance_mm)
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &report::spatial::ranking(&self.ranking, &self.planar, &self.options, self.tolerance_mm))
     }
 
-    fn csv(&self) -> Table {
+    fn csv(&self) -> Table<'_> {
         let mut table = Table::new(["rank", "planar_rank"].into_iter().chain(CELL_COLUMNS));
         let number = |place: Option<usize>| place.map_or_else(String::new, |place| place.to_string());
         for (row, place) in self.ranking.rows.iter().zip(self.ranking.places()) {

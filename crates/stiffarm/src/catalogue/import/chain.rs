@@ -17,6 +17,8 @@ pub(super) struct Chain {
     pub(super) ends: Vec<(String, Pose)>,
     /// What a reader should know.
     pub(super) notes: Vec<String>,
+    /// Joint 3, where links beside the arm follow it.
+    pub(super) elbow_followed: Option<String>,
 }
 
 impl Chain {
@@ -278,7 +280,8 @@ impl<'a> Tree<'a> {
         let joints: [Joint; 6] = joints.try_into().map_err(|_| NoChain::Class)?;
         let ends = self.fixed_to(&joints[5].child);
         let notes = self.left_out(way, &joints);
-        Ok(Chain { base: base.into(), joints, ends, notes })
+        let elbow_followed = self.is_followed(&joints[2]).then(|| shown(&joints[2].name));
+        Ok(Chain { base: base.into(), joints, ends, notes, elbow_followed })
     }
 
     /// A link and all that is fixed to it, in its frame.
@@ -294,23 +297,22 @@ impl<'a> Tree<'a> {
         found
     }
 
+    /// Do links beside the arm follow this joint of it?
+    fn is_followed(&self, joint: &Joint) -> bool {
+        self.urdf.joints.iter().any(|other| other.kind != Kind::Fixed && other.mimic.as_deref() == Some(&joint.name))
+    }
+
     /// What the joints that are not on the way may mean.
     fn left_out(&self, way: &[&Joint], arm: &[Joint; 6]) -> Vec<String> {
         let others = self.urdf.joints.iter().filter(|joint| joint.kind != Kind::Fixed);
         let others: Vec<_> = others.filter(|joint| !way.iter().any(|on_it| std::ptr::eq(*on_it, *joint))).collect();
         let mut notes = Vec::new();
-        let followers = |of: &Joint| others.iter().any(|joint| joint.mimic.as_deref() == Some(&of.name));
         let names: Vec<_> = others.iter().take(8).map(|joint| shown(&joint.name)).collect();
         if !names.is_empty() {
             let more = if names.len() < others.len() { ", ..." } else { "" };
             notes.push(format!("left out, not between base and flange: joints {}{more}", names.join(", ")));
         }
-        if followers(&arm[2]) {
-            let joint = shown(&arm[2].name);
-            notes.push(format!(
-                "links follow joint {joint}: it may be a parallelogram arm; then import it as quasi-serial"
-            ));
-        } else if followers(&arm[1]) {
+        if !self.is_followed(&arm[2]) && self.is_followed(&arm[1]) {
             notes.push(format!(
                 "links follow joint {}: a gravity compensator, perhaps; a robot file can say it",
                 shown(&arm[1].name)

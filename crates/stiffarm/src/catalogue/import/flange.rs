@@ -101,7 +101,8 @@ pub(super) fn flange(
     if meant == square && TOLD_DEG < lean.to_degrees() {
         left.push(format!("link '{}' leans by {:.4} deg against axis 6", shown(name), lean.to_degrees()));
     }
-    let note = note(name, angle.to_degrees(), from_wrist.abs());
+    let about = onto.axis().map(|axis| pose.rotation.inverse() * axis.into_inner());
+    let note = note(name, angle.to_degrees(), about.as_ref(), from_wrist.abs() <= NO_LENGTH, tip.is_some());
     Some(Flange { centre, out, turned, in_link: link.inverse() * stands, note, left })
 }
 
@@ -113,16 +114,30 @@ fn least_turn(from: &Vector3<f64>, to: &Vector3<f64>, spare: &Vector3<f64>) -> U
     UnitQuaternion::from_scaled_axis(about * angle)
 }
 
-fn note(name: &str, turned_deg: f64, from_wrist: f64) -> String {
-    let turned = if STRAIGHT_DEG < turned_deg {
-        format!(", turned by {turned_deg:.1} deg so that its z axis points out along axis 6")
-    } else {
-        String::new()
+/// Which frame was taken, and how it was turned: about an axis of its own.
+fn note(name: &str, turned_deg: f64, about: Option<&Vector3<f64>>, at_wrist: bool, is_chosen: bool) -> String {
+    let turned = match about {
+        Some(about) if STRAIGHT_DEG < turned_deg => {
+            let about = axis_name(about);
+            format!(", turned by {turned_deg:.1} deg about its {about} so that its z axis points out along axis 6")
+        }
+        _ => String::new(),
     };
-    let at_wrist = "; it stands at the wrist centre, so c4 is 0: name the link of the flange if there is another";
-    format!(
-        "flange: the frame of link '{}'{turned}{}",
-        shown(name),
-        if from_wrist <= NO_LENGTH { at_wrist } else { "" }
-    )
+    let at_wrist = match (at_wrist, is_chosen) {
+        (false, _) => "",
+        (true, true) => "; it stands at the wrist centre, so c4 is 0",
+        (true, false) => "; it stands at the wrist centre, so c4 is 0: name the link of the flange if there is another",
+    };
+    format!("flange: the frame of link '{}'{turned}{at_wrist}", shown(name))
+}
+
+/// `x axis`, or the direction where it is none of the three; turning about the reverse is turning back, so the sign counts.
+fn axis_name(about: &Vector3<f64>) -> String {
+    let [x, y, z] = [about.x, about.y, about.z].map(|part| (part * 1e3).round() / 1e3 + 0.0);
+    for (name, part) in [("x", x), ("y", y), ("z", z)] {
+        if part.abs() == 1.0 {
+            return format!("{}{name} axis", if part < 0.0 { "-" } else { "" });
+        }
+    }
+    format!("axis ({x}, {y}, {z})")
 }

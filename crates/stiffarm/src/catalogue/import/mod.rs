@@ -21,7 +21,8 @@ use proof::{Errors, compare};
 use ranges::{hundredths, joint_limits, round};
 use urdf::NoUrdf;
 
-use super::reader::{Log, shown};
+use super::files::MOST_BYTES;
+use super::reader::{Log, shown, unfit_name};
 use super::{Fault, Faults, read, write};
 use crate::drive::{Architecture, Drives, JointCompliance};
 use crate::geometry::Geometry;
@@ -43,8 +44,6 @@ pub const SAMPLES: usize = 1000;
 const TOLD_M: f64 = 1e-6;
 /// And from this angle, deg; 3.1416 for pi is less.
 const TOLD_DEG: f64 = 1e-3;
-/// Longer texts describe no arm.
-const MOST_BYTES: usize = 4 << 20;
 
 /// What the description does not say, or says otherwise.
 #[derive(Clone, Debug, Default)]
@@ -180,6 +179,8 @@ fn from_urdf(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> 
     let name = options.name.clone().unwrap_or_else(|| urdf.name.clone());
     if name.trim().is_empty() {
         log.add(0, "robot name", "missing; expected a name in the file or beside it");
+    } else if let Some(fault) = unfit_name(&name) {
+        log.add(0, "robot name", fault);
     }
     if log.has_faults() {
         return Err(wrong());
@@ -198,6 +199,10 @@ fn from_urdf(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> 
     let mut told = vec![format!("base: the frame of link '{}'", shown(&chain.base)), recovered.flange.note.clone()];
     told.extend(recovered.notes);
     told.extend(chain.notes.iter().cloned());
+    // Who has said what it is needs no advice.
+    if let (Some(joint), None) = (&chain.elbow_followed, options.architecture) {
+        told.push(format!("links follow joint {joint}: it may be a parallelogram arm; then import it as quasi-serial"));
+    }
     told.extend(notes);
     let said = if options.limits.is_some() {
         "given at the import".into()
@@ -230,6 +235,10 @@ fn from_opw(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> R
         notes.push(format!("named '{}' after the file", shown(&name)));
         name
     });
+    if let Some(fault) = unfit_name(&name) {
+        log.add(0, "robot name", fault);
+        return Err(ImportError::Faults(faults(log.clone(), file)));
+    }
     let understood = Understood {
         name,
         geometry: geometry.clone(),

@@ -1,0 +1,138 @@
+//! `stiffarm robots check`: every fault of robot files at once, and what is doubtful about the rest.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+use stiffarm::catalogue::files::{self, Loaded};
+use stiffarm::catalogue::{Fault, doubts};
+use stiffarm::robot::Robot;
+
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::output::{Answer, Outputs, pretty, say};
+use crate::table::Table;
+
+pub(crate) fn run(asked: &[PathBuf], common: &Common) -> Result<(), Failure> {
+    let inputs: Vec<&Path> = asked.iter().map(PathBuf::as_path).collect();
+    let outputs = Outputs::open::<Check>(common, &inputs)?;
+    let mut checked = Vec::new();
+    for path in asked {
+        let paths =
+            if path.is_dir() { files::robot_files(path).map_err(Failure::from) } else { Ok(vec![path.clone()]) };
+        match paths {
+            Ok(paths) => checked.extend(paths.iter().map(|path| Checked::of(path))),
+            Err(failure) => checked.push(Checked { file: files::shown(path), found: Err(failure) }),
+        }
+    }
+    for Checked { file, found } in &checked {
+        match found {
+            Ok(Found { notes, doubts, .. }) => {
+                for note in notes.iter().filter(|_| !common.quiet) {
+                    say(&format!("note: {file}: {note}"));
+                }
+                for doubt in doubts {
+                    say(&format!("warning: {file}: {doubt}"));
+                }
+            }
+            Err(failure) => say(&failure.to_string()),
+        }
+    }
+    let check = Check(checked);
+    outputs.deliver(&check)?;
+    let bad: Vec<&Failure> = check.0.iter().filter_map(|checked| checked.found.as_ref().err()).collect();
+    match bad[..] {
+        [] => Ok(()),
+        [first, ..] => Err(Failure::BadFiles { count: bad.len(), hint: first.hint() }),
+    }
+}
+
+/// Every file, and what was found in it.
+struct Check(Vec<Checked>);
+
+struct Checked {
+    file: String,
+    found: Result<Found, Failure>,
+}
+
+struct Found {
+    robot: Robot,
+    notes: Vec<String>,
+    doubts: Vec<String>,
+}
+
+impl Checked {
+    fn of(path: &Path) -> Self {
+        let found = files::load(path).map_err(Failure::from);
+        let found = found.map(|Loaded { robot, notes }| Found { doubts: doubts(&robot), robot, notes });
+        Self { file: files::shown(path), found }
+    }
+
+    fn robot(&self) -> Option<String> {
+        self.found.as_ref().ok().map(|found| found.robot.full_name())
+    }
+
+    /// What makes the file useless; what concerns the whole file has no line.
+    fn faults(&self) -> Vec<Fault> {
+        match &self.found {
+            Ok(_) => Vec::new(),
+            Err(Failure::RobotFile(faults)) => faults.faults.clone(),
+            Err(failure) => vec![Fault { line: 0, key: String::new(), message: failure.to_string() }],
+        }
+    }
+
+    fn doubts(&self) -> &[String] {
+        self.found.as_ref().map_or(&[], |found| &found.doubts)
+    }
+}
+
+impl Answer for Check {
+    const COMMAND: &'static str = "robots check";
+
+    fn text(&self, markdown: bool) -> String {
+        if markdown {
+            return self.csv().text(true);
+        }
+        let usable = self.0.iter().filter_map(|checked| Some((&checked.file, checked.robot()?)));
+        usable.map(|(file, robot)| format!("{file}: {robot} can be used\n")).collect()
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        let each = self.0.iter().map(|checked| {
+            let faults = checked.faults().into_iter().map(|Fault { line, key, message }| {
+                json!({ "line": (0 < line).then_some(line), "key": key, "message": message })
+            });
+            json!({
+                "file": checked.file,
+                "usable": checked.found.is_ok(),
+                "robot": checked.robot(),
+                "faults": faults.collect::<Value>(),
+                "doubts": checked.doubts(),
+            })
+        });
+        pretty(out, &each.collect::<Value>())
+    }
+
+    /// A row per fault or doubt; one without for a file that has none.
+    fn csv(&self) -> Table<'_> {
+        let mut table = Table::new(["file", "usable", "robot", "line", "key", "message"]);
+        for checked in &self.0 {
+            let mut row = |line: String, key: String, message: String| {
+                let (file, robot) = (checked.file.clone(), checked.robot().unwrap_or_default());
+                table.row([file, checked.found.is_ok().to_string(), robot, line, key, message]);
+            };
+            let faults = checked.faults();
+            for Fault { line, key, message } in &faults {
+                let line = if *line == 0 { String::new() } else { line.to_string() };
+                row(line, key.clone(), message.clone());
+            }
+            for doubt in checked.doubts() {
+                row(String::new(), String::new(), doubt.clone());
+            }
+            if faults.is_empty() && checked.doubts().is_empty() {
+                row(String::new(), String::new(), String::new());
+            }
+        }
+        table
+    }
+}

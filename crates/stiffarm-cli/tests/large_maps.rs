@@ -1,0 +1,98 @@
+//! Are maps written cell by cell as they would be written whole, in little memory?
+#![cfg(unix)]
+
+use std::fmt::Write;
+use std::fs;
+use std::process::Command;
+
+use serde_json::{Value, json};
+use stiffarm::catalogue::find;
+use stiffarm::map::{Axis, Direction, MapOptions, SectionOptions, Spacing, map, reached_box, reached_section, section};
+use stiffarm::question::Held;
+use stiffarm::report;
+use tempfile::TempDir;
+
+fn run(arguments: &[&str]) -> String {
+    let program = assert_cmd::cargo::cargo_bin("stiffarm");
+    let output = Command::new(program).args(arguments).output().expect("runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// A JSON text that was held as one value.
+fn whole(value: &Value) -> String {
+    serde_json::to_string_pretty(value).expect("JSON") + "\n"
+}
+
+fn number(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |value| value.to_string())
+}
+
+#[test]
+fn a_map_of_the_plane_is_written_as_it_was_when_it_was_held_whole() {
+    let robot = find("BT200L").expect("in the catalogue").robot();
+    let arm = robot.arm_plane().expect("a plane").arm;
+    let [x, z] = Spacing::Points(37).cover(reached_box(&arm).expect("an arm"));
+    let options = MapOptions { x, z, force: 1000.0, direction: Direction::Worst, elbow: None };
+    let map = map(&arm, &options).expect("a map");
+    let mm = |i, j| map.get(i, j).map(|metres| metres * 1e3);
+    let mut csv = String::from("x_m,z_m,deflection_mm\n");
+    for (j, i) in (0..z.count).flat_map(|j| (0..x.count).map(move |i| (j, i))) {
+        let _ = writeln!(csv, "{},{},{}", x.at(i), z.at(j), number(mm(i, j)));
+    }
+    let rows: Vec<Vec<Option<f64>>> = (0..z.count).map(|j| (0..x.count).map(|i| mm(i, j)).collect()).collect();
+    let expected = json!({
+        "robot": "BT200L", "model": "planar", "force_n": 1000.0, "x_m": x.points(), "z_m": z.points(), "worst_mm": rows,
+    });
+    let asked = ["map", "BT200L", "--size", "37"];
+    assert_eq!(run(&[&asked[..], &["--format", "csv"]].concat()), csv);
+    assert_eq!(run(&[&asked[..], &["--format", "json"]].concat()), whole(&expected));
+}
+
+#[test]
+fn a_map_in_space_is_written_as_it_was_when_it_was_held_whole() {
+    let robot = find("BT200L").expect("in the catalogue").robot();
+    let held = Held { tool: None, elevation_deg: None, yaw: None, roll_deg: None };
+    let unknown = Axis { start: 0.0, step: 1.0, count: 2 };
+    let asked = SectionOptions {
+        x: unknown,
+        z: unknown,
+        force: 1000.0,
+        flange_from_tool: held.tool(),
+        elevation: held.elevation(),
+        yaw: 0.0,
+        roll: None,
+        class: None,
+    };
+    let [x, z] = Spacing::Points(23).cover(reached_section(&robot, &asked).expect("a robot").expect("reached"));
+    let options = SectionOptions { x, z, ..asked };
+    let found = section(&robot, &options).expect("a section");
+    let report = report::map::spatial(&robot, &options, &found);
+    // The head with its postures, and each layer, as Python gets them.
+    let mut expected = report.head_with_postures();
+    for layer in &report.layers {
+        let cells: Vec<Value> = layer.cells().into_iter().map(|cell| json!(cell)).collect();
+        expected[layer.key] = cells.chunks(x.count).map(<[Value]>::to_vec).collect::<Value>();
+    }
+    let asked = ["map", "BT200L", "--model", "spatial", "--size", "23"];
+    assert_eq!(run(&[&asked[..], &["--format", "json"]].concat()), whole(&expected));
+    let csv = run(&[&asked[..], &["--format", "csv"]].concat());
+    assert_eq!(csv.lines().count(), 1 + x.count * z.count);
+    let reached = csv.lines().find(|line| line.contains(",front,")).expect("a cell that is reached");
+    assert_eq!(reached.split(',').count(), 9, "{reached}");
+}
+
+/// Half a million rows, held as texts, would take 120 MB, and as JSON as much again; the map itself takes 4 MB.
+#[test]
+fn a_map_takes_little_more_memory_than_its_cells_in_every_kind_of_table() {
+    let folder = TempDir::new().expect("a folder");
+    let program = assert_cmd::cargo::cargo_bin("stiffarm");
+    let script =
+        "ulimit -v 130000; \"$S\" map BT200L --size 750 --threads 1 -q -o m.csv -o m.parquet -o m.json -o m.md";
+    let mut command = Command::new("bash");
+    let output = command.args(["-c", script]).env("S", program).current_dir(folder.path()).output().expect("bash runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let csv = fs::read_to_string(folder.path().join("m.csv")).expect("written");
+    assert!(400_000 < csv.lines().count());
+    assert!(fs::read(folder.path().join("m.parquet")).expect("written").ends_with(b"PAR1"));
+}
