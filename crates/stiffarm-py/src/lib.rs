@@ -49,6 +49,8 @@ mod _stiffarm {
 
     #[pymodule_init]
     fn version(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        // SHA-256 of the Rust sources: tells two builds of one version apart.
+        module.add("__sources__", env!("STIFFARM_SOURCES"))?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

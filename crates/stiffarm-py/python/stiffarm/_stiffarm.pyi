@@ -6,9 +6,11 @@ import numpy as np
 import numpy.typing as npt
 
 __version__: str
+__sources__: str
 __all__ = [
     "Robot",
     "StiffarmError",
+    "__sources__",
     "__version__",
     "map",
     "matrices",

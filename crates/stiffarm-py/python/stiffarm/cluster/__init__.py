@@ -4,7 +4,8 @@
 in order; `spread` draws joint stiffnesses that are known to some percent; `load` reads a finished folder.
 
 A chunk is one task of the scheduler and one file. Files appear whole or not at all, under the fingerprint of the question:
-ask again with the same folder, and only what is missing is computed. The bytes do not depend on the workers.
+ask again with the same folder, and only what is missing is computed. The bytes do not depend on the workers, and
+``_sha256sums`` holds their digests: what was changed since is refused when it is read, and computed again when it is asked for.
 
 Needs ``pip install 'stiffarm[cluster]'``. A script that starts workers needs ``if __name__ == "__main__":``.
 """
@@ -13,6 +14,7 @@ from __future__ import annotations
 
 import os
 import tempfile
+import warnings
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Union
@@ -71,9 +73,23 @@ def spread(m: int, *, percent: float = 30.0, robots: int | None = None, seed: in
 
 
 def load(folder: str | os.PathLike[str]) -> Sweep:
-    """A finished sweep, read from its folder."""
+    """A finished sweep, read from its folder, whichever stiffarm made it.
+
+    Raises
+    ------
+    StiffarmError
+        Where it is not finished, or a file is not the one that was written. Folders of the first format have no digests:
+        they are read with a warning.
+    """
     _needed()
-    return Sweep(folder)
+    found = Sweep(folder)
+    if not found.is_proved:
+        warnings.warn(
+            f"{found.folder} was made by a stiffarm that kept no digests: a file that was changed since is not noticed",
+            RuntimeWarning,
+            stacklevel=2,
+        )
+    return found
 
 
 def sweep(
