@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use crate::numbers::kind;
 use crate::refused;
 
 /// The process that made the pool, the number of threads asked for (0: all cores), and the pool once it is needed.
@@ -65,11 +66,13 @@ fn alone<T: Send>(work: impl FnOnce() -> T + Send) -> PyResult<T> {
 /// Sets the number of threads of all further calls; one is the caller's own.
 #[pyfunction]
 #[pyo3(signature = (threads))]
-pub(crate) fn set_threads(threads: Option<usize>) -> PyResult<()> {
-    let threads = match threads {
-        None => 0,
-        Some(threads @ 1..=1024) => threads,
-        Some(threads) => return Err(refused(format!("{threads} threads; expected 1 to 1024, or None for all cores"))),
+pub(crate) fn set_threads(threads: &Bound<'_, PyAny>) -> PyResult<()> {
+    let expected = "expected 1 to 1024, or None for all cores";
+    let threads = match threads.extract::<Option<i64>>() {
+        Ok(None) => 0,
+        Ok(Some(threads @ 1..=1024)) => threads as usize,
+        Ok(Some(threads)) => return Err(refused(format!("{threads} threads; {expected}"))),
+        Err(_) => return Err(refused(format!("threads: {}; {expected}", kind(threads)))),
     };
     // Made first, so that a fork is noticed; a pool that still works goes when its last call ends.
     drop(pool()?);

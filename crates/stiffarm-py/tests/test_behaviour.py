@@ -1,12 +1,14 @@
 """Answers and robots behave as Python's own values do."""
 
 import copy
+import importlib.metadata
 import multiprocessing
 import pickle
 import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pandas
@@ -171,3 +173,9 @@ def test_the_number_of_threads_changes_no_number():
     for bad in (0, 1025):
         with pytest.raises(StiffarmError, match="threads"):
             stiffarm.set_threads(bad)
+
+
+@pytest.mark.parametrize("name", ["LICENSE-MIT", "LICENSE-APACHE"])
+def test_the_licences_come_with_the_package(name):
+    found = [file for file in importlib.metadata.files("stiffarm") if file.name == name]
+    assert [file.read_text() for file in found] == [(Path(__file__).resolve().parents[3] / name).read_text()]

@@ -24,7 +24,7 @@ import pytest
 import stiffarm
 from distributed import Client, LocalCluster
 from stiffarm import Robot, StiffarmError, cluster
-from stiffarm.cluster import _question
+from stiffarm.cluster import _question, _run
 
 ROBOTS = ["KR 210 R2700 extra", "IRB 6650S-200", "ES200RD II", "IRB 6400 2.4-200"]
 ASKED = {
@@ -535,6 +535,106 @@ def test_what_is_not_installed_is_named(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(ImportError, match=r"pip install 'stiffarm\[cluster\]'"):
         cluster.sweep(folder=tmp_path)
+
+
+def test_only_what_a_sweep_has_left_half_written_is_removed(small, client, tmp_path):
+    folder = tmp_path / "u"
+    shutil.copytree(small[0], folder)
+    part = min(parts(folder))
+    halves = [f"_{name}.{'0f' * 16}" for name in (part, "_question.json", "_scenarios.npy", "_sha256sums")]
+    mine = ["_x.y.z", "_notes.tar.gz", f"_{part}.mine", f"_{part}.{'0F' * 16}", f"x_{part}.{'0f' * 16}", "_a.b.c/kept"]
+    for name in halves + mine:
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_bytes(b"half")
+    # A folder is not what a sweep makes.
+    (folder / f"_{part}.{'1f' * 16}").mkdir()
+    before = parts(folder)
+    options = {"tasks": "A:0.3", "scenarios": cluster.spread(3), "chunk_rows": 6, "client": client}
+    assert cluster.sweep(ROBOTS, folder=folder, **options).to_arrow().equals(small[1])
+    assert all((folder / name).read_bytes() == b"half" for name in mine) and (folder / f"_{part}.{'1f' * 16}").is_dir()
+    assert not any((folder / name).exists() for name in halves) and parts(folder) == before
+    # In a folder without a question halves are no obstacle, and what is a user's own is.
+    new = tmp_path / "new"
+    new.mkdir()
+    (new / halves[1]).write_bytes(b"half")
+    (new / "_question_mine.txt").write_text("mine")
+    refused("holds something else \\(_question_mine.txt\\)", folder=new)
+    (new / "_question_mine.txt").unlink()
+    cluster.sweep(ROBOTS, folder=new, **options)
+    assert not left_over(new)
+
+
+def test_a_worker_that_dies_while_it_writes_leaves_nothing(small, tmp_path, monkeypatch):
+    """The run ends well on another worker; what the dead one had begun is removed at the end, not at the next call."""
+    folder, write = tmp_path / "d", _run.clear_halves
+    seen = []
+
+    def clear(where):
+        if (where / "_question.json").exists():
+            (where / f"_{min(parts(where))}.{'0f' * 16}").write_bytes(b"half")
+        write(where)
+        seen.append(left_over(where))
+
+    monkeypatch.setattr(_run, "clear_halves", clear)
+    cluster.sweep(ROBOTS, folder=folder, workers=1, tasks="A:0.3", scenarios=cluster.spread(3), chunk_rows=6)
+    assert seen == [set(), set()] and parts(folder) == parts(small[0])
+
+
+def test_one_zone_under_several_names_is_computed_once(client, tmp_path):
+    tasks = ["circle:0.30", "A:0.3", " circle:.3", "B:0.2", "rect:0.2x0.4"]
+    found = cluster.sweep(ROBOTS, tasks=tasks, client=client, folder=tmp_path / "z")
+    assert found.shape == (1, 2, 1, 4) and {row["task"] for row in found.to_arrow().to_pylist()} == {"circle:0.30", "B:0.2"}
+
+
+def test_robots_of_one_name_are_told_apart(client, tmp_path):
+    lengths = {"X #2": 900, "X": 1000, "x": 1100}
+    robots = [Robot.from_numbers(name, l2_mm=length, l3_mm=800) for name, length in lengths.items()]
+    robots += [Robot.from_numbers("X", l2_mm=1200, l3_mm=800, vendor=vendor) for vendor in ("one", "other")]
+    found = cluster.sweep(robots, tasks="A:0.3", client=client, folder=tmp_path / "n").to_arrow().to_pylist()
+    assert [row["robot"] for row in found] == ["X #2", "X", "x", "X #3", "X #4"]
+    for row, robot in zip(found, robots):
+        assert row["deflection_mm"] == stiffarm.cell(robot, "A:0.3")["deflection_mm"] and row["vendor"] == (robot.vendor or None)
+
+
+def test_arguments_of_other_types(client, tmp_path):
+    whole = np.int64(3)
+    found = cluster.sweep(
+        ROBOTS, tasks="A:0.3", scenarios=cluster.spread(whole, robots=np.int32(4), seed=np.int64(2)), chunk_rows=np.int64(6),
+        client=client, folder=tmp_path / "i",
+    )  # fmt: skip
+    assert len(found) == 12 and len(found.files) == 2
+    masked = np.ma.masked_array(np.ones((2, 6)), np.eye(2, 6) > 0)
+    for name, bad in (
+        ("folder", 5), ("chunk_rows", "x"), ("chunk_rows", True), ("workers", 1.5), ("workers", 10**5000), ("force_n", [10**400]),
+        ("scenarios", masked), ("timeout_s", "x"), ("client", 5), ("robots", 5), ("robots", [None]), ("tasks", [5]), ("tasks", 5),
+    ):  # fmt: skip
+        refused(name, **{"folder": tmp_path / "b", name: bad})
+    for bad in ({"m": "x"}, {"m": 10**30}, {"m": 1.5}, {"m": 3, "percent": "x"}, {"m": 3, "seed": -1}, {"m": 3, "robots": "x"}):
+        with pytest.raises(StiffarmError, match=next(reversed(bad))):
+            cluster.spread(**bad)
+    with pytest.raises(StiffarmError, match="folder=5"):
+        cluster.load(5)
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may read everything")
+def test_a_file_that_may_not_be_read_is_named(small, tmp_path):
+    folder = tmp_path / "p"
+    shutil.copytree(small[0], folder)
+    for path in (folder / "_question.json", folder / "_sha256sums", folder / max(parts(folder))):
+        path.chmod(0)
+        with pytest.raises(StiffarmError, match=path.name):
+            cluster.load(folder)
+        path.chmod(0o644)
+
+
+def test_files_that_are_none_are_named(small, tmp_path):
+    for name in ("_question.json", "_sha256sums", "_scenarios.npy", max(parts(small[0]))):
+        folder = tmp_path / name
+        shutil.copytree(small[0], folder)
+        (folder / name).unlink()
+        (folder / name).mkdir()
+        with pytest.raises(StiffarmError, match=name if not name.startswith("part") else "chunks are missing"):
+            cluster.load(folder)
 
 
 # Who wins

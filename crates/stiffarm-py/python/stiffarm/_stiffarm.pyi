@@ -12,6 +12,7 @@ __all__ = [
     "StiffarmError",
     "__sources__",
     "__version__",
+    "distinct",
     "map",
     "matrices",
     "place",
@@ -79,6 +80,7 @@ class Robot:
     def __reduce__(self) -> tuple[Any, tuple[str]]: ...
 
 def set_threads(threads: int | None) -> None: ...
+def distinct(tasks: Sequence[str]) -> list[str]: ...
 def select(name: str) -> list[Robot]: ...
 def robots(
     among: Sequence[Robot],

@@ -130,8 +130,6 @@ def _connected(client: Client | str | None, workers: int | None, timeout_s: floa
 
     if client is None:
         count = (os.cpu_count() or 1) if workers is None else workers
-        if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= 1024:
-            raise StiffarmError(f"workers={workers!r}; expected a whole number from 1 to 1024")
         try:
             cluster = LocalCluster(
                 n_workers=count, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0",
@@ -151,6 +149,8 @@ def _connected(client: Client | str | None, workers: int | None, timeout_s: floa
         except (OSError, TimeoutError, ValueError) as error:
             words = f"no scheduler answers at {client} within {timeout_s:g} s ({type(error).__name__})"
             raise StiffarmError(words + ": is the address right, and does it run?") from None
+    if not isinstance(client, Client):
+        raise StiffarmError(f"client is a {type(client).__name__}; expected a distributed.Client or an address")
     try:
         try:
             client.wait_for_workers(1, timeout=timeout_s)
