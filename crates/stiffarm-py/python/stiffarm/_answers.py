@@ -304,6 +304,8 @@ class Map(_Table):
     direction_deg: float | None
     tool_mm: list[float] | None
     tool_direction_deg: float | None
+    #: How much more than at the best roll a point may tell, relative; spatial model, where no roll was given.
+    roll_tolerance: float | None
     #: By row and column, in words; spatial model.
     posture: list[list[str | None]] | None
     #: By row and column, about the tool axis; spatial model.
