@@ -20,7 +20,7 @@ fn digest() -> io::Result<String> {
     for name in CRATES {
         let sources = Path::new(name).join("src");
         println!("cargo::rerun-if-changed={}", Path::new("..").join(&sources).display());
-        collect(sources, &mut names)?;
+        collect(&sources, &mut names)?;
     }
     let mut named: Vec<(String, PathBuf)> = Vec::new();
     for name in names {
@@ -35,11 +35,11 @@ fn digest() -> io::Result<String> {
 }
 
 /// Every file below a folder, by its name from the folder of the crates.
-fn collect(folder: PathBuf, found: &mut Vec<PathBuf>) -> io::Result<()> {
-    for entry in fs::read_dir(Path::new("..").join(&folder))? {
+fn collect(folder: &Path, found: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(Path::new("..").join(folder))? {
         let entry = entry?;
         let name = folder.join(entry.file_name());
-        if entry.file_type()?.is_dir() { collect(name, found)? } else { found.push(name) }
+        if entry.file_type()?.is_dir() { collect(&name, found)? } else { found.push(name) }
     }
     Ok(())
 }

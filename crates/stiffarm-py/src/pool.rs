@@ -52,12 +52,11 @@ pub(crate) fn detached<T: Send>(py: Python, work: impl FnOnce() -> T + Send) -> 
 /// Runs the library on the calling thread: as many of them as call at once compute side by side.
 fn alone<T: Send>(work: impl FnOnce() -> T + Send) -> PyResult<T> {
     ALONE.with(|alone| {
-        let pool = match alone.get() {
-            Some(pool) => pool,
-            None => {
-                let pool = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().map_err(refused)?;
-                alone.get_or_init(|| pool)
-            }
+        let pool = if let Some(pool) = alone.get() {
+            pool
+        } else {
+            let pool = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().map_err(refused)?;
+            alone.get_or_init(|| pool)
         };
         Ok(pool.install(work))
     })
