@@ -184,7 +184,7 @@ def test_another_version_is_never_mixed_in(done, client, monkeypatch, tmp_path):
 
 
 def test_two_builds_of_one_version_are_never_mixed(done, client, monkeypatch, tmp_path):
-    monkeypatch.setattr(_question, "sources", lambda: "ab" * 32)
+    monkeypatch.setattr(_question, "_sources", lambda: "ab" * 32)
     refused(r"begun by stiffarm .* has stiffarm .* \(sources abababababab\)", folder=done.folder)
     refused(r"begun by stiffarm .* \(sources abababababab\)", folder=tmp_path / "new", client=client)
     assert cluster.load(done.folder).wins() == done.wins()
@@ -202,7 +202,7 @@ def test_the_fingerprint_holds_every_source():
     expected = hashlib.sha256(sums(crates, rust)).hexdigest()
     assert len(rust) > 50 and stiffarm._stiffarm.__sources__ == expected, "is the installed package that of these sources?"
     package = Path(stiffarm.__file__).parent
-    assert _question.sources() == hashlib.sha256(expected.encode() + sums(package, package.rglob("*.py"))).hexdigest()
+    assert _question._sources() == hashlib.sha256(expected.encode() + sums(package, package.rglob("*.py"))).hexdigest()
 
 
 # Faults

@@ -31,11 +31,11 @@ _PIECE = 10_000
 
 def maker() -> dict[str, Any]:
     """Who computes here: what differs between two of them must not be mixed."""
-    return {"format": FORMAT, "stiffarm": _stiffarm.__version__, "sources": sources()}
+    return {"format": FORMAT, "stiffarm": _stiffarm.__version__, "sources": _sources()}
 
 
 @functools.lru_cache(maxsize=1)
-def sources() -> str:
+def _sources() -> str:
     """SHA-256 of the Rust sources that were compiled in, and of this package's own as they lie here."""
     package = Path(__file__).parents[1]
     found = hashlib.sha256(_stiffarm.__sources__.encode())
