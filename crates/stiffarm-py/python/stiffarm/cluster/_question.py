@@ -34,7 +34,6 @@ def maker() -> dict[str, Any]:
     return {"format": FORMAT, "stiffarm": _stiffarm.__version__, "sources": _sources()}
 
 
-@functools.lru_cache(maxsize=1)
 def _sources() -> str:
     """SHA-256 of the Rust sources that were compiled in, and of this package's own as they lie here."""
     package = Path(__file__).parents[1]
