@@ -43,12 +43,14 @@ mod _stiffarm {
     #[pymodule_export]
     use super::robot::{Robot, robots, select};
     #[pymodule_export]
-    use super::verbs::{map, place, posture, rank, study};
+    use super::verbs::{distinct, map, place, posture, rank, study};
 
     use pyo3::prelude::*;
 
     #[pymodule_init]
     fn version(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        // SHA-256 of the Rust sources: tells two builds of one version apart.
+        module.add("__sources__", env!("STIFFARM_SOURCES"))?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -36,7 +36,9 @@ pub(crate) fn robot_file(name: &str, numbers: Option<&Bound<'_, PyDict>>) -> PyR
     let mut given = Vec::new();
     for (key, value) in numbers.into_iter().flat_map(PyDictMethods::iter) {
         if !value.is_none() {
-            given.push((key.extract::<String>()?, literal(&value)?));
+            let key = key.extract::<String>()?;
+            let value = literal(&value).map_err(|why| refused(format!("{name}: {key}: {why}")))?;
+            given.push((key, value));
         }
     }
     let value = |key: &str| given.iter().find(|(known, _)| known == key).map(|(_, value)| value.as_str());
@@ -76,8 +78,9 @@ pub(crate) fn robot_file(name: &str, numbers: Option<&Bound<'_, PyDict>>) -> PyR
     Ok(text)
 }
 
-/// A value as TOML has it.
-fn literal(value: &Bound<'_, PyAny>) -> PyResult<String> {
+/// A value as TOML has it, or why it is none.
+fn literal(value: &Bound<'_, PyAny>) -> Result<String, String> {
+    refuse_masked(value)?;
     if let Ok(truth) = value.cast::<PyBool>() {
         return Ok(truth.is_true().to_string());
     }
@@ -87,8 +90,24 @@ fn literal(value: &Bound<'_, PyAny>) -> PyResult<String> {
     if let Ok(number) = value.extract::<f64>() {
         return Ok(format!("{number:?}").to_lowercase());
     }
-    let items: PyResult<Vec<String>> = value.try_iter()?.map(|item| literal(&item?)).collect();
-    Ok(format!("[{}]", items?.join(", ")))
+    let unknown = |_| format!("{}; expected a number, a text or a list of them", kind(value));
+    let items = value.try_iter().map_err(unknown)?.map(|item| literal(&item.map_err(unknown)?));
+    Ok(format!("[{}]", items.collect::<Result<Vec<_>, _>>()?.join(", ")))
+}
+
+/// The type of a value, in a message.
+pub(crate) fn kind(value: &Bound<'_, PyAny>) -> String {
+    value.get_type().name().map_or_else(|_| "this".into(), |name| format!("a value of type {name}"))
+}
+
+/// What NumPy masks is no number.
+pub(crate) fn refuse_masked(value: &Bound<'_, PyAny>) -> Result<(), String> {
+    let masked = value.getattr("mask").and_then(|mask| mask.call_method0("any")).and_then(|any| any.is_truthy());
+    if masked.is_ok_and(|masked| masked) {
+        Err("numbers are masked; fill them, or leave them out".into())
+    } else {
+        Ok(())
+    }
 }
 
 /// JSON's quotes are TOML's.

@@ -15,6 +15,7 @@ use stiffarm::report::robot::{drive_urad_per_nm, sheet};
 use stiffarm::robot::{Arm, Robot as Arms, Status};
 
 use crate::json::to_python;
+use crate::numbers::{kind, refuse_masked};
 use crate::{numbers, refused};
 
 /// A robot: lengths, limits, drives, and where they come from. Never changed; equal where all numbers are.
@@ -41,7 +42,7 @@ impl Robot {
 #[pymethods]
 impl Robot {
     #[new]
-    fn new(name: PathBuf) -> PyResult<Self> {
+    fn new(#[pyo3(from_py_with = path)] name: PathBuf) -> PyResult<Self> {
         robot(&name.to_string_lossy())
     }
 
@@ -57,8 +58,8 @@ impl Robot {
     /// StiffarmError
     ///     Where no robot has the name; it suggests some that are close.
     #[staticmethod]
-    fn catalogue(name: &str) -> PyResult<Self> {
-        find(name).map(|entry| Self(entry.robot())).ok_or_else(|| unknown(name))
+    fn catalogue(#[pyo3(from_py_with = text)] name: String) -> PyResult<Self> {
+        find(&name).map(|entry| Self(entry.robot())).ok_or_else(|| unknown(&name))
     }
 
     /// A robot from the text of a robot file, or from its path.
@@ -73,7 +74,7 @@ impl Robot {
     /// StiffarmError
     ///     Every fault of the file at once, each with its line and key.
     #[staticmethod]
-    fn from_toml(source: PathBuf) -> PyResult<Self> {
+    fn from_toml(#[pyo3(from_py_with = path)] source: PathBuf) -> PyResult<Self> {
         match source.to_str() {
             Some(text) if text.contains(['\n', '=']) => read(text, "robot").map(Self).map_err(refused),
             _ => read(&text_of(&source)?, &files::shown(&source)).map(Self).map_err(refused),
@@ -98,11 +99,11 @@ impl Robot {
     #[staticmethod]
     #[pyo3(signature = (path, *, name=None, vendor=None, base=None, tip=None))]
     fn from_urdf(
-        path: PathBuf,
-        name: Option<String>,
-        vendor: Option<String>,
-        base: Option<String>,
-        tip: Option<String>,
+        #[pyo3(from_py_with = path)] path: PathBuf,
+        #[pyo3(from_py_with = text_or_none)] name: Option<String>,
+        #[pyo3(from_py_with = text_or_none)] vendor: Option<String>,
+        #[pyo3(from_py_with = text_or_none)] base: Option<String>,
+        #[pyo3(from_py_with = text_or_none)] tip: Option<String>,
     ) -> PyResult<Self> {
         let options = ImportOptions { name, vendor, base, tip, ..ImportOptions::default() };
         let text = text_of(&path)?;
@@ -137,9 +138,9 @@ impl Robot {
     ///     By the data sheet.
     #[staticmethod]
     #[pyo3(signature = (name, **numbers))]
-    fn from_numbers(name: &str, numbers: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        let text = numbers::robot_file(name, numbers)?;
-        read(&text, name).map(Self).map_err(refused)
+    fn from_numbers(#[pyo3(from_py_with = text)] name: String, numbers: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let text = numbers::robot_file(&name, numbers)?;
+        read(&text, &name).map(Self).map_err(refused)
     }
 
     /// The same robot with other compliances of its drives.
@@ -150,6 +151,7 @@ impl Robot {
     ///     Of all drives, or of each [urad/(N m)], 0.001 to 10000; of a planar robot those of the drives 2 and 3 count.
     #[pyo3(signature = (*, drive_urad_per_nm))]
     fn with_compliance(&self, drive_urad_per_nm: &Bound<'_, PyAny>) -> PyResult<Self> {
+        refuse_masked(drive_urad_per_nm).map_err(|why| refused(format!("drive_urad_per_nm: {why}")))?;
         let each = drive_urad_per_nm
             .extract::<f64>()
             .map(|all| [all; 6])
@@ -260,6 +262,19 @@ impl Robot {
         let make = py.get_type::<Self>().getattr("from_toml")?;
         Ok((make, PyTuple::new(py, [write(&self.0)])?))
     }
+}
+
+/// A name or a path.
+fn path(given: &Bound<'_, PyAny>) -> PyResult<PathBuf> {
+    given.extract().map_err(|_| refused(format!("{}; expected a name or a path", kind(given))))
+}
+
+fn text(given: &Bound<'_, PyAny>) -> PyResult<String> {
+    given.extract().map_err(|_| refused(format!("{}; expected a text", kind(given))))
+}
+
+fn text_or_none(given: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
+    (!given.is_none()).then(|| text(given)).transpose()
 }
 
 /// The one robot that a name or path means.

@@ -14,7 +14,7 @@ use stiffarm::map::{
 };
 use stiffarm::place::{find_robot, place_in_space, place_robot};
 use stiffarm::plane::Elbow;
-use stiffarm::question::{Angle, degrees, distinct, number, shape};
+use stiffarm::question::{self, Angle, degrees, number, shape};
 use stiffarm::rank::{rank as rank_for, rank_in_plane, rank_in_space};
 use stiffarm::report;
 use stiffarm::report::map::MapReport;
@@ -70,6 +70,13 @@ pub(crate) fn place<'py>(py: Python<'py>, robot: &Robot, wanted_task: &str, aske
     to_python(py, &Value::Object(cell))
 }
 
+/// The tasks of which no other before them has the zone.
+#[pyfunction]
+pub(crate) fn distinct(tasks: Vec<String>) -> PyResult<Vec<String>> {
+    let tasks: Vec<Task> = tasks.iter().map(|text| task(text)).collect::<PyResult<_>>()?;
+    Ok(question::distinct(&tasks).into_iter().map(|task| task.label).collect())
+}
+
 /// Robots in order.
 #[pyfunction]
 pub(crate) fn rank<'py>(
@@ -85,7 +92,7 @@ pub(crate) fn rank<'py>(
         return Err(refused("angle horizontal or vertical means the long side of one task; give one task with it"));
     }
     let first = asked_for.first().ok_or_else(|| refused("no task to rank for; give tasks"))?;
-    let tasks = distinct(&asked_for);
+    let tasks = question::distinct(&asked_for);
     let answer = if asked.is_spatial()? {
         let held = asked.held()?;
         let options = match tasks.as_slice() {

@@ -50,9 +50,9 @@ def test_layouts_and_types_give_the_same_numbers():
 
 
 def test_arrays_in_one_piece_are_not_copied():
-    from stiffarm._verbs import _numbers
+    from stiffarm._given import numbers
 
-    assert np.shares_memory(_numbers("q", Q), Q)
+    assert np.shares_memory(numbers("q", Q), Q)
 
 
 def test_empty_arrays_give_empty_answers():
@@ -90,6 +90,77 @@ def test_numbers_out_of_range_are_named():
     refused("force_n", stiffarm.compliance, ROBOT, joints_deg=Q[0], force_n=(1, 2))
     refused("force_n", stiffarm.compliance, ROBOT, joints_deg=Q[0], force_n=(1, np.nan, 2))
     refused("one posture", stiffarm.compliance, ROBOT, joints_deg=Q, force_n=(1, 2, 3))
+
+
+#: Too large for a float, and for its digits to be printed.
+LARGE, HUGE = 10**400, 10**5000
+MASKED = np.ma.masked_array([0.0, 0.0, 200.0], [False, True, False])
+
+
+def kind(value):
+    return type(value).__name__
+
+
+@pytest.mark.parametrize("bad", [LARGE, HUGE, object(), None, {1: 2}, [1, "x"], [[1], [2, 3]], np.ma.masked, MASKED, 1j], ids=kind)
+def test_what_is_no_number_raises_the_error_of_the_package(bad):
+    calls = [
+        ("force_n", stiffarm.place, {"task": "A:0.3", "force_n": bad}), ("within_m", stiffarm.place, {"task": "A:0.3", "within_m": bad}),
+        ("within_m", stiffarm.place, {"task": "A:0.3", "within_m": ((0, bad), None)}),
+        ("tool_mm", stiffarm.place, {"task": "A:0.3", "model": "spatial", "tool_mm": bad}), ("step_m", stiffarm.map, {"step_m": bad}),
+        ("size", stiffarm.map, {"size": bad}), ("joints_deg", stiffarm.compliance, {"joints_deg": bad}),
+        ("joints_deg", stiffarm.compliance, {"joints_deg": [0, 0, 0, 0, 0, bad]}),
+        ("force_n", stiffarm.compliance, {"joints_deg": Q[0], "force_n": bad}), ("drive_urad", ROBOT.with_compliance, {"drive_urad_per_nm": bad}),
+    ]  # fmt: skip
+    for name, call, options in calls:
+        if bad is None and name in ("force_n", "within_m", "tool_mm", "step_m", "size"):
+            continue
+        refused(name, call, *(() if call == ROBOT.with_compliance else (ROBOT,)), **options)
+    for name in ("sizes", "ratios", "range", "k2", "k3"):
+        refused(name, stiffarm.study, **{name: bad})
+    for name in ("payload_kg", "reach_m"):
+        if bad is not None:
+            refused(name, stiffarm.robots, **{name: (0, bad)})
+            refused("l2_mm", Robot.from_numbers, "x", l2_mm=bad, l3_mm=800)
+
+
+@pytest.mark.parametrize("bad", [5, b"BT200L", [5], [None], object(), HUGE], ids=kind)
+def test_what_is_no_text_raises_the_error_of_the_package(bad):
+    for call in (Robot, Robot.from_toml, Robot.from_urdf, stiffarm.map, stiffarm.rank):
+        if bad != b"BT200L" or call == stiffarm.rank:
+            refused("expected", call, bad)
+    for call, name in (
+        (stiffarm.rank, "tasks"), (stiffarm.study, "tasks"), (stiffarm.study, "compare"), (stiffarm.robots, "words"),
+        (stiffarm.robots, "vendor"), (stiffarm.robots, "status"), (stiffarm.robots, "architecture"), (stiffarm.robots, "among"),
+    ):  # fmt: skip
+        refused(f"{name}|robots", call, **{name: bad})
+    refused("task", stiffarm.place, ROBOT, task=bad)
+    refused("expected a text", Robot.catalogue, bad)
+    refused("expected a text", Robot.from_urdf, "x.urdf", name=bad)
+    refused("expected a text", Robot.from_numbers, bad, l2_mm=900, l3_mm=800)
+
+
+@pytest.mark.parametrize("bad", [-1, 0, 1025, HUGE, 1.5, "two", [1]], ids=kind)
+def test_threads_that_are_no_count(bad):
+    refused("threads", stiffarm.set_threads, bad)
+
+
+def test_whole_numbers_of_any_type_and_masks_without_a_mark_are_taken():
+    expected = stiffarm.map(ROBOT, size=12)
+    for kind in (np.int8, np.int64, np.uint16):
+        assert stiffarm.map(ROBOT, size=kind(12)) == expected
+        stiffarm.set_threads(kind(2))
+    stiffarm.set_threads(None)
+    refused("size=True", stiffarm.map, ROBOT, size=True)
+    open_mask = np.ma.masked_array(Q, np.zeros(Q.shape, dtype=bool))
+    assert stiffarm.compliance(ROBOT, joints_deg=open_mask) == stiffarm.compliance(ROBOT, joints_deg=Q)
+    assert stiffarm.study(tasks="A", sizes=(size for size in (0.2, 0.3))) == stiffarm.study(tasks="A", sizes=[0.2, 0.3])
+
+
+def test_a_cell_of_two_robots_of_one_name_is_not_guessed():
+    same = [Robot.from_numbers("twin", l2_mm=length, l3_mm=800) for length in (900, 1000)]
+    ranking = stiffarm.rank(same, tasks="A:0.3")
+    assert len(ranking) == 2
+    refused("2 robots are called twin", ranking.cell, "twin", "A:0.3")
 
 
 def test_robots_that_are_none(tmp_path):

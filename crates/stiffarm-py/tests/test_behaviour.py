@@ -1,10 +1,14 @@
 """Answers and robots behave as Python's own values do."""
 
 import copy
+import importlib.metadata
 import multiprocessing
 import pickle
+import subprocess
+import sys
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pandas
@@ -110,6 +114,41 @@ def test_calls_from_several_threads_agree():
     assert all(answer == found[0] for answer in found.values()) and len(found) == 4
 
 
+#: One thread is asked for; three callers compute side by side, then the main thread.
+ALONE = """
+import os, threading, time
+import numpy as np, stiffarm
+
+stiffarm.set_threads(1)
+joints = np.random.default_rng(1).uniform(-90, 90, (100_000, 6))
+before, begun, taken = set(os.listdir("/proc/self/task")), time.process_time(), []
+
+def work():
+    start = time.thread_time()
+    stiffarm.compliance("BT200L", joints_deg=joints)
+    stiffarm.place("BT200L", task="A:0.2", model="spatial", roll_deg=0)
+    taken.append(time.thread_time() - start)
+
+threads = [threading.Thread(target=work) for _ in range(3)]
+for thread in threads: thread.start()
+for thread in threads: thread.join()
+all_of_it = time.process_time() - begun
+stiffarm.rank(["BT200L", "KR 210 R2700 extra"], tasks="A:0.3")
+stiffarm.map("BT200L", size=40), stiffarm.map("BT200L", size=20, model="spatial"), stiffarm.study(tasks="A", sizes=[0.2])
+assert set(os.listdir("/proc/self/task")) == before, "threads were made"
+assert len(taken) == 3 and min(taken) > 0.1 * all_of_it and sum(taken) > 0.9 * all_of_it, (taken, all_of_it)
+stiffarm.set_threads(2)
+stiffarm.compliance("BT200L", joints_deg=joints)
+assert len(set(os.listdir("/proc/self/task")) - before) == 2
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="threads are counted under /proc")
+def test_one_thread_is_the_callers_own():
+    done = subprocess.run([sys.executable, "-c", ALONE], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
 def _placed(scale):
     return stiffarm.cell(ROBOT.with_compliance(drive_urad_per_nm=scale), "A:0.3")["deflection_mm"]
 
@@ -118,8 +157,11 @@ def _placed(scale):
 @pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 def test_other_processes_work_after_threads_were_used(how):
     expected = [_placed(scale) for scale in (1.0, 1.5)]
-    with multiprocessing.get_context(how).Pool(1) as pool:
-        assert pool.map_async(_placed, [1.0, 1.5]).get(timeout=60) == expected
+    for threads in (1, None):
+        stiffarm.set_threads(threads)
+        assert _placed(1.0) == expected[0]
+        with multiprocessing.get_context(how).Pool(1) as pool:
+            assert pool.map_async(_placed, [1.0, 1.5]).get(timeout=60) == expected
 
 
 def test_the_number_of_threads_changes_no_number():
@@ -131,3 +173,9 @@ def test_the_number_of_threads_changes_no_number():
     for bad in (0, 1025):
         with pytest.raises(StiffarmError, match="threads"):
             stiffarm.set_threads(bad)
+
+
+@pytest.mark.parametrize("name", ["LICENSE-MIT", "LICENSE-APACHE"])
+def test_the_licences_come_with_the_package(name):
+    found = [file for file in importlib.metadata.files("stiffarm") if file.name == name]
+    assert [file.read_text() for file in found] == [(Path(__file__).resolve().parents[3] / name).read_text()]

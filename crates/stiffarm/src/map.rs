@@ -1,5 +1,6 @@
 //! Verb 2: how far is the tool pushed off, everywhere the arm reaches?
 
+mod rolls;
 mod section;
 mod spans;
 
@@ -12,7 +13,7 @@ use crate::place::{PlaceError, check_force};
 use crate::plane::{Elbow, ElbowSide, InvalidArm, PlanarArm, RadialCompliance};
 use spans::{RowSpans, Scratch};
 
-pub use section::{Section, SectionOptions, reached_section, section};
+pub use section::{ROLL_TOLERANCE, Section, SectionOptions, reached_section, section};
 
 /// More cells than this are refused before memory is taken (800 MB).
 pub const MOST_CELLS: usize = 100_000_000;

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from ._stiffarm import StiffarmError
+
 if TYPE_CHECKING:
     import pandas
     import polars
@@ -242,12 +244,14 @@ class Ranking(_Table):
         return len(self.rows)
 
     def cell(self, robot: str, task: str) -> Placement:
-        """The placement of a task (by its label) on a robot (by its name)."""
-        for row in self.rows:
-            for found in row["cells"]:
-                if (found["robot"], found["task"]) == (robot, task):
-                    return Placement(copy.deepcopy(found))
-        raise KeyError((robot, task))
+        """The placement of a task (by its label) on a robot (by its name); where two robots have it, see ``rows``."""
+        asked = (robot, task)
+        found = [cell for row in self.rows for cell in row["cells"] if (cell["robot"], cell["task"]) == asked]
+        if not found:
+            raise KeyError(asked)
+        if len(found) > 1:
+            raise StiffarmError(f"{len(found)} robots are called {robot}; their placements stand in rows")
+        return Placement(copy.deepcopy(found[0]))
 
     def _columns(self) -> dict[str, Any]:
         rows = []
@@ -302,6 +306,8 @@ class Map(_Table):
     direction_deg: float | None
     tool_mm: list[float] | None
     tool_direction_deg: float | None
+    #: How much more than at the best roll a point may tell, relative; spatial model, where no roll was given.
+    roll_tolerance: float | None
     #: By row and column, in words; spatial model.
     posture: list[list[str | None]] | None
     #: By row and column, about the tool axis; spatial model.

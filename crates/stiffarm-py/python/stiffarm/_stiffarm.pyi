@@ -6,10 +6,13 @@ import numpy as np
 import numpy.typing as npt
 
 __version__: str
+__sources__: str
 __all__ = [
     "Robot",
     "StiffarmError",
+    "__sources__",
     "__version__",
+    "distinct",
     "map",
     "matrices",
     "place",
@@ -77,6 +80,7 @@ class Robot:
     def __reduce__(self) -> tuple[Any, tuple[str]]: ...
 
 def set_threads(threads: int | None) -> None: ...
+def distinct(tasks: Sequence[str]) -> list[str]: ...
 def select(name: str) -> list[Robot]: ...
 def robots(
     among: Sequence[Robot],

@@ -2,85 +2,19 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Sequence
-from typing import Literal, Union, overload
+from typing import Literal, overload
 
-import numpy as np
 import numpy.typing as npt
 
-from . import _stiffarm
-from ._answers import Array, Compliance, Compliances, Map, Placement, Ranking, Study
+from . import _given, _stiffarm
+from ._answers import Compliance, Compliances, Map, Placement, Ranking, Study
+from ._given import RangeLike, RobotLike
 from ._stiffarm import Robot, StiffarmError
 
-#: A robot, its name in the catalogue, or the path of its file.
-RobotLike = Union[Robot, str, "os.PathLike[str]"]
-#: Both ends, None for an open one, or such as ``"0.5..2"``.
-RangeLike = Union[str, Sequence[Union[float, None]]]
 Model = Literal["planar", "spatial"]
 
 PAPER_TASKS = ("A:0.1", "A:1.0", "B:0.1", "B:0.5", "C:0.05", "C:0.15")
-
-
-def _robot(robot: RobotLike) -> Robot:
-    return robot if isinstance(robot, Robot) else Robot(robot)
-
-
-def _robots(robots: RobotLike | Iterable[RobotLike]) -> list[Robot]:
-    """Each once, in the order given; a text may be a name, a pattern, a path, a list with commas, ``paper`` or ``all``."""
-    if isinstance(robots, (Robot, str, os.PathLike)):
-        robots = [robots]
-    found: dict[Robot, None] = {}
-    for item in robots:
-        if isinstance(item, Robot):
-            found[item] = None
-            continue
-        for name in os.fspath(item).split(",") if isinstance(item, str) else [os.fspath(item)]:
-            found.update(dict.fromkeys(_stiffarm.select(name.strip())))
-    return list(found)
-
-
-def _number(value: float) -> str:
-    return repr(float(value))
-
-
-def _range(value: RangeLike | None) -> str | None:
-    if value is None or isinstance(value, str):
-        return value
-    try:
-        low, high = value
-    except (TypeError, ValueError):
-        raise StiffarmError(f"{value!r} is not a range; expected both ends, None for an open one") from None
-    return "..".join("" if end is None or abs(end) == float("inf") else _number(end) for end in (low, high))
-
-
-def _within(value: str | Sequence[RangeLike | None] | None) -> str | None:
-    if value is None or isinstance(value, str):
-        return value
-    if len(value) != 2:
-        raise StiffarmError(f"within_m={value!r}; expected two ranges, ((x0, x1), (z0, z1))")
-    return ",".join(_range(part) or ".." for part in value)
-
-
-def _asked(**given: object) -> dict[str, str]:
-    """What was given, as the command line spells it."""
-    spelt: dict[str, str] = {}
-    for name, value in given.items():
-        if value is None:
-            continue
-        if isinstance(value, str):
-            spelt[name] = value
-        elif isinstance(value, int) and name == "size":
-            spelt[name] = str(value)
-        elif np.ndim(value) == 0:  # type: ignore[arg-type]
-            spelt[name] = _number(value)  # type: ignore[arg-type]
-        else:
-            spelt[name] = ",".join(_number(part) for part in value)  # type: ignore[attr-defined]
-    return spelt
-
-
-def _tasks(tasks: str | Iterable[str]) -> list[str]:
-    return [part.strip() for task in ([tasks] if isinstance(tasks, str) else tasks) for part in task.split(",")]
 
 
 def robots(
@@ -115,10 +49,11 @@ def robots(
     StiffarmError
         Where no robot is left; it says what would match.
     """
-    vendors = [vendor] if isinstance(vendor, str) else list(vendor)
-    statuses = [status] if isinstance(status, str) else list(status)
-    ranges = [_range(payload_kg), _range(reach_m)]
-    return _stiffarm.robots(_robots(among), words.split(), vendors, ranges, architecture, statuses)
+    vendors, statuses = _given.texts("vendor", vendor), _given.texts("status", status)
+    ranges = [_given.between("payload_kg", payload_kg), _given.between("reach_m", reach_m)]
+    architecture = None if architecture is None else _given.text("architecture", architecture)
+    words = _given.text("words", words)
+    return _stiffarm.robots(_given.robots(among), words.split(), vendors, ranges, architecture, statuses)
 
 
 @overload
@@ -174,13 +109,13 @@ def compliance(
     StiffarmError
         For wrong shapes, angles that are no numbers or beyond 1080 deg, and planar robots.
     """
-    robot = _robot(robot)
-    asked = _asked(tool_mm=tool_mm)
-    joints = _numbers("joints_deg", joints_deg)
+    robot = _given.robot(robot)
+    asked = _given.asked(tool_mm=tool_mm)
+    joints = _given.numbers("joints_deg", joints_deg)
     if joints.shape == (6,):
         if full:
             raise StiffarmError("full=True is for many postures: one has all there is")
-        force = None if force_n is None else _numbers("force_n", force_n)
+        force = None if force_n is None else _given.numbers("force_n", force_n)
         if force is not None and force.shape != (3,):
             raise StiffarmError(f"force_n of shape {force.shape}; expected (3,): x, y, z in N")
         return Compliance(_stiffarm.posture(robot, joints.tolist(), None if force is None else force.tolist(), asked))
@@ -192,17 +127,6 @@ def compliance(
     if full:
         data["compliance_um_per_n"] = _stiffarm.matrices(robot, joints, asked)
     return Compliances(data)
-
-
-def _numbers(name: str, values: npt.ArrayLike) -> Array:
-    """Float64 in one aligned piece; copied only where it is not that already."""
-    try:
-        array = np.asarray(values)
-    except ValueError as error:
-        raise StiffarmError(f"{name}: {error}") from None
-    if array.dtype.kind not in "fiu" and array.size:
-        raise StiffarmError(f"{name} of type {array.dtype}; expected numbers")
-    return np.require(array, np.float64, ["C", "ALIGNED"])
 
 
 def place(
@@ -260,11 +184,11 @@ def place(
     StiffarmError
         Where an argument makes no sense.
     """
-    asked = _asked(
-        force_n=force_n, tolerance_mm=tolerance_mm, within_m=_within(within_m), angle=angle, gap=gap, model=model,
+    asked = _given.asked(
+        force_n=force_n, tolerance_mm=tolerance_mm, within_m=_given.within(within_m), angle=angle, gap=gap, model=model,
         tool_mm=tool_mm, tool_direction=tool_direction, yaw_deg=yaw_deg, roll_deg=roll_deg,
     )  # fmt: skip
-    return Placement(_stiffarm.place(_robot(robot), task, asked))
+    return Placement(_stiffarm.place(_given.robot(robot), _given.text("task", task), asked))
 
 
 def cell(robot: RobotLike, task: str, **options: object) -> dict[str, object]:
@@ -320,11 +244,11 @@ def rank(
     StiffarmError
         Where an argument makes no sense.
     """
-    asked = _asked(
-        force_n=force_n, tolerance_mm=tolerance_mm, within_m=_within(within_m), angle=angle, gap=gap, model=model,
+    asked = _given.asked(
+        force_n=force_n, tolerance_mm=tolerance_mm, within_m=_given.within(within_m), angle=angle, gap=gap, model=model,
         tool_mm=tool_mm, tool_direction=tool_direction, yaw_deg=yaw_deg, roll_deg=roll_deg,
     )  # fmt: skip
-    return Ranking(_stiffarm.rank(_robots(robots), _tasks(tasks), asked))
+    return Ranking(_stiffarm.rank(_given.robots(robots), _given.tasks(tasks), asked))
 
 
 def map(
@@ -378,12 +302,12 @@ def map(
     StiffarmError
         Where an argument makes no sense; too many points are refused before memory is taken.
     """
-    asked = _asked(
+    asked = _given.asked(
         force_n=force_n, direction_deg=direction_deg, component=component, elbow=elbow, zone=zone, step_m=step_m,
-        size=size, within_m=_within(within_m), angle=angle, gap=gap, model=model, tool_mm=tool_mm,
+        size=size, within_m=_given.within(within_m), angle=angle, gap=gap, model=model, tool_mm=tool_mm,
         tool_direction=tool_direction, roll_deg=roll_deg,
     )  # fmt: skip
-    return Map(*_stiffarm.map(_robot(robot), asked))
+    return Map(*_stiffarm.map(_given.robot(robot), asked))
 
 
 def study(
@@ -425,14 +349,17 @@ def study(
     """
     of_each = []
     for name, value in (("k2", k2), ("k3", k3)):
-        pair = [float(part) for part in np.atleast_1d(np.asarray(value, dtype=np.float64)).tolist()]
+        pair = _given.row(name, value)
         if len(pair) not in (1, 2):
             raise StiffarmError(f"{name} takes one value for both architectures, or two")
         of_each.append((pair[0], pair[-1]))
-    if len(compare) != 2 or isinstance(compare, str):
+    names = [compare] if isinstance(compare, str) else _given.texts("compare", compare)
+    if len(names) != 2:
         raise StiffarmError('compare takes two architectures, e.g. ("serial", "quasi-serial")')
-    contenders = [(name, of_each[0][i], of_each[1][i]) for i, name in enumerate(compare)]
-    low, high = range
+    contenders = [(name, of_each[0][i], of_each[1][i]) for i, name in enumerate(names)]
+    ends = _given.row("range", range)
+    if len(ends) != 2:
+        raise StiffarmError(f"range of {len(ends)} numbers; expected both ends")
     return Study(
-        _stiffarm.study(_tasks(tasks), [*sizes], [*ratios], [float(low), float(high)], contenders)
+        _stiffarm.study(_given.tasks(tasks), _given.row("sizes", sizes), _given.row("ratios", ratios), ends, contenders)
     )

@@ -1,9 +1,11 @@
 //! Verb 2 in space: a section through everything the tool reaches, straight ahead of the robot.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
+use nalgebra::Vector3;
 use rayon::prelude::*;
 
+use super::rolls::{Rolls, Way};
 use super::{Axis, MOST_CELLS_IN_SPACE, Map, MapError};
 use crate::compliance::check_held;
 use crate::inverse::{Class, SLACK, postures, within_limits};
@@ -13,8 +15,10 @@ use crate::robot::Robot;
 use crate::space::{CLASSES, Near, Patch, SpatialArm, Stand, class};
 use crate::spatial::Pose;
 
-/// Rolls that are tried where any will do and they differ, rad apart.
-const ROLL_STEP: f64 = PI / 36.0;
+/// Where any roll will do and they differ, the deflection told is at most so much, relative, above that of the best roll.
+pub const ROLL_TOLERANCE: f64 = 1e-3;
+/// Values that agree so well, relative, are equal, and the posture with more room to its limits is told.
+const EQUAL: f64 = 1e-12;
 
 /// What is mapped: tool poses in the plane through the joint-1 axis that points straight ahead.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +35,7 @@ pub struct SectionOptions {
     pub elevation: f64,
     /// Angle of the tool axis about the vertical, rad: out of the plane, to the left.
     pub yaw: f64,
-    /// About the tool axis, rad; the stiffest of every 5 degrees at each point where `None`.
+    /// About the tool axis, rad; the stiffest at each point, to [`ROLL_TOLERANCE`], where `None`.
     pub roll: Option<f64>,
     /// One posture, or the stiffest at each point.
     pub class: Option<Class>,
@@ -69,7 +73,7 @@ impl Section {
         let (class, roll) = self.posture(i, j)?;
         let arm = SpatialArm::new(robot, &options.flange_from_tool).ok()?;
         let stand = Stand { x: options.x.at(i), z: options.z.at(j), yaw: options.yaw, angle: 0.0, roll };
-        let theta = held(&arm, &Patch::of(options.elevation, &stand), &stand, class)?;
+        let theta = of_class(&held(&arm, &Patch::of(options.elevation, &stand), &stand), class)?;
         let q = within_limits(&arm.geometry, &freed(&arm, options).limits, &theta);
         Some(q.unwrap_or_else(|| arm.geometry.reported(&theta, arm.limits.third_axis)))
     }
@@ -100,7 +104,8 @@ pub fn section(robot: &Robot, options: &SectionOptions) -> Result<Section, MapEr
     }
     let arm = SpatialArm::new(robot, &options.flange_from_tool)?;
     check_held(robot)?;
-    let scan = Scan::new(&arm, options);
+    let freed = freed(&arm, options);
+    let scan = Scan::new(&freed, options);
     let cells: Vec<Cell> = (0..rows).into_par_iter().flat_map_iter(|j| scan.row(j)).collect();
     let layer = |value: fn(&Cell) -> f64| Map { x: options.x, z: options.z, cells: cells.iter().map(value).collect() };
     Ok(Section {
@@ -149,68 +154,98 @@ fn freed(arm: &SpatialArm, options: &SectionOptions) -> SpatialArm {
     arm.without_limit_on(0, true).without_limit_on(5, roll_is_free)
 }
 
-/// Model angles of a class at the centre of a stand.
-fn held(arm: &SpatialArm, patch: &Patch, stand: &Stand, class: Class) -> Option<[f64; 6]> {
+/// All postures at the centre of a stand.
+fn held(arm: &SpatialArm, patch: &Patch, stand: &Stand) -> Vec<(Class, [f64; 6])> {
     let flange = patch.pose(stand, [0.0; 2]) * arm.flange_from_tool.inverse();
-    let found = postures(&arm.geometry, &flange).found;
+    postures(&arm.geometry, &flange).found
+}
+
+/// Model angles of a class among the postures of a pose.
+fn of_class(found: &[(Class, [f64; 6])], class: Class) -> Option<[f64; 6]> {
     let same_arm = |other: &Class| other.shoulder == class.shoulder && other.elbow == class.elbow;
     // At a singular wrist one representative stands for both.
     let way = found.iter().find(|way| way.0 == class).or_else(|| found.iter().find(|way| same_arm(&way.0)));
     way.map(|(_, theta)| *theta)
 }
 
+/// Where rolls differ and any will do, they are searched; else one stands for all.
+enum Roll<'a> {
+    One(f64),
+    Any(Rolls<'a>),
+}
+
 struct Scan<'a> {
     options: &'a SectionOptions,
-    freed: SpatialArm,
-    patches: Vec<(f64, Patch)>,
+    freed: &'a SpatialArm,
+    roll: Roll<'a>,
+    /// Places of the classes that are wanted.
+    places: Vec<usize>,
 }
 
 impl<'a> Scan<'a> {
-    fn new(arm: &SpatialArm, options: &'a SectionOptions) -> Self {
-        let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
-        let rolls = match options.roll {
-            Some(roll) => vec![roll],
-            None if roll_is_free => vec![0.0],
-            None => (0..72).map(|i| f64::from(i) * ROLL_STEP).collect(),
+    fn new(freed: &'a SpatialArm, options: &'a SectionOptions) -> Self {
+        let places: Vec<usize> =
+            (0..CLASSES).filter(|&place| options.class.is_none_or(|only| only == class(place))).collect();
+        let roll = match options.roll {
+            Some(roll) => Roll::One(roll),
+            None if freed.tool_turns_about_axis_6() => Roll::One(0.0),
+            None => {
+                let patches =
+                    [0.0, FRAC_PI_2, PI].map(|roll| Self::patch(options, &Self::stand(options, 0.0, 0.0, roll)));
+                Roll::Any(Rolls::new(freed, freed.turning(patches.each_ref().map(Patch::tool)), places.clone()))
+            }
         };
-        let patch = |roll| Patch::of(options.elevation, &Stand { x: 0.0, z: 0.0, yaw: options.yaw, angle: 0.0, roll });
-        Self {
-            options,
-            freed: freed(arm, options),
-            patches: rolls.into_iter().map(|roll| (roll, patch(roll))).collect(),
-        }
+        Self { options, freed, roll, places }
+    }
+
+    fn stand(options: &SectionOptions, x: f64, z: f64, roll: f64) -> Stand {
+        Stand { x, z, yaw: options.yaw, angle: 0.0, roll }
+    }
+
+    fn patch(options: &SectionOptions, stand: &Stand) -> Patch {
+        Patch::of(options.elevation, stand)
     }
 
     fn row(&self, j: usize) -> Vec<Cell> {
-        let (x, z) = (self.options.x.points(), vec![self.options.z.at(j); self.options.x.count]);
-        let y = vec![0.0; x.len()];
-        let mut best: Vec<(f64, usize, usize)> = vec![(f64::INFINITY, 0, 0); x.len()];
-        let mut classes = vec![vec![0.0; x.len()]; CLASSES];
-        for (number, (_, patch)) in self.patches.iter().enumerate() {
-            let mut rows = classes.iter_mut().map(Vec::as_mut_slice);
-            let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
-            let orientation = self.freed.orientation(patch.tool());
-            self.freed.classes_at(&orientation, &Near::default(), [&x, &y, &z], into);
-            let wanted = |place: &usize| self.options.class.is_none_or(|only| only == class(*place));
-            for place in (0..CLASSES).filter(wanted) {
-                for (best, value) in best.iter_mut().zip(&classes[place]) {
-                    if *value < best.0 {
-                        *best = (*value, place, number);
-                    }
-                }
-            }
-        }
-        best.into_iter().zip(x).map(|(best, x)| self.cell(best, x, z[0])).collect()
+        let (x, z) = (self.options.x.points(), self.options.z.at(j));
+        let ways: Vec<Vec<Way>> = match &self.roll {
+            Roll::One(roll) => self.at_one_roll(&x, z, *roll),
+            Roll::Any(rolls) => x.iter().map(|x| rolls.best(&Vector3::new(*x, 0.0, z))).collect(),
+        };
+        x.into_iter().zip(ways).map(|(x, ways)| self.cell(&ways, x, z)).collect()
     }
 
-    fn cell(&self, (worst, place, number): (f64, usize, usize), x: f64, z: f64) -> Cell {
-        if !worst.is_finite() {
-            return Cell { worst: f64::NAN, limit_margin: f64::NAN, singular_margin: f64::NAN, posture: None };
-        }
-        let (roll, patch) = &self.patches[number];
-        let stand = Stand { x, z, yaw: self.options.yaw, angle: 0.0, roll: *roll };
-        let class = class(place);
-        let theta = held(&self.freed, patch, &stand, class);
+    /// The best ways to hold every point of a row at one roll.
+    fn at_one_roll(&self, x: &[f64], z: f64, roll: f64) -> Vec<Vec<Way>> {
+        let (y, z) = (vec![0.0; x.len()], vec![z; x.len()]);
+        let mut classes = vec![vec![0.0; x.len()]; CLASSES];
+        let mut rows = classes.iter_mut().map(Vec::as_mut_slice);
+        let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
+        let patch = Self::patch(self.options, &Self::stand(self.options, 0.0, 0.0, roll));
+        self.freed.classes_at(&self.freed.orientation(patch.tool()), &Near::default(), [x, &y, &z], into);
+        let at = |i: usize| {
+            let ways = self.places.iter().map(|&place| Way { worst: classes[place][i], place, roll });
+            let least = ways.clone().map(|way| way.worst).fold(f64::INFINITY, f64::min);
+            ways.filter(|way| way.worst.is_finite() && way.worst <= least * (1.0 + EQUAL)).collect()
+        };
+        (0..x.len()).map(at).collect()
+    }
+
+    /// Of equally good ways the one with most room to its limits, so that neighbours tell the same posture.
+    fn cell(&self, ways: &[Way], x: f64, z: f64) -> Cell {
+        let none = Cell { worst: f64::NAN, limit_margin: f64::NAN, singular_margin: f64::NAN, posture: None };
+        let of_one_roll = ways.chunk_by(|one, other| one.roll == other.roll);
+        let cells = of_one_roll.flat_map(|ways| {
+            let stand = Self::stand(self.options, x, z, ways[0].roll);
+            let found = held(self.freed, &Self::patch(self.options, &stand), &stand);
+            ways.iter().map(move |way| self.told(way, of_class(&found, class(way.place))))
+        });
+        // A margin of NaN is that of no way at all.
+        cells.fold(none, |best, other| if other.limit_margin <= best.limit_margin { best } else { other })
+    }
+
+    /// A way with its model angles.
+    fn told(&self, way: &Way, theta: Option<[f64; 6]>) -> Cell {
         let limit_margin = theta.and_then(|theta| {
             let q = within_limits(&self.freed.geometry, &self.freed.limits, &theta)?;
             let Limits { joints, elbow, .. } = &self.freed.limits;
@@ -219,10 +254,10 @@ impl<'a> Scan<'a> {
             Some(rooms.fold(enclosed, f64::min).max(0.0))
         });
         Cell {
-            worst: worst * self.options.force,
+            worst: way.worst * self.options.force,
             limit_margin: limit_margin.unwrap_or(0.0),
             singular_margin: theta.map_or(0.0, |theta| self.freed.geometry.singular_margin(&theta)),
-            posture: Some((class, *roll)),
+            posture: Some((class(way.place), way.roll)),
         }
     }
 }
@@ -233,7 +268,6 @@ mod tests {
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
     use crate::inverse::reached;
-    use std::f64::consts::FRAC_PI_2;
 
     #[test]
     fn every_cell_is_what_single_postures_give_and_blank_where_there_are_none() {
@@ -291,15 +325,14 @@ mod tests {
         let rolled = section(robot, &SectionOptions { roll: Some(1.0), ..options }).unwrap().worst;
         let aside = Pose::translation(0.2, 0.0, 0.1);
         let best_aside = section(robot, &SectionOptions { flange_from_tool: aside, ..options }).unwrap().worst;
-        let rolled_aside =
-            section(robot, &SectionOptions { flange_from_tool: aside, roll: Some(ROLL_STEP * 7.0), ..options });
+        let rolled_aside = section(robot, &SectionOptions { flange_from_tool: aside, roll: Some(0.61), ..options });
         let rolled_aside = rolled_aside.unwrap().worst;
         for (i, j) in (0..81).map(|cell| (cell % 9, cell / 9)) {
             if let (Some(best), Some(rolled)) = (best.get(i, j), rolled.get(i, j)) {
                 assert!((best - rolled).abs() <= 1e-12 * best);
             }
             if let Some(rolled) = rolled_aside.get(i, j) {
-                assert!(best_aside.get(i, j).unwrap() <= rolled);
+                assert!(best_aside.get(i, j).unwrap() <= rolled * (1.0 + ROLL_TOLERANCE));
             }
         }
     }

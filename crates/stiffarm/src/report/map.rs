@@ -4,7 +4,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 
 use super::spatial::tool_mm;
-use crate::map::{Direction, Map, MapOptions, Section, SectionOptions};
+use crate::map::{Direction, Map, MapOptions, ROLL_TOLERANCE, Section, SectionOptions};
 use crate::place::Placement;
 use crate::robot::Robot;
 use crate::task::Task;
@@ -173,6 +173,7 @@ pub fn spatial<'a>(robot: &Robot, options: &SectionOptions, section: &'a Section
         "force_n": options.force,
         "tool_mm": tool_mm(&options.flange_from_tool),
         "tool_direction_deg": options.elevation.to_degrees(),
+        "roll_tolerance": options.roll.is_none().then_some(ROLL_TOLERANCE),
         "x_m": section.worst.x.points(),
         "z_m": section.worst.z.points(),
     });

@@ -90,7 +90,7 @@ pub(crate) struct Facing<const N: usize>([[Affine<N>; 2]; 3]);
 /// How far joints 1, 4 and 6 turn for certain from where they point at the centre of a zone, as the poses of the zone are
 /// learnt: the least that is passed on the positive side, and the most on the negative one, rad.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Turning([[f64; 2]; 3]);
+pub(crate) struct Spread([[f64; 2]; 3]);
 
 /// Ranges of theta 1 to 6 and of the forearm's angle, `theta 2 + theta 3`.
 pub(crate) type Angles = [Range; 7];
@@ -181,7 +181,7 @@ impl Enclosing {
         aim: &Aim<N>,
         at: [f64; 2],
         way: Way,
-        centre: Option<(&Facing<N>, &mut Turning)>,
+        centre: Option<(&Facing<N>, &mut Spread)>,
         wrists: &mut [bool; 2],
         known: &mut Known<N>,
     ) -> Option<Option<Facing<N>>> {
@@ -205,8 +205,8 @@ impl Enclosing {
         let clear = Range::spanning(CLEAR * CLEAR, 1.0);
         let s5 = (fore.square() + across.square()).concave(clear, |x| (x.sqrt(), 0.5 / x.sqrt()))?;
         let facing = Facing([turned.first, fourth, sixth]);
-        if let Some((centre, turning)) = centre {
-            self.turn_on(&facing, centre, turning, wrists, known)?;
+        if let Some((centre, spread)) = centre {
+            self.turn_on(&facing, centre, spread, wrists, known)?;
         }
         self.wrists(&facing, s5, c5, wrists);
         if *wrists == [false; 2] {
@@ -381,7 +381,7 @@ impl Enclosing {
         &self,
         facing: &Facing<N>,
         centre: &Facing<N>,
-        turning: &mut Turning,
+        spread: &mut Spread,
         wrists: &mut [bool; 2],
         known: &mut Known<N>,
     ) -> Option<()> {
@@ -390,7 +390,7 @@ impl Enclosing {
             let ahead = c * from_c + s * from_s;
             known.require(ahead)?;
             let Some(turned) = angle(ahead, s * from_c - c * from_s) else { continue };
-            let [most, least] = &mut turning.0[part];
+            let [most, least] = &mut spread.0[part];
             (*most, *least) = (most.max(turned.min()), least.min(turned.max()));
             if self.turns[part] + SLACK < *most - *least {
                 return None;
@@ -675,8 +675,8 @@ mod tests {
                 let near = begun.is_some_and(|begun| [0, 3, 5].iter().all(|&i| 0.0 < (theta[i] - begun[i]).cos()));
                 let facing = if near { facing } else { None };
                 let mut known = Known::default();
-                let mut turning = Turning::default();
-                let from = facing.as_ref().map(|facing| (facing, &mut turning));
+                let mut spread = Spread::default();
+                let from = facing.as_ref().map(|facing| (facing, &mut spread));
                 let learnt = enclosing.learn(&aim, at, way, from, &mut wrists, &mut known);
                 let Some(q) = within_limits(geometry, limits, &theta) else {
                     refused += usize::from(learnt.is_none());

@@ -94,6 +94,12 @@ impl<S: Simd> Lanes<S> {
         Self { simd: self.simd, value: self.simd.min_f64s(self.value, self.simd.splat_f64s(other)) }
     }
 
+    /// The smaller one; `other` where either is NaN.
+    #[inline(always)]
+    pub(crate) fn or_less(self, other: Self) -> Self {
+        self.not_above(other).select(self, other)
+    }
+
     /// False where either is NaN.
     #[inline(always)]
     pub(crate) fn at_most(self, other: f64) -> Mask<S> {

@@ -28,14 +28,14 @@ use crate::geometry::Geometry;
 use crate::limits::{Limits, Range, ThirdAxis};
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
-use lanes::{Lanes, Mask};
+use lanes::Lanes;
 use sector::Sector;
 
 pub(crate) use affine::Affine;
-pub(crate) use enclosure::{Aim, Angles, Enclosing, Known, Turning, Way};
+pub(crate) use enclosure::{Aim, Angles, Enclosing, Known, Spread, Way};
 pub(crate) use follow::{Follower, TOLERANCE};
 pub(crate) use patch::{Grid, Patch, Stand};
-pub(crate) use poses::Near;
+pub(crate) use poses::{AtRoll, Near, Turning};
 pub use poses::{Best, CLASSES, class};
 pub(crate) use stands::{StandBox, middle, variables};
 
@@ -110,14 +110,15 @@ impl Winding {
         }
     }
 
-    /// For theta 2, or zero where joint 3 reports the elbow, and theta 3, both in their ranges.
+    /// What is negative where the limit is passed. For theta 2, or zero where joint 3 reports the elbow, and theta 3, both in
+    /// their ranges.
     #[inline(always)]
-    fn holds<S: Simd>(&self, [s2, c2]: [Lanes<S>; 2], [s3, c3]: [Lanes<S>; 2]) -> Mask<S> {
+    fn slack<S: Simd>(&self, [s2, c2]: [Lanes<S>; 2], [s3, c3]: [Lanes<S>; 2]) -> Lanes<S> {
         // From the middle; a vector of one more than the cosine, and of the sine, points along half the angle.
         let halved = |s: Lanes<S>, c: Lanes<S>, [cos, sin]: [f64; 2]| [c * cos + s * sin + 1.0, s * cos - c * sin];
         let ([x2, y2], [x3, y3]) = (halved(s2, c2, self.second), halved(s3, c3, self.third));
         let (x, y) = (x2 * x3 - y2 * y3, x2 * y3 + y2 * x3);
-        self.half.holds(x, y, (x * x + y * y).sqrt())
+        self.half.slack(x, y, (x * x + y * y).sqrt())
     }
 }
 

@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
-use super::lanes::{Lanes, Mask};
+use super::lanes::Lanes;
 use super::sector::Sector;
 use super::{At, Coupling, SpatialArm, Triple};
 use crate::inverse::{CLEARANCE, Class, Shoulder, Wrist, postures};
@@ -62,6 +62,47 @@ pub(crate) struct Orientation {
     spin: Vector3<f64>,
     side: Vector3<f64>,
     beyond: Vector3<f64>,
+}
+
+/// The poses of a tool that turns about its own axis: what changes with the cosine of the roll, with its sine, and not.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turning {
+    still: Orientation,
+    cos: Orientation,
+    sin: Orientation,
+}
+
+/// All classes of one pose, at their places.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AtRoll {
+    pub(crate) roll: f64,
+    /// The largest translation per force, m/N, whatever the limits.
+    pub(crate) worst: [f64; CLASSES],
+    /// Negative where a limit or a length forbids the posture.
+    pub(crate) slack: [f64; CLASSES],
+    /// The same of lengths, joints 2 and 3 alone, which no singular posture of shoulder or wrist turns fast.
+    pub(crate) links: [f64; CLASSES],
+    /// Where the wrist centre stands from the joint-1 axis, m: its direction is that of the arm.
+    pub(crate) wrist: [f64; 2],
+    /// Axis 6 across the forearm: its direction is the angle of joint 4.
+    pub(crate) bent: [[f64; 2]; CLASSES],
+}
+
+/// One class of every pose.
+#[derive(Clone, Copy)]
+struct Way<S: Simd> {
+    worst: Lanes<S>,
+    slack: Lanes<S>,
+    links: Lanes<S>,
+    bent: [Lanes<S>; 2],
+}
+
+impl<S: Simd> Way<S> {
+    /// Infinite where it is forbidden.
+    #[inline(always)]
+    fn allowed(self) -> Lanes<S> {
+        self.slack.at_least(0.0).select(self.worst, self.worst.all(f64::INFINITY))
+    }
 }
 
 impl SpatialArm {
@@ -138,28 +179,46 @@ impl SpatialArm {
         Arch::new().dispatch(ClassesAt { arm: self, orientation, near, points, classes });
     }
 
+    /// What the poses share that the tool (base axes) takes at its rolls, given those at no roll, a quarter and half a turn.
+    pub(crate) fn turning(&self, tools: [&Matrix3<f64>; 3]) -> Turning {
+        let [none, quarter, half] = tools.map(|tool| self.orientation(tool));
+        let of = |part: fn(&Orientation) -> Vector3<f64>| {
+            let (none, quarter, half) = (part(&none), part(&quarter), part(&half));
+            let still = (none + half) / 2.0;
+            [still, (none - half) / 2.0, quarter - still]
+        };
+        let [spin, side, beyond] = [of(|it| it.spin), of(|it| it.side), of(|it| it.beyond)];
+        let [still, cos, sin] = [0, 1, 2].map(|i| Orientation { spin: spin[i], side: side[i], beyond: beyond[i] });
+        Turning { still, cos, sin }
+    }
+
+    /// Adds every class at a point at these rolls, rad.
+    pub(crate) fn at_rolls(&self, turning: &Turning, point: &Vector3<f64>, rolls: &[f64], found: &mut Vec<AtRoll>) {
+        Arch::new().dispatch(AtRolls { arm: self, turning, point, rolls, found });
+    }
+
     /// Every class of a pose.
     #[inline(always)]
-    fn classes<S: Simd>(&self, flange: &Flange<S>, near: &Near) -> [Lanes<S>; CLASSES] {
+    fn classes<S: Simd>(&self, flange: &Flange<S>, near: &Near) -> [Way<S>; CLASSES] {
         let (px, py, pz) = flange.point.parts();
         let (ux, uy, uz) = flange.beyond.parts();
         let (wx, wy, wz) = (px - ux, py - uy, pz - uz);
-        let (b, none) = (self.geometry.b, px.all(f64::INFINITY));
+        let b = self.geometry.b;
         let square = wx * wx + wy * wy;
         let across = square - b * b;
         let ahead = across.max(0.0).sqrt();
-        let clear = (near.clearance * self.geometry.c2).powi(2);
-        let reached = across.at_least(-1e-9 * self.geometry.c2 * self.geometry.c2) & square.at_least(clear);
+        let reached = across + 1e-9 * self.geometry.c2 * self.geometry.c2;
+        let reached = (square - (near.clearance * self.geometry.c2).powi(2)).or_less(reached);
         // Above its own axis joint 1 is free: straight ahead stands for all.
         let free = square.at_most(1e-18 * self.geometry.c2 * self.geometry.c2);
         let inverse = free.select(px.all(0.0), px.all(1.0) / square);
         let one = px.all(1.0);
-        let mut found = [none; CLASSES];
+        let mut found = [Way { worst: one, slack: one, links: one, bent: [one; 2] }; CLASSES];
         for shoulder in 0..2 {
             let forwards = [ahead, -ahead][shoulder];
             let c1 = free.select(one, (wx * forwards + wy * b) * inverse);
             let s1 = free.select(px.all(0.0), (wy * forwards - wx * b) * inverse);
-            let turned = reached & self.sectors.joints[0].holds(c1, s1, one) & near.first[shoulder].holds(c1, s1, one);
+            let turned = self.sectors.joints[0].slack(c1, s1, one).or_less(near.first[shoulder].slack(c1, s1, one));
             let seen = Seen {
                 spin: flange.spin.seen_turned(s1, c1),
                 side: flange.side.seen_turned(s1, c1),
@@ -167,7 +226,7 @@ impl SpatialArm {
                 x: forwards - self.geometry.a1,
                 z: wz - self.geometry.c1,
             };
-            let ways = self.elbows(&seen, turned, near, 4 * shoulder);
+            let ways = self.elbows(&seen, [reached, turned], near, 4 * shoulder);
             for way in 0..4 {
                 found[4 * shoulder + way] = ways[way];
             }
@@ -177,20 +236,27 @@ impl SpatialArm {
 
     /// Elbow up and down, each with both wrists, of one shoulder.
     #[inline(always)]
-    fn elbows<S: Simd>(&self, seen: &Seen<S>, turned: Mask<S>, near: &Near, first: usize) -> [Lanes<S>; 4] {
+    fn elbows<S: Simd>(
+        &self,
+        seen: &Seen<S>,
+        [reached, turned]: [Lanes<S>; 2],
+        near: &Near,
+        first: usize,
+    ) -> [Way<S>; 4] {
         let (l2, l3) = (self.geometry.c2, self.geometry.l3());
         let (lean_c, lean_s) = (self.geometry.c3 / l3, self.geometry.a2 / l3);
         let (x, z) = (seen.x, seen.z);
         let square = x * x + z * z;
         let c = (square - (l2 * l2 + l3 * l3)) * (1.0 / (2.0 * l2 * l3));
         let straight = if near.clearance == 0.0 { 1.0 + 1e-12 } else { near.clearance.cos() };
-        let reached = turned & c.at_most(straight) & c.at_least(-straight) & square.at_least(1e-18 * l2 * l2);
+        let reached = (c.all(straight) - c).or_less(c + straight).or_less(reached);
+        let reached = (square - 1e-18 * l2 * l2).or_less(reached);
         let c = c.max(-1.0).min(1.0);
         let s = (c.all(1.0) - c * c).max(0.0).sqrt();
         let inverse = c.all(1.0) / square.max(1e-18 * l2 * l2);
         let one = c.all(1.0);
         let along = c * l3 + l2;
-        let mut found = [one; 4];
+        let mut found = [Way { worst: one, slack: one, links: one, bent: [one; 2] }; 4];
         for elbow in 0..2 {
             let s = [s, -s][elbow];
             let aside = s * l3;
@@ -200,12 +266,13 @@ impl SpatialArm {
             let [_, second, third, ..] = self.sectors.joints;
             let forearm = self.sectors.third_is_forearm;
             let third_allowed = match &self.sectors.winding {
-                Some(winding) => winding.holds(if forearm { [s2, c2] } else { [one.all(0.0), one] }, [s3, c3]),
-                None if forearm => third.holds(c23, s23, one),
-                None => third.holds(c3, s3, one),
+                Some(winding) => winding.slack(if forearm { [s2, c2] } else { [one.all(0.0), one] }, [s3, c3]),
+                None if forearm => third.slack(c23, s23, one),
+                None => third.slack(c3, s3, one),
             };
-            let allowed = reached & second.holds(c2, s2, one) & third_allowed & self.sectors.elbow.holds(c3, s3, one);
-            let [no_flip, flip] = self.wrists(seen, [s2, c2, s23, c23], allowed, near, first + 2 * elbow);
+            let links = third_allowed.or_less(self.sectors.elbow.slack(c3, s3, one));
+            let links = second.slack(c2, s2, one).or_less(links).or_less(reached);
+            let [no_flip, flip] = self.wrists(seen, [s2, c2, s23, c23], [links, turned], near, first + 2 * elbow);
             found[2 * elbow] = no_flip;
             found[2 * elbow + 1] = flip;
         }
@@ -218,12 +285,12 @@ impl SpatialArm {
         &self,
         seen: &Seen<S>,
         [s2, c2, s23, c23]: [Lanes<S>; 4],
-        allowed: Mask<S>,
+        [links, turned]: [Lanes<S>; 2],
         near: &Near,
         first: usize,
-    ) -> [Lanes<S>; 2] {
+    ) -> [Way<S>; 2] {
         const SINGULAR: f64 = 1e-9;
-        let (zero, none) = (s2.all(0.0), s2.all(f64::INFINITY));
+        let zero = s2.all(0.0);
         let along = Triple([s23, zero, c23]);
         let (spin_x, spin_y, spin_z) = seen.spin.parts();
         // The axis of joint 6 seen from the forearm: forwards, across, along.
@@ -237,7 +304,7 @@ impl SpatialArm {
         let [.., fourth, fifth, sixth] = self.sectors.joints;
         let compliance = self.translation(&At { s2, c2, s23, c23, bend, spin: seen.spin, beyond: seen.beyond });
         let worst = compliance.largest();
-        let any_split = if self.sectors.any_wrist_split { singular } else { none.at_most(0.0) };
+        let any_split = s2.all(if self.sectors.any_wrist_split { 1.0 } else { -1.0 });
         let flipped = match self.coupling {
             // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
             Coupling::Serial | Coupling::QuasiSerial => worst,
@@ -247,16 +314,18 @@ impl SpatialArm {
             }
         };
         let worst = [worst, flipped];
-        let mut found = worst;
+        let mut found = [Way { worst: zero, slack: zero, links, bent: [fore, across] }; 2];
         for wrist in 0..2 {
             let sign = [1.0, -1.0][wrist];
-            let turns = fourth.holds(fore * sign, across * sign, s5) & sixth.holds(cos_6 * sign, sin_6 * sign, s5);
-            let turns = (turns & !singular) | any_split;
-            let turns = turns
-                & near.fourth[first + wrist].holds(fore * sign, across * sign, s5)
-                & near.sixth[first + wrist].holds(cos_6 * sign, sin_6 * sign, s5);
-            let fine = allowed & turns & fifth.holds(c5, s5 * sign, s2.all(1.0)) & s5.at_least(near.clearance);
-            found[wrist] = fine.select(worst[wrist], none);
+            let (turn_4, turn_6) = ([fore * sign, across * sign], [cos_6 * sign, sin_6 * sign]);
+            let turns = fourth.slack(turn_4[0], turn_4[1], s5).or_less(sixth.slack(turn_6[0], turn_6[1], s5));
+            let turns = singular.select(any_split, turns);
+            let turns = near.fourth[first + wrist].slack(turn_4[0], turn_4[1], s5).or_less(turns);
+            let turns = near.sixth[first + wrist].slack(turn_6[0], turn_6[1], s5).or_less(turns);
+            let bent = fifth.slack(c5, s5 * sign, s2.all(1.0));
+            found[wrist].worst = worst[wrist];
+            let bent = (s5 - near.clearance).or_less(bent);
+            found[wrist].slack = turns.or_less(bent).or_less(turned).or_less(links);
         }
         found
     }
@@ -308,7 +377,64 @@ impl WithSimd for ClassesAt<'_> {
             };
             let classes = self.arm.classes(&flange, self.near);
             for place in 0..CLASSES {
-                classes[place].store(&mut self.classes[place][from..to]);
+                classes[place].allowed().store(&mut self.classes[place][from..to]);
+            }
+        }
+    }
+}
+
+struct AtRolls<'a> {
+    arm: &'a SpatialArm,
+    turning: &'a Turning,
+    point: &'a Vector3<f64>,
+    rolls: &'a [f64],
+    found: &'a mut Vec<AtRoll>,
+}
+
+impl WithSimd for AtRolls<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Turning { still, cos, sin } = self.turning;
+        for rolls in self.rolls.chunks(S::F64_LANES) {
+            let (s, c) = Lanes::load(simd, rolls).sin_cos();
+            let turned = [
+                [&still.spin, &cos.spin, &sin.spin],
+                [&still.side, &cos.side, &sin.side],
+                [&still.beyond, &cos.beyond, &sin.beyond],
+            ];
+            let mut vectors = [Triple::splat(simd, self.point); 3];
+            for i in 0..3 {
+                let [still, cos, sin] = turned[i];
+                vectors[i] = Triple::splat(simd, still) + Triple::splat(simd, cos) * c + Triple::splat(simd, sin) * s;
+            }
+            let [spin, side, beyond] = vectors;
+            let flange = Flange { point: Triple::splat(simd, self.point), spin, side, beyond };
+            let ways = self.arm.classes(&flange, &Near::default());
+            let mut parts = [[[0.0; WIDEST]; CLASSES]; 5];
+            for place in 0..CLASSES {
+                let Way { worst, slack, links, bent: [fore, across] } = ways[place];
+                worst.store(&mut parts[0][place][..S::F64_LANES]);
+                slack.store(&mut parts[1][place][..S::F64_LANES]);
+                fore.store(&mut parts[2][place][..S::F64_LANES]);
+                across.store(&mut parts[3][place][..S::F64_LANES]);
+                links.store(&mut parts[4][place][..S::F64_LANES]);
+            }
+            let mut wrist = [[0.0; WIDEST]; 2];
+            for axis in 0..2 {
+                (flange.point.0[axis] - flange.beyond.0[axis]).store(&mut wrist[axis][..S::F64_LANES]);
+            }
+            for lane in 0..rolls.len() {
+                let of = |part: usize| std::array::from_fn(|place| parts[part][place][lane]);
+                self.found.push(AtRoll {
+                    roll: rolls[lane],
+                    worst: of(0),
+                    slack: of(1),
+                    links: of(4),
+                    wrist: wrist.map(|axis| axis[lane]),
+                    bent: std::array::from_fn(|place| [parts[2][place][lane], parts[3][place][lane]]),
+                });
             }
         }
     }
@@ -346,7 +472,7 @@ impl WithSimd for BestOf<'_> {
             let lanes = self.arm.classes(&flange, &Near::default());
             let mut classes = [[0.0; WIDEST]; CLASSES];
             for place in 0..CLASSES {
-                lanes[place].store(&mut classes[place][..S::F64_LANES]);
+                lanes[place].allowed().store(&mut classes[place][..S::F64_LANES]);
             }
             for (lane, found) in found.iter_mut().enumerate() {
                 let ways = (0..CLASSES).map(|place| (classes[place][lane], place)).filter(|way| way.0.is_finite());

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use pulp::Simd;
 
 use super::affine::Affine;
-use super::lanes::{Lanes, Mask};
+use super::lanes::Lanes;
 use crate::limits::Range;
 
 /// Rounding of a cosine of an angle that lies at the limit itself.
@@ -30,14 +30,15 @@ impl Sector {
         Self { cos, sin, least: Some(half.cos() - SLACK) }
     }
 
-    /// Is the angle of a vector of that length (its cosine and sine times the length) in the sector?
+    /// What is negative where the angle of a vector of that length (its cosine and sine times the length) lies outside.
     #[inline(always)]
-    pub(super) fn holds<S: Simd>(self, cos: Lanes<S>, sin: Lanes<S>, length: Lanes<S>) -> Mask<S> {
+    pub(super) fn slack<S: Simd>(self, cos: Lanes<S>, sin: Lanes<S>, length: Lanes<S>) -> Lanes<S> {
         match self.least {
-            None => length.at_least(0.0),
-            Some(least) => (length * least).not_above(cos * self.cos + sin * self.sin),
+            None => length,
+            Some(least) => (cos * self.cos + sin * self.sin) - length * least,
         }
     }
+
     /// What is negative where the angle of a vector of that length lies outside; `None` where no angle is excluded.
     pub(super) fn room<const N: usize>(self, cos: Affine<N>, sin: Affine<N>, length: Affine<N>) -> Option<Affine<N>> {
         self.least.map(|least| cos * self.cos + sin * self.sin - length * least)

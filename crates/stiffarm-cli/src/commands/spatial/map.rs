@@ -111,7 +111,7 @@ impl Answer for MapAnswer {
             }
         }
         table.text(markdown)
-            + "\nthe section points straight ahead and stands for every direction about the joint-1 axis; the best posture and roll of each point\n\
+            + "\nthe section points straight ahead and stands for every direction about the joint-1 axis; the best posture of each point and its best roll, to 0.1 %\n\
                -o map.svg, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
     }
 

@@ -4,15 +4,18 @@
 in order; `spread` draws joint stiffnesses that are known to some percent; `load` reads a finished folder.
 
 A chunk is one task of the scheduler and one file. Files appear whole or not at all, under the fingerprint of the question:
-ask again with the same folder, and only what is missing is computed. The bytes do not depend on the workers.
+ask again with the same folder, and only what is missing is computed. The bytes do not depend on the workers, and
+``_sha256sums`` holds their digests: what was changed since is refused when it is read, and computed again when it is asked for.
 
 Needs ``pip install 'stiffarm[cluster]'``. A script that starts workers needs ``if __name__ == "__main__":``.
 """
 
 from __future__ import annotations
 
+import itertools
 import os
 import tempfile
+import warnings
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Union
@@ -20,10 +23,11 @@ from typing import TYPE_CHECKING, Union
 import numpy as np
 import numpy.typing as npt
 
-from .. import _stiffarm
+from .. import _given, _stiffarm
 from .._answers import Array
+from .._given import RangeLike, RobotLike
 from .._stiffarm import Robot, StiffarmError
-from .._verbs import PAPER_TASKS, Model, RangeLike, RobotLike, _asked, _numbers, _robots, _tasks, _within
+from .._verbs import PAPER_TASKS, Model
 from ._answer import Order, Sweep, Wins
 from ._question import Question
 
@@ -61,19 +65,35 @@ def spread(m: int, *, percent: float = 30.0, robots: int | None = None, seed: in
     (m, 6) or (m, robots, 6) ndarray
         Factors on the compliance of each drive [1].
     """
+    percent = _given.number("percent", percent)
     if not 0 <= percent < 100:
         raise StiffarmError(f"percent={percent}; expected 0 to less than 100")
-    if m < 1 or (robots is not None and robots < 1):
-        raise StiffarmError(f"{m} scenarios for {'all' if robots is None else robots} robots; expected at least one")
+    m = _given.whole("m", m, 1, 10**9)
+    robots = None if robots is None else _given.whole("robots", robots, 1, 10**6)
+    seed = _given.whole("seed", seed, 0, 2**128)
     shape = (m, 6) if robots is None else (m, robots, 6)
     drawn: Array = 1.0 / np.random.default_rng(seed).uniform(1 - percent / 100, 1 + percent / 100, shape)
     return drawn
 
 
 def load(folder: str | os.PathLike[str]) -> Sweep:
-    """A finished sweep, read from its folder."""
+    """A finished sweep, read from its folder, whichever stiffarm made it.
+
+    Raises
+    ------
+    StiffarmError
+        Where it is not finished, or a file is not the one that was written. Folders of the first format have no digests:
+        they are read with a warning.
+    """
     _needed()
-    return Sweep(folder)
+    found = Sweep(_given.path("folder", folder))
+    if not found.is_proved:
+        warnings.warn(
+            f"{found.folder} was made by a stiffarm that kept no digests: a file that was changed since is not noticed",
+            RuntimeWarning,
+            stacklevel=2,
+        )
+    return found
 
 
 def sweep(
@@ -103,12 +123,13 @@ def sweep(
     Parameters
     ----------
     robots : robots
-        As in `stiffarm.rank`. A file that cannot be read becomes rows with an ``error``.
+        As in `stiffarm.rank`. A file that cannot be read becomes rows with an ``error``. Of several robots of one name
+        all but the first are called ``name #2`` and so on, whoever makes them.
     folder : path
         Where the Parquet files go: new, empty, or begun with the same question, which is then finished. All workers
         must see it.
     tasks : str or list of str
-        As in `stiffarm.rank`.
+        As in `stiffarm.rank`: what is one zone under two names is one task, under the first of them.
     force_n : float or list of float
         Cutting forces [N].
     scenarios : (m, 6) or (m, robots, 6) array_like, optional
@@ -139,15 +160,16 @@ def sweep(
         writing there, or no worker answers. Finished parts are kept.
     """
     _needed()
-    forces = [float(force) for force in np.atleast_1d(_numbers("force_n", force_n))]
-    asked = _asked(
-        tolerance_mm=tolerance_mm, within_m=_within(within_m), angle=angle, gap=gap, model=model, tool_mm=tool_mm,
+    forces = _given.row("force_n", force_n)
+    path, timeout_s = _given.path("folder", folder).absolute(), _given.number("timeout_s", timeout_s)
+    workers = None if workers is None else _given.whole("workers", workers, 1, 1024)
+    asked = _given.asked(
+        tolerance_mm=tolerance_mm, within_m=_given.within(within_m), angle=angle, gap=gap, model=model, tool_mm=tool_mm,
         tool_direction=tool_direction, yaw_deg=yaw_deg, roll_deg=roll_deg,
     )  # fmt: skip
     question = _checked(robots, tasks, forces, asked, scenarios, chunk_rows)
     from ._run import run
 
-    path = Path(folder).absolute()
     run(question, path, client, workers, timeout_s, progress)
     return Sweep(path)
 
@@ -217,7 +239,8 @@ def _checked(
 ) -> Question:
     """Refuses what would be wrong in every row."""
     who = _told_apart(robots)
-    wanted = _tasks(tasks)
+    # Tasks of one zone are one task, under the first of its names.
+    wanted = _stiffarm.distinct(_given.tasks(tasks))
     if not who or not wanted or not forces_n:
         what = "robot" if not who else "task" if not wanted else "force"
         raise StiffarmError(f"no {what} is given; a sweep needs at least one robot, one task and one force")
@@ -227,10 +250,7 @@ def _checked(
     any_robot = Robot("KR 210 R2700 extra")
     for force in forces_n:
         _stiffarm.place(any_robot, "circle:50", {**asked, "force_n": repr(force)})
-    named: dict[str, str] = {}
-    for task in wanted:
-        named.setdefault(_stiffarm.place(any_robot, task, {"model": "planar", "force_n": "1"})["task"], task)
-    drawn = None if scenarios is None else _numbers("scenarios", scenarios)
+    drawn = None if scenarios is None else _given.numbers("scenarios", scenarios)
     if drawn is not None:
         if drawn.shape[1:] not in ((6,), (len(who), 6)) or not len(drawn):
             raise StiffarmError(
@@ -239,41 +259,33 @@ def _checked(
             )
         if not (np.isfinite(drawn) & (drawn > 0)).all(axis=-1).any():
             raise StiffarmError("scenarios hold no six factors that are positive numbers")
-    rows = CHUNK_ROWS[asked["model"]] if chunk_rows is None else chunk_rows
-    if isinstance(rows, bool) or not isinstance(rows, int) or not 1 <= rows <= 10_000_000:
-        raise StiffarmError(f"chunk_rows={rows!r}; expected a whole number from 1 to 10000000")
-    forces = list(dict.fromkeys(forces_n))
-    return Question(who, list(named.values()), list(named), forces, asked, drawn, rows)
+    rows = CHUNK_ROWS[asked["model"]] if chunk_rows is None else _given.whole("chunk_rows", chunk_rows, 1, 10_000_000)
+    return Question(who, wanted, wanted, list(dict.fromkeys(forces_n)), asked, drawn, rows)
 
 
 def _told_apart(robots: RobotLike | Iterable[RobotLike]) -> list[dict[str, str | None]]:
     """Robots as plain text, each under a name of its own; a file that cannot be read keeps its place, with the reason."""
-    if isinstance(robots, (Robot, str, os.PathLike)):
-        robots = [robots]
     found: dict[Robot | tuple[str, str], None] = {}
-    for item in robots:
-        parts: list[RobotLike] = [part.strip() for part in item.split(",")] if isinstance(item, str) else [item]
-        for each in parts:
-            for one in _files(each):
-                try:
-                    found.update(dict.fromkeys(_robots(one)))
-                except StiffarmError as error:
-                    # A name that is not found is a slip of the pen; a file that is broken is one of many.
-                    if isinstance(one, Robot) or not Path(one).is_file():
-                        raise
-                    found[os.fspath(one), str(error)] = None
+    for each in _given.each_robot(robots):
+        for one in _files(each):
+            try:
+                found.update(dict.fromkeys(_given.robots(one)))
+            except StiffarmError as error:
+                # A name that is not found is a slip of the pen; a file that is broken is one of many.
+                if isinstance(one, Robot) or not Path(one).is_file():
+                    raise
+                found[os.fspath(one), str(error)] = None
     told: list[dict[str, str | None]] = []
-    names: dict[tuple[str | None, str | None], int] = {}
+    names: set[str] = set()
     for robot in found:
         if isinstance(robot, Robot):
-            who = {"robot": robot.name, "vendor": robot.vendor or None, "status": robot.status}
-            told.append({**who, "toml": robot.to_toml(), "error": None})
+            name, who = robot.name, {"vendor": robot.vendor or None, "status": robot.status}
+            who.update(toml=robot.to_toml(), error=None)
         else:
-            told.append({"robot": robot[0], "vendor": None, "status": None, "toml": None, "error": robot[1]})
-        name = told[-1]["vendor"], told[-1]["robot"]
-        names[name] = names.get(name, 0) + 1
-        if names[name] > 1:
-            told[-1]["robot"] = f"{name[1]} #{names[name]}"
+            name, who = robot[0], {"vendor": None, "status": None, "toml": None, "error": robot[1]}
+        free = itertools.chain([name], (f"{name} #{number}" for number in itertools.count(2)))
+        told.append({"robot": next(one for one in free if one not in names), **who})
+        names.add(str(told[-1]["robot"]))
     return told
 
 

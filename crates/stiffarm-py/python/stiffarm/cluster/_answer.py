@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from .._answers import Array, _columns_of, _Table
 from .._stiffarm import StiffarmError
+from ._folder import ASKED, SCENARIOS, SUMS, check, read_sums, read_whole
 from ._question import read_question
 
 if TYPE_CHECKING:
@@ -83,7 +84,10 @@ class Order(_Table):
 
 
 class Sweep:
-    """The answer of a finished sweep: a folder of Parquet files, read where it is asked for."""
+    """The answer of a finished sweep: a folder of Parquet files, read where it is asked for.
+
+    Every file is checked against the digest that was kept when it was written, here and whenever it is read.
+    """
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         self._folder = Path(folder).absolute()
@@ -94,6 +98,22 @@ class Sweep:
                 f"{folder} is not finished: {len(missing)} of {question.chunks} chunks are missing, the first is "
                 f"{missing[0]}; ask again with the same folder to go on"
             )
+        self._sums = None if question.maker["format"] == 1 else self._checked()
+
+    def _checked(self) -> dict[str, str]:
+        """The digests of all files, each of which has its own."""
+        sums, line = read_sums(self._folder)
+        if line is not None:
+            words = f"line {line} of {self._folder / SUMS} is damaged; ask the same with the same folder, and what it named"
+            raise StiffarmError(f"{words} is computed again")
+        head = [ASKED] if self._question.scenarios is None else [ASKED, SCENARIOS]
+        check(self._folder, sums, [*head, *(path.name for path in self.files)])
+        return sums
+
+    @property
+    def is_proved(self) -> bool:
+        """Whether the folder has digests; those of the first format have none."""
+        return self._sums is not None
 
     @property
     def folder(self) -> Path:
@@ -120,9 +140,24 @@ class Sweep:
     def to_arrow(self, columns: list[str] | None = None) -> pyarrow.Table:
         """All rows, or some columns of them, in memory."""
         import pyarrow as pa
+
+        return pa.concat_tables([self._part(chunk, columns) for chunk in range(self._question.chunks)])
+
+    def _part(self, chunk: int, columns: list[str] | None) -> pyarrow.Table:
+        """The rows of one part, from bytes that were checked."""
+        import pyarrow as pa
         import pyarrow.parquet as pq
 
-        return pa.concat_tables([pq.ParquetFile(path).read(columns) for path in self.files])
+        path = self._question.part(self._folder, chunk)
+        data = read_whole(path, None if self._sums is None else self._sums[path.name])
+        try:
+            part = pq.ParquetFile(pa.BufferReader(data)).read(columns)
+        except (OSError, pa.ArrowException) as error:
+            raise StiffarmError(f"{path} cannot be read: {error}") from None
+        rows = min(self._question.chunk_rows, len(self) - chunk * self._question.chunk_rows)
+        if len(part) != rows:
+            raise StiffarmError(f"{path} has {len(part)} rows; expected {rows}")
+        return part
 
     def to_pandas(self) -> pandas.DataFrame:
         """The rows as a pandas DataFrame; needs pandas."""
@@ -139,16 +174,16 @@ class Sweep:
             import polars
         except ImportError as error:
             raise ImportError("to_polars() needs polars: pip install polars") from error
-        return polars.read_parquet(self.files)
+        frame = polars.from_arrow(self.to_arrow())
+        assert isinstance(frame, polars.DataFrame)
+        return frame
 
     def _deflections(self) -> tuple[Array, Flags]:
         """Deflections [mm], nan where there is none, and whether there is an answer at all; both of `shape`."""
-        import pyarrow.parquet as pq
-
         values, answered = np.full(len(self), np.nan), np.zeros(len(self), dtype=bool)
         first = 0
-        for path in self.files:
-            part = pq.ParquetFile(path).read(["deflection_mm", "feasible"])
+        for chunk in range(self._question.chunks):
+            part = self._part(chunk, ["deflection_mm", "feasible"])
             last = first + len(part)
             values[first:last] = part["deflection_mm"].to_numpy()
             answered[first:last] = part["feasible"].is_valid().to_numpy()

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import errno
 import functools
 import hashlib
 import io
@@ -11,8 +9,7 @@ import json
 import math
 import os
 import platform
-import uuid
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,16 +18,33 @@ import numpy as np
 from .. import _stiffarm
 from .._answers import Array
 from .._stiffarm import Robot, StiffarmError
+from ._folder import ASKED, SCENARIOS, SUMS, listed, part_name, write_whole
 
 if TYPE_CHECKING:
     import pyarrow
 
-#: Names that begin so are passed over by whoever reads a folder of Parquet files.
-ASKED, SCENARIOS, LOCK = "_question.json", "_scenarios.npy", "_lock"
-#: What a part looks like; a change of it makes another question.
-FORMAT = 1
+#: What a folder looks like; a change of it makes another question. 1: without a manifest, and without the sources.
+FORMAT = 2
 #: Rows that are Python's own values at once: those take ten times the memory of columns.
 _PIECE = 10_000
+
+
+def maker() -> dict[str, Any]:
+    """Who computes here: what differs between two of them must not be mixed."""
+    return {"format": FORMAT, "stiffarm": _stiffarm.__version__, "sources": _sources()}
+
+
+def _sources() -> str:
+    """SHA-256 of the Rust sources that were compiled in, and of this package's own as they lie here."""
+    package = Path(__file__).parents[1]
+    found = hashlib.sha256(_stiffarm.__sources__.encode())
+    for name in sorted(path.relative_to(package).as_posix() for path in package.rglob("*.py")):
+        found.update(f"{hashlib.sha256((package / name).read_bytes()).hexdigest()}  {name}\n".encode())
+    return found.hexdigest()
+
+
+def _named(made_by: dict[str, Any]) -> str:
+    return f"stiffarm {made_by['stiffarm']} (sources {made_by.get('sources', 'unknown')[:12]})"
 
 
 @dataclass(frozen=True)
@@ -48,6 +62,7 @@ class Question:
     #: (m, 6) or (m, robots, 6) factors on the compliance of the drives; None where they stay as they are.
     scenarios: Array | None
     chunk_rows: int
+    maker: dict[str, Any] = field(default_factory=maker)
 
     @property
     def shape(self) -> tuple[int, int, int, int]:
@@ -75,9 +90,8 @@ class Question:
             digest = hashlib.sha256(np.ascontiguousarray(self.scenarios, "<f8").tobytes()).hexdigest()
             drawn = {"shape": list(self.scenarios.shape), "sha256": digest}
         return {
-            "format": FORMAT, "stiffarm": _stiffarm.__version__, "robots": self.robots, "tasks": self.tasks,
-            "labels": self.labels, "force_n": self.forces_n, "options": self.options, "scenarios": drawn,
-            "chunk_rows": self.chunk_rows,
+            **self.maker, "robots": self.robots, "tasks": self.tasks, "labels": self.labels, "force_n": self.forces_n,
+            "options": self.options, "scenarios": drawn, "chunk_rows": self.chunk_rows,
         }  # fmt: skip
 
     @functools.cached_property
@@ -86,7 +100,7 @@ class Question:
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 
     def part(self, folder: Path, chunk: int) -> Path:
-        return folder / f"part-{chunk:09d}-{self.fingerprint}.parquet"
+        return folder / part_name(chunk, self.fingerprint)
 
     def schema(self) -> pyarrow.Schema:
         import pyarrow as pa
@@ -214,57 +228,58 @@ def part_bytes(table: pyarrow.Table) -> bytes:
     return data.getvalue()
 
 
-def write_whole(path: Path, data: bytes) -> None:
-    """A file that is there is complete: it gets its name only when all of it is on the disk."""
-    beside = path.with_name(f"_{path.name}.{uuid.uuid4().hex}")
-    try:
-        with open(beside, "xb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(beside, path)
-    except OSError as error:
-        full = error.errno in (errno.ENOSPC, errno.EDQUOT)
-        what = "make room there" if full else "see to it"
-        raise StiffarmError(
-            f"cannot write {path}: {error.strerror or error}; {what} and ask again with the same folder: "
-            "finished parts are kept"
-        ) from None
-    finally:
-        with contextlib.suppress(OSError):
-            beside.unlink()
-
-
-def write_question(folder: Path, question: Question) -> None:
+def write_question(folder: Path, question: Question) -> dict[str, str]:
+    """Begins a folder; the question comes last, and with it the folder is begun. Gives the digests of what it wrote."""
+    sums = {}
     if question.scenarios is not None:
         data = io.BytesIO()
         np.save(data, np.ascontiguousarray(question.scenarios, "<f8"), allow_pickle=False)
-        write_whole(folder / SCENARIOS, data.getvalue())
-    text = json.dumps({**question.written, "fingerprint": question.fingerprint}, indent=1, allow_nan=False)
-    write_whole(folder / ASKED, text.encode())
+        sums[SCENARIOS] = write_whole(folder / SCENARIOS, data.getvalue())
+    text = json.dumps({**question.written, "fingerprint": question.fingerprint}, indent=1, allow_nan=False).encode()
+    sums[ASKED] = hashlib.sha256(text).hexdigest()
+    write_whole(folder / SUMS, listed(sums))
+    write_whole(folder / ASKED, text)
+    return sums
 
 
 def read_question(folder: Path) -> Question:
-    """The question that a folder answers."""
+    """The question that a folder answers, whoever began it; its fingerprint is proved."""
+    path = folder / ASKED
     try:
-        held = json.loads((folder / ASKED).read_text())
-        scenarios = np.load(folder / SCENARIOS, mmap_mode="r", allow_pickle=False) if held["scenarios"] else None
+        held = json.loads(path.read_text(encoding="utf-8"))
+        made_by = {key: held[key] for key in ("format", "stiffarm", "sources") if key in held}
+        if made_by["format"] not in (1, FORMAT):
+            raise StiffarmError(f"{folder} was made by {_named(made_by)}, a later one; install that to read it")
+        path = folder / (SCENARIOS if held["scenarios"] else ASKED)
+        scenarios = np.load(path, mmap_mode="r", allow_pickle=False) if held["scenarios"] else None
         question = Question(
-            held["robots"], held["tasks"], held["labels"], held["force_n"], held["options"], scenarios, held["chunk_rows"]
+            held["robots"], held["tasks"], held["labels"], held["force_n"], held["options"], scenarios, held["chunk_rows"],
+            made_by,
         )  # fmt: skip
-        fingerprint = held["fingerprint"]
+        fits = question.fingerprint == held["fingerprint"]
     except FileNotFoundError as error:
         raise StiffarmError(f"{folder} holds no sweep: {error.filename} is not there") from None
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise StiffarmError(f"{folder / ASKED} cannot be read: {type(error).__name__}: {error}") from None
-    if held["stiffarm"] != _stiffarm.__version__ or held["format"] != FORMAT:
-        raise StiffarmError(
-            f"{folder} was begun by stiffarm {held['stiffarm']}, and {platform.node()} has {_stiffarm.__version__}: "
-            "install the same on all, or give another folder"
-        )
-    if question.fingerprint != fingerprint:
-        raise StiffarmError(f"{folder} was changed: {ASKED} does not fit its fingerprint; give another folder")
+    except StiffarmError:
+        raise
+    # A damaged head of an array may name any type and any length.
+    except Exception as error:
+        raise StiffarmError(f"{path} cannot be read: {type(error).__name__}: {error}; {_RESTORE}") from None
+    if not fits:
+        what = f"{ASKED} or {SCENARIOS}" if held["scenarios"] else ASKED
+        raise StiffarmError(f"{folder} was changed: {what} does not fit the fingerprint in {ASKED}; {_RESTORE}")
     return question
+
+
+_RESTORE = "restore it from a copy, or give another folder"
+
+
+def refuse_another_maker(folder: Path, question: Question) -> None:
+    """Two builds may differ in the last bit, or in more: their parts are not mixed."""
+    if question.maker != maker():
+        raise StiffarmError(
+            f"{folder} was begun by {_named(question.maker)}, and {platform.node()} has {_named(maker())}: install the "
+            "same on all, or give another folder"
+        )
 
 
 @functools.lru_cache(maxsize=4)
@@ -273,17 +288,18 @@ def _known(folder: str, fingerprint: str) -> Question:
     if not (path / ASKED).is_file():
         raise StiffarmError(f"the worker on {platform.node()} does not see {path}: give a folder that all workers share")
     question = read_question(path)
+    refuse_another_maker(path, question)
     if question.fingerprint != fingerprint:
         raise StiffarmError(f"{path} holds another question on {platform.node()}: give a folder that all workers share")
     return question
 
 
-def answer_chunk(folder: str, fingerprint: str, chunk: int, caller: int) -> tuple[int, int]:
-    """On a worker: computes one chunk and writes its part; gives its rows, and how many of them are errors."""
+def answer_chunk(folder: str, fingerprint: str, chunk: int, caller: int) -> tuple[int, int, str]:
+    """On a worker: computes one chunk and writes its part; gives its rows, how many of them are errors, and its digest."""
     if os.getpid() != caller:
         # The cluster shares out the cores already.
         _stiffarm.set_threads(1)
     question = _known(folder, fingerprint)
     table = question.table(chunk)
-    write_whole(question.part(Path(folder), chunk), part_bytes(table))
-    return len(table), len(table) - int(table["error"].null_count)
+    digest = write_whole(question.part(Path(folder), chunk), part_bytes(table))
+    return len(table), len(table) - int(table["error"].null_count), digest

@@ -12,12 +12,17 @@ import os
 import sys
 import time
 import uuid
-from collections.abc import Iterator
+import warnings
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .._stiffarm import StiffarmError
-from ._question import ASKED, LOCK, Question, answer_chunk, read_question, write_question
+from ._folder import (
+    ASKED, LOCK, SCENARIOS, SUMS, append, changed, clear_halves, digest_of, holds_something_else, listed, part_name, read_sums,
+    write_whole,
+)  # fmt: skip
+from ._question import Question, answer_chunk, read_question, refuse_another_maker, write_question
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -38,14 +43,25 @@ def run(
     if getattr(multiprocessing.current_process(), "_inheriting", False):
         raise StiffarmError(_GUARD)
     with _held(folder):
-        begun = _is_begun(folder, question)
-        missing = [chunk for chunk in range(question.chunks) if not _is_whole(question, folder, chunk)]
+        clear_halves(folder)
+        begun = (folder / ASKED).exists()
+        sums = _whole(folder, question) if begun else {}
+        missing = [chunk for chunk in range(question.chunks) if part_name(chunk, question.fingerprint) not in sums]
         if not missing:
             return
         with _connected(client, workers, timeout_s) as connected, _told(question, len(missing), progress) as tell:
             if not begun:
-                write_question(folder, question)
-            _share_out(question, folder, missing, connected, timeout_s, tell)
+                sums.update(write_question(folder, question))
+
+            def keep(done: dict[int, str]) -> None:
+                new = {part_name(chunk, question.fingerprint): digest for chunk, digest in done.items()}
+                sums.update(new)
+                append(folder, new)
+
+            _share_out(question, folder, missing, connected, timeout_s, keep, tell)
+        write_whole(folder / SUMS, listed(sums))
+        # Of workers that died in this run.
+        clear_halves(folder)
 
 
 @contextlib.contextmanager
@@ -53,9 +69,9 @@ def _held(folder: Path) -> Iterator[None]:
     """One run at a time in a folder; the system lets go when a run dies."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        others = sorted(path.name for path in folder.iterdir() if path.name != LOCK)
-        if others and ASKED not in others and not all(name.startswith(("_question", "_scenarios")) for name in others):
-            raise StiffarmError(f"{folder} holds something else ({others[0]}); give a new or an empty folder")
+        other = holds_something_else(folder)
+        if other is not None:
+            raise StiffarmError(f"{folder} holds something else ({other}); give a new or an empty folder")
         file = open(folder / LOCK, "a")  # noqa: SIM115
     except OSError as error:
         raise StiffarmError(f"cannot write into {folder}: {error.strerror or error}; give another folder") from None
@@ -75,32 +91,37 @@ def _held(folder: Path) -> Iterator[None]:
         yield
 
 
-def _is_begun(folder: Path, question: Question) -> bool:
-    """Whether the question stands in the folder; refuses another."""
-    # What a killed run left half written.
-    for left in folder.glob("_*.*.*"):
-        left.unlink(missing_ok=True)
-    if not (folder / ASKED).exists():
-        return False
+def _whole(folder: Path, question: Question) -> dict[str, str]:
+    """The digests of what stands in a begun folder as it was written; refuses another question.
+
+    What was changed since is told and left out, to be computed again.
+    """
     held = read_question(folder)
+    refuse_another_maker(folder, held)
     if held.fingerprint != question.fingerprint:
         other = json.loads(json.dumps(question.written))
         differ = ", ".join(key for key, value in json.loads(json.dumps(held.written)).items() if other[key] != value)
         raise StiffarmError(f"{folder} answers another question ({differ} differ); give another folder")
-    return True
+    sums, line = read_sums(folder)
+    if line is not None:
+        _warn(f"line {line} of {folder / SUMS} is damaged; what it named is computed again")
+    # The fingerprint has proved the question.
+    whole = {name: digest_of(folder / name) for name in (ASKED, SCENARIOS) if (folder / name).exists()}
+    for chunk in range(question.chunks):
+        path = question.part(folder, chunk)
+        digest = sums.get(path.name)
+        if digest is None or not path.exists():
+            continue
+        if digest_of(path) == digest:
+            whole[path.name] = digest
+        else:
+            _warn(changed(path))
+    write_whole(folder / SUMS, listed(whole))
+    return whole
 
 
-def _is_whole(question: Question, folder: Path, chunk: int) -> bool:
-    """Whether a part is there with all its rows: disks lose the ends of files when the power fails."""
-    import pyarrow as pa
-    import pyarrow.parquet as pq
-
-    path = question.part(folder, chunk)
-    rows = min(question.chunk_rows, question.rows - chunk * question.chunk_rows)
-    try:
-        return path.is_file() and bool(pq.read_metadata(path).num_rows == rows)
-    except (OSError, pa.ArrowInvalid):
-        return False
+def _warn(words: str) -> None:
+    warnings.warn(words, RuntimeWarning, stacklevel=5)
 
 
 @contextlib.contextmanager
@@ -109,8 +130,6 @@ def _connected(client: Client | str | None, workers: int | None, timeout_s: floa
 
     if client is None:
         count = (os.cpu_count() or 1) if workers is None else workers
-        if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= 1024:
-            raise StiffarmError(f"workers={workers!r}; expected a whole number from 1 to 1024")
         try:
             cluster = LocalCluster(
                 n_workers=count, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0",
@@ -130,6 +149,8 @@ def _connected(client: Client | str | None, workers: int | None, timeout_s: floa
         except (OSError, TimeoutError, ValueError) as error:
             words = f"no scheduler answers at {client} within {timeout_s:g} s ({type(error).__name__})"
             raise StiffarmError(words + ": is the address right, and does it run?") from None
+    if not isinstance(client, Client):
+        raise StiffarmError(f"client is a {type(client).__name__}; expected a distributed.Client or an address")
     try:
         try:
             client.wait_for_workers(1, timeout=timeout_s)
@@ -142,7 +163,13 @@ def _connected(client: Client | str | None, workers: int | None, timeout_s: floa
 
 
 def _share_out(
-    question: Question, folder: Path, missing: list[int], client: Client, timeout_s: float, tell: Any
+    question: Question,
+    folder: Path,
+    missing: list[int],
+    client: Client,
+    timeout_s: float,
+    keep: Callable[[dict[int, str]], None],
+    tell: Callable[[int, int], None],
 ) -> None:
     from distributed import wait
     from distributed.comm.core import CommClosedError
@@ -150,7 +177,7 @@ def _share_out(
 
     run_id = uuid.uuid4().hex[:8]
     left = iter(missing)
-    flying: set[Any] = set()
+    flying: dict[Any, int] = {}
     alone_since: float | None = None
     threads, looked = 0, -1.0
     try:
@@ -163,7 +190,8 @@ def _share_out(
                     raise StiffarmError(f"the scheduler has lost all workers; {_KEPT}")
             for chunk in left:
                 arguments = (str(folder), question.fingerprint, chunk, os.getpid())
-                flying.add(client.submit(answer_chunk, *arguments, key=f"stiffarm-{run_id}-{chunk}", pure=False))
+                future = client.submit(answer_chunk, *arguments, key=f"stiffarm-{run_id}-{chunk}", pure=False)
+                flying[future] = chunk
                 if len(flying) >= max(_AT_LEAST, _PER_THREAD * threads):
                     break
             if not flying:
@@ -175,8 +203,9 @@ def _share_out(
             if client.status != "running":
                 raise CommClosedError
             # One answer from the scheduler for all of them.
-            for future, (rows, errors) in zip(done, client.gather(done)):
-                flying.remove(future)
+            answers = client.gather(done)
+            keep({flying.pop(future): digest for future, (_, _, digest) in zip(done, answers)})
+            for rows, errors, _ in answers:
                 tell(rows, errors)
     except KilledWorker as error:
         number = str(error.task).rpartition("-")[2]

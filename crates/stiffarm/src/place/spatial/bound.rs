@@ -9,7 +9,7 @@ use super::mix::{Line, least_largest, remaining};
 use crate::limits::Range;
 use crate::place::{Orientation, Within};
 use crate::space::{
-    Affine, Aim, CLASSES, Enclosing, Grid, Known, Near, Patch, SpatialArm, Stand, StandBox, Turning, Way, middle,
+    Affine, Aim, CLASSES, Enclosing, Grid, Known, Near, Patch, SpatialArm, Spread, Stand, StandBox, Way, middle,
     variables,
 };
 use crate::task::Zone;
@@ -233,7 +233,7 @@ impl<'a> Prover<'a> {
         let wrists = &mut node.wrists;
         let centre = self.enclosing.learn(&aim, [0.0; 2], way, None, wrists, known)?;
         *poses += 1;
-        let mut turning = Turning::default();
+        let mut spread = Spread::default();
         let order = if self.coarse < size {
             self.extremes(&node.stands, node.way).to_vec()
         } else {
@@ -242,7 +242,7 @@ impl<'a> Prover<'a> {
         for at in order {
             *poses += 1;
             let from = known.values.len();
-            let centre = centre.as_ref().map(|centre| (centre, &mut turning));
+            let centre = centre.as_ref().map(|centre| (centre, &mut spread));
             self.enclosing.learn(&aim, self.samples[at], way, centre, wrists, known)?;
             best = known.values[from..].iter().map(Affine::min).fold(best, f64::max);
             if enough <= best {

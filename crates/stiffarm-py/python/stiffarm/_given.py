@@ -1,0 +1,175 @@
+"""What was given, read: arguments of any type to numbers and texts, or the package's error that names the argument."""
+
+from __future__ import annotations
+
+import operator
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Union
+
+import numpy as np
+
+from . import _stiffarm
+from ._answers import Array
+from ._stiffarm import Robot, StiffarmError
+
+#: A robot, its name in the catalogue, or the path of its file.
+RobotLike = Union[Robot, str, "os.PathLike[str]"]
+#: Both ends, None for an open one, or such as ``"0.5..2"``.
+RangeLike = Union[str, Sequence[Union[float, None]]]
+
+
+def number(name: str, value: object) -> float:
+    """One number."""
+    _refuse_masked(name, value)
+    try:
+        return float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError, OverflowError) as error:
+        raise StiffarmError(f"{name}: {error}; expected a number") from None
+
+
+def whole(name: str, value: object, least: int, most: int) -> int:
+    """One whole number, of whichever type."""
+    expected = f"expected a whole number from {least} to {most}"
+    if isinstance(value, (bool, np.bool_)):
+        raise StiffarmError(f"{name}={value}; {expected}")
+    try:
+        found = operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        raise StiffarmError(f"{name}={_short(value)}; {expected}") from None
+    if not least <= found <= most:
+        raise StiffarmError(f"{name}={_short(found)}; {expected}")
+    return found
+
+
+def numbers(name: str, values: object) -> Array:
+    """Float64 in one aligned piece; copied only where it is not that already."""
+    _refuse_masked(name, values)
+    try:
+        array = np.asarray(values)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise StiffarmError(f"{name}: {error}") from None
+    if array.dtype.kind not in "fiu" and array.size:
+        raise StiffarmError(f"{name} of type {array.dtype}; expected numbers")
+    return np.require(array, np.float64, ["C", "ALIGNED"])
+
+
+def row(name: str, values: object) -> list[float]:
+    """One number or several."""
+    if isinstance(values, Iterable) and not isinstance(values, (str, bytes, Mapping, np.ndarray)):
+        values = list(values)
+    found = np.atleast_1d(numbers(name, values))
+    if found.ndim != 1:
+        raise StiffarmError(f"{name} of shape {found.shape}; expected numbers in a row")
+    return [float(value) for value in found]
+
+
+def text(name: str, value: object) -> str:
+    if not isinstance(value, str):
+        raise StiffarmError(f"{name}={_short(value)}; expected a text")
+    return value
+
+
+def texts(name: str, value: object) -> list[str]:
+    """One text or several."""
+    items = [value] if isinstance(value, str) else value
+    if not isinstance(items, Iterable):
+        raise StiffarmError(f"{name}={_short(value)}; expected a text, or several")
+    return [text(name, item) for item in items]
+
+
+def tasks(value: object) -> list[str]:
+    """Tasks by their notation; a text may be a list with commas."""
+    return [part.strip() for given in texts("tasks", value) for part in given.split(",")]
+
+
+def path(name: str, value: object) -> Path:
+    try:
+        return Path(value)  # type: ignore[arg-type]
+    except TypeError:
+        raise StiffarmError(f"{name}={_short(value)}; expected a path") from None
+
+
+def between(name: str, value: RangeLike | None) -> str | None:
+    """A range, as the command line spells it."""
+    if value is None or isinstance(value, str):
+        return value
+    try:
+        low, high = value
+    except (TypeError, ValueError):
+        raise StiffarmError(f"{name}: {_short(value)} is not a range; expected both ends, None for an open one") from None
+    ends = [None if end is None else number(name, end) for end in (low, high)]
+    return "..".join("" if end is None or abs(end) == float("inf") else repr(end) for end in ends)
+
+
+def within(value: str | Sequence[RangeLike | None] | None) -> str | None:
+    """The ranges of x and z, as the command line spells them."""
+    if value is None or isinstance(value, str):
+        return value
+    try:
+        x, z = value
+    except (TypeError, ValueError):
+        raise StiffarmError(f"within_m={_short(value)}; expected two ranges, ((x0, x1), (z0, z1))") from None
+    return ",".join(between("within_m", part) or ".." for part in (x, z))
+
+
+def asked(**given: object) -> dict[str, str]:
+    """What was given, as the command line spells it."""
+    spelt: dict[str, str] = {}
+    for name, value in given.items():
+        if value is None:
+            continue
+        if isinstance(value, str):
+            spelt[name] = value
+        elif name == "size":
+            spelt[name] = str(whole(name, value, 2, 100_000))
+        elif isinstance(value, (list, tuple, np.ndarray)):
+            spelt[name] = ",".join(repr(part) for part in row(name, value))
+        else:
+            spelt[name] = repr(number(name, value))
+    return spelt
+
+
+def robot(value: RobotLike) -> Robot:
+    return value if isinstance(value, Robot) else Robot(value)
+
+
+def robots(value: RobotLike | Iterable[RobotLike]) -> list[Robot]:
+    """Each once, in the order given; a text may be a name, a pattern, a path, a list with commas, ``paper`` or ``all``."""
+    found: dict[Robot, None] = {}
+    for item in each_robot(value):
+        found.update({item: None} if isinstance(item, Robot) else dict.fromkeys(_stiffarm.select(os.fspath(item))))
+    return list(found)
+
+
+def each_robot(value: RobotLike | Iterable[RobotLike]) -> list[RobotLike]:
+    """What was given, one by one: robots, names, paths."""
+    expected = "expected a Robot, its name or the path of its file, or several"
+    items = [value] if isinstance(value, (Robot, str, os.PathLike)) else value
+    if not isinstance(items, Iterable):
+        raise StiffarmError(f"robots={_short(value)}; {expected}")
+    found: list[RobotLike] = []
+    for item in items:
+        if isinstance(item, str):
+            found += [name.strip() for name in item.split(",")]
+        elif isinstance(item, (Robot, os.PathLike)):
+            found.append(item)
+        else:
+            raise StiffarmError(f"{_short(item)} among the robots; {expected}")
+    return found
+
+
+def _refuse_masked(name: str, values: object) -> None:
+    among = isinstance(values, (list, tuple)) and any(value is np.ma.masked for value in values)
+    if among or np.ma.is_masked(values):
+        raise StiffarmError(f"{name}: numbers are masked; fill them, or leave them out")
+
+
+def _short(value: object) -> str:
+    """A value in few words; a number of many digits has none."""
+    try:
+        words = repr(value)
+    except ValueError:
+        words = ""
+    return words if 0 < len(words) <= 60 else f"<{type(value).__name__}>"

@@ -1,0 +1,267 @@
+//! Which rolls of the tool hold a point best, where every roll is another posture?
+//!
+//! A scan of all rolls, 5 degrees apart, tells for every posture how far it gives way (whatever its limits) and how much room its
+//! limits leave (negative where they forbid it). Both are smooth, so their second differences say how far they can get
+//! between two rolls; not near singular postures, which show in joint 1 or joint 4 turning fast. Where a better value cannot be
+//! ruled out, the gap is divided by five, and so on.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::Vector3;
+
+use crate::space::{AtRoll, CLASSES, SpatialArm, Turning};
+
+/// Rolls of the scan.
+const SCAN: usize = 72;
+/// Parts into which a gap is divided; with its neighbours they fill the widest register.
+const PARTS: usize = 5;
+/// How often: down to some thousandths of a degree.
+const DEPTH: usize = 5;
+/// Cosine of what joints 1 and 4 may turn in a gap, 25 degrees, before nothing is smooth there.
+const SMOOTH: f64 = 0.9;
+/// A better value by less than this, relative, is not looked for. With what second differences miss, the value found is the
+/// least of all rolls to `ROLL_TOLERANCE`.
+const WORTH: f64 = 3e-4;
+/// Values that agree so well, relative, are equal: where two eigenvalues nearly agree, no more digits are known.
+const EQUAL: f64 = 1e-7;
+/// Mirrored postures are two; more are not kept apart.
+const MOST: usize = 4;
+
+/// A way to hold a point: value (m/N), place of the class, roll (rad).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Way {
+    pub(super) worst: f64,
+    pub(super) place: usize,
+    pub(super) roll: f64,
+}
+
+/// Looks for the best rolls of one tool, point after point.
+pub(super) struct Rolls<'a> {
+    arm: &'a SpatialArm,
+    turning: Turning,
+    /// Places of the classes that may be taken.
+    places: Vec<usize>,
+    scan: Vec<f64>,
+}
+
+impl<'a> Rolls<'a> {
+    pub(super) fn new(arm: &'a SpatialArm, turning: Turning, places: Vec<usize>) -> Self {
+        let scan = (0..SCAN).map(|i| TAU * i as f64 / SCAN as f64).collect();
+        Self { arm, turning, places, scan }
+    }
+
+    /// The best ways to hold a point, all equally good; none where no roll reaches it within the limits.
+    pub(super) fn best(&self, point: &Vector3<f64>) -> Vec<Way> {
+        let mut search = Search { rolls: self, point, best: f64::INFINITY, ways: Vec::new() };
+        let mut around = Vec::with_capacity(SCAN + 3);
+        self.arm.at_rolls(&self.turning, point, &self.scan, &mut around);
+        search.learn(&around);
+        // Once round: the gap before the first roll comes after the last.
+        around.insert(0, around[SCAN - 1]);
+        around.push(around[1]);
+        around.push(around[2]);
+        search.divide(&around, 1);
+        search.polished()
+    }
+}
+
+struct Search<'a> {
+    rolls: &'a Rolls<'a>,
+    point: &'a Vector3<f64>,
+    best: f64,
+    /// Allowed ways that were found, near enough to the best when they were.
+    ways: Vec<Way>,
+}
+
+impl Search<'_> {
+    fn learn(&mut self, found: &[AtRoll]) {
+        for at in found {
+            for &place in &self.rolls.places {
+                if 0.0 <= at.slack[place] && at.worst[place] <= self.best * (1.0 + 2.0 * WORTH) {
+                    self.best = self.best.min(at.worst[place]);
+                    self.ways.push(Way { worst: at.worst[place], place, roll: at.roll });
+                }
+            }
+        }
+    }
+
+    /// Divides the gaps of evenly spaced rolls, apart from the first and the last, where they may hide something better.
+    fn divide(&mut self, at: &[AtRoll], depth: usize) {
+        let mut gaps: Vec<(f64, usize)> = (1..at.len() - 2).map(|i| (self.least(&at[i - 1..i + 3]), i)).collect();
+        gaps.sort_by(|one, other| one.0.total_cmp(&other.0));
+        for (least, i) in gaps {
+            if self.best * (1.0 - WORTH) <= least || least == f64::INFINITY {
+                break;
+            }
+            let step = (at[i + 1].roll - at[i].roll).rem_euclid(TAU) / PARTS as f64;
+            // One more on both sides, for their second differences.
+            let rolls: [f64; PARTS + 3] = std::array::from_fn(|n| at[i].roll + (n as f64 - 1.0) * step);
+            let mut inner = Vec::with_capacity(PARTS + 3);
+            self.rolls.arm.at_rolls(&self.rolls.turning, self.point, &rolls, &mut inner);
+            self.learn(&inner);
+            if depth < DEPTH {
+                self.divide(&inner, depth + 1);
+            }
+        }
+    }
+
+    /// What the middle gap of four rolls cannot be better than, as far as second differences tell; infinite where no
+    /// class has room.
+    fn least(&self, at: &[AtRoll]) -> f64 {
+        let arm_is_smooth = smooth(at[1].wrist, at[2].wrist);
+        let of_class = |&place: &usize| {
+            let bend = |part: fn(&AtRoll) -> &[f64; CLASSES]| {
+                let [a, b, c, d] = [0, 1, 2, 3].map(|i| part(&at[i])[place]);
+                (a - 2.0 * b + c).abs().max((b - 2.0 * c + d).abs())
+            };
+            // A parabola gets an eighth of its second difference beyond both ends; twice as much is allowed, and for the
+            // room, which is the least of several, all of it: two of them may cross.
+            let room = |part: fn(&AtRoll) -> &[f64; CLASSES]| part(&at[1])[place].max(part(&at[2])[place]) + bend(part);
+            if room(|at| &at.links) < 0.0 {
+                return f64::INFINITY;
+            }
+            if !(arm_is_smooth && smooth(at[1].bent[place], at[2].bent[place])) {
+                return 0.0;
+            }
+            if room(|at| &at.slack) < 0.0 {
+                return f64::INFINITY;
+            }
+            at[1].worst[place].min(at[2].worst[place]) - 0.25 * bend(|at| &at.worst)
+        };
+        self.rolls.places.iter().map(of_class).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The ways that are equally good after each roll was followed to the bottom of its valley.
+    fn polished(mut self) -> Vec<Way> {
+        self.ways.sort_by(|one, other| one.worst.total_cmp(&other.worst));
+        let mut valleys: Vec<Way> = Vec::new();
+        for way in self.ways.iter().take_while(|way| way.worst <= self.best * (1.0 + 2.0 * WORTH)) {
+            let apart = |other: &Way| ((one_turn(way.roll - other.roll)).abs() * SCAN as f64) / TAU;
+            if valleys.len() < MOST && valleys.iter().all(|known| 1.5 < apart(known)) {
+                valleys.push(*way);
+            }
+        }
+        let ends: Vec<AtRoll> = valleys.into_iter().map(|way| self.bottom(way)).collect();
+        self.learn(&ends);
+        let mut ways: Vec<Way> = Vec::new();
+        for at in &ends {
+            let allowed = self.rolls.places.iter().filter(|&&place| 0.0 <= at.slack[place]);
+            ways.extend(allowed.map(|&place| Way { worst: at.worst[place], place, roll: one_turn(at.roll) }));
+        }
+        ways.retain(|way| way.worst <= self.best * (1.0 + EQUAL));
+        ways
+    }
+
+    /// The best allowed roll beside a way, to 1e-4 rad.
+    fn bottom(&self, way: Way) -> AtRoll {
+        const ROLLS: usize = PARTS + 2;
+        let mut half = TAU / (SCAN * PARTS) as f64;
+        let mut near = Vec::with_capacity(ROLLS);
+        let mut middle = way.roll;
+        loop {
+            near.clear();
+            let rolls: [f64; ROLLS] =
+                std::array::from_fn(|n| middle + half * (n as f64 * 2.0 / (ROLLS - 1) as f64 - 1.0));
+            self.rolls.arm.at_rolls(&self.rolls.turning, self.point, &rolls, &mut near);
+            let value = |at: &AtRoll| if 0.0 <= at.slack[way.place] { at.worst[way.place] } else { f64::INFINITY };
+            let best = near.iter().min_by(|one, other| value(one).total_cmp(&value(other))).expect("seven rolls");
+            if half < 1e-4 {
+                return *best;
+            }
+            middle = best.roll;
+            half *= 2.0 / (ROLLS - 1) as f64;
+        }
+    }
+}
+
+/// The same angle between a half turn back and a half turn on.
+fn one_turn(angle: f64) -> f64 {
+    (angle + PI).rem_euclid(TAU) - PI
+}
+
+/// Two vectors between which the direction does not turn far.
+fn smooth([a, b]: [f64; 2], [c, d]: [f64; 2]) -> bool {
+    SMOOTH * a.hypot(b) * c.hypot(d) <= a * c + b * d
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::FRAC_PI_2;
+
+    use crate::catalogue::{find, paper_robots};
+    use crate::compliance::compliance;
+    use crate::inverse::reached;
+    use crate::map::{Axis, ROLL_TOLERANCE, SectionOptions, section};
+    use crate::robot::Robot;
+    use crate::spatial::Pose;
+    use nalgebra::{Matrix3, Rotation3, Vector3};
+
+    /// The least deflection, m, over evenly spread rolls: every posture of each by the scalar verbs.
+    fn by_brute_force(robot: &Robot, options: &SectionOptions, [x, z]: [f64; 2], rolls: u32) -> f64 {
+        let (s, c) = options.elevation.sin_cos();
+        let (axis, up) = (Vector3::new(c, 0.0, s), Vector3::new(-s, 0.0, c));
+        let unrolled = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[up, axis.cross(&up), axis]));
+        let mut least = f64::INFINITY;
+        for n in 0..rolls {
+            let roll =
+                Rotation3::from_axis_angle(&Vector3::z_axis(), f64::from(n) / f64::from(rolls) * std::f64::consts::TAU);
+            let pose = Pose::from_parts(Vector3::new(x, 0.0, z).into(), (unrolled * roll).into());
+            for (_, q) in reached(robot, &(pose * options.flange_from_tool.inverse())) {
+                let at = compliance(robot, &q, &options.flange_from_tool).unwrap();
+                least = least.min(at.compliance.worst().0 * options.force);
+            }
+        }
+        least
+    }
+
+    fn at(x: Axis, z: Axis, tool: Pose, elevation: f64) -> SectionOptions {
+        SectionOptions { x, z, force: 1000.0, flange_from_tool: tool, elevation, yaw: 0.0, roll: None, class: None }
+    }
+
+    #[test]
+    fn a_roll_that_is_best_within_a_degree_only_where_joint_1_turns_fast_is_found() {
+        let robot = find("TX2-160L").unwrap().robot();
+        let tool = Pose::translation(0.08, -0.12, 0.2584);
+        let (x, z) = (Axis { start: 0.3687, step: 0.01, count: 2 }, Axis { start: 0.2363, step: 0.01, count: 2 });
+        let found = section(&robot, &at(x, z, tool, 0.0)).unwrap().worst.get(0, 0).unwrap();
+        assert!(found <= 0.4861e-3, "{found}");
+        let least = by_brute_force(&robot, &at(x, z, tool, 0.0), [0.3687, 0.2363], 7200);
+        assert!(found <= least * (1.0 + ROLL_TOLERANCE), "{found} {least}");
+    }
+
+    #[test]
+    fn no_roll_is_better_than_the_best_and_its_posture_has_its_value() {
+        let tools = [[0.08, -0.12, 0.2584], [0.3, 0.0, 0.1], [0.0, 0.05, 0.4], [-0.2, 0.2, 0.0]];
+        let mut reached_by_some = 0;
+        for (n, robot) in paper_robots().iter().enumerate().step_by(2) {
+            let [x, y, z] = tools[n / 2 % 4];
+            let tool = Pose::translation(x, y, z) * Pose::rotation(Vector3::new(0.0, 0.2 * n as f64, 0.0));
+            let (x, z) = (Axis::between(0.5, 2.7, 4), Axis::between(0.1, 2.3, 4));
+            let options = at(x, z, tool, [-FRAC_PI_2, 0.0, -0.7][n / 2 % 3]);
+            let found = section(robot, &options).unwrap();
+            for (i, j) in (0..16).map(|cell| (cell % 4, cell / 4)) {
+                let least = by_brute_force(robot, &options, [x.at(i), z.at(j)], 720);
+                let worst = found.worst.get(i, j).unwrap_or(f64::INFINITY);
+                assert!(worst <= least * (1.0 + ROLL_TOLERANCE), "{} {i} {j}: {worst} {least}", robot.name);
+                if let Some(q) = found.joints(robot, &options, i, j) {
+                    reached_by_some += 1;
+                    let told = compliance(robot, &q, &tool).unwrap().compliance.worst().0 * 1000.0;
+                    assert!((told - worst).abs() <= 1e-6 * worst, "{} {i} {j}: {worst} {told}", robot.name);
+                }
+            }
+        }
+        assert!(40 < reached_by_some, "{reached_by_some}");
+    }
+
+    #[test]
+    fn neighbours_tell_margins_that_change_as_little_as_their_places() {
+        let robot = find("TX2-160L").unwrap().robot();
+        let (x, z) = (Axis { start: 0.7, step: 1e-4, count: 60 }, Axis { start: 0.6, step: 1e-4, count: 2 });
+        let found = section(&robot, &at(x, z, Pose::translation(0.1, 0.0, 0.2), 0.0)).unwrap();
+        for map in [&found.limit_margin, &found.singular_margin] {
+            let told: Vec<f64> = map.row(0).map(Option::unwrap).collect();
+            // Seven radians a metre and less: the posture of a point 0.1 mm away.
+            assert!(told.windows(2).all(|pair| (pair[0] - pair[1]).abs() < 7e-4), "{told:?}");
+        }
+    }
+}
