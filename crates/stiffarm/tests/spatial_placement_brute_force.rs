@@ -24,7 +24,7 @@ mod questions;
 
 use questions::{Question, random_question, random_robot};
 
-const CASES: u64 = 60;
+const CASES: u64 = 32;
 /// Places along each side of what the arm might reach, and places about the answer, nearer and farther.
 const COLUMNS: usize = 16;
 const NUDGES: usize = 400;
@@ -389,7 +389,7 @@ fn an_answer_in_space_holds_pose_by_pose_and_no_place_beats_it() {
     let [feasible, infeasible, trials] =
         counts.reduce(|| [0; 3], |sum, part| std::array::from_fn(|i| sum[i] + part[i]));
     println!("{feasible} feasible, {infeasible} infeasible, {trials} places tried");
-    assert!(40 <= feasible && 4 <= infeasible && 100_000 <= trials, "the cases do not exercise the search");
+    assert!(20 <= feasible && 2 <= infeasible && 50_000 <= trials, "the cases do not exercise the search");
 }
 
 /// With drive 1 alone the compliance is its own times the square of the distance from its axis: the nearest place is best.
@@ -475,6 +475,6 @@ fn a_zone_in_the_arm_plane_has_the_place_that_the_planar_model_proves() {
         assert!(found.deflection <= (1.0 + GAIN) * value, "{}", case());
         1
     };
-    let feasible: usize = (0..60).into_par_iter().map(judge).sum();
-    assert!(30 <= feasible, "{feasible} zones have a place");
+    let feasible: usize = (0..30).into_par_iter().map(judge).sum();
+    assert!(15 <= feasible, "{feasible} zones have a place");
 }

@@ -650,7 +650,7 @@ mod tests {
             let arm = SpatialArm::new(&robot, &tool).unwrap();
             let elevation = [-FRAC_PI_2, 0.0, part(-1.5, 1.5)][n % 3];
             let width = [0.4, 0.1, 0.02][n / 3 % 3];
-            let from = [part(0.2, 2.3), part(0.0, 2.2), part(-1.5, 1.5), part(0.0, 3.0), part(0.0, 6.0)];
+            let from = [part(-2.3, 2.3), part(0.0, 2.2), part(-1.5, 1.5), part(0.0, 3.0), part(0.0, 6.0)];
             let stands: StandBox = from.map(|from| Range::spanning(from, from + width * part(0.1, 1.0)));
             let enclosing = Enclosing::new(&arm, [false; 6]);
             let aim = enclosing.aim::<5>(elevation, &stands);
@@ -672,7 +672,17 @@ mod tests {
                 let facing = enclosing.learn(&aim, [0.0; 2], way, None, &mut asked.clone(), &mut at_centre).flatten();
                 // A posture that turned too far since the centre is none that the facing there speaks of.
                 let begun = centre.found.iter().find(|(other, _)| *other == class).map(|found| found.1);
-                let near = begun.is_some_and(|begun| [0, 3, 5].iter().all(|&i| 0.0 < (theta[i] - begun[i]).cos()));
+                let near = begun.is_some_and(|begun| {
+                    FACING.iter().all(|&i| {
+                        let turned = theta[i] - begun[i] - ((theta[i] - begun[i]) / TAU).round() * TAU;
+                        let range = geometry.theta(i, limits.joints[i]);
+                        let goes_on = |turns: i32| {
+                            let from = begun[i] + f64::from(turns) * TAU;
+                            range.contains(from, 0.0) && range.contains(from + turned, 0.0)
+                        };
+                        turned.abs() < FRAC_PI_2 && (-4..=4).any(goes_on)
+                    })
+                });
                 let facing = if near { facing } else { None };
                 let mut known = Known::default();
                 let mut spread = Spread::default();
