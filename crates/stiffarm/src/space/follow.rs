@@ -14,9 +14,11 @@ use crate::spatial::Pose;
 use crate::task::Zone;
 
 /// What a least value is told too low by at most, rad.
-pub(crate) const TOLERANCE: f64 = 1e-7;
+pub(crate) const TOLERANCE: f64 = 1e-6;
+/// And as part of it.
+const RELATIVE: f64 = 1e-3;
 /// Parts of a zone that are looked at before a least value is told as far as it is known.
-const MOST_PARTS: usize = 20_000;
+const MOST_PARTS: usize = 5000;
 
 /// A zone at its stand, held in one class.
 pub(crate) struct Follower<'a> {
@@ -78,8 +80,9 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// A lower bound on the least value in the zone of what the model angles say, at most [`TOLERANCE`] too low unless it lies
-    /// above `enough`; minus infinity where that is not known. Angles are followed from the centre, less than half a turn away.
+    /// A lower bound on the least value in the zone of what the model angles say, too low by at most [`TOLERANCE`] or the part
+    /// [`RELATIVE`] of it unless it lies above `enough`; minus infinity where that is not known. Angles are followed from the
+    /// centre, less than half a turn away.
     pub(crate) fn least(&self, enough: f64, value: impl Fn(&Angles) -> f64) -> f64 {
         let mut queue = BinaryHeap::new();
         let mut found = f64::INFINITY;
@@ -90,18 +93,22 @@ impl<'a> Follower<'a> {
         queue.push(Part { sides: whole, least: f64::NEG_INFINITY });
         let mut parts = 0;
         while let Some(Part { sides, least }) = queue.pop() {
-            if enough <= least || found - TOLERANCE <= least || MOST_PARTS < parts {
+            let tolerance = TOLERANCE.max(RELATIVE * found.abs());
+            if enough <= least || found - tolerance <= least || MOST_PARTS < parts {
                 return least.min(found);
             }
             for sides in self.halves(sides) {
                 parts += 1;
+                let angles = self.enclosing.angles(&self.patch, &self.stand, self.part(sides), self.class);
+                let least_here = angles.map_or(f64::NEG_INFINITY, |angles| value(&self.followed(angles)));
+                queue.push(Part { sides, least: least.max(least_here) });
+                if found <= least_here {
+                    continue;
+                }
                 for at in self.corners(sides) {
                     let Some(angles) = self.angles_at(at) else { return f64::NEG_INFINITY };
                     found = found.min(value(&angles.map(Range::point)));
                 }
-                let angles = self.enclosing.angles(&self.patch, &self.stand, self.part(sides), self.class);
-                let least_here = angles.map_or(f64::NEG_INFINITY, |angles| value(&self.followed(angles)));
-                queue.push(Part { sides, least: least.max(least_here) });
             }
         }
         found

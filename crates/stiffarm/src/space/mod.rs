@@ -50,6 +50,8 @@ pub struct SpatialArm {
     k: [f64; 6],
     compensator: Option<GravityCompensator>,
     sectors: Sectors,
+    /// By how much more than they must places keep from singular postures, rad.
+    reserve: f64,
 }
 
 /// How the columns of the Jacobian combine into those of the drives.
@@ -148,6 +150,7 @@ impl SpatialArm {
             coupling,
             k: drives.compliance.0,
             compensator: drives.compensator,
+            reserve: 0.0,
         })
     }
 
@@ -187,9 +190,10 @@ impl SpatialArm {
         arm
     }
 
-    /// The same arm with limits that leave so much less at either end, rad; `None` where one would leave nothing.
+    /// The same arm with limits that leave so much less at either end, and keep so much farther from singular postures, rad; `None`
+    /// where one would leave nothing.
     pub(crate) fn narrowed(&self, by: f64) -> Option<Self> {
-        let mut arm = self.clone();
+        let mut arm = Self { reserve: by, ..self.clone() };
         for range in arm.limits.joints.iter_mut().chain([&mut arm.limits.elbow]) {
             *range = Range::new(range.min() + by, range.max() - by)?;
         }

@@ -136,7 +136,7 @@ impl SpatialArm {
         };
         let mut cases = Vec::new();
         for (fourth, sixth) in (0..turns(3)).flat_map(|fourth| (0..turns(5)).map(move |sixth| (fourth, sixth))) {
-            let mut near = Near { clearance: CLEARANCE, ..Near::default() };
+            let mut near = Near { clearance: CLEARANCE + self.reserve, ..Near::default() };
             for (class, theta) in &postures {
                 let place = place(*class);
                 let about = |joint: usize, turn: usize| {
@@ -156,7 +156,8 @@ impl SpatialArm {
     /// the turn of the angle with most room to both ends, and from the next where that leaves other room.
     fn about(&self, joint: usize, theta: f64) -> (Sector, Option<Sector>) {
         let range = self.geometry.theta(joint, self.limits.joints[joint]);
-        let quarter = Range::spanning(theta - FRAC_PI_2, theta + FRAC_PI_2);
+        let most = FRAC_PI_2 - self.reserve;
+        let quarter = Range::spanning(theta - most, theta + most);
         if !range.is_bounded() {
             return (Sector::of(quarter), None);
         }

@@ -377,7 +377,7 @@ impl<'a> Search<'a> {
             match self.judge_stand(&stand, coarse) {
                 Ok(placement) => return Some(placement),
                 Err(Unswept::Impossible) => return None,
-                Err(Unswept::Oversteps(by)) => narrower += 1.1 * by + 2.0 * TOLERANCE,
+                Err(Unswept::Oversteps(by)) => narrower = 4.0 * narrower + 1.1 * by + 2.0 * TOLERANCE,
             }
             let within = Self { freed: self.freed.narrowed(narrower)?, ..self.clone() };
             let start = within.candidate(stand, &Grid::of(self.zone, CELLS[2]));

@@ -6,7 +6,7 @@ use super::{SpatialOptions, wrapped};
 use crate::inverse::{CLEARANCE, Class, SLACK, postures, third_within_limits};
 use crate::limits::{Range, ThirdAxis};
 use crate::robot::{Arm, Robot};
-use crate::space::{Angles, Follower, Grid, Patch, SpatialArm, Stand, TOLERANCE};
+use crate::space::{Angles, Follower, Grid, Patch, SpatialArm, Stand};
 use crate::task::Zone;
 
 /// A zone swept in one posture.
@@ -29,7 +29,7 @@ pub(super) struct Sweep {
 pub(super) enum Unswept {
     /// A pose is out of reach, a joint turns too far, or passes a singular posture.
     Impossible,
-    /// All samples keep the limits; between them one is overstepped, rad.
+    /// All samples keep the limits; between them one is overstepped, rad, or a singular posture lies too near.
     Oversteps(f64),
 }
 
@@ -81,21 +81,17 @@ pub(super) fn sweep(
     let (mut bearing, mut roll, mut shifts) = (0.0, stand.roll, [0.0; 6]);
     for joint in 0..6 {
         let range = limits.joints[joint];
-        let is_free = range.is_bounded() && (joint == 0 || joint == 5 && roll_is_free);
-        let (low, high) = if is_free {
-            let low = follower.least(f64::INFINITY, |angles| reported(angles)[joint].min());
-            (low, -follower.least(f64::INFINITY, |angles| -reported(angles)[joint].max()))
-        } else {
-            let of_joint = joints.iter().map(|q| q[joint]);
-            (of_joint.clone().fold(f64::INFINITY, f64::min), of_joint.fold(f64::NEG_INFINITY, f64::max))
-        };
+        let low = joints.iter().map(|q| q[joint]).fold(f64::INFINITY, f64::min);
+        let high = joints.iter().map(|q| q[joint]).fold(f64::NEG_INFINITY, f64::max);
         let shift = match joint {
             2 if limits.third_is_wound() => {
                 let third = third_within_limits(geometry, limits, &centre).ok_or(impossible)?;
                 let shift = third - joints[joints.len() / 2][2];
                 (range.contains(low + shift, SLACK) && range.contains(high + shift, SLACK)).then_some(shift)
             }
-            5 if is_free => (high - low <= range.width() + SLACK).then(|| range.middle() - f64::midpoint(low, high)),
+            5 if roll_is_free && range.is_bounded() => {
+                (high - low <= range.width() + SLACK).then(|| range.middle() - f64::midpoint(low, high))
+            }
             _ => shift_into(range.min(), range.max(), low, high, joint == 0),
         };
         let shift = shift.ok_or(impossible)?;
@@ -124,7 +120,7 @@ pub(super) fn sweep(
     let straight = |angles: &Angles| to_a_line(angles[4]).min(to_a_line(angles[2].affine(1.0, geometry.lean())));
     let singular_margin = follower.least(f64::INFINITY, straight);
     if !(CLEARANCE - SLACK <= singular_margin && follower.turns_less_than_a_quarter()) {
-        return Err(impossible);
+        return Err(Unswept::Oversteps(CLEARANCE));
     }
     let elbow_turns = limits.elbow.turn_to(PI - centre[2], SLACK).ok_or(impossible)? - (PI - centre[2]);
     let room = |angles: &Angles| {
@@ -134,7 +130,7 @@ pub(super) fn sweep(
     };
     let margin = follower.least(f64::INFINITY, room);
     if margin < -SLACK {
-        return Err(if margin.is_finite() { Unswept::Oversteps(-margin) } else { impossible });
+        return Err(Unswept::Oversteps((-margin).min(CLEARANCE)));
     }
     Ok(Sweep { bearing, roll, joints, limit_margin: (margin.max(0.0), least.1), singular_margin })
 }
@@ -153,8 +149,8 @@ fn to_a_line(angles: Range) -> f64 {
 /// What to add to the interval `low..high` so that it lies in `min..max`: whole turns, or, where the angle is `free`, as
 /// little as possible. Of several turns the one that leaves most room.
 fn shift_into(min: f64, max: f64, low: f64, high: f64, free: bool) -> Option<f64> {
-    // Where nothing else decides, the angle keeps clear of its limits by what proofs may be wrong.
-    let slack = if free { -2.0 * TOLERANCE } else { SLACK };
+    // Where nothing else decides, the angle keeps clear of its limits by more than it turns between two samples.
+    let slack = if free { -CLEARANCE } else { SLACK };
     let (least, most) = (min - slack - low, max + slack - high);
     if most < least {
         return None;
