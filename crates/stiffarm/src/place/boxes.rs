@@ -86,6 +86,31 @@ pub(super) fn core(zone: Zone, u: Range, v: Range) -> (Shape, bool) {
     }
 }
 
+/// A figure that holds every zone with its centre in the box.
+pub(super) fn hull(zone: Zone, u: Range, v: Range) -> Shape {
+    let middle = Vector2::new(u.middle(), v.middle());
+    let half = match zone {
+        Zone::Circle { diameter } => Vector2::repeat(diameter),
+        Zone::Rectangle { width, height } => Vector2::new(width, height),
+    };
+    Shape::Rectangle(middle, (half + Vector2::new(u.width(), v.width())) / 2.0)
+}
+
+/// The least span of a zone along a direction, of all directions at these angles to its first side.
+///
+/// One segment in the zone has at least this component along every one of them: what grows along such a direction
+/// throughout grows by as much from one end to the other.
+pub(super) fn least_span(zone: Zone, angles: Range) -> f64 {
+    match zone {
+        // The middle direction's diameter.
+        Zone::Circle { diameter } => diameter * (angles.width() / 2.0).min(FRAC_PI_2).cos(),
+        Zone::Rectangle { width, height } => {
+            let least = |range: Range| range.clamp(0.0).abs();
+            width * least(cosine_over(angles)) + height * least(cosine_over(angles.affine(1.0, -FRAC_PI_2)))
+        }
+    }
+}
+
 /// Do two ranges of angles share one up to whole turns?
 pub(super) fn meets(allowed: Range, turn: Range) -> bool {
     if !allowed.is_bounded() {

@@ -9,7 +9,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector2;
 
-use super::boxes::{BOX_SLACK, Node, core, corners, cosine_over, least_half_extents, meets, product, split};
+use super::boxes::{
+    BOX_SLACK, Node, core, corners, cosine_over, hull, least_half_extents, least_span, meets, product, split,
+};
 use super::{Orientation, PlaceError, PlaceOptions, Placement, Within, exact, turned};
 use crate::limits::Range;
 use crate::plane::{ElbowSide, PlanarArm, RadialCompliance, SLACK, Shape};
@@ -18,9 +20,11 @@ use crate::task::Zone;
 /// Boxes after which a search gives up.
 const MOST_BOXES: usize = 1_000_000;
 /// The same where only the largest scale is sought: so near to what fits a proof costs most and matters least.
-const MOST_BOXES_FOR_SCALE: usize = 200_000;
+const MOST_BOXES_FOR_SCALE: usize = 50_000;
 /// Relative allowance for the rounding of a bound.
 const ROUNDING: f64 = 1e-12;
+/// Steps from a place towards one that keeps the limits.
+const MOST_STEPS: usize = 5;
 /// Sides below which a box is a point.
 const POINT: f64 = 1e-15;
 
@@ -80,8 +84,7 @@ impl<'a> Search<'a> {
         let mut queue = VecDeque::from(queue.into_vec());
         for _ in 0..MOST_BOXES_FOR_SCALE {
             let Some(node) = queue.pop_front() else { return Some(false) };
-            let middle = Vector2::new(node.u.middle(), node.v.middle());
-            if self.judge(zone, node.side, middle, node.turn).is_some() {
+            if self.near_middle(zone, &node).is_some() {
                 return Some(true);
             }
             if POINT <= node.u.width().max(node.v.width()) {
@@ -106,8 +109,13 @@ impl<'a> Search<'a> {
                 let force = self.options.force;
                 return Err(PlaceError::Unfinished { nodes: boxes, lower: node.lower * force, upper: upper * force });
             }
-            let middle = Vector2::new(node.u.middle(), node.v.middle());
-            if let Some(found) = self.judge(zone, node.side, middle, node.turn)
+            // Once a place is known, sets of turns have too many boxes for more than a look at the middle.
+            let found = if best.is_none() || node.turn.width() == 0.0 {
+                self.near_middle(zone, &node)
+            } else {
+                self.judge(zone, node.side, Vector2::new(node.u.middle(), node.v.middle()), node.turn)
+            };
+            if let Some(found) = found
                 && found.compliance < upper
             {
                 best = Some(self.polish(zone, found, node));
@@ -221,6 +229,50 @@ impl<'a> Search<'a> {
         self.stands_within(zone, centre, turn).then_some(Found { compliance, side, centre, turn })
     }
 
+    /// The place in the middle of a box, or, where that misses a limit, one near it that keeps all of them.
+    ///
+    /// Limits that leave a sliver are rarely met by chance.
+    fn near_middle(&self, zone: Zone, node: &Node) -> Option<Found> {
+        let middle = Vector2::new(node.u.middle(), node.v.middle());
+        let mut centre = middle;
+        for _ in 0..MOST_STEPS {
+            let found = self.judge(zone, node.side, centre, node.turn);
+            // Of many turns the limits choose the best themselves; farther away another box has its middle.
+            if found.is_some() || PI <= node.turn.width() {
+                return found;
+            }
+            centre = self.towards_limits(zone, node, centre)?;
+            if 2.0 * node.u.width().max(node.v.width()) < (centre - middle).norm() {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// A step from a centre to where, to first order, its zone keeps one limit after the other; `None` where it spans
+    /// more than a limit leaves.
+    fn towards_limits(&self, zone: Zone, node: &Node, mut centre: Vector2<f64>) -> Option<Vector2<f64>> {
+        let (side, turn) = (&self.sides[node.side], node.turn.middle());
+        let Within { x, z } = self.options.within;
+        let (away, half) = (turned(centre, turn), zone.half_extents(turn));
+        let into = |range: Range, c: f64, h: f64| shift_into(range, Range::spanning(c - h, c + h));
+        centre += turned(Vector2::new(into(x, away.x, half.x)?, into(z, away.y, half.y)?), -turn);
+        let shape = zone.shape(centre);
+        let distances = Range::spanning(shape.nearest().norm(), shape.farthest().norm());
+        if distances.min() <= BOX_SLACK * self.arm.l2 {
+            return None;
+        }
+        centre += shift_into(side.ring, distances)? * centre.normalize();
+        let (shoulder, forearm) = side.angles_over(&zone.shape(centre));
+        let missing = |limit: Range, taken: Range| shift_into(limit, taken.affine(1.0, turn).turned_towards(limit));
+        let (missing_shoulder, missing_forearm) = (missing(side.shoulder, shoulder)?, missing(side.forearm, forearm)?);
+        // dp = l2 e'(shoulder) d shoulder + l3 e'(forearm) d forearm
+        let (shoulder, elbow) = side.posture_near(centre);
+        let across = |angle: f64| Vector2::new(-angle.sin(), angle.cos());
+        centre += self.arm.l2 * missing_shoulder * across(shoulder);
+        Some(centre + self.arm.l3 * missing_forearm * across(shoulder + elbow))
+    }
+
     /// The largest compliance over a figure, where it lies in the ring of the side and leaves the axis outside.
     fn fits_ring(&self, side: usize, shape: &Shape) -> Option<f64> {
         let ring = self.sides[side].ring;
@@ -253,7 +305,11 @@ impl<'a> Search<'a> {
         let near = self.sigma.least(near_min.max(side.ring.min()), near_max);
         let far = self.sigma.least(far_min, far_max.min(side.ring.max()));
         let lower = near.max(far) * (1.0 - ROUNDING);
-        if upper <= lower || !self.may_stand_within(zone, node) || !self.may_turn(zone, node, side) {
+        if upper <= lower
+            || !self.may_stand_within(zone, node)
+            || !self.may_turn(zone, node, side)
+            || !self.may_be_so_wide(zone, node, side)
+        {
             return None;
         }
         Some(lower)
@@ -290,6 +346,27 @@ impl<'a> Search<'a> {
         allowed.is_some_and(|allowed| 2.0 * PI <= node.turn.width() || meets(allowed, node.turn))
     }
 
+    /// Do distance, shoulder and forearm angle change so little over the zone, wherever in the box, that they can keep
+    /// their limits?
+    ///
+    /// Their gradients `e(bearing)`, `e(forearm)/(l2 sin elbow)`, `e(shoulder)/(l3 sin elbow)` hardly change over a
+    /// box, however much larger than the zone, and than a sliver, it is.
+    fn may_be_so_wide(&self, zone: Zone, node: &Node, side: &ElbowSide) -> bool {
+        let hull = hull(zone, node.u, node.v);
+        let slack = BOX_SLACK * self.arm.l2;
+        let distances = Range::spanning(hull.nearest().norm(), hull.farthest().norm());
+        let Some(distances) = distances.intersect(side.ring).filter(|_| slack < hull.nearest().norm()) else {
+            return true;
+        };
+        let (shoulder, forearm) = side.angles_around(&hull);
+        let sine = side.largest_sine(distances);
+        let fits =
+            |limit: Range, span: f64, scale: f64| span * (1.0 - ROUNDING) <= (limit.width() + 2.0 * SLACK) * scale;
+        fits(side.ring, least_span(zone, hull.bearings()), 1.0)
+            && fits(side.shoulder, least_span(zone, forearm), self.arm.l2 * sine)
+            && fits(side.forearm, least_span(zone, shoulder), self.arm.l3 * sine)
+    }
+
     fn may_stand_within(&self, zone: Zone, node: &Node) -> bool {
         if self.options.within == Within::ANYWHERE {
             return true;
@@ -298,8 +375,11 @@ impl<'a> Search<'a> {
         let (cos, sin) = (cosine_over(node.turn), cosine_over(node.turn.affine(1.0, -FRAC_PI_2)));
         let slack = BOX_SLACK * self.arm.l2;
         let half = least_half_extents(zone, node.turn);
-        let may =
-            |range: Range, c: Range, h: f64| range.min() - slack <= c.max() - h && c.min() + h <= range.max() + slack;
+        let may = |range: Range, c: Range, h: f64| {
+            range.min() - slack <= c.max() - h
+                && c.min() + h <= range.max() + slack
+                && 2.0 * (h - slack) <= range.width()
+        };
         let centre_x = product(node.u, cos).plus(product(node.v, sin).affine(-1.0, 0.0));
         let centre_z = product(node.u, sin).plus(product(node.v, cos));
         may(x, centre_x, half.x) && may(z, centre_z, half.y)
@@ -352,6 +432,11 @@ impl<'a> Search<'a> {
             worst_posture: [shoulder, elbow],
         }
     }
+}
+
+/// The least shift that brings `taken` into `limit`, if it is not too wide.
+fn shift_into(limit: Range, taken: Range) -> Option<f64> {
+    Range::new(limit.min() - taken.min(), limit.max() - taken.max()).map(|shifts| shifts.clamp(0.0))
 }
 
 /// The turn in `allowed` (up to whole turns) that comes nearest to `wished`.

@@ -223,6 +223,15 @@ impl ElbowSide {
         (bearings.plus(psi2.affine(-s, 0.0)), bearings.plus(psi3.affine(s, 0.0)))
     }
 
+    /// The largest sine of the elbow angle at these distances.
+    pub(crate) fn largest_sine(&self, distances: Range) -> f64 {
+        let bent = |r: f64| {
+            let (psi2, psi3) = self.triangle(r);
+            psi2 + psi3
+        };
+        Range::spanning(bent(distances.max()), bent(distances.min())).clamp(PI / 2.0).sin()
+    }
+
     /// Centres and radii of the circles on which the boundary of the reached set lies, m.
     pub(crate) fn boundary_circles(&self) -> Vec<(Vector2<f64>, f64)> {
         let at = |length: f64, angle: f64| length * Vector2::new(angle.cos(), angle.sin());
