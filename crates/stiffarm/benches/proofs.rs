@@ -38,7 +38,7 @@ fn answer(seed: u64) -> Answered {
 }
 
 fn main() {
-    let asked = std::env::args().filter_map(|word| word.parse::<u64>().ok()).next().unwrap_or(200);
+    let asked = std::env::args().find_map(|word| word.parse::<u64>().ok()).unwrap_or(200);
     let mut answered: Vec<Answered> = (0..asked).map(answer).collect();
     let placed: Vec<&Answered> = answered.iter().filter(|answered| answered.has_place).collect();
     println!("{asked} random questions, {} with a place", placed.len());

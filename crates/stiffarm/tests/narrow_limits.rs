@@ -115,9 +115,9 @@ fn no_posture_in_a_sliver_beats_the_answer_or_stands_where_there_is_no_place() {
         let answer = place(&q.arm, q.zone, &q.options).unwrap_or_else(|error| panic!("{told}: {error}"));
         let floor = answer.feasible().map_or(f64::INFINITY, |best| best.lower_bound);
         if answer.feasible().is_some() {
-            found += 1
+            found += 1;
         } else {
-            none += 1
+            none += 1;
         }
         for _ in 0..2_000 {
             let within = |range: Range, t: f64| range.min() + t * range.width();

@@ -40,13 +40,12 @@ impl<const N: usize> Line<N> {
         if most + slack < sum {
             return None;
         }
-        for i in 0..N {
-            // What this variable may add to its own least.
-            let room = most + slack - sum;
-            let reach = room / self.slope[i].abs();
-            let range = part[i];
+        // What each variable may add to its own least.
+        let room = most + slack - sum;
+        for (range, slope) in part.iter_mut().zip(self.slope) {
+            let reach = room / slope.abs();
             if reach < range.width() {
-                part[i] = if 0.0 < self.slope[i] {
+                *range = if 0.0 < slope {
                     Range::spanning(range.min(), range.min() + reach)
                 } else {
                     Range::spanning(range.max() - reach, range.max())

@@ -22,7 +22,7 @@ use crate::task::Zone;
 /// What is asked besides robot and zone.
 ///
 /// The zone is a flat patch that the tool axis meets at a right angle. Its centre lies in the plane through the joint-1
-/// axis that points straight ahead; by symmetry this is any place about the robot, and joint 1 turns there as far as its
+/// axis that points straight ahead, before the robot or behind it; by symmetry this is any place about the robot, and joint 1 turns there as far as its
 /// range is wide enough.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialOptions {
@@ -41,7 +41,8 @@ pub struct SpatialOptions {
     /// Rotation about the tool axis, rad, the same for the whole zone: 0 has the tool's x axis ahead (on a wall: upright;
     /// overhead: back); the best where `None`.
     pub roll: Option<f64>,
-    /// Where the zone may stand: x from the joint-1 axis straight ahead, z from the base, all of the zone inside.
+    /// Where the zone may stand: x from the joint-1 axis straight ahead, negative behind it, z from the base, all of the zone
+    /// inside.
     pub within: Within,
 }
 
@@ -131,10 +132,10 @@ pub struct SpatialPlacement {
     pub worst_joints: [f64; 6],
     /// Deflection along the force's worst direction by drive, adding up to 1.
     pub worst_shares: [f64; 6],
-    /// The smallest distance of any joint to its limits over the zone, rad, and that joint from 1; 0 is the angle between
-    /// the links.
+    /// The smallest distance of any joint to its limits anywhere in the zone, rad, proved, and that joint from 1; 0 is the angle
+    /// between the links.
     pub limit_margin: (f64, usize),
-    /// The smallest angle between a singular posture (wrist or arm straight) and one in the zone, rad.
+    /// The smallest angle between a singular posture (wrist or arm straight) and one in the zone, rad, proved.
     pub singular_margin: f64,
     /// What stands behind these numbers.
     pub resolution: Resolution,
@@ -217,12 +218,12 @@ pub enum SpatialPlaceError {
 
 /// Finds the place of a flat zone that minimises the worst deflection inside it, all six drives compliant.
 ///
-/// One posture and one roll hold throughout the zone, every limit is kept at every pose that is sampled, and no joint passes
-/// a singular posture or the end of its range within it, or turns by a quarter turn from where it is at the centre. Between
-/// two samples a limit may be overstepped by the sagitta of the joint's course. The search is coarse over all places, then
-/// refined from the best ones; it is deterministic, and [`Resolution`] says how finely it looked. A branch and bound over
-/// all places then proves a lower bound (\[theory\], section 7), within 1 % of the value where a bounded number of boxes is
-/// enough for that.
+/// One posture and one roll hold throughout the zone. Every limit is kept everywhere in it, and no joint turns by a quarter turn
+/// from where it is at the centre: both are proved by enclosures of the joints over parts of the zone. Places keep
+/// 0.001 rad from a straight wrist or arm, and the wrist centre a thousandth of the upper arm from the joint-1 axis. The
+/// deflection is the largest of samples. The search is coarse over all places, then refined from the best ones; it is
+/// deterministic, and [`Resolution`] says how finely it looked. A branch and bound over all places then proves a lower bound
+/// (\[theory\], section 7), within 1 % of the value where a bounded number of boxes is enough for that.
 ///
 /// # Errors
 /// Where an argument makes no sense.

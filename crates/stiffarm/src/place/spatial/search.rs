@@ -392,11 +392,8 @@ impl<'a> Search<'a> {
             self.scores(stand, &Grid::of(self.zone, CELLS[2])).into_iter().zip(0..).collect();
         order.retain(|(score, _)| score.is_feasible());
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let judged = order.into_iter().map(|(_, place)| self.judge_class(stand, place, coarse));
-        judged
-            .skip_while(|judged| matches!(judged, Err(Unswept::Impossible)))
-            .next()
-            .unwrap_or(Err(Unswept::Impossible))
+        let mut judged = order.into_iter().map(|(_, place)| self.judge_class(stand, place, coarse));
+        judged.find(|judged| !matches!(judged, Err(Unswept::Impossible))).unwrap_or(Err(Unswept::Impossible))
     }
 
     /// The same in one class, with samples so fine that halving their distance changes little.
