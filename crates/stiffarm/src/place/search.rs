@@ -258,8 +258,9 @@ impl<'a> Search<'a> {
         let into = |range: Range, c: f64, h: f64| shift_into(range, Range::spanning(c - h, c + h));
         centre += turned(Vector2::new(into(x, away.x, half.x)?, into(z, away.y, half.y)?), -turn);
         let shape = zone.shape(centre);
-        let distances = Range::spanning(shape.nearest().norm(), shape.farthest().norm());
-        if distances.min() <= BOX_SLACK * self.arm.l2 {
+        let distances = Range::new(shape.nearest().norm(), shape.farthest().norm())?;
+        // A window may lie so far away that no distance to it is a number.
+        if distances.min() <= BOX_SLACK * self.arm.l2 || !distances.is_bounded() {
             return None;
         }
         centre += shift_into(side.ring, distances)? * centre.normalize();
@@ -354,10 +355,9 @@ impl<'a> Search<'a> {
     fn may_be_so_wide(&self, zone: Zone, node: &Node, side: &ElbowSide) -> bool {
         let hull = hull(zone, node.u, node.v);
         let slack = BOX_SLACK * self.arm.l2;
-        let distances = Range::spanning(hull.nearest().norm(), hull.farthest().norm());
-        let Some(distances) = distances.intersect(side.ring).filter(|_| slack < hull.nearest().norm()) else {
-            return true;
-        };
+        let nearest = hull.nearest().norm();
+        let distances = Range::new(nearest, hull.farthest().norm()).and_then(|range| range.intersect(side.ring));
+        let Some(distances) = distances.filter(|_| slack < nearest) else { return true };
         let (shoulder, forearm) = side.angles_around(&hull);
         let sine = side.largest_sine(distances);
         let fits =
