@@ -381,7 +381,9 @@ impl<'a> Search<'a> {
             }
             let within = Self { freed: self.freed.narrowed(narrower)?, ..self.clone() };
             let start = within.candidate(stand, &Grid::of(self.zone, CELLS[2]));
-            stand = within.refined(&[start], CELLS[2], self.step / 64.0).first()?.stand;
+            // Far enough to leave what the narrower limits take away.
+            let step = (self.step / 64.0).max(4.0 * narrower * self.robot.stretch());
+            stand = within.refined(&[start], CELLS[2], step).first()?.stand;
         }
         None
     }
