@@ -8,6 +8,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
+use stiffarm::catalogue::{Entry, entries};
 use stiffarm::compliance::{beyond_limits, compliance};
 use stiffarm::drive::JointCompliance;
 use stiffarm::geometry::Geometry;
@@ -390,6 +391,21 @@ fn an_answer_in_space_holds_pose_by_pose_and_no_place_beats_it() {
         counts.reduce(|| [0; 3], |sum, part| std::array::from_fn(|i| sum[i] + part[i]));
     println!("{feasible} feasible, {infeasible} infeasible, {trials} places tried");
     assert!(20 <= feasible && 2 <= infeasible && 50_000 <= trials, "the cases do not exercise the search");
+}
+
+/// Its best place has one edge over the joint-1 axis, where no samples stand: it must move on, and not be called none.
+#[test]
+fn a_wide_zone_that_would_touch_the_joint_1_axis_has_its_place_beside_it() {
+    let robot = entries().iter().map(Entry::robot).find(|robot| robot.name == "GP20HL").expect("of the catalogue");
+    let zone = Zone::Rectangle { width: 0.44, height: 1.435 };
+    let options =
+        SpatialOptions { orientation: Orientation::Fixed(89.8_f64.to_radians()), ..SpatialOptions::tool_down(1000.0) };
+    let question = Question { robot, zone, options };
+    let answer = place_in_space(&question.robot, zone, &options).unwrap();
+    let best = answer.feasible().expect("a place 0.05 m farther out was found by hand");
+    question.check(best);
+    // Found with a window that begins 0.05 m from the axis.
+    assert!(best.deflection <= 6.4087e-3 && best.deflection * (1.0 - GAIN) <= best.lower_bound, "{best:?}");
 }
 
 /// With drive 1 alone the compliance is its own times the square of the distance from its axis: the nearest place is best.

@@ -189,3 +189,51 @@ impl<'a> Follower<'a> {
         0.0 < self.least(1e-3, room)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::paper_robots;
+
+    /// The witness samples the zone densely: the library's least is below every sample, and no more than its tolerance below.
+    #[test]
+    fn the_least_of_every_angle_is_below_all_samples_and_near_the_lowest() {
+        let mut rng = fastrand::Rng::with_seed(36);
+        let mut followed = 0;
+        for case in 0..20 {
+            let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+            let robot = paper_robots().swap_remove(case % 10);
+            let arm = SpatialArm::new(&robot, &Pose::translation(part(-0.1, 0.1), 0.05, 0.2)).unwrap();
+            let zone = match case % 2 {
+                0 => Zone::Circle { diameter: part(0.1, 0.5) },
+                _ => Zone::Rectangle { width: part(0.1, 0.5), height: part(0.1, 0.5) },
+            };
+            let elevation = [-FRAC_PI_2, 0.0, -0.7][case % 3];
+            let (x, z) = (part(1.0, 1.8), part(0.6, 1.4));
+            let stand = Stand { x, z, yaw: part(-0.4, 0.4), angle: part(0.0, 3.0), roll: part(0.0, 6.0) };
+            let patch = Patch::of(elevation, &stand);
+            let at_centre = postures(&arm.geometry, &(patch.pose(&stand, [0.0; 2]) * arm.flange_from_tool.inverse()));
+            for (held, centre) in at_centre.found {
+                let follower = Follower::new(&arm, elevation, &stand, zone, held, &centre);
+                if !follower.turns_less_than_a_quarter() {
+                    continue;
+                }
+                followed += 1;
+                let side = |i: usize| i as f64 / 20.0 - 1.0;
+                let points = (0..=40).flat_map(|j| (0..=40).map(move |i| zone.at([side(i), side(j)])));
+                let samples: Vec<[f64; 7]> = points.map(|at| follower.angles_at(at).expect("reached")).collect();
+                for i in 0..7 {
+                    for sign in [1.0, -1.0] {
+                        let least = follower.least(f64::INFINITY, |angles| angles[i].affine(sign, 0.0).min());
+                        let lowest = samples.iter().map(|angles| sign * angles[i]).fold(f64::INFINITY, f64::min);
+                        let off = lowest - least;
+                        // Samples stand a fortieth of the zone apart, on its rim too; the rest is what the library allows itself.
+                        let most = TOLERANCE.max(RELATIVE * lowest.abs()) + 2e-3;
+                        assert!((-1e-12..most).contains(&off), "{case} {held} angle {i}: {least} {lowest}");
+                    }
+                }
+            }
+        }
+        assert!(30 < followed, "{followed}");
+    }
+}
