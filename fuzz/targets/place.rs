@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use libfuzzer_sys::arbitrary::{Result, Unstructured};
 use libfuzzer_sys::fuzz_target;
 use stiffarm::drive::Architecture;
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::place::{Orientation, PlaceOptions, Placed, Within, place};
 use stiffarm::plane::PlanarArm;
 use stiffarm::task::Zone;
@@ -20,13 +20,13 @@ fn number(u: &mut Unstructured, min: f64, max: f64) -> Result<f64> {
 }
 
 /// No limit, or one about `centre`, open at either end at times; what is no range counts as no limit.
-fn range(u: &mut Unstructured, centre: f64, spread: f64) -> Result<Range> {
+fn range(u: &mut Unstructured, centre: f64, spread: f64) -> Result<Interval> {
     let (open_below, open_above) = (u.ratio(1, 3)?, u.ratio(1, 3)?);
     let min = number(u, centre - spread, centre + spread)?;
     let max = min + number(u, 0.0, 2.0 * spread)?;
     let min = if open_below { f64::NEG_INFINITY } else { min };
     let max = if open_above { f64::INFINITY } else { max };
-    Ok(Range::new(min, max).unwrap_or(Range::ALL))
+    Ok(Interval::new(min, max).unwrap_or(Interval::ALL))
 }
 
 fn arm(u: &mut Unstructured) -> Result<PlanarArm> {

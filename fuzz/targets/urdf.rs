@@ -4,18 +4,18 @@
 use libfuzzer_sys::fuzz_target;
 use stiffarm::catalogue::import::{ImportError, ImportOptions, LARGEST_ERROR_M, import};
 use stiffarm::catalogue::{read, write};
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 
 fuzz_target!(|text: &str| {
     // OPW parameters have no limits of their own; a URDF keeps its own.
-    let limits = (!text.trim_start().starts_with('<')).then(|| [Range::spanning(-2.0, 2.0); 6]);
+    let limits = (!text.trim_start().starts_with('<')).then(|| [Interval::spanning(-2.0, 2.0); 6]);
     match import(text, "fuzz.urdf", &ImportOptions { limits, ..ImportOptions::default() }) {
         Ok(imported) => {
             assert!(imported.largest_error <= LARGEST_ERROR_M);
             assert_eq!(read(&imported.text, "fuzz.toml").as_ref(), Ok(&imported.robot));
             assert_eq!(write(&imported.robot), imported.text);
         }
-        Err(ImportError::Faults(faults) | ImportError::Which(faults) | ImportError::Class(faults)) => {
+        Err(ImportError::Faults(faults) | ImportError::Which(faults) | ImportError::Configuration(faults)) => {
             assert!(!faults.faults.is_empty(), "refused without a reason");
             let lines = text.split('\n').count();
             for fault in &faults.faults {

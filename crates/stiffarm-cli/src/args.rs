@@ -6,8 +6,8 @@ use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use stiffarm::drive::Architecture;
-use stiffarm::inverse::Class;
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
+use stiffarm::inverse::Configuration;
 use stiffarm::map::{Component, Spacing};
 use stiffarm::place::{PlaceOptions, SpatialOptions, Within};
 use stiffarm::plane::Elbow;
@@ -128,7 +128,7 @@ pub(crate) struct Space {
     pub(crate) tool_direction: Option<f64>,
     /// Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]
     #[arg(long, value_name = "DEG", value_parser = yaw, allow_hyphen_values = true)]
-    pub(crate) yaw_deg: Option<Range>,
+    pub(crate) yaw_deg: Option<Interval>,
     /// Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]
     #[arg(long, value_name = "DEG", value_parser = degrees, allow_hyphen_values = true)]
     pub(crate) roll_deg: Option<f64>,
@@ -228,7 +228,7 @@ pub(crate) struct MapArgs {
     pub(crate) elbow: Option<Side>,
     /// Only one posture, with --model spatial: such as front,up,no-flip [default: the stiffest at each point]
     #[arg(long, value_name = "POSTURE")]
-    pub(crate) posture: Option<Class>,
+    pub(crate) posture: Option<Configuration>,
     /// What the figure shows, with --model spatial; the tables have all of it
     #[arg(long, value_enum, default_value_t = Layer::Deflection)]
     pub(crate) layer: Layer,
@@ -281,7 +281,7 @@ pub(crate) struct StudyArgs {
     pub(crate) ratios: Vec<f64>,
     /// Link ratios among which the best is sought
     #[arg(long, value_name = "RANGE", value_parser = open_range, default_value = "0.5..1.5")]
-    pub(crate) range: Range,
+    pub(crate) range: Interval,
     /// The two architectures that are compared
     #[arg(long, value_name = "TWO", value_delimiter = ',', value_parser = architecture, default_value = "serial,quasi-serial")]
     pub(crate) compare: Vec<Architecture>,
@@ -344,7 +344,7 @@ pub(crate) struct ImportArgs {
     pub(crate) architecture: Option<Architecture>,
     /// Six ranges [deg] in place of the file's limits: a..b,a..b,...
     #[arg(long, value_name = "RANGES", value_delimiter = ',', value_parser = joint_range, allow_hyphen_values = true)]
-    pub(crate) limits_deg: Vec<Range>,
+    pub(crate) limits_deg: Vec<Interval>,
     /// The link whose frame is the base [default: the base of the arm]
     #[arg(long, value_name = "LINK")]
     pub(crate) base: Option<String>,
@@ -434,7 +434,7 @@ fn reach(text: &str) -> Result<f64, String> {
 }
 
 /// `a..b` in degrees, both ends given.
-fn joint_range(text: &str) -> Result<Range, String> {
+fn joint_range(text: &str) -> Result<Interval, String> {
     open_range(text).ok().filter(|range| range.is_bounded()).ok_or_else(|| {
         format!("'{text}' is not a range of a joint; expected such as -185..185, in degrees, the lower end first")
     })

@@ -4,7 +4,7 @@
 use clap::Args;
 use stiffarm::catalogue::{Filter, NothingLeft};
 use stiffarm::drive::Architecture;
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::question::open_range;
 use stiffarm::robot::{Robot, Status};
 
@@ -20,10 +20,10 @@ pub(crate) struct Filters {
     pub(crate) vendor: Vec<String>,
     /// Only robots with a payload in this range [kg]: A..B; either end may be left open
     #[arg(long, value_name = "RANGE", value_parser = open_range, allow_hyphen_values = true)]
-    pub(crate) payload_kg: Option<Range>,
+    pub(crate) payload_kg: Option<Interval>,
     /// Only robots with a reach in this range [m]: A..B; either end may be left open
     #[arg(long, value_name = "RANGE", value_parser = open_range, allow_hyphen_values = true)]
-    pub(crate) reach_m: Option<Range>,
+    pub(crate) reach_m: Option<Interval>,
     /// Only robots of this architecture: serial or quasi-serial
     #[arg(long, value_name = "NAME", value_parser = architecture)]
     pub(crate) architecture: Option<Architecture>,
@@ -55,8 +55,8 @@ mod tests {
 
     use super::*;
 
-    fn range(min: f64, max: f64) -> Option<Range> {
-        Range::new(min, max)
+    fn range(min: f64, max: f64) -> Option<Interval> {
+        Interval::new(min, max)
     }
 
     fn names(filters: &Filters, words: &[&str]) -> Vec<String> {

@@ -62,7 +62,7 @@ fn a_map_in_space_is_written_as_it_was_when_it_was_held_whole() {
         elevation: held.elevation(),
         yaw: 0.0,
         roll: None,
-        class: None,
+        configuration: None,
     };
     let [x, z] = Spacing::Points(23).cover(reached_section(&robot, &asked).expect("a robot").expect("reached"));
     let options = SectionOptions { x, z, ..asked };

@@ -7,7 +7,7 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use stiffarm::compliance::compliance;
 use stiffarm::drive::Architecture;
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::map::{
     Axis, Component, Direction, Map, MapError, MapOptions, Section, SectionOptions, Spacing, reached_box,
     reached_section, section, stiffest_posture,
@@ -202,7 +202,7 @@ fn spatial_map<'py>(
         elevation: held.elevation(),
         yaw: 0.0,
         roll: held.roll(),
-        class: None,
+        configuration: None,
     };
     let (options, section) = detached(py, || {
         let reached = reached_section(robot, &options).map_err(of(robot))?;
@@ -259,7 +259,7 @@ pub(crate) fn study(
     };
     let [first, second] = contenders;
     let [low, high] = range;
-    let range = Range::new(low, high).filter(|range| range.is_bounded());
+    let range = Interval::new(low, high).filter(|range| range.is_bounded());
     let options = StudyOptions {
         contenders: [contender(&first)?, contender(&second)?],
         tasks: tasks.iter().map(|text| shape(text)).collect::<Result<_, _>>().map_err(refused)?,

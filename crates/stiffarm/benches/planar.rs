@@ -43,7 +43,7 @@ fn placements(c: &mut Criterion) {
     let robots = paper_robots();
     let zone = tasks(&["B:0.5"])[0].zone;
     let anywhere = PlaceOptions::paper(1000.0);
-    let range = |min, max| stiffarm::limits::Range::new(min, max).expect("a range");
+    let range = |min, max| stiffarm::interval::Interval::new(min, max).expect("a range");
     let on_a_table = PlaceOptions { within: Within { x: range(1.2, 4.0), z: range(0.3, 1.5) }, ..anywhere };
     let turned = PlaceOptions { orientation: Orientation::Free, ..on_a_table };
     let mut group = c.benchmark_group("place");

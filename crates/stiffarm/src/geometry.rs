@@ -4,7 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Matrix6, Rotation3, Unit, Vector3, Vector6};
 
-use crate::limits::{Range, ThirdAxis};
+use crate::interval::Interval;
+use crate::limits::ThirdAxis;
 use crate::spatial::Pose;
 
 /// An arm with a spherical wrist: the seven lengths, zero offsets and signs of \[OPW\].
@@ -46,18 +47,18 @@ impl Geometry {
     }
 
     /// The range of a model angle `theta_i` (rad) from the range of joint `i` (0 to 5) as reported.
-    pub(crate) fn theta(&self, i: usize, reported: Range) -> Range {
+    pub(crate) fn theta(&self, i: usize, reported: Interval) -> Interval {
         reported.affine(self.sign[i], -self.offset[i])
     }
 
     /// The shoulder angle of the arm plane, `pi/2 - theta2`: of the upper arm, counter-clockwise from straight ahead.
-    pub fn shoulder(&self, joint_2: Range) -> Range {
+    pub fn shoulder(&self, joint_2: Interval) -> Interval {
         self.theta(1, joint_2).affine(-1.0, FRAC_PI_2)
     }
 
     /// What joint 3 limits in the arm plane, counter-clockwise: the elbow `-delta - theta3` (relative), or the forearm
     /// `pi/2 - delta - (theta2 + theta3)` (absolute), as `third_axis` says.
-    pub fn third(&self, joint_3: Range, third_axis: ThirdAxis) -> Range {
+    pub fn third(&self, joint_3: Interval, third_axis: ThirdAxis) -> Interval {
         let upright = match third_axis {
             ThirdAxis::Elbow => 0.0,
             ThirdAxis::Forearm => FRAC_PI_2,
@@ -66,7 +67,7 @@ impl Geometry {
     }
 
     /// The elbow angle of the arm plane from the enclosed angle `phi = pi - theta3`: `-delta - pi + phi`.
-    pub fn elbow(&self, enclosed: Range) -> Range {
+    pub fn elbow(&self, enclosed: Interval) -> Interval {
         enclosed.affine(1.0, -self.lean() - std::f64::consts::PI)
     }
 

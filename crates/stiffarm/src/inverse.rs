@@ -59,7 +59,7 @@ impl Wrist {
 
 /// One of the eight ways to reach a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Class {
+pub struct Configuration {
     /// Of joint 1.
     pub shoulder: Shoulder,
     /// Of joint 3.
@@ -68,7 +68,7 @@ pub struct Class {
     pub wrist: Wrist,
 }
 
-impl std::fmt::Display for Class {
+impl std::fmt::Display for Configuration {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         write!(f, "{}, elbow {}, {}", self.shoulder.name(), self.elbow.name(), self.wrist.name())
     }
@@ -79,14 +79,14 @@ impl std::fmt::Display for Class {
 #[error(
     "posture '{0}' is not understood; expected front or back, elbow up or down, no-flip or flip, e.g. front,up,no-flip"
 )]
-pub struct UnknownClass(pub String);
+pub struct UnknownConfiguration(pub String);
 
-impl std::str::FromStr for Class {
-    type Err = UnknownClass;
+impl std::str::FromStr for Configuration {
+    type Err = UnknownConfiguration;
 
     /// As it is written, or shorter: `front,up,no-flip`.
-    fn from_str(text: &str) -> Result<Self, UnknownClass> {
-        let unknown = || UnknownClass(text.into());
+    fn from_str(text: &str) -> Result<Self, UnknownConfiguration> {
+        let unknown = || UnknownConfiguration(text.into());
         let word = |part: &str| part.to_lowercase().replace([' ', '-'], "");
         let [shoulder, elbow, wrist]: [String; 3] =
             text.split(',').map(word).collect::<Vec<_>>().try_into().map_err(|_| unknown())?;
@@ -114,7 +114,7 @@ impl std::str::FromStr for Class {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Postures {
     /// Up to eight, each with its model angles, rad.
-    pub found: Vec<(Class, [f64; 6])>,
+    pub found: Vec<(Configuration, [f64; 6])>,
     /// The wrist centre lies on the joint-1 axis: joint 1 is free, and facing straight ahead stands for all its values.
     pub shoulder_is_free: bool,
     /// Joints 4 and 6 turn about one line in some posture: only their sum (or difference) counts, and joint 4 at model
@@ -147,7 +147,7 @@ pub fn postures(geometry: &Geometry, flange: &Pose) -> Postures {
             let (wrists, free) = wrist_angles((forearm.inverse() * rotation).matrix());
             found.wrist_is_free |= free;
             for (wrist, [theta_4, theta_5, theta_6]) in wrists {
-                let class = Class { shoulder, elbow, wrist };
+                let class = Configuration { shoulder, elbow, wrist };
                 found.found.push((class, [theta_1, theta_2, theta_3, theta_4, theta_5, theta_6]));
             }
         }
@@ -225,7 +225,7 @@ pub(crate) fn third_within_limits(geometry: &Geometry, limits: &Limits, theta: &
 ///
 /// Where a free joint leaves a choice, representatives are tried at model zero and at the ends of the ranges. Empty for
 /// a planar robot, which has no six joints.
-pub fn reached(robot: &Robot, flange: &Pose) -> Vec<(Class, [f64; 6])> {
+pub fn reached(robot: &Robot, flange: &Pose) -> Vec<(Configuration, [f64; 6])> {
     let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return Vec::new() };
     let postures = postures(geometry, flange);
     let allowed = |theta: &[f64; 6]| within_limits(geometry, limits, theta);
@@ -280,10 +280,10 @@ mod tests {
             let class = crate::space::class(place);
             assert_eq!(class.to_string().parse(), Ok(class));
         }
-        let short: Class = "Back,down,no-flip".parse().unwrap();
+        let short: Configuration = "Back,down,no-flip".parse().unwrap();
         assert_eq!(short.to_string(), "back, elbow down, no flip");
         for wrong in ["", "front", "front,up", "front,up,flip,flip", "up,front,flip"] {
-            assert!(wrong.parse::<Class>().unwrap_err().to_string().contains("front,up,no-flip"), "{wrong}");
+            assert!(wrong.parse::<Configuration>().unwrap_err().to_string().contains("front,up,no-flip"), "{wrong}");
         }
     }
 
@@ -296,7 +296,7 @@ mod tests {
             let flange = geometry.forward(&theta);
             let Postures { found, shoulder_is_free, wrist_is_free } = postures(&geometry, &flange);
             assert!(!shoulder_is_free && !wrist_is_free);
-            let classes: std::collections::BTreeSet<Class> = found.iter().map(|(class, _)| *class).collect();
+            let classes: std::collections::BTreeSet<Configuration> = found.iter().map(|(class, _)| *class).collect();
             assert!(classes.len() == found.len() && found.len() % 2 == 0 && found.len() <= 8, "{found:?}");
             for (class, angles) in &found {
                 // Near a stretched arm the angles are as ill conditioned as a square root; the pose is not.

@@ -15,7 +15,7 @@
 //! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only at
 //! the borders: [`catalogue`] reads robot files, [`question`] what people ask, [`report`] tells the answers. The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
-//! The modules in reading order: [`limits`], [`spatial`], [`geometry`], [`drive`], [`plane`], [`robot`], [`compliance`], [`catalogue`], [`task`],
+//! The modules in reading order: [`interval`], [`limits`], [`spatial`], [`geometry`], [`drive`], [`plane`], [`robot`], [`compliance`], [`catalogue`], [`task`],
 //! [`map`], [`place`], [`rank`], [`study`], [`question`], [`report`], [`ledger`]; [`plain`] keeps texts from outside on their line.
 //!
 //! # What is left out
@@ -33,6 +33,7 @@ pub mod catalogue;
 pub mod compliance;
 pub mod drive;
 pub mod geometry;
+pub mod interval;
 pub mod inverse;
 pub mod ledger;
 pub mod limits;

@@ -2,134 +2,7 @@
 
 use std::f64::consts::PI;
 
-/// A closed range `min..=max`, in the unit of what it limits; possibly unbounded at either end, never empty.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Range {
-    min: f64,
-    max: f64,
-}
-
-impl Range {
-    /// No limit at all.
-    pub const ALL: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
-
-    /// Zero and above.
-    pub const POSITIVE: Self = Self { min: 0.0, max: f64::INFINITY };
-
-    /// `None` where `min <= max` does not hold (NaN included), or both lie at the same infinity.
-    pub fn new(min: f64, max: f64) -> Option<Self> {
-        (min <= max && min < f64::INFINITY && f64::NEG_INFINITY < max).then_some(Self { min, max })
-    }
-
-    /// The range of the one value `x`.
-    ///
-    /// # Panics
-    /// Where `x` is NaN.
-    pub fn point(x: f64) -> Self {
-        Self::new(x, x).expect("a number")
-    }
-
-    /// The smallest range that holds both values.
-    ///
-    /// # Panics
-    /// Where both are NaN.
-    pub fn spanning(a: f64, b: f64) -> Self {
-        Self::new(a.min(b), a.max(b)).expect("numbers")
-    }
-
-    /// Lower end.
-    pub const fn min(self) -> f64 {
-        self.min
-    }
-
-    /// Upper end.
-    pub const fn max(self) -> f64 {
-        self.max
-    }
-
-    /// `max - min`.
-    pub fn width(self) -> f64 {
-        self.max - self.min
-    }
-
-    /// The middle; meaningful for a bounded range only.
-    pub fn middle(self) -> f64 {
-        f64::midpoint(self.min, self.max)
-    }
-
-    /// Both ends are finite.
-    pub fn is_bounded(self) -> bool {
-        self.min.is_finite() && self.max.is_finite()
-    }
-
-    /// Neither end is finite.
-    pub fn is_all(self) -> bool {
-        self == Self::ALL
-    }
-
-    /// `x` lies in the range, or outside by no more than `slack`.
-    pub fn contains(self, x: f64, slack: f64) -> bool {
-        self.min - slack <= x && x <= self.max + slack
-    }
-
-    /// The value in the range that is nearest to `x`.
-    pub fn clamp(self, x: f64) -> f64 {
-        x.clamp(self.min, self.max)
-    }
-
-    /// What both ranges share.
-    pub fn intersect(self, other: Self) -> Option<Self> {
-        Self::new(self.min.max(other.min), self.max.min(other.max))
-    }
-
-    /// `{ a x + b : x in self }`.
-    ///
-    /// # Panics
-    /// Where `a` is zero and the range unbounded.
-    #[must_use]
-    pub fn affine(self, a: f64, b: f64) -> Self {
-        Self::spanning(a * self.min + b, a * self.max + b)
-    }
-
-    /// The same angles, counted whole turns apart so that the middle lies as near as it can to that of `other`; what both
-    /// share is then as wide as it can be. Itself where either is unbounded.
-    pub(crate) fn turned_towards(self, other: Self) -> Self {
-        if !(self.is_bounded() && other.is_bounded()) {
-            return self;
-        }
-        let turns = ((other.middle() - self.middle()) / (2.0 * PI)).round_ties_even();
-        self.affine(1.0, turns * 2.0 * PI)
-    }
-
-    /// The sum of two independent values.
-    #[must_use]
-    pub fn plus(self, other: Self) -> Self {
-        Self { min: self.min + other.min, max: self.max + other.max }
-    }
-
-    /// The smallest whole `n` for which `x + n period` is not below the range.
-    fn first_period(self, x: f64, period: f64) -> f64 {
-        ((self.min - x) / period).ceil()
-    }
-
-    /// How far `x` is from the nearer end; negative outside.
-    pub fn room(self, x: f64) -> f64 {
-        (x - self.min).min(self.max - x)
-    }
-
-    /// An angle equal to `x` up to whole turns that lies in the range (within `slack`), if there is one.
-    pub fn turn_to(self, x: f64, slack: f64) -> Option<f64> {
-        if self.min == f64::NEG_INFINITY {
-            return self
-                .contains(x, slack)
-                .then_some(x)
-                .or_else(|| Some(x - ((x - self.max) / (2.0 * PI)).ceil() * 2.0 * PI));
-        }
-        let wide = Self { min: self.min - slack, max: self.max + slack };
-        let turned = x + wide.first_period(x, 2.0 * PI) * 2.0 * PI;
-        wide.contains(turned, 0.0).then_some(turned)
-    }
-}
+use crate::interval::Interval;
 
 /// What the number means that a controller reports as joint 3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -144,11 +17,11 @@ pub enum ThirdAxis {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limits {
     /// On the joint angles as the robot reports them.
-    pub joints: [Range; 6],
+    pub joints: [Interval; 6],
     /// What joint 3 reports.
     pub third_axis: ThirdAxis,
     /// On the angle enclosed by upper arm and forearm axis, `pi - theta3`: pi is straight, smaller is folded forwards.
-    pub elbow: Range,
+    pub elbow: Interval,
     /// Largest speed of each joint, rad/s; not a limit on postures.
     pub speeds: Option<[f64; 6]>,
 }
@@ -156,44 +29,7 @@ pub struct Limits {
 impl Limits {
     /// Other limits leave joint 3 no choice between angles that are whole turns apart.
     pub(crate) fn third_is_wound(&self) -> bool {
-        let one_turn = |range: Range| range.width() < 2.0 * PI;
+        let one_turn = |range: Interval| range.width() < 2.0 * PI;
         one_turn(self.elbow) && (self.third_axis == ThirdAxis::Elbow || one_turn(self.joints[1]))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_angle_is_found_in_a_range_whole_turns_away() {
-        let range = Range::new(3.0, 4.0).unwrap();
-        assert_eq!(range.turn_to(3.5 - 4.0 * PI, 0.0).map(|x| (x * 1e9).round()), Some(3.5e9));
-        assert_eq!(range.turn_to(5.0, 0.0), None);
-        let below = Range::new(f64::NEG_INFINITY, -10.0).unwrap();
-        let found = below.turn_to(0.0, 0.0).unwrap();
-        assert!(found <= -10.0 && (found / (2.0 * PI)).fract().abs() < 1e-12);
-        assert_eq!(Range::ALL.turn_to(7.0, 0.0), Some(7.0));
-    }
-
-    #[test]
-    fn a_range_is_turned_to_where_it_shares_most_with_another() {
-        let degrees = |min: f64, max: f64| Range::spanning(min.to_radians(), max.to_radians());
-        let close = |a: Range, b: Range| (a.min() - b.min()).abs() < 1e-12 && (a.max() - b.max()).abs() < 1e-12;
-        assert!(close(degrees(-411.0, -41.0).turned_towards(degrees(50.0, 720.0)), degrees(309.0, 679.0)));
-        assert!(close(degrees(1.0, 300.0).turned_towards(degrees(900.0, 1000.0)), degrees(721.0, 1020.0)));
-        // Half a turn apart both ways are as good, and less than that is none.
-        for stays in [degrees(-10.0, 10.0), degrees(-190.0, -150.0)] {
-            assert_eq!(stays.turned_towards(degrees(-100.0, 100.0)), stays);
-            assert_eq!(stays.turned_towards(Range::POSITIVE), stays);
-        }
-        assert_eq!(Range::ALL.turned_towards(degrees(0.0, 1.0)), Range::ALL);
-    }
-
-    #[test]
-    fn nan_makes_no_range() {
-        assert!(Range::new(f64::NAN, 1.0).is_none());
-        assert!(Range::new(0.0, f64::NAN).is_none());
-        assert!(Range::new(2.0, 1.0).is_none());
     }
 }

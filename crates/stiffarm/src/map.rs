@@ -8,7 +8,7 @@ use nalgebra::Vector2;
 use rayon::prelude::*;
 
 use crate::compliance::PostureError;
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::place::{PlaceError, check_force};
 use crate::plane::{Elbow, ElbowSide, InvalidArm, PlanarArm, RadialCompliance};
 use spans::{RowSpans, Scratch};
@@ -39,7 +39,7 @@ impl Axis {
     }
 
     /// Points that cover a range, one step apart.
-    pub fn covering(range: Range, step: f64) -> Self {
+    pub fn covering(range: Interval, step: f64) -> Self {
         let steps = (range.width() / step).ceil();
         // Far beyond what is allowed, so that the refusal names the size without overflow.
         let count = if steps < 1e12 { steps as usize + 1 } else { 1_000_000_000_000 };
@@ -68,7 +68,7 @@ pub enum Spacing {
 
 impl Spacing {
     /// Points that cover a box.
-    pub fn cover(self, [x, z]: [Range; 2]) -> [Axis; 2] {
+    pub fn cover(self, [x, z]: [Interval; 2]) -> [Axis; 2] {
         let step = match self {
             Self::Step(step) => step,
             Self::Points(count) => x.width().max(z.width()) / (count.max(2) - 1) as f64,
@@ -215,7 +215,7 @@ pub fn stiffest_posture(arm: &PlanarArm, map: &Map, elbow: Option<Elbow>) -> Opt
 ///
 /// # Errors
 /// Where the arm makes no sense.
-pub fn reached_box(arm: &PlanarArm) -> Result<[Range; 2], MapError> {
+pub fn reached_box(arm: &PlanarArm) -> Result<[Interval; 2], MapError> {
     const CELLS: usize = 256;
     let far = arm.sides()?.iter().map(|side| side.ring.max()).fold(0.0, f64::max);
     let axis = Axis::between(-far, far, CELLS);
@@ -229,8 +229,8 @@ pub fn reached_box(arm: &PlanarArm) -> Result<[Range; 2], MapError> {
     let span = |pick: fn(&(usize, usize)) -> usize| {
         let (min, max) = (reached.iter().map(pick).min(), reached.iter().map(pick).max());
         match (min, max) {
-            (Some(min), Some(max)) => Range::spanning(axis.at(min) - axis.step, axis.at(max) + axis.step),
-            _ => Range::spanning(-far, far),
+            (Some(min), Some(max)) => Interval::spanning(axis.at(min) - axis.step, axis.at(max) + axis.step),
+            _ => Interval::spanning(-far, far),
         }
     };
     Ok([span(|cell| cell.0), span(|cell| cell.1)])

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use nalgebra::{Rotation3, Translation3};
 
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::place::{Orientation, PlaceOptions, SpatialOptions, Within};
 use crate::spatial::Pose;
 use crate::task::{Task, Zone};
@@ -32,7 +32,7 @@ pub struct Held {
     /// Angle of the tool axis above the horizontal, deg; down where `None`.
     pub elevation_deg: Option<f64>,
     /// Angles of the zone about the vertical, rad; the best of a half turn where `None`.
-    pub yaw: Option<Range>,
+    pub yaw: Option<Interval>,
     /// About the tool axis, deg; the best where `None`.
     pub roll_deg: Option<f64>,
 }
@@ -239,12 +239,12 @@ pub fn elevation(text: &str) -> Result<f64, String> {
 ///
 /// # Errors
 /// What was expected.
-pub fn yaw(text: &str) -> Result<Range, String> {
+pub fn yaw(text: &str) -> Result<Interval, String> {
     if text == "any" {
-        return Ok(Range::spanning(-PI, PI));
+        return Ok(Interval::spanning(-PI, PI));
     }
     let angle = degrees(text).map_err(|_| "expected any, or an angle from -360 to 360 degrees".to_owned())?;
-    Ok(Range::point(angle.to_radians()))
+    Ok(Interval::point(angle.to_radians()))
 }
 
 /// A shape at size 1: a letter of the paper, or a task.
@@ -261,7 +261,7 @@ pub fn shape(text: &str) -> Result<Task, String> {
 ///
 /// # Errors
 /// What was expected.
-pub fn open_range(text: &str) -> Result<Range, String> {
+pub fn open_range(text: &str) -> Result<Interval, String> {
     let expected = || format!("'{text}' is not a range; expected such as 0.5..2, 0.5.. or ..2, the lower end first");
     let (low, high) = text.split_once("..").ok_or_else(expected)?;
     let end = |text: &str, open: f64| {
@@ -270,7 +270,7 @@ pub fn open_range(text: &str) -> Result<Range, String> {
         }
         number(text, -1e5, 1e5, "").map_err(|_| expected())
     };
-    Range::new(end(low, f64::NEG_INFINITY)?, end(high, f64::INFINITY)?).ok_or_else(expected)
+    Interval::new(end(low, f64::NEG_INFINITY)?, end(high, f64::INFINITY)?).ok_or_else(expected)
 }
 
 /// `x0..x1,z0..z1` in m; without the second range any height.
@@ -293,7 +293,7 @@ mod tests {
         assert_eq!((place.x.min(), place.x.max()), (0.5, 2.0));
         assert_eq!((place.z.min(), place.z.max()), (f64::NEG_INFINITY, 1.5));
         assert_eq!(within("..,..").unwrap(), Within::ANYWHERE);
-        assert_eq!(within("1..").unwrap().z, Range::ALL);
+        assert_eq!(within("1..").unwrap().z, Interval::ALL);
         for bad in ["", "1", "2..1,..", "a..b,..", "1..2,..,3", "nan..1,..", "1..inf,.."] {
             assert!(within(bad).is_err(), "{bad}");
         }

@@ -5,7 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::drive::{Architecture, Drives, JointCompliance};
 use crate::geometry::Geometry;
-use crate::limits::{Limits, Range, ThirdAxis};
+use crate::interval::Interval;
+use crate::limits::{Limits, ThirdAxis};
 use crate::plane::{InvalidArm, PlanarArm};
 
 /// How well a robot's numbers are known; shown wherever the robot is.
@@ -164,7 +165,7 @@ impl Robot {
         let (elbow, forearm) = match limits.third_axis {
             ThirdAxis::Elbow => {
                 let elbow = third.turned_towards(enclosed).intersect(enclosed);
-                (elbow.ok_or(NoArmPlane::Limits)?, Range::ALL)
+                (elbow.ok_or(NoArmPlane::Limits)?, Interval::ALL)
             }
             ThirdAxis::Forearm => (enclosed, third.turned_towards(shoulder.plus(enclosed))),
         };
@@ -200,7 +201,7 @@ impl Robot {
         let Arm::SixAxis { geometry, limits, drives } = &self.arm else { return Ok(()) };
         let Some(compensator) = drives.compensator else { return Ok(()) };
         let lean = geometry.shoulder(limits.joints[1]).affine(-1.0, FRAC_PI_2);
-        let lean = if lean.is_bounded() { lean } else { Range::spanning(-PI, PI) };
+        let lean = if lean.is_bounded() { lean } else { Interval::spanning(-PI, PI) };
         for i in 0..=STEPS {
             let theta_2 = lean.min() + lean.width() * f64::from(i) / f64::from(STEPS);
             if compensator.length(theta_2) < 1e-3 {

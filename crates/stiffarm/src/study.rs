@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use best::Stance;
 
 use crate::drive::Architecture;
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::root::root;
 use crate::task::{Task, Zone};
 
@@ -45,7 +45,7 @@ impl Contender {
     ///
     /// # Errors
     /// As [`Self::accuracy`].
-    pub fn best_ratio(&self, zone: Zone, ratios: Range) -> Result<Option<(f64, f64)>, StudyError> {
+    pub fn best_ratio(&self, zone: Zone, ratios: Interval) -> Result<Option<(f64, f64)>, StudyError> {
         self.check(zone, [ratios.min(), ratios.max()])?;
         Ok(self.best_among(zone, ratios))
     }
@@ -54,8 +54,8 @@ impl Contender {
         Stance::all(self, zone).filter_map(|stance| stance.accuracy(share(mu))).reduce(f64::min)
     }
 
-    fn best_among(&self, zone: Zone, ratios: Range) -> Option<(f64, f64)> {
-        let shares = Range::spanning(share(ratios.min()), share(ratios.max()));
+    fn best_among(&self, zone: Zone, ratios: Interval) -> Option<(f64, f64)> {
+        let shares = Interval::spanning(share(ratios.min()), share(ratios.max()));
         best::best(self, zone, shares).map(|(x, accuracy)| (ratios.clamp(x / (1.0 - x)), accuracy))
     }
 
@@ -125,7 +125,7 @@ pub struct StudyOptions {
     /// Ratios `l3/l2` that are tabulated.
     pub ratios: Vec<f64>,
     /// Ratios among which the best is sought.
-    pub range: Range,
+    pub range: Interval,
 }
 
 impl StudyOptions {
@@ -141,7 +141,7 @@ impl StudyOptions {
             tasks: ["A", "B", "C"].map(task).to_vec(),
             sizes: vec![0.1, 0.3, 0.5, 0.8],
             ratios: vec![0.8, 1.0, 1.2],
-            range: Range::spanning(0.5, 1.5),
+            range: Interval::spanning(0.5, 1.5),
         }
     }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use stiffarm::catalogue::{Faults, read};
 use stiffarm::drive::Architecture;
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::map::{Axis, Component, Direction, MOST_CELLS, MapError, MapOptions, map};
 use stiffarm::place::{Orientation, PlaceError, PlaceOptions, Placed, Within, place};
 use stiffarm::plane::{InvalidArm, PlanarArm};
@@ -104,7 +104,7 @@ fn the_texts_from_which_the_faulty_ones_are_made_are_robots() {
     // 1000 mm, 1 and 2 urad/(N m), 150 deg: in m, rad/(N m) and rad.
     let arm = two_links.arm_plane().unwrap().arm;
     assert_eq!((arm.l2, arm.l3, arm.k2, arm.k3), (1.0, 0.8, 1e-6, 2e-6));
-    assert_eq!(arm.shoulder, Range::spanning(0.0, 150_f64.to_radians()));
+    assert_eq!(arm.shoulder, Interval::spanning(0.0, 150_f64.to_radians()));
 }
 
 #[test]
@@ -468,9 +468,9 @@ fn free() -> PlanarArm {
 
 fn limited() -> PlanarArm {
     PlanarArm {
-        shoulder: Range::spanning(0.2, 2.5),
-        elbow: Range::spanning(-2.4, -0.3),
-        forearm: Range::spanning(-1.8, 1.0),
+        shoulder: Interval::spanning(0.2, 2.5),
+        elbow: Interval::spanning(-2.4, -0.3),
+        forearm: Interval::spanning(-1.8, 1.0),
         ..free()
     }
 }
@@ -607,14 +607,14 @@ fn a_range_is_made_of_two_numbers_in_order() {
     for (min, max) in
         [(1.0, 0.0), (f64::NAN, 1.0), (0.0, f64::NAN), (f64::NAN, f64::NAN), (f64::INFINITY, f64::NEG_INFINITY)]
     {
-        assert!(Range::new(min, max).is_none(), "{min} {max}");
+        assert!(Interval::new(min, max).is_none(), "{min} {max}");
     }
 }
 
 #[test]
 fn a_joint_that_cannot_move_leaves_no_place_for_a_zone() {
     for angle in [-0.7, 0.0, 1.0] {
-        let still = Range::point(angle);
+        let still = Interval::point(angle);
         for arm in [
             PlanarArm { shoulder: still, ..free() },
             PlanarArm { elbow: still, ..free() },
@@ -632,7 +632,7 @@ fn a_joint_that_cannot_move_leaves_no_place_for_a_zone() {
 
 #[test]
 fn limits_that_span_many_turns_are_no_limits() {
-    let wide = |half: f64| Range::spanning(-half, half);
+    let wide = |half: f64| Interval::spanning(-half, half);
     let turning = PlanarArm { shoulder: wide(40.0 * PI), elbow: wide(6.0 * PI), forearm: wide(40.0 * PI), ..free() };
     for zone in [CIRCLE, RECTANGLE] {
         let options = PlaceOptions::paper(1000.0);
@@ -649,16 +649,18 @@ fn limits_that_span_many_turns_are_no_limits() {
 
 #[test]
 fn a_place_that_must_stand_beyond_everything_is_none() {
-    for x in [Range::spanning(5.0, 6.0), Range::spanning(1e300, 1e301), Range::new(1e9, f64::INFINITY).unwrap()] {
+    for x in
+        [Interval::spanning(5.0, 6.0), Interval::spanning(1e300, 1e301), Interval::new(1e9, f64::INFINITY).unwrap()]
+    {
         for orientation in [Orientation::Axes, Orientation::Fixed(0.4), Orientation::Free] {
-            let within = Within { x, z: Range::ALL };
+            let within = Within { x, z: Interval::ALL };
             let placed =
                 place(&limited(), RECTANGLE, &PlaceOptions { within, orientation, ..PlaceOptions::paper(1.0) })
                     .unwrap();
             assert!(placed.feasible().is_none(), "{x:?} {placed:?}");
         }
     }
-    let line = Within { x: Range::point(0.9), z: Range::ALL };
+    let line = Within { x: Interval::point(0.9), z: Interval::ALL };
     let placed = place(&limited(), RECTANGLE, &PlaceOptions { within: line, ..PlaceOptions::paper(1.0) }).unwrap();
     assert!(placed.feasible().is_none(), "{placed:?}");
 }
@@ -682,7 +684,7 @@ fn a_study_of_nonsense_is_refused_with_what_is_meant() {
             assert!(says.contains(&nonsense.to_string()) && says.contains("expected a number from"), "{says}");
         }
     }
-    assert!(study(&StudyOptions { range: Range::ALL, ..paper() }).is_err());
+    assert!(study(&StudyOptions { range: Interval::ALL, ..paper() }).is_err());
     let large = StudyOptions { sizes: vec![0.1; 10_000], ratios: vec![1.0; 10_000], ..paper() };
     assert!(matches!(study(&large), Err(StudyError::Size(_))));
 }

@@ -8,7 +8,8 @@ use stiffarm::catalogue::import::{ImportError, ImportOptions, Imported, import};
 use stiffarm::catalogue::{Faults, read};
 use stiffarm::drive::Architecture;
 use stiffarm::geometry::Geometry;
-use stiffarm::limits::{Range, ThirdAxis};
+use stiffarm::interval::Interval;
+use stiffarm::limits::ThirdAxis;
 use stiffarm::robot::{Arm, Status};
 use stiffarm::spatial::Pose;
 
@@ -162,12 +163,12 @@ fn what_the_user_knows_better_goes_before_the_file() {
         payload_kg: Some(150.0),
         reach: Some(2.4),
         architecture: Some(Architecture::QuasiSerial),
-        limits: Some([Range::spanning(-1.0, 1.0); 6]),
+        limits: Some([Interval::spanning(-1.0, 1.0); 6]),
         tip: Some("link_6".into()),
         base: Some("link_1".into()),
     };
     // Without joint 1 no arm is left, and that is said; from the root it is.
-    assert!(matches!(import(EXAMPLE, "x.urdf", &options), Err(ImportError::Class(_))));
+    assert!(matches!(import(EXAMPLE, "x.urdf", &options), Err(ImportError::Configuration(_))));
     let imported = import(EXAMPLE, "x.urdf", &ImportOptions { base: Some("base_link".into()), ..options }).unwrap();
     let robot = &imported.robot;
     assert_eq!((robot.full_name().as_str(), robot.payload_kg, robot.reach), ("Maker Mine", Some(150.0), Some(2.4)));
@@ -234,7 +235,7 @@ fn helper_links_pedestals_and_shifted_bases_are_noted() {
 fn faults(text: &str) -> Faults {
     let faults = match plain(text) {
         Ok(imported) => panic!("accepted:\n{}", imported.text),
-        Err(ImportError::Faults(faults) | ImportError::Which(faults) | ImportError::Class(faults)) => faults,
+        Err(ImportError::Faults(faults) | ImportError::Which(faults) | ImportError::Configuration(faults)) => faults,
         Err(other) => panic!("{other}"),
     };
     assert!(!faults.faults.is_empty() && faults.faults.is_sorted_by_key(|fault| fault.line), "{faults}");
@@ -524,7 +525,7 @@ fn hostile_texts_are_refused_at_once() {
 
 #[test]
 fn opw_parameters_are_an_arm_once_limits_are_given() {
-    let given = ImportOptions { limits: Some([Range::spanning(-2.0, 2.0); 6]), ..ImportOptions::default() };
+    let given = ImportOptions { limits: Some([Interval::spanning(-2.0, 2.0); 6]), ..ImportOptions::default() };
     let file = "config/opw_parameters_mine.yaml";
     assert_eq!(import(OPW, file, &ImportOptions::default()), Err(ImportError::NoLimits { file: file.into() }));
     let imported = import(OPW, file, &given).unwrap();

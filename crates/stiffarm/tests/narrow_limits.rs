@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use stiffarm::catalogue::paper_robots;
 use stiffarm::drive::Architecture;
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::place::{Orientation, PlaceOptions, Placed, Within, place};
 use stiffarm::plane::PlanarArm;
 use stiffarm::task::Zone;
@@ -13,9 +13,9 @@ use stiffarm::task::Zone;
 /// distance (triangle inequality), and where the other link points along the line through both, that one fits.
 #[test]
 fn the_largest_circle_in_a_sliver_is_as_wide_as_the_elbow_travels() {
-    let window = Within { x: Range::spanning(-9.0, 9.0), z: Range::spanning(-9.0, 9.0) };
+    let window = Within { x: Interval::spanning(-9.0, 9.0), z: Interval::spanning(-9.0, 9.0) };
     for width in [0.05_f64].map(f64::to_radians) {
-        let cut = Range::spanning(1.0, 1.0 + width);
+        let cut = Interval::spanning(1.0, 1.0 + width);
         let arm = PlanarArm::free(1.1, 0.9, 1e-6, 2e-6, Architecture::Serial);
         let slivers =
             [(1.1, PlanarArm { shoulder: cut, ..arm.clone() }), (0.9, PlanarArm { forearm: cut, ..arm.clone() })];
@@ -45,10 +45,10 @@ fn question(rng: &mut fastrand::Rng) -> Question {
     let (shoulder, elbow) = (0.6 + rng.f64(), -0.5 - 1.5 * rng.f64());
     let width = (0.01 * 50_f64.powf(rng.f64())).to_radians();
     let (before, which) = (width * rng.f64(), rng.u8(0..4));
-    let about = |angle: f64| Range::spanning(angle - before, angle - before + width);
-    arm.elbow = if which == 0 { about(elbow) } else { Range::spanning(elbow - 0.5, elbow + 0.4) };
-    arm.shoulder = if which % 2 == 1 { about(shoulder) } else { Range::spanning(0.2, 2.2) };
-    arm.forearm = if 2 <= which { about(shoulder + elbow) } else { Range::spanning(-2.0, 1.5) };
+    let about = |angle: f64| Interval::spanning(angle - before, angle - before + width);
+    arm.elbow = if which == 0 { about(elbow) } else { Interval::spanning(elbow - 0.5, elbow + 0.4) };
+    arm.shoulder = if which % 2 == 1 { about(shoulder) } else { Interval::spanning(0.2, 2.2) };
+    arm.forearm = if 2 <= which { about(shoulder + elbow) } else { Interval::spanning(-2.0, 1.5) };
     let size = width * (arm.l2 + arm.l3) / 2.0 * (0.2 + 1.3 * rng.f64());
     let zone = match rng.u8(0..2) {
         0 => Zone::Circle { diameter: size },
@@ -57,7 +57,7 @@ fn question(rng: &mut fastrand::Rng) -> Question {
     let p = arm.forward(shoulder, elbow);
     let mut window = |middle: f64| {
         let half = size * (0.5 + 1.5 * rng.f64());
-        if rng.bool() { Range::ALL } else { Range::spanning(middle - half, middle + half) }
+        if rng.bool() { Interval::ALL } else { Interval::spanning(middle - half, middle + half) }
     };
     let within = Within { x: window(p.x), z: window(p.y) };
     let orientation = Orientation::Fixed(PI * rng.f64());
@@ -120,7 +120,7 @@ fn no_posture_in_a_sliver_beats_the_answer_or_stands_where_there_is_no_place() {
             none += 1;
         }
         for _ in 0..2_000 {
-            let within = |range: Range, t: f64| range.min() + t * range.width();
+            let within = |range: Interval, t: f64| range.min() + t * range.width();
             let elbow = within(q.arm.elbow, rng.f64());
             let shoulder = if q.arm.shoulder.width() < q.arm.forearm.width() {
                 within(q.arm.shoulder, rng.f64())
@@ -142,10 +142,10 @@ fn a_free_angle_in_a_window_as_thin_as_the_zone_is_answered() {
     let arm = PlanarArm::free(0.36, 0.36, 1e-6, 1e-6, Architecture::Serial);
     let (shoulder, elbow) = (1.2, -1.3);
     let cut = 0.033_f64.to_radians();
-    let arm = PlanarArm { forearm: Range::spanning(shoulder + elbow, shoulder + elbow + cut), ..arm };
+    let arm = PlanarArm { forearm: Interval::spanning(shoulder + elbow, shoulder + elbow + cut), ..arm };
     let z = arm.forward(shoulder, elbow).y;
     let zone = Zone::Rectangle { width: 0.2129e-3, height: 0.2169e-3 };
-    let within = Within { x: Range::ALL, z: Range::spanning(z - 1.2e-4, z + 1.2e-4) };
+    let within = Within { x: Interval::ALL, z: Interval::spanning(z - 1.2e-4, z + 1.2e-4) };
     let options = PlaceOptions { orientation: Orientation::Free, within, ..PlaceOptions::paper(1000.0) };
     // Its shorter side is longer than the 0.2073 mm that the sliver is wide.
     assert!(matches!(place(&arm, zone, &options), Ok(Placed::Infeasible { .. })));

@@ -2,7 +2,7 @@
 
 use stiffarm::catalogue::read;
 use stiffarm::drive::Architecture::{QuasiSerial, Serial};
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::map::{Axis, Direction, MapOptions, map};
 use stiffarm::place::{
     Orientation, PlaceError, PlaceOptions, Placed, Within, best_without_limits, largest_scale_without_limits, place,
@@ -11,8 +11,8 @@ use stiffarm::plane::{InvalidArm, PlanarArm};
 use stiffarm::study::{StudyOptions, study};
 use stiffarm::task::Zone;
 
-fn r(a: f64, b: f64) -> Range {
-    Range::new(a, b).unwrap()
+fn r(a: f64, b: f64) -> Interval {
+    Interval::new(a, b).unwrap()
 }
 
 fn free() -> PlanarArm {
@@ -31,8 +31,11 @@ fn paper() -> PlaceOptions {
 
 #[test]
 fn a_strip_narrower_than_the_zone_is_answered_with_infeasible_when_the_angle_is_free() {
-    let o =
-        PlaceOptions { orientation: Orientation::Free, within: Within { x: r(0.9, 1.05), z: Range::ALL }, ..paper() };
+    let o = PlaceOptions {
+        orientation: Orientation::Free,
+        within: Within { x: r(0.9, 1.05), z: Interval::ALL },
+        ..paper()
+    };
     let placed = place(&lim(), RECT, &o);
     assert!(matches!(placed, Ok(Placed::Infeasible { .. })), "{placed:?}");
 }
@@ -42,7 +45,7 @@ fn a_within_of_zero_width_is_infeasible_when_the_angle_is_free() {
         PlanarArm { l2: 1.0, l3: 0.8, shoulder: r(0.2, 2.5), elbow: r(-2.4, -0.3), forearm: r(-1.8, 1.0), ..free() };
     let o = PlaceOptions {
         orientation: Orientation::Free,
-        within: Within { x: Range::point(0.9), z: Range::ALL },
+        within: Within { x: Interval::point(0.9), z: Interval::ALL },
         ..paper()
     };
     let placed = place(&arm, RECT, &o);
@@ -50,7 +53,7 @@ fn a_within_of_zero_width_is_infeasible_when_the_angle_is_free() {
 }
 #[test]
 fn a_shoulder_that_cannot_move_leaves_nothing() {
-    let arm = PlanarArm { shoulder: Range::point(1.0), ..free() };
+    let arm = PlanarArm { shoulder: Interval::point(1.0), ..free() };
     let placed = place(&arm, Zone::Circle { diameter: 1e-4 }, &paper());
     assert_eq!(placed, Err(PlaceError::Arm(InvalidArm::NothingReachable)), "a line holds no zone");
 }
@@ -63,7 +66,7 @@ fn an_elbow_range_of_very_many_turns_is_refused() {
 }
 #[test]
 fn an_infinite_point_is_no_range() {
-    assert!(Range::new(f64::INFINITY, f64::INFINITY).is_none());
+    assert!(Interval::new(f64::INFINITY, f64::INFINITY).is_none());
 }
 #[test]
 fn a_limit_of_1e47_rad_is_refused() {

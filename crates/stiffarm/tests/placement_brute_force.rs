@@ -7,7 +7,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use stiffarm::drive::Architecture;
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::place::{Orientation, PlaceOptions, Placed, Within, place};
 use stiffarm::plane::{InvalidArm, PlanarArm};
 use stiffarm::task::Zone;
@@ -74,7 +74,7 @@ fn worst(arm: &PlanarArm, shoulder: f64, elbow: f64) -> f64 {
 
 /// The largest compliance over the outline, where some elbow side and some whole turns keep every point in the limits.
 fn brute(arm: &PlanarArm, points: &[[f64; 2]], slack: f64) -> Option<f64> {
-    let free_turns = |range: Range| if range.is_all() { 0..=0 } else { -3_i32..=3 };
+    let free_turns = |range: Interval| if range.is_all() { 0..=0 } else { -3_i32..=3 };
     for side in [-1.0, 1.0] {
         let mut postures = Vec::new();
         let mut bearing = points[0][1].atan2(points[0][0]);
@@ -102,7 +102,7 @@ fn brute(arm: &PlanarArm, points: &[[f64; 2]], slack: f64) -> Option<f64> {
             continue;
         }
         let turn = |n: i32| 2.0 * PI * f64::from(n);
-        let turns = |range: Range| {
+        let turns = |range: Interval| {
             if arm.forearm.is_all() { free_turns(range) } else { -3..=3 }
         };
         for i in turns(arm.shoulder) {
@@ -122,13 +122,13 @@ fn brute(arm: &PlanarArm, points: &[[f64; 2]], slack: f64) -> Option<f64> {
     None
 }
 
-fn random_range(rng: &mut fastrand::Rng, probability: f64, centre: f64, spread: f64) -> Range {
+fn random_range(rng: &mut fastrand::Rng, probability: f64, centre: f64, spread: f64) -> Interval {
     if probability < rng.f64() {
-        return Range::ALL;
+        return Interval::ALL;
     }
     let centre = centre + spread * (rng.f64() - 0.5);
     let half = 0.15 + 1.6 * rng.f64();
-    Range::new(centre - half, centre + half).unwrap()
+    Interval::new(centre - half, centre + half).unwrap()
 }
 
 fn random_arm(rng: &mut fastrand::Rng) -> PlanarArm {
@@ -165,8 +165,8 @@ fn options(rng: &mut fastrand::Rng, reach: f64, gap: f64) -> PlaceOptions {
     let mut within = Within::ANYWHERE;
     if rng.u8(0..4) == 0 {
         let low = -reach * rng.f64();
-        within.x = Range::new(reach * (rng.f64() - 0.4), reach * 2.0).unwrap();
-        within.z = Range::new(low, low + reach * (0.4 + rng.f64())).unwrap();
+        within.x = Interval::new(reach * (rng.f64() - 0.4), reach * 2.0).unwrap();
+        within.z = Interval::new(low, low + reach * (0.4 + rng.f64())).unwrap();
     }
     PlaceOptions { force: FORCE, orientation, within, gap }
 }

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use stiffarm::catalogue::paper_robots;
 use stiffarm::drive::Architecture;
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::map::{Axis, Component, Direction, Map, MapOptions, map};
 use stiffarm::place::{Orientation, PlaceOptions, Placed, Placement, Within, place};
 use stiffarm::plane::{Elbow, PlanarArm};
@@ -23,10 +23,10 @@ fn fixed(cases: u32, seed: u64) -> Config {
     Config { cases, failure_persistence: None, rng_seed: RngSeed::Fixed(seed), ..Config::default() }
 }
 
-fn limit(centre: f64) -> impl Strategy<Value = Range> {
+fn limit(centre: f64) -> impl Strategy<Value = Interval> {
     let some = (-1.0..1.0, 0.2..1.8)
-        .prop_map(move |(shift, half)| Range::spanning(centre + shift - half, centre + shift + half));
-    prop_oneof![2 => Just(Range::ALL), 3 => some]
+        .prop_map(move |(shift, half)| Interval::spanning(centre + shift - half, centre + shift + half));
+    prop_oneof![2 => Just(Interval::ALL), 3 => some]
 }
 
 fn free_arms() -> impl Strategy<Value = PlanarArm> {
@@ -51,7 +51,7 @@ fn zones() -> impl Strategy<Value = Zone> {
 
 fn withins() -> impl Strategy<Value = Within> {
     let some = (-1.0..1.0, 0.5..2.0, -1.5..0.5, 0.5..2.0)
-        .prop_map(|(x, dx, z, dz)| Within { x: Range::spanning(x, x + dx), z: Range::spanning(z, z + dz) });
+        .prop_map(|(x, dx, z, dz)| Within { x: Interval::spanning(x, x + dx), z: Interval::spanning(z, z + dz) });
     prop_oneof![2 => Just(Within::ANYWHERE), 1 => some]
 }
 
@@ -67,7 +67,7 @@ fn answer(arm: &PlanarArm, zone: Zone, within: Within) -> Option<Placement> {
     placed.feasible().cloned()
 }
 
-fn scaled(range: Range, scale: f64) -> Range {
+fn scaled(range: Interval, scale: f64) -> Interval {
     range.affine(scale, 0.0)
 }
 
@@ -126,7 +126,7 @@ proptest! {
                 Zone::Rectangle { width, height } => (height, width),
             };
             // A play of 1e-6 m moves the deflection by about as much relatively: far less than the gap.
-            let around = |centre: f64, side: f64| Range::spanning(centre - side / 2.0 - 1e-6, centre + side / 2.0 + 1e-6);
+            let around = |centre: f64, side: f64| Interval::spanning(centre - side / 2.0 - 1e-6, centre + side / 2.0 + 1e-6);
             let there = Within { x: around(x, width), z: around(z, height) };
             let again = answer(&mirrored, zone, there);
             prop_assert!(again.is_some(), "{found:?}");
@@ -138,15 +138,15 @@ proptest! {
     fn a_tighter_limit_never_lowers_the_deflection(
         arm in arms(), zone in zones(), which in 0..3_usize, cut in prop::array::uniform2(0.0..0.3),
     ) {
-        let tighter = |range: Range, usual: Range| {
+        let tighter = |range: Interval, usual: Interval| {
             let from = if range.is_all() { usual } else { range };
-            Range::spanning(from.min() + cut[0] * from.width(), from.max() - cut[1] * from.width())
+            Interval::spanning(from.min() + cut[0] * from.width(), from.max() - cut[1] * from.width())
         };
         let mut tight = arm.clone();
         match which {
-            0 => tight.shoulder = tighter(arm.shoulder, Range::spanning(-0.5, 2.5)),
-            1 => tight.elbow = tighter(arm.elbow, Range::spanning(-PI, PI)),
-            _ => tight.forearm = tighter(arm.forearm, Range::spanning(-2.0, 1.5)),
+            0 => tight.shoulder = tighter(arm.shoulder, Interval::spanning(-0.5, 2.5)),
+            1 => tight.elbow = tighter(arm.elbow, Interval::spanning(-PI, PI)),
+            _ => tight.forearm = tighter(arm.forearm, Interval::spanning(-2.0, 1.5)),
         }
         if tight.sides().is_ok() {
             let (wide, narrow) = (answer(&arm, zone, Within::ANYWHERE), answer(&tight, zone, Within::ANYWHERE));
@@ -170,7 +170,7 @@ proptest! {
     fn a_place_within_bounds_is_never_better_than_one_anywhere_and_keeps_the_bounds(
         arm in arms(), zone in zones(), x in -1.0..1.0, dx in 0.3..2.0, z in -1.5..0.5, dz in 0.3..2.0,
     ) {
-        let within = Within { x: Range::spanning(x, x + dx), z: Range::spanning(z, z + dz) };
+        let within = Within { x: Interval::spanning(x, x + dx), z: Interval::spanning(z, z + dz) };
         let (anywhere, there) = (answer(&arm, zone, Within::ANYWHERE), answer(&arm, zone, within));
         prop_assert!(anywhere.is_some() || there.is_none(), "{there:?}");
         if let (Some(anywhere), Some(there)) = (anywhere, there) {

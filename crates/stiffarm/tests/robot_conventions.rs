@@ -9,7 +9,8 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use stiffarm::catalogue::{names, paper_robots, read};
 use stiffarm::geometry::Geometry;
-use stiffarm::limits::{Limits, Range, ThirdAxis};
+use stiffarm::interval::Interval;
+use stiffarm::limits::{Limits, ThirdAxis};
 use stiffarm::place::{PlaceOptions, Within, place_robot};
 use stiffarm::robot::{Arm, NoArmPlane, Robot};
 use stiffarm::task::Zone;
@@ -58,7 +59,7 @@ fn assert_plane(robot: &Robot, [upper_arm, line]: [f64; 2], expected: [f64; 3]) 
     );
 }
 
-fn assert_range(what: &str, range: Range, by_hand_deg: [f64; 2]) {
+fn assert_range(what: &str, range: Interval, by_hand_deg: [f64; 2]) {
     let found = [range.min().to_degrees(), range.max().to_degrees()];
     let close = (0..2).all(|i| found[i] == by_hand_deg[i] || (found[i] - by_hand_deg[i]).abs() < DEGREE);
     assert!(close, "{what}: {found:?}, by hand {by_hand_deg:?}");
@@ -337,7 +338,7 @@ fn chain(g: &Geometry, [t1, t2, t3]: [f64; 3]) -> [[f64; 3]; 3] {
 }
 
 /// Reported angles of joints 2 and 3, up to 40 deg beyond either limit; `place` runs over 0 to 1.
-fn around(range: Range, place: f64) -> f64 {
+fn around(range: Interval, place: f64) -> f64 {
     let beyond = 40_f64.to_radians();
     range.min() - beyond + place * (range.width() + 2.0 * beyond)
 }
@@ -395,9 +396,9 @@ proptest! {
         let joints = [(limits.joints[1], q[1]), (limits.joints[2], q[2]), (limits.elbow, enclosed)];
         let angles = [(plane.arm.shoulder, shoulder), (plane.arm.elbow, forearm - shoulder), (plane.arm.forearm, forearm)];
         // Rounding decides within 1e-9 rad of an end, on either side.
-        let near_an_end = |(range, x): &(Range, f64)| range.contains(*x, 1e-9) != range.contains(*x, -1e-9);
+        let near_an_end = |(range, x): &(Interval, f64)| range.contains(*x, 1e-9) != range.contains(*x, -1e-9);
         if !joints.iter().chain(&angles).any(near_an_end) {
-            let inside = |all: [(Range, f64); 3]| all.into_iter().all(|(range, x)| range.contains(x, 0.0));
+            let inside = |all: [(Interval, f64); 3]| all.into_iter().all(|(range, x)| range.contains(x, 0.0));
             prop_assert_eq!(inside(joints), inside(angles), "{}: {:?} {:?}", robot.name, joints, angles);
         }
     }
@@ -419,7 +420,7 @@ fn the_random_joints_fall_on_both_sides_of_every_limit() {
 #[test]
 fn where_a_zone_may_stand_counts_from_the_base_and_its_place_from_the_axis_of_joint_2() {
     // A play of 1e-6 m, because a range that leaves one point is found by chance only.
-    let play = |from: f64, to: f64| Range::spanning(from - 1e-6, to + 1e-6);
+    let play = |from: f64, to: f64| Interval::spanning(from - 1e-6, to + 1e-6);
     let within = Within { x: play(1.5, 1.7), z: play(1.0, 1.2) };
     let options = PlaceOptions { within, ..PlaceOptions::paper(1000.0) };
     let placed = place_robot(&robot("KR 210 R2700 extra"), Zone::Circle { diameter: 0.2 }, &options).unwrap();

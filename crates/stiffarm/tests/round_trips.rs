@@ -5,8 +5,9 @@ use std::f64::consts::{PI, TAU};
 use rayon::prelude::*;
 use stiffarm::catalogue::robots;
 use stiffarm::geometry::Geometry;
-use stiffarm::inverse::{Class, postures, reached};
-use stiffarm::limits::{Limits, Range};
+use stiffarm::interval::Interval;
+use stiffarm::inverse::{Configuration, postures, reached};
+use stiffarm::limits::Limits;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 
@@ -132,8 +133,8 @@ impl<'a> Subject<'a> {
     fn assert_kept(
         &self,
         flange: &Pose,
-        found: &[(Class, [f64; 6])],
-        kept: &[(Class, [f64; 6])],
+        found: &[(Configuration, [f64; 6])],
+        kept: &[(Configuration, [f64; 6])],
         case: impl Fn() -> String,
     ) {
         for (class, theta) in found {
@@ -153,7 +154,7 @@ impl<'a> Subject<'a> {
 }
 
 /// Some whole turns put an angle into a range.
-fn fits(range: Range, angle: f64, slack: f64) -> bool {
+fn fits(range: Interval, angle: f64, slack: f64) -> bool {
     (-4..=4).map(|turns| angle + TAU * f64::from(turns)).any(|x| range.min() - slack <= x && x <= range.max() + slack)
 }
 

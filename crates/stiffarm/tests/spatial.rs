@@ -7,7 +7,8 @@ use stiffarm::catalogue::paper_robots;
 use stiffarm::compliance::compliance;
 use stiffarm::drive::{Architecture, Drives, JointCompliance};
 use stiffarm::geometry::Geometry;
-use stiffarm::limits::{Limits, Range, ThirdAxis};
+use stiffarm::interval::Interval;
+use stiffarm::limits::{Limits, ThirdAxis};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::{Pose, Wrench};
 
@@ -24,7 +25,8 @@ fn random_robot(rng: &mut fastrand::Rng, architecture: Architecture, drives: [f6
         offset: std::array::from_fn(|_| 0.0),
         sign: std::array::from_fn(|_| 1.0),
     };
-    let limits = Limits { joints: [Range::ALL; 6], third_axis: ThirdAxis::Elbow, elbow: Range::ALL, speeds: None };
+    let limits =
+        Limits { joints: [Interval::ALL; 6], third_axis: ThirdAxis::Elbow, elbow: Interval::ALL, speeds: None };
     let mut robot = paper_robots().swap_remove(0);
     robot.architecture = architecture;
     robot.arm = Arm::SixAxis { geometry, limits, drives: Drives::new(architecture, JointCompliance(drives)) };

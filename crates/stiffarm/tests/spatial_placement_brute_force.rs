@@ -12,8 +12,9 @@ use stiffarm::catalogue::{Entry, entries};
 use stiffarm::compliance::{beyond_limits, compliance};
 use stiffarm::drive::JointCompliance;
 use stiffarm::geometry::Geometry;
-use stiffarm::inverse::{Class, reached};
-use stiffarm::limits::{Limits, Range};
+use stiffarm::interval::Interval;
+use stiffarm::inverse::{Configuration, reached};
+use stiffarm::limits::Limits;
 use stiffarm::place::{
     Orientation, PlaceOptions, Placed, Placement, SpatialOptions, SpatialPlacement, Within, place, place_in_space,
 };
@@ -50,7 +51,7 @@ struct Held {
     /// The largest translation per force, m/N.
     worst: f64,
     /// The least and the largest angle of every joint, followed without a jump.
-    joints: [Range; 6],
+    joints: [Interval; 6],
     singular_margin: f64,
     /// How far the angle between the links stays from its limits, rad.
     elbow_room: f64,
@@ -110,14 +111,14 @@ fn widened(robot: &Robot, by: f64) -> Robot {
     let mut robot = robot.clone();
     if let Arm::SixAxis { limits, .. } = &mut robot.arm {
         for range in limits.joints.iter_mut().chain([&mut limits.elbow]) {
-            *range = range.plus(Range::spanning(-by, by));
+            *range = range.plus(Interval::spanning(-by, by));
         }
     }
     robot
 }
 
 /// The largest room to the ends of `range`, some whole turns added; negative where nothing fits.
-fn room(range: Range, taken: Range) -> f64 {
+fn room(range: Interval, taken: Interval) -> f64 {
     let room = |turns: f64| (taken.min() + turns - range.min()).min(range.max() - taken.max() - turns);
     (-4..=4).map(|turns| room(TAU * f64::from(turns))).fold(f64::NEG_INFINITY, f64::max)
 }
@@ -139,28 +140,28 @@ impl Question {
     fn with_zone_and_roll_to_turn(&self) -> Robot {
         let mut robot = self.robot.clone();
         if let Arm::SixAxis { limits, .. } = &mut robot.arm {
-            limits.joints[0] = Range::ALL;
+            limits.joints[0] = Interval::ALL;
             if self.roll_is_free() {
-                limits.joints[5] = Range::ALL;
+                limits.joints[5] = Interval::ALL;
             }
         }
         robot
     }
 
-    fn posture(&self, robot: &Robot, stand: &Stand, class: Class, at: [f64; 2]) -> Option<[f64; 6]> {
+    fn posture(&self, robot: &Robot, stand: &Stand, class: Configuration, at: [f64; 2]) -> Option<[f64; 6]> {
         let flange = stand.pose(self.options.elevation, at) * self.options.flange_from_tool.inverse();
         reached(robot, &flange).into_iter().find(|(found, _)| *found == class).map(|(_, q)| q)
     }
 
     /// Walks from the centre to every point of the rim in one class; `None` where a pose is out of reach, a joint turns by a
     /// quarter turn from the centre, no whole turns put its way into its range, or the compliance reaches `limit`.
-    fn hold(&self, robot: &Robot, stand: &Stand, class: Class, cells: usize, limit: f64) -> Option<Held> {
+    fn hold(&self, robot: &Robot, stand: &Stand, class: Configuration, cells: usize, limit: f64) -> Option<Held> {
         let (geometry, limits) = six_axis(robot);
         let model = |q: &[f64; 6]| geometry.model_angles(q, limits.third_axis);
         let centre = self.posture(robot, stand, class, [0.0; 2])?;
         let mut held = Held {
             worst: 0.0,
-            joints: centre.map(Range::point),
+            joints: centre.map(Interval::point),
             singular_margin: f64::INFINITY,
             elbow_room: f64::INFINITY,
             pace: 0.0,
@@ -182,12 +183,12 @@ impl Question {
                 if limits.elbow.is_bounded() {
                     let enclosed = PI - model(&q)[2];
                     let whole = ((limits.elbow.middle() - enclosed) / TAU).round() * TAU;
-                    held.elbow_room = held.elbow_room.min(room(limits.elbow, Range::point(enclosed + whole)));
+                    held.elbow_room = held.elbow_room.min(room(limits.elbow, Interval::point(enclosed + whole)));
                 }
                 for joint in 0..6 {
                     held.pace = held.pace.max((q[joint] - last[joint]).abs());
                     let taken = held.joints[joint];
-                    held.joints[joint] = Range::spanning(taken.min().min(q[joint]), taken.max().max(q[joint]));
+                    held.joints[joint] = Interval::spanning(taken.min().min(q[joint]), taken.max().max(q[joint]));
                 }
                 last = q;
             }
@@ -241,9 +242,9 @@ impl Question {
         let (geometry, _) = six_axis(&self.robot);
         let far = geometry.c2 + geometry.l3() + geometry.c4.abs() + options.flange_from_tool.translation.vector.norm();
         let long = geometry.a1.hypot(geometry.b) + far;
-        let ahead = options.within.x.intersect(Range::spanning(-long, long));
-        let up = options.within.z.intersect(Range::spanning(geometry.c1 - far, geometry.c1 + far));
-        let spread = |range: Range, count: usize| -> Vec<f64> {
+        let ahead = options.within.x.intersect(Interval::spanning(-long, long));
+        let up = options.within.z.intersect(Interval::spanning(geometry.c1 - far, geometry.c1 + far));
+        let spread = |range: Interval, count: usize| -> Vec<f64> {
             (0..count).map(|i| range.min() + range.width() * (i as f64 + 0.5) / count as f64).collect()
         };
         let is_vertical = FRAC_PI_2 - options.elevation.abs() < 1e-9;
@@ -252,12 +253,12 @@ impl Question {
             _ if matches!(self.zone, Zone::Circle { .. }) => vec![0.0],
             Orientation::Axes => vec![0.0, FRAC_PI_2],
             Orientation::Fixed(angle) => vec![angle],
-            Orientation::Free => spread(Range::spanning(0.0, PI), 6),
+            Orientation::Free => spread(Interval::spanning(0.0, PI), 6),
         };
         let rolls = match options.roll {
             Some(roll) => vec![roll],
             None if self.roll_is_free() => vec![0.0],
-            None => spread(Range::spanning(0.0, TAU), 8),
+            None => spread(Interval::spanning(0.0, TAU), 8),
         };
         let mut trials = Vec::new();
         let (Some(ahead), Some(up)) = (ahead, up) else { return trials };
@@ -311,7 +312,7 @@ impl Question {
         assert!(self.stands_within(&stand), "{}", case());
         let same = |a: f64, b: f64, period: f64| (a - b - ((a - b) / period).round() * period).abs() < 1e-9;
         let is_vertical = FRAC_PI_2 - options.elevation.abs() < 1e-9;
-        let yaw = room(options.yaw, Range::point(stand.yaw));
+        let yaw = room(options.yaw, Interval::point(stand.yaw));
         assert!(if is_vertical { stand.yaw == 0.0 } else { -SLACK <= yaw }, "{}", case());
         assert!(options.roll.is_none_or(|roll| same(roll, stand.roll, TAU)), "{}", case());
         let angle_is_allowed = match options.orientation {
@@ -416,7 +417,7 @@ fn with_drive_1_alone_the_best_place_is_the_nearest() {
         let mut robot = random_robot(&mut rng);
         let k = 1e-6 * (0.5 + rng.f64());
         let Arm::SixAxis { geometry, limits, drives } = &mut robot.arm else { panic!("made of six axes") };
-        *limits = Limits { joints: [Range::ALL; 6], elbow: Range::ALL, ..limits.clone() };
+        *limits = Limits { joints: [Interval::ALL; 6], elbow: Interval::ALL, ..limits.clone() };
         geometry.b = 0.0;
         drives.compliance = JointCompliance([k, 0.0, 0.0, 0.0, 0.0, 0.0]);
         let reach = robot.stretch();
@@ -424,7 +425,7 @@ fn with_drive_1_alone_the_best_place_is_the_nearest() {
         let zone =
             if seed.is_multiple_of(2) { Zone::Circle { diameter: width } } else { Zone::Rectangle { width, height } };
         let mut options = SpatialOptions::tool_down(1000.0);
-        options.within.x = Range::new(near, f64::INFINITY).unwrap();
+        options.within.x = Interval::new(near, f64::INFINITY).unwrap();
         let found = place_in_space(&robot, zone, &options).unwrap();
         let found = found.feasible().unwrap_or_else(|| panic!("seed {seed}: {found:?}"));
         let [x, y, _] = found.worst_point;
@@ -451,7 +452,7 @@ fn a_zone_in_the_arm_plane_has_the_place_that_the_planar_model_proves() {
         let Arm::SixAxis { geometry, limits, drives } = &mut robot.arm else { panic!("made of six axes") };
         geometry.b = 0.0;
         for joint in [0, 3, 4, 5] {
-            limits.joints[joint] = Range::ALL;
+            limits.joints[joint] = Interval::ALL;
             drives.compliance.0[joint] = 0.0;
         }
         let to_the_wrist = Pose::translation(0.0, 0.0, -geometry.c4);
@@ -461,11 +462,11 @@ fn a_zone_in_the_arm_plane_has_the_place_that_the_planar_model_proves() {
             1 => Zone::Rectangle { width: size, height: size / 2.0 },
             _ => Zone::Rectangle { width: size / 3.0, height: size },
         };
-        let anywhere = Within { x: Range::POSITIVE, z: Range::ALL };
+        let anywhere = Within { x: Interval::POSITIVE, z: Interval::ALL };
         let options = SpatialOptions {
             flange_from_tool: to_the_wrist,
             elevation: 0.0,
-            yaw: Range::point(FRAC_PI_2),
+            yaw: Interval::point(FRAC_PI_2),
             within: anywhere,
             ..SpatialOptions::tool_down(1000.0)
         };

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use stiffarm::drive::Architecture;
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::study::{Contender, StudyError, StudyOptions, study};
 use stiffarm::task::Zone;
 
@@ -62,7 +62,7 @@ fn no_ratio_of_a_dense_scan_is_better_than_the_best_and_one_is_nearly_as_good() 
         let zone = if is_circle { Zone::Circle { diameter: a } } else { Zone::Rectangle { width: a, height: b } };
         let stances = if is_circle { vec![(a, 0.0)] } else { vec![(a, b), (b, a)] };
         let range = [(0.5, 1.5), (0.05, 20.0), (0.9, 3.0)][rng.usize(..3)];
-        let best = contender.best_ratio(zone, Range::spanning(range.0, range.1)).unwrap();
+        let best = contender.best_ratio(zone, Interval::spanning(range.0, range.1)).unwrap();
         let scan = (0..=200)
             .map(|i| by_scan(&contender, &stances, range.0 * (range.1 / range.0).powf(f64::from(i) / 200.0), 60))
             .fold(f64::INFINITY, f64::min);
@@ -89,7 +89,7 @@ fn the_best_ratio_is_found_where_hardly_any_fits() {
     let options = StudyOptions {
         sizes: vec![0.999],
         ratios: vec![1.0, 0.99801, 1.00199, 0.99799, 1.00201],
-        range: Range::spanning(0.05, 20.0),
+        range: Interval::spanning(0.05, 20.0),
         ..StudyOptions::paper()
     };
     let found = study(&options).unwrap();
@@ -112,11 +112,12 @@ fn the_best_ratio_is_found_where_hardly_any_fits() {
 fn a_zone_that_one_ratio_alone_holds_is_held_at_that_ratio() {
     // Equal links fold to a point: the largest circle has the diameter l2 + l3.
     let serial = Contender::equal(Architecture::Serial);
-    let (mu, accuracy) = serial.best_ratio(Zone::Circle { diameter: 1.0 }, Range::spanning(0.3, 3.0)).unwrap().unwrap();
+    let (mu, accuracy) =
+        serial.best_ratio(Zone::Circle { diameter: 1.0 }, Interval::spanning(0.3, 3.0)).unwrap().unwrap();
     // Stretched: k ((l2 + l3)^2 + l3^2) = 1.25.
     assert!((mu - 1.0).abs() < 1e-9 && (accuracy - 1.25).abs() < 1e-9, "{mu} {accuracy}");
-    assert_eq!(serial.best_ratio(Zone::Circle { diameter: 1.0 }, Range::spanning(1.1, 3.0)).unwrap(), None);
-    assert_eq!(serial.best_ratio(Zone::Circle { diameter: 1.000_001 }, Range::spanning(0.3, 3.0)).unwrap(), None);
+    assert_eq!(serial.best_ratio(Zone::Circle { diameter: 1.0 }, Interval::spanning(1.1, 3.0)).unwrap(), None);
+    assert_eq!(serial.best_ratio(Zone::Circle { diameter: 1.000_001 }, Interval::spanning(0.3, 3.0)).unwrap(), None);
 }
 
 #[test]
@@ -143,7 +144,7 @@ fn a_study_with_a_compliance_out_of_range_says_so_and_one_with_a_rigid_drive_ans
         assert!(matches!(refused, StudyError::Quantity { min: 0.001, max: 1000.0, .. }), "{refused:?}");
         let alone = Contender { k2: nonsense, ..Contender::equal(Architecture::Serial) };
         assert!(alone.accuracy(Zone::Circle { diameter: 0.1 }, 1.0).is_err());
-        assert!(alone.best_ratio(Zone::Circle { diameter: 0.1 }, Range::spanning(0.5, 1.5)).is_err());
+        assert!(alone.best_ratio(Zone::Circle { diameter: 0.1 }, Interval::spanning(0.5, 1.5)).is_err());
     }
     assert_eq!(of(0.0, 0.0).unwrap_err(), StudyError::Rigid);
     for (k2, k3) in [(0.0, 1.0), (1.0, 0.0), (1e3, 1e-3), (2.0, 1.0)] {

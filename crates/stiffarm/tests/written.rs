@@ -7,7 +7,8 @@ use proptest::test_runner::RngSeed;
 use stiffarm::catalogue::{read, write};
 use stiffarm::drive::{Architecture, Drives, GravityCompensator, JointCompliance, Transmission};
 use stiffarm::geometry::Geometry;
-use stiffarm::limits::{Limits, Range, ThirdAxis};
+use stiffarm::interval::Interval;
+use stiffarm::limits::{Limits, ThirdAxis};
 use stiffarm::plane::PlanarArm;
 use stiffarm::robot::{Arm, Robot, Status};
 
@@ -26,8 +27,8 @@ fn angle(min: f64, max: f64) -> impl Strategy<Value = f64> {
 }
 
 /// So wide that every arm reaches something.
-fn range() -> impl Strategy<Value = Range> {
-    (angle(-350.0, -185.0), angle(185.0, 350.0)).prop_map(|(min, max)| Range::spanning(min, max))
+fn range() -> impl Strategy<Value = Interval> {
+    (angle(-350.0, -185.0), angle(185.0, 350.0)).prop_map(|(min, max)| Interval::spanning(min, max))
 }
 
 fn compliance() -> impl Strategy<Value = f64> {
@@ -56,10 +57,10 @@ fn geometry() -> impl Strategy<Value = Geometry> {
 
 fn limits() -> impl Strategy<Value = Limits> {
     // Beside a limit on the elbow itself, one on the enclosed angle may leave nothing.
-    let enclosed = (angle(1.0, 60.0), angle(300.0, 359.0)).prop_map(|(min, max)| Range::spanning(min, max));
+    let enclosed = (angle(1.0, 60.0), angle(300.0, 359.0)).prop_map(|(min, max)| Interval::spanning(min, max));
     let third = prop_oneof![
-        Just((ThirdAxis::Elbow, Range::ALL)),
-        Just((ThirdAxis::Forearm, Range::ALL)),
+        Just((ThirdAxis::Elbow, Interval::ALL)),
+        Just((ThirdAxis::Forearm, Interval::ALL)),
         enclosed.prop_map(|enclosed| (ThirdAxis::Forearm, enclosed)),
     ];
     let speeds = proptest::option::of(six(|| angle(1.0, 900.0)));
@@ -88,7 +89,7 @@ fn drives(architecture: Architecture) -> impl Strategy<Value = Drives> {
 }
 
 fn planar(architecture: Architecture) -> impl Strategy<Value = PlanarArm> {
-    let all = || prop_oneof![Just(Range::ALL), range()];
+    let all = || prop_oneof![Just(Interval::ALL), range()];
     (length(200.0, 3000.0), length(200.0, 3000.0), compliance(), compliance(), all(), all(), all()).prop_map(
         move |(l2, l3, k2, k3, shoulder, elbow, forearm)| PlanarArm {
             l2,
@@ -165,9 +166,9 @@ proptest! {
             k2: 1e-6,
             k3: 1e-6,
             architecture: Architecture::Serial,
-            shoulder: Range::spanning(radians - 1.0, radians),
-            elbow: Range::ALL,
-            forearm: Range::ALL,
+            shoulder: Interval::spanning(radians - 1.0, radians),
+            elbow: Interval::ALL,
+            forearm: Interval::ALL,
         };
         let robot = Robot {
             name: "two links".into(),

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde_json::json;
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::import::{ImportOptions, Imported, SAMPLES, import};
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::robot::Arm;
 
 use crate::args::{Common, Format, ImportArgs};
@@ -32,7 +32,7 @@ fn options(args: &ImportArgs) -> Result<ImportOptions, Failure> {
         0 => None,
         6 => Some(std::array::from_fn(|i| {
             let range = args.limits_deg[i];
-            Range::spanning(range.min().to_radians(), range.max().to_radians())
+            Interval::spanning(range.min().to_radians(), range.max().to_radians())
         })),
         n => return Err(Failure::Usage(format!("--limits-deg has {n} ranges; expected six, separated by commas"))),
     };

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::map::{Component, Direction, Map, MapError, MapOptions, Spacing, map, reached_box, stiffest_posture};
 use stiffarm::place::{PlaceOptions, Placement, Within, find_robot};
 use stiffarm::plane::PlanarArm;
@@ -109,7 +109,7 @@ impl MapAnswer {
 
     /// Where the zone had to stand, where that was restricted.
     fn window(&self) -> String {
-        let range = |range: Range| {
+        let range = |range: Interval| {
             let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
             format!("{}..{}", end(range.min()), end(range.max()))
         };

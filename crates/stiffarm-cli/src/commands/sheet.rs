@@ -4,7 +4,8 @@ use std::io::{self, Write};
 
 use stiffarm::drive::{Architecture, Drives, Transmission};
 use stiffarm::geometry::Geometry;
-use stiffarm::limits::{Limits, Range, ThirdAxis};
+use stiffarm::interval::Interval;
+use stiffarm::limits::{Limits, ThirdAxis};
 use stiffarm::map::MapError;
 use stiffarm::plane::PlanarArm;
 use stiffarm::report;
@@ -27,7 +28,7 @@ pub(super) fn architecture(robot: &Robot) -> String {
 pub(super) struct Sheet(pub(super) Robot);
 
 /// `-40.0 to 160.0`, in degrees.
-fn degrees(range: Range) -> String {
+fn degrees(range: Interval) -> String {
     if range.is_all() {
         "no limit".into()
     } else {

@@ -184,7 +184,7 @@ pub(super) fn edge(columns: usize, rows: usize, reached: &dyn Fn(Node) -> bool) 
 #[cfg(test)]
 mod tests {
     use stiffarm::drive::Architecture;
-    use stiffarm::limits::Range;
+    use stiffarm::interval::Interval;
     use stiffarm::map::{self, Component, Direction, MapOptions};
 
     use stiffarm::task::Zone;
@@ -194,7 +194,7 @@ mod tests {
     use super::*;
 
     fn arm() -> PlanarArm {
-        let limits = |a, b| Range::spanning(a, b);
+        let limits = |a, b| Interval::spanning(a, b);
         let free = PlanarArm::free(1.0, 0.8, 1e-6, 1e-6, Architecture::Serial);
         PlanarArm { shoulder: limits(0.2, 2.4), elbow: limits(-2.5, 1.0), ..free }
     }

@@ -1,6 +1,6 @@
 //! What an arm reaches in its plane, with either elbow, measured from the base.
 
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::map::reached_box;
 use stiffarm::plane::{Elbow, ElbowSide, PlanarArm};
 
@@ -101,10 +101,10 @@ fn entry(elbow: Elbow, look: [&'static str; 2]) -> Entry {
 }
 
 /// The path of what some of the sides reach.
-fn area(sides: &[&ElbowSide], [x, z]: [Range; 2], frame: &Frame) -> String {
+fn area(sides: &[&ElbowSide], [x, z]: [Interval; 2], frame: &Frame) -> String {
     let step = x.width().max(z.width()) / POINTS as f64;
     // One cell around, so that the edge closes.
-    let count = |range: Range| (range.width() / step).ceil() as usize + 3;
+    let count = |range: Interval| (range.width() / step).ceil() as usize + 3;
     let metres = |[i, j]: Node| [x.min() + step * (i - 1.0), z.min() + step * (j - 1.0)];
     let reached = |node: Node| sides.iter().any(|side| side.reaches(metres(node).into()));
     let rings = edge(count(x), count(z), &reached);
@@ -118,7 +118,7 @@ fn area(sides: &[&ElbowSide], [x, z]: [Range; 2], frame: &Frame) -> String {
 fn usual_posture(arm: &PlanarArm) -> Option<(f64, f64)> {
     const WANTED: [f64; 2] = [80.0, -5.0];
     let turns = |angle: f64, wanted: f64| (angle - wanted + 180.0).rem_euclid(360.0) - 180.0;
-    let allowed = |range: Range, degrees: f64| range.turn_to(degrees.to_radians(), 0.0);
+    let allowed = |range: Interval, degrees: f64| range.turn_to(degrees.to_radians(), 0.0);
     let angles = || (-60..60).map(|i| f64::from(3 * i));
     let mut best: Option<(f64, (f64, f64))> = None;
     for upper in angles() {
@@ -163,7 +163,7 @@ mod tests {
     fn the_drawn_edge_encloses_the_area_that_the_arm_reaches() {
         // An elbow from 0 to -90 deg and no other limit: the ring between hypot(l2, l3) and l2 + l3.
         let free = PlanarArm::free(1.0, 0.75, 1e-6, 1e-6, Architecture::Serial);
-        let arm = PlanarArm { elbow: Range::spanning(-std::f64::consts::FRAC_PI_2, 0.0), ..free };
+        let arm = PlanarArm { elbow: Interval::spanning(-std::f64::consts::FRAC_PI_2, 0.0), ..free };
         let (x, y) = (Axis::new(-2.0, 2.0, [0.0, 400.0]), Axis::new(-2.0, 2.0, [400.0, 0.0]));
         let sides = arm.sides().unwrap();
         let drawn = area(&sides.iter().collect::<Vec<_>>(), reached_box(&arm).unwrap(), &Frame { x, y });

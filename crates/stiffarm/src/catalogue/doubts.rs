@@ -54,7 +54,7 @@ mod tests {
         // By hand: an upper arm that stops upright leaves a1 + l3 = 0.350 + 1.2007 m.
         let mut upright = kuka.clone();
         let Arm::SixAxis { limits, .. } = &mut upright.arm else { unreachable!("six axes") };
-        limits.joints[1] = crate::limits::Range::spanning(-140_f64.to_radians(), -90_f64.to_radians());
+        limits.joints[1] = crate::interval::Interval::spanning(-140_f64.to_radians(), -90_f64.to_radians());
         assert!(doubts(&upright)[0].contains("comes 1.551 m ahead"), "{:?}", doubts(&upright));
         let Arm::SixAxis { geometry, limits, drives } = kuka.arm.clone() else { unreachable!("six axes") };
         let geometry = crate::geometry::Geometry { b: -0.0015, ..geometry };

@@ -1,7 +1,7 @@
 //! Which of many robots are wanted: by words, maker, payload, reach, architecture and status.
 
 use crate::drive::Architecture;
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::robot::{Robot, Status};
 
 /// What a robot must have; all of it.
@@ -12,9 +12,9 @@ pub struct Filter {
     /// One of these makers; any where empty.
     pub vendors: Vec<String>,
     /// Payload, kg.
-    pub payload_kg: Option<Range>,
+    pub payload_kg: Option<Interval>,
     /// Reach, m.
-    pub reach: Option<Range>,
+    pub reach: Option<Interval>,
     /// Serial or quasi-serial.
     pub architecture: Option<Architecture>,
     /// One of these; any where empty.
@@ -118,8 +118,8 @@ fn what_there_is(robots: &[Robot]) -> String {
     vendors.sort_by_key(|name| name.to_lowercase());
     vendors.dedup();
     let span = |values: &mut dyn Iterator<Item = f64>, unit: &str| {
-        let ends = values.fold(None, |ends: Option<Range>, x| {
-            Some(ends.map_or(Range::point(x), |ends| Range::spanning(ends.min().min(x), ends.max().max(x))))
+        let ends = values.fold(None, |ends: Option<Interval>, x| {
+            Some(ends.map_or(Interval::point(x), |ends| Interval::spanning(ends.min().min(x), ends.max().max(x))))
         });
         ends.map_or_else(|| format!("no {unit} stated"), |ends| format!("{} to {} {unit}", ends.min(), ends.max()))
     };
@@ -128,7 +128,7 @@ fn what_there_is(robots: &[Robot]) -> String {
     format!("there are robots of {}; payload {payload}; reach {reach}", vendors.join(", "))
 }
 
-fn written(range: Range) -> String {
+fn written(range: Interval) -> String {
     let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
     format!("{}..{}", end(range.min()), end(range.max()))
 }

@@ -9,7 +9,8 @@ use super::reader::{Log, Quantity, Table};
 use super::{Fault, Faults};
 use crate::drive::{Architecture, Drives, GravityCompensator, JointCompliance, Transmission};
 use crate::geometry::Geometry;
-use crate::limits::{Limits, Range, ThirdAxis};
+use crate::interval::Interval;
+use crate::limits::{Limits, ThirdAxis};
 use crate::plain::on_one_line;
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot, Status};
@@ -250,14 +251,14 @@ fn limits(mut table: Table) -> Option<Limits> {
 }
 
 /// From a pair in degrees that the reader has put in order.
-fn radians((min, max): (f64, f64)) -> Range {
-    Range::spanning(min.to_radians(), max.to_radians())
+fn radians((min, max): (f64, f64)) -> Interval {
+    Interval::spanning(min.to_radians(), max.to_radians())
 }
 
 impl Table<'_, '_> {
     /// `[min, max]` in degrees; no limit where the key is absent.
-    fn angles(&mut self, key: &'static str, quantity: Quantity) -> Option<Range> {
-        Some(self.range(key, quantity)?.map_or(Range::ALL, radians))
+    fn angles(&mut self, key: &'static str, quantity: Quantity) -> Option<Interval> {
+        Some(self.range(key, quantity)?.map_or(Interval::ALL, radians))
     }
 
     /// rad/(N m); the paper's value where the key is absent.

@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use crate::drive::{Drives, JointCompliance, Transmission};
 use crate::geometry::Geometry;
-use crate::limits::{Limits, Range, ThirdAxis};
+use crate::interval::Interval;
+use crate::limits::{Limits, ThirdAxis};
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot};
 
@@ -74,7 +75,7 @@ impl Text {
         self.entry(key, &list(values));
     }
 
-    fn range(&mut self, key: &str, range: Range) {
+    fn range(&mut self, key: &str, range: Interval) {
         if !range.is_all() {
             self.entry(key, &pair(range));
         }
@@ -144,7 +145,7 @@ fn list(values: impl IntoIterator<Item = String>) -> String {
     format!("[{}]", values.into_iter().collect::<Vec<_>>().join(", "))
 }
 
-fn pair(range: Range) -> String {
+fn pair(range: Interval) -> String {
     let end = |x: f64| if x.is_finite() { degrees(x) } else { plain(WIDEST_DEG.copysign(x)) };
     list([end(range.min()), end(range.max())])
 }

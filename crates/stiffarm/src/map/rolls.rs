@@ -215,7 +215,16 @@ mod tests {
     }
 
     fn at(x: Axis, z: Axis, tool: Pose, elevation: f64) -> SectionOptions {
-        SectionOptions { x, z, force: 1000.0, flange_from_tool: tool, elevation, yaw: 0.0, roll: None, class: None }
+        SectionOptions {
+            x,
+            z,
+            force: 1000.0,
+            flange_from_tool: tool,
+            elevation,
+            yaw: 0.0,
+            roll: None,
+            configuration: None,
+        }
     }
 
     #[test]

@@ -8,8 +8,9 @@ use rayon::prelude::*;
 use super::rolls::{Rolls, Way};
 use super::{Axis, MOST_CELLS_IN_SPACE, Map, MapError};
 use crate::compliance::check_held;
-use crate::inverse::{Class, SLACK, postures, within_limits};
-use crate::limits::{Limits, Range};
+use crate::interval::Interval;
+use crate::inverse::{Configuration, SLACK, postures, within_limits};
+use crate::limits::Limits;
 use crate::place::check_force;
 use crate::robot::Robot;
 use crate::space::{CLASSES, Near, Patch, SpatialArm, Stand, class};
@@ -38,7 +39,7 @@ pub struct SectionOptions {
     /// About the tool axis, rad; the stiffest at each point, to [`ROLL_TOLERANCE`], where `None`.
     pub roll: Option<f64>,
     /// One posture, or the stiffest at each point.
-    pub class: Option<Class>,
+    pub configuration: Option<Configuration>,
 }
 
 /// Deflections with the posture that holds them; absent where no posture reaches within the limits.
@@ -51,17 +52,17 @@ pub struct Section {
     /// Distance to a straight wrist or a stretched or folded arm, rad.
     pub singular_margin: Map,
     /// Posture and roll (rad) of every cell, row by row.
-    postures: Vec<Option<(Class, f64)>>,
+    postures: Vec<Option<(Configuration, f64)>>,
 }
 
 impl Section {
     /// Posture and roll, rad, at column `i` and row `j`.
-    pub fn posture(&self, i: usize, j: usize) -> Option<(Class, f64)> {
+    pub fn posture(&self, i: usize, j: usize) -> Option<(Configuration, f64)> {
         self.postures[j * self.worst.x.count + i]
     }
 
     /// Posture and roll, rad, of every cell of row `j`.
-    pub fn row(&self, j: usize) -> impl Iterator<Item = Option<(Class, f64)>> {
+    pub fn row(&self, j: usize) -> impl Iterator<Item = Option<(Configuration, f64)>> {
         let columns = self.worst.x.count;
         self.postures[j * columns..(j + 1) * columns].iter().copied()
     }
@@ -122,7 +123,7 @@ pub fn section(robot: &Robot, options: &SectionOptions) -> Result<Section, MapEr
 ///
 /// # Errors
 /// Where robot or tool make no sense.
-pub fn reached_section(robot: &Robot, options: &SectionOptions) -> Result<Option<[Range; 2]>, MapError> {
+pub fn reached_section(robot: &Robot, options: &SectionOptions) -> Result<Option<[Interval; 2]>, MapError> {
     let arm = SpatialArm::new(robot, &options.flange_from_tool)?;
     let [ahead, up] = arm.reach();
     let x = Axis::between(0.0, ahead.max(), 96);
@@ -133,9 +134,9 @@ pub fn reached_section(robot: &Robot, options: &SectionOptions) -> Result<Option
     let rows: Vec<usize> = (0..z.count).filter(|&j| (0..x.count).any(|i| reached(i, j))).collect();
     let span = |axis: Axis, cells: &[usize]| {
         let (first, last) = (*cells.first()?, *cells.last()?);
-        Some(Range::spanning(axis.at(first) - axis.step, axis.at(last) + axis.step))
+        Some(Interval::spanning(axis.at(first) - axis.step, axis.at(last) + axis.step))
     };
-    let ahead_of_axis = |range: Range| range.intersect(Range::POSITIVE);
+    let ahead_of_axis = |range: Interval| range.intersect(Interval::POSITIVE);
     Ok(span(x, &columns).and_then(ahead_of_axis).zip(span(z, &rows)).map(|(x, z)| [x, z]))
 }
 
@@ -145,7 +146,7 @@ struct Cell {
     worst: f64,
     limit_margin: f64,
     singular_margin: f64,
-    posture: Option<(Class, f64)>,
+    posture: Option<(Configuration, f64)>,
 }
 
 /// The arm without the limits that are left aside.
@@ -155,14 +156,14 @@ fn freed(arm: &SpatialArm, options: &SectionOptions) -> SpatialArm {
 }
 
 /// All postures at the centre of a stand.
-fn held(arm: &SpatialArm, patch: &Patch, stand: &Stand) -> Vec<(Class, [f64; 6])> {
+fn held(arm: &SpatialArm, patch: &Patch, stand: &Stand) -> Vec<(Configuration, [f64; 6])> {
     let flange = patch.pose(stand, [0.0; 2]) * arm.flange_from_tool.inverse();
     postures(&arm.geometry, &flange).found
 }
 
 /// Model angles of a class among the postures of a pose.
-fn of_class(found: &[(Class, [f64; 6])], class: Class) -> Option<[f64; 6]> {
-    let same_arm = |other: &Class| other.shoulder == class.shoulder && other.elbow == class.elbow;
+fn of_class(found: &[(Configuration, [f64; 6])], class: Configuration) -> Option<[f64; 6]> {
+    let same_arm = |other: &Configuration| other.shoulder == class.shoulder && other.elbow == class.elbow;
     // At a singular wrist one representative stands for both.
     let way = found.iter().find(|way| way.0 == class).or_else(|| found.iter().find(|way| same_arm(&way.0)));
     way.map(|(_, theta)| *theta)
@@ -185,7 +186,7 @@ struct Scan<'a> {
 impl<'a> Scan<'a> {
     fn new(freed: &'a SpatialArm, options: &'a SectionOptions) -> Self {
         let places: Vec<usize> =
-            (0..CLASSES).filter(|&place| options.class.is_none_or(|only| only == class(place))).collect();
+            (0..CLASSES).filter(|&place| options.configuration.is_none_or(|only| only == class(place))).collect();
         let roll = match options.roll {
             Some(roll) => Roll::One(roll),
             None if freed.tool_turns_about_axis_6() => Roll::One(0.0),
@@ -282,7 +283,7 @@ mod tests {
                 elevation: [-FRAC_PI_2, 0.0][n / 2],
                 yaw: 0.2,
                 roll: Some(0.3),
-                class: None,
+                configuration: None,
             };
             let found = section(robot, &options).unwrap();
             for j in 0..7 {
@@ -319,7 +320,7 @@ mod tests {
             elevation: 0.0,
             yaw: 0.0,
             roll: None,
-            class: None,
+            configuration: None,
         };
         let best = section(robot, &options).unwrap().worst;
         let rolled = section(robot, &SectionOptions { roll: Some(1.0), ..options }).unwrap().worst;

@@ -6,7 +6,7 @@ use std::ops::Range as Span;
 use nalgebra::Vector2;
 
 use super::Axis;
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::plane::ElbowSide;
 
 /// The part of a step within which a column counts as standing on the edge.
@@ -122,7 +122,7 @@ impl<'a> Gate<'a> {
         };
         // The forearm a whole turn away from an allowed angle must be out of reach for every allowed shoulder angle.
         let both = side.shoulder.is_bounded() && side.forearm.is_bounded();
-        let reached = side.shoulder.plus(Range::spanning(0.0, side.elbow.sign() * PI));
+        let reached = side.shoulder.plus(Interval::spanning(0.0, side.elbow.sign() * PI));
         let alias = |turns: f64| side.forearm.affine(1.0, turns * 2.0 * PI).intersect(reached).is_some();
         let plain = !both || !(alias(1.0) || alias(-1.0) || alias(2.0) || alias(-2.0));
         Self { side, circles: side.boundary_circles(), sectors: plain.then_some([upper, forearm]) }
@@ -148,7 +148,7 @@ enum Sector {
 
 impl Sector {
     /// `None` for a range that is bounded at one end only.
-    fn new(range: Range) -> Option<Self> {
+    fn new(range: Interval) -> Option<Self> {
         let unit = |angle: f64| Vector2::new(angle.cos(), angle.sin());
         if range.is_all() || 2.0 * PI <= range.width() && range.is_bounded() {
             Some(Self::All)

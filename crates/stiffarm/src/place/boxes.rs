@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector2;
 
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::plane::{SLACK, Shape};
 use crate::task::Zone;
 
@@ -18,9 +18,9 @@ pub(super) const BOX_SLACK: f64 = SLACK / 2.0;
 pub(super) struct Node {
     pub(super) lower: f64,
     pub(super) side: usize,
-    pub(super) u: Range,
-    pub(super) v: Range,
-    pub(super) turn: Range,
+    pub(super) u: Interval,
+    pub(super) v: Interval,
+    pub(super) turn: Interval,
 }
 
 impl PartialEq for Node {
@@ -46,9 +46,9 @@ pub(super) fn split(node: Node) -> [Node; 2] {
     let (u, v) = (node.u.width(), node.v.width());
     // A set of turns that is wider than half a turn is never searched: the limits choose from it.
     let turn = if node.turn.width() <= PI { node.turn.width() } else { 0.0 };
-    let halves = |range: Range| {
+    let halves = |range: Interval| {
         let middle = range.middle();
-        [Range::spanning(range.min(), middle), Range::spanning(middle, range.max())]
+        [Interval::spanning(range.min(), middle), Interval::spanning(middle, range.max())]
     };
     if v <= u && turn <= u {
         halves(node.u).map(|u| Node { u, ..node })
@@ -60,14 +60,14 @@ pub(super) fn split(node: Node) -> [Node; 2] {
 }
 
 /// The points of a box with the least and the greatest `|u|`, `|v|`.
-pub(super) fn corners(u: Range, v: Range) -> (Vector2<f64>, Vector2<f64>) {
-    let least = |range: Range| range.clamp(0.0).abs();
-    let most = |range: Range| range.min().abs().max(range.max().abs());
+pub(super) fn corners(u: Interval, v: Interval) -> (Vector2<f64>, Vector2<f64>) {
+    let least = |range: Interval| range.clamp(0.0).abs();
+    let most = |range: Interval| range.min().abs().max(range.max().abs());
     (Vector2::new(least(u), least(v)), Vector2::new(most(u), most(v)))
 }
 
 /// What every zone with its centre in the box covers (`true`), or, where they share nothing, a figure that each touches.
-pub(super) fn core(zone: Zone, u: Range, v: Range) -> (Shape, bool) {
+pub(super) fn core(zone: Zone, u: Interval, v: Interval) -> (Shape, bool) {
     let middle = Vector2::new(u.middle(), v.middle());
     match zone {
         Zone::Circle { diameter } => {
@@ -87,7 +87,7 @@ pub(super) fn core(zone: Zone, u: Range, v: Range) -> (Shape, bool) {
 }
 
 /// A figure that holds every zone with its centre in the box.
-pub(super) fn hull(zone: Zone, u: Range, v: Range) -> Shape {
+pub(super) fn hull(zone: Zone, u: Interval, v: Interval) -> Shape {
     let middle = Vector2::new(u.middle(), v.middle());
     let half = match zone {
         Zone::Circle { diameter } => Vector2::repeat(diameter),
@@ -100,19 +100,19 @@ pub(super) fn hull(zone: Zone, u: Range, v: Range) -> Shape {
 ///
 /// One segment in the zone has at least this component along every one of them: what grows along such a direction
 /// throughout grows by as much from one end to the other.
-pub(super) fn least_span(zone: Zone, angles: Range) -> f64 {
+pub(super) fn least_span(zone: Zone, angles: Interval) -> f64 {
     match zone {
         // The middle direction's diameter.
         Zone::Circle { diameter } => diameter * (angles.width() / 2.0).min(FRAC_PI_2).cos(),
         Zone::Rectangle { width, height } => {
-            let least = |range: Range| range.clamp(0.0).abs();
+            let least = |range: Interval| range.clamp(0.0).abs();
             width * least(cosine_over(angles)) + height * least(cosine_over(angles.affine(1.0, -FRAC_PI_2)))
         }
     }
 }
 
 /// Do two ranges of angles share one up to whole turns?
-pub(super) fn meets(allowed: Range, turn: Range) -> bool {
+pub(super) fn meets(allowed: Interval, turn: Interval) -> bool {
     if !allowed.is_bounded() {
         return true;
     }
@@ -122,26 +122,29 @@ pub(super) fn meets(allowed: Range, turn: Range) -> bool {
 }
 
 /// The range of the cosine over a range of angles.
-pub(super) fn cosine_over(angles: Range) -> Range {
+pub(super) fn cosine_over(angles: Interval) -> Interval {
     if 2.0 * PI <= angles.width() {
-        return Range::spanning(-1.0, 1.0);
+        return Interval::spanning(-1.0, 1.0);
     }
-    let ends = Range::spanning(angles.min().cos(), angles.max().cos());
+    let ends = Interval::spanning(angles.min().cos(), angles.max().cos());
     let passes = |x: f64| angles.turn_to(x, 0.0).is_some();
-    Range::spanning(if passes(PI) { -1.0 } else { ends.min() }, if passes(0.0) { 1.0 } else { ends.max() })
+    Interval::spanning(if passes(PI) { -1.0 } else { ends.min() }, if passes(0.0) { 1.0 } else { ends.max() })
 }
 
-pub(super) fn product(a: Range, b: Range) -> Range {
+pub(super) fn product(a: Interval, b: Interval) -> Interval {
     let ends = [a.min() * b.min(), a.min() * b.max(), a.max() * b.min(), a.max() * b.max()];
-    Range::spanning(ends.into_iter().fold(f64::INFINITY, f64::min), ends.into_iter().fold(f64::NEG_INFINITY, f64::max))
+    Interval::spanning(
+        ends.into_iter().fold(f64::INFINITY, f64::min),
+        ends.into_iter().fold(f64::NEG_INFINITY, f64::max),
+    )
 }
 
 /// Half the width and height that the zone takes at least over a set of turns.
-pub(super) fn least_half_extents(zone: Zone, turn: Range) -> Vector2<f64> {
+pub(super) fn least_half_extents(zone: Zone, turn: Interval) -> Vector2<f64> {
     if turn.width() == 0.0 {
         return zone.half_extents(turn.min());
     }
-    let least = |range: Range| range.clamp(0.0).abs();
+    let least = |range: Interval| range.clamp(0.0).abs();
     let (cos, sin) = (least(cosine_over(turn)), least(cosine_over(turn.affine(1.0, -FRAC_PI_2))));
     match zone {
         Zone::Circle { diameter } => Vector2::repeat(diameter / 2.0),

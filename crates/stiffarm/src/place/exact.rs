@@ -1,6 +1,6 @@
 //! Where does a zone stand best on one elbow side when only the ring of distances limits it? In closed form but one root.
 
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::plane::RadialCompliance;
 use crate::root::root;
 use crate::task::Zone;
@@ -20,14 +20,14 @@ pub(super) struct Stance {
 ///
 /// For a given nearest distance `n` no way of standing has a nearer farthest point than a symmetrical one,
 /// `far(n) = hypot(n + depth, half_width)`.
-pub(super) fn stances(sigma: &RadialCompliance, ring: Range, zone: Zone) -> Vec<Stance> {
+pub(super) fn stances(sigma: &RadialCompliance, ring: Interval, zone: Zone) -> Vec<Stance> {
     let mut stances: Vec<Stance> = zone
         .stances()
         .zip([false, true])
         .filter_map(|((depth, half_width), across)| {
             let far = |near: f64| (near + depth).hypot(half_width);
             let farthest_near = (ring.max().powi(2) - half_width.powi(2)).sqrt() - depth;
-            let nears = Range::new(ring.min(), farthest_near)?;
+            let nears = Interval::new(ring.min(), farthest_near)?;
             let near = best_near(sigma, nears, far);
             let compliance = sigma.at(near).max(sigma.at(far(near)));
             Some(Stance { compliance, distance: near + depth / 2.0, across })
@@ -41,7 +41,7 @@ pub(super) fn stances(sigma: &RadialCompliance, ring: Range, zone: Zone) -> Vec<
 ///
 /// `sigma(far(n)) - sigma(n)` changes sign once, from minus to plus: before, moving outwards helps, after, it hurts. So the
 /// best `n` is that root, or the end of the range nearest to it.
-pub(crate) fn best_near(sigma: &RadialCompliance, nears: Range, far: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn best_near(sigma: &RadialCompliance, nears: Interval, far: impl Fn(f64) -> f64) -> f64 {
     let worse_outside = |near: f64| sigma.at(far(near)) - sigma.at(near);
     if 0.0 <= worse_outside(nears.min()) {
         nears.min()
@@ -55,7 +55,7 @@ pub(crate) fn best_near(sigma: &RadialCompliance, nears: Range, far: impl Fn(f64
 /// The largest scale at which the zone fits the ring in some orientation.
 ///
 /// It stands as near as it can: `hypot(n + s depth, s half_width) = far`, a quadratic in `s`.
-pub(super) fn largest_scale(ring: Range, zone: Zone) -> f64 {
+pub(super) fn largest_scale(ring: Interval, zone: Zone) -> f64 {
     let (near, far) = (ring.min(), ring.max());
     zone.stances()
         .map(|(depth, half_width)| {

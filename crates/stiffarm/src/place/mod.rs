@@ -13,7 +13,7 @@ pub use spatial::{
     across_zone, place_in_space,
 };
 
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::plane::{Elbow, InvalidArm, PlanarArm};
 use crate::robot::{ArmPlane, NoArmPlane, Robot};
 use crate::task::Zone;
@@ -36,14 +36,14 @@ pub enum Orientation {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Within {
     /// Forwards.
-    pub x: Range,
+    pub x: Interval,
     /// Upwards.
-    pub z: Range,
+    pub z: Interval,
 }
 
 impl Within {
     /// Anywhere.
-    pub const ANYWHERE: Self = Self { x: Range::ALL, z: Range::ALL };
+    pub const ANYWHERE: Self = Self { x: Interval::ALL, z: Interval::ALL };
 
     /// The same place seen from a point at `origin`.
     #[must_use]
@@ -297,14 +297,14 @@ pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Result<Option<f64>, P
     arm.check()?;
     check_zone(zone)?;
     let sigma = arm.radial();
-    let ring = Range::spanning(sigma.folded, sigma.stretched);
+    let ring = Interval::spanning(sigma.folded, sigma.stretched);
     Ok(exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance))
 }
 
 /// The largest scale at which a zone fits an arm whose limits are left aside.
 pub fn largest_scale_without_limits(arm: &PlanarArm, zone: Zone) -> f64 {
     let sigma = arm.radial();
-    exact::largest_scale(Range::spanning(sigma.folded, sigma.stretched), zone)
+    exact::largest_scale(Interval::spanning(sigma.folded, sigma.stretched), zone)
 }
 
 fn infeasible(arm: &PlanarArm, zone: Zone, options: &PlaceOptions, search: &search::Search) -> Placed {

@@ -13,7 +13,7 @@ use super::boxes::{
     BOX_SLACK, Node, core, corners, cosine_over, hull, least_half_extents, least_span, meets, product, split,
 };
 use super::{Orientation, PlaceError, PlaceOptions, Placement, Within, exact, turned};
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::plane::{ElbowSide, PlanarArm, RadialCompliance, SLACK, Shape};
 use crate::task::Zone;
 
@@ -162,13 +162,13 @@ impl<'a> Search<'a> {
     /// Boxes that hold every place worth looking at on one side.
     fn roots(&self, zone: Zone, side: usize, lower: f64) -> Vec<Node> {
         let far = self.sides[side].ring.max();
-        let across = Range::spanning(-far, far);
-        let half = Range::spanning(0.0, far);
+        let across = Interval::spanning(-far, far);
+        let half = Interval::spanning(0.0, far);
         let free = self.options.within == Within::ANYWHERE;
-        let turns = |first: f64, last: f64| Range::spanning(first, last);
-        let boxes: Vec<(Range, Range, Range)> = match (zone, self.options.orientation) {
+        let turns = |first: f64, last: f64| Interval::spanning(first, last);
+        let boxes: Vec<(Interval, Interval, Interval)> = match (zone, self.options.orientation) {
             (Zone::Circle { .. }, _) if free => {
-                vec![(half, Range::point(0.0), turns(0.0, 2.0 * PI))]
+                vec![(half, Interval::point(0.0), turns(0.0, 2.0 * PI))]
             }
             (Zone::Circle { .. }, _) => vec![(across, across, turns(0.0, 0.0))],
             (Zone::Rectangle { .. }, Orientation::Free) if free => {
@@ -194,13 +194,13 @@ impl<'a> Search<'a> {
     }
 
     /// The part of a box of centres that `within` allows, where the zone's axes are those of the arm plane.
-    fn allowed_centres(&self, zone: Zone, u: Range, v: Range, turn: Range) -> Option<(Range, Range)> {
+    fn allowed_centres(&self, zone: Zone, u: Interval, v: Interval, turn: Interval) -> Option<(Interval, Interval)> {
         let Within { x, z } = self.options.within;
-        let inset = |range: Range, half: f64| Range::new(range.min() + half, range.max() - half);
+        let inset = |range: Interval, half: f64| Interval::new(range.min() + half, range.max() - half);
         let half = zone.half_extents(turn.min());
-        if turn == Range::point(0.0) {
+        if turn == Interval::point(0.0) {
             Some((u.intersect(inset(x, half.x)?)?, v.intersect(inset(z, half.y)?)?))
-        } else if turn == Range::point(FRAC_PI_2) {
+        } else if turn == Interval::point(FRAC_PI_2) {
             let x = inset(x, half.x)?.affine(-1.0, 0.0);
             Some((u.intersect(inset(z, half.y)?)?, v.intersect(x)?))
         } else {
@@ -209,12 +209,12 @@ impl<'a> Search<'a> {
     }
 
     /// Judges one place with the best of the turns it may take; `None` where the zone does not fit there.
-    fn judge(&self, zone: Zone, side: usize, centre: Vector2<f64>, turns: Range) -> Option<Found> {
+    fn judge(&self, zone: Zone, side: usize, centre: Vector2<f64>, turns: Interval) -> Option<Found> {
         let shape = zone.shape(centre);
         let compliance = self.fits_ring(side, &shape)?;
         let side_limits = &self.sides[side];
         let allowed = if side_limits.is_whole_ring() {
-            Range::ALL
+            Interval::ALL
         } else {
             let (shoulder, forearm) = side_limits.angles_over(&shape);
             side_limits.turns(shoulder, forearm, SLACK)?
@@ -255,17 +255,18 @@ impl<'a> Search<'a> {
         let (side, turn) = (&self.sides[node.side], node.turn.middle());
         let Within { x, z } = self.options.within;
         let (away, half) = (turned(centre, turn), zone.half_extents(turn));
-        let into = |range: Range, c: f64, h: f64| shift_into(range, Range::spanning(c - h, c + h));
+        let into = |range: Interval, c: f64, h: f64| shift_into(range, Interval::spanning(c - h, c + h));
         centre += turned(Vector2::new(into(x, away.x, half.x)?, into(z, away.y, half.y)?), -turn);
         let shape = zone.shape(centre);
-        let distances = Range::new(shape.nearest().norm(), shape.farthest().norm())?;
+        let distances = Interval::new(shape.nearest().norm(), shape.farthest().norm())?;
         // A window may lie so far away that no distance to it is a number.
         if distances.min() <= BOX_SLACK * self.arm.l2 || !distances.is_bounded() {
             return None;
         }
         centre += shift_into(side.ring, distances)? * centre.normalize();
         let (shoulder, forearm) = side.angles_over(&zone.shape(centre));
-        let missing = |limit: Range, taken: Range| shift_into(limit, taken.affine(1.0, turn).turned_towards(limit));
+        let missing =
+            |limit: Interval, taken: Interval| shift_into(limit, taken.affine(1.0, turn).turned_towards(limit));
         let (missing_shoulder, missing_forearm) = (missing(side.shoulder, shoulder)?, missing(side.forearm, forearm)?);
         // dp = l2 e'(shoulder) d shoulder + l3 e'(forearm) d forearm
         let (shoulder, elbow) = side.posture_near(centre);
@@ -287,7 +288,7 @@ impl<'a> Search<'a> {
         let Within { x, z } = self.options.within;
         let slack = SLACK * self.arm.l2;
         let (centre, half) = (turned(centre, turn), zone.half_extents(turn));
-        let inside = |range: Range, c: f64, h: f64| range.min() - slack <= c - h && c + h <= range.max() + slack;
+        let inside = |range: Interval, c: f64, h: f64| range.min() - slack <= c - h && c + h <= range.max() + slack;
         inside(x, centre.x, half.x) && inside(z, centre.y, half.y)
     }
 
@@ -356,12 +357,12 @@ impl<'a> Search<'a> {
         let hull = hull(zone, node.u, node.v);
         let slack = BOX_SLACK * self.arm.l2;
         let nearest = hull.nearest().norm();
-        let distances = Range::new(nearest, hull.farthest().norm()).and_then(|range| range.intersect(side.ring));
+        let distances = Interval::new(nearest, hull.farthest().norm()).and_then(|range| range.intersect(side.ring));
         let Some(distances) = distances.filter(|_| slack < nearest) else { return true };
         let (shoulder, forearm) = side.angles_around(&hull);
         let sine = side.largest_sine(distances);
         let fits =
-            |limit: Range, span: f64, scale: f64| span * (1.0 - ROUNDING) <= (limit.width() + 2.0 * SLACK) * scale;
+            |limit: Interval, span: f64, scale: f64| span * (1.0 - ROUNDING) <= (limit.width() + 2.0 * SLACK) * scale;
         fits(side.ring, least_span(zone, hull.bearings()), 1.0)
             && fits(side.shoulder, least_span(zone, forearm), self.arm.l2 * sine)
             && fits(side.forearm, least_span(zone, shoulder), self.arm.l3 * sine)
@@ -375,7 +376,7 @@ impl<'a> Search<'a> {
         let (cos, sin) = (cosine_over(node.turn), cosine_over(node.turn.affine(1.0, -FRAC_PI_2)));
         let slack = BOX_SLACK * self.arm.l2;
         let half = least_half_extents(zone, node.turn);
-        let may = |range: Range, c: Range, h: f64| {
+        let may = |range: Interval, c: Interval, h: f64| {
             range.min() - slack <= c.max() - h
                 && c.min() + h <= range.max() + slack
                 && 2.0 * (h - slack) <= range.width()
@@ -389,12 +390,12 @@ impl<'a> Search<'a> {
     fn polish(&self, zone: Zone, start: Found, node: Node) -> Found {
         let mut best = start;
         let mut step = node.u.width().max(node.v.width()) / 2.0;
-        let turns = if node.turn.width() < PI { Range::point(node.turn.middle()) } else { node.turn };
+        let turns = if node.turn.width() < PI { Interval::point(node.turn.middle()) } else { node.turn };
         while self.options.gap * 1e-2 * self.arm.l2 < step {
             let before = best.compliance;
             for (du, dv) in [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1)] {
                 let moved = best.centre + step * Vector2::new(f64::from(du), f64::from(dv));
-                let moved = if node.v == Range::point(0.0) { Vector2::new(moved.x, 0.0) } else { moved };
+                let moved = if node.v == Interval::point(0.0) { Vector2::new(moved.x, 0.0) } else { moved };
                 if let Some(found) = self.judge(zone, start.side, moved, turns)
                     && found.compliance < best.compliance
                 {
@@ -435,12 +436,12 @@ impl<'a> Search<'a> {
 }
 
 /// The least shift that brings `taken` into `limit`, if it is not too wide.
-fn shift_into(limit: Range, taken: Range) -> Option<f64> {
-    Range::new(limit.min() - taken.min(), limit.max() - taken.max()).map(|shifts| shifts.clamp(0.0))
+fn shift_into(limit: Interval, taken: Interval) -> Option<f64> {
+    Interval::new(limit.min() - taken.min(), limit.max() - taken.max()).map(|shifts| shifts.clamp(0.0))
 }
 
 /// The turn in `allowed` (up to whole turns) that comes nearest to `wished`.
-fn straight_ahead(allowed: Range, wished: f64) -> f64 {
+fn straight_ahead(allowed: Interval, wished: f64) -> f64 {
     let away = |x: f64| ((x - wished + PI).rem_euclid(2.0 * PI) - PI).abs();
     allowed
         .turn_to(wished, 0.0)

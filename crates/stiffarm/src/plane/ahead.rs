@@ -1,7 +1,7 @@
 //! How far forwards does the arm come within its limits?
 
 use super::{ElbowSide, InvalidArm, PlanarArm};
-use crate::limits::Range;
+use crate::interval::Interval;
 
 impl PlanarArm {
     /// The largest distance ahead of the joint-2 axis, m, at which the limits let the wrist centre stand.
@@ -13,7 +13,7 @@ impl PlanarArm {
     /// As [`Self::sides`].
     pub fn farthest_ahead(&self) -> Result<f64, InvalidArm> {
         let sides = self.sides()?;
-        let ends = |limit: Range| [limit.min(), limit.max()].into_iter().filter(|end| end.is_finite());
+        let ends = |limit: Interval| [limit.min(), limit.max()].into_iter().filter(|end| end.is_finite());
         let shoulders = || ends(self.shoulder).chain([0.0]);
         let forearms = || ends(self.forearm).chain([0.0]);
         let of_absolute =
@@ -43,12 +43,12 @@ mod tests {
         for _ in 0..200 {
             let mut range = |width: f64| {
                 let start = 3.0 * (rng.f64() - 0.6);
-                Range::spanning(start, start + width * rng.f64())
+                Interval::spanning(start, start + width * rng.f64())
             };
             let (shoulder, elbow, forearm) = (range(3.0), range(3.0), range(4.0));
             let arm =
                 PlanarArm { shoulder, elbow, forearm, ..PlanarArm::free(1.0, 0.8, 1e-6, 1e-6, Architecture::Serial) };
-            let step = |range: Range, i: usize| range.min() + range.width() * i as f64 / STEPS as f64;
+            let step = |range: Interval, i: usize| range.min() + range.width() * i as f64 / STEPS as f64;
             let mut scan = f64::NEG_INFINITY;
             for i in 0..=STEPS {
                 for j in 0..=STEPS {

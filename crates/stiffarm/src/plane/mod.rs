@@ -14,7 +14,7 @@ pub use side::{Elbow, ElbowSide};
 pub(crate) use support::support;
 
 use crate::drive::Architecture;
-use crate::limits::Range;
+use crate::interval::Interval;
 
 /// Slack on angles (rad) and, per metre of arm, on lengths within which a posture at a limit still counts as reachable.
 pub(crate) const SLACK: f64 = 1e-9;
@@ -39,11 +39,11 @@ pub struct PlanarArm {
     /// Where drive 3 acts.
     pub architecture: Architecture,
     /// Absolute angle of the upper arm, rad.
-    pub shoulder: Range,
+    pub shoulder: Interval,
     /// Angle of the forearm relative to the upper arm, rad.
-    pub elbow: Range,
+    pub elbow: Interval,
     /// Absolute angle of the forearm, `shoulder + elbow`, rad.
-    pub forearm: Range,
+    pub forearm: Interval,
 }
 
 /// A planar arm with which nothing can be computed.
@@ -88,7 +88,7 @@ fn or_rigid(unit: &str) -> &'static str {
 impl PlanarArm {
     /// An arm without limits.
     pub fn free(l2: f64, l3: f64, k2: f64, k3: f64, architecture: Architecture) -> Self {
-        Self { l2, l3, k2, k3, architecture, shoulder: Range::ALL, elbow: Range::ALL, forearm: Range::ALL }
+        Self { l2, l3, k2, k3, architecture, shoulder: Interval::ALL, elbow: Interval::ALL, forearm: Interval::ALL }
     }
 
     /// The elbow sides that the limits leave.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector2;
 
-use crate::limits::Range;
+use crate::interval::Interval;
 
 /// A disc or an axis-parallel rectangle, m; either may have shrunk to a point.
 #[derive(Clone, Copy, Debug)]
@@ -64,20 +64,20 @@ impl Shape {
     }
 
     /// The range of bearings from the origin, which lies outside; continuous, about the bearing of the centre.
-    pub(crate) fn bearings(&self) -> Range {
+    pub(crate) fn bearings(&self) -> Interval {
         let centre = self.centre();
         let heading = centre.y.atan2(centre.x);
         match *self {
             Self::Disc(_, radius) => {
                 let half = (radius / centre.norm()).min(1.0).asin();
-                Range::spanning(heading - half, heading + half)
+                Interval::spanning(heading - half, heading + half)
             }
             Self::Rectangle(_, half) => [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
                 .map(|(sx, sy)| Vector2::new(centre.x + sx * half.x, centre.y + sy * half.y))
                 .map(|p| heading + centre.perp(&p).atan2(centre.dot(&p)))
                 .into_iter()
-                .fold(Range::point(heading), |range, bearing| {
-                    Range::spanning(range.min().min(bearing), range.max().max(bearing))
+                .fold(Interval::point(heading), |range, bearing| {
+                    Interval::spanning(range.min().min(bearing), range.max().max(bearing))
                 }),
         }
     }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::Vector2;
 
 use super::{PlanarArm, SLACK, Shape};
-use crate::limits::Range;
+use crate::interval::Interval;
 
 /// On which side of the line from shoulder to wrist centre the elbow lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -46,11 +46,11 @@ pub struct ElbowSide {
     /// Which side.
     pub elbow: Elbow,
     /// Distances from the joint-2 axis that the elbow range allows, m.
-    pub ring: Range,
+    pub ring: Interval,
     /// Allowed shoulder angle, rad.
-    pub shoulder: Range,
+    pub shoulder: Interval,
     /// Allowed forearm angle, rad, up to `turn`.
-    pub forearm: Range,
+    pub forearm: Interval,
     /// Whole turns (rad) by which the elbow angle differs from the one in `[-pi, pi]`.
     turn: f64,
     l2: f64,
@@ -63,9 +63,9 @@ impl ElbowSide {
         let implied = if arm.forearm.is_bounded() && arm.shoulder.is_bounded() {
             arm.forearm.plus(arm.shoulder.affine(-1.0, 0.0))
         } else if arm.elbow.is_bounded() {
-            Range::ALL
+            Interval::ALL
         } else {
-            Range::spanning(-PI, PI)
+            Interval::spanning(-PI, PI)
         };
         let Some(elbow) = arm.elbow.intersect(implied).filter(|range| range.is_bounded()) else {
             return Vec::new();
@@ -79,9 +79,9 @@ impl ElbowSide {
     }
 
     /// The part of the elbow range between `half_turn` and `half_turn + 1` half turns.
-    fn within(arm: &PlanarArm, elbow: Range, half_turn: i64) -> Option<Self> {
+    fn within(arm: &PlanarArm, elbow: Interval, half_turn: i64) -> Option<Self> {
         let start = half_turn as f64 * PI;
-        let piece = elbow.intersect(Range::spanning(start, start + PI))?;
+        let piece = elbow.intersect(Interval::spanning(start, start + PI))?;
         // A joint that cannot move leaves a line, which holds no zone.
         if [piece, arm.shoulder, arm.forearm].iter().any(|range| range.width() <= SLACK) {
             return None;
@@ -93,7 +93,7 @@ impl ElbowSide {
             let (s, c) = folded_by.sin_cos();
             (arm.l3 * s).hypot(arm.l2 + arm.l3 * c)
         };
-        let ring = Range::spanning(distance(folded_by.max()), distance(folded_by.min()));
+        let ring = Interval::spanning(distance(folded_by.max()), distance(folded_by.min()));
         Some(Self {
             elbow: side,
             ring,
@@ -126,7 +126,7 @@ impl ElbowSide {
         }
         let (psi2, psi3) = self.triangle(r);
         let s = self.elbow.sign();
-        let allowed = self.turns(Range::point(-s * psi2), Range::point(s * psi3), SLACK)?;
+        let allowed = self.turns(Interval::point(-s * psi2), Interval::point(s * psi3), SLACK)?;
         let bearing = allowed.turn_to(p.y.atan2(p.x), SLACK)?;
         Some((bearing - s * psi2, s * (psi2 + psi3) + self.turn))
     }
@@ -158,27 +158,31 @@ impl ElbowSide {
     }
 
     /// Every turn `x` for which `x + shoulder` and `x + forearm` stay within the limits throughout.
-    pub(crate) fn turns(&self, shoulder: Range, forearm: Range, slack: f64) -> Option<Range> {
-        let room = |limit: Range, taken: Range| (limit.min() - taken.min(), limit.max() - taken.max());
+    pub(crate) fn turns(&self, shoulder: Interval, forearm: Interval, slack: f64) -> Option<Interval> {
+        let room = |limit: Interval, taken: Interval| (limit.min() - taken.min(), limit.max() - taken.max());
         Self::shared(room(self.shoulder, shoulder), room(self.forearm, forearm), slack)
     }
 
     /// Every turn `x` for which some angle in `x + shoulder` and some in `x + forearm` keep the limits.
-    pub(crate) fn turns_touching(&self, shoulder: Range, forearm: Range, slack: f64) -> Option<Range> {
-        let room = |limit: Range, taken: Range| (limit.min() - taken.max(), limit.max() - taken.min());
+    pub(crate) fn turns_touching(&self, shoulder: Interval, forearm: Interval, slack: f64) -> Option<Interval> {
+        let room = |limit: Interval, taken: Interval| (limit.min() - taken.max(), limit.max() - taken.min());
         Self::shared(room(self.shoulder, shoulder), room(self.forearm, forearm), slack)
     }
 
-    fn shared((a0, a1): (f64, f64), (b0, b1): (f64, f64), slack: f64) -> Option<Range> {
+    fn shared((a0, a1): (f64, f64), (b0, b1): (f64, f64), slack: f64) -> Option<Interval> {
         let (min, max) = (a0.max(b0), a1.min(b1));
         // A range narrower than nothing by rounding is the one value in its middle.
-        if max < min && min - max <= slack { Some(Range::point(f64::midpoint(min, max))) } else { Range::new(min, max) }
+        if max < min && min - max <= slack {
+            Some(Interval::point(f64::midpoint(min, max)))
+        } else {
+            Interval::new(min, max)
+        }
     }
 
     /// The ranges that shoulder and forearm angle take over a figure that lies in the ring and leaves the axis outside.
     ///
     /// Continuous over the figure: angles are not folded into one turn.
-    pub(crate) fn angles_over(&self, shape: &Shape) -> (Range, Range) {
+    pub(crate) fn angles_over(&self, shape: &Shape) -> (Interval, Interval) {
         let s = self.elbow.sign();
         let centre = shape.centre();
         let heading = centre.y.atan2(centre.x);
@@ -197,12 +201,12 @@ impl ElbowSide {
                 forearm = (forearm.0.min(angle), forearm.1.max(angle));
             });
         }
-        let range = |(min, max)| Range::new(min, max).unwrap_or(Range::point(0.0));
+        let range = |(min, max)| Interval::new(min, max).unwrap_or(Interval::point(0.0));
         (range(shoulder), range(forearm))
     }
 
     /// Ranges that hold shoulder and forearm angle at every point of a figure that the ring reaches; the axis outside.
-    pub(crate) fn angles_around(&self, shape: &Shape) -> (Range, Range) {
+    pub(crate) fn angles_around(&self, shape: &Shape) -> (Interval, Interval) {
         let Self { l2, l3, ring, .. } = *self;
         let bearings = shape.bearings();
         let near = shape.nearest().norm().clamp(ring.min(), ring.max());
@@ -210,10 +214,10 @@ impl ElbowSide {
         let (first, last) = (self.triangle(near), self.triangle(far));
         // Each angle of the triangle is largest where the link it belongs to stands at a right angle to the other side.
         let top = |a: f64, b: f64, inner: f64, outer: f64| {
-            let range = Range::spanning(a, b);
+            let range = Interval::spanning(a, b);
             let summit = (inner * inner - outer * outer).max(0.0).sqrt();
             if outer < inner && near < summit && summit < far {
-                Range::spanning(range.min(), (outer / inner).asin())
+                Interval::spanning(range.min(), (outer / inner).asin())
             } else {
                 range
             }
@@ -224,12 +228,12 @@ impl ElbowSide {
     }
 
     /// The largest sine of the elbow angle at these distances.
-    pub(crate) fn largest_sine(&self, distances: Range) -> f64 {
+    pub(crate) fn largest_sine(&self, distances: Interval) -> f64 {
         let bent = |r: f64| {
             let (psi2, psi3) = self.triangle(r);
             psi2 + psi3
         };
-        Range::spanning(bent(distances.max()), bent(distances.min())).clamp(PI / 2.0).sin()
+        Interval::spanning(bent(distances.max()), bent(distances.min())).clamp(PI / 2.0).sin()
     }
 
     /// Centres and radii of the circles on which the boundary of the reached set lies, m.

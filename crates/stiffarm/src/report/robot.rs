@@ -5,7 +5,8 @@ use serde_json::{Value, json};
 use super::Object;
 use crate::catalogue::microradians;
 use crate::geometry::Geometry;
-use crate::limits::{Limits, Range, ThirdAxis};
+use crate::interval::Interval;
+use crate::limits::{Limits, ThirdAxis};
 use crate::robot::{Arm, Robot};
 
 /// Everything that is known of one robot.
@@ -42,7 +43,7 @@ pub fn sheet(robot: &Robot) -> Value {
 }
 
 /// In degrees; null where an end is open.
-fn range(range: Range) -> Value {
+fn range(range: Interval) -> Value {
     let end = |x: f64| if x.is_finite() { json!(x.to_degrees()) } else { Value::Null };
     json!([end(range.min()), end(range.max())])
 }

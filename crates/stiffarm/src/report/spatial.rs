@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::Object;
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::place::{SpatialOptions, SpatiallyPlaced};
 use crate::rank::{Ranking, Row};
 use crate::robot::Robot;
@@ -38,9 +38,9 @@ pub fn cell(
             put("yaw_deg", json!(best.yaw.to_degrees()));
             put("angle_deg", json!(best.angle.to_degrees()));
             put("roll_deg", json!(best.roll.to_degrees()));
-            put("shoulder", json!(best.class.shoulder.name()));
-            put("elbow", json!(best.class.elbow.name()));
-            put("wrist", json!(best.class.wrist.name()));
+            put("shoulder", json!(best.configuration.shoulder.name()));
+            put("elbow", json!(best.configuration.elbow.name()));
+            put("wrist", json!(best.configuration.wrist.name()));
             put("worst_point_m", json!(best.worst_point));
             put("from_axis_1_m", json!(best.from_axis_1));
             put("worst_joints_deg", json!(best.worst_joints.map(f64::to_degrees)));
@@ -83,7 +83,7 @@ pub(super) fn tool_mm(tool: &Pose) -> [f64; 6] {
 }
 
 /// Both ends of a range; none where it is open.
-fn ends(range: Range) -> [Option<f64>; 2] {
+fn ends(range: Interval) -> [Option<f64>; 2] {
     [range.min(), range.max()].map(|end| end.is_finite().then_some(end))
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::limits::Range;
+use crate::interval::Interval;
 
 /// What a number depends on is forgotten where its known range is so much narrower.
 const FORGET: f64 = 0.6;
@@ -64,7 +64,7 @@ impl<const N: usize> Affine<N> {
 
     /// The same number, where it lies in `known` whatever the variables are: forgets how it depends on them where that says less.
     #[inline]
-    pub(crate) fn clipped(self, known: Range) -> Self {
+    pub(crate) fn clipped(self, known: Interval) -> Self {
         let (least, most) = (self.min().max(known.min()), self.max().min(known.max()));
         let half = (most - least) / 2.0;
         if half < FORGET * self.radius() || self.is_unknown() {
@@ -79,7 +79,7 @@ impl<const N: usize> Affine<N> {
     ///
     /// A concave function lies below its tangent in the middle, and farthest below it at an end.
     #[inline]
-    pub(crate) fn concave(self, known: Range, f: impl Fn(f64) -> (f64, f64)) -> Option<Self> {
+    pub(crate) fn concave(self, known: Interval, f: impl Fn(f64) -> (f64, f64)) -> Option<Self> {
         let (least, most) = (self.min().max(known.min()), self.max().min(known.max()));
         if most < least {
             return None;
@@ -101,18 +101,18 @@ impl<const N: usize> Affine<N> {
     /// The root of what is not negative; `None` where it is negative for certain.
     #[inline]
     pub(crate) fn sqrt(self) -> Option<Self> {
-        self.concave(Range::POSITIVE, |x| (x.sqrt(), 0.5 / x.sqrt()))
+        self.concave(Interval::POSITIVE, |x| (x.sqrt(), 0.5 / x.sqrt()))
     }
 
     /// `1/x` of what lies in `known`, a range of positive numbers.
     #[inline]
-    pub(crate) fn inverse(self, known: Range) -> Option<Self> {
+    pub(crate) fn inverse(self, known: Interval) -> Option<Self> {
         Some(-self.concave(known, |x| (-1.0 / x, 1.0 / (x * x)))?)
     }
 }
 
 /// Sine and cosine of the angles in a range, which variable `variable` runs through.
-pub(crate) fn sin_cos<const N: usize>(angles: Range, variable: usize) -> (Affine<N>, Affine<N>) {
+pub(crate) fn sin_cos<const N: usize>(angles: Interval, variable: usize) -> (Affine<N>, Affine<N>) {
     let ((s, c), half) = (angles.middle().sin_cos(), angles.width() / 2.0);
     if 1.2 < half {
         let anything = Affine { rest: 1.0, ..Affine::point(0.0) };
@@ -235,10 +235,10 @@ mod tests {
                 (x, value)
             };
             let ((a, x), (b, y)) = (number(), number());
-            let angles = Range::spanning(y, y + part(0.0, 2.0));
+            let angles = Interval::spanning(y, y + part(0.0, 2.0));
             let angle = angles.middle() + at[1] * angles.width() / 2.0;
             let (sine, cosine) = sin_cos::<3>(angles, 1);
-            let positive = Range::spanning(1e-3, f64::INFINITY);
+            let positive = Interval::spanning(1e-3, f64::INFINITY);
             let mut all = vec![
                 (a + b, x + y),
                 (a - b, x - y),
@@ -263,9 +263,9 @@ mod tests {
     #[test]
     fn halving_the_variables_quarters_what_is_left_over() {
         let rest = |half: f64| {
-            let (s, c) = sin_cos::<1>(Range::spanning(0.5 - half, 0.5 + half), 0);
+            let (s, c) = sin_cos::<1>(Interval::spanning(0.5 - half, 0.5 + half), 0);
             let sum = (s * c + s.square() + 1.0).sqrt().unwrap();
-            (sum.inverse(Range::spanning(0.1, 9.0)).unwrap() * c).rest
+            (sum.inverse(Interval::spanning(0.1, 9.0)).unwrap() * c).rest
         };
         assert!((3.5..4.5).contains(&(rest(0.1) / rest(0.05))) && (3.8..4.2).contains(&(rest(0.01) / rest(0.005))));
     }

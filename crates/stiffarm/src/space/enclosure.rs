@@ -11,8 +11,9 @@ use super::patch::{Patch, Stand};
 use super::sector::Sector;
 use super::stands::{StandBox, Stands};
 use super::{Coupling, SpatialArm};
-use crate::inverse::{CLEARANCE, Class, Shoulder, Wrist};
-use crate::limits::{Limits, Range, ThirdAxis};
+use crate::interval::Interval;
+use crate::inverse::{CLEARANCE, Configuration, Shoulder, Wrist};
+use crate::limits::{Limits, ThirdAxis};
 use crate::plane::Elbow;
 
 /// How far a limit must be overstepped for certain before a posture counts as impossible: more than a place is granted.
@@ -93,7 +94,7 @@ pub(crate) struct Facing<const N: usize>([[Affine<N>; 2]; 3]);
 pub(crate) struct Spread([[f64; 2]; 3]);
 
 /// Ranges of theta 1 to 6 and of the forearm's angle, `theta 2 + theta 3`.
-pub(crate) type Angles = [Range; 7];
+pub(crate) type Angles = [Interval; 7];
 
 /// The joints of [`Facing`], from 0.
 const FACING: [usize; 3] = [0, 3, 5];
@@ -130,10 +131,10 @@ pub(crate) struct Enclosing {
     side: [f64; 3],
     /// Squared distances of the wrist centre from the joint-2 axis, elbow up and down, that the links and the limits on
     /// the angle between them allow.
-    rings: [Option<Range>; 2],
+    rings: [Option<Interval>; 2],
     /// What joints 1, 4 and 6 may turn by within a zone, rad, and their ranges of model angles.
     turns: [f64; 3],
-    ranges: [Range; 3],
+    ranges: [Interval; 3],
 }
 
 impl Enclosing {
@@ -202,7 +203,7 @@ impl Enclosing {
         }
         let (fourth, sixth, c5) = seen_from_forearm(&turned, &links);
         let [fore, across] = fourth;
-        let clear = Range::spanning(CLEAR * CLEAR, 1.0);
+        let clear = Interval::spanning(CLEAR * CLEAR, 1.0);
         let s5 = (fore.square() + across.square()).concave(clear, |x| (x.sqrt(), 0.5 / x.sqrt()))?;
         let facing = Facing([turned.first, fourth, sixth]);
         if let Some((centre, spread)) = centre {
@@ -212,7 +213,7 @@ impl Enclosing {
         if *wrists == [false; 2] {
             return None;
         }
-        let inverse = s5.inverse(Range::spanning(CLEAR, 1.0)).filter(|_| CLEAR < s5.min());
+        let inverse = s5.inverse(Interval::spanning(CLEAR, 1.0)).filter(|_| CLEAR < s5.min());
         let sign = if wrists[0] { 1.0 } else { -1.0 };
         let bend = inverse.map(|inverse| {
             let (x, y) = (unit(-across * inverse * sign), unit(fore * inverse * sign));
@@ -224,7 +225,13 @@ impl Enclosing {
 
     /// The model angles with which a class holds all of a part of a patch, up to whole turns: of joints 1 to 6, and of the forearm
     /// from upright. `None` where they are not known, or some may be singular.
-    pub(crate) fn angles(&self, patch: &Patch, stand: &Stand, part: [Affine<2>; 2], class: Class) -> Option<Angles> {
+    pub(crate) fn angles(
+        &self,
+        patch: &Patch,
+        stand: &Stand,
+        part: [Affine<2>; 2],
+        class: Configuration,
+    ) -> Option<Angles> {
         let [beyond, spin, side] =
             [self.beyond, self.spin, self.side].map(|v| <[f64; 3]>::from(patch.tool() * Vector3::from(v)));
         let fixed = |v: [f64; 3]| v.map(Affine::point);
@@ -279,9 +286,9 @@ impl Enclosing {
             let (spin, side, beyond) = (seen(aim.spin), seen(aim.side), seen(aim.beyond));
             return Some(Turned { point, wrist, first: [any(1.0); 2], spin, side, beyond });
         }
-        let inverse = square.inverse(Range::spanning(least, f64::INFINITY))?;
+        let inverse = square.inverse(Interval::spanning(least, f64::INFINITY))?;
         // sqrt(square - b^2)/square, concave in 1/square.
-        let part = inverse.concave(Range::spanning(0.0, 1.0 / least), |i| {
+        let part = inverse.concave(Interval::spanning(0.0, 1.0 / least), |i| {
             let root = (i - b2 * i * i).max(0.0).sqrt();
             (root, (0.5 - b2 * i) / root)
         })?;
@@ -338,12 +345,12 @@ impl Enclosing {
         known.require((-square + ring.max()) * (1.0 / (l2 * l2)))?;
         // Not zero even with links of one length: a folded arm is not allowed.
         let least = ring.min();
-        let Some(inverse) = square.inverse(Range::new(least, ring.max())?) else { return Some(None) };
+        let Some(inverse) = square.inverse(Interval::new(least, ring.max())?) else { return Some(None) };
         // The upper arm is a part `along` of the wrist vector, and a part `aside` of that turned by a right angle: the height
         // of a triangle with known sides, whose square is quadratic in 1/square.
         let kappa = (l2 * l2 - l3 * l3) / 2.0;
         let along = inverse * kappa + 0.5;
-        let aside = inverse.concave(Range::spanning(1.0 / ring.max(), 1.0 / least), |i| {
+        let aside = inverse.concave(Interval::spanning(1.0 / ring.max(), 1.0 / least), |i| {
             let height = (l2 * l2 * i - (0.5 + kappa * i).powi(2)).max(0.0).sqrt();
             (height, (0.5 * l2 * l2 - kappa * (0.5 + kappa * i)) / height)
         });
@@ -365,11 +372,11 @@ impl Enclosing {
         let geometry = &self.arm.geometry;
         let (Some(second), Some(third)) = (angle(c2, s2), angle(c3, s3)) else { return Some(()) };
         let seconds = match third_axis {
-            ThirdAxis::Elbow => vec![Range::point(0.0)],
+            ThirdAxis::Elbow => vec![Interval::point(0.0)],
             ThirdAxis::Forearm => turned_into(geometry.theta(1, joints[1]), second).collect(),
         };
         let reported = geometry.theta(2, joints[2]);
-        let allowed = Range::spanning(reported.min() - SLACK, reported.max() + SLACK);
+        let allowed = Interval::spanning(reported.min() - SLACK, reported.max() + SLACK);
         turned_into(elbow.affine(-1.0, PI), third)
             .any(|third| seconds.iter().any(|second| allowed.intersect(second.plus(third)).is_some()))
             .then_some(())
@@ -495,12 +502,12 @@ impl Enclosing {
             let (u, v) = (x * bx + z * bz, z * bx - x * bz);
             let square = u * -2.0 + (bx * bx + bz * bz + ax * ax + az * az);
             let held = (|| {
-                let inverse = square.inverse(Range::POSITIVE).filter(|_| 0.0 < square.min())?;
+                let inverse = square.inverse(Interval::POSITIVE).filter(|_| 0.0 < square.min())?;
                 // free / s, and with it the stiffness as in `GravityCompensator::stiffness`.
                 let part = inverse.sqrt()? * compensator.free_length;
                 let added = (u - part * u + part * inverse * v.square()) * compensator.stiffness;
                 let held = added * k[1].middle + 1.0;
-                held.inverse(Range::POSITIVE).filter(|_| 0.0 < held.min())
+                held.inverse(Interval::POSITIVE).filter(|_| 0.0 < held.min())
             })();
             let unknown = Affine { rest: f64::NAN, ..Affine::point(0.0) };
             k[1] = held.map_or(unknown, |held| held * k[1].middle);
@@ -525,7 +532,7 @@ fn seen_from_forearm<const N: usize>(
 
 /// A part of a vector of length one.
 fn unit<const N: usize>(x: Affine<N>) -> Affine<N> {
-    x.clipped(Range::spanning(-1.0, 1.0))
+    x.clipped(Interval::spanning(-1.0, 1.0))
 }
 
 /// What drives give way by at least: of each its compliance times the square of what it moves, above its tangent there.
@@ -539,7 +546,7 @@ fn squares<const N: usize>(moved: &[(Affine<N>, Affine<N>)], tangent: impl Fn(&A
 
 /// The angles of vectors with these cosines and sines, up to a common length; `None` where they point more than a quarter
 /// turn apart.
-fn angle<const N: usize>(cos: Affine<N>, sin: Affine<N>) -> Option<Range> {
+fn angle<const N: usize>(cos: Affine<N>, sin: Affine<N>) -> Option<Interval> {
     let (from_s, from_c) = (sin.middle, cos.middle);
     let length = from_s.hypot(from_c);
     if !(0.0 < length) {
@@ -552,18 +559,18 @@ fn angle<const N: usize>(cos: Affine<N>, sin: Affine<N>) -> Option<Range> {
     }
     let turned = |aside: f64| (aside / if aside < 0.0 { ahead.min() } else { ahead.max() }).atan();
     let (low, high) = (turned(aside.min()), -turned(-aside.max()));
-    Range::new(low, high).map(|range| range.affine(1.0, s.atan2(c)))
+    Interval::new(low, high).map(|range| range.affine(1.0, s.atan2(c)))
 }
 
 /// Some angle `from` lies in the range, and still does, whole turns left as they are, when it has `turned` on.
-fn stays_within(range: Range, from: Range, turned: Range) -> bool {
-    let wide = Range::spanning(range.min() - SLACK, range.max() + SLACK);
+fn stays_within(range: Interval, from: Interval, turned: Interval) -> bool {
+    let wide = Interval::spanning(range.min() - SLACK, range.max() + SLACK);
     turned_into(range, from).any(|from| wide.intersect(from.plus(turned)).is_some())
 }
 
 /// The angles with all whole turns added with which some of them lie in the range; as they are where it has no ends.
-fn turned_into(range: Range, angles: Range) -> impl Iterator<Item = Range> {
-    let wide = Range::spanning(range.min() - SLACK, range.max() + SLACK);
+fn turned_into(range: Interval, angles: Interval) -> impl Iterator<Item = Interval> {
+    let wide = Interval::spanning(range.min() - SLACK, range.max() + SLACK);
     let (first, turns) = if wide.is_bounded() {
         (((wide.min() - angles.max()) / TAU).ceil(), (wide.width() / TAU) as usize + 2)
     } else {
@@ -575,32 +582,32 @@ fn turned_into(range: Range, angles: Range) -> impl Iterator<Item = Range> {
 }
 
 /// The squared distances at which the limits allow the angle between the links, elbow up (`sign` 1) or down (-1).
-fn ring(arm: &SpatialArm, sign: f64) -> Option<Range> {
+fn ring(arm: &SpatialArm, sign: f64) -> Option<Interval> {
     let Limits { elbow, third_axis, joints, .. } = &arm.limits;
     let (l2, l3, lean) = (arm.geometry.c2, arm.geometry.l3(), arm.geometry.lean());
     // The bend from a stretched arm, 0 to pi, is theta3 + lean, or its negative.
-    let bends = |theta_3: Range| bends(theta_3.affine(sign, sign * lean));
-    let mut allowed = bends(elbow.affine(-1.0, PI))?.intersect(Range::spanning(CLEAR, PI - CLEAR))?;
+    let bends = |theta_3: Interval| bends(theta_3.affine(sign, sign * lean));
+    let mut allowed = bends(elbow.affine(-1.0, PI))?.intersect(Interval::spanning(CLEAR, PI - CLEAR))?;
     if *third_axis == ThirdAxis::Elbow {
         allowed = allowed.intersect(bends(arm.geometry.theta(2, joints[2]))?)?;
     }
     let square = |bend: f64| l2 * l2 + l3 * l3 + 2.0 * l2 * l3 * bend.cos();
     let hair = 1e-11 * (l2 + l3) * (l2 + l3);
-    Some(Range::spanning((square(allowed.max()) - hair).max(0.0), square(allowed.min()) + hair))
+    Some(Interval::spanning((square(allowed.max()) - hair).max(0.0), square(allowed.min()) + hair))
 }
 
 /// The smallest range that holds what a range of angles shares with `0..pi`, up to whole turns.
-fn bends(angles: Range) -> Option<Range> {
-    let all = Range::spanning(0.0, PI);
+fn bends(angles: Interval) -> Option<Interval> {
+    let all = Interval::spanning(0.0, PI);
     if !angles.is_bounded() || TAU <= angles.width() {
         return Some(all);
     }
-    let wide = Range::spanning(angles.min() - SLACK, angles.max() + SLACK);
+    let wide = Interval::spanning(angles.min() - SLACK, angles.max() + SLACK);
     let first = (-wide.max() / TAU).ceil();
     [0.0, 1.0, 2.0]
         .into_iter()
         .filter_map(|turn| wide.affine(1.0, (first + turn) * TAU).intersect(all))
-        .reduce(|a, b| Range::spanning(a.min().min(b.min()), a.max().max(b.max())))
+        .reduce(|a, b| Interval::spanning(a.min().min(b.min()), a.max().max(b.max())))
 }
 
 #[cfg(test)]
@@ -651,7 +658,7 @@ mod tests {
             let elevation = [-FRAC_PI_2, 0.0, part(-1.5, 1.5)][n % 3];
             let width = [0.4, 0.1, 0.02][n / 3 % 3];
             let from = [part(-2.3, 2.3), part(0.0, 2.2), part(-1.5, 1.5), part(0.0, 3.0), part(0.0, 6.0)];
-            let stands: StandBox = from.map(|from| Range::spanning(from, from + width * part(0.1, 1.0)));
+            let stands: StandBox = from.map(|from| Interval::spanning(from, from + width * part(0.1, 1.0)));
             let enclosing = Enclosing::new(&arm, [false; 6]);
             let aim = enclosing.aim::<5>(elevation, &stands);
             let at = [part(-0.3, 0.3), part(-0.3, 0.3)];

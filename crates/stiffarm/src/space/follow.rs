@@ -8,8 +8,8 @@ use super::SpatialArm;
 use super::affine::{Affine, sin_cos};
 use super::enclosure::{Angles, Enclosing};
 use super::patch::{Patch, Stand};
-use crate::inverse::{Class, postures};
-use crate::limits::Range;
+use crate::interval::Interval;
+use crate::inverse::{Configuration, postures};
 use crate::spatial::Pose;
 use crate::task::Zone;
 
@@ -28,14 +28,14 @@ pub(crate) struct Follower<'a> {
     patch: Patch,
     stand: Stand,
     zone: Zone,
-    class: Class,
+    class: Configuration,
     /// The model angles at its centre, and the forearm's.
     centre: [f64; 7],
 }
 
 /// A part of a zone: sides of a rectangle, or radius and angle on a disc; and what is least in it.
 struct Part {
-    sides: [Range; 2],
+    sides: [Interval; 2],
     least: f64,
 }
 
@@ -64,7 +64,7 @@ impl<'a> Follower<'a> {
         elevation: f64,
         stand: &Stand,
         zone: Zone,
-        class: Class,
+        class: Configuration,
         centre: &[f64; 6],
     ) -> Self {
         let [t1, t2, t3, t4, t5, t6] = *centre;
@@ -87,8 +87,10 @@ impl<'a> Follower<'a> {
         let mut queue = BinaryHeap::new();
         let mut found = f64::INFINITY;
         let whole = match self.zone {
-            Zone::Circle { diameter } => [Range::spanning(0.0, diameter / 2.0), Range::spanning(-PI, PI)],
-            Zone::Rectangle { width, height } => [width, height].map(|side| Range::spanning(-side / 2.0, side / 2.0)),
+            Zone::Circle { diameter } => [Interval::spanning(0.0, diameter / 2.0), Interval::spanning(-PI, PI)],
+            Zone::Rectangle { width, height } => {
+                [width, height].map(|side| Interval::spanning(-side / 2.0, side / 2.0))
+            }
         };
         queue.push(Part { sides: whole, least: f64::NEG_INFINITY });
         let mut parts = 0;
@@ -107,7 +109,7 @@ impl<'a> Follower<'a> {
                 }
                 for at in self.corners(sides) {
                     let Some(angles) = self.angles_at(at) else { return f64::NEG_INFINITY };
-                    found = found.min(value(&angles.map(Range::point)));
+                    found = found.min(value(&angles.map(Interval::point)));
                 }
             }
         }
@@ -115,20 +117,20 @@ impl<'a> Follower<'a> {
     }
 
     /// The two halves of a part across its longer side; an angle counts as the way along the rim.
-    fn halves(&self, sides: [Range; 2]) -> [[Range; 2]; 2] {
+    fn halves(&self, sides: [Interval; 2]) -> [[Interval; 2]; 2] {
         let lever = match self.zone {
             Zone::Circle { .. } => sides[0].max(),
             Zone::Rectangle { .. } => 1.0,
         };
         let longer = usize::from(sides[0].width() < lever * sides[1].width());
         let (range, mut halves) = (sides[longer], [sides; 2]);
-        halves[0][longer] = Range::spanning(range.min(), range.middle());
-        halves[1][longer] = Range::spanning(range.middle(), range.max());
+        halves[0][longer] = Interval::spanning(range.min(), range.middle());
+        halves[1][longer] = Interval::spanning(range.middle(), range.max());
         halves
     }
 
     /// A part as numbers in the zone.
-    fn part(&self, sides: [Range; 2]) -> [Affine<2>; 2] {
+    fn part(&self, sides: [Interval; 2]) -> [Affine<2>; 2] {
         let length = |i: usize| {
             let mut length = Affine::point(sides[i].middle());
             length.slope[i] = sides[i].width() / 2.0;
@@ -143,7 +145,7 @@ impl<'a> Follower<'a> {
         }
     }
 
-    fn corners(&self, sides: [Range; 2]) -> [[f64; 2]; 4] {
+    fn corners(&self, sides: [Interval; 2]) -> [[f64; 2]; 4] {
         let corner = |a: f64, b: f64| match self.zone {
             Zone::Rectangle { .. } => [a, b],
             Zone::Circle { .. } => [a * b.cos(), a * b.sin()],

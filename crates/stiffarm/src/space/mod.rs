@@ -25,7 +25,8 @@ use pulp::Simd;
 use crate::compliance::{PostureError, check_tool};
 use crate::drive::{Architecture, GravityCompensator, Transmission};
 use crate::geometry::Geometry;
-use crate::limits::{Limits, Range, ThirdAxis};
+use crate::interval::Interval;
+use crate::limits::{Limits, ThirdAxis};
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 use lanes::Lanes;
@@ -161,12 +162,12 @@ impl SpatialArm {
     }
 
     /// How far from the joint-1 axis and how high from the base the tool point can be by the lengths alone, m.
-    pub(crate) fn reach(&self) -> [Range; 2] {
+    pub(crate) fn reach(&self) -> [Interval; 2] {
         let tool = self.flange_from_tool.translation.vector;
         let beyond = (self.geometry.c4 + tool.z).hypot(tool.x.hypot(tool.y));
         let far = self.geometry.c2 + self.geometry.l3() + beyond;
         let ahead = self.geometry.a1.hypot(self.geometry.b) + far;
-        [Range::spanning(0.0, ahead), Range::spanning(self.geometry.c1 - far, self.geometry.c1 + far)]
+        [Interval::spanning(0.0, ahead), Interval::spanning(self.geometry.c1 - far, self.geometry.c1 + far)]
     }
 
     /// Turning the tool about its axis turns joint 6 and nothing else.
@@ -184,7 +185,7 @@ impl SpatialArm {
     pub(crate) fn without_limit_on(&self, i: usize, really: bool) -> Self {
         let mut arm = self.clone();
         if really {
-            arm.limits.joints[i] = Range::ALL;
+            arm.limits.joints[i] = Interval::ALL;
             arm.sectors = Sectors::new(&arm.geometry, &arm.limits);
         }
         arm
@@ -195,7 +196,7 @@ impl SpatialArm {
     pub(crate) fn narrowed(&self, by: f64) -> Option<Self> {
         let mut arm = Self { reserve: by, ..self.clone() };
         for range in arm.limits.joints.iter_mut().chain([&mut arm.limits.elbow]) {
-            *range = Range::new(range.min() + by, range.max() - by)?;
+            *range = Interval::new(range.min() + by, range.max() - by)?;
         }
         arm.sectors = Sectors::new(&arm.geometry, &arm.limits);
         Some(arm)
@@ -204,8 +205,8 @@ impl SpatialArm {
     /// The same arm without any limits.
     pub(crate) fn without_limits(&self) -> Self {
         let mut arm = self.clone();
-        arm.limits.joints = [Range::ALL; 6];
-        arm.limits.elbow = Range::ALL;
+        arm.limits.joints = [Interval::ALL; 6];
+        arm.limits.elbow = Interval::ALL;
         arm.sectors = Sectors::new(&arm.geometry, &arm.limits);
         arm
     }

@@ -9,8 +9,8 @@ use rayon::prelude::*;
 use super::lanes::Lanes;
 use super::sector::Sector;
 use super::{At, Coupling, SpatialArm, Triple};
-use crate::inverse::{CLEARANCE, Class, Shoulder, Wrist, postures};
-use crate::limits::Range;
+use crate::interval::Interval;
+use crate::inverse::{CLEARANCE, Configuration, Shoulder, Wrist, postures};
 use crate::plane::Elbow;
 use crate::spatial::Pose;
 
@@ -22,8 +22,8 @@ const BLOCK: usize = 1024;
 const WIDEST: usize = 8;
 
 /// The class at a place of the answers of this module: shoulder, then elbow, then wrist.
-pub fn class(place: usize) -> Class {
-    Class {
+pub fn class(place: usize) -> Configuration {
+    Configuration {
         shoulder: if place & 4 == 0 { Shoulder::Front } else { Shoulder::Back },
         elbow: if place & 2 == 0 { Elbow::Up } else { Elbow::Down },
         wrist: if place & 1 == 0 { Wrist::NoFlip } else { Wrist::Flip },
@@ -36,11 +36,11 @@ pub struct Best {
     /// The largest translation per force in any direction, m/N.
     pub worst: f64,
     /// The posture.
-    pub class: Class,
+    pub configuration: Configuration,
 }
 
 /// The place of a class.
-fn place(class: Class) -> usize {
+fn place(class: Configuration) -> usize {
     4 * usize::from(class.shoulder == Shoulder::Back)
         + 2 * usize::from(class.elbow == Elbow::Down)
         + usize::from(class.wrist == Wrist::Flip)
@@ -157,7 +157,7 @@ impl SpatialArm {
     fn about(&self, joint: usize, theta: f64) -> (Sector, Option<Sector>) {
         let range = self.geometry.theta(joint, self.limits.joints[joint]);
         let most = FRAC_PI_2 - self.reserve;
-        let quarter = Range::spanning(theta - most, theta + most);
+        let quarter = Interval::spanning(theta - most, theta + most);
         if !range.is_bounded() {
             return (Sector::of(quarter), None);
         }
@@ -478,7 +478,7 @@ impl WithSimd for BestOf<'_> {
             for (lane, found) in found.iter_mut().enumerate() {
                 let ways = (0..CLASSES).map(|place| (classes[place][lane], place)).filter(|way| way.0.is_finite());
                 let best = ways.min_by(|a, b| a.0.total_cmp(&b.0));
-                *found = best.map(|(worst, place)| Best { worst, class: class(place) });
+                *found = best.map(|(worst, place)| Best { worst, configuration: class(place) });
             }
         }
     }
@@ -506,7 +506,7 @@ mod tests {
                 .collect();
             let mut several = 0;
             for (pose, best) in poses.iter().zip(arm.best(&poses)) {
-                let ways: Vec<(f64, Class)> = reached(robot, &(pose * tool.inverse()))
+                let ways: Vec<(f64, Configuration)> = reached(robot, &(pose * tool.inverse()))
                     .into_iter()
                     .map(|(class, q)| (compliance(robot, &q, &tool).unwrap().compliance.worst().0, class))
                     .collect();
@@ -516,7 +516,11 @@ mod tests {
                     None => assert!(ways.is_empty(), "{}: {pose} is reached by {ways:?}", robot.name),
                     Some(best) => {
                         assert!((best.worst - expected).abs() <= 1e-7 * expected, "{}: {best:?} {ways:?}", robot.name);
-                        assert!(ways.iter().any(|way| way.1 == best.class), "{}: {best:?} {ways:?}", robot.name);
+                        assert!(
+                            ways.iter().any(|way| way.1 == best.configuration),
+                            "{}: {best:?} {ways:?}",
+                            robot.name
+                        );
                     }
                 }
             }

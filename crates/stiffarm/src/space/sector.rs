@@ -6,7 +6,7 @@ use pulp::Simd;
 
 use super::affine::Affine;
 use super::lanes::Lanes;
-use crate::limits::Range;
+use crate::interval::Interval;
 
 /// Rounding of a cosine of an angle that lies at the limit itself.
 const SLACK: f64 = 1e-12;
@@ -21,7 +21,7 @@ pub(super) struct Sector {
 }
 
 impl Sector {
-    pub(super) fn of(range: Range) -> Self {
+    pub(super) fn of(range: Interval) -> Self {
         let half = range.width() / 2.0;
         if PI <= half || !range.is_bounded() {
             return Self { cos: 1.0, sin: 0.0, least: None };

@@ -4,10 +4,10 @@ use nalgebra::Matrix3;
 
 use super::affine::{Affine, Vector, scaled, sin_cos, sum};
 use super::patch::Stand;
-use crate::limits::Range;
+use crate::interval::Interval;
 
 /// Ranges of x, z, yaw, angle and roll of a [`Stand`].
-pub(crate) type StandBox = [Range; 5];
+pub(crate) type StandBox = [Interval; 5];
 
 /// The stands of a box, the `N` ranges that are no points as variables.
 #[derive(Clone, Copy, Debug)]
@@ -26,14 +26,14 @@ pub(crate) fn variables(stands: &StandBox) -> usize {
 
 /// The stand in the middle of a box.
 pub(crate) fn middle(stands: &StandBox) -> Stand {
-    let [x, z, yaw, angle, roll] = stands.map(Range::middle);
+    let [x, z, yaw, angle, roll] = stands.map(Interval::middle);
     Stand { x, z, yaw, angle, roll }
 }
 
 impl<const N: usize> Stands<N> {
     /// With a tool axis that rises by `elevation`, rad, above the horizontal; `N` must be what [`variables`] says.
     pub(crate) fn of(elevation: f64, stands: &StandBox) -> Self {
-        let length = |range: Range, variable: usize| {
+        let length = |range: Interval, variable: usize| {
             let mut length = Affine::point(range.middle());
             length.slope[variable] = range.width() / 2.0;
             length
@@ -41,7 +41,7 @@ impl<const N: usize> Stands<N> {
         let zero = Affine::point(0.0);
         let centre = [length(stands[0], 0), zero, length(stands[1], 1)];
         let mut next = 2;
-        let mut turn = |range: Range| {
+        let mut turn = |range: Interval| {
             let turned = sin_cos::<N>(range, next);
             next += usize::from(0.0 < range.width());
             turned
@@ -94,7 +94,7 @@ mod tests {
             let width = [0.3, 0.01][case % 2];
             let stands: StandBox = std::array::from_fn(|_| {
                 let from = part(-1.0, 1.0);
-                Range::spanning(from, from + part(0.1, 1.0) * width)
+                Interval::spanning(from, from + part(0.1, 1.0) * width)
             });
             let [x, z, yaw, angle, roll] = stands.map(|range| part(range.min(), range.max()));
             let stand = Stand { x, z, yaw, angle, roll };

@@ -1,7 +1,7 @@
 //! At which link ratio is a zone held best, and what proves it?
 
 use super::Contender;
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::place::best_near;
 use crate::plane::{PlanarArm, RadialCompliance, support};
 use crate::root::minimum;
@@ -34,8 +34,8 @@ impl<'a> Stance<'a> {
     }
 
     /// The shares `x = l3/(l2 + l3)` of the forearm with which it fits: the arm folds to `|1 - 2x| <= outermost`.
-    fn shares(&self) -> Range {
-        Range::spanning((1.0 - self.outermost) / 2.0, f64::midpoint(1.0, self.outermost))
+    fn shares(&self) -> Interval {
+        Interval::spanning((1.0 - self.outermost) / 2.0, f64::midpoint(1.0, self.outermost))
     }
 
     fn arm(&self, x: f64) -> PlanarArm {
@@ -53,7 +53,7 @@ impl<'a> Stance<'a> {
     }
 
     fn near(&self, sigma: &RadialCompliance, x: f64) -> f64 {
-        best_near(sigma, Range::spanning(self.folded(x), self.outermost), |near| self.far(near))
+        best_near(sigma, Interval::spanning(self.folded(x), self.outermost), |near| self.far(near))
     }
 
     /// The accuracy with a forearm of share `x`, where it fits.
@@ -108,7 +108,7 @@ struct Judged {
 /// The share of the forearm, among `shares`, with the best accuracy, and that accuracy; `None` where the zone fits with none.
 ///
 /// Branch and bound: intervals of shares are halved until no bound lies below the best found by more than [`GAP`].
-pub(super) fn best<'a>(contender: &'a Contender, zone: Zone, shares: Range) -> Option<(f64, f64)> {
+pub(super) fn best<'a>(contender: &'a Contender, zone: Zone, shares: Interval) -> Option<(f64, f64)> {
     let mut best: Option<(Stance<'a>, Judged)> = None;
     let mut better = |stance: Stance<'a>, judged: Judged| {
         if best.is_none_or(|(_, best)| judged.accuracy < best.accuracy) {
@@ -119,7 +119,7 @@ pub(super) fn best<'a>(contender: &'a Contender, zone: Zone, shares: Range) -> O
     let mut open: Vec<(Stance, [Judged; 2])> = Vec::new();
     for stance in Stance::all(contender, zone) {
         let Some(fitting) = stance.shares().intersect(shares) else { continue };
-        for half in [Range::spanning(0.0, 0.5), Range::spanning(0.5, 1.0)] {
+        for half in [Interval::spanning(0.0, 0.5), Interval::spanning(0.5, 1.0)] {
             let Some(part) = fitting.intersect(half) else { continue };
             let ends = [part.min(), part.max()].map(|x| stance.judged(x));
             for end in ends {
@@ -141,7 +141,7 @@ pub(super) fn best<'a>(contender: &'a Contender, zone: Zone, shares: Range) -> O
     }
     // The floor of a valley is flat: the value is known to more digits than the share at which it lies.
     let (stance, found) = best?;
-    let near_by = Range::spanning(found.x - NEAR_BY, found.x + NEAR_BY);
+    let near_by = Interval::spanning(found.x - NEAR_BY, found.x + NEAR_BY);
     let near_by = stance.shares().intersect(shares)?.intersect(near_by)?;
     let polished = minimum(near_by.min(), near_by.max(), |x| stance.judged(x).accuracy);
     Some(if polished.1 < found.accuracy { polished } else { (found.x, found.accuracy) })

@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 use stiffarm::catalogue::{entries, paper_robots};
 use stiffarm::drive::{Architecture, Drives, JointCompliance};
 use stiffarm::geometry::Geometry;
-use stiffarm::limits::{Limits, Range, ThirdAxis};
+use stiffarm::interval::Interval;
+use stiffarm::limits::{Limits, ThirdAxis};
 use stiffarm::place::{Orientation, SpatialOptions};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
@@ -43,9 +44,14 @@ pub(crate) fn random_robot(rng: &mut fastrand::Rng) -> Robot {
         let (middle, half) = about[joint];
         let (middle, half) = (middle + length(-0.5, 0.5), half * length(0.5, 1.3));
         let seen = |theta: f64| (theta + geometry.offset[joint]) * geometry.sign[joint];
-        if length(0.0, 1.0) < 0.15 { Range::ALL } else { Range::spanning(seen(middle - half), seen(middle + half)) }
+        if length(0.0, 1.0) < 0.15 {
+            Interval::ALL
+        } else {
+            Interval::spanning(seen(middle - half), seen(middle + half))
+        }
     });
-    let elbow = if length(0.0, 1.0) < 0.5 { Range::ALL } else { Range::spanning(length(0.2, 1.0), length(2.6, 3.6)) };
+    let elbow =
+        if length(0.0, 1.0) < 0.5 { Interval::ALL } else { Interval::spanning(length(0.2, 1.0), length(2.6, 3.6)) };
     let limits = Limits { joints, third_axis, elbow, speeds: None };
     let mut robot = paper_robots().swap_remove(0);
     robot.architecture = architecture;
@@ -78,8 +84,8 @@ pub(crate) fn random_question(seed: u64) -> Question {
     let mut options = SpatialOptions::tool_down(100.0 + 2000.0 * rng.f64());
     options.elevation = [-FRAC_PI_2, -FRAC_PI_2, 0.0, 30_f64.to_radians(), FRAC_PI_2][rng.usize(0..5)];
     options.yaw = match rng.u8(0..4) {
-        0 => Range::point(0.0),
-        1 => Range::spanning(-2.0, -0.5),
+        0 => Interval::point(0.0),
+        1 => Interval::spanning(-2.0, -0.5),
         _ => options.yaw,
     };
     options.orientation = match rng.u8(0..4) {
@@ -99,8 +105,8 @@ pub(crate) fn random_question(seed: u64) -> Question {
     }
     if rng.u8(0..3) == 0 {
         let (low, left) = (reach * (0.6 * rng.f64() - 0.2), 0.5 * reach * rng.f64());
-        options.within.x = Range::spanning(left, left + size * (1.0 + rng.f64()));
-        options.within.z = Range::spanning(low, low + size * (1.0 + 2.0 * rng.f64()));
+        options.within.x = Interval::spanning(left, left + size * (1.0 + rng.f64()));
+        options.within.z = Interval::spanning(low, low + size * (1.0 + 2.0 * rng.f64()));
         // Some of the windows behind the robot, some across its axis.
         match rng.u8(0..4) {
             0 => options.within.x = options.within.x.affine(-1.0, 0.0),

@@ -40,7 +40,7 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
         elevation: args.space.elevation(),
         yaw: 0.0,
         roll: args.space.roll_deg.map(f64::to_radians),
-        class: args.posture,
+        configuration: args.posture,
     };
     let Some(options) = over_everything(&robot, &asked, args.spacing())? else {
         return Err(Failure::Usage(format!(

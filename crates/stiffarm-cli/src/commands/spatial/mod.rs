@@ -5,7 +5,7 @@ pub(crate) mod map;
 pub(crate) mod place;
 pub(crate) mod rank;
 
-use stiffarm::limits::Range;
+use stiffarm::interval::Interval;
 use stiffarm::place::{SpatiallyPlaced, Within};
 pub(crate) use stiffarm::report::spatial::cell as cell_json;
 use stiffarm::robot::Robot;
@@ -80,9 +80,9 @@ pub(crate) fn cell_row(
         degrees(best.map(|best| best.yaw)),
         degrees(best.map(|best| best.angle)),
         degrees(best.map(|best| best.roll)),
-        word(best.map(|best| best.class.shoulder.name())),
-        word(best.map(|best| best.class.elbow.name())),
-        word(best.map(|best| best.class.wrist.name())),
+        word(best.map(|best| best.configuration.shoulder.name())),
+        word(best.map(|best| best.configuration.elbow.name())),
+        word(best.map(|best| best.configuration.wrist.name())),
     ];
     row.extend((0..3).map(|axis| full(best.map(|best| best.worst_point[axis]))));
     row.push(full(best.map(|best| best.from_axis_1)));
@@ -132,7 +132,7 @@ pub(crate) fn tool(tool: &Pose) -> String {
 
 /// Where a zone may stand, in words.
 pub(crate) fn window(within: &Within) -> String {
-    let range = |range: Range| {
+    let range = |range: Interval| {
         let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
         format!("{}..{}", end(range.min()), end(range.max()))
     };

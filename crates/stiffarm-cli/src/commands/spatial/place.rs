@@ -61,7 +61,7 @@ impl PlaceAnswer {
         }
         rows.push(("angle of the first side".into(), degrees(best.angle)));
         rows.push(("roll of the tool".into(), degrees(best.roll)));
-        rows.push(("posture".into(), best.class.to_string()));
+        rows.push(("posture".into(), best.configuration.to_string()));
         let [wx, wy, wz] = best.worst_point.map(|part| part + 0.0);
         if best.from_axis_1 < COLUMN {
             let near = format!("{:.2} m; the robot's own base stands there, --within keeps away", best.from_axis_1);
@@ -126,7 +126,7 @@ impl PlaceAnswer {
             elevation: options.elevation,
             yaw: best.yaw,
             roll: (!any_roll).then_some(best.roll),
-            class: Some(best.class),
+            configuration: Some(best.configuration),
         };
         let Some(options) = over_everything(robot, &asked, Spacing::Points(FIGURE_SIZE))? else {
             return Ok(None);
@@ -173,7 +173,7 @@ impl PlaceAnswer {
         let Self { robot, options, .. } = self;
         let (architecture, status, towards) = (robot.architecture, robot.status, direction(options.elevation));
         let tool = tool(&options.flange_from_tool);
-        format!("{architecture}, {status}; all six drives, {towards}, tool: {tool}; {}", best.class)
+        format!("{architecture}, {status}; all six drives, {towards}, tool: {tool}; {}", best.configuration)
     }
 
     fn colour_label(&self) -> String {

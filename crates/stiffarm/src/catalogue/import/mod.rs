@@ -26,7 +26,8 @@ use super::reader::{Log, shown, unfit_name};
 use super::{Fault, Faults, read, write};
 use crate::drive::{Architecture, Drives, JointCompliance};
 use crate::geometry::Geometry;
-use crate::limits::{Limits, Range, ThirdAxis};
+use crate::interval::Interval;
+use crate::limits::{Limits, ThirdAxis};
 use crate::robot::{Arm, Robot, Status};
 use crate::spatial::Pose;
 
@@ -59,7 +60,7 @@ pub struct ImportOptions {
     /// Serial, marked as assumed, where nothing is said.
     pub architecture: Option<Architecture>,
     /// Ranges of the joints as reported, rad, in place of the description's.
-    pub limits: Option<[Range; 6]>,
+    pub limits: Option<[Interval; 6]>,
     /// The link whose frame is the base.
     pub base: Option<String>,
     /// The link whose frame is the flange.
@@ -245,7 +246,7 @@ fn from_opw(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> R
         limits: Limits {
             joints: joints.map(hundredths),
             third_axis: ThirdAxis::Elbow,
-            elbow: Range::ALL,
+            elbow: Interval::ALL,
             speeds: None,
         },
         notes,

@@ -4,7 +4,8 @@ use super::ImportOptions;
 use super::chain::Chain;
 use super::urdf::{Joint, Kind};
 use crate::catalogue::reader::{Log, shown};
-use crate::limits::{Limits, Range, ThirdAxis};
+use crate::interval::Interval;
+use crate::limits::{Limits, ThirdAxis};
 
 /// Speeds outside, rad/s, are placeholders.
 const SPEEDS: std::ops::RangeInclusive<f64> = 0.02..=170.0;
@@ -34,17 +35,17 @@ pub(super) fn joint_limits(
         notes.push("speeds: not every joint has a speed, so none is taken".into());
     }
     let speeds = speeds.map(|speeds| speeds.map(|speed| round(speed.to_degrees(), 1e2).to_radians()));
-    Some(Limits { joints, third_axis: ThirdAxis::Elbow, elbow: Range::ALL, speeds })
+    Some(Limits { joints, third_axis: ThirdAxis::Elbow, elbow: Interval::ALL, speeds })
 }
 
-fn joint_range(joint: &Joint, log: &Log, notes: &mut Vec<String>) -> Option<Range> {
+fn joint_range(joint: &Joint, log: &Log, notes: &mut Vec<String>) -> Option<Interval> {
     const WIDEST: f64 = 6.0 * std::f64::consts::PI;
     let fault = |message: String| log.add(joint.place, &format!("{}, limit", joint.key()), message);
     let continuous = joint.kind == Kind::Continuous;
     let (lower, upper) = match (joint.limit.lower, joint.limit.upper) {
         (None, None) if continuous => {
             notes.push(format!("joint {} is continuous: -360 to 360 deg is taken", shown(&joint.name)));
-            return Some(Range::spanning(-2.0 * std::f64::consts::PI, 2.0 * std::f64::consts::PI));
+            return Some(Interval::spanning(-2.0 * std::f64::consts::PI, 2.0 * std::f64::consts::PI));
         }
         (None, None) => {
             fault("missing; expected lower and upper in rad".into());
@@ -61,13 +62,13 @@ fn joint_range(joint: &Joint, log: &Log, notes: &mut Vec<String>) -> Option<Rang
         fault(format!("{lower} to {upper} rad; expected the lower end below the upper end"));
         return None;
     }
-    Some(hundredths(Range::spanning(lower, upper)))
+    Some(hundredths(Interval::spanning(lower, upper)))
 }
 
 /// To 0.01 deg: makers state no finer limits, and descriptions round them in radians.
-pub(super) fn hundredths(range: Range) -> Range {
+pub(super) fn hundredths(range: Interval) -> Interval {
     let end = |x: f64| round(x.to_degrees(), 1e2).to_radians();
-    Range::spanning(end(range.min()), end(range.max()))
+    Interval::spanning(end(range.min()), end(range.max()))
 }
 
 /// To steps of which so many make a unit.

@@ -37,7 +37,7 @@ pub fn across_zone(
     let judged = |at: Point2<f64>| {
         let pose = patch.pose(&stand, at.into());
         let found = postures(geometry, &(pose * flange_from_tool)).found;
-        let theta = found.into_iter().find(|(class, _)| *class == placement.class).map(|(_, theta)| theta);
+        let theta = found.into_iter().find(|(class, _)| *class == placement.configuration).map(|(_, theta)| theta);
         let deflection = theta.map(|theta| {
             let q = geometry.reported(&theta, limits.third_axis);
             let posture = compliance(robot, &q, &options.flange_from_tool)?;
@@ -54,7 +54,7 @@ mod tests {
 
     use super::*;
     use crate::catalogue::paper_robots;
-    use crate::limits::Range;
+    use crate::interval::Interval;
     use crate::place::{Orientation, SpatiallyPlaced, place_in_space};
     use crate::spatial::Pose;
     use crate::task::Zone;
@@ -65,7 +65,7 @@ mod tests {
         for (robot, elevation) in paper_robots().iter().take(3).zip([-std::f64::consts::FRAC_PI_2, 0.0, -0.6]) {
             let options = SpatialOptions {
                 elevation,
-                yaw: Range::spanning(-0.5, 0.5),
+                yaw: Interval::spanning(-0.5, 0.5),
                 flange_from_tool: Pose::translation(0.0, 0.05, 0.2),
                 orientation: Orientation::Free,
                 ..SpatialOptions::tool_down(1000.0)

@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::SpatialOptions;
 use super::mix::{Line, least_largest, remaining};
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::place::{Orientation, Within};
 use crate::space::{
     Affine, Aim, CLASSES, Enclosing, Grid, Known, Near, Patch, SpatialArm, Spread, Stand, StandBox, Way, middle,
@@ -108,7 +108,7 @@ impl<'a> Prover<'a> {
         arm: &SpatialArm,
         zone: Zone,
         options: &'a SpatialOptions,
-        region: [Range; 2],
+        region: [Interval; 2],
         roll_is_free: bool,
     ) -> Self {
         let [first, second] = zone.sides();
@@ -195,8 +195,8 @@ impl<'a> Prover<'a> {
         let longest = (0..5).max_by(|a, b| moves(a).total_cmp(&moves(b))).expect("five sides");
         let range = node.stands[longest];
         let mut halves = [*node; 2];
-        halves[0].stands[longest] = Range::spanning(range.min(), range.middle());
-        halves[1].stands[longest] = Range::spanning(range.middle(), range.max());
+        halves[0].stands[longest] = Interval::spanning(range.min(), range.middle());
+        halves[1].stands[longest] = Interval::spanning(range.middle(), range.max());
         halves
     }
 
@@ -320,7 +320,7 @@ impl<'a> Prover<'a> {
 }
 
 /// Leaves of a box the part that lies in these ranges of its variables, each from -1 to 1.
-fn cut<const N: usize>(stands: &mut StandBox, part: &[Range; N]) {
+fn cut<const N: usize>(stands: &mut StandBox, part: &[Interval; N]) {
     let mut next = 2;
     for (i, range) in stands.iter_mut().enumerate() {
         let variable = if i < 2 { i } else { next };
@@ -329,29 +329,29 @@ fn cut<const N: usize>(stands: &mut StandBox, part: &[Range; N]) {
         }
         next += usize::from(2 <= i);
         let (middle, half, kept) = (range.middle(), range.width() / 2.0, part[variable]);
-        *range = Range::spanning(middle + half * kept.min(), middle + half * kept.max());
+        *range = Interval::spanning(middle + half * kept.min(), middle + half * kept.max());
     }
 }
 
 /// Boxes that hold every stand that is asked for.
-fn roots(zone: Zone, options: &SpatialOptions, [x, z]: [Range; 2], roll_is_free: bool) -> Vec<StandBox> {
+fn roots(zone: Zone, options: &SpatialOptions, [x, z]: [Interval; 2], roll_is_free: bool) -> Vec<StandBox> {
     let is_circle = matches!(zone, Zone::Circle { .. });
-    let zero = Range::point(0.0);
+    let zero = Interval::point(0.0);
     let angles = match options.orientation {
         _ if is_circle => vec![zero],
-        Orientation::Axes => vec![zero, Range::point(FRAC_PI_2)],
-        Orientation::Fixed(angle) => vec![Range::point(angle)],
-        Orientation::Free => vec![Range::spanning(0.0, PI)],
+        Orientation::Axes => vec![zero, Interval::point(FRAC_PI_2)],
+        Orientation::Fixed(angle) => vec![Interval::point(angle)],
+        Orientation::Free => vec![Interval::spanning(0.0, PI)],
     };
     let yaw = match options.yaw {
         _ if options.is_vertical() => zero,
-        yaw if TAU < yaw.width() => Range::spanning(0.0, TAU),
+        yaw if TAU < yaw.width() => Interval::spanning(0.0, TAU),
         yaw => yaw,
     };
     let roll = match options.roll {
-        Some(roll) => Range::point(roll),
+        Some(roll) => Interval::point(roll),
         None if roll_is_free => zero,
-        None => Range::spanning(0.0, TAU),
+        None => Interval::spanning(0.0, TAU),
     };
     angles.into_iter().map(|angle| [x, z, yaw, angle, roll]).collect()
 }
@@ -373,7 +373,7 @@ mod tests {
             (circle, down),
             (circle, SpatialOptions { flange_from_tool: Pose::translation(0.1, 0.0, 0.2), ..down }),
             (Zone::Rectangle { width: 0.3, height: 0.6 }, SpatialOptions { orientation: Orientation::Free, ..down }),
-            (circle, SpatialOptions { elevation: 0.0, yaw: Range::point(0.0), ..down }),
+            (circle, SpatialOptions { elevation: 0.0, yaw: Interval::point(0.0), ..down }),
         ]
     }
 

@@ -1,6 +1,6 @@
 //! The least that the largest of several numbers can be.
 
-use crate::limits::Range;
+use crate::interval::Interval;
 use crate::space::Affine;
 
 /// Rounds of improvement.
@@ -27,14 +27,14 @@ impl<const N: usize> Line<N> {
     }
 
     /// The same with variables that run from -1 to 1 through parts of their ranges.
-    pub(super) fn within(&self, part: &[Range; N]) -> Self {
+    pub(super) fn within(&self, part: &[Interval; N]) -> Self {
         let at = (0..N).fold(self.at, |at, i| at + self.slope[i] * part[i].middle());
         Self { at, slope: std::array::from_fn(|i| self.slope[i] * part[i].width() / 2.0) }
     }
 
     /// Takes from the ranges of the variables what lets the line rise above `most`; `None` where nothing is left.
-    fn keep_below(&self, most: f64, part: &mut [Range; N]) -> Option<()> {
-        let least = |i: usize, range: Range| (self.slope[i] * range.min()).min(self.slope[i] * range.max());
+    fn keep_below(&self, most: f64, part: &mut [Interval; N]) -> Option<()> {
+        let least = |i: usize, range: Interval| (self.slope[i] * range.min()).min(self.slope[i] * range.max());
         let sum = (0..N).fold(self.at, |sum, i| sum + least(i, part[i]));
         let slack = 1e-12 * (most.abs() + self.at.abs());
         if most + slack < sum {
@@ -46,9 +46,9 @@ impl<const N: usize> Line<N> {
             let reach = room / slope.abs();
             if reach < range.width() {
                 *range = if 0.0 < slope {
-                    Range::spanning(range.min(), range.min() + reach)
+                    Interval::spanning(range.min(), range.min() + reach)
                 } else {
-                    Range::spanning(range.max() - reach, range.max())
+                    Interval::spanning(range.max() - reach, range.max())
                 };
             }
         }
@@ -83,8 +83,8 @@ impl<const N: usize> Line<N> {
 
 /// The part of the variables' ranges, each from -1 to 1, outside which a value is larger than `most` or a limit positive;
 /// `None` where that is so everywhere.
-pub(super) fn remaining<const N: usize>(values: &[Line<N>], limits: &[Line<N>], most: f64) -> Option<[Range; N]> {
-    let mut part = [Range::spanning(-1.0, 1.0); N];
+pub(super) fn remaining<const N: usize>(values: &[Line<N>], limits: &[Line<N>], most: f64) -> Option<[Interval; N]> {
+    let mut part = [Interval::spanning(-1.0, 1.0); N];
     for _ in 0..CUTS {
         for value in values.iter().filter(|_| most.is_finite()) {
             value.keep_below(most, &mut part)?;

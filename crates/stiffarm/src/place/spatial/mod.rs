@@ -12,8 +12,8 @@ pub use across::{ZonePoint, across_zone};
 
 use super::{NOTHING, Orientation, PlaceError, Within, check_force, check_zone};
 use crate::compliance::{PostureError, check_held};
-use crate::inverse::Class;
-use crate::limits::Range;
+use crate::interval::Interval;
+use crate::inverse::Configuration;
 use crate::robot::Robot;
 use crate::space::SpatialArm;
 use crate::spatial::Pose;
@@ -34,7 +34,7 @@ pub struct SpatialOptions {
     pub elevation: f64,
     /// Angles of the zone's plane about the vertical that are tried, rad: at 0 it faces the robot, beyond a quarter turn
     /// the tool points back at it. A tool that points straight down or up has none.
-    pub yaw: Range,
+    pub yaw: Interval,
     /// Which angles of a rectangle in its plane are tried: 0 has the first side ahead (on a wall: upright), a quarter turn to
     /// the left.
     pub orientation: Orientation,
@@ -53,10 +53,10 @@ impl SpatialOptions {
             force,
             flange_from_tool: Pose::identity(),
             elevation: -FRAC_PI_2,
-            yaw: Range::spanning(-FRAC_PI_2, FRAC_PI_2),
+            yaw: Interval::spanning(-FRAC_PI_2, FRAC_PI_2),
             orientation: Orientation::Axes,
             roll: None,
-            within: Within { x: Range::POSITIVE, z: Range::POSITIVE },
+            within: Within { x: Interval::POSITIVE, z: Interval::POSITIVE },
         }
     }
 
@@ -123,7 +123,7 @@ pub struct SpatialPlacement {
     /// About the tool axis, rad.
     pub roll: f64,
     /// The posture, throughout the zone.
-    pub class: Class,
+    pub configuration: Configuration,
     /// Where in the zone the deflection is largest: in the axes of the base, the zone at its bearing.
     pub worst_point: [f64; 3],
     /// Distance of the zone's nearest point from the joint-1 axis, m: the robot's own base and column stand there.

@@ -9,8 +9,8 @@ use super::bound::Prover;
 use super::sweep::{Sweep, Unswept, sweep};
 use super::{Resolution, SpatialMisfit, SpatialOptions, SpatialPlacement, SpatiallyPlaced, wrapped};
 use crate::compliance::compliance;
-use crate::inverse::Class;
-use crate::limits::Range;
+use crate::interval::Interval;
+use crate::inverse::Configuration;
 use crate::place::{Orientation, Within};
 use crate::robot::Robot;
 use crate::space::{CLASSES, Grid, Near, Patch, SpatialArm, Stand, TOLERANCE, class};
@@ -70,11 +70,11 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Spat
 }
 
 /// Where centres may stand by the lengths of the arm, ahead of the joint-1 axis and behind it, and up.
-pub(super) fn region(arm: &SpatialArm, within: Within) -> [Range; 2] {
+pub(super) fn region(arm: &SpatialArm, within: Within) -> [Interval; 2] {
     let [ahead, up] = arm.reach();
-    let both = Range::spanning(-ahead.max(), ahead.max());
+    let both = Interval::spanning(-ahead.max(), ahead.max());
     // Where both share nothing, one place far away says so.
-    [within.x.intersect(both), within.z.intersect(up)].map(|range| range.unwrap_or(Range::point(1e9)))
+    [within.x.intersect(both), within.z.intersect(up)].map(|range| range.unwrap_or(Interval::point(1e9)))
 }
 
 /// How good a place is: first how many poses no single posture reaches, then the largest compliance, m/N.
@@ -115,7 +115,7 @@ struct Search<'a> {
     /// Rolling the tool moves nothing, and any roll will do.
     roll_is_free: bool,
     /// Where centres are looked for: ahead, up.
-    region: [Range; 2],
+    region: [Interval; 2],
     step: f64,
 }
 
@@ -204,7 +204,7 @@ impl<'a> Search<'a> {
     /// The best places of a grid over the region and all turns, best first, far enough apart to be different.
     fn coarse(&self) -> Result<Vec<Candidate>, SpatialMisfit> {
         let [columns, rows] = self.region.map(|range| (range.width() / self.step).ceil() as usize + 1);
-        let at = |range: Range, i: usize, count: usize| match count {
+        let at = |range: Interval, i: usize, count: usize| match count {
             1 => range.middle(),
             _ => range.min() + range.width() * i as f64 / (count - 1) as f64,
         };
@@ -425,7 +425,7 @@ impl<'a> Search<'a> {
     fn placement(
         &self,
         stand: &Stand,
-        class: Class,
+        class: Configuration,
         grid: &Grid,
         sweep: &Sweep,
         coarse: Score,
@@ -450,7 +450,7 @@ impl<'a> Search<'a> {
             yaw: wrapped(stand.yaw),
             angle: if matches!(self.zone, Zone::Circle { .. }) { 0.0 } else { half_turn(stand.angle) },
             roll: wrapped(sweep.roll),
-            class,
+            configuration: class,
             worst_point: worst_point.into(),
             from_axis_1,
             worst_joints: sweep.joints[at],

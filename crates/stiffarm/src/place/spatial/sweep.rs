@@ -3,8 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::{SpatialOptions, wrapped};
-use crate::inverse::{CLEARANCE, Class, SLACK, postures, third_within_limits};
-use crate::limits::{Range, ThirdAxis};
+use crate::interval::Interval;
+use crate::inverse::{CLEARANCE, Configuration, SLACK, postures, third_within_limits};
+use crate::limits::ThirdAxis;
 use crate::robot::{Arm, Robot};
 use crate::space::{Angles, Follower, Grid, Patch, SpatialArm, Stand};
 use crate::task::Zone;
@@ -46,7 +47,7 @@ pub(super) fn sweep(
     zone: Zone,
     stand: &Stand,
     grid: &Grid,
-    class: Class,
+    class: Configuration,
 ) -> Result<Sweep, Unswept> {
     let impossible = Unswept::Impossible;
     let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return Err(impossible) };
@@ -69,7 +70,7 @@ pub(super) fn sweep(
         }
     }
     let follower = Follower::new(arm, asked.elevation, stand, zone, class, &centre);
-    let reported = |angles: &Angles| -> [Range; 6] {
+    let reported = |angles: &Angles| -> [Interval; 6] {
         std::array::from_fn(|i| {
             let forearm = i == 2 && limits.third_axis == ThirdAxis::Forearm;
             let model = angles[if forearm { 6 } else { i }];
@@ -136,12 +137,12 @@ pub(super) fn sweep(
 }
 
 /// How far a range keeps from the ends of another.
-fn inside(range: Range, part: Range) -> f64 {
+fn inside(range: Interval, part: Interval) -> f64 {
     (part.min() - range.min()).min(range.max() - part.max())
 }
 
 /// The smallest of the angles between a range of angles and half turns.
-fn to_a_line(angles: Range) -> f64 {
+fn to_a_line(angles: Interval) -> f64 {
     let turned = angles.affine(1.0, -(angles.middle() / PI).floor() * PI);
     turned.min().min(PI - turned.max())
 }
