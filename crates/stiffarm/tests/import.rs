@@ -168,7 +168,7 @@ fn what_the_user_knows_better_goes_before_the_file() {
         base: Some("link_1".into()),
     };
     // Without joint 1 no arm is left, and that is said; from the root it is.
-    assert!(matches!(import(EXAMPLE, "x.urdf", &options), Err(ImportError::Configuration(_))));
+    assert!(matches!(import(EXAMPLE, "x.urdf", &options), Err(ImportError::Class(_))));
     let imported = import(EXAMPLE, "x.urdf", &ImportOptions { base: Some("base_link".into()), ..options }).unwrap();
     let robot = &imported.robot;
     assert_eq!((robot.full_name().as_str(), robot.payload_kg, robot.reach), ("Maker Mine", Some(150.0), Some(2.4)));
@@ -235,7 +235,7 @@ fn helper_links_pedestals_and_shifted_bases_are_noted() {
 fn faults(text: &str) -> Faults {
     let faults = match plain(text) {
         Ok(imported) => panic!("accepted:\n{}", imported.text),
-        Err(ImportError::Faults(faults) | ImportError::Which(faults) | ImportError::Configuration(faults)) => faults,
+        Err(ImportError::Faults(faults) | ImportError::Which(faults) | ImportError::Class(faults)) => faults,
         Err(other) => panic!("{other}"),
     };
     assert!(!faults.faults.is_empty() && faults.faults.is_sorted_by_key(|fault| fault.line), "{faults}");

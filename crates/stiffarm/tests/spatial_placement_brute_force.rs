@@ -304,7 +304,7 @@ impl Question {
         let case = || format!("{self:#?}\n{found:#?}");
         // Limits are kept everywhere in the zone, not just where the library took its samples.
         let held = self
-            .hold(&widened(&self.robot, SLACK), &stand, found.class, 24, f64::INFINITY)
+            .hold(&widened(&self.robot, SLACK), &stand, found.configuration, 24, f64::INFINITY)
             .unwrap_or_else(|| panic!("the zone is not held in one go: {}", case()));
         assert!(held.pace < FRAC_PI_4, "a joint jumps by {} rad: {}", held.pace, case());
 
@@ -366,7 +366,7 @@ impl Question {
         assert!((rooms[joint] - least).abs() <= held.pace / 2.0 || margin == least, "{rooms:?}: {}", case());
         let singular = held.singular_margin - found.singular_margin;
         assert!((-SLACK..=held.pace / 2.0).contains(&singular), "{} {}", held.singular_margin, case());
-        let centre = self.posture(&self.robot, &stand, found.class, [0.0; 2]).unwrap();
+        let centre = self.posture(&self.robot, &stand, found.configuration, [0.0; 2]).unwrap();
         assert!(geometry.singular_margin(&geometry.model_angles(&centre, limits.third_axis)) >= found.singular_margin);
     }
 }
