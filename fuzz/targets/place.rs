@@ -7,7 +7,9 @@ use libfuzzer_sys::arbitrary::{Result, Unstructured};
 use libfuzzer_sys::fuzz_target;
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
-use stiffarm::place::{Orientation, PlaceOptions, Placed, Within, place};
+use stiffarm::load::Load;
+use stiffarm::model::Model;
+use stiffarm::place::{Hold, Orientation, PlaceOptions, Placed, Within, place};
 use stiffarm::plane::PlanarArm;
 use stiffarm::task::Zone;
 
@@ -59,26 +61,33 @@ fn options(u: &mut Unstructured) -> Result<PlaceOptions> {
     };
     let within = Within { x: range(u, 0.5, 2.0)?, z: range(u, 0.0, 2.0)? };
     // The gap is coarse so that a run sees many questions; the tests ask the fine ones.
-    Ok(PlaceOptions { force: number(u, 1.0, 1e4)?, orientation, within, gap: number(u, 0.01, 0.5)? })
+    let load = Load::worst(number(u, 1.0, 1e4)?).unwrap_or(Load::PAPER);
+    let gap = Some(number(u, 0.01, 0.5)?);
+    Ok(PlaceOptions { orientation, within: Some(within), gap, ..PlaceOptions::under(load) })
 }
 
 fuzz_target!(|bytes: &[u8]| {
     let mut u = Unstructured::new(bytes);
     let (Ok(arm), Ok(zone), Ok(options)) = (arm(&mut u), zone(&mut u), options(&mut u)) else { return };
-    match place(&arm, zone, &options) {
+    let model = match Model::of_links(&arm) {
+        Ok(model) => model,
+        Err(error) => return assert!(!error.to_string().is_empty()),
+    };
+    match place(&model, zone, &options) {
         Ok(Placed::Feasible(best)) => {
             assert!(0.0 < best.deflection && best.deflection.is_finite(), "{best:?}");
             assert!(best.lower_bound <= best.deflection, "{best:?}");
-            assert!(best.deflection - best.lower_bound <= options.gap * best.deflection * (1.0 + 1e-12), "{best:?}");
+            assert!(best.deflection - best.lower_bound <= options.gap.unwrap_or(1e-4) * best.deflection * (1.0 + 1e-12), "{best:?}");
             let [x, z] = best.centre;
             assert!(x.hypot(z) <= (arm.l2 + arm.l3) * (1.0 + 1e-8), "{best:?}");
-            let reached = arm.forward(best.worst_posture[0], best.worst_posture[1]);
-            let missed = (reached.x - best.worst_point[0]).hypot(reached.y - best.worst_point[1]);
+            let Hold::Plane { posture: [shoulder, elbow] } = best.hold else { panic!("in the plane: {best:?}") };
+            let reached = arm.forward(shoulder, elbow);
+            let missed = (reached.x - best.worst_point[0]).hypot(reached.y - best.worst_point[2]);
             // At the rim a slack of 1e-9 on the length is its square root on the angle.
             assert!(missed <= 1e-4 * (arm.l2 + arm.l3), "{missed} {best:?}");
         }
         Ok(Placed::Infeasible { largest_scale, .. }) => {
-            assert!((0.0..=1.0).contains(&largest_scale), "{largest_scale}")
+            assert!(largest_scale.is_some_and(|scale| (0.0..=1.0).contains(&scale)), "{largest_scale:?}")
         }
         Err(error) => assert!(!error.to_string().is_empty()),
     }

@@ -8,8 +8,10 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
 use stiffarm::inverse::Configuration;
-use stiffarm::map::{Component, Spacing};
-use stiffarm::place::{PlaceOptions, SpatialOptions, Within};
+use stiffarm::load::{Component, Load};
+use stiffarm::map::Spacing;
+use stiffarm::model::ModelKind;
+use stiffarm::place::{PlaceOptions, Within};
 use stiffarm::plane::Elbow;
 use stiffarm::question::{
     Angle, Held, Unasked, Wanted, degrees, elevation, number, open_range, shape, tool, within, yaw,
@@ -92,16 +94,9 @@ pub(crate) struct Placing {
 }
 
 impl Placing {
-    pub(crate) fn question(&self) -> Wanted {
-        Wanted { force: self.force_n, within: self.within, angle: self.angle, gap: self.gap }
-    }
-
-    pub(crate) fn options(&self, zone: Zone) -> PlaceOptions {
-        self.question().planar(zone)
-    }
-
-    pub(crate) fn planar_within(&self) -> Within {
-        self.within.unwrap_or(Within::ANYWHERE)
+    pub(crate) fn question(&self) -> Result<Wanted, Failure> {
+        let load = Load::worst(self.force_n).map_err(|error| Failure::Usage(error.to_string()))?;
+        Ok(Wanted { load, within: self.within, angle: self.angle, gap: self.gap })
     }
 }
 
@@ -158,14 +153,19 @@ impl Space {
         self.held().tool()
     }
 
-    /// What `place` and `rank` ask in space.
-    pub(crate) fn options(&self, placing: &Placing) -> Result<SpatialOptions, Failure> {
-        placing.question().spatial(&self.held()).map_err(flagged)
+    /// Which model, with the tool where it has one.
+    pub(crate) fn kind(&self) -> Result<ModelKind, Failure> {
+        Ok(if self.is_spatial()? { ModelKind::Spatial(self.tool()) } else { ModelKind::Planar })
     }
 
-    /// The same for one zone, of which it is known which side is the long one.
-    pub(crate) fn options_for(&self, placing: &Placing, zone: Zone) -> Result<SpatialOptions, Failure> {
-        placing.question().spatial_for(&self.held(), zone).map_err(flagged)
+    /// What `place` and `rank` ask of a model, of one zone or of zones of any shape.
+    pub(crate) fn options(
+        &self,
+        placing: &Placing,
+        kind: &ModelKind,
+        zone: Option<Zone>,
+    ) -> Result<PlaceOptions, Failure> {
+        placing.question()?.options(kind, &self.held(), zone).map_err(flagged)
     }
 
     fn held(&self) -> Held {

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use stiffarm::catalogue::files::{LoadError, Unreadable, shown};
 use stiffarm::catalogue::import::ImportError;
 use stiffarm::map::MapError;
-use stiffarm::place::{PlaceError, SpatialPlaceError};
+use stiffarm::model::ModelError;
+use stiffarm::place::PlaceError;
 use stiffarm::rank::RankError;
 use stiffarm::robot::NoArmPlane;
 
@@ -100,14 +101,6 @@ pub(crate) enum Failure {
         /// Why.
         error: PlaceError,
     },
-    /// A zone that cannot be placed in space.
-    #[error("{robot}: {error}")]
-    PlaceInSpace {
-        /// Which robot.
-        robot: String,
-        /// Why.
-        error: SpatialPlaceError,
-    },
     /// A map that cannot be made.
     #[error("{robot}: {error}")]
     Map {
@@ -173,14 +166,14 @@ impl Failure {
             }
             Self::Write { path, error } => return write_hint(path, error),
             Self::NothingLeft { hint, .. } | Self::BadFiles { hint, .. } => return hint.clone(),
-            Self::Place { error: PlaceError::NoArmPlane(error), .. }
-            | Self::Map { error: MapError::Arm(PlaceError::NoArmPlane(error)), .. }
-            | Self::Rank(RankError { error: SpatialPlaceError::Place(PlaceError::NoArmPlane(error)), .. })
+            Self::Place { error: PlaceError::Model(ModelError::NoArmPlane(error)), .. }
+            | Self::Map { error: MapError::Model(ModelError::NoArmPlane(error)), .. }
+            | Self::Rank(RankError { error: PlaceError::Model(ModelError::NoArmPlane(error)), .. })
                 if *error != NoArmPlane::Limits =>
             {
                 "--model spatial asks the model with all six drives"
             }
-            Self::Place { robot, .. } | Self::PlaceInSpace { robot, .. } => {
+            Self::Place { robot, .. } => {
                 return format!("`stiffarm robots show \"{robot}\"` tells lengths and limits; --within, --angle and --gap bound the search");
             }
             Self::Posture { robot, .. } => {

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use atomic_write_file::AtomicWriteFile;
 use serde::Serialize;
+use stiffarm::answer::Rows;
 use stiffarm::plain::on_its_lines;
 
 use crate::args::{Common, Format};
@@ -14,7 +15,7 @@ use crate::columns::write_parquet;
 use crate::commands::waiting;
 use crate::failure::Failure;
 use crate::figures::view3d::View;
-use crate::table::Table;
+use crate::table::write_csv;
 
 /// An answer in every form it can take. Each is made only when asked for.
 pub(crate) trait Answer {
@@ -27,7 +28,7 @@ pub(crate) trait Answer {
     /// For programs; through [`pretty`].
     fn json(&self, out: &mut dyn Write) -> io::Result<()>;
     /// For spreadsheets, and as typed columns for data frames.
-    fn csv(&self) -> Table<'_>;
+    fn rows(&self) -> Rows<'_>;
     /// A robot file, where the command makes one.
     fn robot_file(&self) -> Option<String> {
         None
@@ -147,8 +148,8 @@ fn write<A: Answer>(answer: &A, path: &Path, sink: Sink) -> Result<(), Failure> 
 enum Body<'a, A> {
     Bytes(Vec<u8>),
     Json(&'a A),
-    Csv(Table<'a>),
-    Parquet(Table<'a>, &'static str),
+    Csv(Rows<'a>),
+    Parquet(Rows<'a>, &'static str),
 }
 
 impl<'a, A: Answer> Body<'a, A> {
@@ -157,7 +158,7 @@ impl<'a, A: Answer> Body<'a, A> {
             Format::Table => Self::Bytes(on_its_lines(&answer.text(false)).into_owned().into()),
             Format::Md => Self::Bytes(on_its_lines(&answer.text(true)).into_owned().into()),
             Format::Json => Self::Json(answer),
-            Format::Csv => Self::Csv(answer.csv()),
+            Format::Csv => Self::Csv(answer.rows()),
         }
     }
 
@@ -167,7 +168,7 @@ impl<'a, A: Answer> Body<'a, A> {
             "json" => Self::of_format(answer, Format::Json),
             "csv" => Self::of_format(answer, Format::Csv),
             "md" => Self::of_format(answer, Format::Md),
-            "parquet" => Self::Parquet(answer.csv(), A::COMMAND),
+            "parquet" => Self::Parquet(answer.rows(), A::COMMAND),
             "toml" => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
             "svg" => Self::Bytes(picture(answer.svg())?.into()),
             "png" => Self::Bytes(crate::figures::png(&picture(answer.svg())?, 2.0).map_err(figure)?),
@@ -192,8 +193,8 @@ impl<'a, A: Answer> Body<'a, A> {
         match self {
             Self::Bytes(bytes) => out.write_all(bytes)?,
             Self::Json(answer) => answer.json(&mut out)?,
-            Self::Csv(table) => table.write_csv(&mut out)?,
-            Self::Parquet(table, command) => write_parquet(table, command, &mut out)?,
+            Self::Csv(rows) => write_csv(rows, &mut out)?,
+            Self::Parquet(rows, command) => write_parquet(rows, command, &mut out)?,
         }
         out.flush()
     }

@@ -1,111 +1,52 @@
 //! Tables as people read them (plain or Markdown) and as spreadsheets do.
 
-pub(crate) use stiffarm::report::fixed;
+pub(crate) use stiffarm::answer::fixed;
 
 use std::borrow::Cow;
 use std::io::{self, Write};
 
 use comfy_table::presets::{ASCII_MARKDOWN, NOTHING};
 use comfy_table::{CellAlignment, ContentArrangement};
+use stiffarm::answer::{Cell, Rows, Table};
 use stiffarm::plain::on_one_line;
 
-/// Headings and rows of text; numbers keep the digits they were given.
-pub(crate) struct Table<'a> {
-    headings: Vec<String>,
-    rows: Rows<'a>,
+/// Aligned text; columns that hold numbers stand to the right.
+pub(crate) fn shown(table: &Table, markdown: bool) -> String {
+    let mut text = comfy_table::Table::new();
+    text.load_style(if markdown { ASCII_MARKDOWN } else { NOTHING });
+    text.set_content_arrangement(ContentArrangement::Disabled);
+    let shown = |cell: &String| prose(&on_one_line(&cell.replace(['\n', '\r'], " ")), markdown).into_owned();
+    text.set_header(table.headings.iter().map(shown));
+    let mut is_number = vec![true; table.headings.len()];
+    for row in &table.rows {
+        for (all, cell) in is_number.iter_mut().zip(row) {
+            *all &= looks_like_a_number(cell);
+        }
+        text.add_row(row.iter().map(shown));
+    }
+    for (column, is_number) in text.column_iter_mut().zip(is_number) {
+        if is_number {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    text.trim_fmt() + "\n"
 }
 
-/// Rows that are kept, or so many that each is made when it is written: a map has a hundred million.
-enum Rows<'a> {
-    Kept(Vec<Vec<String>>),
-    Made(usize, Box<dyn Fn(usize) -> Vec<String> + 'a>),
-}
-
-impl<'a> Table<'a> {
-    pub(crate) fn new<S: Into<String>>(headings: impl IntoIterator<Item = S>) -> Self {
-        Self { headings: headings.into_iter().map(Into::into).collect(), rows: Rows::Kept(Vec::new()) }
-    }
-
-    /// A table of `count` rows, of which each is made anew when it is needed.
-    pub(crate) fn made<const N: usize>(
-        headings: [&str; N],
-        count: usize,
-        row: impl Fn(usize) -> [String; N] + 'a,
-    ) -> Self {
-        let rows = Rows::Made(count, Box::new(move |i| row(i).into()));
-        Self { headings: headings.map(Into::into).into(), rows }
-    }
-
-    /// Adds a row to a table that keeps its rows.
-    pub(crate) fn row<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
-        if let Rows::Kept(rows) = &mut self.rows {
-            rows.push(cells.into_iter().map(Into::into).collect());
+/// Comma-separated values with a line of headings.
+pub(crate) fn write_csv(rows: &Rows, out: &mut dyn Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(rows.columns().iter().map(|column| &column.name)).map_err(of_system)?;
+    for row in rows.iter() {
+        for cell in row.iter() {
+            let field = match cell {
+                Cell::Text(text) => in_spreadsheet(text).into_owned(),
+                other => other.to_string(),
+            };
+            writer.write_field(field.as_bytes()).map_err(of_system)?;
         }
+        writer.write_record(None::<&[u8]>).map_err(of_system)?;
     }
-
-    pub(crate) fn headings(&self) -> &[String] {
-        &self.headings
-    }
-
-    /// How many rows.
-    pub(crate) fn len(&self) -> usize {
-        match &self.rows {
-            Rows::Kept(rows) => rows.len(),
-            Rows::Made(count, _) => *count,
-        }
-    }
-
-    /// Are rows made only when they are written? Then no column is looked through before.
-    pub(crate) fn is_made(&self) -> bool {
-        matches!(self.rows, Rows::Made(..))
-    }
-
-    /// The row at `i`.
-    pub(crate) fn at(&self, i: usize) -> Cow<'_, [String]> {
-        match &self.rows {
-            Rows::Kept(rows) => Cow::Borrowed(&rows[i]),
-            Rows::Made(_, row) => Cow::Owned(row(i)),
-        }
-    }
-
-    fn rows(&self) -> impl Iterator<Item = Cow<'_, [String]>> {
-        (0..self.len()).map(|i| self.at(i))
-    }
-
-    /// Aligned text; columns that hold numbers stand to the right.
-    pub(crate) fn text(&self, markdown: bool) -> String {
-        let mut table = comfy_table::Table::new();
-        table.load_style(if markdown { ASCII_MARKDOWN } else { NOTHING });
-        table.set_content_arrangement(ContentArrangement::Disabled);
-        let shown = |cell: &String| prose(&on_one_line(&cell.replace(['\n', '\r'], " ")), markdown).into_owned();
-        table.set_header(self.headings.iter().map(shown));
-        let mut is_number = vec![true; self.headings.len()];
-        for row in self.rows() {
-            for (all, cell) in is_number.iter_mut().zip(row.iter()) {
-                *all &= looks_like_a_number(cell);
-            }
-            table.add_row(row.iter().map(shown));
-        }
-        for (column, is_number) in table.column_iter_mut().zip(is_number) {
-            if is_number {
-                column.set_cell_alignment(CellAlignment::Right);
-            }
-        }
-        table.trim_fmt() + "\n"
-    }
-
-    /// Comma-separated values with a line of headings.
-    pub(crate) fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(out);
-        writer.write_record(&self.headings).map_err(of_system)?;
-        for row in self.rows() {
-            for cell in row.iter() {
-                writer.write_field(in_spreadsheet(cell).as_bytes()).map_err(of_system)?;
-            }
-            writer.write_record(None::<&[u8]>).map_err(of_system)?;
-        }
-        writer.flush()
-    }
+    writer.flush()
 }
 
 /// What the system has against writing, as it said it: a closed pipe must be known as one.
@@ -150,23 +91,15 @@ fn looks_like_a_number(cell: &str) -> bool {
         || cell.starts_with(|c: char| c.is_ascii_digit() || c == '-')
 }
 
-/// What each drive gives, in percent.
-pub(crate) fn percentages(shares: &[f64; 6]) -> String {
-    shares.map(|share| format!("{} %", fixed(share * 100.0, 1))).join(", ")
-}
-
 /// Rounded for people, or a dash.
 pub(crate) fn fixed_or_dash(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(|| "-".into(), |value| fixed(value, digits))
 }
 
-/// Full precision for programs, or nothing.
-pub(crate) fn full(value: Option<f64>) -> String {
-    value.map_or_else(String::new, |value| value.to_string())
-}
-
 #[cfg(test)]
 mod tests {
+    use stiffarm::answer::{Column, ColumnKind};
+
     use super::*;
 
     #[test]
@@ -194,25 +127,23 @@ mod tests {
     fn markdown_shows_every_letter_and_runs_none() {
         let mut table = Table::new(["robot"]);
         table.row(["<img src=x onerror=y> | `a` & \\| [b](c)\u{7}\nd"]);
-        let text = table.text(true);
+        let text = shown(&table, true);
         assert!(text.contains(r"&lt;img src=x onerror=y&gt; \| \`a\` &amp; \\\| \[b](c)\\u{7} d"), "{text}");
         assert_eq!(text.lines().count(), 3);
     }
 
     #[test]
     fn rows_that_are_made_are_written_as_rows_that_are_kept() {
-        let row = |i: usize| [i.to_string(), format!("r{i}")];
-        let mut kept = Table::new(["n", "name"]);
-        for i in 0..50 {
-            kept.row(row(i));
-        }
-        let made = Table::made(["n", "name"], 50, row);
-        let csv = |table: &Table| {
+        let columns = || vec![Column::new("n", ColumnKind::Count), Column::new("name", ColumnKind::Text)];
+        let row = |i: usize| vec![Cell::Count(i as i64), Cell::Text(format!("=r{i}"))];
+        let kept = Rows::new(columns(), (0..50).map(row).collect());
+        let made = Rows::made(columns(), 50, row);
+        let csv = |rows: &Rows| {
             let mut bytes = Vec::new();
-            table.write_csv(&mut bytes).unwrap();
-            bytes
+            write_csv(rows, &mut bytes).unwrap();
+            String::from_utf8(bytes).unwrap()
         };
         assert_eq!(csv(&made), csv(&kept));
-        assert_eq!(made.text(false), kept.text(false));
+        assert!(csv(&made).starts_with("n,name\n0,'=r0\n"), "{}", csv(&made));
     }
 }

@@ -6,10 +6,12 @@ use std::fs;
 use std::process::Command;
 
 use serde_json::{Value, json};
+use stiffarm::answer::MapAnswer;
 use stiffarm::catalogue::find;
-use stiffarm::map::{Axis, Direction, MapOptions, SectionOptions, Spacing, map, reached_box, reached_section, section};
-use stiffarm::question::Held;
-use stiffarm::report;
+use stiffarm::load::Load;
+use stiffarm::map::{MapOptions, Spacing, map};
+use stiffarm::model::ModelKind;
+use stiffarm::spatial::Pose;
 use tempfile::TempDir;
 
 fn run(arguments: &[&str]) -> String {
@@ -28,51 +30,44 @@ fn number(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
 }
 
+fn answer(kind: ModelKind, points: usize) -> MapAnswer {
+    let robot = find("BT200L").expect("in the catalogue").robot();
+    let model = kind.of(&robot).expect("a model");
+    let options = MapOptions::over(Spacing::Points(points), Load::PAPER);
+    let map = map(&model, &options).expect("a map");
+    MapAnswer { model, options, map, zone: None }
+}
+
 #[test]
 fn a_map_of_the_plane_is_written_as_it_was_when_it_was_held_whole() {
-    let robot = find("BT200L").expect("in the catalogue").robot();
-    let arm = robot.arm_plane().expect("a plane").arm;
-    let [x, z] = Spacing::Points(37).cover(reached_box(&arm).expect("an arm"));
-    let options = MapOptions { x, z, force: 1000.0, direction: Direction::Worst, elbow: None };
-    let map = map(&arm, &options).expect("a map");
+    let answer = answer(ModelKind::Planar, 37);
+    let map = &answer.map.deflection;
     let mm = |i, j| map.get(i, j).map(|metres| metres * 1e3);
     let mut csv = String::from("x_m,z_m,deflection_mm\n");
-    for (j, i) in (0..z.count).flat_map(|j| (0..x.count).map(move |i| (j, i))) {
-        let _ = writeln!(csv, "{},{},{}", x.at(i), z.at(j), number(mm(i, j)));
+    for (j, i) in (0..map.z.count).flat_map(|j| (0..map.x.count).map(move |i| (j, i))) {
+        let _ = writeln!(csv, "{},{},{}", map.x.at(i), map.z.at(j), number(mm(i, j)));
     }
-    let rows: Vec<Vec<Option<f64>>> = (0..z.count).map(|j| (0..x.count).map(|i| mm(i, j)).collect()).collect();
-    let expected = json!({
-        "robot": "BT200L", "model": "planar", "force_n": 1000.0, "x_m": x.points(), "z_m": z.points(), "worst_mm": rows,
-    });
+    let rows: Vec<Vec<Option<f64>>> = (0..map.z.count).map(|j| (0..map.x.count).map(|i| mm(i, j)).collect()).collect();
+    let mut expected = answer.head_json();
+    expected["worst_mm"] = json!(rows);
     let asked = ["map", "BT200L", "--size", "37"];
     assert_eq!(run(&[&asked[..], &["--format", "csv"]].concat()), csv);
     assert_eq!(run(&[&asked[..], &["--format", "json"]].concat()), whole(&expected));
+    assert_eq!(
+        (&expected["robot"], &expected["model"], &expected["force_n"]),
+        (&json!("BT200L"), &json!("planar"), &json!(1e3))
+    );
 }
 
 #[test]
 fn a_map_in_space_is_written_as_it_was_when_it_was_held_whole() {
-    let robot = find("BT200L").expect("in the catalogue").robot();
-    let held = Held { tool: None, elevation_deg: None, yaw: None, roll_deg: None };
-    let unknown = Axis { start: 0.0, step: 1.0, count: 2 };
-    let asked = SectionOptions {
-        x: unknown,
-        z: unknown,
-        force: 1000.0,
-        flange_from_tool: held.tool(),
-        elevation: held.elevation(),
-        yaw: 0.0,
-        roll: None,
-        configuration: None,
-    };
-    let [x, z] = Spacing::Points(23).cover(reached_section(&robot, &asked).expect("a robot").expect("reached"));
-    let options = SectionOptions { x, z, ..asked };
-    let found = section(&robot, &options).expect("a section");
-    let report = report::map::spatial(&robot, &options, &found);
+    let answer = answer(ModelKind::Spatial(Pose::identity()), 23);
+    let (x, z) = (answer.map.deflection.x, answer.map.deflection.z);
     // The head with its postures, and each layer, as Python gets them.
-    let mut expected = report.head_with_postures();
-    for layer in &report.layers {
+    let mut expected = answer.head_json();
+    for layer in answer.layers() {
         let cells: Vec<Value> = layer.cells().into_iter().map(|cell| json!(cell)).collect();
-        expected[layer.key] = cells.chunks(x.count).map(<[Value]>::to_vec).collect::<Value>();
+        expected[layer.field.key] = cells.chunks(x.count).map(<[Value]>::to_vec).collect::<Value>();
     }
     let asked = ["map", "BT200L", "--model", "spatial", "--size", "23"];
     assert_eq!(run(&[&asked[..], &["--format", "json"]].concat()), whole(&expected));

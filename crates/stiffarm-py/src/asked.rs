@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 
 use pyo3::prelude::*;
+use stiffarm::load::Load;
+use stiffarm::model::ModelKind;
 use stiffarm::question::{Angle, Held, Wanted, degrees, elevation, number, tool, within, yaw};
 use stiffarm::task::Task;
 
@@ -47,8 +49,14 @@ impl Asked {
         }
     }
 
-    pub(crate) fn force(&self) -> PyResult<f64> {
-        self.required("force_n", |text| number(text, 1e-3, 1e6, "N"))
+    pub(crate) fn load(&self) -> PyResult<Load> {
+        let newtons = self.required("force_n", |text| number(text, 1e-3, 1e6, "N"))?;
+        Load::worst(newtons).map_err(refused)
+    }
+
+    /// Which model, with the tool where it has one.
+    pub(crate) fn kind(&self) -> PyResult<ModelKind> {
+        Ok(if self.is_spatial()? { ModelKind::Spatial(self.held()?.tool()) } else { ModelKind::Planar })
     }
 
     pub(crate) fn tolerance_mm(&self) -> PyResult<Option<f64>> {
@@ -57,7 +65,7 @@ impl Asked {
 
     pub(crate) fn wanted(&self) -> PyResult<Wanted> {
         Ok(Wanted {
-            force: self.force()?,
+            load: self.load()?,
             within: self.read("within_m", within)?,
             angle: self.read("angle", str::parse)?.unwrap_or(Angle::Axes),
             gap: self.read("gap", |text| number(text, 1e-9, 0.5, "(relative)"))?,

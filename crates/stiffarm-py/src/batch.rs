@@ -2,7 +2,7 @@
 
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use stiffarm::report::compliance::{matrices_um_per_n, worst_um_per_n};
+use stiffarm::answer::compliance::{matrices_um_per_n, worst_um_per_n};
 
 use crate::asked::Asked;
 use crate::pool::detached;

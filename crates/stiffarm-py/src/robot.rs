@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
+use stiffarm::answer::robot::{drive_urad_per_nm, sheet};
 use stiffarm::catalogue::files::{self, LoadError, Unreadable};
 use stiffarm::catalogue::import::{ImportOptions, import};
 use stiffarm::catalogue::{self, Entry, Filter, find, matching, paper_robots, read, suggestions, write};
 use stiffarm::drive::Architecture;
 use stiffarm::question::open_range;
-use stiffarm::report::robot::{drive_urad_per_nm, sheet};
 use stiffarm::robot::{Arm, Robot as Arms, Status};
 
 use crate::json::to_python;

@@ -114,7 +114,7 @@ def test_the_order_is_that_of_rank(client, tmp_path):
         assert math.isclose(row["mean_ratio"], other["mean_ratio"], rel_tol=1e-14)
         for task in tasks:
             assert row[task] == expected.cell(row["robot"], task).deflection_mm
-        assert (row["place"] is None) == (row["status"] == "estimated")
+        assert (row["rank"] is None) == (row["status"] == "estimated")
     assert len(found.to_pandas()) == len(found) == 10 and "best IRB 6650S-200" in repr(found)
 
 
@@ -345,7 +345,7 @@ def test_poisonous_rows(client, tmp_path):
     assert wins[str(bad)]["errors"] == 5 and wins[str(bad)]["share"] is None
     assert wins[ROBOTS[1]]["errors"] == 3 and wins[ROBOTS[1]]["scenarios"] == 2
     order = cluster.rank([good.parent, ROBOTS[1]], tasks="A:0.3", client=client, folder=tmp_path / "o")
-    assert order.rows[-1]["robot"] == str(bad) and order.rows[-1]["error"] and order.rows[-1]["place"] is None
+    assert order.rows[-1]["robot"] == str(bad) and order.rows[-1]["error"] and order.rows[-1]["rank"] is None
 
 
 def test_a_full_disk(client, tmp_path):

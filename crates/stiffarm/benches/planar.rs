@@ -4,8 +4,10 @@ use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use stiffarm::catalogue::paper_robots;
-use stiffarm::map::{Axis, Direction, MapOptions, map, map_into};
-use stiffarm::place::{Orientation, PlaceOptions, Within, place_robot};
+use stiffarm::load::{Component, Load};
+use stiffarm::map::{Axis, Extent, MapOptions, map, map_into};
+use stiffarm::model::{Model, ModelKind, PlanarModel};
+use stiffarm::place::{Orientation, PlaceOptions, Within, place};
 use stiffarm::plane::PlanarArm;
 use stiffarm::rank::rank;
 use stiffarm::robot::Robot;
@@ -27,14 +29,17 @@ fn maps(c: &mut Criterion) {
     let arm = robot(&robots, "KR 210 R2700 extra").arm_plane().expect("a plane").arm;
     let unlimited = PlanarArm::free(arm.l2, arm.l3, arm.k2, arm.k3, arm.architecture);
     let axis = Axis::between(-(arm.l2 + arm.l3), arm.l2 + arm.l3, SIDE);
-    let options = MapOptions { x: axis, z: axis, force: 1000.0, direction: Direction::Worst, elbow: None };
+    let extent = Extent::Grid { x: axis, z: axis };
+    let options = MapOptions { extent, load: Load::PAPER, elbow: None, held: None };
+    let links = |arm: &PlanarArm| PlanarModel::of_links(arm).expect("an arm");
+    let (model, arm, unlimited) = (Model::Planar(links(&arm)), links(&arm), links(&unlimited));
     let mut group = c.benchmark_group("map_1000x1000");
     group.throughput(Throughput::Elements((SIDE * SIDE) as u64));
     let mut cells = vec![0.0; SIDE * SIDE];
-    group.bench_function("limits_fresh_memory", |b| b.iter(|| map(black_box(&arm), &options)));
+    group.bench_function("limits_fresh_memory", |b| b.iter(|| map(black_box(&model), &options)));
     group.bench_function("limits", |b| b.iter(|| map_into(black_box(&arm), &options, &mut cells)));
     group.bench_function("no_limits", |b| b.iter(|| map_into(black_box(&unlimited), &options, &mut cells)));
-    let directed = MapOptions { direction: Direction::Given(0.3, stiffarm::map::Component::Total), ..options };
+    let directed = MapOptions { load: Load::in_plane(1000.0, 0.3, Component::Total).expect("a load"), ..options };
     group.bench_function("limits_directed", |b| b.iter(|| map_into(black_box(&arm), &directed, &mut cells)));
     group.finish();
 }
@@ -42,14 +47,16 @@ fn maps(c: &mut Criterion) {
 fn placements(c: &mut Criterion) {
     let robots = paper_robots();
     let zone = tasks(&["B:0.5"])[0].zone;
-    let anywhere = PlaceOptions::paper(1000.0);
+    let anywhere = PlaceOptions::under(Load::PAPER);
     let range = |min, max| stiffarm::interval::Interval::new(min, max).expect("a range");
-    let on_a_table = PlaceOptions { within: Within { x: range(1.2, 4.0), z: range(0.3, 1.5) }, ..anywhere };
+    let on_a_table = PlaceOptions { within: Some(Within { x: range(1.2, 4.0), z: range(0.3, 1.5) }), ..anywhere };
     let turned = PlaceOptions { orientation: Orientation::Free, ..on_a_table };
     let mut group = c.benchmark_group("place");
     for (name, options) in [("exact", anywhere), ("within", on_a_table), ("within_any_angle", turned)] {
         let robot = robot(&robots, "BT200L");
-        group.bench_function(name, |b| b.iter(|| place_robot(black_box(&robot), zone, &options)));
+        group.bench_function(name, |b| {
+            b.iter(|| place(&Model::planar(black_box(&robot)).expect("a plane"), zone, &options))
+        });
     }
     group.finish();
 }
@@ -57,8 +64,10 @@ fn placements(c: &mut Criterion) {
 fn tables(c: &mut Criterion) {
     let robots = paper_robots();
     let tasks = tasks(&["A:0.1", "A:1.0", "B:0.1", "B:0.5", "C:0.05", "C:0.15"]);
-    let options = PlaceOptions::paper(1000.0);
-    c.bench_function("rank_ten_robots_six_tasks", |b| b.iter(|| rank(black_box(&robots), &tasks, &options, || ())));
+    let options = PlaceOptions::under(Load::PAPER);
+    c.bench_function("rank_ten_robots_six_tasks", |b| {
+        b.iter(|| rank(black_box(&robots), &tasks, &ModelKind::Planar, &options, || ()))
+    });
     let paper = StudyOptions::paper();
     let mut group = c.benchmark_group("table_1");
     group.sample_size(20);

@@ -6,7 +6,7 @@
 
 use std::time::Instant;
 
-use stiffarm::place::{SpatiallyPlaced, place_in_space};
+use stiffarm::place::Placed;
 
 #[path = "../tests/questions/mod.rs"]
 mod questions;
@@ -26,13 +26,14 @@ struct Answered {
 fn answer(seed: u64) -> Answered {
     let question = random_question(seed);
     let start = Instant::now();
-    let placed =
-        place_in_space(&question.robot, question.zone, &question.options).expect("a question that makes sense");
+    let placed = question.options.place(&question.robot, question.zone).expect("a question that makes sense");
     let seconds = start.elapsed().as_secs_f64();
     let (gap, boxes) = match &placed {
-        SpatiallyPlaced::Feasible(best) => (1.0 - best.lower_bound / best.deflection, best.resolution.boxes),
-        SpatiallyPlaced::Infeasible { is_proved: true, .. } => (0.0, 0),
-        SpatiallyPlaced::Infeasible { .. } => (f64::INFINITY, 0),
+        Placed::Feasible(best) => {
+            (1.0 - best.lower_bound / best.deflection, best.space().map_or(0, |hold| hold.resolution.boxes))
+        }
+        Placed::Infeasible { is_proved: true, .. } => (0.0, 0),
+        Placed::Infeasible { .. } => (f64::INFINITY, 0),
     };
     Answered { seed, gap, has_place: placed.feasible().is_some(), seconds, boxes }
 }

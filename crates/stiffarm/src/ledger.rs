@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::catalogue::{names, paper_robots};
 use crate::drive::Architecture;
-use crate::place::{PlaceError, PlaceOptions, best_without_limits, largest_scale_without_limits, place_robot};
+use crate::load::Load;
+use crate::model::{Model, ModelError};
+use crate::place::{PlaceError, PlaceOptions, best_without_limits, largest_scale_without_limits, place};
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot};
 use crate::study::{Contender, Study, StudyOptions, study};
@@ -224,7 +226,7 @@ fn links(robots: &[Robot], name: &str) -> Option<Links> {
 /// At 1 kN, as the paper's Table III; `None` where the task has no place.
 fn deflection_mm(robot: &Robot, task: &str) -> Result<Option<f64>, LedgerError> {
     let task: Task = task.parse()?;
-    let placed = place_robot(robot, task.zone, &PlaceOptions::paper(1000.0))?;
+    let placed = place(&Model::planar(robot).map_err(PlaceError::from)?, task.zone, &PlaceOptions::under(Load::PAPER))?;
     Ok(placed.feasible().map(|placement| placement.deflection * 1e3))
 }
 
@@ -280,7 +282,7 @@ fn text_figure(robots: &[Robot], study: &Study, item: &str, cell: &str) -> Resul
             Some(largest_scale_without_limits(&arm, tasks[1].zone))
         }
         "section IV, stiffest point" => {
-            let plane = robot()?.arm_plane().map_err(PlaceError::from)?;
+            let plane = robot()?.arm_plane().map_err(|error| PlaceError::from(ModelError::from(error)))?;
             Some(plane.arm.radial().floor() * 1e6)
         }
         "section IV, zone of 0.5 x 1 m" => deflection_mm(robot()?, "B:0.5")?,

@@ -29,6 +29,7 @@
 //!   industrial serial manipulators with an ortho-parallel basis and a spherical wrist*, 2014.
 //! - **\[theory\]** `docs/theory.md` of this repository: the formulas with their derivation.
 
+pub mod answer;
 pub mod catalogue;
 pub mod compliance;
 pub mod drive;
@@ -37,13 +38,14 @@ pub mod interval;
 pub mod inverse;
 pub mod ledger;
 pub mod limits;
+pub mod load;
 pub mod map;
+pub mod model;
 pub mod place;
 pub mod plain;
 pub mod plane;
 pub mod question;
 pub mod rank;
-pub mod report;
 pub mod robot;
 mod root;
 pub mod space;

@@ -1,19 +1,17 @@
 //! Verb 2: how far is the tool pushed off, everywhere the arm reaches?
 
+mod planar;
 mod rolls;
 mod section;
 mod spans;
 
-use nalgebra::Vector2;
-use rayon::prelude::*;
-
-use crate::compliance::PostureError;
 use crate::interval::Interval;
-use crate::place::{PlaceError, check_force};
-use crate::plane::{Elbow, ElbowSide, InvalidArm, PlanarArm, RadialCompliance};
-use spans::{RowSpans, Scratch};
+use crate::inverse::Configuration;
+use crate::load::{Direction, Load};
+use crate::model::{Model, ModelError, PlanarModel, SpatialModel};
+use crate::plane::{Elbow, InvalidArm, PlanarArm};
 
-pub use section::{ROLL_TOLERANCE, Section, SectionOptions, reached_section, section};
+pub use section::ROLL_TOLERANCE;
 
 /// More cells than this are refused before memory is taken (800 MB).
 pub const MOST_CELLS: usize = 100_000_000;
@@ -77,59 +75,117 @@ impl Spacing {
     }
 }
 
-/// What part of a deflection is mapped for a force of known direction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Component {
-    /// The whole displacement, `|C n| F`: the paper's eq. (1) for one direction.
-    Total,
-    /// Its part along the force, `n^T C n F`.
-    Along,
-}
-
-/// The direction of the force.
+/// Where points of a map stand.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Direction {
-    /// The worst in every point.
-    Worst,
-    /// One angle in the arm plane, rad, counter-clockwise from straight ahead.
-    Given(f64, Component),
+pub enum Extent {
+    /// All over what is reached.
+    Reached(Spacing),
+    /// On a grid, m from the base: forwards and upwards.
+    Grid {
+        /// Forwards.
+        x: Axis,
+        /// Upwards.
+        z: Axis,
+    },
 }
 
-/// What is mapped.
+/// What is mapped. What a model does not know is refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapOptions {
-    /// Forwards, from the joint-2 axis.
-    pub x: Axis,
-    /// Upwards, from the joint-2 axis.
-    pub z: Axis,
-    /// Force, N.
-    pub force: f64,
-    /// Its direction.
-    pub direction: Direction,
-    /// One elbow side, or the stiffer of those that reach a point.
+    /// Where its points stand.
+    pub extent: Extent,
+    /// The force; of one direction in the planar model only.
+    pub load: Load,
+    /// One elbow side, or the stiffer of those that reach a point; planar model only.
     pub elbow: Option<Elbow>,
+    /// How the tool is held, spatial model only; straight down where `None`.
+    pub held: Option<Held>,
 }
 
-/// Deflections, m, over a grid; absent where the arm does not reach.
+/// How the tool is held at every point of a map in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Held {
+    /// Angle of the tool axis above the horizontal, rad: `-pi/2` down, `0` ahead.
+    pub elevation: f64,
+    /// Angle of the tool axis about the vertical, rad: out of the plane, to the left.
+    pub yaw: f64,
+    /// About the tool axis, rad; the stiffest at each point, to [`ROLL_TOLERANCE`], where `None`.
+    pub roll: Option<f64>,
+    /// One configuration, or the stiffest at each point.
+    pub configuration: Option<Configuration>,
+}
+
+impl Held {
+    /// Straight down, at the best roll and in the best configuration of every point.
+    pub const TOOL_DOWN: Self =
+        Self { elevation: -std::f64::consts::FRAC_PI_2, yaw: 0.0, roll: None, configuration: None };
+}
+
+impl MapOptions {
+    /// All over what is reached, as the model usually holds the tool.
+    pub const fn over(spacing: Spacing, load: Load) -> Self {
+        Self { extent: Extent::Reached(spacing), load, elbow: None, held: None }
+    }
+}
+
+/// One number over a grid; absent where the arm does not reach.
 #[derive(Clone, Debug)]
-pub struct Map {
-    /// Forwards, from the joint-2 axis.
+pub struct Grid {
+    /// Forwards from the base.
     pub x: Axis,
-    /// Upwards, from the joint-2 axis.
+    /// Upwards from the base.
     pub z: Axis,
     /// Row by row from the first z; NaN stands for absent and does not leave this module.
     cells: Vec<f64>,
 }
 
+/// Deflections over everything an arm reaches.
+#[derive(Clone, Debug)]
+pub struct Map {
+    /// m, under the load.
+    pub deflection: Grid,
+    /// What only the spatial model knows.
+    pub space: Option<Margins>,
+    /// Of the planar model: the points as its arm sees them.
+    from_axis_2: [Axis; 2],
+}
+
+/// Which posture holds each point in space, and how far it is from what it must not reach.
+#[derive(Clone, Debug)]
+pub struct Margins {
+    /// Distance of the nearest joint, or of the angle between the links, to its limits, rad; joint 1 left aside, and joint 6 where the
+    /// roll moves nothing.
+    pub limits: Grid,
+    /// Distance to a straight wrist or a stretched or folded arm, rad.
+    pub singular: Grid,
+    /// Configuration and roll (rad) of every cell, row by row.
+    held: Vec<Option<(Configuration, f64)>>,
+}
+
+/// The arm at one point of a map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Posture {
+    /// Shoulder and elbow angle in the arm plane, rad.
+    Plane([f64; 2]),
+    /// Joint angles as the robot reports them, rad; joint 1 turns straight ahead whatever its limits, and so does joint 6 where the
+    /// roll moves nothing.
+    Joints([f64; 6]),
+}
+
 /// A map that cannot be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MapError {
-    /// The arm or the force makes no sense.
+    /// The model does not hold for the robot.
     #[error(transparent)]
-    Arm(#[from] PlaceError),
-    /// Robot or tool make no sense.
-    #[error(transparent)]
-    Posture(#[from] PostureError),
+    Model(#[from] ModelError),
+    /// What another model knows.
+    #[error("{what} is a matter of the {model} model")]
+    Inapplicable {
+        /// What was asked for.
+        what: &'static str,
+        /// The model that knows it.
+        model: &'static str,
+    },
     /// Too many cells, or none.
     #[error(
         "a map of {columns} x {rows} cells; expected at least 2 x 2 and at most {most} cells: choose a larger step"
@@ -150,33 +206,36 @@ pub enum MapError {
         /// Step.
         step: f64,
     },
-    /// A direction that is not finite.
+    /// An angle of the tool that is no sensible number.
     #[error("a direction of {0} rad; expected a finite number")]
     Direction(f64),
     /// The limits leave nothing on the elbow side asked for.
     #[error("the limits leave nothing reachable with the elbow {0}")]
     Elbow(&'static str),
+    /// No point at all.
+    #[error("no point is reached with this direction of the tool")]
+    NothingReached,
 }
 
 impl From<InvalidArm> for MapError {
     fn from(error: InvalidArm) -> Self {
-        Self::Arm(error.into())
+        Self::Model(error.into())
     }
 }
 
-impl Map {
-    /// Deflection, m, at column `i` and row `j`.
+impl Grid {
+    /// The number at column `i` and row `j`.
     pub fn get(&self, i: usize, j: usize) -> Option<f64> {
         Some(self.cells[j * self.x.count + i]).filter(|value| !value.is_nan())
     }
 
-    /// The deflections of one row.
+    /// The numbers of one row.
     pub fn row(&self, j: usize) -> impl Iterator<Item = Option<f64>> {
         let row = &self.cells[j * self.x.count..(j + 1) * self.x.count];
         row.iter().map(|&value| Some(value).filter(|value| !value.is_nan()))
     }
 
-    /// The smallest and the largest deflection, each with its column and row; `None` where nothing is reached.
+    /// The smallest and the largest number, each with its column and row; `None` where nothing is reached.
     pub fn extremes(&self) -> Option<[(f64, usize, usize); 2]> {
         let found = self.cells.iter().enumerate().filter(|(_, value)| !value.is_nan());
         let at = |i: usize| (self.cells[i], i % self.x.count, i / self.x.count);
@@ -186,159 +245,137 @@ impl Map {
     }
 }
 
-/// Maps the deflection over a grid (\[paper\], Fig. 2 and 3), within the joint limits of each elbow side.
+impl Map {
+    /// The stiffest point: its column, its row, and the posture that holds it there; `None` where nothing is reached.
+    ///
+    /// `options` are those with which `model` made the map.
+    pub fn stiffest(&self, model: &Model, options: &MapOptions) -> Option<(usize, usize, Posture)> {
+        let [(_, i, j), _] = self.deflection.extremes()?;
+        let posture = match (model, &self.space) {
+            (Model::Planar(model), None) => {
+                let point = [self.from_axis_2[0].at(i), self.from_axis_2[1].at(j)];
+                Posture::Plane(planar::posture(model, options.elbow, point)?)
+            }
+            (Model::Spatial(model), Some(margins)) => {
+                let held = options.held.unwrap_or(Held::TOOL_DOWN);
+                let point = [self.deflection.x.at(i), self.deflection.z.at(j)];
+                Posture::Joints(section::joints(model, &held, margins.at(i, j)?, point)?)
+            }
+            (Model::Planar(_), Some(_)) | (Model::Spatial(_), None) => return None, // another model's map
+        };
+        Some((i, j, posture))
+    }
+}
+
+impl Margins {
+    /// Configuration and roll, rad, at column `i` and row `j`.
+    pub fn at(&self, i: usize, j: usize) -> Option<(Configuration, f64)> {
+        self.held[j * self.limits.x.count + i]
+    }
+
+    /// Configuration and roll, rad, of every cell of row `j`.
+    pub fn row(&self, j: usize) -> impl Iterator<Item = Option<(Configuration, f64)>> {
+        let columns = self.limits.x.count;
+        self.held[j * columns..(j + 1) * columns].iter().copied()
+    }
+}
+
+/// Maps the deflection over a grid: in the arm plane (\[paper\], Fig. 2 and 3), or over the section through the joint-1 axis that
+/// points straight ahead, at the best configuration and roll of every point.
+///
+/// In space the points stand for all places about the robot: joint 1 turns there, and its limits are left aside.
 ///
 /// # Errors
-/// Where an argument makes no sense; a map that is too large is refused before memory is taken.
-pub fn map(arm: &PlanarArm, options: &MapOptions) -> Result<Map, MapError> {
-    let (columns, rows) = (options.x.count, options.z.count);
-    if columns < 2 || rows < 2 || !columns.checked_mul(rows).is_some_and(|cells| cells <= MOST_CELLS) {
-        return Err(MapError::Size { columns, rows, most: MOST_CELLS });
+/// Where an argument makes no sense or belongs to another model; a map that is too large is refused before memory is taken.
+pub fn map(model: &Model, options: &MapOptions) -> Result<Map, MapError> {
+    match model {
+        Model::Planar(model) => {
+            let grid = PlaneGrid::of(model, options)?;
+            let mut cells = vec![0.0; grid.x.count * grid.z.count];
+            planar::fill(model, options, &grid, &mut cells)?;
+            let [ahead, up] = model.axis_from_base;
+            let from_base = |axis: Axis, by: f64| Axis { start: axis.start + by, ..axis };
+            let deflection = Grid { x: from_base(grid.x, ahead), z: from_base(grid.z, up), cells };
+            Ok(Map { deflection, space: None, from_axis_2: [grid.x, grid.z] })
+        }
+        Model::Spatial(model) => in_space(model, options),
     }
-    let mut cells = vec![0.0; columns * rows];
-    map_into(arm, options, &mut cells)?;
-    Ok(Map { x: options.x, z: options.z, cells })
 }
 
-/// Shoulder and elbow angle, rad, at the stiffest point of a map, with the one elbow side or the first that reaches it.
-pub fn stiffest_posture(arm: &PlanarArm, map: &Map, elbow: Option<Elbow>) -> Option<(f64, f64)> {
-    let [(_, i, j), _] = map.extremes()?;
-    let p = [map.x.at(i), map.z.at(j)];
-    let sides = arm.sides().ok()?;
-    let wanted = |side: &&ElbowSide| elbow.is_none_or(|only| only == side.elbow);
-    sides.iter().filter(wanted).find_map(|side| side.posture(p.into()))
+/// [`map`] of the planar model into memory that is there already, row by row; NaN where the arm does not reach.
+///
+/// # Errors
+/// As [`map`].
+///
+/// # Panics
+/// Where `cells` is not as long as the grid has points.
+pub fn map_into(model: &PlanarModel, options: &MapOptions, cells: &mut [f64]) -> Result<(), MapError> {
+    planar::fill(model, options, &PlaneGrid::of(model, options)?, cells)
 }
 
-/// The upright box, m from the joint-2 axis, outside which the arm reaches nothing: forwards, upwards.
+/// A grid as the arm sees it: from the joint-2 axis.
+struct PlaneGrid {
+    x: Axis,
+    z: Axis,
+}
+
+impl PlaneGrid {
+    fn of(model: &PlanarModel, options: &MapOptions) -> Result<Self, MapError> {
+        if options.held.is_some() {
+            return Err(MapError::Inapplicable { what: "a direction of the tool", model: "spatial" });
+        }
+        let [x, z] = match options.extent {
+            Extent::Reached(spacing) => spacing.cover(planar::reached_box(model)?),
+            Extent::Grid { x, z } => {
+                let [ahead, up] = model.axis_from_base;
+                [Axis { start: x.start - ahead, ..x }, Axis { start: z.start - up, ..z }]
+            }
+        };
+        check_grid(x, z, MOST_CELLS)?;
+        Ok(Self { x, z })
+    }
+}
+
+fn check_grid(x: Axis, z: Axis, most: usize) -> Result<(), MapError> {
+    let (columns, rows) = (x.count, z.count);
+    if columns < 2 || rows < 2 || !columns.checked_mul(rows).is_some_and(|cells| cells <= most) {
+        return Err(MapError::Size { columns, rows, most });
+    }
+    match [x, z].into_iter().find(|axis| !(axis.start.is_finite() && axis.step.is_finite() && 0.0 < axis.step)) {
+        Some(Axis { start, step, .. }) => Err(MapError::Grid { start, step }),
+        None => Ok(()),
+    }
+}
+
+fn in_space(model: &SpatialModel, options: &MapOptions) -> Result<Map, MapError> {
+    if options.load.direction() != Direction::Worst {
+        return Err(MapError::Inapplicable { what: "a force of one direction", model: "planar" });
+    }
+    if options.elbow.is_some() {
+        return Err(MapError::Inapplicable { what: "one elbow side", model: "planar" });
+    }
+    let held = options.held.unwrap_or(Held::TOOL_DOWN);
+    if let Some(angle) =
+        [held.elevation, held.yaw, held.roll.unwrap_or(0.0)].into_iter().find(|angle| !(angle.abs() <= 1e3))
+    {
+        return Err(MapError::Direction(angle));
+    }
+    let [x, z] = match options.extent {
+        Extent::Reached(spacing) => {
+            spacing.cover(section::reached_box(model.arm(), &held)?.ok_or(MapError::NothingReached)?)
+        }
+        Extent::Grid { x, z } => [x, z],
+    };
+    check_grid(x, z, MOST_CELLS_IN_SPACE)?;
+    Ok(section::section(model.arm(), x, z, options.load.newtons(), &held))
+}
+
+/// The upright box, m from the joint-2 axis, outside which two links reach nothing: forwards, upwards.
 ///
 /// Found on a 256 x 256 grid and widened by one step, so that it holds all of the reached set that a map can show.
 ///
 /// # Errors
 /// Where the arm makes no sense.
 pub fn reached_box(arm: &PlanarArm) -> Result<[Interval; 2], MapError> {
-    const CELLS: usize = 256;
-    let far = arm.sides()?.iter().map(|side| side.ring.max()).fold(0.0, f64::max);
-    let axis = Axis::between(-far, far, CELLS);
-    let options = MapOptions { x: axis, z: axis, force: 1.0, direction: Direction::Worst, elbow: None };
-    let map = map(arm, &options)?;
-    let reached: Vec<(usize, usize)> = (0..CELLS)
-        .flat_map(|j| {
-            map.row(j).enumerate().filter(|(_, cell)| cell.is_some()).map(move |(i, _)| (i, j)).collect::<Vec<_>>()
-        })
-        .collect();
-    let span = |pick: fn(&(usize, usize)) -> usize| {
-        let (min, max) = (reached.iter().map(pick).min(), reached.iter().map(pick).max());
-        match (min, max) {
-            (Some(min), Some(max)) => Interval::spanning(axis.at(min) - axis.step, axis.at(max) + axis.step),
-            _ => Interval::spanning(-far, far),
-        }
-    };
-    Ok([span(|cell| cell.0), span(|cell| cell.1)])
-}
-
-/// [`map`] into memory that is there already, row by row; NaN where the arm does not reach.
-///
-/// # Errors
-/// As [`map`].
-///
-/// # Panics
-/// Where `cells` is not `x.count * z.count` long.
-pub fn map_into(arm: &PlanarArm, options: &MapOptions, cells: &mut [f64]) -> Result<(), MapError> {
-    check_force(options.force)?;
-    for Axis { start, step, .. } in [options.x, options.z] {
-        if !(start.is_finite() && step.is_finite() && 0.0 < step) {
-            return Err(MapError::Grid { start, step });
-        }
-    }
-    if let Direction::Given(angle, _) = options.direction
-        && !angle.is_finite()
-    {
-        return Err(MapError::Direction(angle));
-    }
-    let columns = options.x.count;
-    assert_eq!(cells.len(), columns * options.z.count, "one cell per grid point");
-    let mut sides = arm.sides()?;
-    if let Some(elbow) = options.elbow {
-        sides.retain(|side| side.elbow == elbow);
-        if sides.is_empty() {
-            return Err(MapError::Elbow(elbow.name()));
-        }
-    }
-    let spans = RowSpans::new(&sides, options.x);
-    let block = (16_384 / columns).max(1);
-    let fill = |(number, block_cells): (usize, &mut [f64])| {
-        let first = number * block;
-        match options.direction {
-            Direction::Worst => worst_rows(&arm.radial(), &spans, options, first, block_cells),
-            Direction::Given(angle, component) => {
-                for (j, row) in block_cells.chunks_mut(columns).enumerate() {
-                    directed_row(arm, &sides, &spans, options, (angle, component), first + j, row);
-                }
-            }
-        }
-    };
-    cells.par_chunks_mut(block * columns).enumerate().for_each(fill);
-    Ok(())
-}
-
-/// Rows from `first` on: sigma(r) over the reached spans, blank elsewhere. Vectorised with what the machine has.
-fn worst_rows(sigma: &RadialCompliance, spans: &RowSpans, options: &MapOptions, first: usize, cells: &mut [f64]) {
-    let force = options.force;
-    // sigma F = (h0 + h1 t) + sqrt(a (t - t0)^2 + e), all scaled by F.
-    let (h0, h1) = (sigma.half_trace_0 * force, sigma.half_trace_1 * force);
-    let (a, e) = (sigma.a * force * force, sigma.e * force * force);
-    let t0 = sigma.t0;
-    let squares: &[f64] = &spans.squares;
-    let mut scratch = Scratch::default();
-    pulp::Arch::new().dispatch(|| {
-        for (j, row) in cells.chunks_mut(squares.len()).enumerate() {
-            let z = options.z.at(first + j);
-            let z2 = z * z;
-            let mut blank_from = 0;
-            spans.reached(z, &mut scratch);
-            for span in &scratch.spans {
-                row[blank_from..span.start].fill(f64::NAN);
-                for (cell, x2) in row[span.clone()].iter_mut().zip(&squares[span.clone()]) {
-                    let t = x2 + z2;
-                    let u = t - t0;
-                    *cell = h0 + h1 * t + (a * u * u + e).sqrt();
-                }
-                blank_from = span.end;
-            }
-            row[blank_from..].fill(f64::NAN);
-        }
-    });
-}
-
-/// One row for a given direction: the smaller deflection of the sides that reach a point.
-fn directed_row(
-    arm: &PlanarArm,
-    sides: &[ElbowSide],
-    spans: &RowSpans,
-    options: &MapOptions,
-    (angle, component): (f64, Component),
-    j: usize,
-    row: &mut [f64],
-) {
-    let force = options.force * Vector2::new(angle.cos(), angle.sin());
-    let z = options.z.at(j);
-    row.fill(f64::NAN);
-    let mut scratch = Scratch::default();
-    for (i, side) in sides.iter().enumerate() {
-        spans.reached_by(i, z, &mut scratch);
-        for span in &scratch.spans {
-            for column in span.clone() {
-                let p = Vector2::new(options.x.at(column), z);
-                let Some(upper) = side.upper_arm(p) else {
-                    continue;
-                };
-                let moved = arm.compliance_of_links(upper, p - upper) * force;
-                let deflection = match component {
-                    Component::Total => moved.norm(),
-                    Component::Along => moved.dot(&force) / options.force,
-                };
-                row[column] = row[column].min(deflection);
-            }
-        }
-    }
+    planar::reached_box(&PlanarModel::of_links(arm)?)
 }

@@ -1,20 +1,22 @@
 //! What do people ask, in their own units? Options from words, mm and degrees, with the usual answer where nothing is said.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::str::FromStr;
 
 use nalgebra::{Rotation3, Translation3};
 
 use crate::interval::Interval;
-use crate::place::{Orientation, PlaceOptions, SpatialOptions, Within};
+use crate::load::Load;
+use crate::model::ModelKind;
+use crate::place::{Orientation, PlaceOptions, Stance, Within};
 use crate::spatial::Pose;
 use crate::task::{Task, Zone};
 
 /// What is asked of a placement, whatever the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
-    /// Cutting force, N.
-    pub force: f64,
+    /// Cutting force.
+    pub load: Load,
     /// Where the zone may stand, m from the robot's base; anywhere, or in space in front of the joint-1 axis and above the
     /// base, where `None`.
     pub within: Option<Within>,
@@ -56,12 +58,11 @@ pub enum Unasked {
 impl Wanted {
     /// In the arm plane.
     pub fn planar(&self, zone: Zone) -> PlaceOptions {
-        let usual = PlaceOptions::paper(self.force);
         PlaceOptions {
             orientation: self.angle.orientation(zone),
-            within: self.within.unwrap_or(usual.within),
-            gap: self.gap.unwrap_or(usual.gap),
-            ..usual
+            within: self.within,
+            gap: self.gap,
+            ..PlaceOptions::under(self.load)
         }
     }
 
@@ -69,12 +70,13 @@ impl Wanted {
     ///
     /// # Errors
     /// Where the spatial model has no answer.
-    pub fn spatial(&self, held: &Held) -> Result<SpatialOptions, Unasked> {
+    pub fn spatial(&self, held: &Held) -> Result<PlaceOptions, Unasked> {
         if self.gap.is_some() {
             return Err(Unasked::Gap);
         }
-        let usual = SpatialOptions::tool_down(self.force);
-        if held.yaw.is_some() && (SpatialOptions { elevation: held.elevation(), ..usual }).is_vertical() {
+        let usual = Stance::tool_at(held.elevation());
+        let is_vertical = FRAC_PI_2 - usual.elevation.abs() < 1e-9;
+        if held.yaw.is_some() && is_vertical {
             return Err(Unasked::Yaw);
         }
         let is_wall = held.elevation().abs() < 1.5;
@@ -85,22 +87,15 @@ impl Wanted {
             Angle::Horizontal | Angle::Vertical if is_wall => Orientation::Axes,
             Angle::Horizontal | Angle::Vertical => return Err(Unasked::LongSide),
         };
-        Ok(SpatialOptions {
-            flange_from_tool: held.tool(),
-            elevation: held.elevation(),
-            yaw: held.yaw.unwrap_or(usual.yaw),
-            orientation,
-            roll: held.roll(),
-            within: self.within.unwrap_or(usual.within),
-            ..usual
-        })
+        let stance = Stance { yaw: held.yaw.unwrap_or(usual.yaw), roll: held.roll(), ..usual };
+        Ok(PlaceOptions { orientation, within: self.within, stance: Some(stance), ..PlaceOptions::under(self.load) })
     }
 
     /// The same for one zone, of which it is known which side is the long one.
     ///
     /// # Errors
     /// As [`Self::spatial`].
-    pub fn spatial_for(&self, held: &Held, zone: Zone) -> Result<SpatialOptions, Unasked> {
+    pub fn spatial_for(&self, held: &Held, zone: Zone) -> Result<PlaceOptions, Unasked> {
         let options = self.spatial(held)?;
         let [first, second] = zone.sides();
         let upright = if second <= first { 0.0 } else { 90.0_f64 };
@@ -109,7 +104,20 @@ impl Wanted {
             Angle::Horizontal => Orientation::Fixed((90.0 - upright).to_radians()),
             _ => options.orientation,
         };
-        Ok(SpatialOptions { orientation, ..options })
+        Ok(PlaceOptions { orientation, ..options })
+    }
+
+    /// The options of a model for one zone, or for zones of any shape where there is none.
+    ///
+    /// # Errors
+    /// As [`Self::spatial`].
+    pub fn options(&self, model: &ModelKind, held: &Held, zone: Option<Zone>) -> Result<PlaceOptions, Unasked> {
+        match (model, zone) {
+            (ModelKind::Planar, Some(zone)) => Ok(self.planar(zone)),
+            (ModelKind::Planar, None) => Ok(self.planar(Zone::Circle { diameter: 1.0 })),
+            (ModelKind::Spatial(_), Some(zone)) => self.spatial_for(held, zone),
+            (ModelKind::Spatial(_), None) => self.spatial(held),
+        }
     }
 }
 

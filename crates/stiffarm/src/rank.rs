@@ -2,105 +2,72 @@
 
 use rayon::prelude::*;
 
-use crate::place::{
-    NOTHING, PlaceError, PlaceOptions, Placed, Placement, SpatialOptions, SpatialPlaceError, SpatiallyPlaced,
-    find_robot, place_in_space, place_robot,
-};
+use crate::load::Load;
+use crate::model::{Model, ModelKind};
+use crate::place::{NOTHING, PlaceError, PlaceOptions, Placed, Placement, find, place};
 use crate::robot::{Robot, Status};
 use crate::task::Task;
 
-/// What a ranking knows of one robot and one task.
-pub trait Cell {
-    /// Deflection at the best place, m; `None` where there is no place, or it is not known.
-    fn deflection(&self) -> Option<f64>;
-
-    /// It is known whether there is a place.
-    fn is_judged(&self) -> bool {
-        true
-    }
-}
-
-/// In the planar model: an error where the search did not end ([`PlaceError::Unfinished`]), or the model does not hold for
-/// the robot ([`is_not_of_the_plane`]).
-pub type PlanarCell = Result<Placed, PlaceError>;
-
-impl Cell for PlanarCell {
-    fn deflection(&self) -> Option<f64> {
-        self.as_ref().ok()?.feasible().map(|placement| placement.deflection)
-    }
-
-    fn is_judged(&self) -> bool {
-        self.is_ok()
-    }
-}
-
-/// The robot is sound, but the planar model has no answer for it: a compensator, an unusual coupling, or rigid drives 2
-/// and 3.
-pub fn is_not_of_the_plane(error: &PlaceError) -> bool {
-    matches!(error, PlaceError::NoArmPlane(_))
-}
-
-impl Cell for SpatiallyPlaced {
-    fn deflection(&self) -> Option<f64> {
-        self.feasible().map(|placement| placement.deflection)
-    }
-}
+/// What a ranking knows of one robot and one task: an error where the search did not end ([`PlaceError::Unfinished`]), or the
+/// planar model does not hold for the robot ([`PlaceError::is_not_of_the_plane`]).
+pub type Cell = Result<Placed, PlaceError>;
 
 /// One robot in a ranking.
 #[derive(Clone, Debug)]
-pub struct Row<C = PlanarCell> {
+pub struct Row {
     /// Which.
     pub robot: Robot,
     /// One answer per task.
-    pub cells: Vec<C>,
-    /// How much worse than the best robot of each task, as a geometric mean over the tasks it can do; 1 is the best.
-    pub score: f64,
-}
-
-impl<C: Cell> Row<C> {
-    /// How many tasks have no place, or none that is known.
-    pub fn misfits(&self) -> usize {
-        self.cells.iter().filter(|cell| cell.deflection().is_none()).count()
-    }
-
-    /// Deflection of a task, m.
-    pub fn deflection(&self, task: usize) -> Option<f64> {
-        self.cells[task].deflection()
-    }
+    pub cells: Vec<Cell>,
+    /// How much worse than the best robot of each task, as a geometric mean over the tasks it can do; 1 is the best. `None` where
+    /// it can do none.
+    pub mean_ratio: Option<f64>,
+    /// Deflection, m, at the stiffest posture the links allow: no placement of any task can have less. `None` where the model knows
+    /// no such bound, or does not hold.
+    pub floor: Option<f64>,
 }
 
 impl Row {
-    /// Deflection, m, under a force, N, at the stiffest posture the links allow: no placement of any task can have less.
-    /// `None` where the planar model has no answer.
-    pub fn floor(&self, force: f64) -> Option<f64> {
-        self.robot.arm_plane().ok().map(|plane| plane.arm.radial().floor() * force)
-    }
-
-    /// Why the planar model has no answer for this robot, where it has none.
-    pub fn why_not_of_the_plane(&self) -> Option<&PlaceError> {
-        self.cells.iter().find_map(|cell| cell.as_ref().err().filter(|error| is_not_of_the_plane(error)))
+    /// How many tasks have no place, or none that is known.
+    pub fn misfits(&self) -> usize {
+        (0..self.cells.len()).filter(|&task| self.placement(task).is_none()).count()
     }
 
     /// The best place of a task, where there is one.
     pub fn placement(&self, task: usize) -> Option<&Placement> {
         self.cells[task].as_ref().ok()?.feasible()
     }
+
+    /// Deflection of a task at its best place, m; `None` where there is no place, or it is not known.
+    pub fn deflection(&self, task: usize) -> Option<f64> {
+        self.placement(task).map(|placement| placement.deflection)
+    }
+
+    /// Why the planar model has no answer for this robot, where it has none.
+    pub fn why_not_of_the_plane(&self) -> Option<&PlaceError> {
+        self.cells.iter().find_map(|cell| cell.as_ref().err().filter(|error| error.is_not_of_the_plane()))
+    }
 }
 
-/// Robots in order: those that can do more of the tasks first, then by [`Row::score`].
+/// Robots in order: those that can do more of the tasks first, then by [`Row::mean_ratio`].
 #[derive(Clone, Debug)]
-pub struct Ranking<C = PlanarCell> {
+pub struct Ranking {
     /// What was asked.
     pub tasks: Vec<Task>,
-    /// Cutting force, N.
-    pub force: f64,
+    /// The cutting force.
+    pub load: Load,
+    /// The model behind the values.
+    pub model: ModelKind,
     /// The best first.
-    pub rows: Vec<Row<C>>,
+    pub rows: Vec<Row>,
+    /// Beside a ranking in space: that of the paper, the same robots and tasks, zones anywhere in the arm plane. None of the robots
+    /// need be of the plane.
+    pub in_plane: Option<Box<Ranking>>,
 }
 
-impl<C: Cell> Ranking<C> {
+impl Ranking {
     /// The stiffest robot for a task among those that `filter` lets pass; of equals the one that ranks higher.
-    pub fn best(&self, task: usize, filter: impl Fn(&Robot) -> bool) -> Option<&Row<C>> {
+    pub fn best(&self, task: usize, filter: impl Fn(&Robot) -> bool) -> Option<&Row> {
         self.rows
             .iter()
             .filter(|row| filter(&row.robot))
@@ -110,30 +77,28 @@ impl<C: Cell> Ranking<C> {
     }
 
     /// The same among robots of which no number is assumed.
-    pub fn best_published(&self, task: usize) -> Option<&Row<C>> {
+    pub fn best_published(&self, task: usize) -> Option<&Row> {
         self.best(task, |robot| robot.status != Status::Estimated)
     }
-}
 
-impl<C: Cell> Ranking<C> {
-    /// Places from 1, row by row: an estimated robot stands where its values put it, but takes none, nor does one of which
+    /// Ranks from 1, row by row: an estimated robot stands where its values put it, but has none, nor has one of which
     /// nothing is known.
-    pub fn places(&self) -> Vec<Option<usize>> {
-        let mut place = 0;
-        let mut next = |row: &Row<C>| {
-            let is_known = row.cells.iter().any(Cell::is_judged);
+    pub fn ranks(&self) -> Vec<Option<usize>> {
+        let mut rank = 0;
+        let mut next = |row: &Row| {
+            let is_known = row.cells.iter().any(Result::is_ok);
             (is_known && row.robot.status != Status::Estimated).then(|| {
-                place += 1;
-                place
+                rank += 1;
+                rank
             })
         };
         self.rows.iter().map(&mut next).collect()
     }
 
-    /// The place of one robot.
-    pub fn place_of(&self, robot: &Robot) -> Option<usize> {
+    /// The rank of one robot.
+    pub fn rank_of(&self, robot: &Robot) -> Option<usize> {
         let at = self.rows.iter().position(|row| row.robot == *robot)?;
-        self.places()[at]
+        self.ranks()[at]
     }
 }
 
@@ -146,7 +111,7 @@ pub struct RankError {
     /// Which task.
     pub task: String,
     /// Why.
-    pub error: SpatialPlaceError,
+    pub error: PlaceError,
 }
 
 /// How the deflection of one robot grows with the size of a zone.
@@ -167,24 +132,30 @@ pub fn curves(
     robots: &[Robot],
     shape: &Task,
     scales: &[f64],
-    options: &PlaceOptions,
+    (kind, options): (&ModelKind, &PlaceOptions),
     done: impl Fn() + Sync,
 ) -> Result<Vec<Curve>, RankError> {
     // The outer `None`: not known; the inner: it does not fit.
-    let deflection = |robot: &Robot, scale: f64| match find_robot(robot, shape.zone.scaled(scale), options) {
+    let deflection = |robot: &Robot, model: &Model, scale: f64| match find(model, shape.zone.scaled(scale), options) {
         Ok(placement) => Ok(Some(placement.map(|placement| placement.deflection))),
         Err(PlaceError::Unfinished { .. }) => Ok(None),
-        Err(error) if is_not_of_the_plane(&error) => Ok(None),
-        Err(error) => Err(RankError { robot: robot.name.clone(), task: shape.label.clone(), error: error.into() }),
+        Err(error) => Err(failed(robot, shape, error)),
     };
     let curve = |robot: &Robot| {
         let mut curve = Curve { points: Vec::new(), is_complete: false };
+        let model = match kind.of(robot).map_err(PlaceError::from) {
+            Err(error) if error.is_not_of_the_plane() => {
+                scales.iter().for_each(|_| done());
+                return Ok(curve);
+            }
+            model => model.map_err(|error| failed(robot, shape, error))?,
+        };
         for &scale in scales {
             done();
             if curve.is_complete {
                 continue;
             }
-            match deflection(robot, scale)? {
+            match deflection(robot, &model, scale)? {
                 None => continue,
                 Some(Some(value)) => {
                     curve.points.push((scale, value));
@@ -195,7 +166,7 @@ pub fn curves(
             let (mut fit, mut misfit) = (curve.points.last().map_or(0.0, |point| point.0), scale);
             while 1e-4 * misfit < misfit - fit {
                 let scale = f64::midpoint(fit, misfit);
-                match deflection(robot, scale)? {
+                match deflection(robot, &model, scale)? {
                     Some(Some(value)) => {
                         curve.points.retain(|point| scales.contains(&point.0));
                         curve.points.push((scale, value));
@@ -213,64 +184,39 @@ pub fn curves(
 
 /// Places every task on every robot (\[paper\], section IV) and puts the robots in order.
 ///
-/// `options.within` counts from each robot's base. `done` is called once per cell, from any thread. The order does not
-/// depend on the order of `robots`: ties go by name.
+/// `done` is called once per cell, from any thread. The order does not depend on the order of `robots`: ties go by name.
 ///
-/// Robots that are not of the plane are rows without values, and say why.
+/// Robots that are not of the plane are rows without values in a planar ranking, and say why.
 ///
 /// # Errors
-/// The first robot (in the order given) that makes no sense; the first one where none is of the plane.
+/// The first robot (in the order given) that makes no sense, and in space one of which only two links are known; the first one
+/// where none is of the plane.
 pub fn rank(
     robots: &[Robot],
     tasks: &[Task],
+    kind: &ModelKind,
     options: &PlaceOptions,
     done: impl Fn() + Sync,
 ) -> Result<Ranking, RankError> {
-    let ranking = ranked_in_plane(robots, tasks, options, done)?;
+    let ranking = ranked(robots, tasks, kind, options, done)?;
     match ranking.rows.first().and_then(Row::why_not_of_the_plane) {
-        Some(error) if ranking.rows.iter().all(|row| row.why_not_of_the_plane().is_some()) => Err(RankError {
-            robot: ranking.rows[0].robot.name.clone(),
-            task: tasks[0].label.clone(),
-            error: error.clone().into(),
-        }),
-        _ => Ok(ranking),
-    }
-}
-
-fn ranked_in_plane(
-    robots: &[Robot],
-    tasks: &[Task],
-    options: &PlaceOptions,
-    done: impl Fn() + Sync,
-) -> Result<Ranking, RankError> {
-    ranked(robots, tasks, options.force, done, |robot, task| match place_robot(robot, task.zone, options) {
-        Err(error) if !is_not_of_the_plane(&error) && !matches!(error, PlaceError::Unfinished { .. }) => {
-            Err(error.into())
+        Some(error) if ranking.rows.iter().all(|row| row.why_not_of_the_plane().is_some()) => {
+            return Err(failed(&ranking.rows[0].robot, &tasks[0], error.clone()));
         }
-        placed => Ok(placed),
-    })
+        _ => (),
+    }
+    let in_plane = match kind {
+        ModelKind::Planar => None,
+        ModelKind::Spatial(_) => {
+            let usual = PlaceOptions::under(options.load);
+            Some(Box::new(ranked(robots, tasks, &ModelKind::Planar, &usual, || ())?))
+        }
+    };
+    Ok(Ranking { in_plane, ..ranking })
 }
 
-/// The ranking of the paper, zones anywhere in the arm plane: what stands beside a ranking in space. None of the robots need
-/// be of the plane.
-///
-/// # Errors
-/// As [`rank`].
-pub fn rank_in_plane(robots: &[Robot], tasks: &[Task], force: f64) -> Result<Ranking, RankError> {
-    ranked_in_plane(robots, tasks, &PlaceOptions::paper(force), || ())
-}
-
-/// The same in space: all six drives, flat zones about the robot ([`place_in_space`]).
-///
-/// # Errors
-/// As [`rank`]; a planar robot cannot be judged.
-pub fn rank_in_space(
-    robots: &[Robot],
-    tasks: &[Task],
-    options: &SpatialOptions,
-    done: impl Fn() + Sync,
-) -> Result<Ranking<SpatiallyPlaced>, RankError> {
-    ranked(robots, tasks, options.force, done, |robot, task| place_in_space(robot, task.zone, options))
+fn failed(robot: &Robot, task: &Task, error: PlaceError) -> RankError {
+    RankError { robot: robot.name.clone(), task: task.label.clone(), error }
 }
 
 /// How much worse than the best; 1 for two robots of which neither gives way.
@@ -279,31 +225,37 @@ fn ratio(deflection: f64, best: f64) -> f64 {
 }
 
 /// Judges every robot for every task, and puts the robots in order.
-fn ranked<C: Cell + Send>(
+fn ranked(
     robots: &[Robot],
     tasks: &[Task],
-    force: f64,
+    kind: &ModelKind,
+    options: &PlaceOptions,
     done: impl Fn() + Sync,
-    judge: impl Fn(&Robot, &Task) -> Result<C, SpatialPlaceError> + Sync,
-) -> Result<Ranking<C>, RankError> {
-    let pairs: Vec<(&Robot, &Task)> =
-        robots.iter().flat_map(|robot| tasks.iter().map(move |task| (robot, task))).collect();
-    let cells: Vec<C> = pairs
-        .par_iter()
-        .with_max_len(1)
-        .map(|(robot, task)| {
-            let judged = judge(robot, task);
-            done();
-            judged.map_err(|error| RankError { robot: robot.name.clone(), task: task.label.clone(), error })
-        })
-        .collect::<Result<_, _>>()?;
+) -> Result<Ranking, RankError> {
+    let models: Vec<Result<Model, PlaceError>> =
+        robots.iter().map(|robot| kind.of(robot).map_err(PlaceError::from)).collect();
+    let pairs: Vec<(usize, &Task)> =
+        (0..robots.len()).flat_map(|robot| tasks.iter().map(move |task| (robot, task))).collect();
+    let judge = |(robot, task): &(usize, &Task)| {
+        let placed = models[*robot].as_ref().map_err(Clone::clone).and_then(|model| place(model, task.zone, options));
+        done();
+        match placed {
+            Err(error) if !error.is_not_of_the_plane() && !matches!(error, PlaceError::Unfinished { .. }) => {
+                Err(failed(&robots[*robot], task, error))
+            }
+            cell => Ok(cell),
+        }
+    };
+    let cells: Vec<Cell> = pairs.par_iter().with_max_len(1).map(judge).collect::<Result<_, _>>()?;
     let mut cells = cells.into_iter();
-    let mut rows: Vec<Row<C>> = robots
+    let mut rows: Vec<Row> = robots
         .iter()
-        .map(|robot| Row {
+        .zip(&models)
+        .map(|(robot, model)| Row {
             robot: robot.clone(),
             cells: cells.by_ref().take(tasks.len()).collect(),
-            score: f64::INFINITY,
+            mean_ratio: None,
+            floor: model.as_ref().ok().and_then(Model::floor).map(|floor| floor * options.load.newtons()),
         })
         .collect();
     let best: Vec<f64> = (0..tasks.len())
@@ -313,12 +265,13 @@ fn ranked<C: Cell + Send>(
         let ratios: Vec<f64> =
             (0..tasks.len()).filter_map(|task| Some(ratio(row.deflection(task)?, best[task]).ln())).collect();
         if !ratios.is_empty() {
-            row.score = (ratios.iter().sum::<f64>() / ratios.len() as f64).exp();
+            row.mean_ratio = Some((ratios.iter().sum::<f64>() / ratios.len() as f64).exp());
         }
     }
     rows.sort_by(|a, b| {
         let names = || (&a.robot.vendor, &a.robot.name).cmp(&(&b.robot.vendor, &b.robot.name));
-        a.misfits().cmp(&b.misfits()).then(a.score.total_cmp(&b.score)).then_with(names)
+        let score = |row: &Row| row.mean_ratio.unwrap_or(f64::INFINITY);
+        a.misfits().cmp(&b.misfits()).then(score(a).total_cmp(&score(b))).then_with(names)
     });
-    Ok(Ranking { tasks: tasks.to_vec(), force, rows })
+    Ok(Ranking { tasks: tasks.to_vec(), load: options.load, model: *kind, rows, in_plane: None })
 }

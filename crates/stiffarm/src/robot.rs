@@ -96,6 +96,23 @@ pub struct ArmPlane {
 }
 
 impl Robot {
+    /// The paper's arm: two links of which nothing else is known.
+    pub fn of_links(arm: PlanarArm) -> Self {
+        Self {
+            name: "two links".into(),
+            vendor: String::new(),
+            architecture: arm.architecture,
+            architecture_is_assumed: false,
+            status: Status::Estimated,
+            payload_kg: None,
+            reach: None,
+            mass_kg: None,
+            repeatability: None,
+            arm: Arm::Planar(arm),
+            source: BTreeMap::new(),
+        }
+    }
+
     /// Maker and name, or the name alone where no maker is known.
     pub fn full_name(&self) -> String {
         format!("{} {}", self.vendor, self.name).trim().into()

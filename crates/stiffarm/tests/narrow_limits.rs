@@ -1,13 +1,18 @@
 //! Are places found, or proved to be none, where joint limits leave no more than a sliver?
 
+mod links;
+
 use std::f64::consts::PI;
 
 use stiffarm::catalogue::paper_robots;
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
-use stiffarm::place::{Orientation, PlaceOptions, Placed, Within, place};
+use stiffarm::load::Load;
+use stiffarm::place::{Orientation, PlaceOptions, Placed, Within};
 use stiffarm::plane::PlanarArm;
 use stiffarm::task::Zone;
+
+use links::place;
 
 /// Between two arcs of one radius about two ends of a link, `2 l sin(width/2)` apart, no circle is larger than that
 /// distance (triangle inequality), and where the other link points along the line through both, that one fits.
@@ -22,10 +27,12 @@ fn the_largest_circle_in_a_sliver_is_as_wide_as_the_elbow_travels() {
         for (link, arm) in slivers {
             let largest = 2.0 * link * (width / 2.0_f64).sin();
             for within in [Within::ANYWHERE, window] {
-                let options = PlaceOptions { within, gap: 1e-3, ..PlaceOptions::paper(1000.0) };
+                let options =
+                    PlaceOptions { within: Some(within), gap: Some(1e-3), ..PlaceOptions::under(Load::PAPER) };
                 let at = |scale: f64| place(&arm, Zone::Circle { diameter: largest * scale }, &options).unwrap();
                 assert!(at(0.999).feasible().is_some(), "{arm:?} {within:?}");
                 let Placed::Infeasible { largest_scale, .. } = at(1.001) else { panic!("{arm:?} {within:?}") };
+                let largest_scale = largest_scale.expect("the planar model looks for it");
                 assert!((largest_scale * 1.001 - 1.0).abs() < 3e-4, "{largest_scale} {arm:?} {within:?}");
             }
         }
@@ -61,7 +68,16 @@ fn question(rng: &mut fastrand::Rng) -> Question {
     };
     let within = Within { x: window(p.x), z: window(p.y) };
     let orientation = Orientation::Fixed(PI * rng.f64());
-    Question { arm, zone, options: PlaceOptions { force: 1000.0, orientation, within, gap: 1e-3 } }
+    Question {
+        arm,
+        zone,
+        options: PlaceOptions {
+            orientation,
+            within: Some(within),
+            gap: Some(1e-3),
+            ..PlaceOptions::under(Load::PAPER)
+        },
+    }
 }
 
 /// The largest compliance at the outline of a zone that stands about the wrist of a posture, and all of it in the limits.
@@ -146,7 +162,8 @@ fn a_free_angle_in_a_window_as_thin_as_the_zone_is_answered() {
     let z = arm.forward(shoulder, elbow).y;
     let zone = Zone::Rectangle { width: 0.2129e-3, height: 0.2169e-3 };
     let within = Within { x: Interval::ALL, z: Interval::spanning(z - 1.2e-4, z + 1.2e-4) };
-    let options = PlaceOptions { orientation: Orientation::Free, within, ..PlaceOptions::paper(1000.0) };
+    let options =
+        PlaceOptions { orientation: Orientation::Free, within: Some(within), ..PlaceOptions::under(Load::PAPER) };
     // Its shorter side is longer than the 0.2073 mm that the sliver is wide.
     assert!(matches!(place(&arm, zone, &options), Ok(Placed::Infeasible { .. })));
 }

@@ -3,8 +3,10 @@
 use nalgebra::Matrix6;
 use stiffarm::catalogue::{paper_robots, read};
 use stiffarm::compliance::compliance;
-use stiffarm::place::{PlaceError, PlaceOptions, SpatialOptions, place_in_space, place_robot};
-use stiffarm::rank::{rank, rank_in_plane, rank_in_space};
+use stiffarm::load::Load;
+use stiffarm::model::{Model, ModelError, ModelKind};
+use stiffarm::place::{PlaceOptions, place};
+use stiffarm::rank::rank;
 use stiffarm::robot::{Arm, NoArmPlane, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::{Task, Zone};
@@ -94,25 +96,30 @@ fn with_a_compensator_the_compliance_is_no_function_of_the_distance() {
 fn the_planar_verbs_refuse_a_compensator_and_a_ranking_goes_on_without_it() {
     let robot = of(documented());
     let task: Task = "A:0.5".parse().unwrap();
-    let options = PlaceOptions::paper(1000.0);
-    assert_eq!(place_robot(&robot, task.zone, &options), Err(PlaceError::NoArmPlane(NoArmPlane::Compensator)));
+    let options = PlaceOptions::under(Load::PAPER);
+    assert_eq!(Model::planar(&robot).unwrap_err(), ModelError::NoArmPlane(NoArmPlane::Compensator));
+    let kind = ModelKind::Planar;
     let mut robots = paper_robots();
     robots.truncate(2);
-    let alone = rank(&robots, std::slice::from_ref(&task), &options, || ()).unwrap();
+    let alone = rank(&robots, std::slice::from_ref(&task), &kind, &options, || ()).unwrap();
     robots.push(robot.clone());
-    let ranking = rank(&robots, std::slice::from_ref(&task), &options, || ()).unwrap();
+    let ranking = rank(&robots, std::slice::from_ref(&task), &kind, &options, || ()).unwrap();
     assert_eq!(ranking.rows.len(), 3);
     for (row, other) in ranking.rows.iter().zip(&alone.rows) {
-        assert_eq!((&row.robot, row.deflection(0), row.score), (&other.robot, other.deflection(0), other.score));
+        assert_eq!(
+            (&row.robot, row.deflection(0), row.mean_ratio),
+            (&other.robot, other.deflection(0), other.mean_ratio)
+        );
     }
     let last = &ranking.rows[2];
-    assert_eq!((last.robot.name.as_str(), last.deflection(0), last.floor(1e3)), (robot.name.as_str(), None, None));
+    assert_eq!((last.robot.name.as_str(), last.deflection(0), last.floor), (robot.name.as_str(), None, None));
     assert!(last.why_not_of_the_plane().unwrap().to_string().contains("gravity compensator"));
-    assert_eq!(ranking.place_of(&robot), None);
+    assert_eq!(ranking.rank_of(&robot), None);
     // Alone there is nothing to rank; beside a ranking in space there need not be.
-    let refused = rank(std::slice::from_ref(&robot), std::slice::from_ref(&task), &options, || ()).unwrap_err();
+    let refused = rank(std::slice::from_ref(&robot), std::slice::from_ref(&task), &kind, &options, || ()).unwrap_err();
     assert!(refused.to_string().contains("gravity compensator"), "{refused}");
-    assert!(rank_in_plane(std::slice::from_ref(&robot), &[task], 1000.0).is_ok());
+    let in_space = rank(&[robot], &[task], &ModelKind::Spatial(Pose::identity()), &options, || ()).unwrap();
+    assert!(in_space.in_plane.unwrap().rows[0].why_not_of_the_plane().is_some());
 }
 
 #[test]
@@ -125,17 +132,17 @@ fn rigid_drives_are_taken_and_two_that_do_not_give_way_are_as_good_as_each_other
     let still = rigid("[0, 0, 0, 0, 0, 1]");
     let twin = Robot { name: "twin".into(), ..still.clone() };
     let task: Task = Zone::Circle { diameter: 0.1 }.into();
-    let options = SpatialOptions::tool_down(1000.0);
-    let ranking = rank_in_space(&[still.clone(), twin], std::slice::from_ref(&task), &options, || ()).unwrap();
+    let (kind, options) = (ModelKind::Spatial(Pose::identity()), PlaceOptions::under(Load::PAPER));
+    let ranking = rank(&[still.clone(), twin], std::slice::from_ref(&task), &kind, &options, || ()).unwrap();
     for row in &ranking.rows {
         // Rounding of sines and cosines, squared.
-        assert!(row.deflection(0).unwrap() < 1e-30 && row.score == 1.0, "{row:?}");
-        assert_eq!(row.cells[0].feasible().unwrap().gap(), 0.0);
+        assert!(row.deflection(0).unwrap() < 1e-30 && row.mean_ratio == Some(1.0), "{row:?}");
+        assert_eq!(row.placement(0).unwrap().gap(), 0.0);
     }
     assert_eq!(still.arm_plane(), Err(NoArmPlane::Rigid));
     // By hand: with drive 2 rigid, a serial arm gives way by k3 l3^2 wherever it stands.
     let elbow = rigid("[1, 0, 1, 1, 1, 1]");
-    let placed = place_robot(&elbow, task.zone, &PlaceOptions::paper(1000.0)).unwrap();
+    let placed = place(&Model::planar(&elbow).unwrap(), task.zone, &PlaceOptions::under(Load::PAPER)).unwrap();
     let expected = 1e-6 * (1.2_f64.powi(2) + 0.05_f64.powi(2)) * 1000.0;
     assert!((placed.feasible().unwrap().deflection - expected).abs() <= 1e-9 * expected);
     let all = documented().replace("nm = [1, 1, 1, 1, 1, 1]", "nm = [0, 0, 0, 0, 0, 0]");
@@ -147,7 +154,6 @@ fn a_compensator_that_nothing_holds_is_refused_before_a_search_in_space() {
     let mut robot = of(documented());
     let Arm::SixAxis { drives, .. } = &mut robot.arm else { panic!("six axes") };
     drives.compliance.0[1] = 1e-3; // 1000 N m/rad, of which the spring takes 14 800 at the lower limit
-    let zone = Zone::Circle { diameter: 0.1 };
-    let refused = place_in_space(&robot, zone, &SpatialOptions::tool_down(1000.0)).unwrap_err().to_string();
+    let refused = Model::spatial(&robot, &Pose::identity()).unwrap_err().to_string();
     assert!(refused.contains("pushes harder than drive 2 holds"), "{refused}");
 }

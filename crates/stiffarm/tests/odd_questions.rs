@@ -1,15 +1,21 @@
 //! Does every odd question end with an answer or a refusal, and say so without harm?
 
+mod links;
+
 use stiffarm::catalogue::read;
 use stiffarm::drive::Architecture::{QuasiSerial, Serial};
 use stiffarm::interval::Interval;
-use stiffarm::map::{Axis, Direction, MapOptions, map};
+use stiffarm::load::Load;
+use stiffarm::map::Axis;
+use stiffarm::model::ModelError;
 use stiffarm::place::{
-    Orientation, PlaceError, PlaceOptions, Placed, Within, best_without_limits, largest_scale_without_limits, place,
+    Orientation, PlaceError, PlaceOptions, Placed, Within, best_without_limits, largest_scale_without_limits,
 };
 use stiffarm::plane::{InvalidArm, PlanarArm};
 use stiffarm::study::{StudyOptions, study};
 use stiffarm::task::Zone;
+
+use links::{map, over, place};
 
 fn r(a: f64, b: f64) -> Interval {
     Interval::new(a, b).unwrap()
@@ -26,14 +32,14 @@ const RECT: Zone = Zone::Rectangle { width: 0.2, height: 0.4 };
 const CIRCLE: Zone = Zone::Circle { diameter: 0.3 };
 
 fn paper() -> PlaceOptions {
-    PlaceOptions::paper(1000.0)
+    PlaceOptions::under(Load::PAPER)
 }
 
 #[test]
 fn a_strip_narrower_than_the_zone_is_answered_with_infeasible_when_the_angle_is_free() {
     let o = PlaceOptions {
         orientation: Orientation::Free,
-        within: Within { x: r(0.9, 1.05), z: Interval::ALL },
+        within: Some(Within { x: r(0.9, 1.05), z: Interval::ALL }),
         ..paper()
     };
     let placed = place(&lim(), RECT, &o);
@@ -45,7 +51,7 @@ fn a_within_of_zero_width_is_infeasible_when_the_angle_is_free() {
         PlanarArm { l2: 1.0, l3: 0.8, shoulder: r(0.2, 2.5), elbow: r(-2.4, -0.3), forearm: r(-1.8, 1.0), ..free() };
     let o = PlaceOptions {
         orientation: Orientation::Free,
-        within: Within { x: Interval::point(0.9), z: Interval::ALL },
+        within: Some(Within { x: Interval::point(0.9), z: Interval::ALL }),
         ..paper()
     };
     let placed = place(&arm, RECT, &o);
@@ -55,13 +61,16 @@ fn a_within_of_zero_width_is_infeasible_when_the_angle_is_free() {
 fn a_shoulder_that_cannot_move_leaves_nothing() {
     let arm = PlanarArm { shoulder: Interval::point(1.0), ..free() };
     let placed = place(&arm, Zone::Circle { diameter: 1e-4 }, &paper());
-    assert_eq!(placed, Err(PlaceError::Arm(InvalidArm::NothingReachable)), "a line holds no zone");
+    assert_eq!(placed, Err(PlaceError::Model(ModelError::Arm(InvalidArm::NothingReachable))), "a line holds no zone");
 }
 #[test]
 fn an_elbow_range_of_very_many_turns_is_refused() {
     for turned in [1e6, 1e9, 1e300] {
         let placed = place(&PlanarArm { elbow: r(-turned, turned), ..lim() }, CIRCLE, &paper());
-        assert!(matches!(placed, Err(PlaceError::Arm(InvalidArm::Limit { joint: "elbow", .. }))), "{placed:?}");
+        assert!(
+            matches!(placed, Err(PlaceError::Model(ModelError::Arm(InvalidArm::Limit { joint: "elbow", .. })))),
+            "{placed:?}"
+        );
     }
 }
 #[test]
@@ -85,11 +94,11 @@ fn without_limits_an_arm_or_zone_without_sense_is_refused_and_a_rigid_drive_is_n
     for arm in
         [PlanarArm { k2: f64::NAN, ..free() }, PlanarArm { l2: f64::NAN, ..free() }, PlanarArm { k3: 2.0, ..free() }]
     {
-        assert!(matches!(best_without_limits(&arm, CIRCLE), Err(PlaceError::Arm(_))), "{arm:?}");
+        assert!(matches!(best_without_limits(&arm, CIRCLE), Err(PlaceError::Model(ModelError::Arm(_)))), "{arm:?}");
     }
     assert!(matches!(best_without_limits(&free(), CIRCLE.scaled(1e6)), Err(PlaceError::Side(_))));
     let rigid = PlanarArm { k2: 0.0, k3: 0.0, ..free() };
-    assert_eq!(best_without_limits(&rigid, CIRCLE), Err(PlaceError::Arm(InvalidArm::Rigid)));
+    assert_eq!(best_without_limits(&rigid, CIRCLE), Err(PlaceError::Model(ModelError::Arm(InvalidArm::Rigid))));
     // With drive 2 rigid and drive 3 in the elbow only the forearm turns: k3 l3^2 wherever the zone stands.
     let arm = PlanarArm { k2: 0.0, ..free() };
     let found = best_without_limits(&arm, CIRCLE).unwrap().unwrap();
@@ -101,7 +110,7 @@ fn a_map_shows_the_axis_where_an_arm_of_equal_links_folds() {
         let arm = PlanarArm::free(1.0, 1.0, 1e-6, 1e-6, a);
         assert!(arm.sides().unwrap()[0].reaches([0.0, 0.0].into()));
         let x = Axis { start: -1.0, step: 0.5, count: 5 };
-        let m = map(&arm, &MapOptions { x, z: x, force: 1.0, direction: Direction::Worst, elbow: None }).unwrap();
+        let m = map(&arm, &over(x, x, Load::UNIT, None)).unwrap();
         assert!(m.get(2, 2).is_some());
     }
 }
@@ -110,7 +119,7 @@ fn a_map_shows_the_point_where_the_arm_is_stretched_on_either_side() {
     let arm = PlanarArm::free(1.0, 1.0, 1e-6, 1e-6, Serial);
     assert!(arm.sides().unwrap()[0].reaches([2.0, 0.0].into()));
     let x = Axis { start: -2.0, step: 0.5, count: 9 };
-    let m = map(&arm, &MapOptions { x, z: x, force: 1.0, direction: Direction::Worst, elbow: None }).unwrap();
+    let m = map(&arm, &over(x, x, Load::UNIT, None)).unwrap();
     assert_eq!((m.get(0, 4).is_some(), m.get(8, 4).is_some()), (true, true));
 }
 

@@ -15,16 +15,16 @@ use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
 use stiffarm::inverse::{Configuration, reached};
 use stiffarm::limits::Limits;
-use stiffarm::place::{
-    Orientation, PlaceOptions, Placed, Placement, SpatialOptions, SpatialPlacement, Within, place, place_in_space,
-};
+use stiffarm::load::Load;
+use stiffarm::model::Model;
+use stiffarm::place::{Orientation, PlaceOptions, Placed, Placement, SpaceHold, Within, place};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
 
 mod questions;
 
-use questions::{Question, random_question, random_robot};
+use questions::{Asked, Question, random_question, random_robot};
 
 const CASES: u64 = 32;
 /// Places along each side of what the arm might reach, and places about the answer, nearer and farther.
@@ -65,9 +65,9 @@ fn six_axis(robot: &Robot) -> (&Geometry, &Limits) {
 }
 
 impl Stand {
-    fn of(placement: &SpatialPlacement) -> Self {
-        let SpatialPlacement { centre, bearing, yaw, angle, roll, .. } = *placement;
-        Self { centre, bearing, yaw, angle, roll }
+    fn of(placement: &Placement) -> Self {
+        let SpaceHold { bearing, yaw, roll, .. } = *placement.space().expect("a place in space");
+        Self { centre: placement.centre, bearing, yaw, angle: placement.angle, roll }
     }
 
     /// The tool at `u` along the first side and `v` along the second.
@@ -298,13 +298,14 @@ impl Question {
     }
 
     /// Every word of an answer, pose by pose.
-    fn check(&self, found: &SpatialPlacement) {
+    fn check(&self, found: &Placement) {
+        let hold = found.space().expect("a place in space");
         let (geometry, limits) = six_axis(&self.robot);
         let (options, stand) = (&self.options, Stand::of(found));
         let case = || format!("{self:#?}\n{found:#?}");
         // Limits are kept everywhere in the zone, not just where the library took its samples.
         let held = self
-            .hold(&widened(&self.robot, SLACK), &stand, found.configuration, 24, f64::INFINITY)
+            .hold(&widened(&self.robot, SLACK), &stand, hold.configuration, 24, f64::INFINITY)
             .unwrap_or_else(|| panic!("the zone is not held in one go: {}", case()));
         assert!(held.pace < FRAC_PI_4, "a joint jumps by {} rad: {}", held.pace, case());
 
@@ -324,11 +325,11 @@ impl Question {
         assert!(angle_is_allowed, "{}", case());
 
         // The value is that of the worst point, which lies in the zone, and no sample is worse.
-        let worst = compliance(&self.robot, &found.worst_joints, &options.flange_from_tool).unwrap();
+        let worst = compliance(&self.robot, &hold.joints, &options.flange_from_tool).unwrap();
         let (value, direction) = worst.compliance.worst();
         let apart = |value: f64| (value * options.force - found.deflection) / found.deflection;
         assert!(apart(value).abs() < 1e-9, "{value} at the worst point: {}", case());
-        assert_eq!(beyond_limits(&self.robot, &found.worst_joints), [0; 0], "{}", case());
+        assert_eq!(beyond_limits(&self.robot, &hold.joints), [0; 0], "{}", case());
         let turned = Point3::from(found.worst_point);
         assert!((worst.tool.translation.vector - turned.coords).norm() < 1e-9, "{}: {}", worst.tool, case());
         let centre = stand.pose(options.elevation, [0.0; 2]);
@@ -349,7 +350,7 @@ impl Question {
         let part = self.zone.sides().into_iter().fold(0.0, f64::max) / 24.0;
         let off = found.from_axis_1 - nearest;
         assert!(-part <= off && off <= 1e-2 * part, "{nearest} {}: {}", found.from_axis_1, case());
-        let shares = worst.shares(&direction).into_iter().zip(found.worst_shares).map(|(a, b)| (a - b).abs());
+        let shares = worst.shares(&direction).into_iter().zip(hold.shares).map(|(a, b)| (a - b).abs());
         assert!(shares.fold(0.0, f64::max) < 1e-9, "{}", case());
         // The library halves its steps until that gains less than a thousandth.
         assert!(apart(held.worst) <= 1e-3, "{} in the zone: {}", held.worst, case());
@@ -360,14 +361,14 @@ impl Question {
         let rooms: Vec<f64> = (0..6).map(|joint| room(limits.joints[joint], held.joints[joint])).collect();
         let rooms: Vec<f64> = [held.elbow_room].into_iter().chain(rooms).collect();
         let least = rooms.iter().copied().fold(f64::INFINITY, f64::min);
-        let (margin, joint) = found.limit_margin;
+        let (margin, joint) = hold.limit_margin;
         assert!(margin <= least.max(0.0) + SLACK, "{margin} {rooms:?}: {}", case());
         assert!(least - margin <= held.pace / 2.0 || margin == least, "{margin} {rooms:?}: {}", case());
         assert!((rooms[joint] - least).abs() <= held.pace / 2.0 || margin == least, "{rooms:?}: {}", case());
-        let singular = held.singular_margin - found.singular_margin;
+        let singular = held.singular_margin - hold.singular_margin;
         assert!((-SLACK..=held.pace / 2.0).contains(&singular), "{} {}", held.singular_margin, case());
-        let centre = self.posture(&self.robot, &stand, found.configuration, [0.0; 2]).unwrap();
-        assert!(geometry.singular_margin(&geometry.model_angles(&centre, limits.third_axis)) >= found.singular_margin);
+        let centre = self.posture(&self.robot, &stand, hold.configuration, [0.0; 2]).unwrap();
+        assert!(geometry.singular_margin(&geometry.model_angles(&centre, limits.third_axis)) >= hold.singular_margin);
     }
 }
 
@@ -375,7 +376,7 @@ impl Question {
 fn an_answer_in_space_holds_pose_by_pose_and_no_place_beats_it() {
     let judge = |seed: u64| {
         let question = random_question(seed);
-        let answer = place_in_space(&question.robot, question.zone, &question.options).unwrap();
+        let answer = question.options.place(&question.robot, question.zone).unwrap();
         let best = answer.feasible();
         if let Some(best) = best {
             question.check(best);
@@ -399,10 +400,9 @@ fn an_answer_in_space_holds_pose_by_pose_and_no_place_beats_it() {
 fn a_wide_zone_that_would_touch_the_joint_1_axis_has_its_place_beside_it() {
     let robot = entries().iter().map(Entry::robot).find(|robot| robot.name == "GP20HL").expect("of the catalogue");
     let zone = Zone::Rectangle { width: 0.44, height: 1.435 };
-    let options =
-        SpatialOptions { orientation: Orientation::Fixed(89.8_f64.to_radians()), ..SpatialOptions::tool_down(1000.0) };
+    let options = Asked { orientation: Orientation::Fixed(89.8_f64.to_radians()), ..Asked::tool_down(1000.0) };
     let question = Question { robot, zone, options };
-    let answer = place_in_space(&question.robot, zone, &options).unwrap();
+    let answer = options.place(&question.robot, zone).unwrap();
     let best = answer.feasible().expect("a place 0.05 m farther out was found by hand");
     question.check(best);
     // Found with a window that begins 0.05 m from the axis.
@@ -424,9 +424,9 @@ fn with_drive_1_alone_the_best_place_is_the_nearest() {
         let (near, width, height) = (reach * (0.3 + 0.2 * rng.f64()), 0.15 * reach, reach * (0.05 + 0.2 * rng.f64()));
         let zone =
             if seed.is_multiple_of(2) { Zone::Circle { diameter: width } } else { Zone::Rectangle { width, height } };
-        let mut options = SpatialOptions::tool_down(1000.0);
+        let mut options = Asked::tool_down(1000.0);
         options.within.x = Interval::new(near, f64::INFINITY).unwrap();
-        let found = place_in_space(&robot, zone, &options).unwrap();
+        let found = options.place(&robot, zone).unwrap();
         let found = found.feasible().unwrap_or_else(|| panic!("seed {seed}: {found:?}"));
         let [x, y, _] = found.worst_point;
         let there = 1000.0 * k * (x * x + y * y);
@@ -463,21 +463,20 @@ fn a_zone_in_the_arm_plane_has_the_place_that_the_planar_model_proves() {
             _ => Zone::Rectangle { width: size / 3.0, height: size },
         };
         let anywhere = Within { x: Interval::POSITIVE, z: Interval::ALL };
-        let options = SpatialOptions {
+        let options = Asked {
             flange_from_tool: to_the_wrist,
             elevation: 0.0,
             yaw: Interval::point(FRAC_PI_2),
             within: anywhere,
-            ..SpatialOptions::tool_down(1000.0)
+            ..Asked::tool_down(1000.0)
         };
-        let found = place_in_space(&robot, zone, &options).unwrap();
+        let found = options.place(&robot, zone).unwrap();
         // Joint 1 may face away: the arm then stands over a place behind it.
-        let plane = robot.arm_plane().unwrap();
+        let plane = Model::planar(&robot).unwrap();
         let behind = Within { x: anywhere.x.affine(-1.0, 0.0), ..anywhere };
         let proved = [anywhere, behind].map(|within| {
-            let options =
-                PlaceOptions { within: within.seen_from(plane.axis_from_base), ..PlaceOptions::paper(1000.0) };
-            place(&plane.arm, zone, &options).unwrap()
+            let options = PlaceOptions { within: Some(within), ..PlaceOptions::under(Load::PAPER) };
+            place(&plane, zone, &options).unwrap()
         });
         let best = proved.iter().filter_map(Placed::feasible);
         let least = |of: fn(&Placement) -> f64| best.clone().map(of).fold(f64::INFINITY, f64::min);

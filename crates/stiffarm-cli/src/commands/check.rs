@@ -4,6 +4,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
+use stiffarm::answer::{Cell, Rows, Table, columns_of, field};
 use stiffarm::catalogue::files::{self, Loaded};
 use stiffarm::catalogue::{Fault, doubts};
 use stiffarm::robot::Robot;
@@ -11,7 +12,7 @@ use stiffarm::robot::Robot;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::{Answer, Outputs, pretty, say};
-use crate::table::Table;
+use crate::table::shown;
 
 pub(crate) fn run(asked: &[PathBuf], common: &Common) -> Result<(), Failure> {
     let inputs: Vec<&Path> = asked.iter().map(PathBuf::as_path).collect();
@@ -91,7 +92,7 @@ impl Answer for Check {
 
     fn text(&self, markdown: bool) -> String {
         if markdown {
-            return self.csv().text(true);
+            return shown(&Table::of_rows(&self.rows()), true);
         }
         let usable = self.0.iter().filter_map(|checked| Some((&checked.file, checked.robot()?)));
         usable.map(|(file, robot)| format!("{file}: {robot} can be used\n")).collect()
@@ -114,25 +115,33 @@ impl Answer for Check {
     }
 
     /// A row per fault or doubt; one without for a file that has none.
-    fn csv(&self) -> Table<'_> {
-        let mut table = Table::new(["file", "usable", "robot", "line", "key", "message"]);
+    fn rows(&self) -> Rows<'_> {
+        let columns = [field::FILE, field::USABLE, field::ROBOT, field::LINE, field::KEY, field::MESSAGE];
+        let mut rows = Vec::new();
         for checked in &self.0 {
-            let mut row = |line: String, key: String, message: String| {
-                let (file, robot) = (checked.file.clone(), checked.robot().unwrap_or_default());
-                table.row([file, checked.found.is_ok().to_string(), robot, line, key, message]);
+            let mut row = |line: Cell, key: Cell, message: Cell| {
+                let robot = checked.robot().map_or(Cell::Absent, Cell::Text);
+                rows.push(vec![
+                    Cell::Text(checked.file.clone()),
+                    Cell::Truth(checked.found.is_ok()),
+                    robot,
+                    line,
+                    key,
+                    message,
+                ]);
             };
             let faults = checked.faults();
             for Fault { line, key, message } in &faults {
-                let line = if *line == 0 { String::new() } else { line.to_string() };
-                row(line, key.clone(), message.clone());
+                let line = if *line == 0 { Cell::Absent } else { Cell::Count(*line as i64) };
+                row(line, Cell::Text(key.clone()), Cell::Text(message.clone()));
             }
             for doubt in checked.doubts() {
-                row(String::new(), String::new(), doubt.clone());
+                row(Cell::Absent, Cell::Absent, Cell::Text(doubt.clone()));
             }
             if faults.is_empty() && checked.doubts().is_empty() {
-                row(String::new(), String::new(), String::new());
+                row(Cell::Absent, Cell::Absent, Cell::Absent);
             }
         }
-        table
+        Rows::new(columns.map(|field| columns_of(&field)).concat(), rows)
     }
 }

@@ -4,20 +4,21 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use nalgebra::Vector3;
-use stiffarm::compliance::{Posture, beyond_limits, compliance};
-use stiffarm::report;
+use stiffarm::answer::compliance::vector;
+use stiffarm::answer::{ComplianceAnswer, Rows};
+use stiffarm::compliance::{beyond_limits, compliance};
 use stiffarm::robot::Robot;
-use stiffarm::spatial::{Pose, Wrench};
+use stiffarm::spatial::Pose;
 
 use crate::args::{Common, ComplianceArgs};
 use crate::failure::Failure;
 use crate::figures::view3d::{ArmMark, Arrow, View};
 use crate::output::{Answer, Outputs, pretty, say};
 use crate::selection;
-use crate::table::{Table, fixed, percentages};
+use crate::table::shown;
 
 pub(crate) fn run(args: &ComplianceArgs, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<ComplianceAnswer>(common, &[Path::new(&args.robot)])?;
+    let outputs = Outputs::open::<ComplianceOutput>(common, &[Path::new(&args.robot)])?;
     let robot = selection::robot(&args.robot, common)?;
     let q: [f64; 6] = args.joints_deg.as_slice().try_into().map_err(|_| {
         Failure::Usage(format!("--joints-deg has {} angles; expected six, separated by commas", args.joints_deg.len()))
@@ -37,7 +38,8 @@ pub(crate) fn run(args: &ComplianceArgs, common: &Common) -> Result<(), Failure>
     if !common.quiet {
         remarks(&robot, &q, &radians);
     }
-    outputs.deliver(&ComplianceAnswer { robot, q, tool, force, posture })
+    let answer = ComplianceAnswer { robot, joints_deg: q, posture, force };
+    outputs.deliver(&ComplianceOutput { answer, tool })
 }
 
 /// Says on stderr what looks wrong about the joint angles.
@@ -51,26 +53,20 @@ fn remarks(robot: &Robot, q: &[f64; 6], radians: &[f64; 6]) {
     }
 }
 
-struct ComplianceAnswer {
-    robot: Robot,
-    q: [f64; 6],
+struct ComplianceOutput {
+    answer: ComplianceAnswer,
     tool: Pose,
-    force: Option<Vector3<f64>>,
-    posture: Posture,
 }
 
-impl ComplianceAnswer {
-    fn deflection(&self) -> Option<(Vector3<f64>, Vector3<f64>)> {
-        self.force.map(|force| self.posture.compliance.deflection(&Wrench::force(force)))
-    }
-
+impl ComplianceOutput {
     /// The worst direction, and the deflection where a force is given, both as many times too long.
     fn arrows(&self) -> Vec<Arrow> {
-        let (worst, direction) = self.posture.compliance.worst();
-        let at = self.posture.tool.translation.vector.into();
+        let posture = &self.answer.posture;
+        let (worst, direction) = posture.compliance.worst();
+        let at = posture.tool.translation.vector.into();
         // As long as 1 kN pushes it, or the force that was given.
         let worst = worst * 1e3 * direction;
-        let moved = self.deflection().map(|(moved, _)| moved);
+        let moved = self.answer.deflection().map(|(moved, _)| moved);
         let times = magnified(worst.norm().max(moved.map_or(0.0, |moved| moved.norm())));
         let arrow = |what: &str, moved: Vector3<f64>, unit: &str| Arrow {
             label: format!("{what}: {:.4} {unit}, drawn {times} times as long", moved.norm() * 1e3),
@@ -93,61 +89,24 @@ fn magnified(deflection: f64) -> f64 {
     [5.0, 2.0, 1.0].map(|step| step * ten).into_iter().find(|&times| times <= most).unwrap_or(ten)
 }
 
-fn vector(v: &Vector3<f64>, digits: usize) -> String {
-    format!("{}, {}, {}", fixed(v.x, digits), fixed(v.y, digits), fixed(v.z, digits))
-}
-
-impl Answer for ComplianceAnswer {
+impl Answer for ComplianceOutput {
     const COMMAND: &'static str = "compliance";
     const FURTHER: &'static [&'static str] = &["html"];
 
     fn text(&self, markdown: bool) -> String {
-        let Self { robot, q, posture, .. } = self;
-        let mut table = Table::new(["", ""]);
-        table.row(["robot".into(), format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)]);
-        table.row(["joints as reported".into(), format!("{} deg", q.map(|angle| angle.to_string()).join(", "))]);
-        table.row(["tool point from the base".into(), format!("{} m", vector(&posture.tool.translation.vector, 4))]);
-        for (name, (value, direction)) in
-            ["stiffest direction", "", "worst direction"].into_iter().zip(posture.compliance.principal())
-        {
-            table.row([name.into(), format!("{} um/N along {}", fixed(value * 1e6, 4), vector(&direction, 3))]);
-        }
-        let (_, worst) = posture.compliance.worst();
-        table.row(["drives 1 to 6 give of it".into(), percentages(&posture.shares(&worst))]);
-        for (i, name) in ["compliance x, y, z".into(), String::new(), String::new()].into_iter().enumerate() {
-            let row = posture.compliance.translation().row(i).map(|x| fixed(x * 1e6, 4));
-            table.row([name, format!("{} um/N", row.iter().cloned().collect::<Vec<_>>().join(", "))]);
-        }
-        if let (Some(force), Some((moved, turned))) = (self.force, self.deflection()) {
-            table.row(["force".into(), format!("{} N", vector(&force, 1))]);
-            table.row([
-                "deflection".into(),
-                format!("{} mm, {:.4} mm in all", vector(&(moved * 1e3), 4), moved.norm() * 1e3),
-            ]);
-            table.row(["rotation".into(), format!("{} mrad", vector(&(turned * 1e3), 4))]);
-            if 0.0 < force.norm() {
-                let shares = percentages(&posture.shares(&force.normalize()));
-                table.row(["drives 1 to 6 give along the force".into(), shares]);
-            }
-        }
-        table.text(markdown) + "\nbase axes: x forward, y left, z up; all six drives compliant, everything else rigid\n"
+        format!("{}\n{}", shown(&self.answer.table(), markdown), ComplianceAnswer::NOTES)
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &report::compliance::posture(&self.robot, &self.q, &self.posture, self.force.as_ref()))
+        pretty(out, &self.answer.json())
     }
 
-    fn csv(&self) -> Table<'_> {
-        let mut table = Table::new(["row", "x_m", "y_m", "z_m", "rx_rad", "ry_rad", "rz_rad"]);
-        for (i, name) in ["fx_n", "fy_n", "fz_n", "mx_nm", "my_nm", "mz_nm"].into_iter().enumerate() {
-            let column = self.posture.compliance.0.column(i).map(|x| x.to_string());
-            table.row(std::iter::once(name.to_owned()).chain(column.iter().cloned()));
-        }
-        table
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
     }
 
     fn view(&self) -> Option<Result<View, Failure>> {
-        let Self { robot, q, posture, .. } = self;
+        let ComplianceAnswer { robot, joints_deg: q, posture, .. } = &self.answer;
         let (worst, direction) = posture.compliance.worst();
         let shares = posture.shares(&direction);
         let angles = q.map(|angle| angle.to_string()).join(", ");

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use serde_json::json;
+use stiffarm::answer::{Cell, Rows, Table, columns_of, field};
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::import::{ImportOptions, Imported, SAMPLES, import};
 use stiffarm::interval::Interval;
@@ -11,7 +12,7 @@ use stiffarm::robot::Arm;
 use crate::args::{Common, Format, ImportArgs};
 use crate::failure::Failure;
 use crate::output::{Answer, Outputs, pretty, say};
-use crate::table::Table;
+use crate::table::shown;
 
 pub(crate) fn run(args: &ImportArgs, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<Report>(common, &[&args.file])?;
@@ -56,7 +57,7 @@ fn micrometres(metres: f64) -> String {
 }
 
 impl Report {
-    fn rows(&self) -> Vec<(&'static str, String)> {
+    fn lines(&self) -> Vec<(&'static str, String)> {
         let Imported { robot, notes, compared_with, largest_error, largest_turn, .. } = &self.0;
         let mut rows = vec![("robot", robot.full_name()), ("architecture", robot.architecture.to_string())];
         if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
@@ -96,10 +97,10 @@ impl Report {
 
     fn report(&self, markdown: bool) -> String {
         let mut table = Table::new(["", ""]);
-        for (key, value) in self.rows() {
+        for (key, value) in self.lines() {
             table.row([key.to_owned(), value]);
         }
-        table.text(markdown)
+        shown(&table, markdown)
     }
 }
 
@@ -128,12 +129,9 @@ impl Answer for Report {
         pretty(out, &report)
     }
 
-    fn csv(&self) -> Table<'_> {
-        let mut table = Table::new(["key", "value"]);
-        for (key, value) in self.rows() {
-            table.row([key.to_owned(), value]);
-        }
-        table
+    fn rows(&self) -> Rows<'_> {
+        let rows = self.lines().into_iter().map(|(key, value)| vec![Cell::Text(key.to_owned()), Cell::Text(value)]);
+        Rows::new([field::KEY, field::VALUE].map(|field| columns_of(&field)).concat(), rows.collect())
     }
 
     fn robot_file(&self) -> Option<String> {

@@ -3,265 +3,248 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::interval::Interval;
-use stiffarm::map::{Component, Direction, Map, MapError, MapOptions, Spacing, map, reached_box, stiffest_posture};
-use stiffarm::place::{PlaceOptions, Placement, Within, find_robot};
-use stiffarm::plane::PlanarArm;
+use stiffarm::answer::words::{direction, mapped, tool, window};
+use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows};
+use stiffarm::load::Load;
+use stiffarm::map::{Extent, Held, MapError, MapOptions, Posture, map};
+use stiffarm::model::{Model, ModelKind};
+use stiffarm::place::{Hold, Placement, place};
 use stiffarm::question::Angle;
-use stiffarm::report;
-use stiffarm::robot::{Arm, ArmPlane, Robot};
-use stiffarm::task::Task;
 
-use super::{spatial, waiting};
+use super::drawing::{arm, scene};
+use super::waiting;
 use crate::args::{Common, Layer, MapArgs, Part};
 use crate::failure::Failure;
+use crate::figures::face::FaceFigure;
 use crate::figures::map::MapFigure;
-use crate::figures::scene::{Scene, ZoneMark, links, rim};
-use crate::figures::view3d::{ArmMark, Cell, Sheet, View, Zone};
+use crate::figures::scene::{ZoneMark, rim};
+use crate::figures::view3d::{Cell, Sheet, View, Zone};
 use crate::output::{Answer, Outputs, figure, pretty, say};
 use crate::selection;
-use crate::table::{Table, full};
-
-/// Points along the longer side of a map that is only drawn.
-const FIGURE_SIZE: usize = 400;
+use crate::table::shown;
 
 pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     if args.zone.is_none() && (args.placing.within.is_some() || args.placing.angle != Angle::Axes) {
         return Err(Failure::Usage("--within and --angle place a zone: give --zone with them".into()));
     }
     let robot = selection::robot(&args.robot, common)?;
-    if args.space.is_spatial()? {
-        return spatial::map::run(robot, args, common);
-    }
-    for (name, given) in [("--posture", args.posture.is_some()), ("--layer", args.layer != Layer::Deflection)] {
-        if given {
-            return Err(Failure::Usage(format!("{name} needs --model spatial")));
-        }
-    }
-    let outputs = Outputs::open::<MapAnswer>(common, &[Path::new(&args.robot)])?;
+    let kind = args.space.kind()?;
+    refuse(args, &kind)?;
+    let outputs = Outputs::open::<MapOutput>(common, &[Path::new(&args.robot)])?;
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
-    let plane = arm_plane(&robot).map_err(failure)?;
-    let [x, z] = args.spacing().cover(reached_box(&plane.arm).map_err(failure)?);
-    let direction = args.direction_deg.map_or(Direction::Worst, |angle| {
-        Direction::Given(angle.to_radians(), args.component.unwrap_or(Part::Total).into())
-    });
-    let options = MapOptions { x, z, force: args.placing.force_n, direction, elbow: args.elbow.map(Into::into) };
-    let map = waiting("mapping", common, || map(&plane.arm, &options)).map_err(failure)?;
+    let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
+    let options = options(args, &kind)?;
+    let map = waiting("mapping", common, || map(&model, &options)).map_err(|error| match error {
+        MapError::NothingReached => {
+            let towards = direction(args.space.elevation());
+            Failure::Usage(format!("{}: no point is reached with the {towards}", robot.name))
+        }
+        error => failure(error),
+    })?;
     let zone = match &args.zone {
         None => None,
         Some(task) => {
-            let placing = args.placing.options(task.zone);
-            let found = waiting("searching places", common, || find_robot(&robot, task.zone, &placing))
+            let options = args.space.options(&args.placing, &kind, Some(task.zone))?;
+            let placed = waiting("searching places", common, || place(&model, task.zone, &options))
                 .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
-            if found.is_none() && !common.quiet {
+            if placed.feasible().is_none() && !common.quiet {
                 say(&format!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label));
             }
-            found.map(|placement| (task.clone(), placement))
+            let (robot, task) = (robot.clone(), task.clone());
+            Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None })
         }
     };
-    outputs.deliver(&MapAnswer { within: args.placing.planar_within(), robot, plane, options, map, zone })
+    outputs.deliver(&MapOutput { layer: args.layer, answer: MapAnswer { model, options, map, zone } })
 }
 
-fn arm_plane(robot: &Robot) -> Result<ArmPlane, MapError> {
-    robot.arm_plane().map_err(|error| MapError::Arm(error.into()))
-}
-
-/// The figures of `place`: the robot's map with the zone in it.
-pub(crate) fn placement_map(
-    robot: &Robot,
-    task: &Task,
-    options: &PlaceOptions,
-    placement: Option<&Placement>,
-) -> Result<MapAnswer, Failure> {
-    let failure = |error| Failure::Map { robot: robot.name.clone(), error };
-    let plane = arm_plane(robot).map_err(failure)?;
-    let [x, z] = Spacing::Points(FIGURE_SIZE).cover(reached_box(&plane.arm).map_err(failure)?);
-    let within = options.within;
-    let options = MapOptions { x, z, force: options.force, direction: Direction::Worst, elbow: None };
-    let map = map(&plane.arm, &options).map_err(failure)?;
-    let zone = placement.map(|placement| (task.clone(), placement.clone()));
-    Ok(MapAnswer { within, robot: robot.clone(), plane, options, map, zone })
-}
-
-pub(crate) struct MapAnswer {
-    within: Within,
-    robot: Robot,
-    plane: ArmPlane,
-    options: MapOptions,
-    map: Map,
-    zone: Option<(Task, Placement)>,
-}
-
-impl MapAnswer {
-    fn what(&self) -> String {
-        let force = self.options.force;
-        match self.options.direction {
-            Direction::Worst => format!("worst deflection under {force} N"),
-            Direction::Given(angle, component) => {
-                let part = match component {
-                    Component::Total => "deflection",
-                    Component::Along => "deflection along the force",
-                };
-                format!("{part} under {force} N at {:.0} deg", angle.to_degrees())
-            }
-        }
+/// Refuses what a model does not map.
+fn refuse(args: &MapArgs, kind: &ModelKind) -> Result<(), Failure> {
+    let (given, advice) = match kind {
+        ModelKind::Planar => (
+            vec![("--posture", args.posture.is_some()), ("--layer", args.layer != Layer::Deflection)],
+            "needs --model spatial",
+        ),
+        ModelKind::Spatial(_) => (
+            vec![
+                ("--direction-deg", args.direction_deg.is_some()),
+                ("--elbow", args.elbow.is_some()),
+                ("--zone", args.zone.is_some()),
+                ("--yaw-deg", args.space.yaw_deg.is_some()),
+            ],
+            "does not go with a map in space; `stiffarm place --model spatial` draws a zone",
+        ),
+    };
+    match given.into_iter().find(|(_, given)| *given) {
+        Some((name, _)) => Err(Failure::Usage(format!("{name} {advice}"))),
+        None => Ok(()),
     }
+}
 
-    /// Where the zone had to stand, where that was restricted.
-    fn window(&self) -> String {
-        let range = |range: Interval| {
-            let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
-            format!("{}..{}", end(range.min()), end(range.max()))
+fn options(args: &MapArgs, kind: &ModelKind) -> Result<MapOptions, Failure> {
+    let newtons = args.placing.force_n;
+    let load = match args.direction_deg {
+        None => Load::worst(newtons),
+        Some(angle) => Load::in_plane(newtons, angle.to_radians(), args.component.unwrap_or(Part::Total).into()),
+    };
+    let load = load.map_err(|error| Failure::Usage(error.to_string()))?;
+    let held = match kind {
+        ModelKind::Planar => None,
+        ModelKind::Spatial(_) => Some(Held {
+            elevation: args.space.elevation(),
+            yaw: 0.0,
+            roll: args.space.roll_deg.map(f64::to_radians),
+            configuration: args.posture,
+        }),
+    };
+    Ok(MapOptions { extent: Extent::Reached(args.spacing()), load, elbow: args.elbow.map(Into::into), held })
+}
+
+struct MapOutput {
+    answer: MapAnswer,
+    /// What the figure shows.
+    layer: Layer,
+}
+
+/// A map as it is drawn.
+pub(super) struct Drawn<'a> {
+    pub(super) answer: &'a MapAnswer,
+    pub(super) layer: Layer,
+    pub(super) subtitle: String,
+    /// The arm that is drawn.
+    pub(super) posture: Option<Posture>,
+    pub(super) mark: Option<ZoneMark>,
+    pub(super) face: Option<FaceFigure>,
+}
+
+impl<'a> Drawn<'a> {
+    /// The deflection, the arm at the worst point of the zone, or at the stiffest point where there is none.
+    pub(super) fn of_zone(answer: &'a MapAnswer) -> Self {
+        let best = answer.zone.as_ref().and_then(|zone| zone.placed.feasible());
+        let posture = match best.map(|best| &best.hold) {
+            Some(Hold::Plane { posture }) => Some(Posture::Plane(*posture)),
+            Some(Hold::Space(hold)) => Some(Posture::Joints(hold.joints)),
+            None => answer.map.stiffest(&answer.model, &answer.options).map(|(_, _, posture)| posture),
         };
-        match (&self.zone, self.within) {
-            (Some(_), within) if within != Within::ANYWHERE => {
-                format!("; zone within x {} m, z {} m of the base", range(within.x), range(within.z))
-            }
-            _ => String::new(),
+        let mark = answer.zone.as_ref().zip(best).map(|(zone, best)| mark(zone, best));
+        Self { answer, layer: Layer::Deflection, subtitle: subtitle(answer), posture, mark, face: None }
+    }
+
+    pub(super) fn colour_label(&self) -> String {
+        match self.layer {
+            Layer::Deflection => format!("{} [mm]", mapped(self.answer.options.load)),
+            Layer::LimitMargin => "nearest joint limit [deg]".into(),
+            Layer::SingularMargin => "nearest singular posture [deg]".into(),
         }
     }
 
-    /// Shoulder and elbow angle at the worst point of the zone, or at the stiffest point of the map.
-    fn posture(&self) -> Option<(f64, f64)> {
-        if let Some((_, placement)) = &self.zone {
-            let [shoulder, elbow] = placement.worst_posture;
-            return Some((shoulder, elbow));
-        }
-        stiffest_posture(&self.plane.arm, &self.map, self.options.elbow)
+    fn origin(&self) -> &'static str {
+        if self.answer.model.knows_base() { "the base" } else { "the joint-2 axis" }
     }
 
-    fn subtitle(&self) -> String {
-        let Robot { architecture, status, .. } = &self.robot;
-        format!("{architecture}, {status}; {}, planar model{}", self.what(), self.window())
-    }
-
-    fn mark(&self) -> Option<ZoneMark> {
-        self.zone.as_ref().map(|(task, placement)| ZoneMark {
-            zone: task.zone,
-            rim: rim(task.zone, placement.centre, placement.angle),
-            worst_point: placement.worst_point,
-            label: format!("{}: {:.3} mm at worst", task.label, placement.deflection * 1e3),
-        })
+    pub(super) fn svg(self) -> Result<String, Failure> {
+        let MapAnswer { model, map, .. } = self.answer;
+        let degrees = 1_f64.to_degrees();
+        let (grid, factor, ends) = match (self.layer, &map.space) {
+            (Layer::LimitMargin, Some(margins)) => (&margins.limits, degrees, ["near", "far"]),
+            (Layer::SingularMargin, Some(margins)) => (&margins.singular, degrees, ["near", "far"]),
+            _ => (&map.deflection, 1e3, ["stiff", "soft"]),
+        };
+        let edge = match model {
+            Model::Planar(model) => Some((model.arm(), model.axis_from_base())),
+            Model::Spatial(_) => None,
+        };
+        let drawn = MapFigure {
+            title: model.robot().full_name(),
+            map: grid,
+            factor,
+            ends,
+            edge,
+            colour_label: self.colour_label(),
+            origin: self.origin(),
+            scene: scene(model, self.posture, self.mark),
+            subtitle: self.subtitle,
+            face: self.face,
+        };
+        drawn.svg().map_err(figure)
     }
 
     /// The map, the arm and the zone in their plane, which stands beside the joint-1 axis where the arm does.
-    pub(crate) fn in_space(&self) -> View {
-        let Self { robot, plane, map, .. } = self;
-        let y = match &robot.arm {
-            Arm::SixAxis { geometry, .. } => geometry.b,
-            Arm::Planar(_) => 0.0,
+    pub(super) fn view(self) -> View {
+        let MapAnswer { model, map, zone, .. } = self.answer;
+        let (y, note) = match model {
+            Model::Planar(model) => (model.aside(), format!("section in the arm plane, m from {}", self.origin())),
+            Model::Spatial(_) => (0.0, "the section stands for every direction about the joint-1 axis".to_owned()),
         };
-        let [axis_x, axis_z] = plane.axis_from_base;
-        let at = |[x, z]: [f64; 2]| [x + axis_x, y, z + axis_z];
-        let zone = self.zone.as_ref().zip(self.mark()).map(|((_, placement), mark)| Zone {
-            rim: mark.rim.iter().copied().map(at).collect(),
-            worst: Some(Cell { at: at(mark.worst_point), mm: Some(placement.deflection * 1e3) }),
+        let best = zone.as_ref().and_then(|zone| zone.placed.feasible());
+        let colour_label = self.colour_label();
+        let zone = best.zip(self.mark).map(|(best, mark)| Zone {
+            rim: mark.rim.iter().map(|&[x, z]| [x, y, z]).collect(),
+            worst: Some(Cell { at: best.worst_point, mm: Some(best.deflection * 1e3) }),
             label: mark.label,
             sheet: None,
         });
-        let origin = if self.floor() { "the base" } else { "the joint-2 axis" };
         View {
-            title: robot.full_name(),
-            notes: vec![self.subtitle(), format!("section in the arm plane, m from {origin}")],
-            arm: self.posture().map(|(shoulder, elbow)| ArmMark::planar(plane, [shoulder, elbow], y)),
+            title: model.robot().full_name(),
+            notes: vec![self.subtitle, note],
+            arm: arm(model, self.posture, None),
             zone,
-            section: Some(Sheet::of_map(map, plane.axis_from_base, y)),
-            arrows: Vec::new(),
-            colour_label: format!("{} [mm]", self.what()),
-            floor: self.floor(),
+            section: Some(Sheet::of_map(&map.deflection, y)),
+            colour_label,
+            floor: model.knows_base(),
+            ..View::default()
         }
-    }
-
-    /// Whether the base is known, and with it the floor.
-    fn floor(&self) -> bool {
-        matches!(self.robot.arm, Arm::SixAxis { .. })
-    }
-
-    pub(crate) fn figure(&self) -> Result<String, Failure> {
-        let robot = &self.robot;
-        let PlanarArm { l2, l3, .. } = self.plane.arm;
-        let figure_of_map = MapFigure {
-            title: robot.full_name(),
-            subtitle: self.subtitle(),
-            map: &self.map,
-            factor: 1e3,
-            ends: ["stiff", "soft"],
-            edge: Some(&self.plane.arm),
-            scene: Scene {
-                axis: [0.0; 2],
-                links: self.posture().map_or_else(Vec::new, |posture| links(&self.plane.arm, posture)),
-                link: f64::midpoint(l2, l3),
-                base: self.floor().then_some(self.plane.axis_from_base.map(|part| -part)),
-                zone: self.mark(),
-            },
-            colour_label: format!("{} [mm]", self.what()),
-            origin: "the joint-2 axis",
-            face: None,
-        };
-        figure_of_map.svg().map_err(figure)
     }
 }
 
-impl Answer for MapAnswer {
+fn subtitle(answer: &MapAnswer) -> String {
+    let MapAnswer { model, options, zone, .. } = answer;
+    let start = format!("{}, {}", model.robot().architecture, model.robot().status);
+    match model.kind() {
+        ModelKind::Planar => {
+            let within = zone.as_ref().and_then(|zone| zone.placed.feasible().and(zone.options.within));
+            let within = within.map_or_else(String::new, |within| format!("; zone within {}", window(&within)));
+            format!("{start}; {}, planar model{within}", mapped(options.load))
+        }
+        ModelKind::Spatial(flange_from_tool) => {
+            let towards = direction(options.held.unwrap_or(Held::TOOL_DOWN).elevation);
+            let tool = tool(&flange_from_tool);
+            format!("{start}; all six drives, {towards}, tool: {tool}; drawn at the stiffest point")
+        }
+    }
+}
+
+/// A zone in the plane of its map.
+fn mark(zone: &PlaceAnswer, best: &Placement) -> ZoneMark {
+    let [x, _, z] = best.worst_point;
+    ZoneMark {
+        zone: zone.task.zone,
+        rim: rim(zone.task.zone, best.centre, best.angle),
+        worst_point: [x, z],
+        label: format!("{}: {:.3} mm at worst", zone.task.label, best.deflection * 1e3),
+    }
+}
+
+impl Answer for MapOutput {
     const COMMAND: &'static str = "map";
     const FURTHER: &'static [&'static str] = &["svg", "png", "html"];
 
     fn text(&self, markdown: bool) -> String {
-        let Self { robot, map, options, .. } = self;
-        let mut table = Table::new(["", ""]);
-        table.row(["robot".into(), format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)]);
-        table.row(["mapped".into(), format!("{}, planar model", self.what())]);
-        table.row(["points".into(), format!("{} x {}, every {:.4} m", map.x.count, map.z.count, map.x.step)]);
-        match map.extremes() {
-            None => table.row(["reached", "no point of the grid: choose a smaller step"]),
-            Some([least, most]) => {
-                for (name, (value, i, j)) in [("least", least), ("most", most)] {
-                    let (x, z) = (map.x.at(i), map.z.at(j));
-                    table.row([
-                        name.into(),
-                        format!("{:.4} mm at x {x:.3} m, z {z:.3} m from the joint-2 axis", value * 1e3),
-                    ]);
-                }
-            }
-        }
-        // In one direction a posture may give way less than in its worst: down to nothing.
-        if options.direction == Direction::Worst {
-            let floor = self.plane.arm.radial().floor() * options.force * 1e3;
-            table.row([
-                "bound".into(),
-                format!("{floor:.4} mm in the worst direction at the stiffest posture of the links"),
-            ]);
-        }
-        if let Some((task, placement)) = &self.zone {
-            let [x, z] = placement.centre;
-            let deflection = placement.deflection * 1e3;
-            table.row([
-                format!("zone {}", task.label),
-                format!("{deflection:.4} mm at worst, centre x {x:.3} m, z {z:.3} m"),
-            ]);
-        }
-        table.text(markdown) + "\n-o map.svg, .png, .html, .csv, .parquet or .json writes the map\n"
+        format!("{}\n{}", shown(&self.answer.table(), markdown), self.answer.notes())
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        let zone = self.zone.as_ref().map(|(task, placement)| (task, placement));
-        pretty(out, &report::map::planar(&self.robot, &self.options, &self.map, zone))
+        pretty(out, &self.answer)
     }
 
-    fn csv(&self) -> Table<'_> {
-        let map = &self.map;
-        let row = |cell: usize| {
-            let (i, j) = (cell % map.x.count, cell / map.x.count);
-            [map.x.at(i).to_string(), map.z.at(j).to_string(), full(map.get(i, j).map(|metres| metres * 1e3))]
-        };
-        Table::made(["x_m", "z_m", "deflection_mm"], map.x.count * map.z.count, row)
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {
-        Some(self.figure())
+        Some(Drawn { layer: self.layer, ..Drawn::of_zone(&self.answer) }.svg())
     }
 
     fn view(&self) -> Option<Result<View, Failure>> {
-        Some(Ok(self.in_space()))
+        Some(Ok(Drawn::of_zone(&self.answer).view()))
     }
 }

@@ -2,13 +2,13 @@
 
 pub(crate) mod check;
 pub(crate) mod compliance;
+mod drawing;
 pub(crate) mod import;
 pub(crate) mod map;
 pub(crate) mod place;
 pub(crate) mod rank;
 pub(crate) mod robots;
 mod sheet;
-pub(crate) mod spatial;
 pub(crate) mod study;
 pub(crate) mod validate;
 

@@ -3,202 +3,223 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::place::{Outside, PlaceError, PlaceOptions, Placed, Placement, place_robot};
-use stiffarm::report;
-use stiffarm::robot::Robot;
-use stiffarm::task::Task;
+use stiffarm::answer::words::{direction, tool};
+use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows};
+use stiffarm::map::{Extent, Held, MapOptions, Posture, Spacing, map};
+use stiffarm::model::{Model, ModelKind};
+use stiffarm::place::{Placed, Placement, SpaceHold, Stance, ZonePoint, deflection_field, place};
 
-use super::map::{MapAnswer, placement_map};
-use super::{spatial, waiting};
+use super::map::Drawn;
+use super::waiting;
 use crate::args::{Common, PlaceArgs};
 use crate::failure::Failure;
-use crate::figures::view3d::View;
+use crate::figures::face::FaceFigure;
+use crate::figures::scene::{ZoneMark, rim};
+use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
 use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
-use crate::table::{Table, fixed, full};
+use crate::table::shown;
+
+/// Points along the longer side of the map that is drawn, in the arm plane and in space.
+const FIGURE_SIZE: [usize; 2] = [400, 300];
+/// Points along each side of the zone that are drawn.
+const FACE_SIZE: usize = 33;
 
 pub(crate) fn run(args: &PlaceArgs, common: &Common) -> Result<(), Failure> {
     let robot = selection::robot(&args.robot, common)?;
-    if args.space.is_spatial()? {
-        return spatial::place::run(robot, args, common);
+    let kind = args.space.kind()?;
+    let outputs = Outputs::open::<PlaceOutput>(common, &[Path::new(&args.robot)])?;
+    let options = args.space.options(&args.placing, &kind, Some(args.task.zone))?;
+    let failure = |error| Failure::Place { robot: robot.name.clone(), error };
+    let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
+    let placed = waiting("searching places", common, || place(&model, args.task.zone, &options)).map_err(failure)?;
+    let (task, tolerance_mm) = (args.task.clone(), args.tolerance_mm);
+    let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
+    outputs.deliver(&PlaceOutput { model, answer })
+}
+
+struct PlaceOutput {
+    model: Model,
+    answer: PlaceAnswer,
+}
+
+impl PlaceOutput {
+    fn elevation(&self) -> f64 {
+        self.answer.options.stance.unwrap_or_else(Stance::tool_down).elevation
     }
-    let outputs = Outputs::open::<PlaceAnswer>(common, &[Path::new(&args.robot)])?;
-    let options = args.placing.options(args.task.zone);
-    let placed = waiting("searching places", common, || place_robot(&robot, args.task.zone, &options))
-        .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
-    let answer = PlaceAnswer { robot, task: args.task.clone(), options, placed, tolerance_mm: args.tolerance_mm };
-    outputs.deliver(&answer)
-}
 
-struct PlaceAnswer {
-    robot: Robot,
-    task: Task,
-    options: PlaceOptions,
-    placed: Placed,
-    tolerance_mm: Option<f64>,
-}
+    /// What is drawn, where there is something.
+    fn feasible(&self) -> Result<(&Placement, Option<&SpaceHold>), Failure> {
+        let PlaceAnswer { robot, task, placed, .. } = &self.answer;
+        match (placed, &self.model) {
+            (Placed::Infeasible { reason, .. }, Model::Spatial(_)) => {
+                Err(Failure::Usage(format!("{}: no place for {} to draw: {reason}", robot.name, task.label)))
+            }
+            (Placed::Feasible(best), _) => Ok((best, best.space())),
+            (Placed::Infeasible { .. }, Model::Planar(_)) => Err(Failure::Figure("there is no zone to draw".into())),
+        }
+    }
 
-impl PlaceAnswer {
-    /// The robot's map with the zone in it.
+    /// The map of what is reached, held as the zone is.
     fn mapped(&self) -> Result<MapAnswer, Failure> {
-        placement_map(&self.robot, &self.task, &self.options, self.placed.feasible())
+        let Self { model, answer } = self;
+        let failure = |error| Failure::Map { robot: answer.robot.name.clone(), error };
+        let (size, held) = match (model, answer.placed.feasible().and_then(Placement::space)) {
+            (Model::Planar(_), _) => (FIGURE_SIZE[0], None),
+            (Model::Spatial(_), None) => {
+                (FIGURE_SIZE[1], Some(Held { elevation: self.elevation(), ..Held::TOOL_DOWN }))
+            }
+            (Model::Spatial(spatial), Some(hold)) => {
+                let asked = answer.options.stance.and_then(|stance| stance.roll);
+                let any_roll = asked.is_none() && spatial.arm().tool_turns_about_axis_6();
+                let held = Held {
+                    elevation: self.elevation(),
+                    yaw: hold.yaw,
+                    roll: (!any_roll).then_some(hold.roll),
+                    configuration: Some(hold.configuration),
+                };
+                (FIGURE_SIZE[1], Some(held))
+            }
+        };
+        let extent = Extent::Reached(Spacing::Points(size));
+        let options = MapOptions { extent, load: answer.options.load, elbow: None, held };
+        let map = map(model, &options).map_err(failure)?;
+        Ok(MapAnswer { model: model.clone(), options, map, zone: Some(answer.clone()) })
+    }
+
+    fn subtitle(&self) -> String {
+        let PlaceAnswer { robot, model, placed, .. } = &self.answer;
+        let start = format!("{}, {}", robot.architecture, robot.status);
+        match (model, placed.feasible().and_then(Placement::space)) {
+            (ModelKind::Spatial(flange_from_tool), Some(hold)) => {
+                let (towards, tool) = (direction(self.elevation()), tool(flange_from_tool));
+                format!("{start}; all six drives, {towards}, tool: {tool}; {}", hold.configuration)
+            }
+            _ => start,
+        }
+    }
+
+    /// Points of the zone, given along its sides, with their deflections.
+    fn field(&self, points: impl IntoIterator<Item = [f64; 2]>) -> Result<Vec<ZonePoint>, Failure> {
+        let (best, _) = self.feasible()?;
+        deflection_field(&self.model, &self.answer.options, best, points)
+            .map_err(|error| Failure::Place { robot: self.answer.robot.name.clone(), error })
+    }
+
+    /// The zone row by row.
+    fn face(&self) -> Result<Vec<ZonePoint>, Failure> {
+        let side = |i: usize| 2.0 * i as f64 / (FACE_SIZE - 1) as f64 - 1.0;
+        let nodes = (0..FACE_SIZE).flat_map(|j| (0..FACE_SIZE).map(move |i| [side(i), side(j)]));
+        self.field(nodes.map(|node| self.answer.task.zone.at(node)))
+    }
+
+    /// The rim of the zone, straight ahead.
+    fn rim(&self) -> Result<Vec<Point>, Failure> {
+        Ok(self.field(rim(self.answer.task.zone, [0.0; 2], 0.0))?.iter().map(|point| point.at).collect())
+    }
+
+    /// The zone on the section that points straight ahead, and what is seen along the tool axis.
+    fn figure(&self) -> Result<String, Failure> {
+        let map = self.mapped()?;
+        let Model::Spatial(_) = self.model else { return Drawn::of_zone(&map).svg() };
+        let (best, hold) = self.feasible()?;
+        let bearing = hold.map_or(0.0, |hold| hold.bearing);
+        // Turned back: the section points straight ahead.
+        let ((s, c), [wx, wy, wz]) = (bearing.sin_cos(), best.worst_point);
+        let mark = ZoneMark {
+            zone: self.answer.task.zone,
+            rim: self.rim()?.into_iter().map(|[x, _, z]| [x, z]).collect(),
+            worst_point: [c * wx + s * wy, wz],
+            label: self.label(best),
+        };
+        let face = FaceFigure {
+            zone: self.answer.task.zone,
+            angle: best.angle,
+            cells: self.face()?.iter().map(|point| point.deflection.map(|metres| metres * 1e3)).collect(),
+            per_side: FACE_SIZE,
+            up: match self.elevation().to_degrees() {
+                down if down < -89.9 => "ahead",
+                up if 89.9 < up => "back",
+                _ => "upwards in its plane",
+            },
+            colour_label: Drawn::of_zone(&map).colour_label(),
+        };
+        Drawn {
+            subtitle: self.subtitle(),
+            posture: hold.map(|hold| Posture::Joints(self.straight_ahead(hold))),
+            mark: Some(mark),
+            face: Some(face),
+            ..Drawn::of_zone(&map)
+        }
+        .svg()
+    }
+
+    /// The joints at the worst point, the zone straight ahead.
+    fn straight_ahead(&self, hold: &SpaceHold) -> [f64; 6] {
+        let mut q = hold.joints;
+        if let Model::Spatial(model) = &self.model {
+            q[0] -= model.joint_1_sign() * hold.bearing;
+        }
+        q
+    }
+
+    fn label(&self, best: &Placement) -> String {
+        format!("{}: {:.3} mm at worst", self.answer.task.label, best.deflection * 1e3)
+    }
+
+    fn in_space(&self) -> Result<View, Failure> {
+        let map = self.mapped()?;
+        let Model::Spatial(_) = self.model else { return Ok(Drawn::of_zone(&map).view()) };
+        let (best, hold) = self.feasible()?;
+        let (s, c) = hold.map_or(0.0, |hold| hold.bearing).sin_cos();
+        let turned = |[x, y, z]: Point| [c * x - s * y, s * x + c * y, z];
+        let cell = |point: &ZonePoint| Cell { at: turned(point.at), mm: point.deflection.map(|metres| metres * 1e3) };
+        let face: Vec<Cell> = self.face()?.iter().map(cell).collect();
+        let zone = Zone {
+            label: self.label(best),
+            rim: self.rim()?.into_iter().map(turned).collect(),
+            sheet: Some(Sheet { rows: face.chunks(FACE_SIZE).map(<[Cell]>::to_vec).collect() }),
+            worst: Some(Cell { at: best.worst_point, mm: Some(best.deflection * 1e3) }),
+        };
+        let mut section = Sheet::of_map(&map.map.deflection, 0.0);
+        section.rows.iter_mut().flatten().for_each(|cell| cell.at = turned(cell.at));
+        let posture = hold.map(|hold| Posture::Joints(hold.joints));
+        Ok(View {
+            title: self.answer.robot.full_name(),
+            notes: vec![self.subtitle(), "arm at the worst point of the zone; section held as the zone is".into()],
+            arm: super::drawing::arm(&self.model, posture, hold.map(|hold| &hold.shares)),
+            zone: Some(zone),
+            section: Some(section),
+            colour_label: Drawn::of_zone(&map).colour_label(),
+            floor: true,
+            ..View::default()
+        })
     }
 }
 
-impl Answer for PlaceAnswer {
+impl Answer for PlaceOutput {
     const COMMAND: &'static str = "place";
     const FURTHER: &'static [&'static str] = &["svg", "png", "html"];
 
     fn text(&self, markdown: bool) -> String {
-        let Self { robot, task, options, .. } = self;
-        let mut table = Table::new(["", ""]);
-        table.row(["robot".into(), format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)]);
-        table.row(["task".into(), format!("{} ({})", task.label, task.zone.describe())]);
-        table.row(["force".into(), format!("{} N in its worst direction, planar model", options.force)]);
-        match &self.placed {
-            Placed::Feasible(best) => {
-                let [x, z] = best.centre;
-                let gap = 1.0 - best.lower_bound / best.deflection;
-                table.row(["worst deflection in the zone".into(), format!("{:.4} mm", best.deflection * 1e3)]);
-                table.row([
-                    "no place has less than".into(),
-                    format!("{:.4} mm ({})", best.lower_bound * 1e3, proof(gap)),
-                ]);
-                table.row(["centre from the joint-2 axis".into(), format!("x {x:.4} m, z {z:.4} m")]);
-                let [ax, az] = robot.axis_2();
-                if [ax, az] != [0.0; 2] {
-                    table.row(["centre from the base".into(), format!("x {:.4} m, z {:.4} m", x + ax, z + az)]);
-                }
-                if let Some(note) = outside(robot, task, best) {
-                    table.row(["note".into(), note]);
-                }
-                table.row(["angle of the first side".into(), format!("{:.1} deg", best.angle.to_degrees() + 0.0)]);
-                table.row(["elbow".into(), best.elbow.name().to_owned()]);
-                let [wx, wz] = best.worst_point;
-                table.row(["worst point".into(), format!("x {wx:.4} m, z {wz:.4} m from the joint-2 axis")]);
-                if let Some(tolerance) = self.tolerance_mm {
-                    let margin = tolerance - best.deflection * 1e3;
-                    let verdict = if 0.0 <= margin { "pass" } else { "fail" };
-                    table.row([
-                        format!("tolerance {tolerance} mm"),
-                        format!("{verdict}, margin {} mm", fixed(margin, 4)),
-                    ]);
-                }
-            }
-            Placed::Infeasible { reason, largest_scale } => {
-                table.row(["no place".into(), reason.to_string()]);
-                table.row(["largest zone of this shape".into(), largest(task, *largest_scale)]);
-            }
-        }
-        table.text(markdown)
+        let notes = self.answer.notes();
+        let apart = if notes.is_empty() { "" } else { "\n" };
+        format!("{}{apart}{notes}", shown(&self.answer.table(), markdown))
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        let cell = report::place::cell(&self.robot, &self.task, &self.options, &self.placed, self.tolerance_mm);
-        pretty(out, &cell)
+        pretty(out, &self.answer.json())
     }
 
-    fn csv(&self) -> Table<'_> {
-        let mut table = Table::new(CELL_COLUMNS);
-        table.row(cell_row(&self.robot, &self.task, &self.options, Ok(&self.placed), self.tolerance_mm));
-        table
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {
-        Some(self.mapped().and_then(|map| map.figure()))
+        Some(self.figure())
     }
 
     fn view(&self) -> Option<Result<View, Failure>> {
-        Some(self.mapped().map(|map| map.in_space()))
+        Some(self.in_space())
     }
-}
-
-/// Says where a place lies partly below the base or behind the joint-1 axis: reached, but rarely meant.
-fn outside(robot: &Robot, task: &Task, best: &Placement) -> Option<String> {
-    let Outside { below, behind } = Outside::of(robot, task.zone, best);
-    let place = match (below, behind) {
-        (false, false) => return None,
-        (true, false) => "below the base",
-        (false, true) => "behind the joint-1 axis",
-        (true, true) => "below the base and behind the joint-1 axis",
-    };
-    Some(format!("part of it lies {place}; --within 0..,0.. keeps it in front of and above the base"))
-}
-
-/// What a gap means.
-fn proof(gap: f64) -> String {
-    if gap < 1e-11 { "exact".into() } else { format!("gap {gap:.1e}") }
-}
-
-/// How large a zone of the shape would fit.
-fn largest(task: &Task, scale: f64) -> String {
-    if scale == 0.0 {
-        "none: no zone of this shape fits, however small".into()
-    } else {
-        format!("{scale:.4} of the size asked for ({})", task.zone.scaled(scale).describe())
-    }
-}
-
-/// The columns of a placement in a spreadsheet.
-pub(crate) const CELL_COLUMNS: [&str; 18] = [
-    "robot",
-    "vendor",
-    "architecture",
-    "status",
-    "task",
-    "force_n",
-    "feasible",
-    "deflection_mm",
-    "lower_bound_mm",
-    "x_m",
-    "z_m",
-    "angle_deg",
-    "elbow",
-    "largest_feasible_scale",
-    "below_base",
-    "tolerance_mm",
-    "pass",
-    "reason",
-];
-
-pub(crate) fn cell_row(
-    robot: &Robot,
-    task: &Task,
-    options: &PlaceOptions,
-    placed: Result<&Placed, &PlaceError>,
-    tolerance_mm: Option<f64>,
-) -> Vec<String> {
-    let best = placed.ok().and_then(Placed::feasible);
-    let scale = match placed {
-        Ok(Placed::Infeasible { largest_scale, .. }) => Some(*largest_scale),
-        Ok(Placed::Feasible(_)) | Err(_) => None,
-    };
-    // Blank where it is not known.
-    let or_blank = |text: String| if placed.is_ok() { text } else { String::new() };
-    vec![
-        robot.name.clone(),
-        robot.vendor.clone(),
-        robot.architecture.to_string(),
-        robot.status.to_string(),
-        task.label.clone(),
-        options.force.to_string(),
-        or_blank(best.is_some().to_string()),
-        full(best.map(|best| best.deflection * 1e3)),
-        full(best.map(|best| best.lower_bound * 1e3)),
-        full(best.map(|best| best.centre[0])),
-        full(best.map(|best| best.centre[1])),
-        full(best.map(|best| best.angle.to_degrees())),
-        best.map_or_else(String::new, |best| best.elbow.name().into()),
-        full(scale),
-        best.map_or_else(String::new, |best| Outside::of(robot, task.zone, best).below.to_string()),
-        full(tolerance_mm),
-        tolerance_mm.map_or_else(String::new, |tolerance| {
-            or_blank(best.is_some_and(|best| best.deflection * 1e3 <= tolerance).to_string())
-        }),
-        match placed {
-            Ok(Placed::Feasible(_)) => String::new(),
-            Ok(Placed::Infeasible { reason, .. }) => reason.to_string(),
-            Err(error) => error.to_string(),
-        },
-    ]
 }

@@ -4,31 +4,32 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use serde_json::Value;
+use stiffarm::answer::robot::{floor, list, sheet};
+use stiffarm::answer::words::{ASSUMED_ARCHITECTURE, architecture};
+use stiffarm::answer::{Rows, Table};
 use stiffarm::catalogue;
 use stiffarm::plane::PlanarArm;
-use stiffarm::report;
-use stiffarm::report::robot::floor;
 use stiffarm::robot::{Robot, Status};
 
-use super::sheet::{ASSUMED_ARCHITECTURE, Sheet, architecture};
+use super::sheet::Sheet;
 use crate::args::{Common, RobotsAction, RobotsArgs};
 use crate::failure::Failure;
 use crate::filters::Filters;
 use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
-use crate::table::{Table, fixed_or_dash, full};
+use crate::table::{fixed_or_dash, shown};
 
 pub(crate) fn run(args: &RobotsArgs, common: &Common) -> Result<(), Failure> {
     match &args.action {
-        None => list(&[], &Filters::default(), common),
-        Some(RobotsAction::List { text, filters }) => list(text, filters, common),
+        None => listed(&[], &Filters::default(), common),
+        Some(RobotsAction::List { text, filters }) => listed(text, filters, common),
         Some(RobotsAction::Show { robot }) => show(robot, common),
         Some(RobotsAction::Check { files }) => super::check::run(files, common),
         Some(RobotsAction::Import(args)) => super::import::run(args, common),
     }
 }
 
-fn list(words: &[String], filters: &Filters, common: &Common) -> Result<(), Failure> {
+fn listed(words: &[String], filters: &Filters, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<List>(common, &[])?;
     outputs.deliver(&List(filters.keep(catalogue::robots(), words)?))
 }
@@ -98,46 +99,14 @@ impl Answer for List {
                 fixed_or_dash(floor(robot), 3),
             ]);
         }
-        format!("{}\n{}\n{}", table.text(markdown), self.count(), self.notes())
+        format!("{}\n{}\n{}", shown(&table, markdown), self.count(), self.notes())
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.0.iter().map(report::robot::sheet).collect::<Value>())
+        pretty(out, &self.0.iter().map(sheet).collect::<Value>())
     }
 
-    fn csv(&self) -> Table<'_> {
-        let mut table = Table::new([
-            "vendor",
-            "robot",
-            "architecture",
-            "status",
-            "payload_kg",
-            "reach_m",
-            "l2_m",
-            "l3_m",
-            "bound_um_per_n",
-            "architecture_assumed",
-            "mass_kg",
-            "repeatability_mm",
-        ]);
-        for robot in &self.0 {
-            let arm = robot.two_links().ok().map(|plane| plane.arm);
-            let of_arm = |value: fn(&PlanarArm) -> f64| full(arm.as_ref().map(value));
-            table.row([
-                robot.vendor.clone(),
-                robot.name.clone(),
-                robot.architecture.to_string(),
-                robot.status.to_string(),
-                full(robot.payload_kg),
-                full(robot.reach),
-                of_arm(|arm| arm.l2),
-                of_arm(|arm| arm.l3),
-                full(floor(robot)),
-                robot.architecture_is_assumed.to_string(),
-                full(robot.mass_kg),
-                full(robot.repeatability.map(|m| m * 1e3)),
-            ]);
-        }
-        table
+    fn rows(&self) -> Rows<'_> {
+        list(&self.0)
     }
 }

@@ -2,28 +2,20 @@
 
 use std::io::{self, Write};
 
+use stiffarm::answer::robot::{lengths, rounded, sheet};
+use stiffarm::answer::{Cell, Rows, Table, columns_of, field};
 use stiffarm::drive::{Architecture, Drives, Transmission};
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
 use stiffarm::limits::{Limits, ThirdAxis};
 use stiffarm::map::MapError;
 use stiffarm::plane::PlanarArm;
-use stiffarm::report;
-use stiffarm::report::robot::{lengths, rounded};
 use stiffarm::robot::{Arm, ArmPlane, Robot};
 
 use crate::failure::Failure;
 use crate::figures::reach::ReachFigure;
 use crate::output::{Answer, figure, pretty};
-use crate::table::Table;
-
-/// What the question mark of `architecture` means.
-pub(super) const ASSUMED_ARCHITECTURE: &str = "serial?: no parallelogram is reported, and none is ruled out\n";
-
-/// With a question mark where nothing says that it is so.
-pub(super) fn architecture(robot: &Robot) -> String {
-    format!("{}{}", robot.architecture, if robot.architecture_is_assumed { "?" } else { "" })
-}
+use crate::table::shown;
 
 pub(super) struct Sheet(pub(super) Robot);
 
@@ -36,13 +28,13 @@ fn degrees(range: Interval) -> String {
     }
 }
 
-type Rows = Vec<(String, String)>;
+type Lines = Vec<(String, String)>;
 
 impl Sheet {
-    fn rows(&self) -> Rows {
+    fn lines(&self) -> Lines {
         let robot = &self.0;
         let assumed = if robot.architecture_is_assumed { " (assumed)" } else { "" };
-        let mut rows: Rows = vec![
+        let mut rows: Lines = vec![
             ("robot".into(), robot.full_name()),
             ("architecture".into(), format!("{}{assumed}", robot.architecture)),
             ("status".into(), robot.status.to_string()),
@@ -77,7 +69,7 @@ impl Sheet {
     fn figure(&self) -> Result<String, Failure> {
         let robot = &self.0;
         let failure = |error| Failure::Map { robot: robot.name.clone(), error };
-        let plane = robot.two_links().map_err(|error| failure(MapError::Arm(error.into())))?;
+        let plane = robot.two_links().map_err(|error| failure(MapError::Model(error.into())))?;
         let assumed = if robot.architecture_is_assumed { " (assumed)" } else { "" };
         let base = (plane.axis_from_base != [0.0; 2]).then_some(plane.axis_from_base);
         let drawn = ReachFigure {
@@ -93,7 +85,7 @@ impl Sheet {
     }
 }
 
-fn geometry_rows(geometry: &Geometry) -> Rows {
+fn geometry_rows(geometry: &Geometry) -> Lines {
     let lengths: Vec<String> =
         lengths(geometry).iter().map(|(name, m)| format!("{name} {}", rounded(m * 1e3))).collect();
     let offsets: Vec<String> = geometry.offset.iter().map(|x| rounded(x.to_degrees()).to_string()).collect();
@@ -105,8 +97,8 @@ fn geometry_rows(geometry: &Geometry) -> Rows {
     ]
 }
 
-fn limit_rows(limits: &Limits) -> Rows {
-    let mut rows = Rows::new();
+fn limit_rows(limits: &Limits) -> Lines {
+    let mut rows = Lines::new();
     for (i, range) in limits.joints.iter().enumerate() {
         let speed =
             limits.speeds.map_or_else(String::new, |speeds| format!(", {} deg/s", rounded(speeds[i].to_degrees())));
@@ -120,7 +112,7 @@ fn limit_rows(limits: &Limits) -> Rows {
     rows
 }
 
-fn drive_rows(drives: &Drives, architecture: Architecture) -> Rows {
+fn drive_rows(drives: &Drives, architecture: Architecture) -> Lines {
     let compliance: Vec<String> = drives.compliance.0.iter().map(|k| rounded(k * 1e6).to_string()).collect();
     let mut rows = vec![("drive compliance".into(), format!("{} urad/(N m)", compliance.join(", ")))];
     if drives.transmission != Transmission::of(architecture) {
@@ -141,7 +133,7 @@ fn drive_rows(drives: &Drives, architecture: Architecture) -> Rows {
     rows
 }
 
-fn plane_rows(arm: &PlanarArm) -> Rows {
+fn plane_rows(arm: &PlanarArm) -> Lines {
     let links = format!("l2 {:.4} m, l3 {:.4} m, l3/l2 {:.4}", arm.l2, arm.l3, arm.l3 / arm.l2);
     vec![
         ("arm plane".into(), links),
@@ -157,24 +149,22 @@ impl Answer for Sheet {
 
     fn text(&self, markdown: bool) -> String {
         let mut table = Table::new(["", ""]);
-        for (key, value) in self.rows() {
+        for (key, value) in self.lines() {
             table.row([key, value]);
         }
-        table.text(markdown)
+        shown(&table, markdown)
             + "angles of the arm plane: counter-clockwise, 0 straight ahead; negative elbow: bent forwards and down\n\
                -o reach.svg or .png draws what it reaches\n"
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &report::robot::sheet(&self.0))
+        pretty(out, &sheet(&self.0))
     }
 
-    fn csv(&self) -> Table<'_> {
-        let mut table = Table::new(["key", "value"]);
-        for (key, value) in self.rows() {
-            table.row([key.trim().to_owned(), value]);
-        }
-        table
+    fn rows(&self) -> Rows<'_> {
+        let rows =
+            self.lines().into_iter().map(|(key, value)| vec![Cell::Text(key.trim().to_owned()), Cell::Text(value)]);
+        Rows::new([field::KEY, field::VALUE].map(|field| columns_of(&field)).concat(), rows.collect())
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {

@@ -2,22 +2,22 @@
 
 use std::io::{self, Write};
 
-use stiffarm::report;
-use stiffarm::study::{Boundary, Contender, Row, Study, StudyOptions, study};
+use stiffarm::answer::{Rows, StudyAnswer};
+use stiffarm::study::{Contender, StudyOptions, study};
 
 use super::waiting;
 use crate::args::{Common, StudyArgs};
 use crate::failure::Failure;
 use crate::figures::study::{self as figure_of, StudyCurve, StudyPanel};
 use crate::output::{Answer, Outputs, figure, pretty};
-use crate::table::{Table, fixed, fixed_or_dash, full};
+use crate::table::shown;
 
 /// Ratios and sizes along the sides of a figure.
 const FIGURE_RATIOS: usize = 61;
 const FIGURE_SIZES: usize = 48;
 
 pub(crate) fn run(args: &StudyArgs, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<StudyAnswer>(common, &[])?;
+    let outputs = Outputs::open::<StudyOutput>(common, &[])?;
     let pick = |key: &str, values: &[f64]| match *values {
         [both] => Ok([both, both]),
         [first, second] => Ok([first, second]),
@@ -40,36 +40,22 @@ pub(crate) fn run(args: &StudyArgs, common: &Common) -> Result<(), Failure> {
         ratios: args.ratios.clone(),
         range: args.range,
     };
-    outputs.deliver(&StudyAnswer(waiting("studying", common, || study(&options))?))
+    let found = waiting("studying", common, || study(&options))?;
+    outputs.deliver(&StudyOutput(StudyAnswer(found)))
 }
 
-struct StudyAnswer(Study);
+struct StudyOutput(StudyAnswer);
 
-impl StudyAnswer {
-    fn ratio(row: &Row) -> String {
-        match row.ratio {
-            Some(ratio) if ratio.is_best => format!("best {}", fixed(ratio.mu, 3)),
-            Some(ratio) => ratio.mu.to_string(),
-            None => "best -".into(),
-        }
-    }
-
-    fn boundary(&self, boundary: &Boundary) -> String {
-        let task = &self.0.options.tasks[boundary.task].label;
-        let ratios = boundary.mu.map_or_else(|| "each at its best ratio".into(), |mu| format!("mu = {mu}"));
-        let (below, above) = (self.0.options.name(boundary.below), self.0.options.name(1 - boundary.below));
-        format!("{task}, {ratios}: {below} is better below d/(l2+l3) = {:.4}, {above} above\n", boundary.size)
-    }
-
+impl StudyOutput {
     fn figure(&self) -> Result<String, Failure> {
-        let options = &self.0.options;
+        let options = &self.0.0.options;
         let panels: Result<Vec<StudyPanel>, Failure> = (0..options.tasks.len()).map(|task| self.panel(task)).collect();
         let title = "Link ratio and task size";
         figure_of::svg(title, &panels?).map_err(figure)
     }
 
     fn panel(&self, task: usize) -> Result<StudyPanel, Failure> {
-        let options = &self.0.options;
+        let options = &self.0.0.options;
         let shape = &options.tasks[task];
         let widest = shape.zone.largest_size();
         let step = |i: usize, count: usize, low: f64, high: f64| low + (high - low) * i as f64 / (count - 1) as f64;
@@ -121,10 +107,10 @@ impl StudyAnswer {
             }
         }
         let boundaries =
-            self.0.boundaries.iter().filter(|b| b.task == task && b.mu.is_none()).map(|b| b.size).collect();
+            self.0.0.boundaries.iter().filter(|b| b.task == task && b.mu.is_none()).map(|b| b.size).collect();
         Ok(StudyPanel {
             title: format!("Task {} ({})", shape.label, shape.zone),
-            contenders: [self.0.options.name(0), self.0.options.name(1)],
+            contenders: [self.0.0.options.name(0), self.0.0.options.name(1)],
             mus,
             sizes,
             accuracy,
@@ -135,59 +121,24 @@ impl StudyAnswer {
     }
 }
 
-impl Answer for StudyAnswer {
+impl Answer for StudyOutput {
     const COMMAND: &'static str = "study";
     const FURTHER: &'static [&'static str] = &["svg", "png"];
 
     fn text(&self, markdown: bool) -> String {
-        let Study { options, rows, boundaries } = &self.0;
-        let mut headings = vec!["task".to_owned(), "mu = l3/l2".into(), "architecture".into()];
-        headings.extend(options.sizes.iter().map(|size| format!("d = {size}")));
-        let mut table = Table::new(headings);
-        let per_ratio = options.sizes.len() * 2;
-        for group in rows.chunks(per_ratio) {
-            for contender in [0, 1] {
-                let of_contender: Vec<&Row> = group.iter().filter(|row| row.contender == contender).collect();
-                let Some(first) = of_contender.first() else { continue };
-                let is_best = of_contender.iter().any(|row| row.ratio.is_none_or(|ratio| ratio.is_best));
-                let ratio = if is_best { "best".into() } else { Self::ratio(first) };
-                let mut cells = vec![options.tasks[first.task].label.clone(), ratio, self.0.options.name(contender)];
-                cells.extend(of_contender.iter().map(|row| {
-                    let at = row.ratio.filter(|ratio| ratio.is_best).map(|ratio| format!(" (mu {:.3})", ratio.mu));
-                    fixed_or_dash(row.accuracy, 4) + &at.unwrap_or_default()
-                }));
-                table.row(cells);
-            }
-        }
-        let boundaries: String = boundaries.iter().map(|boundary| self.boundary(boundary)).collect();
         format!(
             "Worst deflection at the best place over k F (l2+l3)^2, sizes d over l2+l3, no joint limits; - does not fit\n\n{}\n{}",
-            table.text(markdown),
-            if boundaries.is_empty() { "The order does not change with the size.\n".into() } else { boundaries }
+            shown(&self.0.table(), markdown),
+            self.0.notes()
         )
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &report::study::study(&self.0))
+        pretty(out, &self.0.json())
     }
 
-    fn csv(&self) -> Table<'_> {
-        let Study { options, rows, .. } = &self.0;
-        let mut table = Table::new(["task", "d", "mu_l3_over_l2", "best", "architecture", "k2", "k3", "accuracy"]);
-        for row in rows {
-            let Contender { architecture, k2, k3 } = options.contenders[row.contender];
-            table.row([
-                options.tasks[row.task].label.clone(),
-                row.size.to_string(),
-                full(row.ratio.map(|ratio| ratio.mu)),
-                row.ratio.is_none_or(|ratio| ratio.is_best).to_string(),
-                architecture.to_string(),
-                k2.to_string(),
-                k3.to_string(),
-                full(row.accuracy),
-            ]);
-        }
-        table
+    fn rows(&self) -> Rows<'_> {
+        self.0.rows()
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {

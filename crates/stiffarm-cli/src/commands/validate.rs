@@ -2,13 +2,14 @@
 
 use std::io::{self, Write};
 
-use serde_json::{Value, json};
+use serde_json::Value;
+use stiffarm::answer::{Record, Rows, Table, field, with_schema};
 use stiffarm::ledger::{Entry, Printed, validate};
 
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::{Answer, Outputs, pretty};
-use crate::table::{Table, fixed_or_dash, full};
+use crate::table::{fixed_or_dash, shown};
 
 pub(crate) fn run(common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<Ledger>(common, &[])?;
@@ -63,39 +64,33 @@ impl Answer for Ledger {
         format!(
             "{}\n{notes}\nTable I in units of k F (l2 + l3)^2; Table III and text in mm at 1 kN with 1 urad/(N m) unless a ratio or size.\n\
              {} published numbers: {agree} agree within their printed digits, {listed} are listed with a reason, {unsettled} unsettled.\n",
-            table.text(markdown),
+            shown(&table, markdown),
             self.0.len()
         )
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        let rows = self.0.iter().map(|entry| {
-            json!({
-                "source": entry.source,
-                "item": entry.item,
-                "cell": entry.cell,
-                "printed": entry.printed,
-                "computed": entry.computed,
-                "agrees": entry.agrees,
-                "note": entry.note,
-            })
-        });
-        pretty(out, &json!({ "rows": rows.collect::<Value>() }))
+        let mut answer = Record::new();
+        answer.put(field::ROWS, self.0.iter().map(|entry| record(entry).json()).collect::<Value>());
+        pretty(out, &with_schema("validate", &answer))
     }
 
-    fn csv(&self) -> Table<'_> {
-        let mut table = Table::new(["source", "item", "cell", "printed", "computed", "agrees", "note"]);
-        for entry in &self.0 {
-            table.row([
-                entry.source.to_owned(),
-                entry.item.clone(),
-                entry.cell.clone(),
-                entry.printed.clone(),
-                full(entry.computed),
-                entry.agrees.to_string(),
-                entry.note.clone().unwrap_or_default(),
-            ]);
-        }
-        table
+    fn rows(&self) -> Rows<'_> {
+        let records: Vec<Record> = self.0.iter().map(record).collect();
+        let columns = records.first().map(Record::columns).unwrap_or_default();
+        Rows::new(columns, records.iter().map(Record::cells).collect())
     }
+}
+
+fn record(entry: &Entry) -> Record {
+    let mut record = Record::new();
+    record
+        .put(field::SOURCE, entry.source)
+        .put(field::ITEM, &entry.item)
+        .put(field::CELL, &entry.cell)
+        .put(field::PRINTED, &entry.printed)
+        .put(field::COMPUTED, entry.computed)
+        .put(field::AGREES, entry.agrees)
+        .put(field::NOTE, entry.note.clone());
+    record
 }

@@ -1,6 +1,6 @@
 //! The compliance map of an arm: bands of deflection, the arm, and where the work stands.
 
-use stiffarm::map::Map;
+use stiffarm::map::Grid as Mapped;
 use stiffarm::plane::{ElbowSide, PlanarArm};
 
 use super::axes::{Frame, heading};
@@ -26,13 +26,13 @@ pub(crate) struct MapFigure<'a> {
     /// Second line, in grey.
     pub subtitle: String,
     /// What is drawn, such as deflections, m.
-    pub map: &'a Map,
+    pub map: &'a Mapped,
     /// What its values are multiplied by, such as 1000 for mm.
     pub factor: f64,
     /// What its smallest and its largest values are called.
     pub ends: [&'static str; 2],
-    /// The arm whose plane was mapped, where it says exactly where the mapped area ends.
-    pub edge: Option<&'a PlanarArm>,
+    /// The arm whose plane was mapped, with its joint-2 axis, where it says exactly where the mapped area ends.
+    pub edge: Option<(&'a PlanarArm, [f64; 2])>,
     /// Arm, base and zone in the axes of the map.
     pub scene: Scene,
     /// What the colours mean, with the unit.
@@ -117,7 +117,7 @@ impl MapFigure<'_> {
             frame.at(x, z)
         };
         let bands = Bands::of(extremes);
-        let region = self.edge.map_or_else(|| grid.smooth_outline(), |arm| region(&grid, arm, &metres));
+        let region = self.edge.map_or_else(|| grid.smooth_outline(), |edge| region(&grid, edge, &metres));
         let mut spots = Spots::default();
         for line in self.scene.covered(frame) {
             spots.take(&line, 9.0);
@@ -139,14 +139,17 @@ impl MapFigure<'_> {
 ///
 /// A map does not say of which elbow side it is: it is taken to be of those sides that reach what it holds. Where no
 /// choice agrees with the map, the edge is smoothed instead.
-fn region(grid: &Grid, arm: &PlanarArm, metres: &dyn Fn(Node) -> [f64; 2]) -> Vec<Line> {
+fn region(grid: &Grid, (arm, [ahead, up]): (&PlanarArm, [f64; 2]), metres: &dyn Fn(Node) -> [f64; 2]) -> Vec<Line> {
     let sides = arm.sides().unwrap_or_default();
     let mut choices = vec![sides.clone()];
     choices.extend([0, 1].map(|k| {
         let elbow = sides.first().map(|side| side.elbow);
         sides.iter().filter(|side| (Some(side.elbow) == elbow) == (k == 0)).cloned().collect()
     }));
-    let reached = |sides: &[ElbowSide], node: Node| sides.iter().any(|side| side.reaches(metres(node).into()));
+    let reached = |sides: &[ElbowSide], node: Node| {
+        let [x, z] = metres(node);
+        sides.iter().any(|side| side.reaches([x - ahead, z - up].into()))
+    };
     let sampled = (grid.rows.max(grid.columns) / 150).max(1);
     let agrees = |sides: &Vec<ElbowSide>| {
         (0..grid.rows).step_by(sampled).all(|j| {
@@ -185,7 +188,9 @@ pub(super) fn edge(columns: usize, rows: usize, reached: &dyn Fn(Node) -> bool) 
 mod tests {
     use stiffarm::drive::Architecture;
     use stiffarm::interval::Interval;
-    use stiffarm::map::{self, Component, Direction, MapOptions};
+    use stiffarm::load::{Component, Load};
+    use stiffarm::map::{self, Extent, MapOptions};
+    use stiffarm::model::Model;
 
     use stiffarm::task::Zone;
 
@@ -199,16 +204,17 @@ mod tests {
         PlanarArm { shoulder: limits(0.2, 2.4), elbow: limits(-2.5, 1.0), ..free }
     }
 
-    fn mapped(arm: &PlanarArm, ends: [f64; 2], count: usize, direction: Direction) -> Map {
+    fn mapped(arm: &PlanarArm, ends: [f64; 2], count: usize, load: Load) -> Mapped {
         let axis = map::Axis::between(ends[0], ends[1], count);
-        map::map(arm, &MapOptions { x: axis, z: axis, force: 1e3, direction, elbow: None }).unwrap()
+        let options = MapOptions { extent: Extent::Grid { x: axis, z: axis }, load, elbow: None, held: None };
+        map::map(&Model::of_links(arm).unwrap(), &options).unwrap().deflection
     }
 
     fn scene(arm: &PlanarArm) -> Scene {
         Scene { axis: [0.0; 2], links: Vec::new(), link: f64::midpoint(arm.l2, arm.l3), base: None, zone: None }
     }
 
-    fn figure<'a>(map: &'a Map, arm: &'a PlanarArm) -> MapFigure<'a> {
+    fn figure<'a>(map: &'a Mapped, arm: &'a PlanarArm) -> MapFigure<'a> {
         let (title, subtitle) = ("t <&\"> ".repeat(60), String::new());
         MapFigure {
             title,
@@ -216,7 +222,7 @@ mod tests {
             map,
             factor: 1e3,
             ends: ["stiff", "soft"],
-            edge: Some(arm),
+            edge: Some((arm, [0.0; 2])),
             scene: scene(arm),
             colour_label: "worst [mm]".into(),
             origin: "the joint-2 axis",
@@ -228,11 +234,11 @@ mod tests {
     fn the_edge_of_the_mapped_area_is_that_of_the_arm() {
         let arm = arm();
         // No grid line touches the edge without crossing it.
-        let map = mapped(&arm, [-2.03, 2.03], 61, Direction::Worst);
+        let map = mapped(&arm, [-2.03, 2.03], 61, Load::PAPER);
         let grid = Grid::new(61, 61, |i, j| map.get(i, j));
         let metres = |[i, j]: Node| [i, j].map(|i| -2.03 + i * 4.06 / 60.0);
         let reached = |p: [f64; 2]| arm.sides().unwrap().iter().any(|side| side.reaches(p.into()));
-        let rings = region(&grid, &arm, &metres);
+        let rings = region(&grid, (&arm, [0.0; 2]), &metres);
         let crossings: Vec<&Node> = rings.iter().flatten().collect();
         assert!(100 < crossings.len());
         for &&[i, j] in &crossings {
@@ -246,11 +252,11 @@ mod tests {
     #[test]
     fn odd_maps_make_figures() {
         let arm = arm();
-        let sideways = Direction::Given(0.3, Component::Along);
+        let sideways = Load::in_plane(1000.0, 0.3, Component::Along).unwrap();
         let maps = [
-            mapped(&arm, [5.0, 6.0], 50, Direction::Worst),
-            mapped(&arm, [0.9, 0.9 + 1e-9], 2, Direction::Worst),
-            mapped(&arm, [-2.0, 2.0], 2, Direction::Worst),
+            mapped(&arm, [5.0, 6.0], 50, Load::PAPER),
+            mapped(&arm, [0.9, 0.9 + 1e-9], 2, Load::PAPER),
+            mapped(&arm, [-2.0, 2.0], 2, Load::PAPER),
             mapped(&arm, [-2.0, 2.0], 1001, sideways),
         ];
         for map in &maps {
@@ -300,7 +306,7 @@ mod tests {
     #[test]
     fn a_map_of_another_arm_is_drawn_with_a_smoothed_edge() {
         let arm = arm();
-        let map = mapped(&PlanarArm { l3: 0.5, ..arm.clone() }, [-2.0, 2.0], 100, Direction::Worst);
+        let map = mapped(&PlanarArm { l3: 0.5, ..arm.clone() }, [-2.0, 2.0], 100, Load::PAPER);
         assert!(png(&figure(&map, &arm).svg().unwrap(), 1.0).is_ok());
     }
 }

@@ -39,7 +39,7 @@ class Answer:
     _data: dict[str, Any]
 
     def __init__(self, data: dict[str, Any]) -> None:
-        arrays = {key: np.asarray(data[key], dtype=np.float64) for key in self._arrays if key in data}
+        arrays = {key: np.asarray(data[key], dtype=np.float64) for key in self._arrays if data.get(key) is not None}
         self._data = {**data, **arrays}
 
     def __getattr__(self, key: str) -> Any:
@@ -74,10 +74,16 @@ class Answer:
 
 
 class _Table(Answer):
-    """An answer that has rows."""
+    """An answer that has rows; its columns are those of the program's CSV, typed whatever they hold."""
+
+    _rows: dict[str, Any]
+
+    def __init__(self, data: dict[str, Any], columns: dict[str, Any] | None = None) -> None:
+        super().__init__(data)
+        self._rows = {} if columns is None else columns
 
     def _columns(self) -> dict[str, Any]:
-        raise NotImplementedError
+        return self._rows
 
     def to_pandas(self) -> pandas.DataFrame:
         """The rows as a pandas DataFrame; needs pandas."""
@@ -96,12 +102,6 @@ class _Table(Answer):
         return polars.DataFrame(self._columns(), nan_to_null=True, strict=False)
 
 
-def _columns_of(rows: list[dict[str, Any]]) -> dict[str, list[Any]]:
-    """Rows as columns; what is no single number or word is left out."""
-    keys = {key: None for row in rows for key, value in row.items() if not isinstance(value, (list, dict))}
-    return {key: [row.get(key) for row in rows] for key in keys}
-
-
 class Compliance(Answer):
     """One posture. Base axes: x forward, y left, z up."""
 
@@ -118,6 +118,7 @@ class Compliance(Answer):
         "rotation_mrad",
     )
 
+    schema: dict[str, Any]
     robot: str
     model: str
     #: (6,) as the robot reports them.
@@ -166,12 +167,14 @@ class Compliances(_Table):
 
 
 class Placement(_Table):
-    """The best place of one zone; what only one model knows is None in the other.
+    """The best place of one zone; what only one model knows is None in the other. Positions count from the robot's base."""
 
-    Positions count from the joint-2 axis in the planar model, from the base in the spatial one.
-    """
-
+    #: Version of the keys, and what positions count from.
+    schema: dict[str, Any]
     robot: str
+    vendor: str
+    architecture: str
+    status: str
     task: str
     model: str
     force_n: float
@@ -179,7 +182,7 @@ class Placement(_Table):
     feasible: bool | None
     #: Why there is no place.
     reason: str | None
-    #: Spatial model: that there is no place is proved.
+    #: That there is no place is proved.
     proved: bool | None
     deflection_mm: float | None
     #: No allowed place has less.
@@ -216,9 +219,6 @@ class Placement(_Table):
         verdict: bool | None = self._data.get("pass")
         return verdict
 
-    def _columns(self) -> dict[str, Any]:
-        return _columns_of([self._data])
-
     def _words(self) -> str:
         if self.deflection_mm is None:
             known = "not known" if self.feasible is None else "no place"
@@ -230,13 +230,14 @@ class Placement(_Table):
 class Ranking(_Table):
     """Robots in order, the best first."""
 
+    schema: dict[str, Any]
     tasks: list[str]
     model: str
     force_n: float
-    #: One per robot: names, status, ``mean_ratio``, and ``cells`` with one placement per task.
+    #: One per robot: names, status, ``rank`` (None for an estimated robot), ``mean_ratio``, and ``cells`` with one placement per task.
     rows: list[dict[str, Any]]
-    #: Planar model: who is best at each task.
-    winners: list[dict[str, Any]] | None
+    #: Who is best at each task.
+    winners: list[dict[str, Any]]
     #: What a manager would read.
     summary: list[str]
 
@@ -246,27 +247,24 @@ class Ranking(_Table):
     def cell(self, robot: str, task: str) -> Placement:
         """The placement of a task (by its label) on a robot (by its name); where two robots have it, see ``rows``."""
         asked = (robot, task)
-        found = [cell for row in self.rows for cell in row["cells"] if (cell["robot"], cell["task"]) == asked]
+        cells = [cell for row in self.rows for cell in row["cells"]]
+        found = [i for i, cell in enumerate(cells) if (cell["robot"], cell["task"]) == asked]
         if not found:
             raise KeyError(asked)
         if len(found) > 1:
             raise StiffarmError(f"{len(found)} robots are called {robot}; their placements stand in rows")
-        return Placement(copy.deepcopy(found[0]))
-
-    def _columns(self) -> dict[str, Any]:
-        rows = []
-        for rank, row in enumerate(self.rows, start=1):
-            rows += [{"rank": rank, **row, **cell} for cell in row["cells"]]
-        return _columns_of(rows)
+        columns = {key: column[found[0] : found[0] + 1] for key, column in self._rows.items()}
+        return Placement({"schema": self.schema, **copy.deepcopy(cells[found[0]])}, columns)
 
     def _words(self) -> str:
-        best = f"; best {self.rows[0]['robot']}" if self.rows else ""
+        best = next((f"; best {row['robot']}" for row in self.rows if row["rank"] == 1), "")
         return f"{len(self)} robots, {len(self.tasks)} tasks, {self.force_n:g} N, {self.model} model{best}"
 
 
 class Study(_Table):
     """Accuracies over link ratio and size, normalised as Table I of the paper."""
 
+    schema: dict[str, Any]
     #: ``task, d, mu_l3_over_l2, best, architecture, k2, k3, accuracy``.
     rows: list[dict[str, Any]]
     #: Sizes at which the better architecture changes.
@@ -275,23 +273,18 @@ class Study(_Table):
     def __len__(self) -> int:
         return len(self.rows)
 
-    def _columns(self) -> dict[str, Any]:
-        return _columns_of(self.rows)
-
     def _words(self) -> str:
         return f"{len(self)} rows, {len(self.boundaries)} boundaries"
 
 
 class Map(_Table):
-    """Deflections over a grid: nan where nothing is reached.
-
-    Points count from the joint-2 axis in the planar model, from the base in the spatial one.
-    """
+    """Deflections over a grid: nan where nothing is reached. Points count from the robot's base."""
 
     _arrays = ("x_m", "z_m")
     _layers: tuple[str, ...]
     _shown: dict[str, Any]
 
+    schema: dict[str, Any]
     robot: str
     model: str
     force_n: float

@@ -188,7 +188,7 @@ def place(
         force_n=force_n, tolerance_mm=tolerance_mm, within_m=_given.within(within_m), angle=angle, gap=gap, model=model,
         tool_mm=tool_mm, tool_direction=tool_direction, yaw_deg=yaw_deg, roll_deg=roll_deg,
     )  # fmt: skip
-    return Placement(_stiffarm.place(_given.robot(robot), _given.text("task", task), asked))
+    return Placement(*_stiffarm.place(_given.robot(robot), _given.text("task", task), asked))
 
 
 def cell(robot: RobotLike, task: str, **options: object) -> dict[str, object]:
@@ -248,7 +248,7 @@ def rank(
         force_n=force_n, tolerance_mm=tolerance_mm, within_m=_given.within(within_m), angle=angle, gap=gap, model=model,
         tool_mm=tool_mm, tool_direction=tool_direction, yaw_deg=yaw_deg, roll_deg=roll_deg,
     )  # fmt: skip
-    return Ranking(_stiffarm.rank(_given.robots(robots), _given.tasks(tasks), asked))
+    return Ranking(*_stiffarm.rank(_given.robots(robots), _given.tasks(tasks), asked))
 
 
 def map(
@@ -361,5 +361,5 @@ def study(
     if len(ends) != 2:
         raise StiffarmError(f"range of {len(ends)} numbers; expected both ends")
     return Study(
-        _stiffarm.study(_given.tasks(tasks), _given.row("sizes", sizes), _given.row("ratios", ratios), ends, contenders)
+        *_stiffarm.study(_given.tasks(tasks), _given.row("sizes", sizes), _given.row("ratios", ratios), ends, contenders)
     )

@@ -56,9 +56,11 @@ def map(result: Map, *, ax: Axes | None = None, levels: Any = _BANDS, colorbar: 
         if colorbar and ax.figure is not None:
             which = "worst deflection" if result.direction_deg is None else f"deflection at {result.direction_deg:g}°"
             ax.figure.colorbar(bands, ax=ax, label=f"{which} under {result.force_n:g} N [mm]")
-    origin = "base" if result.model == "spatial" else "joint-2 axis"
-    _draw_base(ax, shown.get("axis_from_base_m"))
-    if result.zone is not None:
+    origin = "base" if shown["knows_base"] else "joint-2 axis"
+    if shown["knows_base"] and shown["arm_m"]:
+        _draw_base(ax, shown["arm_m"])
+    placed = result.zone is not None and result.zone["feasible"]
+    if result.zone is not None and placed:
         _draw_zone(ax, result.zone, shown)
     if shown.get("arm_m"):
         x, z = zip(*shown["arm_m"])
@@ -68,17 +70,16 @@ def map(result: Map, *, ax: Axes | None = None, levels: Any = _BANDS, colorbar: 
     ax.set_xlabel(f"x from the {origin} [m]")
     ax.set_ylabel(f"z from the {origin} [m]")
     ax.set_title(f"{shown['title']}\n{shown['subtitle']}, {result.model} model", fontsize="medium", loc="left")
-    if result.zone is not None:
+    if placed:
         ax.legend(loc="upper left", fontsize="small")
     return ax
 
 
-def _draw_base(ax: Axes, axis_from_base: list[float] | None) -> None:
-    if axis_from_base is None or not any(axis_from_base):
-        return
-    x, z = axis_from_base
-    ax.axhline(-z, color="0.6", linewidth=1, zorder=1)
-    ax.plot([-x, -x, 0], [-z, 0, 0], color="0.55", linewidth=8, solid_joinstyle="round", zorder=3)
+def _draw_base(ax: Axes, arm: list[list[float]]) -> None:
+    # In space the arm begins at the base, in the plane at the joint-2 axis.
+    x, z = next(point for point in arm if any(point))
+    ax.axhline(0, color="0.6", linewidth=1, zorder=1)
+    ax.plot([0, 0, x], [0, z, z], color="0.55", linewidth=8, solid_joinstyle="round", zorder=3)
 
 
 def _draw_zone(ax: Axes, zone: dict[str, Any], shown: dict[str, Any]) -> None:
@@ -93,7 +94,8 @@ def _draw_zone(ax: Axes, zone: dict[str, Any], shown: dict[str, Any]) -> None:
         corner = (x - width / 2, z - height / 2)
         turned = {"angle": zone["angle_deg"], "rotation_point": "center"}
         ax.add_patch(Rectangle(corner, width, height, label=label, **turned, **how))
-    ax.plot(*zone["worst_point_m"], "x", color="tab:red", markersize=8, markeredgewidth=2, zorder=6)
+    x, _, z = zone["worst_point_m"]
+    ax.plot(x, z, "x", color="tab:red", markersize=8, markeredgewidth=2, zorder=6)
 
 
 def ranking(result: Ranking, *, ax: Axes | None = None, most: int = 24) -> Axes:
@@ -120,7 +122,7 @@ def ranking(result: Ranking, *, ax: Axes | None = None, most: int = 24) -> Axes:
         label = f"{row['vendor']} {row['robot']}".strip() + (" ~" if estimated else "")
         alpha = 0.5 if estimated else 1.0
         ax.plot(result.tasks, values, dashes, marker="o", markersize=4, color=colour, alpha=alpha, label=label)
-    tolerance = next((cell["tolerance_mm"] for row in rows for cell in row["cells"] if "tolerance_mm" in cell), None)
+    tolerance = next((cell["tolerance_mm"] for row in rows for cell in row["cells"]), None)
     if tolerance is not None:
         ax.axhline(tolerance, color="tab:red", linewidth=1, label=f"tolerance {tolerance:g} mm")
     ax.set_xlabel("task [m]")

@@ -191,14 +191,16 @@ mod tests {
     use crate::catalogue::{find, paper_robots};
     use crate::compliance::compliance;
     use crate::inverse::reached;
-    use crate::map::{Axis, ROLL_TOLERANCE, SectionOptions, section};
+    use crate::load::Load;
+    use crate::map::{Axis, Extent, Held, Map, MapOptions, ROLL_TOLERANCE, map};
+    use crate::model::Model;
     use crate::robot::Robot;
     use crate::spatial::Pose;
     use nalgebra::{Matrix3, Rotation3, Vector3};
 
     /// The least deflection, m, over evenly spread rolls: every posture of each by the scalar verbs.
-    fn by_brute_force(robot: &Robot, options: &SectionOptions, [x, z]: [f64; 2], rolls: u32) -> f64 {
-        let (s, c) = options.elevation.sin_cos();
+    fn by_brute_force(robot: &Robot, tool: &Pose, elevation: f64, [x, z]: [f64; 2], rolls: u32) -> f64 {
+        let (s, c) = elevation.sin_cos();
         let (axis, up) = (Vector3::new(c, 0.0, s), Vector3::new(-s, 0.0, c));
         let unrolled = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[up, axis.cross(&up), axis]));
         let mut least = f64::INFINITY;
@@ -206,24 +208,36 @@ mod tests {
             let roll =
                 Rotation3::from_axis_angle(&Vector3::z_axis(), f64::from(n) / f64::from(rolls) * std::f64::consts::TAU);
             let pose = Pose::from_parts(Vector3::new(x, 0.0, z).into(), (unrolled * roll).into());
-            for (_, q) in reached(robot, &(pose * options.flange_from_tool.inverse())) {
-                let at = compliance(robot, &q, &options.flange_from_tool).unwrap();
-                least = least.min(at.compliance.worst().0 * options.force);
+            for (_, q) in reached(robot, &(pose * tool.inverse())) {
+                let at = compliance(robot, &q, tool).unwrap();
+                least = least.min(at.compliance.worst().0 * 1000.0);
             }
         }
         least
     }
 
-    fn at(x: Axis, z: Axis, tool: Pose, elevation: f64) -> SectionOptions {
-        SectionOptions {
-            x,
-            z,
-            force: 1000.0,
-            flange_from_tool: tool,
-            elevation,
-            yaw: 0.0,
-            roll: None,
-            configuration: None,
+    /// Everything of a map under 1 kN.
+    struct Mapped {
+        model: Model,
+        options: MapOptions,
+        map: Map,
+    }
+
+    impl Mapped {
+        fn of(robot: &Robot, [x, z]: [Axis; 2], tool: &Pose, elevation: f64) -> Self {
+            let model = Model::spatial(robot, tool).unwrap();
+            let held = Some(Held { elevation, ..Held::TOOL_DOWN });
+            let options = MapOptions { extent: Extent::Grid { x, z }, load: Load::PAPER, elbow: None, held };
+            let map = map(&model, &options).unwrap();
+            Self { model, options, map }
+        }
+
+        fn joints(&self, i: usize, j: usize) -> Option<[f64; 6]> {
+            let held = self.options.held.unwrap();
+            let Model::Spatial(model) = &self.model else { unreachable!("asked for") };
+            let grid = &self.map.deflection;
+            let way = self.map.space.as_ref().unwrap().at(i, j)?;
+            crate::map::section::joints(model, &held, way, [grid.x.at(i), grid.z.at(j)])
         }
     }
 
@@ -232,9 +246,9 @@ mod tests {
         let robot = find("TX2-160L").unwrap().robot();
         let tool = Pose::translation(0.08, -0.12, 0.2584);
         let (x, z) = (Axis { start: 0.3687, step: 0.01, count: 2 }, Axis { start: 0.2363, step: 0.01, count: 2 });
-        let found = section(&robot, &at(x, z, tool, 0.0)).unwrap().worst.get(0, 0).unwrap();
+        let found = Mapped::of(&robot, [x, z], &tool, 0.0).map.deflection.get(0, 0).unwrap();
         assert!(found <= 0.4861e-3, "{found}");
-        let least = by_brute_force(&robot, &at(x, z, tool, 0.0), [0.3687, 0.2363], 7200);
+        let least = by_brute_force(&robot, &tool, 0.0, [0.3687, 0.2363], 7200);
         assert!(found <= least * (1.0 + ROLL_TOLERANCE), "{found} {least}");
     }
 
@@ -246,13 +260,13 @@ mod tests {
             let [x, y, z] = tools[n / 2 % 4];
             let tool = Pose::translation(x, y, z) * Pose::rotation(Vector3::new(0.0, 0.2 * n as f64, 0.0));
             let (x, z) = (Axis::between(0.5, 2.7, 4), Axis::between(0.1, 2.3, 4));
-            let options = at(x, z, tool, [-FRAC_PI_2, 0.0, -0.7][n / 2 % 3]);
-            let found = section(robot, &options).unwrap();
+            let elevation = [-FRAC_PI_2, 0.0, -0.7][n / 2 % 3];
+            let found = Mapped::of(robot, [x, z], &tool, elevation);
             for (i, j) in (0..16).map(|cell| (cell % 4, cell / 4)) {
-                let least = by_brute_force(robot, &options, [x.at(i), z.at(j)], 720);
-                let worst = found.worst.get(i, j).unwrap_or(f64::INFINITY);
+                let least = by_brute_force(robot, &tool, elevation, [x.at(i), z.at(j)], 720);
+                let worst = found.map.deflection.get(i, j).unwrap_or(f64::INFINITY);
                 assert!(worst <= least * (1.0 + ROLL_TOLERANCE), "{} {i} {j}: {worst} {least}", robot.name);
-                if let Some(q) = found.joints(robot, &options, i, j) {
+                if let Some(q) = found.joints(i, j) {
                     reached_by_some += 1;
                     let told = compliance(robot, &q, &tool).unwrap().compliance.worst().0 * 1000.0;
                     assert!((told - worst).abs() <= 1e-6 * worst, "{} {i} {j}: {worst} {told}", robot.name);
@@ -266,8 +280,8 @@ mod tests {
     fn neighbours_tell_margins_that_change_as_little_as_their_places() {
         let robot = find("TX2-160L").unwrap().robot();
         let (x, z) = (Axis { start: 0.7, step: 1e-4, count: 60 }, Axis { start: 0.6, step: 1e-4, count: 2 });
-        let found = section(&robot, &at(x, z, Pose::translation(0.1, 0.0, 0.2), 0.0)).unwrap();
-        for map in [&found.limit_margin, &found.singular_margin] {
+        let found = Mapped::of(&robot, [x, z], &Pose::translation(0.1, 0.0, 0.2), 0.0).map.space.unwrap();
+        for map in [&found.limits, &found.singular] {
             let told: Vec<f64> = map.row(0).map(Option::unwrap).collect();
             // Seven radians a metre and less: the posture of a point 0.1 mm away.
             assert!(told.windows(2).all(|pair| (pair[0] - pair[1]).abs() < 7e-4), "{told:?}");

@@ -6,15 +6,12 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::rolls::{Rolls, Way};
-use super::{Axis, MOST_CELLS_IN_SPACE, Map, MapError};
-use crate::compliance::check_held;
+use super::{Axis, Grid, Held, MOST_CELLS_IN_SPACE, Map, MapError, Margins, check_grid};
 use crate::interval::Interval;
 use crate::inverse::{Configuration, SLACK, postures, within_limits};
 use crate::limits::Limits;
-use crate::place::check_force;
-use crate::robot::Robot;
+use crate::model::SpatialModel;
 use crate::space::{CLASSES, Near, Patch, SpatialArm, Stand, class};
-use crate::spatial::Pose;
 
 /// Where any roll will do and they differ, the deflection told is at most so much, relative, above that of the best roll.
 pub const ROLL_TOLERANCE: f64 = 1e-3;
@@ -22,113 +19,52 @@ pub const ROLL_TOLERANCE: f64 = 1e-3;
 const EQUAL: f64 = 1e-12;
 
 /// What is mapped: tool poses in the plane through the joint-1 axis that points straight ahead.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SectionOptions {
-    /// Ahead, from the joint-1 axis.
-    pub x: Axis,
-    /// Upwards, from the base.
-    pub z: Axis,
-    /// Force, N, in its worst direction.
-    pub force: f64,
-    /// The tool frame in the flange frame; z is the tool axis.
-    pub flange_from_tool: Pose,
-    /// Angle of the tool axis above the horizontal, rad: `-pi/2` down, `0` ahead.
-    pub elevation: f64,
-    /// Angle of the tool axis about the vertical, rad: out of the plane, to the left.
-    pub yaw: f64,
-    /// About the tool axis, rad; the stiffest at each point, to [`ROLL_TOLERANCE`], where `None`.
-    pub roll: Option<f64>,
-    /// One posture, or the stiffest at each point.
-    pub configuration: Option<Configuration>,
+#[derive(Clone, Copy, Debug)]
+struct SectionOptions<'a> {
+    x: Axis,
+    z: Axis,
+    force: f64,
+    held: &'a Held,
 }
 
-/// Deflections with the posture that holds them; absent where no posture reaches within the limits.
-#[derive(Clone, Debug)]
-pub struct Section {
-    /// Worst deflection, m.
-    pub worst: Map,
-    /// Distance of the nearest joint, or of the angle between the links, to its limits, rad; joint 1 left aside, and joint 6 where the roll moves nothing.
-    pub limit_margin: Map,
-    /// Distance to a straight wrist or a stretched or folded arm, rad.
-    pub singular_margin: Map,
-    /// Posture and roll (rad) of every cell, row by row.
-    postures: Vec<Option<(Configuration, f64)>>,
+/// Joint angles as reported, rad, at a point held in a configuration and at a roll.
+pub(super) fn joints(
+    model: &SpatialModel,
+    held: &Held,
+    (configuration, roll): (Configuration, f64),
+    [x, z]: [f64; 2],
+) -> Option<[f64; 6]> {
+    let arm = model.arm();
+    let stand = Stand { x, z, yaw: held.yaw, angle: 0.0, roll };
+    let theta = of_class(&at_centre(arm, &Patch::of(held.elevation, &stand), &stand), configuration)?;
+    let q = within_limits(&arm.geometry, &freed(arm, held).limits, &theta);
+    Some(q.unwrap_or_else(|| arm.geometry.reported(&theta, arm.limits.third_axis)))
 }
 
-impl Section {
-    /// Posture and roll, rad, at column `i` and row `j`.
-    pub fn posture(&self, i: usize, j: usize) -> Option<(Configuration, f64)> {
-        self.postures[j * self.worst.x.count + i]
-    }
-
-    /// Posture and roll, rad, of every cell of row `j`.
-    pub fn row(&self, j: usize) -> impl Iterator<Item = Option<(Configuration, f64)>> {
-        let columns = self.worst.x.count;
-        self.postures[j * columns..(j + 1) * columns].iter().copied()
-    }
-
-    /// Joint angles as reported, rad, at column `i` and row `j` of a section of `robot`, made with `options`.
-    ///
-    /// Joint 1 turns straight ahead whatever its limits, and so does joint 6 where the roll moves nothing.
-    pub fn joints(&self, robot: &Robot, options: &SectionOptions, i: usize, j: usize) -> Option<[f64; 6]> {
-        let (class, roll) = self.posture(i, j)?;
-        let arm = SpatialArm::new(robot, &options.flange_from_tool).ok()?;
-        let stand = Stand { x: options.x.at(i), z: options.z.at(j), yaw: options.yaw, angle: 0.0, roll };
-        let theta = of_class(&held(&arm, &Patch::of(options.elevation, &stand), &stand), class)?;
-        let q = within_limits(&arm.geometry, &freed(&arm, options).limits, &theta);
-        Some(q.unwrap_or_else(|| arm.geometry.reported(&theta, arm.limits.third_axis)))
-    }
-}
-
-/// Maps the worst deflection over the section, all six drives compliant, at the best posture and roll of every point.
-///
-/// The points stand for all places about the robot: joint 1 turns there, and its limits are left aside.
-///
-/// # Errors
-/// Where an argument makes no sense; a map that is too large is refused before memory is taken.
-pub fn section(robot: &Robot, options: &SectionOptions) -> Result<Section, MapError> {
-    check_force(options.force)?;
-    let (columns, rows) = (options.x.count, options.z.count);
-    let most = MOST_CELLS_IN_SPACE;
-    if columns < 2 || rows < 2 || !columns.checked_mul(rows).is_some_and(|cells| cells <= most) {
-        return Err(MapError::Size { columns, rows, most });
-    }
-    for Axis { start, step, .. } in [options.x, options.z] {
-        if !(start.is_finite() && step.is_finite() && 0.0 < step) {
-            return Err(MapError::Grid { start, step });
-        }
-    }
-    for angle in [options.elevation, options.yaw, options.roll.unwrap_or(0.0)] {
-        if !(angle.abs() <= 1e3) {
-            return Err(MapError::Direction(angle));
-        }
-    }
-    let arm = SpatialArm::new(robot, &options.flange_from_tool)?;
-    check_held(robot)?;
-    let freed = freed(&arm, options);
-    let scan = Scan::new(&freed, options);
-    let cells: Vec<Cell> = (0..rows).into_par_iter().flat_map_iter(|j| scan.row(j)).collect();
-    let layer = |value: fn(&Cell) -> f64| Map { x: options.x, z: options.z, cells: cells.iter().map(value).collect() };
-    Ok(Section {
-        worst: layer(|cell| cell.worst),
-        limit_margin: layer(|cell| cell.limit_margin),
-        singular_margin: layer(|cell| cell.singular_margin),
-        postures: cells.iter().map(|cell| cell.posture).collect(),
-    })
+/// The worst deflection over a section, all six drives compliant, at the best configuration and roll of every point.
+pub(super) fn section(arm: &SpatialArm, x: Axis, z: Axis, force: f64, held: &Held) -> Map {
+    let options = SectionOptions { x, z, force, held };
+    let freed = freed(arm, held);
+    let scan = Scan::new(&freed, &options);
+    let cells: Vec<Cell> = (0..z.count).into_par_iter().flat_map_iter(|j| scan.row(j)).collect();
+    let layer = |value: fn(&Cell) -> f64| Grid { x, z, cells: cells.iter().map(value).collect() };
+    let margins = Margins {
+        limits: layer(|cell| cell.limit_margin),
+        singular: layer(|cell| cell.singular_margin),
+        held: cells.iter().map(|cell| cell.posture).collect(),
+    };
+    Map { deflection: layer(|cell| cell.worst), space: Some(margins), from_axis_2: [x, z] }
 }
 
 /// The upright box, m from the base, outside which the tool reaches nothing in this direction: ahead, upwards.
 ///
 /// Found on a 96 x 192 grid and widened by one step; `None` where nothing is reached.
-///
-/// # Errors
-/// Where robot or tool make no sense.
-pub fn reached_section(robot: &Robot, options: &SectionOptions) -> Result<Option<[Interval; 2]>, MapError> {
-    let arm = SpatialArm::new(robot, &options.flange_from_tool)?;
+pub(super) fn reached_box(arm: &SpatialArm, held: &Held) -> Result<Option<[Interval; 2]>, MapError> {
     let [ahead, up] = arm.reach();
     let x = Axis::between(0.0, ahead.max(), 96);
     let z = Axis::between(up.min(), up.max(), 192);
-    let found = section(robot, &SectionOptions { x, z, ..*options })?.worst;
+    check_grid(x, z, MOST_CELLS_IN_SPACE)?;
+    let found = section(arm, x, z, 1.0, held).deflection;
     let reached = |i: usize, j: usize| found.get(i, j).is_some();
     let columns: Vec<usize> = (0..x.count).filter(|&i| (0..z.count).any(|j| reached(i, j))).collect();
     let rows: Vec<usize> = (0..z.count).filter(|&j| (0..x.count).any(|i| reached(i, j))).collect();
@@ -150,13 +86,13 @@ struct Cell {
 }
 
 /// The arm without the limits that are left aside.
-fn freed(arm: &SpatialArm, options: &SectionOptions) -> SpatialArm {
-    let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
+fn freed(arm: &SpatialArm, held: &Held) -> SpatialArm {
+    let roll_is_free = held.roll.is_none() && arm.tool_turns_about_axis_6();
     arm.without_limit_on(0, true).without_limit_on(5, roll_is_free)
 }
 
 /// All postures at the centre of a stand.
-fn held(arm: &SpatialArm, patch: &Patch, stand: &Stand) -> Vec<(Configuration, [f64; 6])> {
+fn at_centre(arm: &SpatialArm, patch: &Patch, stand: &Stand) -> Vec<(Configuration, [f64; 6])> {
     let flange = patch.pose(stand, [0.0; 2]) * arm.flange_from_tool.inverse();
     postures(&arm.geometry, &flange).found
 }
@@ -176,7 +112,7 @@ enum Roll<'a> {
 }
 
 struct Scan<'a> {
-    options: &'a SectionOptions,
+    options: &'a SectionOptions<'a>,
     freed: &'a SpatialArm,
     roll: Roll<'a>,
     /// Places of the classes that are wanted.
@@ -184,10 +120,10 @@ struct Scan<'a> {
 }
 
 impl<'a> Scan<'a> {
-    fn new(freed: &'a SpatialArm, options: &'a SectionOptions) -> Self {
+    fn new(freed: &'a SpatialArm, options: &'a SectionOptions<'a>) -> Self {
         let places: Vec<usize> =
-            (0..CLASSES).filter(|&place| options.configuration.is_none_or(|only| only == class(place))).collect();
-        let roll = match options.roll {
+            (0..CLASSES).filter(|&place| options.held.configuration.is_none_or(|only| only == class(place))).collect();
+        let roll = match options.held.roll {
             Some(roll) => Roll::One(roll),
             None if freed.tool_turns_about_axis_6() => Roll::One(0.0),
             None => {
@@ -200,11 +136,11 @@ impl<'a> Scan<'a> {
     }
 
     fn stand(options: &SectionOptions, x: f64, z: f64, roll: f64) -> Stand {
-        Stand { x, z, yaw: options.yaw, angle: 0.0, roll }
+        Stand { x, z, yaw: options.held.yaw, angle: 0.0, roll }
     }
 
     fn patch(options: &SectionOptions, stand: &Stand) -> Patch {
-        Patch::of(options.elevation, stand)
+        Patch::of(options.held.elevation, stand)
     }
 
     fn row(&self, j: usize) -> Vec<Cell> {
@@ -238,7 +174,7 @@ impl<'a> Scan<'a> {
         let of_one_roll = ways.chunk_by(|one, other| one.roll == other.roll);
         let cells = of_one_roll.flat_map(|ways| {
             let stand = Self::stand(self.options, x, z, ways[0].roll);
-            let found = held(self.freed, &Self::patch(self.options, &stand), &stand);
+            let found = at_centre(self.freed, &Self::patch(self.options, &stand), &stand);
             ways.iter().map(move |way| self.told(way, of_class(&found, class(way.place))))
         });
         // A margin of NaN is that of no way at all.
@@ -269,36 +205,38 @@ mod tests {
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
     use crate::inverse::reached;
+    use crate::model::Model;
+    use crate::robot::Robot;
+    use crate::spatial::Pose;
+
+    fn spatial(robot: &Robot, tool: &Pose) -> SpatialModel {
+        let Model::Spatial(model) = Model::spatial(robot, tool).unwrap() else { unreachable!("asked for") };
+        model
+    }
 
     #[test]
     fn every_cell_is_what_single_postures_give_and_blank_where_there_are_none() {
         let tools = [Pose::identity(), Pose::translation(0.15, 0.0, 0.1)];
         for (n, robot) in paper_robots().iter().enumerate().take(4) {
             let tool = tools[n % 2];
-            let options = SectionOptions {
-                x: Axis::between(0.4, 2.6, 8),
-                z: Axis::between(0.2, 2.2, 7),
-                force: 1000.0,
-                flange_from_tool: tool,
-                elevation: [-FRAC_PI_2, 0.0][n / 2],
-                yaw: 0.2,
-                roll: Some(0.3),
-                configuration: None,
-            };
-            let found = section(robot, &options).unwrap();
+            let (x, z) = (Axis::between(0.4, 2.6, 8), Axis::between(0.2, 2.2, 7));
+            let held = Held { elevation: [-FRAC_PI_2, 0.0][n / 2], yaw: 0.2, roll: Some(0.3), configuration: None };
+            let model = spatial(robot, &tool);
+            let map = section(model.arm(), x, z, 1000.0, &held);
+            let found = map.space.as_ref().unwrap();
             for j in 0..7 {
                 for i in 0..8 {
-                    let stand = Stand { x: options.x.at(i), z: options.z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
-                    let pose = Patch::of(options.elevation, &stand).pose(&stand, [0.0; 2]);
+                    let stand = Stand { x: x.at(i), z: z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
+                    let pose = Patch::of(held.elevation, &stand).pose(&stand, [0.0; 2]);
                     let ways = reached(robot, &(pose * tool.inverse()));
                     let values = ways.iter().map(|way| compliance(robot, &way.1, &tool).unwrap().compliance.worst().0);
-                    match found.worst.get(i, j) {
+                    match map.deflection.get(i, j) {
                         Some(worst) => {
                             let expected = values.fold(f64::INFINITY, f64::min) * 1000.0;
                             assert!((worst - expected).abs() <= 1e-7 * expected, "{} {stand:?}", robot.name);
-                            let (class, roll) = found.posture(i, j).unwrap();
+                            let (class, roll) = found.at(i, j).unwrap();
                             assert!(ways.iter().any(|way| way.0 == class) && roll == 0.3, "{class}");
-                            let q = found.joints(robot, &options, i, j).unwrap();
+                            let q = joints(&model, &held, (class, roll), [stand.x, stand.z]).unwrap();
                             let at = compliance(robot, &q, &tool).unwrap().tool;
                             assert!((at.inverse() * pose).translation.vector.norm() < 1e-9, "{} {q:?}", robot.name);
                         }
@@ -312,22 +250,14 @@ mod tests {
     #[test]
     fn the_roll_of_a_flange_changes_nothing_and_the_best_roll_of_a_tool_aside_is_no_worse_than_any() {
         let robot = &paper_robots()[4];
-        let options = SectionOptions {
-            x: Axis::between(0.8, 2.4, 9),
-            z: Axis::between(0.3, 2.0, 9),
-            force: 1.0,
-            flange_from_tool: Pose::identity(),
-            elevation: 0.0,
-            yaw: 0.0,
-            roll: None,
-            configuration: None,
+        let (x, z) = (Axis::between(0.8, 2.4, 9), Axis::between(0.3, 2.0, 9));
+        let mapped = |tool: Pose, roll: Option<f64>| {
+            let held = Held { elevation: 0.0, roll, ..Held::TOOL_DOWN };
+            section(spatial(robot, &tool).arm(), x, z, 1.0, &held).deflection
         };
-        let best = section(robot, &options).unwrap().worst;
-        let rolled = section(robot, &SectionOptions { roll: Some(1.0), ..options }).unwrap().worst;
+        let (best, rolled) = (mapped(Pose::identity(), None), mapped(Pose::identity(), Some(1.0)));
         let aside = Pose::translation(0.2, 0.0, 0.1);
-        let best_aside = section(robot, &SectionOptions { flange_from_tool: aside, ..options }).unwrap().worst;
-        let rolled_aside = section(robot, &SectionOptions { flange_from_tool: aside, roll: Some(0.61), ..options });
-        let rolled_aside = rolled_aside.unwrap().worst;
+        let (best_aside, rolled_aside) = (mapped(aside, None), mapped(aside, Some(0.61)));
         for (i, j) in (0..81).map(|cell| (cell % 9, cell / 9)) {
             if let (Some(best), Some(rolled)) = (best.get(i, j), rolled.get(i, j)) {
                 assert!((best - rolled).abs() <= 1e-12 * best);

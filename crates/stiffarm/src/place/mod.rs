@@ -1,21 +1,19 @@
 //! Verb 3: where must the zone stand, how far is the tool pushed off there, and who proves that no place is better?
 
-mod boxes;
-mod exact;
-mod search;
+mod planar;
 mod spatial;
 
 use nalgebra::Vector2;
 
-pub(crate) use exact::best_near;
-pub use spatial::{
-    Resolution, SpatialMisfit, SpatialOptions, SpatialPlaceError, SpatialPlacement, SpatiallyPlaced, ZonePoint,
-    across_zone, place_in_space,
-};
+pub(crate) use planar::{GAP, best_near};
+pub use planar::{best_without_limits, largest_scale_without_limits};
+pub use spatial::{Resolution, ZonePoint};
 
 use crate::interval::Interval;
-use crate::plane::{Elbow, InvalidArm, PlanarArm};
-use crate::robot::{ArmPlane, NoArmPlane, Robot};
+use crate::inverse::Configuration;
+use crate::load::{Direction, Load};
+use crate::model::{Model, ModelError};
+use crate::plane::Elbow;
 use crate::task::Zone;
 
 /// Deflections below this, m, are rounding: nothing gives way.
@@ -24,7 +22,8 @@ pub(crate) const NOTHING: f64 = 1e-15;
 /// Which angles of a rectangle are tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
-    /// First side horizontal or vertical, as in the paper.
+    /// In the arm plane the first side horizontal or vertical, as in the paper; in space ahead (on a wall: upright) or a quarter turn to
+    /// the left.
     Axes,
     /// First side at this angle, rad.
     Fixed(f64),
@@ -32,10 +31,10 @@ pub enum Orientation {
     Free,
 }
 
-/// Where the zone may stand, in m from the joint-2 axis: all of it inside both ranges.
+/// Where the zone may stand, in m from the robot's base: all of it inside both ranges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Within {
-    /// Forwards.
+    /// Forwards from the joint-1 axis; negative behind it.
     pub x: Interval,
     /// Upwards.
     pub z: Interval,
@@ -45,6 +44,9 @@ impl Within {
     /// Anywhere.
     pub const ANYWHERE: Self = Self { x: Interval::ALL, z: Interval::ALL };
 
+    /// In front of the joint-1 axis and above the base.
+    pub const AHEAD: Self = Self { x: Interval::POSITIVE, z: Interval::POSITIVE };
+
     /// The same place seen from a point at `origin`.
     #[must_use]
     pub fn seen_from(self, origin: [f64; 2]) -> Self {
@@ -52,45 +54,149 @@ impl Within {
     }
 }
 
-/// What is asked for besides arm and zone.
+/// How the tool is held against the zone; for the spatial model.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlaceOptions {
-    /// Cutting force, N.
-    pub force: f64,
-    /// Which angles are tried.
-    pub orientation: Orientation,
-    /// Where the zone may stand.
-    pub within: Within,
-    /// Largest relative distance between the value and its lower bound.
-    pub gap: f64,
+pub struct Stance {
+    /// Angle of the tool axis above the horizontal, rad: `-pi/2` down, `0` ahead, `pi/2` up.
+    pub elevation: f64,
+    /// Angles of the zone's plane about the vertical that are tried, rad: at 0 it faces the robot, beyond a quarter turn
+    /// the tool points back at it. A tool that points straight down or up has none.
+    pub yaw: Interval,
+    /// Rotation about the tool axis, rad, the same for the whole zone: 0 has the tool's x axis ahead (on a wall: upright;
+    /// overhead: back); the best where `None`.
+    pub roll: Option<f64>,
 }
 
-impl PlaceOptions {
-    /// As in the paper: horizontal or vertical, anywhere; a certificate of 1e-4.
-    pub const fn paper(force: f64) -> Self {
-        Self { force, orientation: Orientation::Axes, within: Within::ANYWHERE, gap: 1e-4 }
+impl Stance {
+    /// The tool points straight down, at the best roll.
+    pub fn tool_down() -> Self {
+        Self::tool_at(-std::f64::consts::FRAC_PI_2)
+    }
+
+    /// The tool axis at an angle above the horizontal, rad, at the best yaw of the half turn that faces the robot, and the best
+    /// roll.
+    pub fn tool_at(elevation: f64) -> Self {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        Self { elevation, yaw: Interval::spanning(-quarter, quarter), roll: None }
     }
 }
 
-/// The best place of a zone.
-///
-/// Frame of [`PlanarArm`]; deflections in m under the given force in its worst direction.
+/// What is asked for besides model and zone. What a model does not know is refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaceOptions {
+    /// The cutting force, in its worst direction at every point.
+    pub load: Load,
+    /// Which angles are tried.
+    pub orientation: Orientation,
+    /// Where the zone may stand; where `None`, anywhere in the arm plane, and in space in front of the joint-1 axis and above
+    /// the base ([`Within::AHEAD`]).
+    pub within: Option<Within>,
+    /// Largest relative distance between the value and its lower bound, planar model only; 1e-4 where `None`. In space 1 % is
+    /// proved where a bounded number of boxes is enough.
+    pub gap: Option<f64>,
+    /// How the tool is held, spatial model only; straight down where `None`.
+    pub stance: Option<Stance>,
+}
+
+impl PlaceOptions {
+    /// The usual question under a load: horizontal or vertical, wherever the model usually looks, to its usual certificate.
+    pub const fn under(load: Load) -> Self {
+        Self { load, orientation: Orientation::Axes, within: None, gap: None, stance: None }
+    }
+}
+
+/// The best place of a zone. Lengths in m from the robot's base: x straight ahead, y to the left, z up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placement {
-    /// The paper's eq. (2) at the best place, eq. (3): the worst deflection inside the zone.
+    /// The paper's eq. (2) at the best place, eq. (3): the worst deflection inside the zone, m, under the load.
     pub deflection: f64,
-    /// No place that was allowed has less.
+    /// No place that was allowed has less; in space up to a relative 1e-9 for rounding.
     pub lower_bound: f64,
-    /// Centre of the zone.
+    /// Centre of the zone, ahead and up; in space before it is turned by the bearing.
     pub centre: [f64; 2],
-    /// Angle of the first side, rad, in `[0, pi)`; zero for a circle.
+    /// Angle of the first side, rad, in `[0, pi)` in the arm plane; zero for a circle.
     pub angle: f64,
     /// Elbow side of the whole zone.
     pub elbow: Elbow,
     /// Where in the zone the deflection is largest.
-    pub worst_point: [f64; 2],
-    /// Shoulder and elbow angle there, rad.
-    pub worst_posture: [f64; 2],
+    pub worst_point: [f64; 3],
+    /// Distance of the zone's nearest point from the joint-1 axis: the robot's own base and column stand there.
+    pub from_axis_1: f64,
+    /// What of the zone is reached but rarely meant.
+    pub outside: Outside,
+    /// How the arm holds it.
+    pub hold: Hold,
+}
+
+/// How the arm holds a zone: what only one of the models knows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Hold {
+    /// In the arm plane.
+    Plane {
+        /// Shoulder and elbow angle at the worst point, rad.
+        posture: [f64; 2],
+    },
+    /// With six drives.
+    Space(Box<SpaceHold>),
+}
+
+/// How six drives hold a zone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpaceHold {
+    /// Where about the joint-1 axis the zone stands, rad; zero unless a limit of joint 1 forbids straight ahead.
+    pub bearing: f64,
+    /// Of the zone's plane about the vertical, rad.
+    pub yaw: f64,
+    /// About the tool axis, rad.
+    pub roll: f64,
+    /// The one configuration of the whole zone.
+    pub configuration: Configuration,
+    /// Joint angles at the worst point as the robot reports them, rad.
+    pub joints: [f64; 6],
+    /// Deflection there along the worst direction by drive, adding up to 1.
+    pub shares: [f64; 6],
+    /// The smallest distance of any joint to its limits anywhere in the zone, rad, proved, and that joint from 1; 0 is the angle
+    /// between the links.
+    pub limit_margin: (f64, usize),
+    /// The smallest angle between a singular posture (wrist or arm straight) and one in the zone, rad, proved.
+    pub singular_margin: f64,
+    /// What stands behind these numbers.
+    pub resolution: Resolution,
+}
+
+impl Placement {
+    /// How far the lower bound lies below the value, relative to it; 0 where nothing gives way.
+    pub fn gap(&self) -> f64 {
+        if self.deflection <= NOTHING { 0.0 } else { 1.0 - self.lower_bound / self.deflection }
+    }
+
+    /// What only the spatial model knows.
+    pub fn space(&self) -> Option<&SpaceHold> {
+        match &self.hold {
+            Hold::Space(hold) => Some(hold),
+            Hold::Plane { .. } => None,
+        }
+    }
+}
+
+/// Where part of a place lies that is reached but rarely meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outside {
+    /// Below the base.
+    pub below: bool,
+    /// Behind the joint-1 axis.
+    pub behind: bool,
+}
+
+impl Outside {
+    /// Nothing of it does, or where the base stands is not known.
+    pub const NOWHERE: Self = Self { below: false, behind: false };
+
+    /// Of an upright box around a zone, by its centre from the base and half its sides.
+    fn of([x, z]: [f64; 2], half: Vector2<f64>) -> Self {
+        const SLACK: f64 = 1e-6;
+        Self { below: z - half.y < -SLACK, behind: x - half.x < -SLACK }
+    }
 }
 
 /// Why a zone has no place.
@@ -105,6 +211,17 @@ pub enum Misfit {
     Limits,
     /// It fits the arm, but not where it may stand.
     Within,
+    /// The window is narrower than the zone.
+    WindowTooNarrow,
+    /// No single point with this direction of the tool.
+    NothingReached,
+    /// Points are reached, but nowhere the whole zone in one posture.
+    NowhereWhole {
+        /// The coarsest step of the search for one, m.
+        step: f64,
+    },
+    /// The zone is reached, but a joint would have to turn by more than it can on the way through it.
+    Turning,
 }
 
 impl std::fmt::Display for Misfit {
@@ -118,6 +235,16 @@ impl std::fmt::Display for Misfit {
                 "does not fit the reachable set: the joint limits leave no place for it without a change of posture",
             ),
             Self::Within => f.write_str("does not fit where it may stand: no allowed place is reachable as a whole"),
+            Self::WindowTooNarrow => f.write_str("the allowed place is narrower than the zone"),
+            Self::NothingReached => f.write_str("no point of the allowed place is reached with this direction of the tool"),
+            Self::NowhereWhole { step } => write!(
+                f,
+                "no place was found (places {:.0} mm apart, then refined) where the whole zone is reached in one posture",
+                step * 1e3
+            ),
+            Self::Turning => f.write_str(
+                "the zone is reached, but not in one go: within it a joint passes a singular posture or the end of its range",
+            ),
         }
     }
 }
@@ -125,14 +252,17 @@ impl std::fmt::Display for Misfit {
 /// The answer of [`place`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Placed {
-    /// There is a best place.
+    /// There is a place; this is the best that was found.
     Feasible(Placement),
-    /// There is none.
+    /// None was found.
     Infeasible {
         /// Why.
         reason: Misfit,
-        /// The largest scale found, to 1e-4, at which a zone of this shape has a place; zero where none has.
-        largest_scale: f64,
+        /// There is none.
+        is_proved: bool,
+        /// The largest scale found, to 1e-4, at which a zone of this shape has a place; zero where none has. `None` where the
+        /// model does not look for it.
+        largest_scale: Option<f64>,
     },
 }
 
@@ -149,15 +279,20 @@ impl Placed {
 /// A question that has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PlaceError {
-    /// The arm makes no sense.
+    /// The model does not hold for the robot.
     #[error(transparent)]
-    Arm(#[from] InvalidArm),
-    /// The planar model does not hold.
-    #[error(transparent)]
-    NoArmPlane(#[from] NoArmPlane),
-    /// Force outside `0 < force <= 1e6`.
-    #[error("a force of {0} N; expected more than 0 and at most 1e6 N")]
-    Force(f64),
+    Model(#[from] ModelError),
+    /// What another model knows.
+    #[error("{what} is a matter of the {model} model")]
+    Inapplicable {
+        /// What was asked for.
+        what: &'static str,
+        /// The model that knows it.
+        model: &'static str,
+    },
+    /// A force of one direction.
+    #[error("a force of one direction; a place is sought for the worst direction at every point")]
+    Directed,
     /// Gap outside `1e-9..=0.5`.
     #[error("a gap of {0}; expected 1e-9 to 0.5 (relative)")]
     Gap(f64),
@@ -182,47 +317,74 @@ pub enum PlaceError {
     },
 }
 
-/// Checks a force in N.
-///
-/// # Errors
-/// Where it is not positive, or above 1 MN.
-pub fn check_force(force: f64) -> Result<(), PlaceError> {
-    if 0.0 < force && force <= 1e6 { Ok(()) } else { Err(PlaceError::Force(force)) }
+impl PlaceError {
+    /// The robot is sound, but the planar model does not hold for it: a compensator, an unusual coupling, or rigid drives 2
+    /// and 3.
+    pub fn is_not_of_the_plane(&self) -> bool {
+        matches!(self, Self::Model(ModelError::NoArmPlane(_)))
+    }
 }
 
 /// Finds the place of `zone` that minimises the worst deflection inside it, with a certificate (\[paper\], eq. 3).
 ///
-/// The zone lies in the arm plane, is reached with one elbow side throughout, and leaves the joint-2 axis outside.
+/// In the plane the zone lies in the arm plane, is reached with one elbow side throughout, and leaves the joint-2 axis outside.
 /// Over a zone only the nearest and the farthest distance from that axis matter, `max(sigma(near), sigma(far))`,
 /// because sigma has one valley. Where no limit on absolute angles binds, the optimum is exact (value = lower bound);
 /// else a branch and bound over positions (and angle) proves it to `gap`.
 ///
+/// In space the zone is a flat patch that the tool axis meets at a right angle. Its centre lies in the plane through the joint-1
+/// axis that points straight ahead, before the robot or behind it; by symmetry this is any place about the robot, and joint 1
+/// turns there as far as its range is wide enough. One configuration and one roll hold throughout. Every limit is kept everywhere
+/// in the zone, and no joint turns by a quarter turn from where it is at the centre: both are proved by enclosures of the joints
+/// over parts of it. Places keep 0.001 rad from a straight wrist or arm, and the wrist centre a thousandth of the upper arm from the
+/// joint-1 axis. The deflection is the largest of samples. The search is coarse over all places, then refined from the best
+/// ones; it is deterministic, and [`Resolution`] says how finely it looked. A branch and bound over all places then proves a lower
+/// bound (\[theory\], section 7), within 1 % of the value where a bounded number of boxes is enough for that.
+///
 /// # Errors
-/// Where an argument makes no sense, or the search does not end.
-pub fn place(arm: &PlanarArm, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+/// Where an argument makes no sense or belongs to another model, or the search does not end.
+pub fn place(model: &Model, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
     check(zone, options)?;
-    let sides = arm.sides()?;
-    let search = search::Search::new(arm, &sides, options);
-    match search.best(zone)? {
-        Some(placement) => Ok(Placed::Feasible(placement)),
-        None => Ok(infeasible(arm, zone, options, &search)),
+    match model {
+        Model::Planar(model) => planar::place(model, zone, options),
+        Model::Spatial(model) => spatial::place(model, zone, options),
     }
 }
 
-/// [`place`] without a word about why a zone has no place, which costs more than finding out that it has none.
+/// [`place`] without a word about why a zone has no place, which in the plane costs more than finding out that it has none.
 ///
 /// # Errors
 /// As [`place`].
-pub fn find(arm: &PlanarArm, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
+pub fn find(model: &Model, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
     check(zone, options)?;
-    let sides = arm.sides()?;
-    search::Search::new(arm, &sides, options).best(zone)
+    match model {
+        Model::Planar(model) => planar::find(model, zone, options),
+        Model::Spatial(model) => Ok(spatial::place(model, zone, options)?.feasible().cloned()),
+    }
+}
+
+/// The worst deflection at points of a zone, m from its centre along its sides, held as the placement says; in the axes of the
+/// base, the zone at bearing zero.
+///
+/// # Errors
+/// Where `options` are not those of the placement's model.
+pub fn deflection_field(
+    model: &Model,
+    options: &PlaceOptions,
+    placement: &Placement,
+    points: impl IntoIterator<Item = [f64; 2]>,
+) -> Result<Vec<ZonePoint>, PlaceError> {
+    match (model, &placement.hold) {
+        (Model::Planar(model), Hold::Plane { .. }) => Ok(planar::across(model, options, placement, points)),
+        (Model::Spatial(model), Hold::Space(hold)) => spatial::across(model, options, placement, hold, points),
+        (Model::Planar(_), _) => Err(PlaceError::Inapplicable { what: "this placement", model: "spatial" }),
+        (Model::Spatial(_), _) => Err(PlaceError::Inapplicable { what: "this placement", model: "planar" }),
+    }
 }
 
 fn check(zone: Zone, options: &PlaceOptions) -> Result<(), PlaceError> {
-    check_force(options.force)?;
-    if !(1e-9..=0.5).contains(&options.gap) {
-        return Err(PlaceError::Gap(options.gap));
+    if options.load.direction() != Direction::Worst {
+        return Err(PlaceError::Directed);
     }
     if let Orientation::Fixed(angle) = options.orientation
         && !(angle.abs() <= 1e3)
@@ -238,115 +400,4 @@ fn check_zone(zone: Zone) -> Result<(), PlaceError> {
         Some(side) => Err(PlaceError::Side(side)),
         None => Ok(()),
     }
-}
-
-/// [`place`] for a robot: `options.within` counts from its base, the answer from its joint-2 axis.
-///
-/// # Errors
-/// As [`place`].
-pub fn place_robot(robot: &Robot, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    let (plane, options) = plane_and_options(robot, options)?;
-    place(&plane.arm, zone, &options)
-}
-
-/// Where part of a place lies that is reached but rarely meant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Outside {
-    /// Below the base.
-    pub below: bool,
-    /// Behind the joint-1 axis.
-    pub behind: bool,
-}
-
-impl Outside {
-    /// Looks where a placement of a robot stands; nowhere outside for a robot of which only the plane is known.
-    pub fn of(robot: &Robot, zone: Zone, placement: &Placement) -> Self {
-        const SLACK: f64 = 1e-6;
-        let axis = robot.axis_2();
-        if axis == [0.0; 2] {
-            return Self { below: false, behind: false };
-        }
-        let half = zone.half_extents(placement.angle);
-        let [x, z] = placement.centre;
-        Self { below: z + axis[1] - half.y < -SLACK, behind: x + axis[0] - half.x < -SLACK }
-    }
-}
-
-/// [`find`] for a robot, as [`place_robot`].
-///
-/// # Errors
-/// As [`place`].
-pub fn find_robot(robot: &Robot, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
-    let (plane, options) = plane_and_options(robot, options)?;
-    find(&plane.arm, zone, &options)
-}
-
-fn plane_and_options(robot: &Robot, options: &PlaceOptions) -> Result<(ArmPlane, PlaceOptions), PlaceError> {
-    let plane = robot.arm_plane()?;
-    let within = options.within.seen_from(plane.axis_from_base);
-    Ok((plane, PlaceOptions { within, ..*options }))
-}
-
-/// The value of the best place, m/N, of a zone for an arm whose limits are left aside; `None` where it does not fit.
-///
-/// Exact: the paper's section III, where any angle of a rectangle is as good as another.
-///
-/// # Errors
-/// Where a length, a compliance or a side of the zone makes no sense.
-pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Result<Option<f64>, PlaceError> {
-    arm.check()?;
-    check_zone(zone)?;
-    let sigma = arm.radial();
-    let ring = Interval::spanning(sigma.folded, sigma.stretched);
-    Ok(exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance))
-}
-
-/// The largest scale at which a zone fits an arm whose limits are left aside.
-pub fn largest_scale_without_limits(arm: &PlanarArm, zone: Zone) -> f64 {
-    let sigma = arm.radial();
-    exact::largest_scale(Interval::spanning(sigma.folded, sigma.stretched), zone)
-}
-
-fn infeasible(arm: &PlanarArm, zone: Zone, options: &PlaceOptions, search: &search::Search) -> Placed {
-    let sides = search.sides();
-    let roomiest = sides.iter().max_by(|a, b| a.ring.width().total_cmp(&b.ring.width())).expect("a side");
-    let fits = sides.iter().map(|side| exact::largest_scale(side.ring, zone)).fold(0.0, f64::max);
-    let reason = if fits < 1.0 {
-        Misfit::TooLarge { ring: [roomiest.ring.min(), roomiest.ring.max()] }
-    } else if options.within == Within::ANYWHERE {
-        Misfit::Limits
-    } else {
-        let anywhere = PlaceOptions { within: Within::ANYWHERE, ..*options };
-        // Undecided so near to the limit of what fits, the limits are the likelier reason.
-        if search::Search::new(arm, sides, &anywhere).has_place(zone) == Some(true) {
-            Misfit::Within
-        } else {
-            Misfit::Limits
-        }
-    };
-    Placed::Infeasible { reason, largest_scale: largest_scale(zone, search, fits.min(1.0)) }
-}
-
-/// The largest scale below `misfit` with a place, to 1e-4: zones of one shape nest about a common centre, so what fits is
-/// monotone in the scale. Zero where nothing of a hundredth of a millimetre fits.
-fn largest_scale(zone: Zone, search: &search::Search, mut misfit: f64) -> f64 {
-    let [first, second] = zone.sides();
-    let least = 1e-5 / first.max(second);
-    let mut fit = 0.0;
-    while least < misfit && 1e-4 * misfit < misfit - fit {
-        let scale = f64::midpoint(fit, misfit);
-        // An open answer counts as no: the scale that is reported has a place for certain.
-        if search.has_place(zone.scaled(scale)) == Some(true) {
-            fit = scale;
-        } else {
-            misfit = scale;
-        }
-    }
-    fit
-}
-
-/// `v` turned by `angle`.
-pub(crate) fn turned(v: Vector2<f64>, angle: f64) -> Vector2<f64> {
-    let (s, c) = angle.sin_cos();
-    Vector2::new(c * v.x - s * v.y, s * v.x + c * v.y)
 }

@@ -8,7 +8,9 @@ use stiffarm::drive::{Architecture, Drives, JointCompliance};
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
 use stiffarm::limits::{Limits, ThirdAxis};
-use stiffarm::place::{Orientation, SpatialOptions};
+use stiffarm::load::Load;
+use stiffarm::model::{Model, ModelError};
+use stiffarm::place::{Orientation, PlaceError, PlaceOptions, Placed, Stance, Within, place};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
@@ -18,7 +20,41 @@ use stiffarm::task::Zone;
 pub(crate) struct Question {
     pub(crate) robot: Robot,
     pub(crate) zone: Zone,
-    pub(crate) options: SpatialOptions,
+    pub(crate) options: Asked,
+}
+
+/// What is asked besides robot and zone, with nothing left open.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Asked {
+    pub(crate) force: f64,
+    pub(crate) flange_from_tool: Pose,
+    pub(crate) elevation: f64,
+    pub(crate) yaw: Interval,
+    pub(crate) orientation: Orientation,
+    pub(crate) roll: Option<f64>,
+    pub(crate) within: Within,
+}
+
+impl Asked {
+    /// Tool down, the flange itself as the tool.
+    pub(crate) fn tool_down(force: f64) -> Self {
+        let Stance { elevation, yaw, roll } = Stance::tool_down();
+        let (flange_from_tool, orientation) = (Pose::identity(), Orientation::Axes);
+        Self { force, flange_from_tool, elevation, yaw, orientation, roll, within: Within::AHEAD }
+    }
+
+    pub(crate) fn place(&self, robot: &Robot, zone: Zone) -> Result<Placed, PlaceError> {
+        let Self { force, flange_from_tool, elevation, yaw, orientation, roll, within } = *self;
+        let load = Load::worst(force).expect("a force");
+        let options = PlaceOptions {
+            orientation,
+            within: Some(within),
+            stance: Some(Stance { elevation, yaw, roll }),
+            ..PlaceOptions::under(load)
+        };
+        let model: Result<Model, ModelError> = Model::spatial(robot, &flange_from_tool);
+        place(&model?, zone, &options)
+    }
 }
 
 /// An arm as no maker builds it, with limits anywhere.
@@ -81,7 +117,7 @@ pub(crate) fn random_question(seed: u64) -> Question {
         1 => Zone::Rectangle { width: size, height: size / 2.0 },
         _ => Zone::Rectangle { width: size * (0.4 + 0.5 * rng.f64()), height: size },
     };
-    let mut options = SpatialOptions::tool_down(100.0 + 2000.0 * rng.f64());
+    let mut options = Asked::tool_down(100.0 + 2000.0 * rng.f64());
     options.elevation = [-FRAC_PI_2, -FRAC_PI_2, 0.0, 30_f64.to_radians(), FRAC_PI_2][rng.usize(0..5)];
     options.yaw = match rng.u8(0..4) {
         0 => Interval::point(0.0),

@@ -1,7 +1,8 @@
 //! An arm as points in space, with what the pointer says of them.
 
-use nalgebra::{Point3, Vector3};
-use stiffarm::robot::{Arm, ArmPlane, Robot};
+use nalgebra::Point3;
+use stiffarm::model::PlanarModel;
+use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 
 use super::Point;
@@ -52,19 +53,15 @@ impl ArmMark {
         Some(Self { points, tool: Some([at(0.0), at(AXIS)]) })
     }
 
-    /// The two links of an arm plane `y` m to the left, at shoulder and elbow angle, rad.
-    pub(crate) fn planar(plane: &ArmPlane, [shoulder, elbow]: [f64; 2], y: f64) -> Self {
-        let [x, z] = plane.axis_from_base;
-        let axis = Vector3::new(x, y, z);
-        let upper_arm = axis + plane.arm.l2 * Vector3::new(shoulder.cos(), 0.0, shoulder.sin());
-        let wrist = plane.arm.forward(shoulder, elbow);
-        let wrist = axis + Vector3::new(wrist[0], 0.0, wrist[1]);
+    /// The two links of an arm plane, which stands beside the joint-1 axis where the arm does, at shoulder and elbow angle, rad.
+    pub(crate) fn planar(model: &PlanarModel, [shoulder, elbow]: [f64; 2]) -> Self {
+        let [axis, upper_arm, wrist] = model.points([shoulder, elbow]).map(|[x, z]| [x, model.aside(), z]);
         let text = |name: &str, angle: f64| format!("{name}\n{:.2} deg in the arm plane", angle.to_degrees());
-        let base = (plane.axis_from_base != [0.0; 2]).then(|| ([0.0; 3], "base".to_owned()));
+        let base = (model.axis_from_base() != [0.0; 2]).then(|| ([0.0; 3], "base".to_owned()));
         let links = [
-            (axis.into(), text("shoulder", shoulder)),
-            (upper_arm.into(), text("elbow", elbow)),
-            (wrist.into(), "wrist centre: tool point of the planar model".to_owned()),
+            (axis, text("shoulder", shoulder)),
+            (upper_arm, text("elbow", elbow)),
+            (wrist, "wrist centre: tool point of the planar model".to_owned()),
         ];
         Self { points: base.into_iter().chain(links).collect(), tool: None }
     }
@@ -72,7 +69,9 @@ impl ArmMark {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
     use stiffarm::catalogue::paper_robots;
+    use stiffarm::model::Model;
 
     use super::*;
 
@@ -102,7 +101,8 @@ mod tests {
         // The shoulder is pi/2 - theta2, the elbow -atan2(a2, c3) - theta3.
         let lean = geometry.a2.atan2(geometry.c3);
         let posture = [std::f64::consts::FRAC_PI_2 - 0.3, -lean - 1.2];
-        let arm = ArmMark::planar(&robot.arm_plane().unwrap(), posture, geometry.b);
+        let Model::Planar(model) = Model::planar(&robot).unwrap() else { panic!("asked for") };
+        let arm = ArmMark::planar(&model, posture);
         for ((found, text), expected) in arm.points.iter().skip(1).zip([shoulder, elbow, wrist]) {
             assert!((Vector3::from(*found) - Vector3::from(expected)).norm() < 1e-12, "{text}: {found:?}");
         }

@@ -8,7 +8,7 @@ mod traces;
 pub(crate) use arm::ArmMark;
 
 use serde_json::Value;
-use stiffarm::map::Map;
+use stiffarm::map::Grid;
 
 /// No more points per side of a map are drawn: a browser turns some ten thousand smoothly.
 const MOST_POINTS: usize = 240;
@@ -78,15 +78,12 @@ pub(crate) struct Arrow {
 }
 
 impl Sheet {
-    /// A map in the arm plane, which is that of x and z at `y` m to the left; `axis` is the joint-2 axis from the base.
-    pub(crate) fn of_map(map: &Map, axis: [f64; 2], y: f64) -> Self {
+    /// Deflections, m, over the plane of x and z at `y` m to the left.
+    pub(crate) fn of_map(map: &Grid, y: f64) -> Self {
         let stride = map.x.count.max(map.z.count).div_ceil(MOST_POINTS).max(1);
         // The last point is always kept, so that the map does not shrink.
         let kept = |count: usize| (0..count).filter(move |i| i % stride == 0 || i + 1 == count);
-        let cell = |i: usize, j: usize| Cell {
-            at: [map.x.at(i) + axis[0], y, map.z.at(j) + axis[1]],
-            mm: map.get(i, j).map(|m| m * 1e3),
-        };
+        let cell = |i: usize, j: usize| Cell { at: [map.x.at(i), y, map.z.at(j)], mm: map.get(i, j).map(|m| m * 1e3) };
         Self { rows: kept(map.z.count).map(|j| kept(map.x.count).map(|i| cell(i, j)).collect()).collect() }
     }
 
@@ -160,7 +157,9 @@ fn in_script(value: &Value) -> String {
 #[cfg(test)]
 mod tests {
     use stiffarm::drive::Architecture;
-    use stiffarm::map::{Axis, Direction, MapOptions, map};
+    use stiffarm::load::Load;
+    use stiffarm::map::{Axis, Extent, MapOptions, map};
+    use stiffarm::model::Model;
     use stiffarm::plane::PlanarArm;
 
     use super::*;
@@ -263,11 +262,13 @@ mod tests {
     fn a_large_map_is_thinned_out_but_keeps_its_size_and_its_place() {
         let arm = PlanarArm::free(1.0, 0.8, 1e-6, 1e-6, Architecture::Serial);
         let axis = Axis::between(-2.0, 2.0, 1000);
-        let options = MapOptions { x: axis, z: axis, force: 1e3, direction: Direction::Worst, elbow: None };
-        let sheet = Sheet::of_map(&map(&arm, &options).unwrap(), [0.35, 0.675], 0.1);
+        let extent = Extent::Grid { x: axis, z: axis };
+        let options = MapOptions { extent, load: Load::PAPER, elbow: None, held: None };
+        let found = map(&Model::of_links(&arm).unwrap(), &options).unwrap();
+        let sheet = Sheet::of_map(&found.deflection, 0.1);
         assert!(sheet.rows.len() <= MOST_POINTS + 1 && sheet.rows.iter().all(|row| row.len() == sheet.rows.len()));
         let (first, last) = (sheet.rows[0][0].at, sheet.rows.last().unwrap().last().unwrap().at);
-        for (found, expected) in first.iter().chain(&last).zip([-1.65, 0.1, -1.325, 2.35, 0.1, 2.675]) {
+        for (found, expected) in first.iter().chain(&last).zip([-2.0, 0.1, -2.0, 2.0, 0.1, 2.0]) {
             assert!((found - expected).abs() < 1e-12, "{found} is not {expected}");
         }
         assert!(sheet.rows[0][0].mm.is_none(), "out of reach");

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from .._answers import Array, _columns_of, _Table
+from .._answers import Array, _Table
 from .._stiffarm import StiffarmError
 from ._folder import ASKED, SCENARIOS, SUMS, check, read_sums, read_whole
 from ._question import read_question
@@ -40,6 +40,12 @@ def wilson(wins: float, of: int) -> tuple[float, float]:
     return low, (1.0 if wins >= of else (middle + half) / (1 + weight))
 
 
+
+def _columns_of(rows: list[dict[str, Any]]) -> dict[str, list[Any]]:
+    """Rows as columns; what is no single number or word is left out."""
+    keys = {key: None for row in rows for key, value in row.items() if not isinstance(value, (list, dict))}
+    return {key: [row.get(key) for row in rows] for key in keys}
+
 class Wins(_Table):
     """Who is the stiffest how often, task by task, the most frequent winner first.
 
@@ -68,7 +74,7 @@ class Order(_Table):
     tasks: list[str]
     model: str
     force_n: float
-    #: ``place`` (None for an estimated robot: it takes none), ``robot, vendor, status, feasible_tasks, mean_ratio, error``, and
+    #: ``rank`` (None for an estimated robot: it takes none), ``robot, vendor, status, feasible_tasks, mean_ratio, error``, and
     #: the deflection [mm] under the name of each task.
     rows: list[dict[str, Any]]
 
@@ -79,7 +85,7 @@ class Order(_Table):
         return _columns_of(self.rows)
 
     def _words(self) -> str:
-        best = next((f"; best {row['robot']}" for row in self.rows if row["place"] == 1), "")
+        best = next((f"; best {row['robot']}" for row in self.rows if row["rank"] == 1), "")
         return f"{len(self)} robots, {len(self.tasks)} tasks, {self.force_n:g} N, {self.model} model{best}"
 
 
@@ -248,18 +254,18 @@ class Sweep:
         rows: list[dict[str, Any]] = []
         for r, robot in enumerate(who):
             ratios = [math.log(max(v, _NOTHING_MM) / max(b, _NOTHING_MM)) for v, b in zip(values[:, r], best) if np.isfinite(v)]
-            row: dict[str, Any] = {"place": None, **_who(robot), "feasible_tasks": len(ratios)}
+            row: dict[str, Any] = {"rank": None, **_who(robot), "feasible_tasks": len(ratios)}
             row["mean_ratio"] = math.exp(sum(ratios) / len(ratios)) if ratios else None
             row.update({task: float(v) if np.isfinite(v) else None for task, v in zip(labels, values[:, r])})
             row["error"] = next((error for error in errors[r :: len(who)] if error), None)
             rows.append(row)
         judged: Flags = np.asarray(answered.any(axis=0))
         ranks = sorted(range(len(rows)), key=lambda r: (not judged[r], *_standing(rows[r])))
-        place = 0
+        rank = 0
         for r in ranks:
             if who[r]["status"] != "estimated" and judged[r]:
-                place += 1
-                rows[r]["place"] = place
+                rank += 1
+                rows[r]["rank"] = rank
         rows = [rows[r] for r in ranks]
         model = self._question.options["model"]
         return Order({"tasks": labels, "model": model, "force_n": self._question.forces_n[0], "rows": rows})

@@ -2,10 +2,11 @@
 
 use nalgebra::Point2;
 
-use super::{SpatialOptions, SpatialPlaceError, SpatialPlacement};
+use super::Stance;
 use crate::compliance::{PostureError, compliance};
 use crate::inverse::postures;
-use crate::robot::{Arm, Robot};
+use crate::model::{ModelError, SpatialModel};
+use crate::place::{PlaceError, PlaceOptions, Placement, SpaceHold};
 use crate::space::{Patch, Stand};
 
 /// A point of a zone at its place.
@@ -17,33 +18,30 @@ pub struct ZonePoint {
     pub deflection: Option<f64>,
 }
 
-/// The worst deflection at points of a zone, m from its centre along its sides, held as the placement says.
-///
-/// # Errors
-/// Where robot or tool make no sense.
-pub fn across_zone(
-    robot: &Robot,
-    options: &SpatialOptions,
-    placement: &SpatialPlacement,
+/// As [`deflection_field`](crate::place::deflection_field), held with six drives.
+pub(in crate::place) fn across(
+    model: &SpatialModel,
+    options: &PlaceOptions,
+    placement: &Placement,
+    hold: &SpaceHold,
     points: impl IntoIterator<Item = [f64; 2]>,
-) -> Result<Vec<ZonePoint>, SpatialPlaceError> {
-    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else {
-        return Err(PostureError::Planar(robot.name.clone()).into());
-    };
+) -> Result<Vec<ZonePoint>, PlaceError> {
+    let (robot, arm) = (model.robot(), model.arm());
     let [x, z] = placement.centre;
-    let stand = Stand { x, z, yaw: placement.yaw, angle: placement.angle, roll: placement.roll };
-    let patch = Patch::of(options.elevation, &stand);
-    let flange_from_tool = options.flange_from_tool.inverse();
+    let stand = Stand { x, z, yaw: hold.yaw, angle: placement.angle, roll: hold.roll };
+    let patch = Patch::of(options.stance.unwrap_or_else(Stance::tool_down).elevation, &stand);
+    let tool_from_flange = arm.flange_from_tool.inverse();
     let judged = |at: Point2<f64>| {
         let pose = patch.pose(&stand, at.into());
-        let found = postures(geometry, &(pose * flange_from_tool)).found;
-        let theta = found.into_iter().find(|(class, _)| *class == placement.configuration).map(|(_, theta)| theta);
+        let found = postures(&arm.geometry, &(pose * tool_from_flange)).found;
+        let theta = found.into_iter().find(|(class, _)| *class == hold.configuration).map(|(_, theta)| theta);
         let deflection = theta.map(|theta| {
-            let q = geometry.reported(&theta, limits.third_axis);
-            let posture = compliance(robot, &q, &options.flange_from_tool)?;
-            Ok::<_, PostureError>(posture.compliance.worst().0 * options.force)
+            let q = arm.geometry.reported(&theta, arm.limits.third_axis);
+            let posture = compliance(robot, &q, &arm.flange_from_tool)?;
+            Ok::<_, PostureError>(posture.compliance.worst().0 * options.load.newtons())
         });
-        Ok(ZonePoint { at: pose.translation.vector.into(), deflection: deflection.transpose()? })
+        let deflection = deflection.transpose().map_err(ModelError::from)?;
+        Ok(ZonePoint { at: pose.translation.vector.into(), deflection })
     };
     points.into_iter().map(|at| judged(at.into())).collect()
 }
@@ -55,7 +53,9 @@ mod tests {
     use super::*;
     use crate::catalogue::paper_robots;
     use crate::interval::Interval;
-    use crate::place::{Orientation, SpatiallyPlaced, place_in_space};
+    use crate::load::Load;
+    use crate::model::Model;
+    use crate::place::{Orientation, deflection_field, place};
     use crate::spatial::Pose;
     use crate::task::Zone;
 
@@ -63,19 +63,18 @@ mod tests {
     fn the_largest_deflection_across_a_zone_is_that_of_its_placement() {
         let zone = Zone::Rectangle { width: 0.3, height: 0.2 };
         for (robot, elevation) in paper_robots().iter().take(3).zip([-std::f64::consts::FRAC_PI_2, 0.0, -0.6]) {
-            let options = SpatialOptions {
-                elevation,
-                yaw: Interval::spanning(-0.5, 0.5),
-                flange_from_tool: Pose::translation(0.0, 0.05, 0.2),
+            let model = Model::spatial(robot, &Pose::translation(0.0, 0.05, 0.2)).unwrap();
+            let stance = Stance { elevation, yaw: Interval::spanning(-0.5, 0.5), roll: None };
+            let options = PlaceOptions {
+                stance: Some(stance),
                 orientation: Orientation::Free,
-                ..SpatialOptions::tool_down(1000.0)
+                ..PlaceOptions::under(Load::PAPER)
             };
-            let SpatiallyPlaced::Feasible(found) = place_in_space(robot, zone, &options).unwrap() else {
-                panic!("{}: no place", robot.name)
-            };
+            let placed = place(&model, zone, &options).unwrap();
+            let found = placed.feasible().unwrap_or_else(|| panic!("{}: no place", robot.name));
             let side = |i: i32| f64::from(i) / 20.0 - 1.0;
             let points = (0..=40).flat_map(|j| (0..=40).map(move |i| zone.at([side(i), side(j)])));
-            let across = across_zone(robot, &options, &found, points).unwrap();
+            let across = deflection_field(&model, &options, found, points).unwrap();
             assert_eq!(across.len(), 41 * 41);
             let centre = across[20 * 41 + 20].at;
             let expected = [found.centre[0], 0.0, found.centre[1]];
@@ -83,7 +82,7 @@ mod tests {
             let worst = across.iter().map(|point| point.deflection.unwrap()).fold(0.0, f64::max);
             assert!((worst - found.deflection).abs() <= 2e-3 * worst, "{}: {worst} {found:?}", robot.name);
             let turned = Vector3::from(found.worst_point);
-            let worst_point = Rotation3::from_axis_angle(&Vector3::z_axis(), -found.bearing) * turned;
+            let worst_point = Rotation3::from_axis_angle(&Vector3::z_axis(), -found.space().unwrap().bearing) * turned;
             let near = |point: &&ZonePoint| {
                 point.at.iter().zip(&worst_point).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() < 0.01
             };

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::SpatialOptions;
+use super::Question;
 use super::mix::{Line, least_largest, remaining};
 use crate::interval::Interval;
 use crate::place::{Orientation, Within};
@@ -87,7 +87,7 @@ enum Bound {
 
 /// What stays the same from box to box.
 pub(super) struct Prover<'a> {
-    options: &'a SpatialOptions,
+    options: &'a Question,
     enclosing: Enclosing,
     /// Without limits, to see which poses are soft.
     bare: SpatialArm,
@@ -107,7 +107,7 @@ impl<'a> Prover<'a> {
     pub(super) fn new(
         arm: &SpatialArm,
         zone: Zone,
-        options: &'a SpatialOptions,
+        options: &'a Question,
         region: [Interval; 2],
         roll_is_free: bool,
     ) -> Self {
@@ -334,7 +334,7 @@ fn cut<const N: usize>(stands: &mut StandBox, part: &[Interval; N]) {
 }
 
 /// Boxes that hold every stand that is asked for.
-fn roots(zone: Zone, options: &SpatialOptions, [x, z]: [Interval; 2], roll_is_free: bool) -> Vec<StandBox> {
+fn roots(zone: Zone, options: &Question, [x, z]: [Interval; 2], roll_is_free: bool) -> Vec<StandBox> {
     let is_circle = matches!(zone, Zone::Circle { .. });
     let zero = Interval::point(0.0);
     let angles = match options.orientation {
@@ -361,29 +361,36 @@ mod tests {
     use super::*;
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
+    use crate::load::Load;
+    use crate::model::Model;
     use crate::place::spatial::search::region;
-    use crate::place::{SpatiallyPlaced, place_in_space};
+    use crate::place::{Orientation, PlaceOptions, Placed, Stance, place};
     use crate::spatial::Pose;
 
-    fn typical() -> Vec<(Zone, SpatialOptions)> {
-        let down =
-            SpatialOptions { flange_from_tool: Pose::translation(0.0, 0.0, 0.2), ..SpatialOptions::tool_down(1.0) };
+    /// Zones, tools and what else is asked.
+    fn typical() -> Vec<(Zone, Pose, PlaceOptions)> {
+        let down = PlaceOptions { stance: Some(Stance::tool_down()), ..PlaceOptions::under(Load::UNIT) };
+        let (tool, aside) = (Pose::translation(0.0, 0.0, 0.2), Pose::translation(0.1, 0.0, 0.2));
         let circle = Zone::Circle { diameter: 0.5 };
+        let facing = Stance { yaw: Interval::point(0.0), ..Stance::tool_at(0.0) };
         vec![
-            (circle, down),
-            (circle, SpatialOptions { flange_from_tool: Pose::translation(0.1, 0.0, 0.2), ..down }),
-            (Zone::Rectangle { width: 0.3, height: 0.6 }, SpatialOptions { orientation: Orientation::Free, ..down }),
-            (circle, SpatialOptions { elevation: 0.0, yaw: Interval::point(0.0), ..down }),
+            (circle, tool, down),
+            (circle, aside, down),
+            (
+                Zone::Rectangle { width: 0.3, height: 0.6 },
+                tool,
+                PlaceOptions { orientation: Orientation::Free, ..down },
+            ),
+            (circle, tool, PlaceOptions { stance: Some(facing), ..down }),
         ]
     }
 
     #[test]
     fn the_paper_robots_typical_zones_are_proved_to_a_few_percent() {
-        for (case, (zone, options)) in typical().iter().enumerate() {
+        for (case, (zone, tool, options)) in typical().iter().enumerate() {
             for robot in paper_robots() {
-                let SpatiallyPlaced::Feasible(best) = place_in_space(&robot, *zone, options).unwrap() else {
-                    continue;
-                };
+                let placed = place(&Model::spatial(&robot, tool).unwrap(), *zone, options).unwrap();
+                let Placed::Feasible(best) = placed else { continue };
                 let gap = 1.0 - best.lower_bound / best.deflection;
                 // A wall is met by wrists that turn far: of one robot the proof gets no nearer.
                 let most = if case < 3 { 0.05 } else { 0.3 };
@@ -395,16 +402,19 @@ mod tests {
     /// Without the value that was found to stop at, the bound still keeps below it, and below every other place.
     #[test]
     fn no_place_lies_under_the_bound() {
-        for (zone, options) in typical() {
+        for (zone, tool, options) in typical() {
+            let question = Question::of(&options).unwrap();
             for robot in paper_robots().iter().step_by(3) {
-                let arm = SpatialArm::new(robot, &options.flange_from_tool).unwrap();
+                let arm = SpatialArm::new(robot, &tool).unwrap();
                 let roll_is_free = arm.tool_turns_about_axis_6();
-                let region = region(&arm, options.within);
-                let prover = Prover::new(&arm, zone, &options, region, roll_is_free);
-                let Some(best) = place_in_space(robot, zone, &options).unwrap().feasible().cloned() else { continue };
-                let (worst, _) =
-                    compliance(robot, &best.worst_joints, &options.flange_from_tool).unwrap().compliance.worst();
-                let proof = prover.prove(1.5 * best.deflection);
+                let region = region(&arm, question.within);
+                let prover = Prover::new(&arm, zone, &question, region, roll_is_free);
+                let placed = place(&Model::spatial(robot, &tool).unwrap(), zone, &options).unwrap();
+                let Some(hold) = placed.feasible().map(|best| (best.deflection, best.space().unwrap().clone())) else {
+                    continue;
+                };
+                let (worst, _) = compliance(robot, &hold.1.joints, &tool).unwrap().compliance.worst();
+                let proof = prover.prove(1.5 * hold.0);
                 assert!(0.5 * worst < proof.lower && proof.lower <= worst, "{}: {proof:?} {worst}", robot.name);
             }
         }
@@ -413,8 +423,9 @@ mod tests {
     #[test]
     fn a_zone_that_is_too_large_is_proved_to_be() {
         let robot = &paper_robots()[0];
-        let options = SpatialOptions::tool_down(1.0);
-        let placed = place_in_space(robot, Zone::Circle { diameter: 6.0 }, &options).unwrap();
-        assert!(matches!(placed, SpatiallyPlaced::Infeasible { is_proved: true, .. }), "{placed:?}");
+        let model = Model::spatial(robot, &Pose::identity()).unwrap();
+        let options = PlaceOptions::under(Load::UNIT);
+        let placed = place(&model, Zone::Circle { diameter: 6.0 }, &options).unwrap();
+        assert!(matches!(placed, Placed::Infeasible { is_proved: true, .. }), "{placed:?}");
     }
 }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::bound::Prover;
 use super::sweep::{Sweep, Unswept, sweep};
-use super::{Resolution, SpatialMisfit, SpatialOptions, SpatialPlacement, SpatiallyPlaced, wrapped};
+use super::{Misfit, Outside, Placed, Question, Resolution, Solution, wrapped};
 use crate::compliance::compliance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
@@ -28,6 +28,8 @@ const BLOCK: usize = 256;
 const FINE: (f64, f64) = (5e-5, 5e-5);
 /// What a zone may stand outside its window by, m: rounding.
 const WINDOW: f64 = 1e-9;
+/// What of a zone may lie below the base or behind axis 1, m, before it is told: rounding.
+const OUTSIDE: f64 = 1e-6;
 /// Halving the distance between samples must change less than this.
 const HALVING: f64 = 1e-3;
 /// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
@@ -38,11 +40,11 @@ const NARROWINGS: usize = 5;
 const RESTARTS: usize = 3;
 
 /// Finds the best place that a coarse search and its refinement see, and proves how much better another could be.
-pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &SpatialOptions) -> SpatiallyPlaced {
+pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question) -> Placed {
     let search = Search::new(robot, arm, zone, options);
     let mut found = search.find();
     let prover = Prover::new(arm, zone, options, search.region, search.roll_is_free);
-    let value = |found: &Result<SpatialPlacement, SpatialMisfit>| {
+    let value = |found: &Result<Solution, Misfit>| {
         found.as_ref().map_or(f64::INFINITY, |placement| placement.deflection / options.force)
     };
     let mut proof = prover.prove(value(&found));
@@ -53,19 +55,22 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Spat
         }
         // What the coarse search saw stays what it is.
         let coarse = found.map_or(f64::NAN, |placement| placement.resolution.coarse);
-        found = Ok(SpatialPlacement { resolution: Resolution { coarse, ..better.resolution }, ..better });
+        found = Ok(Solution { resolution: Resolution { coarse, ..better.resolution }, ..better });
         proof = prover.prove(value(&found));
     }
     match found {
-        Ok(placement) => SpatiallyPlaced::Feasible(Box::new(SpatialPlacement {
-            lower_bound: proof.lower * options.force,
-            resolution: Resolution { boxes: proof.boxes, ..placement.resolution },
-            ..placement
-        })),
+        Ok(placement) => Placed::Feasible(
+            Solution {
+                lower_bound: proof.lower * options.force,
+                resolution: Resolution { boxes: proof.boxes, ..placement.resolution },
+                ..placement
+            }
+            .into(),
+        ),
         Err(_) if search.window_is_too_narrow() => {
-            SpatiallyPlaced::Infeasible { reason: SpatialMisfit::WindowTooNarrow, is_proved: true }
+            Placed::Infeasible { reason: Misfit::WindowTooNarrow, is_proved: true, largest_scale: None }
         }
-        Err(reason) => SpatiallyPlaced::Infeasible { reason, is_proved: proof.open.is_none() },
+        Err(reason) => Placed::Infeasible { reason, is_proved: proof.open.is_none(), largest_scale: None },
     }
 }
 
@@ -111,7 +116,7 @@ struct Search<'a> {
     arm: &'a SpatialArm,
     freed: SpatialArm,
     zone: Zone,
-    options: &'a SpatialOptions,
+    options: &'a Question,
     /// Rolling the tool moves nothing, and any roll will do.
     roll_is_free: bool,
     /// Where centres are looked for: ahead, up.
@@ -120,7 +125,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a SpatialOptions) -> Self {
+    fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a Question) -> Self {
         let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
         let region = region(arm, options.within);
         let longest = region[0].width().max(region[1].width());
@@ -137,20 +142,20 @@ impl<'a> Search<'a> {
     }
 
     /// The best place that the coarse search and its refinement see.
-    fn find(&self) -> Result<SpatialPlacement, SpatialMisfit> {
+    fn find(&self) -> Result<Solution, Misfit> {
         let seen = self.coarse()?;
         let mut rough = self.refined(&seen, CELLS[1], self.step / 2.0);
         rough.truncate(FINALISTS);
         let refined = self.refined(&rough, CELLS[2], self.step / 8.0);
         if refined.is_empty() {
-            return Err(SpatialMisfit::ZoneTooLarge { step: self.step });
+            return Err(Misfit::NowhereWhole { step: self.step });
         }
         let coarse = seen.iter().map(|candidate| candidate.score).min_by(Score::total_cmp).expect("a start");
-        refined.iter().find_map(|candidate| self.judge(candidate, coarse)).ok_or(SpatialMisfit::Turning)
+        refined.iter().find_map(|candidate| self.judge(candidate, coarse)).ok_or(Misfit::Turning)
     }
 
     /// The best place that a refinement from one stand sees.
-    fn find_near(&self, stand: Stand) -> Option<SpatialPlacement> {
+    fn find_near(&self, stand: Stand) -> Option<Solution> {
         let start = self.candidate(stand, &Grid::of(self.zone, CELLS[1]));
         let rough = self.refined(&[start], CELLS[1], self.step / 8.0);
         self.refined(&rough, CELLS[2], self.step / 8.0).iter().find_map(|found| self.judge(found, Score::NONE))
@@ -202,7 +207,7 @@ impl<'a> Search<'a> {
     }
 
     /// The best places of a grid over the region and all turns, best first, far enough apart to be different.
-    fn coarse(&self) -> Result<Vec<Candidate>, SpatialMisfit> {
+    fn coarse(&self) -> Result<Vec<Candidate>, Misfit> {
         let [columns, rows] = self.region.map(|range| (range.width() / self.step).ceil() as usize + 1);
         let at = |range: Interval, i: usize, count: usize| match count {
             1 => range.middle(),
@@ -220,7 +225,7 @@ impl<'a> Search<'a> {
             .collect();
         let mut centres = self.centres(&stands, rows * columns);
         if !centres.iter().any(|centre| centre.0.is_finite()) {
-            return Err(SpatialMisfit::NothingReached);
+            return Err(Misfit::NothingReached);
         }
         centres.retain(|centre| centre.0.is_finite());
         centres.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -370,7 +375,7 @@ impl<'a> Search<'a> {
 
     /// The answer at a refined place; where a limit is overstepped between samples, at the place next to it that was refined
     /// within limits so much narrower. `None` where no class sweeps the zone in one go.
-    fn judge(&self, candidate: &Candidate, coarse: Score) -> Option<SpatialPlacement> {
+    fn judge(&self, candidate: &Candidate, coarse: Score) -> Option<Solution> {
         let mut narrower = 0.0;
         let mut stand = candidate.stand;
         for _ in 0..NARROWINGS {
@@ -389,7 +394,7 @@ impl<'a> Search<'a> {
     }
 
     /// The answer at a stand, by the best class that sweeps the zone.
-    fn judge_stand(&self, stand: &Stand, coarse: Score) -> Result<SpatialPlacement, Unswept> {
+    fn judge_stand(&self, stand: &Stand, coarse: Score) -> Result<Solution, Unswept> {
         let mut order: Vec<(Score, usize)> =
             self.scores(stand, &Grid::of(self.zone, CELLS[2])).into_iter().zip(0..).collect();
         order.retain(|(score, _)| score.is_feasible());
@@ -399,7 +404,7 @@ impl<'a> Search<'a> {
     }
 
     /// The same in one class, with samples so fine that halving their distance changes little.
-    fn judge_class(&self, stand: &Stand, place: usize, coarse: Score) -> Result<SpatialPlacement, Unswept> {
+    fn judge_class(&self, stand: &Stand, place: usize, coarse: Score) -> Result<Solution, Unswept> {
         let score = |grid: &Grid| self.class_score(stand, grid, place).ok_or(Unswept::Impossible);
         let mut cells = CELLS[2];
         let mut before = score(&Grid::of(self.zone, cells / 2))?;
@@ -430,8 +435,8 @@ impl<'a> Search<'a> {
         sweep: &Sweep,
         coarse: Score,
         halving: f64,
-    ) -> Option<SpatialPlacement> {
-        let tool = &self.options.flange_from_tool;
+    ) -> Option<Solution> {
+        let tool = &self.arm.flange_from_tool;
         let judged = sweep.joints.iter().map(|q| compliance(self.robot, q, tool).ok());
         let judged: Vec<_> = judged.collect::<Option<_>>()?;
         let worst = judged.iter().map(|posture| posture.compliance.worst());
@@ -441,8 +446,9 @@ impl<'a> Search<'a> {
         let worst_point =
             Rotation3::from_axis_angle(&Vector3::z_axis(), sweep.bearing) * patch.point(stand, grid.points[at]);
         let from_axis_1 = points().map(|point| point.xy().norm()).fold(f64::INFINITY, f64::min);
+        let reaches = |axis: usize| points().any(|point| point[axis] < -OUTSIDE);
         let half_turn = |angle: f64| angle.rem_euclid(PI);
-        Some(SpatialPlacement {
+        Some(Solution {
             deflection: value * self.options.force,
             lower_bound: 0.0,
             centre: [stand.x, stand.z],
@@ -453,6 +459,7 @@ impl<'a> Search<'a> {
             configuration: class,
             worst_point: worst_point.into(),
             from_axis_1,
+            outside: Outside { below: reaches(2), behind: reaches(0) },
             worst_joints: sweep.joints[at],
             worst_shares: judged[at].shares(&direction),
             limit_margin: sweep.limit_margin,

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::{SpatialOptions, wrapped};
+use super::{Question, wrapped};
 use crate::interval::Interval;
 use crate::inverse::{CLEARANCE, Configuration, SLACK, postures, third_within_limits};
 use crate::limits::ThirdAxis;
@@ -43,7 +43,7 @@ pub(super) enum Unswept {
 pub(super) fn sweep(
     robot: &Robot,
     arm: &SpatialArm,
-    asked: &SpatialOptions,
+    asked: &Question,
     zone: Zone,
     stand: &Stand,
     grid: &Grid,

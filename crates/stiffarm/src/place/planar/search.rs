@@ -12,7 +12,7 @@ use nalgebra::Vector2;
 use super::boxes::{
     BOX_SLACK, Node, core, corners, cosine_over, hull, least_half_extents, least_span, meets, product, split,
 };
-use super::{Orientation, PlaceError, PlaceOptions, Placement, Within, exact, turned};
+use super::{Orientation, PlaceError, Question, Solution, Within, exact, turned};
 use crate::interval::Interval;
 use crate::plane::{ElbowSide, PlanarArm, RadialCompliance, SLACK, Shape};
 use crate::task::Zone;
@@ -55,12 +55,12 @@ impl Found {
 pub(super) struct Search<'a> {
     arm: &'a PlanarArm,
     sides: &'a [ElbowSide],
-    options: &'a PlaceOptions,
+    options: &'a Question,
     sigma: RadialCompliance,
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(arm: &'a PlanarArm, sides: &'a [ElbowSide], options: &'a PlaceOptions) -> Self {
+    pub(super) fn new(arm: &'a PlanarArm, sides: &'a [ElbowSide], options: &'a Question) -> Self {
         Self { arm, sides, options, sigma: arm.radial() }
     }
 
@@ -69,7 +69,7 @@ impl<'a> Search<'a> {
     }
 
     /// The best place to the gap asked for; `None` is a proof that there is no place.
-    pub(super) fn best(&self, zone: Zone) -> Result<Option<Placement>, PlaceError> {
+    pub(super) fn best(&self, zone: Zone) -> Result<Option<Solution>, PlaceError> {
         Ok(self.run(zone, self.options.gap)?.map(|(found, lower)| self.report(zone, found, lower)))
     }
 
@@ -409,7 +409,7 @@ impl<'a> Search<'a> {
         best
     }
 
-    fn report(&self, zone: Zone, found: Found, lower: f64) -> Placement {
+    fn report(&self, zone: Zone, found: Found, lower: f64) -> Solution {
         let shape = zone.shape(found.centre);
         let (near, far) = (shape.nearest(), shape.farthest());
         let worst = if self.sigma.at(near.norm()) <= self.sigma.at(far.norm()) { far } else { near };
@@ -423,7 +423,7 @@ impl<'a> Search<'a> {
             Zone::Circle { .. } => 0.0,
             Zone::Rectangle { .. } => found.turn.rem_euclid(PI),
         };
-        Placement {
+        Solution {
             deflection: found.compliance * self.options.force,
             lower_bound: lower * self.options.force,
             centre: centre.into(),

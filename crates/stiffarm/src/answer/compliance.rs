@@ -2,8 +2,10 @@
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use serde_json::Value;
 
+use super::words::{self, fixed, percentages};
+use super::{Cell, Column, ColumnKind, Datum, Record, Rows, Table, columns_of, field, line, with_schema};
 use crate::compliance::{Posture, PostureError, compliance};
 use crate::robot::{Arm, Robot};
 use crate::space::SpatialArm;
@@ -22,31 +24,110 @@ pub struct RowError {
     pub error: PostureError,
 }
 
-/// One posture, given by the joint angles that the robot reports, deg; with a force, N, the deflection under it.
-pub fn posture(robot: &Robot, joints_deg: &[f64; 6], posture: &Posture, force: Option<&Vector3<f64>>) -> Value {
-    let rows = |size: usize, at: &dyn Fn(usize, usize) -> f64| -> Value {
-        (0..size).map(|i| (0..size).map(|j| at(i, j)).collect::<Value>()).collect()
-    };
-    let (translation, whole) = (posture.compliance.translation(), posture.compliance.0);
-    let (_, worst) = posture.compliance.worst();
-    let mut answer = json!({
-        "robot": robot.name,
-        "model": "spatial",
-        "joints_deg": joints_deg,
-        "tcp_m": posture.tool.translation.vector.as_slice(),
-        "compliance_um_per_n": rows(3, &|i, j| translation[(i, j)] * 1e6),
-        "compliance_6x6_si": rows(6, &|i, j| whole[(i, j)]),
-        "principal_um_per_n": posture.compliance.principal().map(|(value, _)| value * 1e6),
-        "worst_direction": worst.as_slice(),
-        "worst_shares": posture.shares(&worst),
-    });
-    if let Some(force) = force {
-        let (moved, turned) = posture.compliance.deflection(&Wrench::force(*force));
-        answer["force_n"] = json!(force.as_slice());
-        answer["deflection_mm"] = json!((moved * 1e3).as_slice());
-        answer["rotation_mrad"] = json!((turned * 1e3).as_slice());
+/// The answer of `compliance`, with what was asked.
+#[derive(Clone, Debug)]
+pub struct ComplianceAnswer {
+    /// Which robot.
+    pub robot: Robot,
+    /// The joint angles that it reports, deg, as they were given.
+    pub joints_deg: [f64; 6],
+    /// What was found.
+    pub posture: Posture,
+    /// A force at the tool point, base axes, N.
+    pub force: Option<Vector3<f64>>,
+}
+
+impl ComplianceAnswer {
+    /// Translation, m, and rotation, rad, under the force.
+    pub fn deflection(&self) -> Option<(Vector3<f64>, Vector3<f64>)> {
+        self.force.map(|force| self.posture.compliance.deflection(&Wrench::force(force)))
     }
-    answer
+
+    /// Every field.
+    pub fn record(&self) -> Record {
+        let Self { robot, joints_deg, posture, force } = self;
+        let (translation, whole) = (posture.compliance.translation(), posture.compliance.0);
+        let (_, worst) = posture.compliance.worst();
+        let by_rows = |size: usize, at: &dyn Fn(usize, usize) -> f64| {
+            Datum::Numbers((0..size * size).map(|n| Some(at(n / size, n % size))).collect())
+        };
+        let moved = self.deflection();
+        let mut record = Record::new();
+        record
+            .put(field::ROBOT, &robot.name)
+            .put(field::MODEL, "spatial")
+            .put(field::JOINTS, *joints_deg)
+            .put(field::TCP, posture.tool.translation.vector.as_slice())
+            .put(field::COMPLIANCE, by_rows(3, &|i, j| translation[(i, j)]))
+            .put(field::COMPLIANCE_6X6, by_rows(6, &|i, j| whole[(i, j)]))
+            .put(field::PRINCIPAL, posture.compliance.principal().map(|(value, _)| value))
+            .put(field::WORST_DIRECTION, worst.as_slice())
+            .put(field::WORST_SHARES, posture.shares(&worst))
+            .put(field::FORCE_VECTOR, force.as_ref().map(Vector3::as_slice))
+            .put(field::MOVED, moved.as_ref().map(|moved| moved.0.as_slice()))
+            .put(field::TURNED, moved.as_ref().map(|moved| moved.1.as_slice()));
+        record
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        with_schema("compliance", &self.record())
+    }
+
+    /// The 6 x 6 matrix for a spreadsheet: from each force and moment to translation and rotation, SI.
+    pub fn rows(&self) -> Rows<'static> {
+        let mut columns = columns_of(&field::ENTRY);
+        columns.extend(
+            ["x_m", "y_m", "z_m", "rx_rad", "ry_rad", "rz_rad"].map(|name| Column::new(name, ColumnKind::Number)),
+        );
+        let names = ["fx_n", "fy_n", "fz_n", "mx_nm", "my_nm", "mz_nm"];
+        let row = |(i, name): (usize, &str)| {
+            let numbers = self.posture.compliance.0.column(i).iter().map(|x| Cell::Number(*x)).collect::<Vec<_>>();
+            std::iter::once(Cell::Text(name.into())).chain(numbers).collect()
+        };
+        Rows::new(columns, names.into_iter().enumerate().map(row).collect())
+    }
+
+    /// For people.
+    pub fn table(&self) -> Table {
+        let Self { robot, joints_deg, posture, .. } = self;
+        let mut lines = vec![
+            line("robot", words::robot(robot)),
+            line("joints as reported", format!("{} deg", joints_deg.map(|angle| angle.to_string()).join(", "))),
+            line("tool point from the base", format!("{} m", vector(&posture.tool.translation.vector, 4))),
+        ];
+        for (name, (value, direction)) in
+            ["stiffest direction", "", "worst direction"].into_iter().zip(posture.compliance.principal())
+        {
+            lines.push(line(name, format!("{} um/N along {}", fixed(value * 1e6, 4), vector(&direction, 3))));
+        }
+        let (_, worst) = posture.compliance.worst();
+        lines.push(line("share of drives 1-6", percentages(&posture.shares(&worst))));
+        for (i, name) in ["compliance x, y, z", "", ""].into_iter().enumerate() {
+            let row = posture.compliance.translation().row(i).map(|x| fixed(x * 1e6, 4));
+            lines.push(line(name, format!("{} um/N", row.iter().cloned().collect::<Vec<_>>().join(", "))));
+        }
+        if let (Some(force), Some((moved, turned))) = (self.force, self.deflection()) {
+            lines.push(line("force", format!("{} N", vector(&force, 1))));
+            let whole = moved.norm() * 1e3;
+            lines.push(line("deflection", format!("{} mm, {whole:.4} mm in all", vector(&(moved * 1e3), 4))));
+            lines.push(line("rotation", format!("{} mrad", vector(&(turned * 1e3), 4))));
+            if 0.0 < force.norm() {
+                let shares = percentages(&posture.shares(&force.normalize()));
+                lines.push(line("share of drives 1-6 along the force", shares));
+            }
+        }
+        Table::of_lines(lines)
+    }
+
+    /// What stands below the table.
+    pub const NOTES: &'static str =
+        "base axes: x forward, y left, z up; all six drives compliant, everything else rigid\n";
+}
+
+/// Three numbers, rounded.
+pub fn vector(v: &Vector3<f64>, digits: usize) -> String {
+    format!("{}, {}, {}", fixed(v.x, digits), fixed(v.y, digits), fixed(v.z, digits))
 }
 
 /// The largest translation per force in any direction, um/N, at many postures, given by the joint angles that the robot

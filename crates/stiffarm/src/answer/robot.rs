@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::Object;
+use super::{Object, Record, Rows, field};
 use crate::catalogue::microradians;
 use crate::geometry::Geometry;
 use crate::interval::Interval;
@@ -40,6 +40,34 @@ pub fn sheet(robot: &Robot) -> Value {
     }
     put("source", json!(robot.source));
     Value::Object(sheet)
+}
+
+/// What is listed of a robot.
+fn entry(robot: &Robot) -> Record {
+    // The reader of robot files refuses limits that contradict each other, the only ones without links in a plane.
+    let arm = robot.two_links().ok().map(|plane| plane.arm);
+    let mut record = Record::new();
+    record
+        .put(field::VENDOR, &robot.vendor)
+        .put(field::ROBOT, &robot.name)
+        .put(field::ARCHITECTURE, robot.architecture.name())
+        .put(field::STATUS, robot.status.name())
+        .put(field::PAYLOAD, robot.payload_kg)
+        .put(field::REACH, robot.reach)
+        .put(field::L2, arm.as_ref().map(|arm| arm.l2))
+        .put(field::L3, arm.as_ref().map(|arm| arm.l3))
+        .put(field::FLOOR, robot.arm_plane().ok().map(|plane| plane.arm.radial().floor()))
+        .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
+        .put(field::MASS, robot.mass_kg)
+        .put(field::REPEATABILITY, robot.repeatability);
+    record
+}
+
+/// Robots for a spreadsheet, a row each.
+pub fn list(robots: &[Robot]) -> Rows<'static> {
+    let records: Vec<Record> = robots.iter().map(entry).collect();
+    let columns = records.first().map(Record::columns).unwrap_or_default();
+    Rows::new(columns, records.iter().map(Record::cells).collect())
 }
 
 /// In degrees; null where an end is open.

@@ -1,0 +1,52 @@
+//! The robot, the zone and the map of an answer, ready to be drawn.
+
+use stiffarm::map::Posture;
+use stiffarm::model::Model;
+use stiffarm::robot::{Arm, Robot};
+
+use crate::figures::scene::{Scene, ZoneMark};
+use crate::figures::view3d::ArmMark;
+
+/// The arm in a posture, seen from its right side, on its base; lengths from the base.
+pub(super) fn scene(model: &Model, posture: Option<Posture>, zone: Option<ZoneMark>) -> Scene {
+    let robot = model.robot();
+    let mut points = links(model, posture).into_iter();
+    Scene {
+        axis: points.next().unwrap_or_else(|| robot.axis_2()),
+        links: points.collect(),
+        link: link(robot),
+        base: model.knows_base().then_some([0.0; 2]),
+        zone,
+    }
+}
+
+/// The joint-2 axis and what follows it, forwards and up.
+fn links(model: &Model, posture: Option<Posture>) -> Vec<[f64; 2]> {
+    match (model, posture) {
+        (Model::Planar(model), Some(Posture::Plane(angles))) => model.points(angles).to_vec(),
+        (Model::Spatial(_), Some(_)) => {
+            let arm = arm(model, posture, None);
+            arm.iter().flat_map(|arm| &arm.points).skip(1).map(|([x, _, z], _)| [*x, *z]).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The arm in space; `shares` is what each drive gives of the deflection.
+pub(super) fn arm(model: &Model, posture: Option<Posture>, shares: Option<&[f64; 6]>) -> Option<ArmMark> {
+    match (model, posture?) {
+        (Model::Planar(model), Posture::Plane(angles)) => Some(ArmMark::planar(model, angles)),
+        (Model::Spatial(model), Posture::Joints(q)) => {
+            ArmMark::posed(model.robot(), &q, model.flange_from_tool(), shares)
+        }
+        (Model::Planar(_), Posture::Joints(_)) | (Model::Spatial(_), Posture::Plane(_)) => None,
+    }
+}
+
+/// The length of a link, for the size of what is drawn beside it.
+fn link(robot: &Robot) -> f64 {
+    match &robot.arm {
+        Arm::SixAxis { geometry, .. } => f64::midpoint(geometry.c2, geometry.l3()),
+        Arm::Planar(arm) => f64::midpoint(arm.l2, arm.l3),
+    }
+}

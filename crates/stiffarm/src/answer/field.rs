@@ -1,0 +1,261 @@
+//! What can be told, each thing once: its key, its unit, and what it is.
+
+/// A unit as answers tell it; inside, everything is SI.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// A number of its own.
+    One,
+    /// m.
+    Metre,
+    /// mm, from m.
+    Millimetre,
+    /// deg, from rad.
+    Degree,
+    /// mrad, from rad.
+    Milliradian,
+    /// N.
+    Newton,
+    /// um/N, from m/N.
+    MicrometrePerNewton,
+    /// kg.
+    Kilogram,
+}
+
+impl Unit {
+    /// A number in SI as it is told; what is zero has no sign.
+    pub fn told(self, si: f64) -> f64 {
+        match self {
+            Self::One | Self::Metre | Self::Newton | Self::Kilogram => si + 0.0,
+            Self::Millimetre | Self::Milliradian => si * 1e3 + 0.0,
+            Self::Degree => si.to_degrees() + 0.0,
+            Self::MicrometrePerNewton => si * 1e6 + 0.0,
+        }
+    }
+
+    /// As it is written.
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::One => "1",
+            Self::Metre => "m",
+            Self::Millimetre => "mm",
+            Self::Degree => "deg",
+            Self::Milliradian => "mrad",
+            Self::Newton => "N",
+            Self::MicrometrePerNewton => "um/N",
+            Self::Kilogram => "kg",
+        }
+    }
+}
+
+/// What a field holds, and under which headings its parts stand in a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Words.
+    Text,
+    /// Yes or no.
+    Truth,
+    /// How many, or which one.
+    Count,
+    /// A number.
+    Number(Unit),
+    /// Several numbers in a fixed order.
+    Numbers {
+        /// Of each.
+        unit: Unit,
+        /// Heading of each in a table.
+        columns: &'static [&'static str],
+        /// So many stand together in a list of lists; 0 where there is one list.
+        nested: usize,
+    },
+    /// What has fields of its own, or is a list; in no table.
+    Nested,
+}
+
+/// One thing that can be told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Field {
+    /// The key in JSON, and the heading of its column; its ending is its unit.
+    pub key: &'static str,
+    /// What it holds.
+    pub kind: Kind,
+    /// What it is, in one line.
+    pub about: &'static str,
+}
+
+impl Field {
+    const fn new(key: &'static str, kind: Kind, about: &'static str) -> Self {
+        Self { key, kind, about }
+    }
+
+    /// Its unit, where it holds numbers.
+    pub const fn unit(&self) -> Option<Unit> {
+        match self.kind {
+            Kind::Number(unit) | Kind::Numbers { unit, .. } => Some(unit),
+            Kind::Text | Kind::Truth | Kind::Count | Kind::Nested => None,
+        }
+    }
+}
+
+const fn numbers(unit: Unit, columns: &'static [&'static str]) -> Kind {
+    Kind::Numbers { unit, columns, nested: 0 }
+}
+
+macro_rules! fields {
+    ($($name:ident: $key:literal, $kind:expr, $about:literal;)*) => {
+        $(#[doc = $about] pub const $name: Field = Field::new($key, $kind, $about);)*
+
+        /// All of them.
+        pub const ALL: &[Field] = &[$($name),*];
+    };
+}
+
+fields! {
+    ROBOT: "robot", Kind::Text, "The maker's name for the robot.";
+    VENDOR: "vendor", Kind::Text, "The maker.";
+    ARCHITECTURE: "architecture", Kind::Text, "serial or quasi-serial.";
+    ARCHITECTURE_ASSUMED: "architecture_assumed", Kind::Truth, "Nothing says that it is of this architecture.";
+    STATUS: "status", Kind::Text, "How well the robot's numbers are known.";
+    TASK: "task", Kind::Text, "The zone as it was asked for.";
+    MODEL: "model", Kind::Text, "planar or spatial.";
+    FORCE: "force_n", Kind::Number(Unit::Newton), "The cutting force.";
+    TOOL: "tool_mm", numbers(Unit::One, &["tool_x_mm", "tool_y_mm", "tool_z_mm", "tool_rx_deg", "tool_ry_deg", "tool_rz_deg"]),
+        "The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg.";
+    TOOL_DIRECTION: "tool_direction_deg", Kind::Number(Unit::Degree), "The tool axis above the horizontal.";
+    WITHIN: "within_m", Kind::Numbers { unit: Unit::Metre, columns: &["within_x0_m", "within_x1_m", "within_z0_m", "within_z1_m"], nested: 2 },
+        "Where the zone may stand; null where it is open.";
+    FEASIBLE: "feasible", Kind::Truth, "There is a place; null where it is not known.";
+    REASON: "reason", Kind::Text, "Why there is no place, or it is not known.";
+    PROVED: "proved", Kind::Truth, "That there is no place is proved.";
+    LARGEST_SCALE: "largest_feasible_scale", Kind::Number(Unit::One), "The largest scale at which a zone of this shape has a place.";
+    DEFLECTION: "deflection_mm", Kind::Number(Unit::Millimetre), "The worst deflection in the zone at its best place.";
+    LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No allowed place has less.";
+    X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base.";
+    Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
+    BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
+    YAW: "yaw_deg", Kind::Number(Unit::Degree), "Of the zone's plane about the vertical.";
+    ANGLE: "angle_deg", Kind::Number(Unit::Degree), "Of the first side of a rectangle.";
+    ROLL: "roll_deg", Kind::Number(Unit::Degree), "About the tool axis.";
+    SHOULDER: "shoulder", Kind::Text, "front or back.";
+    ELBOW: "elbow", Kind::Text, "up or down.";
+    WRIST: "wrist", Kind::Text, "no flip or flip.";
+    WORST_POINT: "worst_point_m", numbers(Unit::Metre, &["worst_x_m", "worst_y_m", "worst_z_m"]), "Where in the zone the deflection is largest.";
+    FROM_AXIS_1: "from_axis_1_m", Kind::Number(Unit::Metre), "Distance of the zone's nearest point from the joint-1 axis.";
+    BELOW_BASE: "below_base", Kind::Truth, "Part of the zone lies below the base.";
+    BEHIND_AXIS_1: "behind_axis_1", Kind::Truth, "Part of the zone lies behind the joint-1 axis.";
+    WORST_JOINTS: "worst_joints_deg", numbers(Unit::Degree, &["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]),
+        "Joint angles at the worst point as the robot reports them.";
+    WORST_SHARES: "worst_shares", numbers(Unit::One, &["share_1", "share_2", "share_3", "share_4", "share_5", "share_6"]),
+        "What each drive gives of the worst deflection; adds up to 1.";
+    LIMIT_MARGIN: "limit_margin_deg", Kind::Number(Unit::Degree), "The smallest distance of any joint to its limits in the zone.";
+    LIMIT_MARGIN_JOINT: "limit_margin_joint", Kind::Count, "That joint; 0 is the angle between the links.";
+    SINGULAR_MARGIN: "singular_margin_deg", Kind::Number(Unit::Degree), "The smallest angle to a singular posture in the zone.";
+    RESOLUTION: "resolution", Kind::Nested, "How finely a place was looked for.";
+    COARSE_STEP: "coarse_step_m", Kind::Number(Unit::Metre), "Distance between the places of the coarse search.";
+    COARSE: "coarse_mm", Kind::Number(Unit::Millimetre), "The best value of the coarse search.";
+    FINE_STEP: "fine_step_m", Kind::Number(Unit::Metre), "The last step of the refinement.";
+    FINE_TURN: "fine_turn_deg", Kind::Number(Unit::Degree), "The last turn of the refinement.";
+    SAMPLE_STEP: "sample_step_m", Kind::Number(Unit::Metre), "Distance between the poses in the zone.";
+    SAMPLES: "samples", Kind::Count, "How many they are.";
+    HALVING: "halving", Kind::Number(Unit::One), "By how much the value grew when that distance was halved last, relative.";
+    BOXES: "boxes", Kind::Count, "Boxes of places behind the lower bound.";
+    TOLERANCE: "tolerance_mm", Kind::Number(Unit::One), "The largest deflection that is acceptable.";
+    PASS: "pass", Kind::Truth, "The tolerance is kept.";
+    MARGIN: "margin_mm", Kind::Number(Unit::One), "What is left of the tolerance.";
+    RANK: "rank", Kind::Count, "From 1; none for a robot that is estimated, or of which nothing is known.";
+    PLANAR_RANK: "planar_rank", Kind::Count, "The rank in the planar ranking of the same robots and tasks.";
+    BOUND: "bound_mm", Kind::Number(Unit::Millimetre), "Deflection at the stiffest posture of the links.";
+    MEAN_RATIO: "mean_ratio", Kind::Number(Unit::One), "How much worse than the best of each task, geometric mean.";
+    TASKS: "tasks", Kind::Nested, "The tasks as they were asked for.";
+    CELLS: "cells", Kind::Nested, "One placement per task.";
+    ROWS: "rows", Kind::Nested, "One entry per row.";
+    WINNERS: "winners", Kind::Nested, "Who is best at each task.";
+    BEST: "best", Kind::Text, "The best robot of which no number is assumed.";
+    BEST_WITH_ESTIMATED: "best_with_estimated", Kind::Text, "The best robot of all.";
+    BEST_SERIAL: "best_serial", Kind::Text, "The best serial robot.";
+    BEST_QUASI_SERIAL: "best_quasi_serial", Kind::Text, "The best quasi-serial robot.";
+    SUMMARY: "summary", Kind::Nested, "What a manager would read.";
+    JOINTS: "joints_deg", numbers(Unit::One, &["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]), "Joint angles as the robot reports them, deg.";
+    TCP: "tcp_m", numbers(Unit::Metre, &["tcp_x_m", "tcp_y_m", "tcp_z_m"]), "The tool point.";
+    COMPLIANCE: "compliance_um_per_n", Kind::Numbers { unit: Unit::MicrometrePerNewton, columns: &[], nested: 3 }, "From force to translation, base axes.";
+    COMPLIANCE_6X6: "compliance_6x6_si", Kind::Numbers { unit: Unit::One, columns: &[], nested: 6 }, "From wrench to translation and rotation, base axes, SI.";
+    PRINCIPAL: "principal_um_per_n", numbers(Unit::MicrometrePerNewton, &[]), "Principal compliances, ascending.";
+    WORST_DIRECTION: "worst_direction", numbers(Unit::One, &[]), "The unit direction of the last of them.";
+    FORCE_VECTOR: "force_n", numbers(Unit::Newton, &["fx_n", "fy_n", "fz_n"]), "The force at the tool point, base axes.";
+    MOVED: "deflection_mm", numbers(Unit::Millimetre, &["dx_mm", "dy_mm", "dz_mm"]), "The translation under it.";
+    TURNED: "rotation_mrad", numbers(Unit::Milliradian, &["rx_mrad", "ry_mrad", "rz_mrad"]), "The rotation under it.";
+    SIZE: "d", Kind::Number(Unit::One), "The size over l2 + l3.";
+    MU: "mu_l3_over_l2", Kind::Number(Unit::One), "The link ratio; null where every contender has its best.";
+    IS_BEST: "best", Kind::Truth, "The link ratio is the best.";
+    K2: "k2", Kind::Number(Unit::One), "Compliance of drive 2 over the reference.";
+    K3: "k3", Kind::Number(Unit::One), "Compliance of drive 3 over the reference.";
+    ACCURACY: "accuracy", Kind::Number(Unit::One), "The worst deflection over k F (l2 + l3)^2; null where the zone does not fit.";
+    BOUNDARIES: "boundaries", Kind::Nested, "Sizes at which the better architecture changes.";
+    BETTER_BELOW: "better_below", Kind::Text, "The better contender for smaller tasks.";
+    BETTER_ABOVE: "better_above", Kind::Text, "The better contender for larger tasks.";
+    WORST: "worst_mm", Kind::Number(Unit::Millimetre), "Deflection under the force in its worst direction.";
+    DIRECTED: "deflection_mm", Kind::Number(Unit::Millimetre), "Deflection under the force in the direction asked for.";
+    DIRECTION: "direction_deg", Kind::Number(Unit::Degree), "Of the force in the arm plane, from straight ahead.";
+    ROLL_TOLERANCE: "roll_tolerance", Kind::Number(Unit::One), "How much more than at the best roll a point may tell, relative.";
+    POSTURE: "posture", Kind::Text, "The configuration that holds a point.";
+    ZONE: "zone", Kind::Nested, "The best placement of the task that was given.";
+    PAYLOAD: "payload_kg", Kind::Number(Unit::Kilogram), "Nominal payload.";
+    REACH: "reach_m", Kind::Number(Unit::Metre), "Reach by the data sheet, from the joint-1 axis.";
+    L2: "l2_m", Kind::Number(Unit::Metre), "Upper arm.";
+    L3: "l3_m", Kind::Number(Unit::Metre), "Elbow to wrist centre.";
+    FLOOR: "bound_um_per_n", Kind::Number(Unit::MicrometrePerNewton), "Compliance at the stiffest posture of the links; null where the planar model does not hold.";
+    MASS: "mass_kg", Kind::Number(Unit::Kilogram), "Mass of the arm.";
+    REPEATABILITY: "repeatability_mm", Kind::Number(Unit::Millimetre), "Repeatability by the data sheet.";
+    SOURCE: "source", Kind::Text, "Where it is published.";
+    ITEM: "item", Kind::Text, "What it is of.";
+    CELL: "cell", Kind::Text, "Which number.";
+    PRINTED: "printed", Kind::Text, "As it is printed.";
+    COMPUTED: "computed", Kind::Number(Unit::One), "As it is computed.";
+    AGREES: "agrees", Kind::Truth, "The two agree to the digits that are printed.";
+    NOTE: "note", Kind::Text, "Why they do not.";
+    FILE: "file", Kind::Text, "The robot file.";
+    USABLE: "usable", Kind::Truth, "It can be used.";
+    LINE: "line", Kind::Count, "From 1.";
+    KEY: "key", Kind::Text, "What it is called.";
+    MESSAGE: "message", Kind::Text, "What is wrong or odd.";
+    VALUE: "value", Kind::Text, "As people read it.";
+    ENTRY: "row", Kind::Text, "Which row of a matrix.";
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ending_of_a_key_is_the_unit_of_its_numbers() {
+        for field in ALL {
+            let ending = match field.unit() {
+                Some(Unit::Metre) => "_m",
+                Some(Unit::Millimetre) => "_mm",
+                Some(Unit::Degree) => "_deg",
+                Some(Unit::Milliradian) => "_mrad",
+                Some(Unit::Newton) => "_n",
+                Some(Unit::MicrometrePerNewton) => "_um_per_n",
+                Some(Unit::Kilogram) => "_kg",
+                Some(Unit::One) | None => "",
+            };
+            assert!(field.key.ends_with(ending), "{field:?}");
+            assert!(field.about.ends_with('.') && field.about.is_ascii(), "{field:?}");
+            if let Kind::Numbers { columns, .. } = field.kind {
+                assert!(columns.is_empty() || 1 < columns.len(), "{field:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_are_told_in_their_unit() {
+        for (unit, si, told) in [
+            (Unit::Millimetre, 0.0025, 2.5),
+            (Unit::Degree, std::f64::consts::PI, 180.0),
+            (Unit::MicrometrePerNewton, 3e-6, 3.0),
+            (Unit::Milliradian, 0.5, 500.0),
+            (Unit::Metre, 1.5, 1.5),
+        ] {
+            assert!((unit.told(si) - told).abs() < 1e-12, "{unit:?}");
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! What is told? Every answer once: its fields, its verdict, its sentences. Every face prints from here.
+//!
+//! A [`Record`] holds fields with their values; [`Rows`] are typed columns for spreadsheets and data frames; a [`Table`] is
+//! what people read. A number is the same to the last bit wherever it is shown, and every position counts from the robot's base:
+//! x forward, y left, z up. Beside [`catalogue`](crate::catalogue) and [`request`](crate::question) the only module in which mm and
+//! degrees exist.
+
+pub mod compliance;
+pub mod field;
+pub mod map;
+pub mod place;
+pub mod rank;
+mod record;
+pub mod robot;
+mod rows;
+pub mod study;
+pub mod words;
+
+use serde_json::{Value, json};
+
+pub use compliance::ComplianceAnswer;
+pub use field::{Field, Kind, Unit};
+pub use map::MapAnswer;
+pub use place::{PlaceAnswer, Verdict};
+pub use rank::RankAnswer;
+pub use record::{Datum, Record, columns_of};
+pub use rows::{Cell, Column, ColumnKind, Rows};
+pub use study::StudyAnswer;
+pub use words::fixed;
+
+/// Keys in the order in which they are told.
+type Object = serde_json::Map<String, Value>;
+
+/// The version of what keys and columns mean. 1 (before 0.2.0): planar positions counted from the joint-2 axis, and keys were
+/// left out where nothing was known. 2: every position counts from the robot's base, and every key is told.
+pub const SCHEMA: usize = 2;
+
+/// Where every position in an answer counts from.
+pub const ORIGIN: &str = "robot base, x forward, y left, z up";
+
+/// What a program must know to read an answer.
+pub fn schema(verb: &str) -> Value {
+    json!({ "version": SCHEMA, "verb": verb, "origin": ORIGIN, "units": "the ending of each key" })
+}
+
+/// An answer as JSON: its schema, then its fields.
+pub fn with_schema(verb: &str, record: &Record) -> Value {
+    let mut object = Object::new();
+    object.insert("schema".into(), schema(verb));
+    if let Value::Object(fields) = record.json() {
+        object.extend(fields);
+    }
+    Value::Object(object)
+}
+
+/// What people read: headings, and rows of words.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Table {
+    /// One per column; blank where the first column names what stands beside it.
+    pub headings: Vec<String>,
+    /// As many words each as there are headings.
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// A table without rows.
+    pub fn new<S: Into<String>>(headings: impl IntoIterator<Item = S>) -> Self {
+        Self { headings: headings.into_iter().map(Into::into).collect(), rows: Vec::new() }
+    }
+
+    /// Names on the left, what they say on the right.
+    pub fn of_lines(lines: impl IntoIterator<Item = Line>) -> Self {
+        Self { headings: vec![String::new(); 2], rows: lines.into_iter().map(Into::into).collect() }
+    }
+
+    /// Rows as people read them, to the last digit.
+    pub fn of_rows(rows: &Rows) -> Self {
+        let words = |row: std::borrow::Cow<'_, [Cell]>| row.iter().map(Cell::to_string).collect();
+        let headings = rows.columns().iter().map(|column| column.name.clone()).collect();
+        Self { headings, rows: rows.iter().map(words).collect() }
+    }
+
+    /// Adds a row.
+    pub fn row<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
+        self.rows.push(cells.into_iter().map(Into::into).collect());
+    }
+}
+
+/// A name and what it says.
+pub type Line = [String; 2];
+
+/// A line of both.
+pub fn line(name: impl Into<String>, says: impl Into<String>) -> Line {
+    [name.into(), says.into()]
+}

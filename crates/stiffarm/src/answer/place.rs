@@ -1,0 +1,343 @@
+//! How is a placement told?
+
+use serde_json::Value;
+
+use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm, window};
+use super::{Datum, Line, Record, Rows, Table, field, line, with_schema, words};
+use crate::interval::Interval;
+use crate::model::ModelKind;
+use crate::place::{Outside, PlaceError, PlaceOptions, Placed, Placement, Resolution, SpaceHold, Stance, Within};
+use crate::robot::Robot;
+use crate::task::Task;
+
+/// Whether a tolerance is kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Verdict {
+    /// The deflection is no larger than the tolerance.
+    pub passes: bool,
+    /// What is left of the tolerance, mm; negative where it is not kept.
+    pub margin_mm: f64,
+}
+
+impl Verdict {
+    /// Of a deflection, m, against a tolerance, mm.
+    pub fn of(deflection: f64, tolerance_mm: f64) -> Self {
+        let told = deflection * 1e3;
+        Self { passes: told <= tolerance_mm, margin_mm: tolerance_mm - told }
+    }
+
+    /// `pass` or `fail`.
+    pub const fn word(self) -> &'static str {
+        if self.passes { "pass" } else { "fail" }
+    }
+}
+
+/// The answer of `place`, with what was asked.
+#[derive(Clone, Debug)]
+pub struct PlaceAnswer {
+    /// Which robot.
+    pub robot: Robot,
+    /// Under which model.
+    pub model: ModelKind,
+    /// Which zone.
+    pub task: Task,
+    /// What else was asked.
+    pub options: PlaceOptions,
+    /// What was found.
+    pub placed: Placed,
+    /// The largest deflection that is acceptable, mm.
+    pub tolerance_mm: Option<f64>,
+}
+
+impl PlaceAnswer {
+    /// Every field.
+    pub fn record(&self) -> Record {
+        let Self { robot, model, task, options, placed, tolerance_mm } = self;
+        cell(robot, task, (model, options), Ok(placed), *tolerance_mm)
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        with_schema("place", &self.record())
+    }
+
+    /// One row for a spreadsheet.
+    pub fn rows(&self) -> Rows<'static> {
+        let record = self.record();
+        Rows::new(record.columns(), vec![record.cells()])
+    }
+
+    /// For people.
+    pub fn table(&self) -> Table {
+        let Self { robot, model, task, options, placed, .. } = self;
+        let mut lines = vec![line("robot", words::robot(robot))];
+        let zone = format!("{} ({})", task.label, task.zone.describe());
+        match model {
+            ModelKind::Planar => lines.push(line("task", zone)),
+            ModelKind::Spatial(flange_from_tool) => {
+                lines.push(line("task", format!("{zone}, {}", direction(self.elevation()))));
+                lines.push(line("tool", tool(flange_from_tool)));
+            }
+        }
+        lines.push(line("force", words::load(options.load, model)));
+        lines.push(line("allowed place", window(&allowed(model, options))));
+        match placed {
+            Placed::Feasible(best) => lines.extend(self.lines(best)),
+            Placed::Infeasible { reason, is_proved, largest_scale } => {
+                let proof =
+                    if *is_proved && largest_scale.is_none() { "; it is proved that there is none" } else { "" };
+                lines.push(line("no place", format!("{reason}{proof}")));
+                lines.extend(largest_scale.map(|scale| line("largest zone of this shape", largest(task, scale))));
+            }
+        }
+        Table::of_lines(lines)
+    }
+
+    /// What stands below the table.
+    pub fn notes(&self) -> &'static str {
+        match self.model {
+            ModelKind::Planar => "",
+            ModelKind::Spatial(_) => {
+                "all six drives compliant, everything else rigid; the robot's own body and the table are not known: collisions are not checked\n"
+            }
+        }
+    }
+
+    fn elevation(&self) -> f64 {
+        self.options.stance.unwrap_or_else(Stance::tool_down).elevation
+    }
+
+    fn lines(&self, best: &Placement) -> Vec<Line> {
+        let [x, z] = best.centre;
+        let mut lines = vec![
+            line("worst deflection in the zone", format!("{:.4} mm", best.deflection * 1e3)),
+            line("no place has less than", proof(best)),
+            line("centre from the base", format!("x {x:.4} m, z {z:.4} m")),
+        ];
+        lines.extend(outside(best).map(|note| line("note", note)));
+        match best.space() {
+            None => {
+                lines.push(line("angle of the first side", degrees(best.angle)));
+                lines.push(line("elbow", best.elbow.name()));
+            }
+            Some(hold) => lines.extend(self.stance_lines(best, hold)),
+        }
+        let [wx, wy, wz] = best.worst_point.map(|part| fixed(part, 4));
+        let [near, far] = [format!("x {wx} m"), format!("z {wz} m")];
+        let worst = if best.space().is_some() { format!("{near}, y {wy} m, {far}") } else { format!("{near}, {far}") };
+        lines.push(line("worst point", worst));
+        lines.extend(best.space().into_iter().flat_map(hold_lines));
+        if let Some(tolerance) = self.tolerance_mm {
+            let verdict = Verdict::of(best.deflection, tolerance);
+            let says = format!("{}, margin {} mm", verdict.word(), fixed(verdict.margin_mm, 4));
+            lines.push(line(format!("tolerance {tolerance} mm"), says));
+        }
+        lines
+    }
+
+    fn stance_lines(&self, best: &Placement, hold: &SpaceHold) -> Vec<Line> {
+        let mut lines = Vec::new();
+        if hold.bearing != 0.0 {
+            let turned = format!("{} about the joint-1 axis, where its limits allow the zone", degrees(hold.bearing));
+            lines.push(line("turned", turned));
+        }
+        if !self.elevation().to_degrees().abs().eq(&90.0) {
+            lines.push(line("yaw of the zone's plane", degrees(hold.yaw)));
+        }
+        lines.push(line("angle of the first side", degrees(best.angle)));
+        lines.push(line("roll of the tool", degrees(hold.roll)));
+        lines.push(line("posture", hold.configuration.to_string()));
+        if best.from_axis_1 < COLUMN {
+            let near = format!("{:.2} m; the robot's own base stands there, --within keeps away", best.from_axis_1);
+            lines.push(line("nearest to the joint-1 axis", near));
+        }
+        lines
+    }
+}
+
+/// Where the zone may stand, with what a model takes where nothing is said.
+pub(super) fn allowed(model: &ModelKind, options: &PlaceOptions) -> Within {
+    options.within.unwrap_or(match model {
+        ModelKind::Planar => Within::ANYWHERE,
+        ModelKind::Spatial(_) => Within::AHEAD,
+    })
+}
+
+fn hold_lines(hold: &SpaceHold) -> Vec<Line> {
+    let joints = hold.joints.map(|angle| fixed(angle.to_degrees(), 1));
+    let (margin, joint) = hold.limit_margin;
+    let which = if joint == 0 { "the angle between the links".into() } else { format!("joint {joint}") };
+    let found = &hold.resolution;
+    let coarse = if found.coarse.is_finite() {
+        format!("best {:.4} mm", found.coarse * 1e3)
+    } else {
+        "no whole zone there".to_owned()
+    };
+    vec![
+        line("joints there, as reported", format!("{} deg", joints.join(", "))),
+        line("share of drives 1-6", percentages(&hold.shares)),
+        line("nearest limit", format!("{which}, {} away", degrees(margin))),
+        line("nearest singular posture", format!("{} away", degrees(hold.singular_margin))),
+        line(
+            "search",
+            format!(
+                "grid of {:.0} mm ({coarse}), refined to {:.2} mm and {:.3} deg",
+                found.coarse_step * 1e3,
+                found.fine_step * 1e3,
+                found.fine_turn.to_degrees()
+            ),
+        ),
+        line(
+            "poses in the zone",
+            format!(
+                "{}, at most {:.1} mm apart; halving that changed the value by {:.2} %",
+                found.samples,
+                found.sample_step * 1e3,
+                found.halving * 100.0
+            ),
+        ),
+    ]
+}
+
+/// The lower bound and how far it lies from the value.
+fn proof(best: &Placement) -> String {
+    let (gap, lower) = (best.gap(), best.lower_bound * 1e3);
+    match best.space().map(|hold| hold.resolution.boxes) {
+        None if gap < 1e-11 => format!("{lower:.4} mm (exact)"),
+        None => format!("{lower:.4} mm (gap {gap:.1e})"),
+        Some(boxes) if best.lower_bound <= 0.0 && 0.0 < gap => format!("nothing is proved ({boxes} boxes)"),
+        Some(boxes) => format!("{lower:.4} mm (proved with {boxes} boxes; gap {:.1} %)", 100.0 * gap),
+    }
+}
+
+/// Says where a place lies partly below the base or behind the joint-1 axis: reached, but rarely meant.
+fn outside(best: &Placement) -> Option<String> {
+    let Outside { below, behind } = best.outside;
+    let place = match (below, behind) {
+        (false, false) => return None,
+        (true, false) => "below the base",
+        (false, true) => "behind the joint-1 axis",
+        (true, true) => "below the base and behind the joint-1 axis",
+    };
+    Some(format!("part of it lies {place}; --within 0..,0.. keeps it in front of and above the base"))
+}
+
+/// How large a zone of the shape would fit.
+fn largest(task: &Task, scale: f64) -> String {
+    if scale == 0.0 {
+        "none: no zone of this shape fits, however small".into()
+    } else {
+        format!("{scale:.4} of the size asked for ({})", task.zone.scaled(scale).describe())
+    }
+}
+
+/// One zone of one robot: the same fields whatever the model and whatever was found.
+pub(super) fn cell(
+    robot: &Robot,
+    task: &Task,
+    (model, options): (&ModelKind, &PlaceOptions),
+    placed: Result<&Placed, &PlaceError>,
+    tolerance_mm: Option<f64>,
+) -> Record {
+    let best = placed.ok().and_then(Placed::feasible);
+    let mut record = Record::new();
+    record
+        .put(field::ROBOT, &robot.name)
+        .put(field::VENDOR, &robot.vendor)
+        .put(field::ARCHITECTURE, robot.architecture.name())
+        .put(field::STATUS, robot.status.name())
+        .put(field::TASK, &task.label)
+        .put(field::MODEL, model.name())
+        .put(field::FORCE, options.load.newtons());
+    asked(&mut record, model, options);
+    outcome(&mut record, placed);
+    record
+        .put(field::DEFLECTION, best.map(|best| best.deflection))
+        .put(field::LOWER_BOUND, best.map(|best| best.lower_bound))
+        .put(field::X, best.map(|best| best.centre[0]))
+        .put(field::Z, best.map(|best| best.centre[1]));
+    held(&mut record, best);
+    record
+        .put(field::TOLERANCE, tolerance_mm)
+        .put(
+            field::PASS,
+            placed
+                .ok()
+                .and(tolerance_mm)
+                .map(|tolerance| best.is_some_and(|best| Verdict::of(best.deflection, tolerance).passes)),
+        )
+        .put(
+            field::MARGIN,
+            tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance).margin_mm),
+        );
+    record
+}
+
+/// What was asked of a model, with what it takes where nothing was said.
+fn asked(record: &mut Record, model: &ModelKind, options: &PlaceOptions) {
+    let flange_from_tool = match model {
+        ModelKind::Planar => None,
+        ModelKind::Spatial(flange_from_tool) => Some(flange_from_tool),
+    };
+    let stance = options.stance.unwrap_or_else(Stance::tool_down);
+    let Within { x, z } = allowed(model, options);
+    let ends = |range: Interval| [range.min(), range.max()].map(|end| end.is_finite().then_some(end));
+    record
+        .put(field::TOOL, flange_from_tool.map(tool_mm))
+        .put(field::TOOL_DIRECTION, flange_from_tool.map(|_| stance.elevation))
+        .put(field::WITHIN, Datum::Numbers([ends(x), ends(z)].concat()));
+}
+
+/// Whether there is a place, and why not.
+fn outcome(record: &mut Record, placed: Result<&Placed, &PlaceError>) {
+    let (feasible, reason, proved, scale) = match placed {
+        Ok(Placed::Feasible(_)) => (Some(true), None, None, None),
+        Ok(Placed::Infeasible { reason, is_proved, largest_scale }) => {
+            (Some(false), Some(reason.to_string()), Some(*is_proved), *largest_scale)
+        }
+        Err(error) => (None, Some(error.to_string()), None, None),
+    };
+    record
+        .put(field::FEASIBLE, feasible)
+        .put(field::REASON, reason)
+        .put(field::PROVED, proved)
+        .put(field::LARGEST_SCALE, scale);
+}
+
+/// How the zone stands and what holds it.
+fn held(record: &mut Record, best: Option<&Placement>) {
+    let hold = best.and_then(Placement::space);
+    let of = |value: fn(&SpaceHold) -> f64| hold.map(value);
+    record
+        .put(field::BEARING, of(|hold| hold.bearing))
+        .put(field::YAW, of(|hold| hold.yaw))
+        .put(field::ANGLE, best.map(|best| best.angle))
+        .put(field::ROLL, of(|hold| hold.roll))
+        .put(field::SHOULDER, hold.map(|hold| hold.configuration.shoulder.name()))
+        .put(field::ELBOW, best.map(|best| best.elbow.name()))
+        .put(field::WRIST, hold.map(|hold| hold.configuration.wrist.name()))
+        .put(field::WORST_POINT, best.map(|best| best.worst_point))
+        .put(field::FROM_AXIS_1, best.map(|best| best.from_axis_1))
+        .put(field::BELOW_BASE, best.map(|best| best.outside.below))
+        .put(field::BEHIND_AXIS_1, best.map(|best| best.outside.behind))
+        .put(field::WORST_JOINTS, hold.map(|hold| hold.joints))
+        .put(field::WORST_SHARES, hold.map(|hold| hold.shares))
+        .put(field::LIMIT_MARGIN, of(|hold| hold.limit_margin.0))
+        .put(field::LIMIT_MARGIN_JOINT, hold.map(|hold| hold.limit_margin.1))
+        .put(field::SINGULAR_MARGIN, of(|hold| hold.singular_margin))
+        .put(field::RESOLUTION, hold.map(|hold| resolution(&hold.resolution)));
+}
+
+fn resolution(found: &Resolution) -> Record {
+    let mut record = Record::new();
+    record
+        .put(field::COARSE_STEP, found.coarse_step)
+        .put(field::COARSE, found.coarse.is_finite().then_some(found.coarse))
+        .put(field::FINE_STEP, found.fine_step)
+        .put(field::FINE_TURN, found.fine_turn)
+        .put(field::SAMPLE_STEP, found.sample_step)
+        .put(field::SAMPLES, found.samples)
+        .put(field::HALVING, found.halving)
+        .put(field::BOXES, found.boxes);
+    record
+}

@@ -1,0 +1,433 @@
+//! How is a ranking told?
+
+use std::fmt::Write as _;
+
+use serde_json::{Value, json};
+
+use super::place::{Verdict, allowed, cell};
+use super::words::{self, COLUMN, fixed};
+use super::{Record, Rows, Table, columns_of, field, with_schema};
+use crate::drive::Architecture;
+use crate::model::ModelKind;
+use crate::place::{PlaceOptions, Placement, Stance};
+use crate::rank::{Cell, Ranking, Row};
+use crate::robot::{Robot, Status};
+
+/// A remark names no more robots than this.
+const MOST_NAMED: usize = 12;
+
+/// The answer of `rank`, with what was asked.
+#[derive(Clone, Debug)]
+pub struct RankAnswer {
+    /// What was found.
+    pub ranking: Ranking,
+    /// What was asked of every placement.
+    pub options: PlaceOptions,
+    /// The largest deflection that is acceptable, mm.
+    pub tolerance_mm: Option<f64>,
+}
+
+impl RankAnswer {
+    /// Every field.
+    pub fn record(&self) -> Record {
+        let Ranking { tasks, load, model, .. } = &self.ranking;
+        let mut record = Record::new();
+        record
+            .put(field::TASKS, json!(tasks.iter().map(|task| &task.label).collect::<Vec<_>>()))
+            .put(field::FORCE, load.newtons())
+            .put(field::MODEL, model.name())
+            .put(field::ROWS, self.rows_json())
+            .put(field::WINNERS, self.winners())
+            .put(field::SUMMARY, json!(self.sentences()));
+        record
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        with_schema("rank", &self.record())
+    }
+
+    fn rows_json(&self) -> Value {
+        let rows = self.ranking.rows.iter().zip(self.ranking.ranks());
+        let told = rows.map(|(row, rank)| {
+            let cells: Value = self.cells(row).map(|cell| cell.json()).collect();
+            let mut record = Record::new();
+            record
+                .put(field::ROBOT, &row.robot.name)
+                .put(field::VENDOR, &row.robot.vendor)
+                .put(field::ARCHITECTURE, row.robot.architecture.name())
+                .put(field::ARCHITECTURE_ASSUMED, row.robot.architecture_is_assumed)
+                .put(field::STATUS, row.robot.status.name())
+                .extend(self.standing(row, rank))
+                .put(field::CELLS, cells);
+            record.json()
+        });
+        told.collect()
+    }
+
+    /// Where a robot stands among the others.
+    fn standing(&self, row: &Row, rank: Option<usize>) -> Record {
+        let planar_rank = self.ranking.in_plane.as_ref().and_then(|planar| planar.rank_of(&row.robot));
+        let mut record = Record::new();
+        record
+            .put(field::RANK, rank)
+            .put(field::PLANAR_RANK, planar_rank)
+            .put(field::BOUND, row.floor)
+            .put(field::MEAN_RATIO, row.mean_ratio);
+        record
+    }
+
+    /// One record per task of a robot.
+    fn cells<'a>(&'a self, row: &'a Row) -> impl Iterator<Item = Record> + 'a {
+        let Ranking { tasks, model, .. } = &self.ranking;
+        tasks.iter().zip(&row.cells).map(move |(task, placed)| {
+            cell(&row.robot, task, (model, &self.options), placed.as_ref(), self.tolerance_mm)
+        })
+    }
+
+    fn winners(&self) -> Value {
+        let Ranking { tasks, .. } = &self.ranking;
+        let told = tasks.iter().enumerate().map(|(task, asked)| {
+            let name = |row: Option<&Row>| row.map(|row| row.robot.name.clone());
+            let of = |architecture| name(self.ranking.best(task, |robot| robot.architecture == architecture));
+            let mut record = Record::new();
+            record
+                .put(field::TASK, &asked.label)
+                .put(field::BEST, name(self.ranking.best_published(task)))
+                .put(field::BEST_WITH_ESTIMATED, name(self.ranking.best(task, |_| true)))
+                .put(field::BEST_SERIAL, of(Architecture::Serial))
+                .put(field::BEST_QUASI_SERIAL, of(Architecture::QuasiSerial));
+            record.json()
+        });
+        told.collect()
+    }
+
+    /// One row per robot and task, for a spreadsheet.
+    pub fn rows(&self) -> Rows<'static> {
+        let mut columns =
+            [field::RANK, field::PLANAR_RANK, field::BOUND, field::MEAN_RATIO].map(|f| columns_of(&f)).concat();
+        let mut rows = Vec::new();
+        for (row, rank) in self.ranking.rows.iter().zip(self.ranking.ranks()) {
+            for record in self.cells(row) {
+                if rows.is_empty() {
+                    columns.extend(record.columns());
+                }
+                rows.push([self.standing(row, rank).cells(), record.cells()].concat());
+            }
+        }
+        Rows::new(columns, rows)
+    }
+
+    /// For people: one row per robot.
+    pub fn table(&self) -> Table {
+        let Ranking { tasks, rows, in_plane, .. } = &self.ranking;
+        let mut headings: Vec<String> = ["#", "robot", "architecture", "status"].map(Into::into).into();
+        if in_plane.is_none() {
+            headings.push("bound mm".into());
+        }
+        headings.extend(tasks.iter().map(|task| format!("{} mm", task.label)));
+        headings.push("mean ratio".into());
+        if in_plane.is_some() {
+            headings.push("planar #".into());
+        }
+        let mut table = Table::new(headings);
+        for (row, rank) in rows.iter().zip(self.ranking.ranks()) {
+            let robot = &row.robot;
+            let estimated = robot.status == Status::Estimated;
+            let or_none = |rank: Option<usize>| {
+                let none = if estimated { "~" } else { "n/a" };
+                rank.map_or_else(|| none.to_owned(), |rank| rank.to_string())
+            };
+            let mut cells = vec![
+                or_none(rank),
+                format!("{}{}", robot.full_name(), if estimated { " ~" } else { "" }),
+                words::architecture(robot),
+                robot.status.to_string(),
+            ];
+            if in_plane.is_none() {
+                cells.push(row.floor.map_or_else(|| "n/a".to_owned(), |floor| fixed(floor * 1e3, 3)));
+            }
+            cells.extend((0..tasks.len()).map(|task| self.told(row, task)));
+            cells.push(row.mean_ratio.map_or_else(|| "-".into(), |ratio| fixed(ratio, 3)));
+            cells.extend(in_plane.as_ref().map(|planar| or_none(planar.rank_of(robot))));
+            table.row(cells);
+        }
+        table
+    }
+
+    /// `1.234`, marked when it is the best of its column, with the margin where a tolerance is given.
+    fn told(&self, row: &Row, task: usize) -> String {
+        let Some(deflection) = row.deflection(task) else {
+            return match &row.cells[task] {
+                Ok(_) => "-".into(),
+                Err(error) if error.is_not_of_the_plane() => "n/a".into(),
+                Err(_) => "?".into(),
+            };
+        };
+        let is = |best: Option<&Row>| best.is_some_and(|best| best.robot == row.robot);
+        let published = self.ranking.best_published(task);
+        let beats =
+            row.robot.status == Status::Estimated && is(self.ranking.best(task, |_| true)) && published.is_some();
+        let mark = match (is(published), beats) {
+            (true, _) => "*",
+            (false, true) => "~",
+            (false, false) => "",
+        };
+        let verdict = self.tolerance_mm.map_or_else(String::new, |tolerance| {
+            let verdict = Verdict::of(deflection, tolerance);
+            format!(" {} {:+.3}", verdict.word(), verdict.margin_mm)
+        });
+        format!("{}{mark}{verdict}", fixed(deflection * 1e3, 3))
+    }
+
+    /// What stands above the table.
+    pub fn heading(&self) -> String {
+        let newtons = self.ranking.load.newtons();
+        match &self.ranking.model {
+            ModelKind::Planar => {
+                let gap = self.options.gap.unwrap_or(crate::place::GAP);
+                format!(
+                    "Worst deflection inside each zone at its best place, {newtons} N in the worst direction, planar model; proved to {gap}\n"
+                )
+            }
+            ModelKind::Spatial(_) => format!(
+                "Worst deflection inside each flat zone at its best place, {newtons} N in the worst direction, spatial model\n{}\n",
+                self.stance()
+            ),
+        }
+    }
+
+    /// How the tool is held, and where zones may stand.
+    pub fn stance(&self) -> String {
+        let within = words::window(&allowed(&self.ranking.model, &self.options));
+        match &self.ranking.model {
+            ModelKind::Planar => format!("zones {within}"),
+            ModelKind::Spatial(tool) => {
+                let elevation = self.options.stance.unwrap_or_else(Stance::tool_down).elevation;
+                format!("{}, tool {}; zones within {within}", words::direction(elevation), words::tool(tool))
+            }
+        }
+    }
+
+    /// What stands below the table: what the marks mean, and what is odd.
+    pub fn notes(&self) -> String {
+        let Ranking { rows, in_plane, .. } = &self.ranking;
+        let has = |status| rows.iter().any(|row| row.robot.status == status);
+        let mut notes = String::from("* best of the robots of which no number is assumed");
+        if has(Status::Estimated) {
+            notes += "; ~ estimated robot: it cannot win, even where its value is smaller";
+        }
+        notes += match in_plane {
+            None => "; - the zone does not fit (`stiffarm place` says why)\n",
+            Some(_) => "; - no place was found (`stiffarm place --model spatial` says why)\n",
+        };
+        if in_plane.is_some() {
+            notes += "planar #: rank in the planar ranking of the same robots and tasks (zones in the arm plane, anywhere)\n";
+        }
+        for row in in_plane.as_ref().map_or(rows, |planar| &planar.rows) {
+            if let Some(error) = row.why_not_of_the_plane() {
+                let advice = if in_plane.is_none() { " (--model spatial)" } else { "" };
+                let _ = writeln!(notes, "n/a {}: {error}{advice}", row.robot.name);
+            }
+        }
+        let unfinished = |cell: &Cell| cell.as_ref().is_err_and(|error| !error.is_not_of_the_plane());
+        if rows.iter().any(|row| row.cells.iter().any(unfinished)) {
+            notes += "? the search for a place did not end; `stiffarm place` says between which values\n";
+        }
+        notes += &self.overloaded();
+        notes += &self.below_base();
+        notes += &self.in_column();
+        if rows.iter().any(|row| row.robot.architecture_is_assumed) {
+            notes += words::ASSUMED_ARCHITECTURE;
+        }
+        if in_plane.is_none() {
+            notes += "bound: deflection at the stiffest posture of the links; no placement of any task has less\n";
+        }
+        if has(Status::Derived) {
+            notes += "derived: partly from published figures of the same or a sister model\n";
+        }
+        if has(Status::Estimated) {
+            notes += "estimated: lengths or limits partly assumed, see `stiffarm robots show NAME`\n";
+        }
+        if in_plane.is_some() {
+            notes += &self.proof();
+            notes += "collisions are not checked\n";
+        }
+        notes
+    }
+
+    /// Counts the robots of which the force is more than the weight they are sold to carry.
+    fn overloaded(&self) -> String {
+        let held = self.ranking.load.newtons() / 9.81;
+        let rows = &self.ranking.rows;
+        let count = rows.iter().filter(|row| row.robot.payload_kg.is_some_and(|kg| kg < held)).count();
+        if count == 0 {
+            return String::new();
+        }
+        let (of, least) = (rows.len(), held.ceil());
+        format!(
+            "{count} of {of} robots are sold for less than this force ({held:.0} kg), and the usual 1 urad/(N m) per drive is that of \
+             heavy robots: --payload-kg {least}.. leaves them out\n"
+        )
+    }
+
+    /// Robots with the tasks of which the place is as `odd` says.
+    fn named(&self, odd: impl Fn(&Placement) -> bool) -> Option<String> {
+        let mut found = Vec::new();
+        for row in &self.ranking.rows {
+            let tasks: Vec<&str> = (0..row.cells.len())
+                .filter(|&task| row.placement(task).is_some_and(&odd))
+                .map(|task| self.ranking.tasks[task].label.as_str())
+                .collect();
+            if !tasks.is_empty() {
+                found.push(format!("{} on {}", row.robot.name, tasks.join(", ")));
+            }
+        }
+        let more = found.len().saturating_sub(MOST_NAMED);
+        let is_some = !found.is_empty();
+        found.truncate(MOST_NAMED);
+        let more = if more == 0 { String::new() } else { format!("; and {more} robots more") };
+        is_some.then(|| format!("{}{more}", found.join("; ")))
+    }
+
+    /// Names the places that lie partly below the base: reached, but rarely meant.
+    fn below_base(&self) -> String {
+        let named = self.named(|best| best.outside.below);
+        named.map_or_else(String::new, |names| {
+            format!("zones partly below the base (--within=..,0.. keeps them above): {names}\n")
+        })
+    }
+
+    /// Names the places in space where most robots have their own base.
+    fn in_column(&self) -> String {
+        let named = self.named(|best| best.space().is_some() && best.from_axis_1 < COLUMN);
+        named.map_or_else(String::new, |names| {
+            format!(
+                "zones within {COLUMN} m of the joint-1 axis, where the robot's own base stands (--within keeps away): {names}\n"
+            )
+        })
+    }
+
+    /// How far the values in space are from being proved best.
+    fn proof(&self) -> String {
+        let rows = &self.ranking.rows;
+        let placed = || {
+            let cells = rows.iter().flat_map(|row| (0..row.cells.len()).map(move |task| (row, task)));
+            cells.filter_map(|(row, task)| Some((100.0 * row.placement(task)?.gap(), row)))
+        };
+        let count = placed().count();
+        let near = placed().filter(|(gap, _)| *gap <= 1.0).count();
+        let widest = placed().max_by(|a, b| a.0.total_cmp(&b.0));
+        let widest = widest
+            .map_or_else(String::new, |(gap, row)| format!("; the largest gap is {gap:.1} % ({})", row.robot.name));
+        format!("coarse search, then refined; {near} of {count} values proved best to 1 %{widest}\n")
+    }
+
+    /// What a manager would read.
+    pub fn sentences(&self) -> Vec<String> {
+        let mut sentences = vec![self.winning()];
+        sentences.extend(self.elsewhere());
+        sentences.extend(self.by_architecture());
+        sentences.extend(self.estimated_rivals());
+        sentences.extend(self.tolerance_mm.map(|tolerance| self.within_tolerance(tolerance)));
+        sentences
+    }
+
+    /// The tasks of each robot that `pick` names for a task, in the order in which robots are named first.
+    fn tasks_by_robot<'a>(&self, pick: impl Fn(usize) -> Option<&'a Row>) -> Vec<(&'a Row, Vec<usize>)> {
+        let mut found: Vec<(&Row, Vec<usize>)> = Vec::new();
+        for task in 0..self.ranking.tasks.len() {
+            let Some(picked) = pick(task) else { continue };
+            match found.iter_mut().find(|(row, _)| row.robot == picked.robot) {
+                Some((_, tasks)) => tasks.push(task),
+                None => found.push((picked, vec![task])),
+            }
+        }
+        found
+    }
+
+    fn labels(&self, tasks: &[usize]) -> String {
+        tasks.iter().map(|&task| self.ranking.tasks[task].label.as_str()).collect::<Vec<_>>().join(", ")
+    }
+
+    fn winning(&self) -> String {
+        let ranking = &self.ranking;
+        let winners = self.tasks_by_robot(|task| ranking.best_published(task));
+        if winners.is_empty() {
+            return "No robot of which all numbers are known can do any of these tasks.".into();
+        }
+        let won = |(row, tasks): &(&Row, Vec<usize>)| {
+            let told = |&task: &usize| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(row, task));
+            format!("{} for {}", row.robot.full_name(), tasks.iter().map(told).collect::<Vec<_>>().join(", "))
+        };
+        let list: Vec<String> = winners.iter().map(won).collect();
+        format!("Under {} N in the worst direction take {}.", ranking.load.newtons(), list.join("; "))
+    }
+
+    /// Where the planar model alone would have chosen another robot.
+    fn elsewhere(&self) -> Option<String> {
+        let planar = self.ranking.in_plane.as_ref()?;
+        let other = |task: usize| {
+            let best = planar.best_published(task)?;
+            let same = self.ranking.best_published(task).is_some_and(|row| row.robot == best.robot);
+            (!same).then_some(best)
+        };
+        let others: Vec<String> = self
+            .tasks_by_robot(other)
+            .iter()
+            .map(|(row, tasks)| format!("{} for {}", row.robot.full_name(), self.labels(tasks)))
+            .collect();
+        (!others.is_empty()).then(|| format!("The planar model alone would take {}.", others.join("; ")))
+    }
+
+    fn by_architecture(&self) -> Option<String> {
+        let ranking = &self.ranking;
+        let best = |task, architecture| ranking.best(task, |robot: &Robot| robot.architecture == architecture);
+        let compared = |task: usize| {
+            let (serial, quasi) = (best(task, Architecture::Serial)?, best(task, Architecture::QuasiSerial)?);
+            let show = |row: &Row| {
+                let mark = if row.robot.status == Status::Estimated { "~" } else { "" };
+                format!("{}{mark}", millimetres(row, task))
+            };
+            let sign = if serial.deflection(task) <= quasi.deflection(task) { "<" } else { ">" };
+            Some(format!("{} {} {sign} {}", ranking.tasks[task].label, show(serial), show(quasi)))
+        };
+        let cells: Vec<String> = (0..ranking.tasks.len()).filter_map(compared).collect();
+        (!cells.is_empty()).then(|| format!("Best serial against best quasi-serial, mm: {}.", cells.join("; ")))
+    }
+
+    fn estimated_rivals(&self) -> Option<String> {
+        let ranking = &self.ranking;
+        let rivals = self.tasks_by_robot(|task| {
+            let best = ranking.best(task, |_| true)?;
+            let rivals = best.robot.status == Status::Estimated && ranking.best_published(task).is_some();
+            rivals.then_some(best)
+        });
+        let rivals: Vec<String> =
+            rivals.iter().map(|(row, tasks)| format!("{} on {}", row.robot.name, self.labels(tasks))).collect();
+        (!rivals.is_empty()).then(|| {
+            format!(
+                "By estimated numbers {} would be stiffer: find its data sheet before you decide.",
+                rivals.join("; ")
+            )
+        })
+    }
+
+    fn within_tolerance(&self, tolerance: f64) -> String {
+        let keeps = |row: &&Row| {
+            (0..row.cells.len())
+                .all(|task| row.deflection(task).is_some_and(|deflection| Verdict::of(deflection, tolerance).passes))
+        };
+        let passing: Vec<&str> = self.ranking.rows.iter().filter(keeps).map(|row| row.robot.name.as_str()).collect();
+        if passing.is_empty() {
+            format!("No robot keeps {tolerance} mm on every task.")
+        } else {
+            format!("{tolerance} mm on every task: {}.", passing.join(", "))
+        }
+    }
+}
+
+/// Of a row that has a place for the task.
+fn millimetres(row: &Row, task: usize) -> String {
+    row.deflection(task).map_or_else(|| "-".to_owned(), |deflection| fixed(deflection * 1e3, 2))
+}

@@ -1,0 +1,113 @@
+//! How is a study told?
+
+use serde_json::Value;
+
+use super::words::fixed;
+use super::{Record, Rows, Table, field, with_schema};
+use crate::study::{Boundary, Contender, Row, Study};
+
+/// The answer of `study`; normalised as Table I of the paper.
+#[derive(Clone, Debug)]
+pub struct StudyAnswer(pub Study);
+
+impl StudyAnswer {
+    fn records(&self) -> impl Iterator<Item = Record> + '_ {
+        let Study { options, rows, .. } = &self.0;
+        rows.iter().map(|row| {
+            let Contender { architecture, k2, k3 } = options.contenders[row.contender];
+            let mut record = Record::new();
+            record
+                .put(field::TASK, &options.tasks[row.task].label)
+                .put(field::SIZE, row.size)
+                .put(field::MU, row.ratio.map(|ratio| ratio.mu))
+                .put(field::IS_BEST, row.ratio.is_none_or(|ratio| ratio.is_best))
+                .put(field::ARCHITECTURE, architecture.name())
+                .put(field::K2, k2)
+                .put(field::K3, k3)
+                .put(field::ACCURACY, row.accuracy);
+            record
+        })
+    }
+
+    fn boundaries(&self) -> Value {
+        let Study { options, boundaries, .. } = &self.0;
+        let told = boundaries.iter().map(|boundary| {
+            let mut record = Record::new();
+            record
+                .put(field::TASK, &options.tasks[boundary.task].label)
+                .put(field::MU, boundary.mu)
+                .put(field::SIZE, boundary.size)
+                .put(field::BETTER_BELOW, options.name(boundary.below))
+                .put(field::BETTER_ABOVE, options.name(1 - boundary.below));
+            record.json()
+        });
+        told.collect()
+    }
+
+    /// As JSON: every accuracy, and where the better contender changes.
+    pub fn json(&self) -> Value {
+        let mut record = Record::new();
+        record
+            .put(field::ROWS, self.records().map(|record| record.json()).collect::<Value>())
+            .put(field::BOUNDARIES, self.boundaries());
+        with_schema("study", &record)
+    }
+
+    /// Every accuracy, for a spreadsheet.
+    pub fn rows(&self) -> Rows<'static> {
+        let records: Vec<Record> = self.records().collect();
+        let columns = records.first().map(Record::columns).unwrap_or_default();
+        Rows::new(columns, records.iter().map(Record::cells).collect())
+    }
+
+    /// For people.
+    pub fn table(&self) -> Table {
+        let Study { options, rows, .. } = &self.0;
+        let mut headings = vec!["task".to_owned(), "mu = l3/l2".into(), "architecture".into()];
+        headings.extend(options.sizes.iter().map(|size| format!("d = {size}")));
+        let mut table = Table::new(headings);
+        let per_ratio = options.sizes.len() * 2;
+        for group in rows.chunks(per_ratio) {
+            for contender in [0, 1] {
+                let of_contender: Vec<&Row> = group.iter().filter(|row| row.contender == contender).collect();
+                let Some(first) = of_contender.first() else { continue };
+                let is_best = of_contender.iter().any(|row| row.ratio.is_none_or(|ratio| ratio.is_best));
+                let ratio = if is_best { "best".into() } else { ratio(first) };
+                let mut cells = vec![options.tasks[first.task].label.clone(), ratio, options.name(contender)];
+                cells.extend(of_contender.iter().map(|row| accuracy(row)));
+                table.row(cells);
+            }
+        }
+        table
+    }
+
+    /// What stands below the table: where the better contender changes.
+    pub fn notes(&self) -> String {
+        if self.0.boundaries.is_empty() {
+            return "The order does not change with the size.\n".into();
+        }
+        self.0.boundaries.iter().map(|boundary| self.boundary(boundary)).collect()
+    }
+
+    fn boundary(&self, boundary: &Boundary) -> String {
+        let options = &self.0.options;
+        let task = &options.tasks[boundary.task].label;
+        let ratios = boundary.mu.map_or_else(|| "each at its best ratio".into(), |mu| format!("mu = {mu}"));
+        let (below, above) = (options.name(boundary.below), options.name(1 - boundary.below));
+        format!("{task}, {ratios}: {below} is better below d/(l2+l3) = {:.4}, {above} above\n", boundary.size)
+    }
+}
+
+fn ratio(row: &Row) -> String {
+    match row.ratio {
+        Some(ratio) if ratio.is_best => format!("best {}", fixed(ratio.mu, 3)),
+        Some(ratio) => ratio.mu.to_string(),
+        None => "best -".into(),
+    }
+}
+
+/// With the link ratio where it is the best.
+fn accuracy(row: &Row) -> String {
+    let at = row.ratio.filter(|ratio| ratio.is_best).map(|ratio| format!(" (mu {:.3})", ratio.mu));
+    row.accuracy.map_or_else(|| "-".into(), |value| fixed(value, 4)) + &at.unwrap_or_default()
+}

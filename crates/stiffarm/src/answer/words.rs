@@ -1,0 +1,127 @@
+//! Numbers and choices as people read them.
+
+use crate::interval::Interval;
+use crate::load::{Component, Direction, Load};
+use crate::model::ModelKind;
+use crate::place::Within;
+use crate::robot::{Robot, Status};
+use crate::spatial::Pose;
+
+/// A zone that is nearer to the joint-1 axis, m, stands where most robots have their own base.
+pub const COLUMN: f64 = 0.3;
+
+/// Rounded for people; what rounds to zero has no sign.
+pub fn fixed(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| "0.".contains(c)) => rest.into(),
+        _ => text,
+    }
+}
+
+/// Degrees of an angle, rad, to a tenth.
+pub fn degrees(angle: f64) -> String {
+    format!("{} deg", fixed(angle.to_degrees(), 1))
+}
+
+/// Maker, name, architecture and status.
+pub fn robot(robot: &Robot) -> String {
+    format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)
+}
+
+/// Its architecture, with a question mark where nothing says that it is.
+pub fn architecture(robot: &Robot) -> String {
+    format!("{}{}", robot.architecture, if robot.architecture_is_assumed { "?" } else { "" })
+}
+
+/// Why there is a question mark.
+pub const ASSUMED_ARCHITECTURE: &str = "serial?: no parallelogram is reported, and none is ruled out\n";
+
+/// Its name, marked where its numbers are partly assumed.
+pub fn marked(robot: &Robot) -> String {
+    format!("{}{}", robot.name, if robot.status == Status::Estimated { " ~" } else { "" })
+}
+
+/// What each drive gives, in percent.
+pub fn percentages(shares: &[f64; 6]) -> String {
+    shares.map(|share| format!("{} %", fixed(share * 100.0, 1))).join(", ")
+}
+
+/// A force and the model under which it acts.
+pub fn load(load: Load, model: &ModelKind) -> String {
+    format!("{}, {} model", force(load), model.name())
+}
+
+/// A force and its direction.
+pub fn force(load: Load) -> String {
+    match load.direction() {
+        Direction::Worst => format!("{} N in its worst direction", load.newtons()),
+        Direction::InPlane(angle, _) => format!("{} N at {:.0} deg", load.newtons(), angle.to_degrees()),
+    }
+}
+
+/// What a map shows.
+pub fn mapped(load: Load) -> String {
+    let newtons = load.newtons();
+    match load.direction() {
+        Direction::Worst => format!("worst deflection under {newtons} N"),
+        Direction::InPlane(angle, component) => {
+            let part = match component {
+                Component::Total => "deflection",
+                Component::Along => "deflection along the force",
+            };
+            format!("{part} under {newtons} N at {:.0} deg", angle.to_degrees())
+        }
+    }
+}
+
+/// The tool axis, by its angle above the horizontal, rad.
+pub fn direction(elevation: f64) -> String {
+    let degrees = elevation.to_degrees();
+    if (degrees + 90.0).abs() < 1e-9 {
+        "tool down".into()
+    } else if degrees.abs() < 1e-9 {
+        "tool forward".into()
+    } else if (degrees - 90.0).abs() < 1e-9 {
+        "tool up".into()
+    } else {
+        let side = if degrees < 0.0 { "below" } else { "above" };
+        // As it was typed, not as it came out of radians.
+        format!("tool {} deg {side} the horizontal", (degrees.abs() * 1e9).round() / 1e9)
+    }
+}
+
+/// The tool frame in the flange frame.
+pub fn tool(tool: &Pose) -> String {
+    if *tool == Pose::identity() {
+        return "the flange".into();
+    }
+    let v = tool.translation.vector * 1e3;
+    let (rx, ry, rz) = tool.rotation.euler_angles();
+    let point = format!("{:.1}, {:.1}, {:.1} mm from the flange", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+    if tool.rotation.angle() < 1e-12 {
+        point
+    } else {
+        let turned = [rx, ry, rz].map(|angle| format!("{:.2}", angle.to_degrees() + 0.0));
+        format!("{point}, turned {} deg", turned.join(", "))
+    }
+}
+
+/// As `--tool-mm` takes it: x, y, z, mm, and the turns about fixed axes, deg.
+pub(crate) fn tool_mm(tool: &Pose) -> [f64; 6] {
+    let (rx, ry, rz) = tool.rotation.euler_angles();
+    let [x, y, z] = tool.translation.vector.map(|metres| metres * 1e3).into();
+    [x, y, z, rx.to_degrees(), ry.to_degrees(), rz.to_degrees()].map(|part| part + 0.0)
+}
+
+/// Where a zone may stand.
+pub fn window(within: &Within) -> String {
+    let range = |range: Interval| {
+        let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
+        format!("{}..{}", end(range.min()), end(range.max()))
+    };
+    if *within == Within::ANYWHERE {
+        return "anywhere".into();
+    }
+    format!("x {} m, z {} m from the base", range(within.x), range(within.z))
+}

@@ -1,0 +1,147 @@
+//! Deflections over a grid of the arm plane, row by row within the circles that bound what is reached.
+
+use nalgebra::Vector2;
+use rayon::prelude::*;
+
+use super::spans::{RowSpans, Scratch};
+use super::{Axis, Grid, MapError, MapOptions, PlaneGrid, Spacing};
+use crate::interval::Interval;
+use crate::load::{Component, Direction, Load};
+use crate::model::PlanarModel;
+use crate::plane::{Elbow, ElbowSide, PlanarArm, RadialCompliance};
+
+/// Shoulder and elbow angle, rad, at a point from the joint-2 axis, with the one elbow side or the first that reaches it.
+pub(super) fn posture(model: &PlanarModel, elbow: Option<Elbow>, point: [f64; 2]) -> Option<[f64; 2]> {
+    let wanted = |side: &&ElbowSide| elbow.is_none_or(|only| only == side.elbow);
+    model.sides.iter().filter(wanted).find_map(|side| side.posture(point.into())).map(<[f64; 2]>::from)
+}
+
+/// The upright box, m from the joint-2 axis, outside which the arm reaches nothing: forwards, upwards.
+///
+/// Found on a 256 x 256 grid and widened by one step, so that it holds all of the reached set that a map can show.
+///
+/// # Errors
+/// Where the arm makes no sense.
+pub(super) fn reached_box(model: &PlanarModel) -> Result<[Interval; 2], MapError> {
+    const CELLS: usize = 256;
+    let far = model.sides.iter().map(|side| side.ring.max()).fold(0.0, f64::max);
+    let axis = Axis::between(-far, far, CELLS);
+    let grid = PlaneGrid { x: axis, z: axis };
+    let mut cells = vec![0.0; CELLS * CELLS];
+    fill(model, &MapOptions::over(Spacing::Points(CELLS), Load::UNIT), &grid, &mut cells)?;
+    let map = Grid { x: axis, z: axis, cells };
+    let reached: Vec<(usize, usize)> = (0..CELLS)
+        .flat_map(|j| {
+            map.row(j).enumerate().filter(|(_, cell)| cell.is_some()).map(move |(i, _)| (i, j)).collect::<Vec<_>>()
+        })
+        .collect();
+    let span = |pick: fn(&(usize, usize)) -> usize| {
+        let (min, max) = (reached.iter().map(pick).min(), reached.iter().map(pick).max());
+        match (min, max) {
+            (Some(min), Some(max)) => Interval::spanning(axis.at(min) - axis.step, axis.at(max) + axis.step),
+            _ => Interval::spanning(-far, far),
+        }
+    };
+    Ok([span(|cell| cell.0), span(|cell| cell.1)])
+}
+
+/// The deflection, m, at every point of a grid; NaN where the arm does not reach.
+pub(super) fn fill(
+    model: &PlanarModel,
+    options: &MapOptions,
+    grid: &PlaneGrid,
+    cells: &mut [f64],
+) -> Result<(), MapError> {
+    let columns = grid.x.count;
+    assert_eq!(cells.len(), columns * grid.z.count, "one cell per grid point");
+    let mut sides = model.sides.clone();
+    if let Some(elbow) = options.elbow {
+        sides.retain(|side| side.elbow == elbow);
+        if sides.is_empty() {
+            return Err(MapError::Elbow(elbow.name()));
+        }
+    }
+    let (arm, force) = (&model.arm, options.load.newtons());
+    let spans = RowSpans::new(&sides, grid.x);
+    let block = (16_384 / columns).max(1);
+    let fill = |(number, block_cells): (usize, &mut [f64])| {
+        let first = number * block;
+        match options.load.direction() {
+            Direction::Worst => worst_rows(&arm.radial(), &spans, (grid, force), first, block_cells),
+            Direction::InPlane(angle, component) => {
+                for (j, row) in block_cells.chunks_mut(columns).enumerate() {
+                    directed_row(arm, &sides, &spans, (grid, force), (angle, component), first + j, row);
+                }
+            }
+        }
+    };
+    cells.par_chunks_mut(block * columns).enumerate().for_each(fill);
+    Ok(())
+}
+
+/// Rows from `first` on: sigma(r) over the reached spans, blank elsewhere. Vectorised with what the machine has.
+fn worst_rows(
+    sigma: &RadialCompliance,
+    spans: &RowSpans,
+    (grid, force): (&PlaneGrid, f64),
+    first: usize,
+    cells: &mut [f64],
+) {
+    // sigma F = (h0 + h1 t) + sqrt(a (t - t0)^2 + e), all scaled by F.
+    let (h0, h1) = (sigma.half_trace_0 * force, sigma.half_trace_1 * force);
+    let (a, e) = (sigma.a * force * force, sigma.e * force * force);
+    let t0 = sigma.t0;
+    let squares: &[f64] = &spans.squares;
+    let mut scratch = Scratch::default();
+    pulp::Arch::new().dispatch(|| {
+        for (j, row) in cells.chunks_mut(squares.len()).enumerate() {
+            let z = grid.z.at(first + j);
+            let z2 = z * z;
+            let mut blank_from = 0;
+            spans.reached(z, &mut scratch);
+            for span in &scratch.spans {
+                row[blank_from..span.start].fill(f64::NAN);
+                for (cell, x2) in row[span.clone()].iter_mut().zip(&squares[span.clone()]) {
+                    let t = x2 + z2;
+                    let u = t - t0;
+                    *cell = h0 + h1 * t + (a * u * u + e).sqrt();
+                }
+                blank_from = span.end;
+            }
+            row[blank_from..].fill(f64::NAN);
+        }
+    });
+}
+
+/// One row for a given direction: the smaller deflection of the sides that reach a point.
+fn directed_row(
+    arm: &PlanarArm,
+    sides: &[ElbowSide],
+    spans: &RowSpans,
+    (grid, newtons): (&PlaneGrid, f64),
+    (angle, component): (f64, Component),
+    j: usize,
+    row: &mut [f64],
+) {
+    let force = newtons * Vector2::new(angle.cos(), angle.sin());
+    let z = grid.z.at(j);
+    row.fill(f64::NAN);
+    let mut scratch = Scratch::default();
+    for (i, side) in sides.iter().enumerate() {
+        spans.reached_by(i, z, &mut scratch);
+        for span in &scratch.spans {
+            for column in span.clone() {
+                let p = Vector2::new(grid.x.at(column), z);
+                let Some(upper) = side.upper_arm(p) else {
+                    continue;
+                };
+                let moved = arm.compliance_of_links(upper, p - upper) * force;
+                let deflection = match component {
+                    Component::Total => moved.norm(),
+                    Component::Along => moved.dot(&force) / newtons,
+                };
+                row[column] = row[column].min(deflection);
+            }
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! The best place of a zone in the arm plane: exact where only the ring of distances limits it, else branch and bound.
+//!
+//! Everything here counts from the joint-2 axis.
+
+mod boxes;
+mod exact;
+mod search;
+
+use nalgebra::Vector2;
+
+pub(crate) use exact::best_near;
+
+use super::{
+    Hold, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, Within, ZonePoint, check_zone,
+};
+use crate::interval::Interval;
+use crate::model::PlanarModel;
+use crate::plane::{Elbow, PlanarArm};
+use crate::task::Zone;
+
+/// Relative distance between value and proof where none is asked for.
+pub(crate) const GAP: f64 = 1e-4;
+
+/// What is asked, in the frame of the arm plane.
+#[derive(Clone, Copy, Debug)]
+struct Question {
+    force: f64,
+    orientation: Orientation,
+    within: Within,
+    gap: f64,
+}
+
+/// The best place, in the frame of the arm plane.
+#[derive(Clone, Debug)]
+struct Solution {
+    deflection: f64,
+    lower_bound: f64,
+    centre: [f64; 2],
+    angle: f64,
+    elbow: Elbow,
+    worst_point: [f64; 2],
+    worst_posture: [f64; 2],
+}
+
+/// The best place with its certificate, or why there is none.
+pub(super) fn place(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+    let question = Question::of(model, options)?;
+    let search = search::Search::new(&model.arm, &model.sides, &question);
+    Ok(match search.best(zone)? {
+        Some(solution) => Placed::Feasible(solution.from_base(model, zone)),
+        None => infeasible(model, zone, &question, &search),
+    })
+}
+
+/// The same without a word about why there is none.
+pub(super) fn find(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
+    let question = Question::of(model, options)?;
+    let best = search::Search::new(&model.arm, &model.sides, &question).best(zone)?;
+    Ok(best.map(|solution| solution.from_base(model, zone)))
+}
+
+/// The deflection at points of a zone that has its place.
+pub(super) fn across(
+    model: &PlanarModel,
+    options: &PlaceOptions,
+    placement: &Placement,
+    points: impl IntoIterator<Item = [f64; 2]>,
+) -> Vec<ZonePoint> {
+    let ([x, z], [ahead, up], sigma) = (placement.centre, model.axis_from_base, model.arm.radial());
+    let at = |point: [f64; 2]| {
+        let moved = turned(point.into(), placement.angle);
+        let at = [x + moved.x, model.aside(), z + moved.y];
+        let from_axis_2 = (at[0] - ahead).hypot(at[2] - up);
+        ZonePoint { at, deflection: Some(sigma.at(from_axis_2) * options.load.newtons()) }
+    };
+    points.into_iter().map(at).collect()
+}
+
+impl Question {
+    fn of(model: &PlanarModel, options: &PlaceOptions) -> Result<Self, PlaceError> {
+        if options.stance.is_some() {
+            return Err(PlaceError::Inapplicable { what: "a direction of the tool", model: "spatial" });
+        }
+        let gap = options.gap.unwrap_or(GAP);
+        if !(1e-9..=0.5).contains(&gap) {
+            return Err(PlaceError::Gap(gap));
+        }
+        let within = options.within.unwrap_or(Within::ANYWHERE).seen_from(model.axis_from_base);
+        Ok(Self { force: options.load.newtons(), orientation: options.orientation, within, gap })
+    }
+}
+
+impl Solution {
+    fn from_base(self, model: &PlanarModel, zone: Zone) -> Placement {
+        let [ahead, up] = model.axis_from_base;
+        let [x, z] = self.centre;
+        let centre = [x + ahead, z + up];
+        let half = zone.half_extents(self.angle);
+        let [wx, wz] = self.worst_point;
+        Placement {
+            deflection: self.deflection,
+            lower_bound: self.lower_bound,
+            centre,
+            angle: self.angle,
+            elbow: self.elbow,
+            worst_point: [wx + ahead, model.aside(), wz + up],
+            from_axis_1: (centre[0].abs() - half.x).max(0.0),
+            outside: if model.knows_base() { Outside::of(centre, half) } else { Outside::NOWHERE },
+            hold: Hold::Plane { posture: self.worst_posture },
+        }
+    }
+}
+
+fn infeasible(model: &PlanarModel, zone: Zone, question: &Question, search: &search::Search) -> Placed {
+    let sides = search.sides();
+    let roomiest = sides.iter().max_by(|a, b| a.ring.width().total_cmp(&b.ring.width())).expect("a side");
+    let fits = sides.iter().map(|side| exact::largest_scale(side.ring, zone)).fold(0.0, f64::max);
+    let reason = if fits < 1.0 {
+        Misfit::TooLarge { ring: [roomiest.ring.min(), roomiest.ring.max()] }
+    } else if question.within == Within::ANYWHERE {
+        Misfit::Limits
+    } else {
+        let anywhere = Question { within: Within::ANYWHERE, ..*question };
+        // Undecided so near to the limit of what fits, the limits are the likelier reason.
+        if search::Search::new(&model.arm, sides, &anywhere).has_place(zone) == Some(true) {
+            Misfit::Within
+        } else {
+            Misfit::Limits
+        }
+    };
+    let largest_scale = Some(largest_scale(zone, search, fits.min(1.0)));
+    Placed::Infeasible { reason, is_proved: true, largest_scale }
+}
+
+/// The largest scale below `misfit` with a place, to 1e-4: zones of one shape nest about a common centre, so what fits is
+/// monotone in the scale. Zero where nothing of a hundredth of a millimetre fits.
+fn largest_scale(zone: Zone, search: &search::Search, mut misfit: f64) -> f64 {
+    let [first, second] = zone.sides();
+    let least = 1e-5 / first.max(second);
+    let mut fit = 0.0;
+    while least < misfit && 1e-4 * misfit < misfit - fit {
+        let scale = f64::midpoint(fit, misfit);
+        // An open answer counts as no: the scale that is reported has a place for certain.
+        if search.has_place(zone.scaled(scale)) == Some(true) {
+            fit = scale;
+        } else {
+            misfit = scale;
+        }
+    }
+    fit
+}
+
+/// The value of the best place, m/N, of a zone for an arm whose limits are left aside; `None` where it does not fit.
+///
+/// Exact: the paper's section III, where any angle of a rectangle is as good as another.
+///
+/// # Errors
+/// Where a length, a compliance or a side of the zone makes no sense.
+pub fn best_without_limits(arm: &PlanarArm, zone: Zone) -> Result<Option<f64>, PlaceError> {
+    arm.check().map_err(crate::model::ModelError::from)?;
+    check_zone(zone)?;
+    let sigma = arm.radial();
+    let ring = Interval::spanning(sigma.folded, sigma.stretched);
+    Ok(exact::stances(&sigma, ring, zone).first().map(|stance| stance.compliance))
+}
+
+/// The largest scale at which a zone fits an arm whose limits are left aside.
+pub fn largest_scale_without_limits(arm: &PlanarArm, zone: Zone) -> f64 {
+    let sigma = arm.radial();
+    exact::largest_scale(Interval::spanning(sigma.folded, sigma.stretched), zone)
+}
+
+/// `v` turned by `angle`.
+fn turned(v: Vector2<f64>, angle: f64) -> Vector2<f64> {
+    let (s, c) = angle.sin_cos();
+    Vector2::new(c * v.x - s * v.y, s * v.x + c * v.y)
+}
