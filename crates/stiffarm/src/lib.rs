@@ -16,7 +16,7 @@
 //! the borders: [`catalogue`] reads robot files, [`question`] what people ask, [`report`] tells the answers. The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`interval`], [`limits`], [`spatial`], [`geometry`], [`drive`], [`plane`], [`robot`], [`compliance`], [`catalogue`], [`task`],
-//! [`map`], [`place`], [`rank`], [`study`], [`question`], [`report`], [`ledger`]; [`plain`] keeps texts from outside on their line.
+//! [`map`], [`place`], [`rank`], [`study`], [`question`], [`report`], [`ledger`]; [`plain`] keeps texts from outside on their line, [`palette`] names the colours of all figures.
 //!
 //! # What is left out
 //! The planar model of the paper, on which all verbs but `compliance` stand: drives 2 and 3 are compliant, links, bearings, the other drives and the base are
@@ -38,6 +38,7 @@ pub mod inverse;
 pub mod ledger;
 pub mod limits;
 pub mod map;
+pub mod palette;
 pub mod place;
 pub mod plain;
 pub mod plane;
