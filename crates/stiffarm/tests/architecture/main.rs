@@ -1,5 +1,6 @@
 //! Is the house built as its map says: each module uses only those above it, no two files each other, one palette?
 
+mod colours;
 mod source;
 
 use std::collections::{BTreeMap, BTreeSet};
