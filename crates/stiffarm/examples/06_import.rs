@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let imported = import(URDF, "example_150.urdf", &options)?;
     println!("{}", imported.text);
     println!(
-        "{}: at most {:.1e} mm from the {}",
+        "{}: at most {:.1e} mm from {}",
         imported.robot.full_name(),
         imported.largest_error * 1e3,
         imported.compared_with
