@@ -41,17 +41,17 @@ impl Sources {
     fn home(&self, module: &str, path: &[String], steps: usize) -> Option<String> {
         let (first, rest) = path.split_first()?;
         let mut at = match first.as_str() {
-            "crate" => String::new(),
-            "super" => parent(module).to_owned(),
-            "self" => module.to_owned(),
+            "crate" => "",
+            "super" => parent(module),
+            "self" => module,
             _ => return self.within(module, path, steps),
         };
         let mut rest = rest;
         while rest.first().is_some_and(|word| word == "super") {
-            at = parent(&at).to_owned();
+            at = parent(at);
             rest = &rest[1..];
         }
-        if rest.is_empty() { Some(at) } else { self.within(&at, rest, steps).or(Some(at)) }
+        if rest.is_empty() { None } else { self.within(at, rest, steps) }.or_else(|| Some(at.to_owned()))
     }
 
     /// The same for a path whose first word stands in `module`: a child of it, or a name that it brings in.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 /// The words and signs of a source, without comments, strings and what is compiled for tests only.
-pub fn tokens(text: &str) -> Vec<String> {
+pub(crate) fn tokens(text: &str) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
     for word in without_comments_and_strings(text).split_whitespace() {
         let mut rest = word;
@@ -105,7 +105,7 @@ fn end_of_item(tokens: &[String], start: usize) -> usize {
 
 /// What a source says of others.
 #[derive(Debug, Default, PartialEq)]
-pub struct Uses {
+pub(crate) struct Uses {
     /// Names that `use` brings in, and their paths; behind a star the name is `*` and the module's path.
     pub names: BTreeMap<String, Vec<String>>,
     /// All paths: those of `use`, and those that stand in the code.
@@ -113,7 +113,7 @@ pub struct Uses {
 }
 
 /// Reads every `use`, and every path of two words or more.
-pub fn uses(tokens: &[String]) -> Uses {
+pub(crate) fn uses(tokens: &[String]) -> Uses {
     let mut found = Uses::default();
     let mut at = 0;
     while at < tokens.len() {
