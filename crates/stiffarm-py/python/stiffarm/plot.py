@@ -110,7 +110,9 @@ def _draw_zone(ax: Axes, zone: dict[str, Any], shown: dict[str, Any]) -> None:
 
 
 def ranking(result: Ranking, *, ax: Axes | None = None, most: int = 24) -> Axes:
-    """Deflection of every robot at its best place, task by task: serial warm and solid, quasi-serial cool and dashed, estimated pale.
+    """Deflection of every robot at its best place, task by task.
+
+    Serial robots are warm and solid, quasi-serial ones cool and dashed, estimated ones pale.
 
     Parameters
     ----------
@@ -134,7 +136,8 @@ def ranking(result: Ranking, *, ax: Axes | None = None, most: int = 24) -> Axes:
         ax.plot(result.tasks, values, dashes, marker="o", markersize=4, color=colour, alpha=alpha, label=label)
     tolerance = next((cell["tolerance_mm"] for row in rows for cell in row["cells"] if "tolerance_mm" in cell), None)
     if tolerance is not None:
-        ax.axhline(tolerance, color=_COLOUR["tolerance"], linestyle="-.", linewidth=1, label=f"tolerance {tolerance:g} mm")
+        how: dict[str, Any] = {"color": _COLOUR["tolerance"], "linestyle": "-.", "linewidth": 1}
+        ax.axhline(tolerance, label=f"tolerance {tolerance:g} mm", **how)
     ax.set_xlabel("task [m]")
     ax.set_ylabel("worst deflection at the best place [mm]")
     ax.set_ylim(bottom=0)
