@@ -15,7 +15,7 @@ print(one)
 print("deflection under 1 kN downwards [mm]:", one.deflection_mm)
 
 figure, ax = plt.subplots(layout="constrained")
-ax.hist(many.worst_um_per_n, bins=100, color="tab:blue")
+ax.hist(many.worst_um_per_n, bins=100)
 ax.set_xlabel("worst compliance [um/N]")
 ax.set_ylabel("postures [1]")
 figure.savefig("04_compliance.png", dpi=120)

@@ -14,6 +14,7 @@ mod asked;
 mod batch;
 mod json;
 mod numbers;
+mod palette;
 mod pool;
 mod robot;
 mod verbs;
@@ -38,6 +39,8 @@ mod _stiffarm {
     use super::StiffarmError;
     #[pymodule_export]
     use super::batch::{matrices, worst};
+    #[pymodule_export]
+    use super::palette::colours;
     #[pymodule_export]
     use super::pool::set_threads;
     #[pymodule_export]

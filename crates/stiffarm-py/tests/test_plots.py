@@ -45,3 +45,23 @@ def test_a_figure_is_drawn_where_it_is_wanted():
     assert plot.map(stiffarm.map("BT200L", size=20), ax=axes[1], colorbar=False) is axes[1]
     assert not axes[0].has_data() and axes[1].has_data()
     plt.close("all")
+
+
+def test_colours_are_those_of_the_program():
+    from matplotlib.colors import same_color
+
+    def shown(ax):
+        return [line.get_color() for line in ax.lines]
+
+    single, series = (dict(part) for part in stiffarm._stiffarm.palette())
+    drawn = stiffarm.rank(tasks=["A:0.1", "A:0.2"], tolerance_mm=2)
+    warm, cool = iter(series["serial_curves"]), iter(series["quasi_serial_curves"])
+    expected = [next(warm if row["architecture"] == "serial" else cool) for row in drawn.rows]
+    ax = plot.ranking(drawn)
+    assert shown(ax) == [*expected, single["tolerance"]]
+    ax = plot.map(stiffarm.map("KR 210 R2700 extra", size=20, zone="B:0.5"))
+    assert same_color(ax.patches[0].get_edgecolor(), single["zone"])
+    assert shown(ax)[-1] == single["worst_point"]
+    bands = ax.collections[0].get_cmap()
+    assert same_color(bands(0.0), series["scale"][0]) and same_color(bands(1.0), series["scale"][-1])
+    plt.close("all")

@@ -15,8 +15,9 @@
 //! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only at
 //! the borders: [`catalogue`] reads robot files, [`question`] what people ask, [`report`] tells the answers. The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
-//! The modules in reading order: [`interval`], [`limits`], [`spatial`], [`geometry`], [`drive`], [`plane`], [`robot`], [`compliance`], [`catalogue`], [`task`],
-//! [`map`], [`place`], [`rank`], [`study`], [`question`], [`report`], [`ledger`]; [`plain`] keeps texts from outside on their line.
+//! The modules in reading order: [`plain`], [`palette`], `root`, [`interval`], [`limits`], [`spatial`], [`geometry`], [`drive`], [`plane`],
+//! [`robot`], [`catalogue`], [`task`], [`inverse`], [`compliance`], [`space`], [`map`], [`place`], [`rank`], [`study`], [`ledger`],
+//! [`question`], [`report`]. Each uses only those before it.
 //!
 //! # What is left out
 //! The planar model of the paper, on which all verbs but `compliance` stand: drives 2 and 3 are compliant, links, bearings, the other drives and the base are
@@ -41,6 +42,7 @@ pub mod limits;
 pub mod load;
 pub mod map;
 pub mod model;
+pub mod palette;
 pub mod place;
 pub mod plain;
 pub mod plane;

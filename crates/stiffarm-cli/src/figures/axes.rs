@@ -1,7 +1,8 @@
 //! Scales, round ticks and the frame of a diagram.
 
+use stiffarm::palette::{FAINT, GREY, INK};
+
 use super::canvas::{Canvas, Font, Px};
-use super::{FAINT, GREY, INK};
 
 /// Size of tick labels and of axis titles, px.
 const TICK: f64 = 12.0;

@@ -1,25 +1,11 @@
 //! A field in bands of colour: their limits, the colour bar, the filled area and its iso-lines.
 
+use stiffarm::palette::{GREY, INK, on_scale};
+
 use super::axes::{label, nice_step};
 use super::canvas::{Canvas, Font, Px, path};
 use super::contour::{Grid, Line, Node};
 use super::labels::{Labelled, Spots};
-use super::{GREY, INK};
-
-/// Viridis from its light end: every step is seen as equally large, and lightness alone carries it in a grey print.
-/// Its darkest tenth is left out, so that black lines still show.
-const SHADES: [[f64; 3]; 10] = [
-    [253.0, 231.0, 37.0],
-    [189.0, 223.0, 38.0],
-    [122.0, 209.0, 81.0],
-    [68.0, 191.0, 112.0],
-    [34.0, 168.0, 132.0],
-    [33.0, 145.0, 140.0],
-    [42.0, 120.0, 142.0],
-    [53.0, 95.0, 141.0],
-    [65.0, 68.0, 135.0],
-    [72.0, 36.0, 117.0],
-];
 
 /// Bands of equal width between round limits.
 #[derive(Clone, Copy, Debug)]
@@ -51,10 +37,7 @@ impl Bands {
 
     /// The colour of the band above the `i`-th limit; light is small.
     fn colour(&self, i: usize) -> String {
-        let at = (i as f64 + 0.5) / self.count as f64 * (SHADES.len() - 1) as f64;
-        let (below, share) = ((at as usize).min(SHADES.len() - 2), at.fract());
-        let mixed = |k: usize| (SHADES[below][k] + share * (SHADES[below + 1][k] - SHADES[below][k])).round() as u8;
-        format!("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2))
+        on_scale((i as f64 + 0.5) / self.count as f64)
     }
 
     /// The bands as a scale from 0 to 1, each colour from where it begins to where it ends.
@@ -154,16 +137,5 @@ mod tests {
         }
         assert_eq!(Bands::of([1.0, 1.0]).count, 1);
         assert_eq!(Bands::of([0.0, 0.0]).count, 1);
-    }
-
-    #[test]
-    fn lighter_is_smaller_throughout() {
-        let bands = Bands::of([0.0, 10.0]);
-        let grey = |i: usize| {
-            let colour = bands.colour(i);
-            let part = |k: usize| f64::from(u8::from_str_radix(&colour[k..k + 2], 16).unwrap());
-            0.3 * part(1) + 0.59 * part(3) + 0.11 * part(5)
-        };
-        assert!((1..bands.count).all(|i| grey(i) < grey(i - 1)));
     }
 }

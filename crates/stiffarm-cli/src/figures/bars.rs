@@ -1,17 +1,16 @@
 //! Robots in order as bars, one column per task: the deflection found, what is proved, the tolerance.
 
+use stiffarm::palette::{FAINT, GREY, INK, LIMIT, QUASI_SERIAL, SERIAL, TOLERANCE};
+
+use super::WIDTH;
 use super::axes::{Axis, heading, label};
 use super::canvas::{Canvas, Font};
 use super::legend::{Entry, Legend};
-use super::{FAINT, GREY, INK, WIDTH};
 
 /// Height of a row and of its bar, px.
 const ROW: f64 = 24.0;
 const BAR: f64 = 14.0;
-/// Serial robots warm, quasi-serial ones cool; apart in a grey print, too.
-const SERIAL: &str = "#e8893a";
-const QUASI_SERIAL: &str = "#2c6fbb";
-const TOLERANCE: &str = r#"fill="none" stroke-width="1.4" stroke-dasharray="10 3 2 3""#;
+const TOLERANCE_LINE: &str = r#"fill="none" stroke-width="1.4" stroke-dasharray="10 3 2 3""#;
 
 /// One robot.
 pub(crate) struct BarRow {
@@ -99,7 +98,7 @@ impl BarsFigure {
         }
         if let Some(tolerance) = tolerance {
             let x = axis.at(tolerance);
-            canvas.line([x, top - 4.0], [x, bottom], &format!(r#"{TOLERANCE} stroke="{INK}""#));
+            canvas.line([x, top - 4.0], [x, bottom], &format!(r#"{TOLERANCE_LINE} stroke="{TOLERANCE}""#));
         }
         for (at, text) in numbers {
             canvas.text(at, &text, Font::new(12.0).halo());
@@ -127,7 +126,10 @@ impl BarsFigure {
             canvas.line([x, y - 7.0], [x, y + 7.0], &bound_look());
         }));
         if let Some(tolerance) = self.tolerance_mm {
-            entries.push(Entry::line(format!("tolerance {tolerance} mm"), format!(r#"{TOLERANCE} stroke="{INK}""#)));
+            entries.push(Entry::line(
+                format!("tolerance {tolerance} mm"),
+                format!(r#"{TOLERANCE_LINE} stroke="{TOLERANCE}""#),
+            ));
         }
         entries
     }
@@ -144,7 +146,7 @@ fn look(colour: &str, estimated: bool) -> String {
 }
 
 fn bound_look() -> String {
-    format!(r#"fill="none" stroke="{INK}" stroke-width="2""#)
+    format!(r#"fill="none" stroke="{LIMIT}" stroke-width="2""#)
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, MetadataProvider};
+use stiffarm::palette::{INK, PAPER};
 
 /// The font that comes with the program, and by which widths are measured.
 pub(super) const FONT: &str = "DejaVu Sans";
@@ -34,7 +35,7 @@ pub(super) struct Font<'a> {
 
 impl<'a> Font<'a> {
     pub(super) const fn new(size: f64) -> Self {
-        Self { size, bold: false, colour: super::INK, anchor: Anchor::Start, angle: 0.0, halo: false }
+        Self { size, bold: false, colour: INK, anchor: Anchor::Start, angle: 0.0, halo: false }
     }
 
     pub(super) const fn bold(self) -> Self {
@@ -175,9 +176,11 @@ impl Canvas {
         };
         let weight = if font.bold { r#" font-weight="bold""# } else { "" };
         let rim = if font.halo {
-            r#" stroke="white" stroke-width="3" stroke-opacity="0.85" stroke-linejoin="round" paint-order="stroke""#
+            format!(
+                r#" stroke="{PAPER}" stroke-width="3" stroke-opacity="0.85" stroke-linejoin="round" paint-order="stroke""#
+            )
         } else {
-            ""
+            String::new()
         };
         let (x, y, size, colour) = (number(at[0]), number(at[1]), number(font.size), font.colour);
         let place = if font.angle == 0.0 {
@@ -210,7 +213,7 @@ impl Canvas {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" font-family=\"{FONT}, Helvetica, Arial, sans-serif\">\n\
-             <rect width=\"{width}\" height=\"{height}\" fill=\"white\"/>\n{}</svg>\n",
+             <rect width=\"{width}\" height=\"{height}\" fill=\"{PAPER}\"/>\n{}</svg>\n",
             self.body
         )
     }

@@ -33,12 +33,6 @@ const WIDTH: f64 = 1000.0;
 /// A PNG with more pixels than this is refused before memory is taken (400 MB).
 const MOST_PIXELS: f64 = 1e8;
 
-const INK: &str = "#1a1a1a";
-const GREY: &str = "#777777";
-const FAINT: &str = "#dddddd";
-/// What must be found at once: the worst point, the best ratio.
-const ALARM: &str = "#d6001c";
-
 /// A figure that cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum FigureError {

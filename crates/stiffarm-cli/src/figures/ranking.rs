@@ -1,13 +1,12 @@
 //! Robots compared: deflection against task size, one diagram per task shape.
 
+use stiffarm::palette::{ESTIMATED, GREY, INK, QUASI_SERIAL_CURVES, SERIAL_CURVES, TOLERANCE};
+
 use super::axes::{Axis, Frame, heading};
 use super::canvas::{Canvas, Font, Px, path, rect_path};
 use super::legend::{Entry, Legend};
-use super::{FigureError, GREY, INK, WIDTH, marks};
+use super::{FigureError, WIDTH, marks};
 
-/// Serial robots: warm hues. Quasi-serial robots: cool hues. In both, neighbours differ in lightness.
-const WARM: [&str; 6] = ["#d62728", "#ff9f1c", "#8c2d04", "#e85d9c", "#c9a400", "#7f1d4f"];
-const COOL: [&str; 6] = ["#1f5fd0", "#17a398", "#3b1f8f", "#4cb5f5", "#2e7d32", "#8a7ff0"];
 const DASH: &str = r#"stroke-dasharray="7 4""#;
 
 /// How one robot does over the sizes of one task shape.
@@ -49,7 +48,7 @@ struct Style<'a> {
 
 impl Style<'_> {
     fn colour(&self) -> &'static str {
-        let hues = if self.serial { WARM } else { COOL };
+        let hues = if self.serial { SERIAL_CURVES } else { QUASI_SERIAL_CURVES };
         hues[self.number % hues.len()]
     }
 
@@ -63,7 +62,7 @@ impl Style<'_> {
     }
 
     fn mark(&self, canvas: &mut Canvas, at: Px) {
-        let fill = if self.estimated { "white" } else { self.colour() };
+        let fill = if self.estimated { ESTIMATED } else { self.colour() };
         let look = format!(r#"fill="{fill}" stroke="{}" stroke-width="1.2""#, self.colour());
         marks::mark(canvas, at, self.number, &look);
     }
@@ -180,7 +179,7 @@ fn draw_marks(canvas: &mut Canvas, style: &Style, points: &[Px]) {
 }
 
 const ASKED: &str = r#"stroke-dasharray="2 3""#;
-const TOLERANCE: &str = r#"fill="none" stroke-width="1.4" stroke-dasharray="10 3 2 3""#;
+const TOLERANCE_LINE: &str = r#"fill="none" stroke-width="1.4" stroke-dasharray="10 3 2 3""#;
 
 fn draw_tolerance(canvas: &mut Canvas, panel: &Panel, frame: &Frame) {
     let Some(tolerance) = panel.tolerance_mm.filter(|tolerance| tolerance.is_finite()) else { return };
@@ -188,7 +187,7 @@ fn draw_tolerance(canvas: &mut Canvas, panel: &Panel, frame: &Frame) {
     let font = Font::new(12.0).end().halo();
     if frame.y.contains(tolerance) {
         let y = frame.y.at(tolerance);
-        canvas.line([left, y], [right, y], &format!(r#"{TOLERANCE} stroke="{INK}""#));
+        canvas.line([left, y], [right, y], &format!(r#"{TOLERANCE_LINE} stroke="{TOLERANCE}""#));
     } else {
         canvas.text([right - 6.0, top + 11.0], &format!("tolerance {tolerance} mm: above"), font);
     }
@@ -215,7 +214,7 @@ fn draw_legends(canvas: &mut Canvas, panels: &[Panel], styles: &[Style], mut y: 
     let tolerances: Vec<f64> = panels.iter().filter_map(|panel| panel.tolerance_mm).collect();
     if let Some((low, high)) = range(tolerances.into_iter()) {
         let text = if low == high { format!("tolerance {low} mm") } else { "tolerance".into() };
-        signs.push(Entry::line(text, format!(r#"{TOLERANCE} stroke="{INK}""#)));
+        signs.push(Entry::line(text, format!(r#"{TOLERANCE_LINE} stroke="{TOLERANCE}""#)));
     }
     let legend = Legend::new(signs, WIDTH - 140.0, 3);
     legend.draw(canvas, [125.0, y]);

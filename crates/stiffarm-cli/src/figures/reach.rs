@@ -2,6 +2,7 @@
 
 use stiffarm::interval::Interval;
 use stiffarm::map::reached_box;
+use stiffarm::palette::{ELBOW_DOWN, ELBOW_DOWN_EDGE, ELBOW_UP, ELBOW_UP_EDGE};
 use stiffarm::plane::{Elbow, ElbowSide, PlanarArm};
 
 use super::axes::{Axis, Frame, heading};
@@ -16,14 +17,16 @@ use super::{FigureError, WIDTH};
 const POINTS: usize = 240;
 
 /// Look of an elbow side: its fill, and its edge, which stays apart in a print without colour.
-const UP: [&str; 2] = [
-    r##"fill="#6baed6" fill-opacity="0.45""##,
-    r##"fill="none" stroke="#2171b5" stroke-width="1.8" stroke-linejoin="round""##,
-];
-const DOWN: [&str; 2] = [
-    r##"fill="#fdae6b" fill-opacity="0.45""##,
-    r##"fill="none" stroke="#d94801" stroke-width="1.8" stroke-dasharray="7 4" stroke-linejoin="round""##,
-];
+fn look(elbow: Elbow) -> [String; 2] {
+    let (fill, edge, dash) = match elbow {
+        Elbow::Up => (ELBOW_UP, ELBOW_UP_EDGE, ""),
+        Elbow::Down => (ELBOW_DOWN, ELBOW_DOWN_EDGE, r#" stroke-dasharray="7 4""#),
+    };
+    [
+        format!(r#"fill="{fill}" fill-opacity="0.45""#),
+        format!(r#"fill="none" stroke="{edge}" stroke-width="1.8"{dash} stroke-linejoin="round""#),
+    ]
+}
 
 /// The reached section of an arm.
 pub(crate) struct ReachFigure<'a> {
@@ -62,14 +65,14 @@ impl ReachFigure<'_> {
         let mut entries = Vec::new();
         canvas.clipped(&inside, |canvas| {
             scene.floor(canvas, &frame);
-            for (elbow, look) in [(Elbow::Up, UP), (Elbow::Down, DOWN)] {
+            for elbow in [Elbow::Up, Elbow::Down] {
                 let sides: Vec<&ElbowSide> = sides.iter().filter(|side| side.elbow == elbow).collect();
                 if !sides.is_empty() {
                     let area = area(&sides, [x, z], &frame);
-                    for look in look {
-                        canvas.path(&area, look);
+                    for look in look(elbow) {
+                        canvas.path(&area, &look);
                     }
-                    entries.push(entry(elbow, look));
+                    entries.push(entry(elbow));
                 }
             }
             scene.draw_base(canvas, &frame);
@@ -92,10 +95,10 @@ impl ReachFigure<'_> {
     }
 }
 
-fn entry(elbow: Elbow, look: [&'static str; 2]) -> Entry {
+fn entry(elbow: Elbow) -> Entry {
     Entry::new(format!("reached with the elbow {}", elbow.name()), move |canvas, [x, y]| {
-        for look in look {
-            canvas.rect([x - 15.0, y - 7.0], [x + 15.0, y + 7.0], look);
+        for look in look(elbow) {
+            canvas.rect([x - 15.0, y - 7.0], [x + 15.0, y + 7.0], &look);
         }
     })
 }

@@ -2,16 +2,15 @@
 
 use std::f64::consts::TAU;
 
+use stiffarm::palette::{ARM, BASE, GROUND, INK, PAPER, WORST_POINT, ZONE};
 use stiffarm::plane::PlanarArm;
 use stiffarm::task::Zone;
 
 use super::axes::{Axis, Frame};
 use super::canvas::{Canvas, Px, path};
 use super::legend::Entry;
-use super::{ALARM, INK, marks};
+use super::marks;
 
-const LINK: &str = "#ececec";
-const HALO: &str = r#"fill="none" stroke="white" stroke-opacity="0.9" stroke-width="5" stroke-linejoin="round""#;
 const CROSS: &str = r#"stroke-linecap="round" fill="none""#;
 
 /// What is drawn over a map or a reached set; lengths in m in the axes of the diagram.
@@ -114,7 +113,7 @@ impl Scene {
         let y = frame.y.at(floor);
         for i in 0..=((right - left) / 12.0) as usize {
             let x = left + 12.0 * i as f64;
-            canvas.line([x, y + 9.0], [x + 9.0, y], r##"stroke="#999999" stroke-width="0.8""##);
+            canvas.line([x, y + 9.0], [x + 9.0, y], &format!(r#"stroke="{GROUND}" stroke-width="0.8""#));
         }
         if y < bottom {
             canvas.line([left, y], [right, y], &format!(r#"stroke="{INK}" stroke-width="1.5""#));
@@ -140,7 +139,7 @@ impl Scene {
         ];
         let placed = points.map(|[right, up]| frame.at(x + right, z + up));
         let look =
-            format!(r##"fill="#b8b8b8" fill-opacity="0.7" stroke="{INK}" stroke-width="1.2" stroke-linejoin="round""##);
+            format!(r#"fill="{BASE}" fill-opacity="0.7" stroke="{INK}" stroke-width="1.2" stroke-linejoin="round""#);
         canvas.path(&path(&placed, true), &look);
     }
 
@@ -154,16 +153,16 @@ impl Scene {
         let joints: Vec<Px> = self.joints().iter().map(|[x, z]| frame.at(*x, *z)).collect();
         // Upper arm, forearm, hand, tool; the nearer to the base the nearer to the eye.
         for (link, width) in joints.windows(2).zip([15.0, 11.0, 8.0, 5.0]).rev() {
-            for (colour, width) in [(INK, width), (LINK, width - 3.0)] {
+            for (colour, width) in [(INK, width), (ARM, width - 3.0)] {
                 let look = format!(r#"stroke="{colour}" stroke-width="{width}" stroke-linecap="round""#);
                 canvas.line(link[0], link[1], &look);
             }
         }
         for (joint, radius) in joints.iter().skip(1).zip([5.0, 4.0]) {
-            canvas.circle(*joint, radius, &format!(r#"fill="white" stroke="{INK}" stroke-width="2""#));
+            canvas.circle(*joint, radius, &format!(r#"fill="{PAPER}" stroke="{INK}" stroke-width="2""#));
         }
         let axis = frame.at(self.axis[0], self.axis[1]);
-        canvas.circle(axis, 6.0, &format!(r#"fill="white" stroke="{INK}" stroke-width="2""#));
+        canvas.circle(axis, 6.0, &format!(r#"fill="{PAPER}" stroke="{INK}" stroke-width="2""#));
         canvas.circle(axis, 2.0, &format!(r#"fill="{INK}""#));
     }
 
@@ -178,7 +177,7 @@ impl Scene {
         if let Some(mark) = &self.zone {
             let zone = mark.zone;
             entries.push(Entry::new(mark.label.clone(), move |canvas, [x, y]| {
-                let look = format!(r#"fill="none" stroke="{ALARM}" stroke-width="2.5""#);
+                let look = format!(r#"fill="none" stroke="{ZONE}" stroke-width="2.5""#);
                 match zone {
                     Zone::Circle { .. } => canvas.circle([x, y], 7.5, &look),
                     Zone::Rectangle { .. } => canvas.rect([x - 12.0, y - 6.0], [x + 12.0, y + 6.0], &look),
@@ -190,14 +189,14 @@ impl Scene {
             let text =
                 if self.links.len() == 2 { "upper arm and forearm" } else { "the arm, seen from its right side" };
             entries.push(Entry::new(text, |canvas, [x, y]| {
-                for (colour, width) in [(INK, 11.0), (LINK, 8.0)] {
+                for (colour, width) in [(INK, 11.0), (ARM, 8.0)] {
                     let look = format!(r#"stroke="{colour}" stroke-width="{width}" stroke-linecap="round""#);
                     canvas.line([x - 12.0, y], [x + 12.0, y], &look);
                 }
             }));
         }
         entries.push(Entry::new("joint-2 axis", |canvas, at| {
-            canvas.circle(at, 6.0, &format!(r#"fill="white" stroke="{INK}" stroke-width="2""#));
+            canvas.circle(at, 6.0, &format!(r#"fill="{PAPER}" stroke="{INK}" stroke-width="2""#));
             canvas.circle(at, 2.0, &format!(r#"fill="{INK}""#));
         }));
         entries
@@ -207,13 +206,16 @@ impl Scene {
 /// The rim of a zone, px.
 pub(super) fn draw_rim(canvas: &mut Canvas, points: &[Px]) {
     let d = path(points, true);
-    canvas.path(&d, HALO);
-    canvas.path(&d, &format!(r#"fill="none" stroke="{ALARM}" stroke-width="2.5" stroke-linejoin="round""#));
+    canvas.path(
+        &d,
+        &format!(r#"fill="none" stroke="{PAPER}" stroke-opacity="0.9" stroke-width="5" stroke-linejoin="round""#),
+    );
+    canvas.path(&d, &format!(r#"fill="none" stroke="{ZONE}" stroke-width="2.5" stroke-linejoin="round""#));
 }
 
 pub(super) fn worst_mark(canvas: &mut Canvas, at: Px) {
-    marks::cross(canvas, at, 6.5, &format!(r#"{CROSS} stroke="white" stroke-width="7""#));
-    marks::cross(canvas, at, 6.5, &format!(r#"{CROSS} stroke="{INK}" stroke-width="3.2""#));
+    marks::cross(canvas, at, 6.5, &format!(r#"{CROSS} stroke="{PAPER}" stroke-width="7""#));
+    marks::cross(canvas, at, 6.5, &format!(r#"{CROSS} stroke="{WORST_POINT}" stroke-width="3.2""#));
 }
 
 /// The rim of a zone as a closed line, m, with its centre and the angle of its first side, rad.

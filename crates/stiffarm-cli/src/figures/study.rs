@@ -1,15 +1,15 @@
 //! Two architectures compared over link ratio and task size, as the paper's Fig. 4 to 9.
 
+use stiffarm::palette::{BEST_RATIO, GREY, INK, PAPER, RATIOS};
+
 use super::axes::{Axis, Frame, heading};
 use super::bands::{Bands, Field};
 use super::canvas::{Canvas, Font, Px, path, rect_path};
 use super::contour::{Grid, Node};
 use super::labels::Spots;
 use super::legend::{Entry, Legend};
-use super::{ALARM, FigureError, GREY, INK, WIDTH};
+use super::{FigureError, WIDTH};
 
-/// Fixed ratios, told apart by lightness too.
-const HUES: [&str; 6] = ["#1f5fd0", "#e08a00", "#2e7d32", "#7b3fb5", "#17a3b8", "#7a5230"];
 const DASH: &str = r#"stroke-dasharray="7 4""#;
 const BOUNDARY: &str = r#"stroke-width="1.2" stroke-dasharray="2 3""#;
 const SIZE: &str = "task size d/(l₂+l₃)";
@@ -161,8 +161,11 @@ fn draw_best(canvas: &mut Canvas, frame: &Frame, best: &[(f64, f64)]) {
     let points: Vec<Px> = placed(frame, best.iter().map(|&(size, mu)| (mu, size)));
     canvas.clipped(&rect_path(corner, opposite), |canvas| {
         let d = path(&points, false);
-        canvas.path(&d, r#"fill="none" stroke="white" stroke-opacity="0.8" stroke-width="5" stroke-linejoin="round""#);
-        canvas.path(&d, &format!(r#"fill="none" stroke="{ALARM}" stroke-width="2.8" stroke-linejoin="round""#));
+        canvas.path(
+            &d,
+            &format!(r#"fill="none" stroke="{PAPER}" stroke-opacity="0.8" stroke-width="5" stroke-linejoin="round""#),
+        );
+        canvas.path(&d, &format!(r#"fill="none" stroke="{BEST_RATIO}" stroke-width="2.8" stroke-linejoin="round""#));
     });
 }
 
@@ -204,7 +207,7 @@ fn number(labels: &[&str], label: &str) -> usize {
 }
 
 fn line(is_best: bool, contender: usize, number: usize) -> String {
-    let (colour, width) = if is_best { (ALARM, 3.4) } else { (HUES[number % HUES.len()], 1.4) };
+    let (colour, width) = if is_best { (BEST_RATIO, 3.4) } else { (RATIOS[number % RATIOS.len()], 1.4) };
     let dash = if contender == 0 { "" } else { DASH };
     format!(r#"fill="none" stroke="{colour}" stroke-width="{width}" stroke-linejoin="round" {dash}"#)
 }

@@ -7,13 +7,11 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
+pub use super::import::MOST_BYTES;
 use super::import::{ImportError, ImportOptions, import};
 use super::{Faults, read};
 use crate::plain::on_one_line;
 use crate::robot::Robot;
-
-/// No larger file is read: robot files have some kilobytes, the URDFs of whole cells less than this.
-pub const MOST_BYTES: usize = 4 << 20;
 
 /// A file or folder that is not read.
 #[derive(Debug, thiserror::Error)]

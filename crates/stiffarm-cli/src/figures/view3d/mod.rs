@@ -9,6 +9,7 @@ pub(crate) use arm::ArmMark;
 
 use serde_json::Value;
 use stiffarm::map::Grid;
+use stiffarm::palette::{INK, PAPER, PROSE};
 
 /// No more points per side of a map are drawn: a browser turns some ten thousand smoothly.
 const MOST_POINTS: usize = 240;
@@ -109,10 +110,10 @@ impl View {
 <title>{title}</title>
 <style>
 html, body {{ height: 100%; margin: 0; }}
-body {{ display: flex; flex-direction: column; font-family: "DejaVu Sans", Verdana, sans-serif; color: {ink}; background: white; }}
+body {{ display: flex; flex-direction: column; font-family: "DejaVu Sans", Verdana, sans-serif; color: {INK}; background: {PAPER}; }}
 header {{ padding: 14px 22px 0; }}
 h1 {{ font-size: 20px; margin: 0 0 4px; }}
-p {{ font-size: 14px; margin: 0 0 2px; color: #555555; }}
+p {{ font-size: 14px; margin: 0 0 2px; color: {PROSE}; }}
 #view {{ flex: 1; min-height: 420px; }}
 </style>
 </head>
@@ -129,8 +130,7 @@ Plotly.newPlot("view", figure.data, figure.layout, figure.config);
 </script>
 </body>
 </html>
-"#,
-            ink = super::INK
+"#
         )
     }
 }

@@ -2,14 +2,13 @@
 
 use nalgebra::Vector3;
 use serde_json::{Value, json};
+use stiffarm::palette::{ARM_IN_SPACE, DEFLECTION, FAINT, FLOOR, GREY, INK, PAPER, TOOL, WORST_DIRECTION, ZONE};
 
 use super::super::bands::Bands;
-use super::super::{ALARM, FAINT, GREY, INK};
 use super::{Point, Sheet, View, escaped};
 
-const STEEL: &str = "#5f6b76";
-const TOOL: &str = "#d98200";
-const ARROWS: [&str; 2] = [ALARM, "#0057b8"];
+/// In the order in which arrows are given.
+const ARROWS: [&str; 2] = [WORST_DIRECTION, DEFLECTION];
 /// Squares of the floor, m.
 const TILE: f64 = 0.5;
 /// How far links and rims, and above them marks, are drawn from a section they lie in, m.
@@ -55,7 +54,7 @@ impl View {
     fn draw_arm(&self, traces: &mut Vec<Value>) {
         let Some(arm) = &self.arm else { return };
         let points: Vec<Point> = arm.points.iter().map(|(at, _)| *at).collect();
-        let mut links = lines("robot", &self.on_both_faces(&points, LINKS_APART), STEEL, 14.0);
+        let mut links = lines("robot", &self.on_both_faces(&points, LINKS_APART), ARM_IN_SPACE, 14.0);
         links["hoverinfo"] = json!("skip");
         links["legendgroup"] = json!("robot");
         traces.push(links);
@@ -64,7 +63,7 @@ impl View {
         let texts: Vec<String> = texts.collect();
         let faces = self.on_both_faces(&points, LINKS_APART);
         let mut joints = markers("joints", &faces.concat(), &vec![texts; faces.len()].concat());
-        joints["marker"] = json!({ "size": 5, "color": "white", "line": { "color": INK, "width": 2 } });
+        joints["marker"] = json!({ "size": 5, "color": PAPER, "line": { "color": INK, "width": 2 } });
         joints["legendgroup"] = json!("robot");
         joints["showlegend"] = json!(false);
         traces.push(joints);
@@ -77,7 +76,7 @@ impl View {
 
     fn draw_zone(&self, traces: &mut Vec<Value>) {
         let Some(zone) = &self.zone else { return };
-        let mut rim = lines(&zone.label, &self.on_both_faces(&zone.rim, LINKS_APART), ALARM, 7.0);
+        let mut rim = lines(&zone.label, &self.on_both_faces(&zone.rim, LINKS_APART), ZONE, 7.0);
         rim["hoverinfo"] = json!("name");
         traces.push(rim);
         if let Some(worst) = &zone.worst {
@@ -114,7 +113,7 @@ impl View {
         let at = |i: i64, j: i64| [TILE * i as f64, TILE * j as f64, 0.0];
         let along = (x[0]..=x[1]).map(|i| vec![at(i, y[0]), at(i, y[1])]);
         let across = (y[0]..=y[1]).map(|j| vec![at(x[0], j), at(x[1], j)]);
-        let mut floor = lines("floor", &along.chain(across).collect::<Vec<_>>(), "#b5b5b5", 2.0);
+        let mut floor = lines("floor", &along.chain(across).collect::<Vec<_>>(), FLOOR, 2.0);
         floor["hoverinfo"] = json!("skip");
         floor
     }

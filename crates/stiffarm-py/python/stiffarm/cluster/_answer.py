@@ -282,7 +282,7 @@ class Sweep:
         ax : matplotlib Axes, optional
             Where to draw; a new figure without it.
         """
-        from ..plot import _axes
+        from ..plot import _COLOUR, _axes
 
         task = self._question.labels[0] if task is None else task
         force_n = self._question.forces_n[0] if force_n is None else force_n
@@ -296,7 +296,7 @@ class Sweep:
             if row["median_mm"] is None:
                 continue
             span = [[row["median_mm"] - row["p05_mm"]], [row["p95_mm"] - row["median_mm"]]]
-            alpha, colour = (0.4, "0.4") if row["estimated"] else (1.0, "tab:blue")
+            alpha, colour = (0.4, _COLOUR["grey"]) if row["estimated"] else (1.0, _COLOUR["ink"])
             ax.errorbar(row["median_mm"], y, xerr=span, fmt="o", capsize=3, color=colour, alpha=alpha)
             if row["share_with_estimated"] is not None:
                 where = (row["p95_mm"], y)

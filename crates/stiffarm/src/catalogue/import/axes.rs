@@ -9,6 +9,7 @@ use nalgebra::{Matrix3, Point3, UnitQuaternion, Vector3};
 
 use super::chain::Chain;
 use super::flange::{Flange, flange};
+use super::joint_axis::Axis;
 use super::{MEETS_M, STRAIGHT_DEG, TOLD_DEG, TOLD_M};
 use crate::catalogue::reader::Log;
 use crate::geometry::Geometry;
@@ -26,26 +27,6 @@ pub(super) struct Recovered {
     pub(super) notes: Vec<String>,
     /// What the description has and a robot file has not.
     pub(super) left: Vec<String>,
-}
-
-/// A joint axis at joint zero, base frame.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Axis {
-    pub(super) through: Point3<f64>,
-    pub(super) along: Vector3<f64>,
-}
-
-impl Axis {
-    /// The vector from the axis to a point, at right angles to the axis.
-    fn aside(&self, point: &Point3<f64>) -> Vector3<f64> {
-        let from = point - self.through;
-        from - self.along * self.along.dot(&from)
-    }
-
-    /// The point of the axis that is nearest to `point`.
-    pub(super) fn nearest(&self, point: &Point3<f64>) -> Point3<f64> {
-        point - self.aside(point)
-    }
 }
 
 /// The arm plane at joint zero: forwards, across (the positive bend), up.

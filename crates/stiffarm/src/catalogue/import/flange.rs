@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
-use super::axes::Axis;
 use super::chain::Chain;
+use super::joint_axis::Axis;
 use super::{MEETS_M, STRAIGHT_DEG, TOLD_DEG, TOLD_M};
 use crate::catalogue::reader::{Log, shown};
 use crate::spatial::Pose;

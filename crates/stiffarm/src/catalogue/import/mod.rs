@@ -7,6 +7,7 @@
 mod axes;
 mod chain;
 mod flange;
+mod joint_axis;
 mod opw_yaml;
 mod proof;
 mod ranges;
@@ -21,7 +22,6 @@ use proof::{Errors, compare};
 use ranges::{hundredths, joint_limits, round};
 use urdf::NoUrdf;
 
-use super::files::MOST_BYTES;
 use super::reader::{Log, shown, unfit_name};
 use super::{Fault, Faults, read, write};
 use crate::drive::{Architecture, Drives, JointCompliance};
@@ -31,6 +31,8 @@ use crate::limits::{Limits, ThirdAxis};
 use crate::robot::{Arm, Robot, Status};
 use crate::spatial::Pose;
 
+/// No longer text is taken: robot files have some kilobytes, the URDFs of whole cells less than this.
+pub const MOST_BYTES: usize = 4 << 20;
 /// The axes 4, 5, 6 may miss their common point by this much, m; shorter offsets are none.
 pub const MEETS_M: f64 = 0.5e-3;
 /// Axes may lean by this much from parallel and from right angles, deg; 3.1416 for pi leans by 0.0004 deg.
