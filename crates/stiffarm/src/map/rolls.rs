@@ -126,7 +126,9 @@ impl Search<'_> {
             if room(|at| &at.slack) < 0.0 {
                 return f64::INFINITY;
             }
-            at[1].worst[place].min(at[2].worst[place]) - 0.25 * bend(|at| &at.worst)
+            let least = at[1].worst[place].min(at[2].worst[place]) - 0.25 * bend(|at| &at.worst);
+            // Of postures in which nothing holds joint 2 nothing is known.
+            if at.iter().any(|at| at.worst[place].is_nan()) { 0.0 } else { least }
         };
         self.rolls.places.iter().map(of_class).fold(f64::INFINITY, f64::min)
     }

@@ -14,7 +14,8 @@ impl SpatialArm {
     /// The largest translation per force in any direction, m/N, at every posture: `joints[i][n]` is the angle of joint
     /// `i + 1` as the robot reports it, rad, at posture `n`. On all cores.
     ///
-    /// Relative error below 3e-8 (two softest directions alike), below 1e-12 elsewhere.
+    /// NaN where the gravity compensator pushes harder than drive 2 holds. Relative error below 3e-8 (two softest directions
+    /// alike), below 1e-12 elsewhere.
     ///
     /// # Errors
     /// The first joint angle that makes no sense. Limits are not checked here.
@@ -31,6 +32,7 @@ impl SpatialArm {
     }
 
     /// The block from force to translation, m/N, base axes, at every posture: six slices for xx, yy, zz, xy, yz, xz.
+    /// All NaN where the gravity compensator pushes harder than drive 2 holds.
     ///
     /// # Errors
     /// As [`Self::worst`].
@@ -203,6 +205,38 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// A paper robot whose spring, pressed together, pushes the upper arm over at many of its angles.
+    fn pushed_over() -> Robot {
+        let mut robot = paper_robots().swap_remove(4);
+        let Arm::SixAxis { drives, .. } = &mut robot.arm else { unreachable!("six axes") };
+        let (base, arm) = ([-0.5, -0.1], [0.05, 0.4]);
+        drives.compensator = Some(GravityCompensator { base, arm, stiffness: 2e7, free_length: 2.0 });
+        robot
+    }
+
+    #[test]
+    fn where_nothing_holds_joint_2_there_is_no_number() {
+        let (robot, tool) = (pushed_over(), Pose::translation(0.05, 0.0, 0.2));
+        let arm = SpatialArm::new(&robot, &tool).unwrap();
+        let mut rng = fastrand::Rng::with_seed(5);
+        let count = 203; // not a multiple of any register
+        let q: [Vec<f64>; 6] = std::array::from_fn(|_| (0..count).map(|_| 6.0 * (rng.f64() - 0.5)).collect());
+        let joints = std::array::from_fn(|i| q[i].as_slice());
+        let mut worst = vec![0.0; count];
+        let mut entries = vec![vec![0.0; count]; 6];
+        arm.worst(joints, &mut worst).unwrap();
+        let mut rows = entries.iter_mut();
+        arm.translations(joints, std::array::from_fn(|_| rows.next().unwrap().as_mut_slice())).unwrap();
+        let mut unheld = 0;
+        for k in 0..count {
+            let is_held = compliance(&robot, &std::array::from_fn(|i| q[i][k]), &tool).is_ok();
+            unheld += usize::from(!is_held);
+            assert_eq!(worst[k].is_nan(), !is_held, "{k}: {}", worst[k]);
+            assert!(entries.iter().all(|entry| entry[k].is_nan() != is_held), "{k}");
+        }
+        assert!(20 < unheld && unheld < count - 20, "{unheld}");
     }
 
     #[test]

@@ -118,6 +118,12 @@ impl<S: Simd> Lanes<S> {
         self.all(other).not_above(self)
     }
 
+    /// False where it is NaN.
+    #[inline(always)]
+    pub(crate) fn above(self, other: f64) -> Mask<S> {
+        Mask { simd: self.simd, value: self.simd.less_than_f64s(self.simd.splat_f64s(other), self.value) }
+    }
+
     /// Sine and cosine, to two units in the last place for angles up to 1e5 rad.
     ///
     /// Reduction to a quarter turn in three parts (Cody and Waite), kernels with the coefficients of fdlibm.

@@ -261,7 +261,7 @@ impl SpatialArm {
     }
 }
 
-/// `1 / (1/k2 + dK)`, see [`GravityCompensator::stiffness`].
+/// `1 / (1/k2 + dK)`, see [`GravityCompensator::stiffness`]; NaN where the compensator pushes harder than drive 2 holds.
 #[inline(always)]
 fn held<S: Simd>(k2: f64, compensator: &GravityCompensator, s2: Lanes<S>, c2: Lanes<S>) -> Lanes<S> {
     let GravityCompensator { base: [bx, bz], arm: [ax, az], stiffness, free_length } = *compensator;
@@ -270,7 +270,8 @@ fn held<S: Simd>(k2: f64, compensator: &GravityCompensator, s2: Lanes<S>, c2: La
     let length = (u * -2.0 + (bx * bx + bz * bz + ax * ax + az * az)).max(0.0).sqrt();
     let slack = length.all(1.0) - length.all(free_length) / length;
     let added = (slack * u + v * v * free_length / (length * length * length)) * stiffness;
-    added.all(k2) / (added * k2 + 1.0)
+    let held = added * k2 + 1.0;
+    held.above(0.0).select(held.all(k2) / held, held.all(f64::NAN))
 }
 
 /// A posture in the axes of the arm.

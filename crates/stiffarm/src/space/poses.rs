@@ -76,7 +76,7 @@ pub(crate) struct Turning {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AtRoll {
     pub(crate) roll: f64,
-    /// The largest translation per force, m/N, whatever the limits.
+    /// The largest translation per force, m/N, whatever the limits; NaN where nothing holds joint 2.
     pub(crate) worst: [f64; CLASSES],
     /// Negative where a limit or a length forbids the posture.
     pub(crate) slack: [f64; CLASSES],
@@ -98,10 +98,11 @@ struct Way<S: Simd> {
 }
 
 impl<S: Simd> Way<S> {
-    /// Infinite where it is forbidden.
+    /// Infinite where it is forbidden, or nothing holds joint 2.
     #[inline(always)]
     fn allowed(self) -> Lanes<S> {
-        self.slack.at_least(0.0).select(self.worst, self.worst.all(f64::INFINITY))
+        let is_held = self.worst.at_least(0.0);
+        (self.slack.at_least(0.0) & is_held).select(self.worst, self.worst.all(f64::INFINITY))
     }
 }
 
@@ -113,7 +114,8 @@ impl SpatialArm {
         Orientation { spin: flange * Vector3::z(), side: flange * Vector3::x(), beyond: flange * point }
     }
 
-    /// For every pose of the tool (base axes) the stiffest posture that all limits allow; absent where there is none.
+    /// For every pose of the tool (base axes) the stiffest posture that all limits allow and in which drive 2 holds the gravity
+    /// compensator; absent where there is none.
     ///
     /// All eight postures of each are judged. Where the wrist is singular, it is reached if some split between joints 4
     /// and 6 is allowed for certain. Accuracy as [`Self::worst`]. On all cores.
@@ -489,7 +491,9 @@ mod tests {
     use super::*;
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
+    use crate::drive::GravityCompensator;
     use crate::inverse::reached;
+    use crate::robot::Arm;
 
     #[test]
     fn the_best_posture_in_bulk_is_the_best_of_all_single_ones() {
@@ -526,5 +530,41 @@ mod tests {
             }
             assert!(10 < several, "{}: {several} poses are reached in several ways", robot.name);
         }
+    }
+
+    #[test]
+    fn a_pose_at_which_nothing_holds_joint_2_is_not_reached() {
+        let mut robot = paper_robots().swap_remove(4);
+        let Arm::SixAxis { drives, .. } = &mut robot.arm else { unreachable!("six axes") };
+        // By hand: 1e6 - 1.5e6 cos(theta2) N m/rad, negative within 48 degrees of upright.
+        let (base, arm) = ([0.0, -0.3], [0.0, 0.5]);
+        drives.compensator = Some(GravityCompensator { base, arm, stiffness: 1e7, free_length: 0.0 });
+        let tool = Pose::translation(0.05, 0.1, 0.2);
+        let arm = SpatialArm::new(&robot, &tool).unwrap();
+        let mut rng = fastrand::Rng::with_seed(15);
+        let poses: Vec<Pose> = (0..1500)
+            .map(|_| {
+                let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+                let at = Vector3::new(part(-3.0, 3.0), part(-3.0, 3.0), part(-1.0, 3.0));
+                Pose::new(at, Vector3::new(part(-3.0, 3.0), part(-3.0, 3.0), part(-3.0, 3.0)))
+            })
+            .collect();
+        let (mut some_unheld, mut all_unheld) = (0, 0);
+        for (pose, best) in poses.iter().zip(arm.best(&poses)) {
+            let ways = reached(&robot, &(pose * tool.inverse()));
+            let held: Vec<f64> = ways
+                .iter()
+                .filter_map(|(_, q)| compliance(&robot, q, &tool).ok())
+                .map(|posture| posture.compliance.worst().0)
+                .collect();
+            some_unheld += usize::from(!held.is_empty() && held.len() < ways.len());
+            all_unheld += usize::from(held.is_empty() && !ways.is_empty());
+            let least = held.into_iter().reduce(f64::min);
+            assert_eq!(best.is_some(), least.is_some(), "{pose}: {best:?}");
+            if let (Some(best), Some(least)) = (best, least) {
+                assert!((best.worst - least).abs() <= 1e-7 * least, "{pose}: {best:?} {least}");
+            }
+        }
+        assert!(5 < some_unheld && 20 < all_unheld, "{some_unheld} {all_unheld}");
     }
 }
