@@ -29,9 +29,13 @@
 //!   industrial serial manipulators with an ortho-parallel basis and a spherical wrist*, 2014.
 //! - **\[theory\]** `docs/theory.md` of this repository: the formulas with their derivation.
 
+mod angle;
+pub mod batch;
 pub mod catalogue;
 pub mod compliance;
 pub mod drive;
+mod enclose;
+mod follow;
 pub mod geometry;
 pub mod interval;
 pub mod inverse;
@@ -43,10 +47,12 @@ pub mod plain;
 pub mod plane;
 pub mod question;
 pub mod rank;
+mod real;
 pub mod report;
 pub mod robot;
 mod root;
-pub mod space;
 pub mod spatial;
 pub mod study;
 pub mod task;
+mod tolerances;
+mod work;

@@ -3,10 +3,10 @@
 use std::io::{self, Write};
 use std::path::Path;
 
+use stiffarm::batch::SpatialArm;
 use stiffarm::map::{Axis, Section, SectionOptions, Spacing, section};
 use stiffarm::place::{SpatialOptions, SpatialPlacement, SpatiallyPlaced, ZonePoint, across_zone, place_in_space};
 use stiffarm::robot::{Arm, Robot};
-use stiffarm::space::SpatialArm;
 use stiffarm::task::Task;
 
 use super::drawing::{over_everything, scene};

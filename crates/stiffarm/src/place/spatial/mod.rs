@@ -1,21 +1,21 @@
 //! Verb 3 in space: all six drives, the tool where it is, a flat zone anywhere about the robot.
 
-mod across;
 mod bound;
-mod mix;
+mod evaluate;
+mod field;
+mod order;
 mod search;
-mod sweep;
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
-pub use across::{ZonePoint, across_zone};
+pub use field::{ZonePoint, across_zone};
 
 use super::{NOTHING, Orientation, PlaceError, Within, check_force, check_zone};
+use crate::batch::SpatialArm;
 use crate::compliance::{PostureError, check_held};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::robot::Robot;
-use crate::space::SpatialArm;
 use crate::spatial::Pose;
 use crate::task::Zone;
 
@@ -236,9 +236,4 @@ pub fn place_in_space(
     let arm = SpatialArm::new(robot, &options.flange_from_tool)?;
     check_held(robot)?;
     Ok(search::search(robot, &arm, zone, options))
-}
-
-/// An angle in `-pi..pi`.
-fn wrapped(angle: f64) -> f64 {
-    angle - (angle / (2.0 * PI)).round() * 2.0 * PI
 }

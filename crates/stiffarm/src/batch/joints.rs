@@ -1,10 +1,12 @@
-//! Many postures, given by their joint angles.
+//! How compliant are many postures, given by their joint angles?
 
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
+use super::SpatialArm;
 use super::lanes::Lanes;
-use super::{At, SpatialArm, Symmetric, Triple};
+use super::posture::PostureLanes;
+use super::vectors::{Symmetric, Triple};
 use crate::compliance::{PostureError, check_joint};
 
 /// Postures that one thread takes at a time.
@@ -57,29 +59,29 @@ impl SpatialArm {
     fn at_joints<S: Simd>(&self, simd: S, joints: &[&[f64]; 6]) -> (Symmetric<S>, Lanes<S>) {
         let lean = self.theta(simd, joints, 1);
         let third = self.theta(simd, joints, 2);
-        let forearm = if self.sectors.third_is_forearm { third } else { lean + third };
+        let forearm = if self.angular_limits.third_is_forearm { third } else { lean + third };
         let (s2, c2) = lean.sin_cos();
         let (s23, c23) = forearm.sin_cos();
         let (s4, c4) = self.theta(simd, joints, 3).sin_cos();
         let (s5, c5) = self.theta(simd, joints, 4).sin_cos();
         // In the axes of the forearm: x forwards, y across, z along it.
-        let bend = Triple([-s4, c4, s2.all(0.0)]);
-        let spin = Triple([s5 * c4, s5 * s4, c5]);
+        let axis_5 = Triple([-s4, c4, s2.all(0.0)]);
+        let axis_6 = Triple([s5 * c4, s5 * s4, c5]);
         let tool = self.flange_from_tool.translation.vector;
-        let mut beyond = spin * (self.geometry.c4 + tool.z);
+        let mut wrist_to_tool = axis_6 * (self.geometry.c4 + tool.z);
         if !self.tool_is_on_axis_6() {
             let (s6, c6) = self.theta(simd, joints, 5).sin_cos();
             let across = Triple([c5 * c4, c5 * s4, -s5]);
-            beyond = beyond + across * (c6 * tool.x - s6 * tool.y) + bend * (s6 * tool.x + c6 * tool.y);
+            wrist_to_tool = wrist_to_tool + across * (c6 * tool.x - s6 * tool.y) + axis_5 * (s6 * tool.x + c6 * tool.y);
         }
-        let at = At {
+        let at = PostureLanes {
             s2,
             c2,
             s23,
             c23,
-            bend: bend.uprighted(s23, c23),
-            spin: spin.uprighted(s23, c23),
-            beyond: beyond.uprighted(s23, c23),
+            axis_5: axis_5.uprighted(s23, c23),
+            axis_6: axis_6.uprighted(s23, c23),
+            wrist_to_tool: wrist_to_tool.uprighted(s23, c23),
         };
         (self.translation(&at), self.theta(simd, joints, 0))
     }
@@ -150,11 +152,11 @@ impl WithSimd for Translations<'_> {
 
 #[cfg(test)]
 mod tests {
+    use crate::batch::SpatialArm;
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
     use crate::drive::{GravityCompensator, JointCompliance, Transmission};
     use crate::robot::{Arm, Robot};
-    use crate::space::SpatialArm;
     use crate::spatial::Pose;
 
     /// The paper's robots with unequal drives, and one of each kind with a geared wrist and a compensator.

@@ -1,4 +1,4 @@
-//! The deflection across a zone that has its place.
+//! The deflection field of a zone at its place.
 
 use nalgebra::Point2;
 
@@ -6,7 +6,7 @@ use super::{SpatialOptions, SpatialPlaceError, SpatialPlacement};
 use crate::compliance::{PostureError, compliance};
 use crate::inverse::postures;
 use crate::robot::{Arm, Robot};
-use crate::space::{Patch, Stand};
+use crate::work::{WorkPlacement, WorkPlane};
 
 /// A point of a zone at its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,13 +31,16 @@ pub fn across_zone(
         return Err(PostureError::Planar(robot.name.clone()).into());
     };
     let [x, z] = placement.centre;
-    let stand = Stand { x, z, yaw: placement.yaw, angle: placement.angle, roll: placement.roll };
-    let patch = Patch::of(options.elevation, &stand);
+    let work = WorkPlacement { x, z, yaw: placement.yaw, angle: placement.angle, roll: placement.roll };
+    let plane = WorkPlane::of(options.elevation, &work);
     let flange_from_tool = options.flange_from_tool.inverse();
-    let judged = |at: Point2<f64>| {
-        let pose = patch.pose(&stand, at.into());
+    let evaluated = |at: Point2<f64>| {
+        let pose = plane.pose(&work, at.into());
         let found = postures(geometry, &(pose * flange_from_tool)).found;
-        let theta = found.into_iter().find(|(class, _)| *class == placement.configuration).map(|(_, theta)| theta);
+        let theta = found
+            .into_iter()
+            .find(|(configuration, _)| *configuration == placement.configuration)
+            .map(|(_, theta)| theta);
         let deflection = theta.map(|theta| {
             let q = geometry.reported(&theta, limits.third_axis);
             let posture = compliance(robot, &q, &options.flange_from_tool)?;
@@ -45,7 +48,7 @@ pub fn across_zone(
         });
         Ok(ZonePoint { at: pose.translation.vector.into(), deflection: deflection.transpose()? })
     };
-    points.into_iter().map(|at| judged(at.into())).collect()
+    points.into_iter().map(|at| evaluated(at.into())).collect()
 }
 
 #[cfg(test)]
