@@ -1,5 +1,7 @@
 //! Formulas without branches, written once for numbers, registers and affine forms.
 
+#![allow(clippy::inline_always, reason = "what is not inlined is compiled without the wide instructions")]
+
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A number in such a formula: `f64`, a register of several ([`Lanes`](crate::batch)) or an affine form

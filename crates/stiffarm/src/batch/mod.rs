@@ -38,6 +38,7 @@ use angular_limits::AngularLimits;
 pub(crate) use orientation::RolledTool;
 pub(crate) use poses::AtRoll;
 pub use poses::Best;
+pub(crate) use posture::arm_columns;
 pub use rows::{RowError, Units, matrices_of_rows, worst_of_rows};
 pub(crate) use same_branch::SameBranch;
 

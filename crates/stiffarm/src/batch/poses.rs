@@ -46,7 +46,7 @@ impl SpatialArm {
     /// For every pose of the tool (base axes) the stiffest posture that all limits allow and in which drive 2 holds the gravity
     /// compensator; absent where there is none.
     ///
-    /// All eight postures of each are judged. Where the wrist is singular, it is reached if some split between joints 4
+    /// All eight configurations of each are evaluated. Where the wrist is singular, it is reached if some split between joints 4
     /// and 6 is allowed for certain. Accuracy as [`Self::worst`]. On all cores.
     pub fn best(&self, poses: &[Pose]) -> Vec<Option<Best>> {
         let mut found = vec![None; poses.len()];

@@ -7,6 +7,7 @@ use super::vectors::{Symmetric, Triple};
 use super::{Coupling, SpatialArm};
 use crate::drive::GravityCompensator;
 use crate::geometry::Geometry;
+use crate::real::Real;
 
 /// Postures, one a lane, in the axes of the arm: x forwards in the arm plane, y across, z up.
 #[derive(Clone, Copy)]
@@ -25,21 +26,34 @@ pub(super) struct PostureLanes<S: Simd> {
     pub(super) wrist_to_tool: Triple<S>,
 }
 
+/// Columns of the Jacobian for joints 1, 2 and 3, in the axes of the arm: what turning each by 1 rad moves the tool point by, m/rad.
+///
+/// The tool point lies `aside` of the arm plane, and `[forwards, up]` from the joint-2 axis and from the elbow.
+#[inline(always)]
+pub(crate) fn arm_columns<T: Real>(
+    geometry: &Geometry,
+    zero: T,
+    aside: T,
+    [px, pz]: [T; 2],
+    [fx, fz]: [T; 2],
+) -> [[T; 3]; 3] {
+    [[-(aside + geometry.b), px + geometry.a1, zero], [pz, zero, -px], [fz, zero, -fx]]
+}
+
 impl SpatialArm {
     /// Translations per force at the tool point, in the axes of the arm: x forwards in the arm plane, y across, z up.
     #[inline(always)]
     pub(super) fn translation<S: Simd>(&self, at: &PostureLanes<S>) -> Symmetric<S> {
         let PostureLanes { s2, c2, s23, c23, axis_5, axis_6, wrist_to_tool } = *at;
-        let Geometry { a1, a2, b, c2: upper, c3, .. } = self.geometry;
+        let Geometry { a2, c2: upper, c3, .. } = self.geometry;
         let zero = s2.all(0.0);
         let (ex, ez) = (s2 * upper, c2 * upper);
         let (ux, uy, uz) = wrist_to_tool.parts();
         // From the joint-2 axis, and from the elbow.
         let (fx, fz) = (s23 * c3 + c23 * a2 + ux, c23 * c3 - s23 * a2 + uz);
         let (px, pz) = (ex + fx, ez + fz);
-        let column_1 = Triple([-(uy + b), px + a1, zero]);
-        let column_2 = Triple([pz, zero, -px]);
-        let column_3 = Triple([fz, zero, -fx]);
+        let [column_1, column_2, column_3] = arm_columns(&self.geometry, zero, uy, [px, pz], [fx, fz]);
+        let (column_1, column_2, column_3) = (Triple(column_1), Triple(column_2), Triple(column_3));
         let along = Triple([s23, zero, c23]);
         let k = self.k;
         let k2 = match &self.compensator {
@@ -86,8 +100,7 @@ impl SpatialArm {
 #[inline(always)]
 fn compensated<S: Simd>(k2: f64, compensator: &GravityCompensator, s2: Lanes<S>, c2: Lanes<S>) -> Lanes<S> {
     let GravityCompensator { base: [bx, bz], arm: [ax, az], stiffness, free_length } = *compensator;
-    let (x, z) = (c2 * ax + s2 * az, c2 * az - s2 * ax);
-    let (u, v) = (x * bx + z * bz, z * bx - x * bz);
+    let (u, v) = compensator.products(s2, c2);
     let length = (u * -2.0 + (bx * bx + bz * bz + ax * ax + az * az)).max(0.0).sqrt();
     let slack = length.all(1.0) - length.all(free_length) / length;
     let added = (slack * u + v * v * free_length / (length * length * length)) * stiffness;

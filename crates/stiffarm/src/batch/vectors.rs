@@ -29,7 +29,7 @@ impl<S: Simd> Triple<S> {
         Self(seen_turned(self.0, s, c))
     }
 
-    /// From axes that lean forwards by an angle (about y) into the upright ones.
+    /// Given in axes that lean forwards by an angle (about y); seen from the upright ones.
     #[inline(always)]
     pub(super) fn uprighted(self, s: Lanes<S>, c: Lanes<S>) -> Self {
         let [x, y, z] = self.0;

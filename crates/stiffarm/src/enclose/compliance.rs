@@ -6,7 +6,7 @@ use super::affine::{Affine, Vector};
 use super::arm::ArmEnclosure;
 use super::bounds::NodeBounds;
 use super::links::{ArmView, Links};
-use crate::batch::Coupling;
+use crate::batch::{Coupling, arm_columns};
 use crate::interval::Interval;
 use crate::inverse::{ArmBranch, Shoulder};
 use crate::real::cross;
@@ -37,7 +37,7 @@ impl ArmEnclosure {
         let Some(ahead) = (x.square() + y.square() - across).sqrt() else { return };
         let sign = if branch.shoulder == Shoulder::Back { -1.0 } else { 1.0 };
         if ((view.wrist[0] + geometry.a1) * sign).min() <= most(ux) {
-            return; // it could be on either flange_x of the axis
+            return; // it could be on either side of the axis
         }
         let (px, pz) = (ahead * sign + -geometry.a1, z + -geometry.c1);
         // From the elbow: as far as the links leave it.
@@ -72,10 +72,11 @@ impl ArmEnclosure {
         let (px, pz) = (view.wrist[0] + ux, view.wrist[1] + uz);
         let along = [links.forearm[0], zero, links.forearm[1]];
         let unknown = Affine { remainder: f64::NAN, ..zero };
+        let [column_1, column_2, column_3] = arm_columns(geometry, zero, uy, [px, pz], [px - ex, pz - ez]);
         let mut columns = [
-            [-(uy + geometry.b), px + geometry.a1, zero],
-            [pz, zero, -px],
-            [pz - ez, zero, ex - px],
+            column_1,
+            column_2,
+            column_3,
             cross(along, view.wrist_to_tool),
             axis_5.map_or([unknown; 3], |axis_5| cross(axis_5, view.wrist_to_tool)),
             if self.arm.tool_is_on_axis_6() { [zero; 3] } else { cross(view.axis_6, view.wrist_to_tool) },
@@ -93,7 +94,7 @@ impl ArmEnclosure {
             }
         }
         let k = self.drive_compliances(links);
-        // What is not bounds may give way by nothing.
+        // A drive of which nothing is known may be rigid: zero is a lower bound.
         let parts: Vec<(Affine<N>, &Vector<N>)> = k
             .into_iter()
             .zip(&columns)
@@ -129,8 +130,7 @@ impl ArmEnclosure {
             let [s2, c2] = links.upper;
             let [bx, bz] = compensator.base;
             let [ax, az] = compensator.arm;
-            let (x, z) = (c2 * ax + s2 * az, c2 * az - s2 * ax);
-            let (u, v) = (x * bx + z * bz, z * bx - x * bz);
+            let (u, v) = compensator.products(s2, c2);
             let square = u * -2.0 + (bx * bx + bz * bz + ax * ax + az * az);
             let held = (|| {
                 let inverse = square.inverse(Interval::POSITIVE).filter(|_| 0.0 < square.min())?;
