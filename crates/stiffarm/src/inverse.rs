@@ -127,7 +127,7 @@ pub(crate) fn third_within_limits(geometry: &Geometry, limits: &Limits, theta: &
     }
 }
 
-/// Every posture of a pose that the limits of a robot allow: its class and the joint angles it reports, rad.
+/// Every posture of a pose that the limits of a robot allow: its configuration and the joint angles it reports, rad.
 ///
 /// Where a free joint leaves a choice, representatives are tried at model zero and at the ends of the ranges. Empty for
 /// a planar robot, which has no six joints.

@@ -70,7 +70,7 @@ impl ArmEnclosure {
         ToolFrameEnclosure { plane, wrist_to_tool, axis_6, flange_x }
     }
 
-    /// Squared distance of the wrist centre from the joint-2 axis, the tool at a point of a plane.
+    /// Squared distance, m^2, of the wrist centre from the joint-2 axis, the tool at a point of the work plane.
     pub(crate) fn distance(&self, plane: &WorkPlane, point: &Vector3<f64>, branch: ArmBranch) -> f64 {
         let geometry = &self.arm.geometry;
         let wrist = point - plane.tool() * Vector3::from(self.wrist_to_tool);
@@ -79,11 +79,11 @@ impl ArmEnclosure {
         (forwards - geometry.a1).powi(2) + (wrist.z - geometry.c1).powi(2)
     }
 
-    /// Learns what holds where the pose at a point of the zone is held in a way with one of the `wrists`, and which of
-    /// these remain; `None` where no work of the box allows it.
+    /// Adds what holds wherever the pose at a point of the zone is held in an arm branch with one of the `wrists`, and takes away the
+    /// wrists that are impossible; `None` where no placement of the node allows the pose.
     ///
-    /// Joints 1, 4 and 6 stay within a quarter turn of where they point at the `centre` of the zone; the answer is where
-    /// they point here (inner `None`: not bounds). Where the wrists are not alike, one at most may be asked for.
+    /// Joints 1, 4 and 6 stay within a quarter turn of their directions at the `centre` of the zone. The answer is their
+    /// directions here; inner `None` where they are not known. Where the wrists are not alike, at most one may be asked for.
     pub(crate) fn add_constraints<const N: usize>(
         &self,
         tool_frame: &ToolFrameEnclosure<N>,
@@ -132,8 +132,8 @@ impl ArmEnclosure {
         Some(Some(directions))
     }
 
-    /// The model angles with which a configuration holds all of a part of a plane, up to whole turns: of joints 1 to 6, and of the forearm
-    /// from upright. `None` where they are not bounds, or some may be singular.
+    /// The model angles with which a configuration holds all of a part of the work plane, up to whole turns: theta 1 to 6, and
+    /// `theta 2 + theta 3`. `None` where they are not known, or some may be singular.
     pub(crate) fn angles(
         &self,
         plane: &WorkPlane,
@@ -255,7 +255,7 @@ mod tests {
                 let directions = enclosure
                     .add_constraints(&tool_frame, [0.0; 2], branch, None, &mut asked.clone(), &mut at_centre)
                     .flatten();
-                // A posture that turned too far since the centre is none that the directions there speaks of.
+                // The directions at the centre say nothing of a posture that turned too far from there.
                 let begun = centre.found.iter().find(|(other, _)| *other == configuration).map(|found| found.1);
                 let near = begun.is_some_and(|begun| {
                     TURNED_BY_ZONE.iter().all(|&i| {

@@ -4,7 +4,7 @@ use super::affine::Affine;
 use crate::batch::AngularInterval;
 use crate::tolerances;
 
-/// What is bounds of one point of the zone, held in one branch, at the node of a box.
+/// Affine forms that hold at every placement of a node, of some poses of the zone held in one arm branch.
 #[derive(Clone, Debug)]
 pub(crate) struct NodeBounds<const N: usize> {
     /// Lower bounds on the largest translation per force, m/N, wherever the poses are held.

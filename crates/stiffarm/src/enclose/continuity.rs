@@ -14,8 +14,8 @@ use crate::tolerances;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct JointDirections<const N: usize>(pub(super) [[Affine<N>; 2]; 3]);
 
-/// How far joints 1, 4 and 6 turn for certain from where they point at the centre of a zone, as the poses of the zone are
-/// added: the least that is passed on the positive flange_x, and the most on the negative one, rad.
+/// How far joints 1, 4 and 6 turn for certain from their angles at the centre of a zone, over the poses that were added: up to at
+/// least the first number, and down to at most the second, rad.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct TurnExtent([[f64; 2]; 3]);
 
@@ -74,7 +74,7 @@ impl ArmEnclosure {
     }
 }
 
-/// Some angle `from` lies in the range, and still does, whole turns left as they are, when it has `turned` on.
+/// Some angle of `from` may lie in the range and still do so after a turn by `turned`, without a change of whole turns.
 fn stays_within(range: Interval, from: Interval, turned: Interval) -> bool {
     let wide = Interval::spanning(range.min() - tolerances::PROOF, range.max() + tolerances::PROOF);
     turned_into(range, from).any(|from| wide.intersect(from.plus(turned)).is_some())

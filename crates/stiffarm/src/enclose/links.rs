@@ -18,7 +18,7 @@ use crate::tolerances;
 /// A vector in the arm plane: forwards, up.
 pub(super) type PlaneVector<const N: usize> = [Affine<N>; 2];
 
-/// Where the wrist centre node, joint 1 turned, and what the tool is seen like from there.
+/// A pose of the tool in the axes of the arm, joint 1 turned: x forwards in the arm plane, y across, z up.
 pub(super) struct ArmView<const N: usize> {
     /// The tool point, base axes.
     pub(super) point: Vector<N>,
@@ -58,7 +58,7 @@ impl ArmEnclosure {
         let sign = if branch.shoulder == Shoulder::Back { -1.0 } else { 1.0 };
         let wrist = [(square + -b2).sqrt()? * sign + -geometry.a1, wz + -geometry.c1];
         if !(least < square.min()) {
-            // It may work over the axis, and joint 1 face anywhere: heights and lengths are bounds.
+            // It may lie on the axis, and joint 1 face anywhere: only heights and lengths are known.
             let any = |length: f64| Affine { remainder: length, ..Affine::point(0.0) };
             let most = |x: Affine<N>| x.min().abs().max(x.max().abs());
             let seen = |[x, y, z]: Vector<N>| [any(most(x).hypot(most(y))), any(most(x).hypot(most(y))), z];
@@ -95,7 +95,7 @@ impl ArmEnclosure {
         let least = ring.min();
         let Some(inverse) = square.inverse(Interval::new(least, ring.max())?) else { return Some(None) };
         // The upper arm is a part `along` of the wrist vector, and a part `aside` of that turned by a right angle: the height
-        // of a triangle with bounds sides, whose square is quadratic in 1/square.
+        // of a triangle with known sides, whose square is quadratic in 1/square.
         let kappa = (l2 * l2 - l3 * l3) / 2.0;
         let along = inverse * kappa + 0.5;
         let aside = inverse.concave(Interval::spanning(1.0 / ring.max(), 1.0 / least), |i| {

@@ -59,7 +59,7 @@ impl<const N: usize> WorkPlaneEnclosure<N> {
         Self { centre, first: mixed(&upwards, ca, &left, sa), second: mixed(&left, ca, &upwards, -sa), tool }
     }
 
-    /// One point, where the tool node as it does.
+    /// One point (or all points of an affine form), with a tool that does not turn.
     pub(crate) fn at(point: Vector<N>, tool: &Matrix3<f64>) -> Self {
         let none = [Affine::point(0.0); 3];
         let axis = |i: usize| std::array::from_fn(|part| Affine::point(tool[(part, i)]));

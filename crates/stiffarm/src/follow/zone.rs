@@ -113,7 +113,7 @@ impl<'a> HeldZone<'a> {
         found
     }
 
-    /// The two halves of a part across its longer side; an angle counts as the way along the rim.
+    /// The two halves of a part across its longer side; an angle counts as the length of its arc on the rim.
     fn halves(&self, sides: [Interval; 2]) -> [[Interval; 2]; 2] {
         let lever = match self.zone {
             Zone::Circle { .. } => sides[0].max(),

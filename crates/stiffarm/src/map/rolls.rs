@@ -1,6 +1,6 @@
 //! Which rolls of the tool hold a point best, where every roll is another posture?
 //!
-//! A scan of all rolls, 5 degrees apart, tells for every posture how far it gives hold (whatever its limits) and how much room its
+//! A scan of all rolls, 5 degrees apart, gives for every posture its compliance (whatever its limits) and how much room its
 //! limits leave (negative where they forbid it). Both are smooth, so their second differences say how far they can get
 //! between two rolls; not near singular postures, which show in joint 1 or joint 4 turning fast. Where a better value cannot be
 //! ruled out, the gap is divided by five, and so on.

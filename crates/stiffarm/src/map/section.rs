@@ -259,7 +259,7 @@ impl<'a> Scan<'a> {
         cells.fold(none, |best, other| if other.limit_margin <= best.limit_margin { best } else { other })
     }
 
-    /// A hold with its model angles.
+    /// The cell that one way to hold a point gives, from its model angles.
     fn told(&self, hold: &Hold, theta: Option<[f64; 6]>) -> Cell {
         let limit_margin = theta.and_then(|theta| {
             let q = within_limits(&self.freed.geometry, &self.freed.limits, &theta)?;

@@ -1,4 +1,4 @@
-//! No place is better than this: branch and bound over boxes of node, each held in one way.
+//! How much better could another place be? A lower bound by branch and bound over nodes, each held in one arm branch.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -21,7 +21,7 @@ use crate::work::{Grid, WorkPlacement};
 const GAP: f64 = 0.0099;
 /// Poses that are enclosed before the proof stops with the bound it has: about a second.
 const MOST_POSES: usize = 400_000;
-/// The same where no place is bounds: most zones that fit nowhere are soon proved not to, the others hardly ever.
+/// The same where no place is known: most zones that fit nowhere are soon proved not to, the others hardly ever.
 const MOST_POSES_FOR_NONE: usize = 50_000;
 /// Of nodes larger than this part of the upper arm only the extreme poses of the zone are enclosed.
 const COARSE: f64 = 0.15;
@@ -35,11 +35,11 @@ pub(super) struct Proof {
     pub(super) lower: f64,
     /// Nodes that were bounded.
     pub(super) boxes: usize,
-    /// The middle of the box that node in the way of a better proof.
+    /// The middle of the node that stands in the way of a better bound; `None` where every node was fathomed.
     pub(super) unfathomed: Option<WorkPlacement>,
 }
 
-/// A set of node, held in one way.
+/// A node whose poses are held in one arm branch.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HeldNode {
     lower: f64,
@@ -74,13 +74,13 @@ impl Ord for HeldNode {
 enum Bound {
     /// There are none.
     None,
-    /// No better than was asked.
-    Enough,
+    /// No better than was asked: the node needs no splitting.
+    Fathomed,
     /// No better than this, where they were not cut off.
     Unfathomed(f64),
 }
 
-/// What stays the same from box to box.
+/// What stays the same from node to node.
 pub(super) struct BranchAndBound<'a> {
     pub(super) options: &'a SpatialOptions,
     pub(super) enclosure: ArmEnclosure,
@@ -125,7 +125,7 @@ impl<'a> BranchAndBound<'a> {
         }
     }
 
-    /// Proves a lower bound up to `upper`, the best value that is bounds, m/N.
+    /// Proves a lower bound up to `upper`, the best value that is known, m/N.
     pub(super) fn prove(&self, upper: f64) -> Proof {
         match self.roots.iter().map(variables).max() {
             Some(2) => self.run::<2>(upper),
@@ -167,7 +167,7 @@ impl<'a> BranchAndBound<'a> {
                 boxes += 1;
                 match self.bound::<N>(&mut part, enough, &mut poses) {
                     Bound::None => {}
-                    Bound::Enough => lower = lower.min(enough * (1.0 - tolerances::BOUND)),
+                    Bound::Fathomed => lower = lower.min(enough * (1.0 - tolerances::BOUND)),
                     Bound::Unfathomed(bound) => {
                         part.lower = held.lower.max(bound * (1.0 - tolerances::BOUND));
                         part.is_whole = is_small;
@@ -200,15 +200,15 @@ impl<'a> BranchAndBound<'a> {
         let mut bounds = NodeBounds::default();
         let Some(best) = self.add_constraints::<N>(held, enough, &mut bounds, poses) else { return Bound::None };
         if enough <= best {
-            return Bound::Enough;
+            return Bound::Fathomed;
         }
         let values: Vec<Line<N>> = bounds.values.iter().filter_map(Line::below).collect();
         let limits: Vec<Line<N>> = bounds.limits.iter().filter_map(Line::allowing).collect();
-        let Some(part) = remaining(&values, &limits, enough) else { return Bound::Enough };
+        let Some(part) = remaining(&values, &limits, enough) else { return Bound::Fathomed };
         cut(&mut held.node, &part);
         let within = |lines: Vec<Line<N>>| lines.into_iter().map(|line| line.within(&part)).collect::<Vec<_>>();
         let bound = best.max(least_largest(&within(values), &within(limits)));
-        if enough <= bound { Bound::Enough } else { Bound::Unfathomed(bound) }
+        if enough <= bound { Bound::Fathomed } else { Bound::Unfathomed(bound) }
     }
 
     /// Adds the constraints of poses of the zone until the bound of one is `enough`, and gives the largest; `None` where no
