@@ -32,6 +32,7 @@ impl AngularInterval {
 
     /// Negative where the angle of a vector of that length lies outside, from its cosine and sine times the length; `None` where no
     /// angle is excluded.
+    #[allow(clippy::manual_map, reason = "a closure is compiled without the wide instructions")]
     #[inline(always)]
     pub(crate) fn room<T: Real>(self, cos: T, sin: T, length: T) -> Option<T> {
         match self.least {

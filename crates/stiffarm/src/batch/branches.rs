@@ -36,7 +36,7 @@ impl SpatialArm {
     #[inline(always)]
     pub(super) fn configurations<S: Simd>(
         &self,
-        flange: &Flange<S>,
+        flange: &FlangePoses<S>,
         same_branch: &SameBranch,
     ) -> [BranchLanes<S>; Configuration::COUNT] {
         let (px, py, pz) = flange.point.parts();
@@ -184,7 +184,7 @@ impl SpatialArm {
 }
 
 /// Poses of the flange, base axes.
-pub(super) struct Flange<S: Simd> {
+pub(super) struct FlangePoses<S: Simd> {
     /// The tool point.
     pub(super) point: Triple<S>,
     /// Axis of joint 6, the flange's z.

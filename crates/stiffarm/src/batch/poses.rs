@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
-use super::branches::{BranchLanes, Flange};
+use super::branches::{BranchLanes, FlangePoses};
 use super::lanes::Lanes;
 use super::orientation::{RolledTool, ToolOrientation};
 use super::vectors::Triple;
@@ -96,7 +96,7 @@ impl WithSimd for ConfigurationsAt<'_> {
         let count = self.points[0].len();
         for from in (0..count).step_by(S::F64_LANES) {
             let to = count.min(from + S::F64_LANES);
-            let flange = Flange {
+            let flange = FlangePoses {
                 point: Triple::load(simd, self.points.map(|part| &part[from..to])),
                 axis_6: Triple::splat(simd, axis_6),
                 flange_x: Triple::splat(simd, flange_x),
@@ -137,7 +137,7 @@ impl WithSimd for AtRolls<'_> {
                 vectors[i] = Triple::splat(simd, still) + Triple::splat(simd, cos) * c + Triple::splat(simd, sin) * s;
             }
             let [axis_6, flange_x, wrist_to_tool] = vectors;
-            let flange = Flange { point: Triple::splat(simd, self.point), axis_6, flange_x, wrist_to_tool };
+            let flange = FlangePoses { point: Triple::splat(simd, self.point), axis_6, flange_x, wrist_to_tool };
             let branches = self.arm.configurations(&flange, &SameBranch::default());
             let mut parts = [[[0.0; WIDEST]; Configuration::COUNT]; 5];
             for index in 0..Configuration::COUNT {
@@ -190,7 +190,7 @@ impl WithSimd for BestOf<'_> {
                 }
             }
             let [point, axis_6, flange_x, wrist_to_tool] = &parts;
-            let flange = Flange {
+            let flange = FlangePoses {
                 point: Triple::load(simd, point.each_ref().map(|part| &part[..S::F64_LANES])),
                 axis_6: Triple::load(simd, axis_6.each_ref().map(|part| &part[..S::F64_LANES])),
                 flange_x: Triple::load(simd, flange_x.each_ref().map(|part| &part[..S::F64_LANES])),

@@ -120,7 +120,7 @@ impl Search<'_> {
             yaw: wrapped(work.yaw),
             angle: if matches!(self.zone, Zone::Circle { .. }) { 0.0 } else { half_turn(work.angle) },
             roll: wrapped(followed.roll),
-            configuration: configuration,
+            configuration,
             worst_point: worst_point.into(),
             from_axis_1,
             worst_joints: followed.joints[at],
