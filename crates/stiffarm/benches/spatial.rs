@@ -7,10 +7,10 @@ use rs_opw_kinematics::glam::{DQuat, DVec3};
 use rs_opw_kinematics::kinematic_traits::{Kinematics, Pose as OpwPose};
 use rs_opw_kinematics::kinematics_impl::OPWKinematics;
 use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
+use stiffarm::batch::SpatialArm;
 use stiffarm::catalogue::paper_robots;
 use stiffarm::geometry::Geometry;
 use stiffarm::robot::{Arm, Robot};
-use stiffarm::space::SpatialArm;
 use stiffarm::spatial::Pose;
 
 const COUNT: usize = 100_000;

@@ -2,6 +2,8 @@
 
 use nalgebra::{Matrix2, Matrix6};
 
+use crate::real::Real;
+
 /// How drive 3 is coupled to the arm.
 ///
 /// The two architectures differ in one constant matrix, the transmission `q = A psi`, and in nothing else.
@@ -124,29 +126,34 @@ pub struct GravityCompensator {
 }
 
 impl GravityCompensator {
-    /// `(u, v)`: inner and outer product of the two ends, `s^2 = |base|^2 + |arm|^2 - 2 u`, `du/dtheta2 = v`.
-    fn products(&self, theta_2: f64) -> (f64, f64) {
-        let (s, c) = theta_2.sin_cos();
-        let [bx, bz] = self.base;
-        let [ax, az] = [c * self.arm[0] + s * self.arm[1], c * self.arm[1] - s * self.arm[0]];
-        (bx * ax + bz * az, bx * az - bz * ax)
+    /// `(u, v)`: inner and outer product of the two ends, `s^2 = |base|^2 + |arm|^2 - 2 u`, `du/dtheta2 = v`; from sine and cosine
+    /// of theta2.
+    #[allow(clippy::inline_always, reason = "what is not inlined is compiled without the wide instructions")]
+    #[inline(always)]
+    pub(crate) fn products<T: Real>(&self, s: T, c: T) -> (T, T) {
+        let ([bx, bz], [ax, az]) = (self.base, self.arm);
+        let (x, z) = (c * ax + s * az, c * az - s * ax);
+        (x * bx + z * bz, z * bx - x * bz)
     }
 
     /// Length of the spring, m.
     pub fn length(&self, theta_2: f64) -> f64 {
         let square = |[x, z]: [f64; 2]| x * x + z * z;
-        (square(self.base) + square(self.arm) - 2.0 * self.products(theta_2).0).max(0.0).sqrt()
+        let (s, c) = theta_2.sin_cos();
+        (square(self.base) + square(self.arm) - 2.0 * self.products(s, c).0).max(0.0).sqrt()
     }
 
     /// Torque on the upper arm, N m, in the direction of theta2: `M = k (1 - s0/s) v`.
     pub fn torque(&self, theta_2: f64) -> f64 {
-        let (_, v) = self.products(theta_2);
+        let (s, c) = theta_2.sin_cos();
+        let (_, v) = self.products(s, c);
         self.stiffness * (1.0 - self.free_length / self.length(theta_2)) * v
     }
 
     /// The stiffness it adds to joint 2, `dK = -dM/dtheta2 = k ((1 - s0/s) u + s0 v^2 / s^3)`, N m/rad; may be negative.
     pub fn stiffness(&self, theta_2: f64) -> f64 {
-        let (u, v) = self.products(theta_2);
+        let (s, c) = theta_2.sin_cos();
+        let (u, v) = self.products(s, c);
         let s = self.length(theta_2);
         self.stiffness * ((1.0 - self.free_length / s) * u + self.free_length * v * v / (s * s * s))
     }

@@ -1,114 +1,20 @@
 //! Which postures put the flange at a pose? All of them, in closed form.
 
+mod configuration;
+
 use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
+
+pub(crate) use configuration::{ArmBranch, ELBOWS};
+pub use configuration::{Configuration, Shoulder, UnknownConfiguration, Wrist};
 
 use crate::geometry::Geometry;
 use crate::limits::{Limits, ThirdAxis};
 use crate::plane::Elbow;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
-
-/// Below this sine (for the wrist) or this part of the upper arm (for joint 1) an angle is free, and one stands for all.
-const SINGULAR: f64 = 1e-9;
-/// What a limit may be overstepped by, rad: rounding of a pose that was computed at the limit.
-pub(crate) const SLACK: f64 = 1e-9;
-/// How far the postures of a place stay from singular ones: the angle of a wrist or arm to a straight one, rad, and the
-/// distance of the wrist centre from the joint-1 axis, as part of the upper arm. Nearer, joints turn a thousand times as fast
-/// as the tool, and no machine follows.
-pub(crate) const CLEARANCE: f64 = 1e-3;
-
-/// Which way joint 1 faces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Shoulder {
-    /// Towards the wrist centre.
-    Front,
-    /// Away from it, the arm bent over backwards.
-    Back,
-}
-
-impl Shoulder {
-    /// The name that reports use.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Front => "front",
-            Self::Back => "back",
-        }
-    }
-}
-
-/// Which way joint 5 bends; the flipped wrist turns joints 4 and 6 by half a turn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Wrist {
-    /// `theta5 >= 0`.
-    NoFlip,
-    /// `theta5 < 0`.
-    Flip,
-}
-
-impl Wrist {
-    /// The name that reports use.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NoFlip => "no flip",
-            Self::Flip => "flip",
-        }
-    }
-}
-
-/// One of the eight ways to reach a pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Configuration {
-    /// Of joint 1.
-    pub shoulder: Shoulder,
-    /// Of joint 3.
-    pub elbow: Elbow,
-    /// Of joint 5.
-    pub wrist: Wrist,
-}
-
-impl std::fmt::Display for Configuration {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        write!(f, "{}, elbow {}, {}", self.shoulder.name(), self.elbow.name(), self.wrist.name())
-    }
-}
-
-/// No name of a posture.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "posture '{0}' is not understood; expected front or back, elbow up or down, no-flip or flip, e.g. front,up,no-flip"
-)]
-pub struct UnknownConfiguration(pub String);
-
-impl std::str::FromStr for Configuration {
-    type Err = UnknownConfiguration;
-
-    /// As it is written, or shorter: `front,up,no-flip`.
-    fn from_str(text: &str) -> Result<Self, UnknownConfiguration> {
-        let unknown = || UnknownConfiguration(text.into());
-        let word = |part: &str| part.to_lowercase().replace([' ', '-'], "");
-        let [shoulder, elbow, wrist]: [String; 3] =
-            text.split(',').map(word).collect::<Vec<_>>().try_into().map_err(|_| unknown())?;
-        Ok(Self {
-            shoulder: match shoulder.as_str() {
-                "front" => Shoulder::Front,
-                "back" => Shoulder::Back,
-                _ => return Err(unknown()),
-            },
-            elbow: match elbow.trim_start_matches("elbow") {
-                "up" => Elbow::Up,
-                "down" => Elbow::Down,
-                _ => return Err(unknown()),
-            },
-            wrist: match wrist.as_str() {
-                "noflip" => Wrist::NoFlip,
-                "flip" => Wrist::Flip,
-                _ => return Err(unknown()),
-            },
-        })
-    }
-}
+use crate::tolerances::{LIMIT, RIM, SINGULAR};
 
 /// All postures of a pose, without regard to limits.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -160,7 +66,7 @@ pub fn postures(geometry: &Geometry, flange: &Pose) -> Postures {
 fn two_links(geometry: &Geometry, x: f64, z: f64) -> [Option<(Elbow, f64, f64)>; 2] {
     let (l2, l3) = (geometry.c2, geometry.l3());
     let c = (x * x + z * z - l2 * l2 - l3 * l3) / (2.0 * l2 * l3);
-    if !(c.abs() <= 1.0 + 1e-12) {
+    if !(c.abs() <= 1.0 + RIM) {
         return [None, None];
     }
     let bend = c.clamp(-1.0, 1.0).acos();
@@ -200,7 +106,7 @@ pub fn within_limits(geometry: &Geometry, limits: &Limits, theta: &[f64; 6]) -> 
     let mut q = geometry.reported(theta, limits.third_axis);
     q[2] = third;
     for (q, range) in q.iter_mut().zip(&limits.joints) {
-        *q = range.turn_to(*q, SLACK)?;
+        *q = range.turn_to(*q, LIMIT)?;
     }
     Some(q)
 }
@@ -209,19 +115,19 @@ pub fn within_limits(geometry: &Geometry, limits: &Limits, theta: &[f64; 6]) -> 
 /// whole turns: the forearm's absolute angle is the sum of two angles, each with an end.
 pub(crate) fn third_within_limits(geometry: &Geometry, limits: &Limits, theta: &[f64; 6]) -> Option<f64> {
     let mut wound = *theta;
-    wound[2] = PI - limits.elbow.turn_to(PI - theta[2], SLACK)?;
+    wound[2] = PI - limits.elbow.turn_to(PI - theta[2], LIMIT)?;
     if limits.third_axis == ThirdAxis::Forearm {
-        wound[1] = geometry.theta(1, limits.joints[1]).turn_to(theta[1], SLACK)?;
+        wound[1] = geometry.theta(1, limits.joints[1]).turn_to(theta[1], LIMIT)?;
     }
     let third = geometry.reported(&wound, limits.third_axis)[2];
     if limits.third_is_wound() {
-        limits.joints[2].contains(third, SLACK).then_some(third)
+        limits.joints[2].contains(third, LIMIT).then_some(third)
     } else {
-        limits.joints[2].turn_to(third, SLACK)
+        limits.joints[2].turn_to(third, LIMIT)
     }
 }
 
-/// Every posture of a pose that the limits of a robot allow: its class and the joint angles it reports, rad.
+/// Every posture of a pose that the limits of a robot allow: its configuration and the joint angles it reports, rad.
 ///
 /// Where a free joint leaves a choice, representatives are tried at model zero and at the ends of the ranges. Empty for
 /// a planar robot, which has no six joints.
@@ -272,19 +178,6 @@ mod tests {
     /// Metres and radians between two poses, added.
     fn apart(a: &Pose, b: &Pose) -> f64 {
         (a.translation.vector - b.translation.vector).norm() + a.rotation.angle_to(&b.rotation)
-    }
-
-    #[test]
-    fn a_posture_is_read_as_it_is_written() {
-        for place in 0..8 {
-            let class = crate::space::class(place);
-            assert_eq!(class.to_string().parse(), Ok(class));
-        }
-        let short: Configuration = "Back,down,no-flip".parse().unwrap();
-        assert_eq!(short.to_string(), "back, elbow down, no flip");
-        for wrong in ["", "front", "front,up", "front,up,flip,flip", "up,front,flip"] {
-            assert!(wrong.parse::<Configuration>().unwrap_err().to_string().contains("front,up,no-flip"), "{wrong}");
-        }
     }
 
     #[test]

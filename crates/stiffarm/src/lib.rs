@@ -1,6 +1,6 @@
 //! How stiff is an industrial robot where it machines, and where must the work stand?
 //!
-//! A robot and a task go in; each verb is one pure function over plain data:
+//! A [`Model`](model::Model) is made of a robot once, under one set of assumptions; each verb is one pure function over it:
 //!
 //! | verb | function | question |
 //! |---|---|---|
@@ -13,11 +13,12 @@
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
 //!
 //! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only at
-//! the borders: [`catalogue`] reads robot files, [`question`] what people ask, [`report`] tells the answers. The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
+//! the borders: [`catalogue`] reads robot files, [`question`] what people ask, [`answer`] tells what was found.
+//! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
-//! The modules in reading order: [`plain`], [`palette`], `root`, [`interval`], [`limits`], [`spatial`], [`geometry`], [`drive`], [`plane`],
-//! [`robot`], [`catalogue`], [`task`], [`inverse`], [`compliance`], [`space`], [`map`], [`place`], [`rank`], [`study`], [`ledger`],
-//! [`question`], [`report`]. Each uses only those before it.
+//! The modules in reading order: [`plain`], [`palette`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
+//! [`geometry`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`inverse`], [`compliance`], [`batch`], [`task`], `work`, `enclose`, `follow`,
+//! [`model`], [`map`], [`place`], [`rank`], [`study`], [`ledger`], [`question`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
 //! The planar model of the paper, on which all verbs but `compliance` stand: drives 2 and 3 are compliant, links, bearings, the other drives and the base are
@@ -30,10 +31,14 @@
 //!   industrial serial manipulators with an ortho-parallel basis and a spherical wrist*, 2014.
 //! - **\[theory\]** `docs/theory.md` of this repository: the formulas with their derivation.
 
+mod angle;
 pub mod answer;
+pub mod batch;
 pub mod catalogue;
 pub mod compliance;
 pub mod drive;
+mod enclose;
+mod follow;
 pub mod geometry;
 pub mod interval;
 pub mod inverse;
@@ -48,9 +53,11 @@ pub mod plain;
 pub mod plane;
 pub mod question;
 pub mod rank;
+mod real;
 pub mod robot;
 mod root;
-pub mod space;
 pub mod spatial;
 pub mod study;
 pub mod task;
+mod tolerances;
+mod work;

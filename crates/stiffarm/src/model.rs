@@ -1,9 +1,9 @@
 //! What is computed with: a robot made ready under one model of what gives way.
 
+use crate::batch::SpatialArm;
 use crate::compliance::{PostureError, check_held};
 use crate::plane::{ElbowSide, InvalidArm, PlanarArm};
 use crate::robot::{Arm, ArmPlane, NoArmPlane, Robot};
-use crate::space::SpatialArm;
 use crate::spatial::Pose;
 
 /// A robot made ready: frame, limits and elasticity under one set of assumptions. Every verb takes one.

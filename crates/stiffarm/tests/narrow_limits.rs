@@ -110,15 +110,15 @@ fn judged(q: &Question, shoulder: f64, elbow: f64) -> Option<f64> {
         let keeps = arm.shoulder.contains(raised, 0.0)
             && arm.elbow.contains(bent, 0.0)
             && arm.forearm.contains(raised + bent, 0.0)
-            && options.within.x.contains(x, 0.0)
-            && options.within.z.contains(z, 0.0);
+            && options.within.unwrap().x.contains(x, 0.0)
+            && options.within.unwrap().z.contains(z, 0.0);
         if !keeps {
             return None;
         }
         let c = arm.compliance(raised, bent);
         worst = worst.max(f64::midpoint(c.m11, c.m22) + ((c.m11 - c.m22) / 2.0).hypot(c.m12));
     }
-    Some(worst * options.force)
+    Some(worst * options.load.newtons())
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Which rolls of the tool hold a point best, where every roll is another posture?
 //!
-//! A scan of all rolls, 5 degrees apart, tells for every posture how far it gives way (whatever its limits) and how much room its
+//! A scan of all rolls, 5 degrees apart, gives for every posture its compliance (whatever its limits) and how much room its
 //! limits leave (negative where they forbid it). Both are smooth, so their second differences say how far they can get
 //! between two rolls; not near singular postures, which show in joint 1 or joint 4 turning fast. Where a better value cannot be
 //! ruled out, the gap is divided by five, and so on.
@@ -9,7 +9,8 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::Vector3;
 
-use crate::space::{AtRoll, CLASSES, SpatialArm, Turning};
+use crate::batch::{AtRoll, RolledTool, SpatialArm};
+use crate::inverse::Configuration;
 
 /// Rolls of the scan.
 const SCAN: usize = 72;
@@ -24,44 +25,46 @@ const SMOOTH: f64 = 0.9;
 const WORTH: f64 = 3e-4;
 /// Values that agree so well, relative, are equal: where two eigenvalues nearly agree, no more digits are known.
 const EQUAL: f64 = 1e-7;
-/// Mirrored postures are two; more are not kept apart.
+/// Most ways to hold a point that are told apart: mirrored postures are two.
 const MOST: usize = 4;
 
-/// A way to hold a point: value (m/N), place of the class, roll (rad).
+/// One way to hold a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Way {
+pub(super) struct Hold {
+    /// The largest translation per force, m/N.
     pub(super) worst: f64,
-    pub(super) place: usize,
+    pub(super) configuration: Configuration,
+    /// Of the tool about its axis, rad.
     pub(super) roll: f64,
 }
 
 /// Looks for the best rolls of one tool, point after point.
 pub(super) struct Rolls<'a> {
     arm: &'a SpatialArm,
-    turning: Turning,
-    /// Places of the classes that may be taken.
-    places: Vec<usize>,
+    rolled_tool: RolledTool,
+    /// Those that may be taken.
+    configurations: Vec<Configuration>,
     scan: Vec<f64>,
 }
 
 impl<'a> Rolls<'a> {
-    pub(super) fn new(arm: &'a SpatialArm, turning: Turning, places: Vec<usize>) -> Self {
+    pub(super) fn new(arm: &'a SpatialArm, rolled_tool: RolledTool, configurations: Vec<Configuration>) -> Self {
         let scan = (0..SCAN).map(|i| TAU * i as f64 / SCAN as f64).collect();
-        Self { arm, turning, places, scan }
+        Self { arm, rolled_tool, configurations, scan }
     }
 
     /// The best ways to hold a point, all equally good; none where no roll reaches it within the limits.
-    pub(super) fn best(&self, point: &Vector3<f64>) -> Vec<Way> {
-        let mut search = Search { rolls: self, point, best: f64::INFINITY, ways: Vec::new() };
+    pub(super) fn best(&self, point: &Vector3<f64>) -> Vec<Hold> {
+        let mut search = Search { rolls: self, point, best: f64::INFINITY, holds: Vec::new() };
         let mut around = Vec::with_capacity(SCAN + 3);
-        self.arm.at_rolls(&self.turning, point, &self.scan, &mut around);
-        search.learn(&around);
+        self.arm.at_rolls(&self.rolled_tool, point, &self.scan, &mut around);
+        search.keep(&around);
         // Once round: the gap before the first roll comes after the last.
         around.insert(0, around[SCAN - 1]);
         around.push(around[1]);
         around.push(around[2]);
         search.divide(&around, 1);
-        search.polished()
+        search.descended()
     }
 }
 
@@ -69,17 +72,18 @@ struct Search<'a> {
     rolls: &'a Rolls<'a>,
     point: &'a Vector3<f64>,
     best: f64,
-    /// Allowed ways that were found, near enough to the best when they were.
-    ways: Vec<Way>,
+    /// Allowed ones that were nearly as good as the best when they were found.
+    holds: Vec<Hold>,
 }
 
 impl Search<'_> {
-    fn learn(&mut self, found: &[AtRoll]) {
+    fn keep(&mut self, found: &[AtRoll]) {
         for at in found {
-            for &place in &self.rolls.places {
-                if 0.0 <= at.slack[place] && at.worst[place] <= self.best * (1.0 + 2.0 * WORTH) {
-                    self.best = self.best.min(at.worst[place]);
-                    self.ways.push(Way { worst: at.worst[place], place, roll: at.roll });
+            for &configuration in &self.rolls.configurations {
+                let index = configuration.index();
+                if 0.0 <= at.slack[index] && at.worst[index] <= self.best * (1.0 + 2.0 * WORTH) {
+                    self.best = self.best.min(at.worst[index]);
+                    self.holds.push(Hold { worst: at.worst[index], configuration, roll: at.roll });
                 }
             }
         }
@@ -97,8 +101,8 @@ impl Search<'_> {
             // One more on both sides, for their second differences.
             let rolls: [f64; PARTS + 3] = std::array::from_fn(|n| at[i].roll + (n as f64 - 1.0) * step);
             let mut inner = Vec::with_capacity(PARTS + 3);
-            self.rolls.arm.at_rolls(&self.rolls.turning, self.point, &rolls, &mut inner);
-            self.learn(&inner);
+            self.rolls.arm.at_rolls(&self.rolls.rolled_tool, self.point, &rolls, &mut inner);
+            self.keep(&inner);
             if depth < DEPTH {
                 self.divide(&inner, depth + 1);
             }
@@ -106,64 +110,73 @@ impl Search<'_> {
     }
 
     /// What the middle gap of four rolls cannot be better than, as far as second differences tell; infinite where no
-    /// class has room.
+    /// configuration has room.
     fn least(&self, at: &[AtRoll]) -> f64 {
         let arm_is_smooth = smooth(at[1].wrist, at[2].wrist);
-        let of_class = |&place: &usize| {
-            let bend = |part: fn(&AtRoll) -> &[f64; CLASSES]| {
-                let [a, b, c, d] = [0, 1, 2, 3].map(|i| part(&at[i])[place]);
+        let of_configuration = |configuration: &Configuration| {
+            let index = configuration.index();
+            let bend = |part: fn(&AtRoll) -> &[f64; Configuration::COUNT]| {
+                let [a, b, c, d] = [0, 1, 2, 3].map(|i| part(&at[i])[index]);
                 (a - 2.0 * b + c).abs().max((b - 2.0 * c + d).abs())
             };
             // A parabola gets an eighth of its second difference beyond both ends; twice as much is allowed, and for the
             // room, which is the least of several, all of it: two of them may cross.
-            let room = |part: fn(&AtRoll) -> &[f64; CLASSES]| part(&at[1])[place].max(part(&at[2])[place]) + bend(part);
+            let room = |part: fn(&AtRoll) -> &[f64; Configuration::COUNT]| {
+                part(&at[1])[index].max(part(&at[2])[index]) + bend(part)
+            };
             if room(|at| &at.links) < 0.0 {
                 return f64::INFINITY;
             }
-            if !(arm_is_smooth && smooth(at[1].bent[place], at[2].bent[place])) {
+            if !(arm_is_smooth && smooth(at[1].bent[index], at[2].bent[index])) {
                 return 0.0;
             }
             if room(|at| &at.slack) < 0.0 {
                 return f64::INFINITY;
             }
-            at[1].worst[place].min(at[2].worst[place]) - 0.25 * bend(|at| &at.worst)
+            let least = at[1].worst[index].min(at[2].worst[index]) - 0.25 * bend(|at| &at.worst);
+            // Of postures in which nothing holds joint 2 nothing is known.
+            if at.iter().any(|at| at.worst[index].is_nan()) { 0.0 } else { least }
         };
-        self.rolls.places.iter().map(of_class).fold(f64::INFINITY, f64::min)
+        self.rolls.configurations.iter().map(of_configuration).fold(f64::INFINITY, f64::min)
     }
 
-    /// The ways that are equally good after each roll was followed to the bottom of its valley.
-    fn polished(mut self) -> Vec<Way> {
-        self.ways.sort_by(|one, other| one.worst.total_cmp(&other.worst));
-        let mut valleys: Vec<Way> = Vec::new();
-        for way in self.ways.iter().take_while(|way| way.worst <= self.best * (1.0 + 2.0 * WORTH)) {
-            let apart = |other: &Way| ((one_turn(way.roll - other.roll)).abs() * SCAN as f64) / TAU;
+    /// The equally good ones, after local descent from each valley over the rolls.
+    fn descended(mut self) -> Vec<Hold> {
+        self.holds.sort_by(|one, other| one.worst.total_cmp(&other.worst));
+        let mut valleys: Vec<Hold> = Vec::new();
+        for hold in self.holds.iter().take_while(|hold| hold.worst <= self.best * (1.0 + 2.0 * WORTH)) {
+            let apart = |other: &Hold| ((one_turn(hold.roll - other.roll)).abs() * SCAN as f64) / TAU;
             if valleys.len() < MOST && valleys.iter().all(|known| 1.5 < apart(known)) {
-                valleys.push(*way);
+                valleys.push(*hold);
             }
         }
-        let ends: Vec<AtRoll> = valleys.into_iter().map(|way| self.bottom(way)).collect();
-        self.learn(&ends);
-        let mut ways: Vec<Way> = Vec::new();
+        let ends: Vec<AtRoll> = valleys.into_iter().map(|hold| self.bottom(hold)).collect();
+        self.keep(&ends);
+        let mut holds: Vec<Hold> = Vec::new();
         for at in &ends {
-            let allowed = self.rolls.places.iter().filter(|&&place| 0.0 <= at.slack[place]);
-            ways.extend(allowed.map(|&place| Way { worst: at.worst[place], place, roll: one_turn(at.roll) }));
+            let allowed = self.rolls.configurations.iter().filter(|it| 0.0 <= at.slack[it.index()]);
+            holds.extend(allowed.map(|&configuration| Hold {
+                worst: at.worst[configuration.index()],
+                configuration,
+                roll: one_turn(at.roll),
+            }));
         }
-        ways.retain(|way| way.worst <= self.best * (1.0 + EQUAL));
-        ways
+        holds.retain(|hold| hold.worst <= self.best * (1.0 + EQUAL));
+        holds
     }
 
-    /// The best allowed roll beside a way, to 1e-4 rad.
-    fn bottom(&self, way: Way) -> AtRoll {
+    /// The best allowed roll in the valley of a hold, to 1e-4 rad.
+    fn bottom(&self, hold: Hold) -> AtRoll {
         const ROLLS: usize = PARTS + 2;
         let mut half = TAU / (SCAN * PARTS) as f64;
         let mut near = Vec::with_capacity(ROLLS);
-        let mut middle = way.roll;
+        let (index, mut middle) = (hold.configuration.index(), hold.roll);
         loop {
             near.clear();
             let rolls: [f64; ROLLS] =
                 std::array::from_fn(|n| middle + half * (n as f64 * 2.0 / (ROLLS - 1) as f64 - 1.0));
-            self.rolls.arm.at_rolls(&self.rolls.turning, self.point, &rolls, &mut near);
-            let value = |at: &AtRoll| if 0.0 <= at.slack[way.place] { at.worst[way.place] } else { f64::INFINITY };
+            self.rolls.arm.at_rolls(&self.rolls.rolled_tool, self.point, &rolls, &mut near);
+            let value = |at: &AtRoll| if 0.0 <= at.slack[index] { at.worst[index] } else { f64::INFINITY };
             let best = near.iter().min_by(|one, other| value(one).total_cmp(&value(other))).expect("seven rolls");
             if half < 1e-4 {
                 return *best;

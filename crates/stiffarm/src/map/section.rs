@@ -5,13 +5,15 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::rolls::{Rolls, Way};
+use super::rolls::{Hold, Rolls};
 use super::{Axis, Grid, Held, MOST_CELLS_IN_SPACE, Map, MapError, Margins, check_grid};
+use crate::batch::{SameBranch, SpatialArm};
 use crate::interval::Interval;
-use crate::inverse::{Configuration, SLACK, postures, within_limits};
+use crate::inverse::{Configuration, postures, within_limits};
 use crate::limits::Limits;
 use crate::model::SpatialModel;
-use crate::space::{CLASSES, Near, Patch, SpatialArm, Stand, class};
+use crate::tolerances;
+use crate::work::{WorkPlacement, WorkPlane};
 
 /// Where any roll will do and they differ, the deflection told is at most so much, relative, above that of the best roll.
 pub const ROLL_TOLERANCE: f64 = 1e-3;
@@ -35,8 +37,8 @@ pub(super) fn joints(
     [x, z]: [f64; 2],
 ) -> Option<[f64; 6]> {
     let arm = model.arm();
-    let stand = Stand { x, z, yaw: held.yaw, angle: 0.0, roll };
-    let theta = of_class(&at_centre(arm, &Patch::of(held.elevation, &stand), &stand), configuration)?;
+    let work = WorkPlacement { x, z, yaw: held.yaw, angle: 0.0, roll };
+    let theta = of_configuration(&at_centre(arm, &WorkPlane::of(held.elevation, &work), &work), configuration)?;
     let q = within_limits(&arm.geometry, &freed(arm, held).limits, &theta);
     Some(q.unwrap_or_else(|| arm.geometry.reported(&theta, arm.limits.third_axis)))
 }
@@ -91,18 +93,20 @@ fn freed(arm: &SpatialArm, held: &Held) -> SpatialArm {
     arm.without_limit_on(0, true).without_limit_on(5, roll_is_free)
 }
 
-/// All postures at the centre of a stand.
-fn at_centre(arm: &SpatialArm, patch: &Patch, stand: &Stand) -> Vec<(Configuration, [f64; 6])> {
-    let flange = patch.pose(stand, [0.0; 2]) * arm.flange_from_tool.inverse();
+/// All postures at the centre of a zone.
+fn at_centre(arm: &SpatialArm, plane: &WorkPlane, work: &WorkPlacement) -> Vec<(Configuration, [f64; 6])> {
+    let flange = plane.pose(work, [0.0; 2]) * arm.flange_from_tool.inverse();
     postures(&arm.geometry, &flange).found
 }
 
-/// Model angles of a class among the postures of a pose.
-fn of_class(found: &[(Configuration, [f64; 6])], class: Configuration) -> Option<[f64; 6]> {
-    let same_arm = |other: &Configuration| other.shoulder == class.shoulder && other.elbow == class.elbow;
+/// Model angles of a configuration among the postures of a pose.
+fn of_configuration(found: &[(Configuration, [f64; 6])], configuration: Configuration) -> Option<[f64; 6]> {
+    let same_arm =
+        |other: &Configuration| other.shoulder == configuration.shoulder && other.elbow == configuration.elbow;
     // At a singular wrist one representative stands for both.
-    let way = found.iter().find(|way| way.0 == class).or_else(|| found.iter().find(|way| same_arm(&way.0)));
-    way.map(|(_, theta)| *theta)
+    let hold =
+        found.iter().find(|hold| hold.0 == configuration).or_else(|| found.iter().find(|hold| same_arm(&hold.0)));
+    hold.map(|(_, theta)| *theta)
 }
 
 /// Where rolls differ and any will do, they are searched; else one stands for all.
@@ -115,86 +119,96 @@ struct Scan<'a> {
     options: &'a SectionOptions<'a>,
     freed: &'a SpatialArm,
     roll: Roll<'a>,
-    /// Places of the classes that are wanted.
-    places: Vec<usize>,
+    /// Those that are asked for.
+    configurations: Vec<Configuration>,
 }
 
 impl<'a> Scan<'a> {
     fn new(freed: &'a SpatialArm, options: &'a SectionOptions<'a>) -> Self {
-        let places: Vec<usize> =
-            (0..CLASSES).filter(|&place| options.held.configuration.is_none_or(|only| only == class(place))).collect();
+        let configurations: Vec<Configuration> = Configuration::ALL
+            .into_iter()
+            .filter(|configuration| options.held.configuration.is_none_or(|only| only == *configuration))
+            .collect();
         let roll = match options.held.roll {
             Some(roll) => Roll::One(roll),
             None if freed.tool_turns_about_axis_6() => Roll::One(0.0),
             None => {
-                let patches =
-                    [0.0, FRAC_PI_2, PI].map(|roll| Self::patch(options, &Self::stand(options, 0.0, 0.0, roll)));
-                Roll::Any(Rolls::new(freed, freed.turning(patches.each_ref().map(Patch::tool)), places.clone()))
+                let planes =
+                    [0.0, FRAC_PI_2, PI].map(|roll| Self::plane(options, &Self::work(options, 0.0, 0.0, roll)));
+                Roll::Any(Rolls::new(
+                    freed,
+                    freed.rolled_tool(planes.each_ref().map(WorkPlane::tool)),
+                    configurations.clone(),
+                ))
             }
         };
-        Self { options, freed, roll, places }
+        Self { options, freed, roll, configurations }
     }
 
-    fn stand(options: &SectionOptions, x: f64, z: f64, roll: f64) -> Stand {
-        Stand { x, z, yaw: options.held.yaw, angle: 0.0, roll }
+    fn work(options: &SectionOptions, x: f64, z: f64, roll: f64) -> WorkPlacement {
+        WorkPlacement { x, z, yaw: options.held.yaw, angle: 0.0, roll }
     }
 
-    fn patch(options: &SectionOptions, stand: &Stand) -> Patch {
-        Patch::of(options.held.elevation, stand)
+    fn plane(options: &SectionOptions, work: &WorkPlacement) -> WorkPlane {
+        WorkPlane::of(options.held.elevation, work)
     }
 
     fn row(&self, j: usize) -> Vec<Cell> {
         let (x, z) = (self.options.x.points(), self.options.z.at(j));
-        let ways: Vec<Vec<Way>> = match &self.roll {
+        let holds: Vec<Vec<Hold>> = match &self.roll {
             Roll::One(roll) => self.at_one_roll(&x, z, *roll),
             Roll::Any(rolls) => x.iter().map(|x| rolls.best(&Vector3::new(*x, 0.0, z))).collect(),
         };
-        x.into_iter().zip(ways).map(|(x, ways)| self.cell(&ways, x, z)).collect()
+        x.into_iter().zip(holds).map(|(x, holds)| self.cell(&holds, x, z)).collect()
     }
 
     /// The best ways to hold every point of a row at one roll.
-    fn at_one_roll(&self, x: &[f64], z: f64, roll: f64) -> Vec<Vec<Way>> {
+    fn at_one_roll(&self, x: &[f64], z: f64, roll: f64) -> Vec<Vec<Hold>> {
         let (y, z) = (vec![0.0; x.len()], vec![z; x.len()]);
-        let mut classes = vec![vec![0.0; x.len()]; CLASSES];
-        let mut rows = classes.iter_mut().map(Vec::as_mut_slice);
-        let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
-        let patch = Self::patch(self.options, &Self::stand(self.options, 0.0, 0.0, roll));
-        self.freed.classes_at(&self.freed.orientation(patch.tool()), &Near::default(), [x, &y, &z], into);
+        let mut values = vec![vec![0.0; x.len()]; Configuration::COUNT];
+        let mut rows = values.iter_mut().map(Vec::as_mut_slice);
+        let into = std::array::from_fn(|_| rows.next().expect("one row per configuration"));
+        let plane = Self::plane(self.options, &Self::work(self.options, 0.0, 0.0, roll));
+        self.freed.configurations_at(&self.freed.orientation(plane.tool()), &SameBranch::default(), [x, &y, &z], into);
         let at = |i: usize| {
-            let ways = self.places.iter().map(|&place| Way { worst: classes[place][i], place, roll });
-            let least = ways.clone().map(|way| way.worst).fold(f64::INFINITY, f64::min);
-            ways.filter(|way| way.worst.is_finite() && way.worst <= least * (1.0 + EQUAL)).collect()
+            let holds = self.configurations.iter().map(|&configuration| Hold {
+                worst: values[configuration.index()][i],
+                configuration,
+                roll,
+            });
+            let least = holds.clone().map(|hold| hold.worst).fold(f64::INFINITY, f64::min);
+            holds.filter(|hold| hold.worst.is_finite() && hold.worst <= least * (1.0 + EQUAL)).collect()
         };
         (0..x.len()).map(at).collect()
     }
 
-    /// Of equally good ways the one with most room to its limits, so that neighbours tell the same posture.
-    fn cell(&self, ways: &[Way], x: f64, z: f64) -> Cell {
+    /// Of equally good ways to hold a point the one with most room to its limits, so that neighbours tell the same posture.
+    fn cell(&self, holds: &[Hold], x: f64, z: f64) -> Cell {
         let none = Cell { worst: f64::NAN, limit_margin: f64::NAN, singular_margin: f64::NAN, posture: None };
-        let of_one_roll = ways.chunk_by(|one, other| one.roll == other.roll);
-        let cells = of_one_roll.flat_map(|ways| {
-            let stand = Self::stand(self.options, x, z, ways[0].roll);
-            let found = at_centre(self.freed, &Self::patch(self.options, &stand), &stand);
-            ways.iter().map(move |way| self.told(way, of_class(&found, class(way.place))))
+        let of_one_roll = holds.chunk_by(|one, other| one.roll == other.roll);
+        let cells = of_one_roll.flat_map(|holds| {
+            let work = Self::work(self.options, x, z, holds[0].roll);
+            let found = at_centre(self.freed, &Self::plane(self.options, &work), &work);
+            holds.iter().map(move |hold| self.told(hold, of_configuration(&found, hold.configuration)))
         });
         // A margin of NaN is that of no way at all.
         cells.fold(none, |best, other| if other.limit_margin <= best.limit_margin { best } else { other })
     }
 
-    /// A way with its model angles.
-    fn told(&self, way: &Way, theta: Option<[f64; 6]>) -> Cell {
+    /// The cell that one way to hold a point gives, from its model angles.
+    fn told(&self, hold: &Hold, theta: Option<[f64; 6]>) -> Cell {
         let limit_margin = theta.and_then(|theta| {
             let q = within_limits(&self.freed.geometry, &self.freed.limits, &theta)?;
             let Limits { joints, elbow, .. } = &self.freed.limits;
-            let enclosed = elbow.room(elbow.turn_to(PI - theta[2], SLACK)?);
+            let enclosed = elbow.room(elbow.turn_to(PI - theta[2], tolerances::LIMIT)?);
             let rooms = q.into_iter().zip(joints).map(|(q, range)| range.room(q));
             Some(rooms.fold(enclosed, f64::min).max(0.0))
         });
         Cell {
-            worst: way.worst * self.options.force,
+            worst: hold.worst * self.options.force,
             limit_margin: limit_margin.unwrap_or(0.0),
             singular_margin: theta.map_or(0.0, |theta| self.freed.geometry.singular_margin(&theta)),
-            posture: Some((class(way.place), way.roll)),
+            posture: Some((hold.configuration, hold.roll)),
         }
     }
 }
@@ -226,21 +240,21 @@ mod tests {
             let found = map.space.as_ref().unwrap();
             for j in 0..7 {
                 for i in 0..8 {
-                    let stand = Stand { x: x.at(i), z: z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
-                    let pose = Patch::of(held.elevation, &stand).pose(&stand, [0.0; 2]);
+                    let work = WorkPlacement { x: x.at(i), z: z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
+                    let pose = WorkPlane::of(held.elevation, &work).pose(&work, [0.0; 2]);
                     let ways = reached(robot, &(pose * tool.inverse()));
                     let values = ways.iter().map(|way| compliance(robot, &way.1, &tool).unwrap().compliance.worst().0);
                     match map.deflection.get(i, j) {
                         Some(worst) => {
                             let expected = values.fold(f64::INFINITY, f64::min) * 1000.0;
-                            assert!((worst - expected).abs() <= 1e-7 * expected, "{} {stand:?}", robot.name);
-                            let (class, roll) = found.at(i, j).unwrap();
-                            assert!(ways.iter().any(|way| way.0 == class) && roll == 0.3, "{class}");
-                            let q = joints(&model, &held, (class, roll), [stand.x, stand.z]).unwrap();
+                            assert!((worst - expected).abs() <= 1e-7 * expected, "{} {work:?}", robot.name);
+                            let (configuration, roll) = found.at(i, j).unwrap();
+                            assert!(ways.iter().any(|way| way.0 == configuration) && roll == 0.3, "{configuration}");
+                            let q = joints(&model, &held, (configuration, roll), [work.x, work.z]).unwrap();
                             let at = compliance(robot, &q, &tool).unwrap().tool;
                             assert!((at.inverse() * pose).translation.vector.norm() < 1e-9, "{} {q:?}", robot.name);
                         }
-                        None => assert!(ways.is_empty(), "{}: {stand:?} is reached by {ways:?}", robot.name),
+                        None => assert!(ways.is_empty(), "{}: {work:?} is reached by {ways:?}", robot.name),
                     }
                 }
             }

@@ -15,6 +15,7 @@ use crate::load::{Direction, Load};
 use crate::model::{Model, ModelError};
 use crate::plane::Elbow;
 use crate::task::Zone;
+use crate::tolerances;
 
 /// Deflections below this, m, are rounding: nothing gives way.
 pub(crate) const NOTHING: f64 = 1e-15;
@@ -194,8 +195,7 @@ impl Outside {
 
     /// Of an upright box around a zone, by its centre from the base and half its sides.
     fn of([x, z]: [f64; 2], half: Vector2<f64>) -> Self {
-        const SLACK: f64 = 1e-6;
-        Self { below: z - half.y < -SLACK, behind: x - half.x < -SLACK }
+        Self { below: z - half.y < -tolerances::OUTSIDE, behind: x - half.x < -tolerances::OUTSIDE }
     }
 }
 
@@ -375,8 +375,10 @@ pub fn deflection_field(
     points: impl IntoIterator<Item = [f64; 2]>,
 ) -> Result<Vec<ZonePoint>, PlaceError> {
     match (model, &placement.hold) {
-        (Model::Planar(model), Hold::Plane { .. }) => Ok(planar::across(model, options, placement, points)),
-        (Model::Spatial(model), Hold::Space(hold)) => spatial::across(model, options, placement, hold, points),
+        (Model::Planar(model), Hold::Plane { .. }) => Ok(planar::deflection_field(model, options, placement, points)),
+        (Model::Spatial(model), Hold::Space(hold)) => {
+            spatial::deflection_field(model, options, placement, hold, points)
+        }
         (Model::Planar(_), _) => Err(PlaceError::Inapplicable { what: "this placement", model: "spatial" }),
         (Model::Spatial(_), _) => Err(PlaceError::Inapplicable { what: "this placement", model: "planar" }),
     }

@@ -60,7 +60,7 @@ pub(super) fn find(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> R
 }
 
 /// The deflection at points of a zone that has its place.
-pub(super) fn across(
+pub(super) fn deflection_field(
     model: &PlanarModel,
     options: &PlaceOptions,
     placement: &Placement,

@@ -1,15 +1,15 @@
 //! The best place of a flat zone in space: coarse over all places, refined from the best, with a proved lower bound.
 
-mod across;
 mod bound;
-mod mix;
+mod evaluate;
+mod field;
+mod order;
 mod search;
-mod sweep;
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
-pub use across::ZonePoint;
-pub(super) use across::across;
+pub use field::ZonePoint;
+pub(super) use field::deflection_field;
 
 use super::{
     Hold, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, SpaceHold, Stance, Within,
@@ -129,9 +129,4 @@ impl From<Solution> for Placement {
 pub(super) fn place(model: &SpatialModel, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
     let question = Question::of(options)?;
     Ok(search::search(model.robot(), &model.arm, zone, &question))
-}
-
-/// An angle in `-pi..pi`.
-fn wrapped(angle: f64) -> f64 {
-    angle - (angle / (2.0 * PI)).round() * 2.0 * PI
 }

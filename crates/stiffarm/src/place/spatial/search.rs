@@ -1,20 +1,20 @@
-//! Coarse over every place, yaw, angle and roll; then refined from the best.
+//! Where must a zone stand? A coarse search over every place, yaw, angle and roll, then local descent from the best.
 
 use std::f64::consts::PI;
 
-use nalgebra::{Rotation3, Vector3};
 use rayon::prelude::*;
 
-use super::bound::Prover;
-use super::sweep::{Sweep, Unswept, sweep};
-use super::{Misfit, Outside, Placed, Question, Resolution, Solution, wrapped};
-use crate::compliance::compliance;
+use super::bound::BranchAndBound;
+use super::{Misfit, Placed, Question, Resolution, Solution};
+use crate::angle::wrapped;
+use crate::batch::{SameBranch, SpatialArm};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::place::{Orientation, Within};
 use crate::robot::Robot;
-use crate::space::{CLASSES, Grid, Near, Patch, SpatialArm, Stand, TOLERANCE, class};
 use crate::task::Zone;
+use crate::tolerances;
+use crate::work::{Grid, WorkPlacement, WorkPlane};
 
 /// Places along the longer side of what is searched.
 const PLACES: usize = 60;
@@ -22,41 +22,35 @@ const PLACES: usize = 60;
 const STARTS: usize = 24;
 /// Places that are refined once more with the samples of the answer.
 const FINALISTS: usize = 5;
-/// Zones that are judged before the best value is looked at again.
+/// Zones that are evaluated before the best value so far is compared again.
 const BLOCK: usize = 256;
 /// The refinement ends at steps of this length, m, and this angle, rad.
-const FINE: (f64, f64) = (5e-5, 5e-5);
-/// What a zone may stand outside its window by, m: rounding.
-const WINDOW: f64 = 1e-9;
-/// What of a zone may lie below the base or behind axis 1, m, before it is told: rounding.
-const OUTSIDE: f64 = 1e-6;
+pub(super) const FINE: (f64, f64) = (5e-5, 5e-5);
 /// Halving the distance between samples must change less than this.
-const HALVING: f64 = 1e-3;
+pub(super) const HALVING: f64 = 1e-3;
 /// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
-const CELLS: [usize; 4] = [2, 6, 16, 64];
-/// How often a place is sought anew within narrower limits.
-const NARROWINGS: usize = 5;
-/// How often the place that stands in the way of a proof is refined.
+pub(super) const CELLS: [usize; 4] = [2, 6, 16, 64];
+/// How often the placement that stands in the way of a better bound is refined.
 const RESTARTS: usize = 3;
 
 /// Finds the best place that a coarse search and its refinement see, and proves how much better another could be.
 pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question) -> Placed {
     let search = Search::new(robot, arm, zone, options);
     let mut found = search.find();
-    let prover = Prover::new(arm, zone, options, search.region, search.roll_is_free);
+    let branch_and_bound = BranchAndBound::new(arm, zone, options, search.region, search.roll_is_free);
     let value = |found: &Result<Solution, Misfit>| {
         found.as_ref().map_or(f64::INFINITY, |placement| placement.deflection / options.force)
     };
-    let mut proof = prover.prove(value(&found));
+    let mut proof = branch_and_bound.prove(value(&found));
     for _ in 0..RESTARTS {
-        let Some(better) = proof.open.and_then(|stand| search.find_near(stand)) else { break };
+        let Some(better) = proof.unfathomed.and_then(|work| search.find_near(work)) else { break };
         if value(&found) * (1.0 - HALVING) <= better.deflection / options.force {
             break;
         }
         // What the coarse search saw stays what it is.
         let coarse = found.map_or(f64::NAN, |placement| placement.resolution.coarse);
         found = Ok(Solution { resolution: Resolution { coarse, ..better.resolution }, ..better });
-        proof = prover.prove(value(&found));
+        proof = branch_and_bound.prove(value(&found));
     }
     match found {
         Ok(placement) => Placed::Feasible(
@@ -70,11 +64,11 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
         Err(_) if search.window_is_too_narrow() => {
             Placed::Infeasible { reason: Misfit::WindowTooNarrow, is_proved: true, largest_scale: None }
         }
-        Err(reason) => Placed::Infeasible { reason, is_proved: proof.open.is_none(), largest_scale: None },
+        Err(reason) => Placed::Infeasible { reason, is_proved: proof.unfathomed.is_none(), largest_scale: None },
     }
 }
 
-/// Where centres may stand by the lengths of the arm, ahead of the joint-1 axis and behind it, and up.
+/// Where centres may lie by the lengths of the arm, ahead of the joint-1 axis and behind it, and up.
 pub(super) fn region(arm: &SpatialArm, within: Within) -> [Interval; 2] {
     let [ahead, up] = arm.reach();
     let both = Interval::spanning(-ahead.max(), ahead.max());
@@ -84,44 +78,44 @@ pub(super) fn region(arm: &SpatialArm, within: Within) -> [Interval; 2] {
 
 /// How good a place is: first how many poses no single posture reaches, then the largest compliance, m/N.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Score {
-    unreached: usize,
-    worst: f64,
+pub(super) struct Score {
+    pub(super) unreached: usize,
+    pub(super) worst: f64,
 }
 
 impl Score {
     const NONE: Self = Self { unreached: usize::MAX, worst: f64::INFINITY };
 
-    fn is_feasible(&self) -> bool {
+    pub(super) fn is_feasible(&self) -> bool {
         self.unreached == 0
     }
 
-    fn total_cmp(&self, other: &Self) -> std::cmp::Ordering {
+    pub(super) fn total_cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.unreached.cmp(&other.unreached).then(self.worst.total_cmp(&other.worst))
     }
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Candidate {
-    stand: Stand,
-    score: Score,
-    /// Its best class.
-    place: usize,
+pub(super) struct Candidate {
+    pub(super) work: WorkPlacement,
+    pub(super) score: Score,
+    /// The configuration with that score.
+    configuration: Configuration,
 }
 
 #[derive(Clone)]
-struct Search<'a> {
-    robot: &'a Robot,
+pub(super) struct Search<'a> {
+    pub(super) robot: &'a Robot,
     /// As asked, and without the limits that turning the zone or the tool meets.
-    arm: &'a SpatialArm,
-    freed: SpatialArm,
-    zone: Zone,
-    options: &'a Question,
+    pub(super) arm: &'a SpatialArm,
+    pub(super) freed: SpatialArm,
+    pub(super) zone: Zone,
+    pub(super) options: &'a Question,
     /// Rolling the tool moves nothing, and any roll will do.
-    roll_is_free: bool,
+    pub(super) roll_is_free: bool,
     /// Where centres are looked for: ahead, up.
-    region: [Interval; 2],
-    step: f64,
+    pub(super) region: [Interval; 2],
+    pub(super) step: f64,
 }
 
 impl<'a> Search<'a> {
@@ -151,20 +145,20 @@ impl<'a> Search<'a> {
             return Err(Misfit::NowhereWhole { step: self.step });
         }
         let coarse = seen.iter().map(|candidate| candidate.score).min_by(Score::total_cmp).expect("a start");
-        refined.iter().find_map(|candidate| self.judge(candidate, coarse)).ok_or(Misfit::Turning)
+        refined.iter().find_map(|candidate| self.evaluate(candidate, coarse)).ok_or(Misfit::Turning)
     }
 
-    /// The best place that a refinement from one stand sees.
-    fn find_near(&self, stand: Stand) -> Option<Solution> {
-        let start = self.candidate(stand, &Grid::of(self.zone, CELLS[1]));
+    /// The best place that a refinement from one placement sees.
+    fn find_near(&self, work: WorkPlacement) -> Option<Solution> {
+        let start = self.candidate(work, &Grid::of(self.zone, CELLS[1]));
         let rough = self.refined(&[start], CELLS[1], self.step / 8.0);
-        self.refined(&rough, CELLS[2], self.step / 8.0).iter().find_map(|found| self.judge(found, Score::NONE))
+        self.refined(&rough, CELLS[2], self.step / 8.0).iter().find_map(|found| self.evaluate(found, Score::NONE))
     }
 
     /// Every start refined, the best first.
-    fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Vec<Candidate> {
+    pub(super) fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Vec<Candidate> {
         let grid = Grid::of(self.zone, cells);
-        let mut refined: Vec<Candidate> = starts.par_iter().map(|start| self.refine(start, &grid, step)).collect();
+        let mut refined: Vec<Candidate> = starts.par_iter().map(|start| self.descend(start, &grid, step)).collect();
         refined.sort_by(|a, b| a.score.total_cmp(&b.score));
         refined.retain(|candidate| candidate.score.is_feasible());
         refined
@@ -213,17 +207,17 @@ impl<'a> Search<'a> {
             1 => range.middle(),
             _ => range.min() + range.width() * i as f64 / (count - 1) as f64,
         };
-        let stands: Vec<Stand> = self
+        let works: Vec<WorkPlacement> = self
             .turns()
             .into_iter()
             .flat_map(|[yaw, angle, roll]| {
                 (0..rows * columns).map(move |i| (i % columns, i / columns)).map(move |(i, j)| {
                     let (x, z) = (at(self.region[0], i, columns), at(self.region[1], j, rows));
-                    Stand { x, z, yaw, angle, roll }
+                    WorkPlacement { x, z, yaw, angle, roll }
                 })
             })
             .collect();
-        let mut centres = self.centres(&stands, rows * columns);
+        let mut centres = self.centres(&works, rows * columns);
         if !centres.iter().any(|centre| centre.0.is_finite()) {
             return Err(Misfit::NothingReached);
         }
@@ -237,29 +231,30 @@ impl<'a> Search<'a> {
             if best < block[0].0 {
                 break;
             }
-            let judged: Vec<Candidate> = block.par_iter().map(|(_, i)| self.candidate(stands[*i], &grid)).collect();
-            best = judged.iter().filter(|c| c.score.is_feasible()).map(|c| c.score.worst).fold(best, f64::min);
-            seen.extend(judged);
+            let evaluated: Vec<Candidate> = block.par_iter().map(|(_, i)| self.candidate(works[*i], &grid)).collect();
+            best = evaluated.iter().filter(|c| c.score.is_feasible()).map(|c| c.score.worst).fold(best, f64::min);
+            seen.extend(evaluated);
         }
         seen.sort_by(|a, b| a.score.total_cmp(&b.score));
         Ok(self.apart(&seen))
     }
 
-    /// The best value at each stand alone, with its place in the list; infinite where it is not reached.
-    fn centres(&self, stands: &[Stand], of_one_turn: usize) -> Vec<(f64, usize)> {
-        let one_turn = |(turn, stands): (usize, &[Stand])| {
-            let patch = Patch::of(self.options.elevation, &stands[0]);
-            let orientation = self.freed.orientation(patch.tool());
-            let column = |part: fn(&Stand) -> f64| stands.iter().map(part).collect::<Vec<f64>>();
-            let (x, y, z) = (column(|stand| stand.x), vec![0.0; stands.len()], column(|stand| stand.z));
-            let mut classes = vec![vec![0.0; stands.len()]; CLASSES];
-            let mut rows = classes.iter_mut().map(Vec::as_mut_slice);
-            let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
-            self.freed.classes_at(&orientation, &Near::default(), [&x, &y, &z], into);
-            let best = |i: usize| classes.iter().map(|class| class[i]).fold(f64::INFINITY, f64::min);
-            (0..stands.len()).map(|i| (best(i), turn * of_one_turn + i)).collect::<Vec<_>>()
+    /// The value at the centre of each placement, with its position in the list; infinite where it is not reached.
+    fn centres(&self, works: &[WorkPlacement], of_one_turn: usize) -> Vec<(f64, usize)> {
+        let one_turn = |(turn, works): (usize, &[WorkPlacement])| {
+            let plane = WorkPlane::of(self.options.elevation, &works[0]);
+            let orientation = self.freed.orientation(plane.tool());
+            let column = |part: fn(&WorkPlacement) -> f64| works.iter().map(part).collect::<Vec<f64>>();
+            let (x, y, z) = (column(|work| work.x), vec![0.0; works.len()], column(|work| work.z));
+            let mut configurations = vec![vec![0.0; works.len()]; Configuration::COUNT];
+            let mut rows = configurations.iter_mut().map(Vec::as_mut_slice);
+            let into = std::array::from_fn(|_| rows.next().expect("one row per configuration"));
+            self.freed.configurations_at(&orientation, &SameBranch::default(), [&x, &y, &z], into);
+            let best =
+                |i: usize| configurations.iter().map(|configuration| configuration[i]).fold(f64::INFINITY, f64::min);
+            (0..works.len()).map(|i| (best(i), turn * of_one_turn + i)).collect::<Vec<_>>()
         };
-        stands.par_chunks(of_one_turn).enumerate().flat_map_iter(one_turn).collect()
+        works.par_chunks(of_one_turn).enumerate().flat_map_iter(one_turn).collect()
     }
 
     /// The first of a sorted list that are two steps or another turn apart.
@@ -267,10 +262,12 @@ impl<'a> Search<'a> {
         let mut chosen: Vec<Candidate> = Vec::new();
         for candidate in sorted {
             let near = |other: &Candidate| {
-                let (a, b) = (&candidate.stand, &other.stand);
+                let (a, b) = (&candidate.work, &other.work);
                 let turned =
                     wrapped(a.yaw - b.yaw).abs() + wrapped(a.angle - b.angle).abs() + wrapped(a.roll - b.roll).abs();
-                (a.x - b.x).hypot(a.z - b.z) < 2.0 * self.step && turned < 0.8 && candidate.place == other.place
+                (a.x - b.x).hypot(a.z - b.z) < 2.0 * self.step
+                    && turned < 0.8
+                    && candidate.configuration == other.configuration
             };
             if !chosen.iter().any(near) {
                 chosen.push(*candidate);
@@ -283,52 +280,52 @@ impl<'a> Search<'a> {
     }
 
     /// A place with its score over a grid of poses.
-    fn candidate(&self, stand: Stand, grid: &Grid) -> Candidate {
-        let (score, place) =
-            self.scores(&stand, grid).into_iter().zip(0..).min_by(|a, b| a.0.total_cmp(&b.0)).expect("eight");
-        Candidate { stand, score, place }
+    pub(super) fn candidate(&self, work: WorkPlacement, grid: &Grid) -> Candidate {
+        let scores = self.scores(&work, grid).into_iter().zip(Configuration::ALL);
+        let (score, configuration) = scores.min_by(|a, b| a.0.total_cmp(&b.0)).expect("eight configurations");
+        Candidate { work, score, configuration }
     }
 
-    /// All of the zone stands in the window.
-    fn stands_within(&self, stand: &Stand, [ahead, _, up]: [f64; 3]) -> bool {
+    /// All of the zone lies in the window.
+    fn is_within(&self, work: &WorkPlacement, [ahead, _, up]: [f64; 3]) -> bool {
         let Within { x, z } = self.options.within;
-        [(x, stand.x, ahead), (z, stand.z, up)]
-            .into_iter()
-            .all(|(range, at, half)| range.contains(at - half, WINDOW) && range.contains(at + half, WINDOW))
+        [(x, work.x, ahead), (z, work.z, up)].into_iter().all(|(range, at, half)| {
+            range.contains(at - half, tolerances::WINDOW) && range.contains(at + half, tolerances::WINDOW)
+        })
     }
 
     /// The window is too narrow for the zone however it is turned.
     fn window_is_too_narrow(&self) -> bool {
         let Within { x, z } = self.options.within;
         self.turns().into_iter().all(|[yaw, angle, roll]| {
-            let stand = Stand { x: 0.0, z: 0.0, yaw, angle, roll };
-            let [ahead, _, up] = Patch::of(self.options.elevation, &stand).half_extents(self.zone);
-            x.width() + WINDOW < 2.0 * ahead || z.width() + WINDOW < 2.0 * up
+            let work = WorkPlacement { x: 0.0, z: 0.0, yaw, angle, roll };
+            let [ahead, _, up] = WorkPlane::of(self.options.elevation, &work).half_extents(self.zone);
+            x.width() + tolerances::WINDOW < 2.0 * ahead || z.width() + tolerances::WINDOW < 2.0 * up
         })
     }
 
-    /// The score of every class.
-    fn scores(&self, stand: &Stand, grid: &Grid) -> [Score; CLASSES] {
-        let patch = Patch::of(self.options.elevation, stand);
+    /// The score of every configuration.
+    pub(super) fn scores(&self, work: &WorkPlacement, grid: &Grid) -> [Score; Configuration::COUNT] {
+        let plane = WorkPlane::of(self.options.elevation, work);
         let count = grid.points.len();
         let mut points = vec![0.0; 3 * count];
         let (x, yz) = points.split_at_mut(count);
         let (y, z) = yz.split_at_mut(count);
-        if !self.stands_within(stand, patch.half_extents(self.zone)) {
-            return [Score::NONE; CLASSES];
+        if !self.is_within(work, plane.half_extents(self.zone)) {
+            return [Score::NONE; Configuration::COUNT];
         }
         for (i, &at) in grid.points.iter().enumerate() {
-            let point = patch.point(stand, at);
+            let point = plane.point(work, at);
             (x[i], y[i], z[i]) = (point.x, point.y, point.z);
         }
-        let mut classes = vec![0.0; CLASSES * count];
-        let orientation = self.freed.orientation(patch.tool());
-        let mut best = [Score::NONE; CLASSES];
-        for near in self.freed.near(&patch.pose(stand, [0.0; 2])) {
-            let mut rows = classes.chunks_exact_mut(count);
-            let into = std::array::from_fn(|_| rows.next().expect("one row per class"));
-            self.freed.classes_at(&orientation, &near, [x, y, z], into);
-            for (best, row) in best.iter_mut().zip(classes.chunks_exact(count)) {
+        let mut configurations = vec![0.0; Configuration::COUNT * count];
+        let orientation = self.freed.orientation(plane.tool());
+        let mut best = [Score::NONE; Configuration::COUNT];
+        for same_branch in self.freed.same_branches(&plane.pose(work, [0.0; 2])) {
+            let mut rows = configurations.chunks_exact_mut(count);
+            let into = std::array::from_fn(|_| rows.next().expect("one row per configuration"));
+            self.freed.configurations_at(&orientation, &same_branch, [x, y, z], into);
+            for (best, row) in best.iter_mut().zip(configurations.chunks_exact(count)) {
                 let reached = row.iter().filter(|value| value.is_finite());
                 let worst = reached.clone().copied().fold(0.0, f64::max);
                 let score = Score { unreached: count - reached.count(), worst };
@@ -341,26 +338,26 @@ impl<'a> Search<'a> {
     }
 
     /// Steps in every direction of what is free, halved where none is better.
-    fn refine(&self, start: &Candidate, grid: &Grid, first_step: f64) -> Candidate {
+    fn descend(&self, start: &Candidate, grid: &Grid, first_step: f64) -> Candidate {
         let free_angle = self.options.orientation == Orientation::Free && !matches!(self.zone, Zone::Circle { .. });
         let free_yaw = 0.0 < self.options.yaw.width() && !self.options.is_vertical();
         let free_roll = self.options.roll.is_none() && !self.roll_is_free;
         let free = [true, true, free_yaw, free_angle, free_roll];
         let directions = directions(free);
-        let mut best = self.candidate(start.stand, grid);
+        let mut best = self.candidate(start.work, grid);
         let (mut step, mut turn) = (first_step, 0.3 * first_step / self.step);
         while FINE.0 < step {
             let moved = directions.iter().map(|direction| {
                 let [x, z, yaw, angle, roll] = *direction;
-                let from = best.stand;
-                let stand = Stand {
+                let from = best.work;
+                let work = WorkPlacement {
                     x: self.region[0].clamp(from.x + step * x),
                     z: self.region[1].clamp(from.z + step * z),
                     yaw: if free_yaw { self.options.yaw.clamp(from.yaw + turn * yaw) } else { from.yaw },
                     angle: from.angle + turn * angle,
                     roll: from.roll + turn * roll,
                 };
-                self.candidate(stand, grid)
+                self.candidate(work, grid)
             });
             let found = moved.min_by(|a, b| a.score.total_cmp(&b.score)).expect("directions");
             if found.score.total_cmp(&best.score).is_lt() {
@@ -371,110 +368,6 @@ impl<'a> Search<'a> {
             }
         }
         best
-    }
-
-    /// The answer at a refined place; where a limit is overstepped between samples, at the place next to it that was refined
-    /// within limits so much narrower. `None` where no class sweeps the zone in one go.
-    fn judge(&self, candidate: &Candidate, coarse: Score) -> Option<Solution> {
-        let mut narrower = 0.0;
-        let mut stand = candidate.stand;
-        for _ in 0..NARROWINGS {
-            match self.judge_stand(&stand, coarse) {
-                Ok(placement) => return Some(placement),
-                Err(Unswept::Impossible) => return None,
-                Err(Unswept::Oversteps(by)) => narrower = 4.0 * narrower + 1.1 * by + 2.0 * TOLERANCE,
-            }
-            let within = Self { freed: self.freed.narrowed(narrower)?, ..self.clone() };
-            let start = within.candidate(stand, &Grid::of(self.zone, CELLS[2]));
-            // Far enough to leave what the narrower limits take away.
-            let step = (self.step / 64.0).max(4.0 * narrower * self.robot.stretch());
-            stand = within.refined(&[start], CELLS[2], step).first()?.stand;
-        }
-        None
-    }
-
-    /// The answer at a stand, by the best class that sweeps the zone.
-    fn judge_stand(&self, stand: &Stand, coarse: Score) -> Result<Solution, Unswept> {
-        let mut order: Vec<(Score, usize)> =
-            self.scores(stand, &Grid::of(self.zone, CELLS[2])).into_iter().zip(0..).collect();
-        order.retain(|(score, _)| score.is_feasible());
-        order.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut judged = order.into_iter().map(|(_, place)| self.judge_class(stand, place, coarse));
-        judged.find(|judged| !matches!(judged, Err(Unswept::Impossible))).unwrap_or(Err(Unswept::Impossible))
-    }
-
-    /// The same in one class, with samples so fine that halving their distance changes little.
-    fn judge_class(&self, stand: &Stand, place: usize, coarse: Score) -> Result<Solution, Unswept> {
-        let score = |grid: &Grid| self.class_score(stand, grid, place).ok_or(Unswept::Impossible);
-        let mut cells = CELLS[2];
-        let mut before = score(&Grid::of(self.zone, cells / 2))?;
-        loop {
-            let grid = Grid::of(self.zone, cells);
-            let found = score(&grid)?;
-            let halving = (found - before) / before;
-            if halving.abs() < HALVING || CELLS[3] <= cells {
-                let sweep = sweep(self.robot, self.arm, self.options, self.zone, stand, &grid, class(place))?;
-                return self.placement(stand, class(place), &grid, &sweep, coarse, halving).ok_or(Unswept::Impossible);
-            }
-            before = found;
-            cells *= 2;
-        }
-    }
-
-    /// The largest compliance of one class, where it reaches every pose.
-    fn class_score(&self, stand: &Stand, grid: &Grid, place: usize) -> Option<f64> {
-        let score = self.scores(stand, grid)[place];
-        score.is_feasible().then_some(score.worst)
-    }
-
-    fn placement(
-        &self,
-        stand: &Stand,
-        class: Configuration,
-        grid: &Grid,
-        sweep: &Sweep,
-        coarse: Score,
-        halving: f64,
-    ) -> Option<Solution> {
-        let tool = &self.arm.flange_from_tool;
-        let judged = sweep.joints.iter().map(|q| compliance(self.robot, q, tool).ok());
-        let judged: Vec<_> = judged.collect::<Option<_>>()?;
-        let worst = judged.iter().map(|posture| posture.compliance.worst());
-        let (at, (value, direction)) = worst.enumerate().max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
-        let patch = Patch::of(self.options.elevation, stand);
-        let points = || grid.points.iter().map(|&at| patch.point(stand, at));
-        let worst_point =
-            Rotation3::from_axis_angle(&Vector3::z_axis(), sweep.bearing) * patch.point(stand, grid.points[at]);
-        let from_axis_1 = points().map(|point| point.xy().norm()).fold(f64::INFINITY, f64::min);
-        let reaches = |axis: usize| points().any(|point| point[axis] < -OUTSIDE);
-        let half_turn = |angle: f64| angle.rem_euclid(PI);
-        Some(Solution {
-            deflection: value * self.options.force,
-            lower_bound: 0.0,
-            centre: [stand.x, stand.z],
-            bearing: sweep.bearing,
-            yaw: wrapped(stand.yaw),
-            angle: if matches!(self.zone, Zone::Circle { .. }) { 0.0 } else { half_turn(stand.angle) },
-            roll: wrapped(sweep.roll),
-            configuration: class,
-            worst_point: worst_point.into(),
-            from_axis_1,
-            outside: Outside { below: reaches(2), behind: reaches(0) },
-            worst_joints: sweep.joints[at],
-            worst_shares: judged[at].shares(&direction),
-            limit_margin: sweep.limit_margin,
-            singular_margin: sweep.singular_margin,
-            resolution: Resolution {
-                coarse_step: self.step,
-                coarse: if coarse.is_feasible() { coarse.worst * self.options.force } else { f64::NAN },
-                fine_step: FINE.0,
-                fine_turn: FINE.1,
-                sample_step: grid.step,
-                samples: grid.points.len(),
-                halving,
-                boxes: 0,
-            },
-        })
     }
 }
 

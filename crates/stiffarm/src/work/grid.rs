@@ -1,81 +1,6 @@
-//! Flat zones as poses of the tool.
+//! At which points of a zone are poses evaluated?
 
-use nalgebra::{Matrix3, Vector3};
-
-use super::affine::{Affine, Vector};
-use crate::spatial::Pose;
 use crate::task::Zone;
-
-/// Where a patch stands and how the tool is turned; angles in rad, lengths in m from the base.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Stand {
-    pub(crate) x: f64,
-    pub(crate) z: f64,
-    pub(crate) yaw: f64,
-    pub(crate) angle: f64,
-    pub(crate) roll: f64,
-}
-
-/// A flat patch that the tool axis meets at a right angle: its two sides, and how the tool stands on it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Patch {
-    first: Vector3<f64>,
-    second: Vector3<f64>,
-    tool: Matrix3<f64>,
-}
-
-impl Patch {
-    /// With a tool axis that rises by `elevation`, rad, above the horizontal.
-    pub(crate) fn of(elevation: f64, stand: &Stand) -> Self {
-        let (se, ce) = elevation.sin_cos();
-        let (sy, cy) = stand.yaw.sin_cos();
-        let about = |ahead: f64, left: f64, up: f64| Vector3::new(cy * ahead - sy * left, sy * ahead + cy * left, up);
-        let (upwards, left, axis) = (about(-se, 0.0, ce), about(0.0, 1.0, 0.0), about(ce, 0.0, se));
-        let (sa, ca) = stand.angle.sin_cos();
-        let (sr, cr) = stand.roll.sin_cos();
-        // The tool's x axis at roll zero points as `upwards`; its y completes the frame.
-        let (x, y) = (upwards, axis.cross(&upwards));
-        Self {
-            first: upwards * ca + left * sa,
-            second: left * ca - upwards * sa,
-            tool: Matrix3::from_columns(&[x * cr + y * sr, y * cr - x * sr, axis]),
-        }
-    }
-
-    /// The tool's axes in those of the base.
-    pub(crate) fn tool(&self) -> &Matrix3<f64> {
-        &self.tool
-    }
-
-    /// A point of the patch, base axes.
-    pub(crate) fn point(&self, stand: &Stand, [u, v]: [f64; 2]) -> Vector3<f64> {
-        Vector3::new(stand.x, 0.0, stand.z) + self.first * u + self.second * v
-    }
-
-    /// All points of a part of the patch, base axes.
-    pub(crate) fn part(&self, stand: &Stand, [u, v]: [Affine<2>; 2]) -> Vector<2> {
-        let centre = [stand.x, 0.0, stand.z];
-        std::array::from_fn(|i| u * self.first[i] + v * self.second[i] + centre[i])
-    }
-
-    /// How far the zone extends from its centre along the base axes, m.
-    pub(crate) fn half_extents(&self, zone: Zone) -> [f64; 3] {
-        let [first, second] = zone.sides().map(|side| side / 2.0);
-        std::array::from_fn(|axis| {
-            let (a, b) = (first * self.first[axis], second * self.second[axis]);
-            match zone {
-                Zone::Circle { .. } => a.hypot(b),
-                Zone::Rectangle { .. } => a.abs() + b.abs(),
-            }
-        })
-    }
-
-    /// The pose of the tool there.
-    pub(crate) fn pose(&self, stand: &Stand, at: [f64; 2]) -> Pose {
-        let rotation = nalgebra::Rotation3::from_matrix_unchecked(self.tool);
-        Pose::from_parts(self.point(stand, at).into(), rotation.into())
-    }
-}
 
 /// From so many cells on, the rim, where deflections and angles have most of their extremes, is covered four times as densely.
 const WITH_RIM: usize = 16;
@@ -128,30 +53,11 @@ fn rim(zone: Zone, across: usize, along: usize) -> Vec<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::FRAC_PI_2;
-
-    #[test]
-    fn a_table_a_wall_and_the_tool_stand_as_people_draw_them() {
-        let stand = Stand { x: 1.5, z: 0.8, yaw: 0.0, angle: 0.0, roll: 0.0 };
-        let close = |a: Vector3<f64>, b: [f64; 3]| assert!((a - Vector3::from(b)).norm() < 1e-12, "{a} is not {b:?}");
-        let table = Patch::of(-FRAC_PI_2, &stand);
-        close(table.point(&stand, [0.1, 0.2]), [1.6, 0.2, 0.8]);
-        close(table.tool().column(2).into(), [0.0, 0.0, -1.0]);
-        close(table.tool().column(0).into(), [1.0, 0.0, 0.0]);
-        let wall = Patch::of(0.0, &stand);
-        close(wall.point(&stand, [0.1, 0.2]), [1.5, 0.2, 0.9]);
-        close(wall.tool().column(2).into(), [1.0, 0.0, 0.0]);
-        let aside = Stand { yaw: FRAC_PI_2, roll: FRAC_PI_2, ..stand };
-        let wall = Patch::of(0.0, &aside);
-        close(wall.point(&aside, [0.0, 0.2]), [1.3, 0.0, 0.8]);
-        close(wall.tool().column(2).into(), [0.0, 1.0, 0.0]);
-        close(wall.tool().column(0).into(), [1.0, 0.0, 0.0]);
-        assert!((wall.tool().determinant() - 1.0).abs() < 1e-12);
-    }
+    use crate::work::{WorkPlacement, WorkPlane};
 
     #[test]
     fn the_rim_is_covered_more_densely_and_extents_are_those_of_its_points() {
-        let stand = Stand { x: 0.0, z: 0.0, yaw: 0.4, angle: 0.7, roll: 0.0 };
+        let work = WorkPlacement { x: 0.0, z: 0.0, yaw: 0.4, angle: 0.7, roll: 0.0 };
         for zone in [Zone::Circle { diameter: 0.6 }, Zone::Rectangle { width: 0.2, height: 0.5 }] {
             let grid = Grid::of(zone, 16);
             assert_eq!(grid.points[grid.points.len() / 2], [0.0; 2]);
@@ -167,10 +73,10 @@ mod tests {
                 let others = rim.iter().map(|&other| apart(at, other)).filter(|distance| 1e-12 < *distance);
                 assert!(others.fold(f64::INFINITY, f64::min) <= grid.step / 4.0 + 1e-12, "{zone:?} {at:?}");
             }
-            let patch = Patch::of(-0.5, &stand);
-            let extents = patch.half_extents(zone);
+            let plane = WorkPlane::of(-0.5, &work);
+            let extents = plane.half_extents(zone);
             for axis in 0..3 {
-                let far = rim.iter().map(|&at| patch.point(&stand, at)[axis]).fold(0.0, f64::max);
+                let far = rim.iter().map(|&at| plane.point(&work, at)[axis]).fold(0.0, f64::max);
                 assert!(far <= extents[axis] + 1e-12 && extents[axis] * 0.9995 <= far, "{zone:?}: {far} {extents:?}");
             }
         }

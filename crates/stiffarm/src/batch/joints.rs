@@ -1,10 +1,12 @@
-//! Many postures, given by their joint angles.
+//! How compliant are many postures, given by their joint angles?
 
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
+use super::SpatialArm;
 use super::lanes::Lanes;
-use super::{At, SpatialArm, Symmetric, Triple};
+use super::posture::PostureLanes;
+use super::vectors::{Symmetric, Triple};
 use crate::compliance::{PostureError, check_joint};
 
 /// Postures that one thread takes at a time.
@@ -14,7 +16,8 @@ impl SpatialArm {
     /// The largest translation per force in any direction, m/N, at every posture: `joints[i][n]` is the angle of joint
     /// `i + 1` as the robot reports it, rad, at posture `n`. On all cores.
     ///
-    /// Relative error below 3e-8 (two softest directions alike), below 1e-12 elsewhere.
+    /// NaN where the gravity compensator pushes harder than drive 2 holds. Relative error below 3e-8 (two softest directions
+    /// alike), below 1e-12 elsewhere.
     ///
     /// # Errors
     /// The first joint angle that makes no sense. Limits are not checked here.
@@ -31,6 +34,7 @@ impl SpatialArm {
     }
 
     /// The block from force to translation, m/N, base axes, at every posture: six slices for xx, yy, zz, xy, yz, xz.
+    /// All NaN where the gravity compensator pushes harder than drive 2 holds.
     ///
     /// # Errors
     /// As [`Self::worst`].
@@ -55,29 +59,29 @@ impl SpatialArm {
     fn at_joints<S: Simd>(&self, simd: S, joints: &[&[f64]; 6]) -> (Symmetric<S>, Lanes<S>) {
         let lean = self.theta(simd, joints, 1);
         let third = self.theta(simd, joints, 2);
-        let forearm = if self.sectors.third_is_forearm { third } else { lean + third };
+        let forearm = if self.angular_limits.third_is_forearm { third } else { lean + third };
         let (s2, c2) = lean.sin_cos();
         let (s23, c23) = forearm.sin_cos();
         let (s4, c4) = self.theta(simd, joints, 3).sin_cos();
         let (s5, c5) = self.theta(simd, joints, 4).sin_cos();
         // In the axes of the forearm: x forwards, y across, z along it.
-        let bend = Triple([-s4, c4, s2.all(0.0)]);
-        let spin = Triple([s5 * c4, s5 * s4, c5]);
+        let axis_5 = Triple([-s4, c4, s2.all(0.0)]);
+        let axis_6 = Triple([s5 * c4, s5 * s4, c5]);
         let tool = self.flange_from_tool.translation.vector;
-        let mut beyond = spin * (self.geometry.c4 + tool.z);
+        let mut wrist_to_tool = axis_6 * (self.geometry.c4 + tool.z);
         if !self.tool_is_on_axis_6() {
             let (s6, c6) = self.theta(simd, joints, 5).sin_cos();
             let across = Triple([c5 * c4, c5 * s4, -s5]);
-            beyond = beyond + across * (c6 * tool.x - s6 * tool.y) + bend * (s6 * tool.x + c6 * tool.y);
+            wrist_to_tool = wrist_to_tool + across * (c6 * tool.x - s6 * tool.y) + axis_5 * (s6 * tool.x + c6 * tool.y);
         }
-        let at = At {
+        let at = PostureLanes {
             s2,
             c2,
             s23,
             c23,
-            bend: bend.uprighted(s23, c23),
-            spin: spin.uprighted(s23, c23),
-            beyond: beyond.uprighted(s23, c23),
+            axis_5: axis_5.uprighted(s23, c23),
+            axis_6: axis_6.uprighted(s23, c23),
+            wrist_to_tool: wrist_to_tool.uprighted(s23, c23),
         };
         (self.translation(&at), self.theta(simd, joints, 0))
     }
@@ -148,11 +152,11 @@ impl WithSimd for Translations<'_> {
 
 #[cfg(test)]
 mod tests {
+    use crate::batch::SpatialArm;
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
     use crate::drive::{GravityCompensator, JointCompliance, Transmission};
     use crate::robot::{Arm, Robot};
-    use crate::space::SpatialArm;
     use crate::spatial::Pose;
 
     /// The paper's robots with unequal drives, and one of each kind with a geared wrist and a compensator.
@@ -203,6 +207,38 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// A paper robot whose spring, pressed together, pushes the upper arm over at many of its angles.
+    fn pushed_over() -> Robot {
+        let mut robot = paper_robots().swap_remove(4);
+        let Arm::SixAxis { drives, .. } = &mut robot.arm else { unreachable!("six axes") };
+        let (base, arm) = ([-0.5, -0.1], [0.05, 0.4]);
+        drives.compensator = Some(GravityCompensator { base, arm, stiffness: 2e7, free_length: 2.0 });
+        robot
+    }
+
+    #[test]
+    fn where_nothing_holds_joint_2_there_is_no_number() {
+        let (robot, tool) = (pushed_over(), Pose::translation(0.05, 0.0, 0.2));
+        let arm = SpatialArm::new(&robot, &tool).unwrap();
+        let mut rng = fastrand::Rng::with_seed(5);
+        let count = 203; // not a multiple of any register
+        let q: [Vec<f64>; 6] = std::array::from_fn(|_| (0..count).map(|_| 6.0 * (rng.f64() - 0.5)).collect());
+        let joints = std::array::from_fn(|i| q[i].as_slice());
+        let mut worst = vec![0.0; count];
+        let mut entries = vec![vec![0.0; count]; 6];
+        arm.worst(joints, &mut worst).unwrap();
+        let mut rows = entries.iter_mut();
+        arm.translations(joints, std::array::from_fn(|_| rows.next().unwrap().as_mut_slice())).unwrap();
+        let mut unheld = 0;
+        for k in 0..count {
+            let is_held = compliance(&robot, &std::array::from_fn(|i| q[i][k]), &tool).is_ok();
+            unheld += usize::from(!is_held);
+            assert_eq!(worst[k].is_nan(), !is_held, "{k}: {}", worst[k]);
+            assert!(entries.iter().all(|entry| entry[k].is_nan() != is_held), "{k}");
+        }
+        assert!(20 < unheld && unheld < count - 20, "{unheld}");
     }
 
     #[test]

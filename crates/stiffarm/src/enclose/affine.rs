@@ -1,47 +1,48 @@
-//! Affine arithmetic: numbers of which is known how they depend on a few variables, and what is left over.
+//! Affine arithmetic: how does a number depend on a few variables, and how far can it be from that?
 
 use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::interval::Interval;
+use crate::real::Real;
 
-/// What a number depends on is forgotten where its known range is so much narrower.
+/// A clipped number forgets how it depends on the variables where what is known of its range is narrower by this factor.
 const FORGET: f64 = 0.6;
 
-/// What is known of a number that depends on `N` variables, each anywhere in `-1..1`: it differs from
-/// `middle + slope . variables` by at most `rest`.
+/// An affine form: a number that depends on `N` variables, each anywhere in `-1..1`, and differs from
+/// `centre + deviations . variables` by at most `remainder`.
 ///
-/// A formula that is evaluated with such numbers gives one that holds for all values of the variables at which the formula
-/// itself holds. What depends on the variables in the first order is carried along and cancels where it should; `rest` is of
-/// the second. Rounding is not counted. NaN means that nothing is known.
+/// A formula that is evaluated with affine forms gives one that holds for all values of the variables at which the formula
+/// itself holds. First-order dependence is carried along and cancels where it should; `remainder` is of second order.
+/// Rounding is not counted. NaN means that nothing is known.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Affine<const N: usize> {
-    pub(crate) middle: f64,
-    pub(crate) slope: [f64; N],
-    pub(crate) rest: f64,
+    pub(crate) centre: f64,
+    pub(crate) deviations: [f64; N],
+    pub(crate) remainder: f64,
 }
 
 impl<const N: usize> Affine<N> {
     /// A known number.
     pub(crate) const fn point(x: f64) -> Self {
-        Self { middle: x, slope: [0.0; N], rest: 0.0 }
+        Self { centre: x, deviations: [0.0; N], remainder: 0.0 }
     }
 
     /// How far from the middle it can be.
     #[inline]
     pub(crate) fn radius(&self) -> f64 {
-        self.slope.iter().fold(self.rest, |sum, slope| sum + slope.abs())
+        self.deviations.iter().fold(self.remainder, |sum, slope| sum + slope.abs())
     }
 
     /// The least it can be.
     #[inline]
     pub(crate) fn min(&self) -> f64 {
-        self.middle - self.radius()
+        self.centre - self.radius()
     }
 
     /// The most it can be.
     #[inline]
     pub(crate) fn max(&self) -> f64 {
-        self.middle + self.radius()
+        self.centre + self.radius()
     }
 
     /// Nothing is known of it.
@@ -56,9 +57,9 @@ impl<const N: usize> Affine<N> {
         // (m + d)^2 = m^2 + 2 m d + d^2 with d^2 in 0..radius^2.
         let half = radius * radius / 2.0;
         Self {
-            middle: self.middle * self.middle + half,
-            slope: self.slope.map(|slope| 2.0 * self.middle * slope),
-            rest: 2.0 * self.middle.abs() * self.rest + half,
+            centre: self.centre * self.centre + half,
+            deviations: self.deviations.map(|slope| 2.0 * self.centre * slope),
+            remainder: 2.0 * self.centre.abs() * self.remainder + half,
         }
     }
 
@@ -68,7 +69,7 @@ impl<const N: usize> Affine<N> {
         let (least, most) = (self.min().max(known.min()), self.max().min(known.max()));
         let half = (most - least) / 2.0;
         if half < FORGET * self.radius() || self.is_unknown() {
-            Self { rest: half.max(0.0), ..Self::point(f64::midpoint(least, most)) }
+            Self { remainder: half.max(0.0), ..Self::point(f64::midpoint(least, most)) }
         } else {
             self
         }
@@ -90,11 +91,11 @@ impl<const N: usize> Affine<N> {
             return Some(Self::point(top));
         }
         let below = |x: f64| top + slope * (x - middle) - f(x).0;
-        let rest = below(least).max(below(most)).max(0.0) / 2.0;
+        let remainder = below(least).max(below(most)).max(0.0) / 2.0;
         Some(Self {
-            middle: top - rest + slope * (self.middle - middle),
-            slope: self.slope.map(|part| slope * part),
-            rest: slope.abs() * self.rest + rest,
+            centre: top - remainder + slope * (self.centre - middle),
+            deviations: self.deviations.map(|part| slope * part),
+            remainder: slope.abs() * self.remainder + remainder,
         })
     }
 
@@ -115,7 +116,7 @@ impl<const N: usize> Affine<N> {
 pub(crate) fn sin_cos<const N: usize>(angles: Interval, variable: usize) -> (Affine<N>, Affine<N>) {
     let ((s, c), half) = (angles.middle().sin_cos(), angles.width() / 2.0);
     if 1.2 < half {
-        let anything = Affine { rest: 1.0, ..Affine::point(0.0) };
+        let anything = Affine { remainder: 1.0, ..Affine::point(0.0) };
         return (anything, anything);
     }
     // With d in -half..half: cos d in cos(half)..1, and sin d from (1 - half^2/8) d by at most half^3/24 + half^5/120.
@@ -123,21 +124,23 @@ pub(crate) fn sin_cos<const N: usize>(angles: Interval, variable: usize) -> (Aff
     let bent = half.powi(3) / 24.0 + half.powi(5) / 120.0;
     let linear = half * (1.0 - half * half / 8.0);
     let turned = |of: f64, by: f64| {
-        let mut slope = [0.0; N];
+        let mut deviations = [0.0; N];
         if 0.0 < half {
-            slope[variable] = by * linear;
+            deviations[variable] = by * linear;
         }
-        Affine { middle: of * (1.0 - lost), slope, rest: of.abs() * lost + by.abs() * bent }
+        Affine { centre: of * (1.0 - lost), deviations, remainder: of.abs() * lost + by.abs() * bent }
     };
     (turned(s, c), turned(c, -s))
 }
+
+impl<const N: usize> Real for Affine<N> {}
 
 impl<const N: usize> Add for Affine<N> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        let slope = std::array::from_fn(|i| self.slope[i] + other.slope[i]);
-        Self { middle: self.middle + other.middle, slope, rest: self.rest + other.rest }
+        let deviations = std::array::from_fn(|i| self.deviations[i] + other.deviations[i]);
+        Self { centre: self.centre + other.centre, deviations, remainder: self.remainder + other.remainder }
     }
 }
 
@@ -153,7 +156,7 @@ impl<const N: usize> Neg for Affine<N> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self { middle: -self.middle, slope: self.slope.map(|slope| -slope), rest: self.rest }
+        Self { centre: -self.centre, deviations: self.deviations.map(|slope| -slope), remainder: self.remainder }
     }
 }
 
@@ -161,7 +164,7 @@ impl<const N: usize> Add<f64> for Affine<N> {
     type Output = Self;
     #[inline]
     fn add(self, other: f64) -> Self {
-        Self { middle: self.middle + other, ..self }
+        Self { centre: self.centre + other, ..self }
     }
 }
 
@@ -169,8 +172,8 @@ impl<const N: usize> Mul<f64> for Affine<N> {
     type Output = Self;
     #[inline]
     fn mul(self, factor: f64) -> Self {
-        let slope = self.slope.map(|slope| slope * factor);
-        Self { middle: self.middle * factor, slope, rest: self.rest * factor.abs() }
+        let deviations = self.deviations.map(|slope| slope * factor);
+        Self { centre: self.centre * factor, deviations, remainder: self.remainder * factor.abs() }
     }
 }
 
@@ -178,17 +181,18 @@ impl<const N: usize> Mul for Affine<N> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let (a, b) = (self.middle, other.middle);
+        let (a, b) = (self.centre, other.centre);
         let (mut squares, mut spread) = (0.0, 0.0);
-        let slope = std::array::from_fn(|i| {
+        let deviations = std::array::from_fn(|i| {
             // The square of a variable lies in 0..1: half of it goes to the middle.
-            let both = self.slope[i] * other.slope[i] / 2.0;
+            let both = self.deviations[i] * other.deviations[i] / 2.0;
             squares += both;
             spread += both.abs();
-            a * other.slope[i] + b * self.slope[i]
+            a * other.deviations[i] + b * self.deviations[i]
         });
-        let rest = a.abs() * other.rest + b.abs() * self.rest + (self.radius() * other.radius() - spread);
-        Self { middle: a * b + squares, slope, rest }
+        let remainder =
+            a.abs() * other.remainder + b.abs() * self.remainder + (self.radius() * other.radius() - spread);
+        Self { centre: a * b + squares, deviations, remainder }
     }
 }
 
@@ -205,18 +209,6 @@ pub(crate) fn scaled<const N: usize>(v: &Vector<N>, factor: f64) -> Vector<N> {
     v.map(|part| part * factor)
 }
 
-/// The scalar product.
-#[inline]
-pub(crate) fn dot<const N: usize>([ax, ay, az]: &Vector<N>, [bx, by, bz]: &Vector<N>) -> Affine<N> {
-    *ax * *bx + *ay * *by + *az * *bz
-}
-
-/// The vector product.
-#[inline]
-pub(crate) fn cross<const N: usize>([ax, ay, az]: &Vector<N>, [bx, by, bz]: &Vector<N>) -> Vector<N> {
-    [*ay * *bz - *az * *by, *az * *bx - *ax * *bz, *ax * *by - *ay * *bx]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -228,10 +220,10 @@ mod tests {
             let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
             let at: [f64; 3] = std::array::from_fn(|_| part(-1.0, 1.0));
             let mut number = || {
-                let slope: [f64; 3] = std::array::from_fn(|_| part(-0.5, 0.5));
-                let rest = part(0.0, 0.2);
-                let x = Affine { middle: part(-2.0, 2.0), slope, rest };
-                let value = x.middle + (0..3).map(|i| slope[i] * at[i]).sum::<f64>() + rest * part(-1.0, 1.0);
+                let deviations: [f64; 3] = std::array::from_fn(|_| part(-0.5, 0.5));
+                let remainder = part(0.0, 0.2);
+                let x = Affine { centre: part(-2.0, 2.0), deviations, remainder };
+                let value = x.centre + (0..3).map(|i| deviations[i] * at[i]).sum::<f64>() + remainder * part(-1.0, 1.0);
                 (x, value)
             };
             let ((a, x), (b, y)) = (number(), number());
@@ -253,8 +245,8 @@ mod tests {
                 all.push((a.inverse(positive).unwrap(), 1.0 / x));
             }
             for (found, value) in all {
-                let linear = found.middle + (0..3).map(|i| found.slope[i] * at[i]).sum::<f64>();
-                assert!((value - linear).abs() <= found.rest + 1e-9 * (1.0 + value.abs()), "{found:?} {value}");
+                let linear = found.centre + (0..3).map(|i| found.deviations[i] * at[i]).sum::<f64>();
+                assert!((value - linear).abs() <= found.remainder + 1e-9 * (1.0 + value.abs()), "{found:?} {value}");
                 assert!(found.min() - 1e-9 <= value && value <= found.max() + 1e-9 * (1.0 + value.abs()));
             }
         }
@@ -262,11 +254,14 @@ mod tests {
 
     #[test]
     fn halving_the_variables_quarters_what_is_left_over() {
-        let rest = |half: f64| {
+        let remainder = |half: f64| {
             let (s, c) = sin_cos::<1>(Interval::spanning(0.5 - half, 0.5 + half), 0);
             let sum = (s * c + s.square() + 1.0).sqrt().unwrap();
-            (sum.inverse(Interval::spanning(0.1, 9.0)).unwrap() * c).rest
+            (sum.inverse(Interval::spanning(0.1, 9.0)).unwrap() * c).remainder
         };
-        assert!((3.5..4.5).contains(&(rest(0.1) / rest(0.05))) && (3.8..4.2).contains(&(rest(0.01) / rest(0.005))));
+        assert!(
+            (3.5..4.5).contains(&(remainder(0.1) / remainder(0.05)))
+                && (3.8..4.2).contains(&(remainder(0.01) / remainder(0.005)))
+        );
     }
 }

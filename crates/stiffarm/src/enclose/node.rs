@@ -1,17 +1,17 @@
-//! A box of stands: what [`super::patch`] says of one, said of all of them at once.
+//! A node of the branch and bound: a box of placements of the work, and the work plane at all of them at once.
 
 use nalgebra::Matrix3;
 
 use super::affine::{Affine, Vector, scaled, sin_cos, sum};
-use super::patch::Stand;
 use crate::interval::Interval;
+use crate::work::WorkPlacement;
 
-/// Ranges of x, z, yaw, angle and roll of a [`Stand`].
-pub(crate) type StandBox = [Interval; 5];
+/// A box of placements: intervals of x, z, yaw, angle and roll of a [`WorkPlacement`].
+pub(crate) type Node = [Interval; 5];
 
-/// The stands of a box, the `N` ranges that are no points as variables.
+/// The work plane at every placement of a node. The `N` variables are the intervals of the node that are no points.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stands<const N: usize> {
+pub(crate) struct WorkPlaneEnclosure<const N: usize> {
     centre: Vector<N>,
     first: Vector<N>,
     second: Vector<N>,
@@ -19,34 +19,34 @@ pub(crate) struct Stands<const N: usize> {
     tool: [Vector<N>; 3],
 }
 
-/// Which ranges of a box are variables: x and z always, the turns where they are free.
-pub(crate) fn variables(stands: &StandBox) -> usize {
-    2 + stands[2..].iter().filter(|range| 0.0 < range.width()).count()
+/// How many intervals of a node are variables: x and z always, the turns where they are no points.
+pub(crate) fn variables(node: &Node) -> usize {
+    2 + node[2..].iter().filter(|range| 0.0 < range.width()).count()
 }
 
-/// The stand in the middle of a box.
-pub(crate) fn middle(stands: &StandBox) -> Stand {
-    let [x, z, yaw, angle, roll] = stands.map(Interval::middle);
-    Stand { x, z, yaw, angle, roll }
+/// The placement in the middle of a node.
+pub(crate) fn middle(node: &Node) -> WorkPlacement {
+    let [x, z, yaw, angle, roll] = node.map(Interval::middle);
+    WorkPlacement { x, z, yaw, angle, roll }
 }
 
-impl<const N: usize> Stands<N> {
+impl<const N: usize> WorkPlaneEnclosure<N> {
     /// With a tool axis that rises by `elevation`, rad, above the horizontal; `N` must be what [`variables`] says.
-    pub(crate) fn of(elevation: f64, stands: &StandBox) -> Self {
+    pub(crate) fn of(elevation: f64, node: &Node) -> Self {
         let length = |range: Interval, variable: usize| {
             let mut length = Affine::point(range.middle());
-            length.slope[variable] = range.width() / 2.0;
+            length.deviations[variable] = range.width() / 2.0;
             length
         };
         let zero = Affine::point(0.0);
-        let centre = [length(stands[0], 0), zero, length(stands[1], 1)];
+        let centre = [length(node[0], 0), zero, length(node[1], 1)];
         let mut next = 2;
         let mut turn = |range: Interval| {
             let turned = sin_cos::<N>(range, next);
             next += usize::from(0.0 < range.width());
             turned
         };
-        let [(sy, cy), (sa, ca), (sr, cr)] = [turn(stands[2]), turn(stands[3]), turn(stands[4])];
+        let [(sy, cy), (sa, ca), (sr, cr)] = [turn(node[2]), turn(node[3]), turn(node[4])];
         let (se, ce) = elevation.sin_cos();
         let upwards = [cy * -se, sy * -se, Affine::point(ce)];
         let left = [-sy, cy, zero];
@@ -59,14 +59,14 @@ impl<const N: usize> Stands<N> {
         Self { centre, first: mixed(&upwards, ca, &left, sa), second: mixed(&left, ca, &upwards, -sa), tool }
     }
 
-    /// One point, where the tool stands as it does.
+    /// One point (or all points of an affine form), with a tool that does not turn.
     pub(crate) fn at(point: Vector<N>, tool: &Matrix3<f64>) -> Self {
         let none = [Affine::point(0.0); 3];
         let axis = |i: usize| std::array::from_fn(|part| Affine::point(tool[(part, i)]));
         Self { centre: point, first: none, second: none, tool: [axis(0), axis(1), axis(2)] }
     }
 
-    /// A point of the patch, base axes.
+    /// A point of the work plane, m from its centre along the sides; base axes.
     pub(crate) fn point(&self, [u, v]: [f64; 2]) -> Vector<N> {
         sum(&self.centre, &sum(&scaled(&self.first, u), &scaled(&self.second, v)))
     }
@@ -83,7 +83,7 @@ mod tests {
     use nalgebra::Vector3;
 
     use super::*;
-    use crate::space::Patch;
+    use crate::work::WorkPlane;
 
     #[test]
     fn the_patches_of_all_stands_of_a_box_lie_where_it_says() {
@@ -92,20 +92,20 @@ mod tests {
             let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
             let elevation = part(-1.5, 1.5);
             let width = [0.3, 0.01][case % 2];
-            let stands: StandBox = std::array::from_fn(|_| {
+            let node: Node = std::array::from_fn(|_| {
                 let from = part(-1.0, 1.0);
                 Interval::spanning(from, from + part(0.1, 1.0) * width)
             });
-            let [x, z, yaw, angle, roll] = stands.map(|range| part(range.min(), range.max()));
-            let stand = Stand { x, z, yaw, angle, roll };
-            let patch = Patch::of(elevation, &stand);
-            let all = Stands::<5>::of(elevation, &stands);
+            let [x, z, yaw, angle, roll] = node.map(|range| part(range.min(), range.max()));
+            let work = WorkPlacement { x, z, yaw, angle, roll };
+            let plane = WorkPlane::of(elevation, &work);
+            let all = WorkPlaneEnclosure::<5>::of(elevation, &node);
             let (at, carried) = ([part(-1.0, 1.0), part(-1.0, 1.0)], [part(-1.0, 1.0), part(-1.0, 1.0), 0.3]);
-            let expected = [patch.point(&stand, at), patch.tool() * Vector3::from(carried)];
+            let expected = [plane.point(&work, at), plane.tool() * Vector3::from(carried)];
             for (found, expected) in [all.point(at), all.carried(carried)].iter().zip(expected) {
                 for (found, expected) in found.iter().zip(&expected) {
                     assert!(found.min() - 1e-12 <= *expected && *expected <= found.max() + 1e-12);
-                    assert!(found.rest < 2.0 * width, "{found:?}");
+                    assert!(found.remainder < 2.0 * width, "{found:?}");
                 }
             }
         }

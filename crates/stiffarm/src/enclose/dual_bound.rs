@@ -1,33 +1,33 @@
-//! The least that the largest of several numbers can be.
+//! How small can the largest of several affine forms be, where others are not negative? A bound by weak duality.
 
+use super::affine::Affine;
 use crate::interval::Interval;
-use crate::space::Affine;
 
-/// Rounds of improvement.
+/// Rounds in which the weights are improved.
 const ROUNDS: usize = 4;
-/// Rounds of cutting.
+/// Rounds in which the ranges of the variables are cut.
 const CUTS: usize = 2;
 
-/// A number no larger than `at + slope . variables`.
+/// A linear function `at + slope . variables` of variables that run from -1 to 1.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line<const N: usize> {
+pub(crate) struct Line<const N: usize> {
     at: f64,
     slope: [f64; N],
 }
 
 impl<const N: usize> Line<N> {
-    /// What a number is no less than.
-    pub(super) fn below(x: &Affine<N>) -> Option<Self> {
-        (!x.is_unknown()).then_some(Self { at: x.middle - x.rest, slope: x.slope })
+    /// A lower bound on an affine form; `None` where nothing is known of it.
+    pub(crate) fn below(x: &Affine<N>) -> Option<Self> {
+        (!x.is_unknown()).then_some(Self { at: x.centre - x.remainder, slope: x.deviations })
     }
 
-    /// What is not positive where a number may be not negative.
-    pub(super) fn allowing(x: &Affine<N>) -> Option<Self> {
+    /// A function that is not positive where the affine form can be not negative.
+    pub(crate) fn allowing(x: &Affine<N>) -> Option<Self> {
         Self::below(&-*x)
     }
 
     /// The same with variables that run from -1 to 1 through parts of their ranges.
-    pub(super) fn within(&self, part: &[Interval; N]) -> Self {
+    pub(crate) fn within(&self, part: &[Interval; N]) -> Self {
         let at = (0..N).fold(self.at, |at, i| at + self.slope[i] * part[i].middle());
         Self { at, slope: std::array::from_fn(|i| self.slope[i] * part[i].width() / 2.0) }
     }
@@ -83,7 +83,7 @@ impl<const N: usize> Line<N> {
 
 /// The part of the variables' ranges, each from -1 to 1, outside which a value is larger than `most` or a limit positive;
 /// `None` where that is so everywhere.
-pub(super) fn remaining<const N: usize>(values: &[Line<N>], limits: &[Line<N>], most: f64) -> Option<[Interval; N]> {
+pub(crate) fn remaining<const N: usize>(values: &[Line<N>], limits: &[Line<N>], most: f64) -> Option<[Interval; N]> {
     let mut part = [Interval::spanning(-1.0, 1.0); N];
     for _ in 0..CUTS {
         for value in values.iter().filter(|_| most.is_finite()) {
@@ -101,7 +101,7 @@ pub(super) fn remaining<const N: usize>(values: &[Line<N>], limits: &[Line<N>], 
 /// The largest is no less than any weighted mean, and what is not negative may be taken away any number of times: each such
 /// sum is an affine number with a known least value. Which weights are tried decides how good the bound is, not whether
 /// it holds.
-pub(super) fn least_largest<const N: usize>(values: &[Line<N>], limits: &[Line<N>]) -> f64 {
+pub(crate) fn least_largest<const N: usize>(values: &[Line<N>], limits: &[Line<N>]) -> f64 {
     let Some(mut best) = values.iter().copied().max_by(|a, b| a.least().total_cmp(&b.least())) else { return 0.0 };
     for _ in 0..ROUNDS {
         let before = best.least();
@@ -125,8 +125,8 @@ mod tests {
 
     fn random(rng: &mut fastrand::Rng) -> Affine<3> {
         let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
-        let slope = std::array::from_fn(|_| part(-1.0, 1.0));
-        Affine { middle: part(0.0, 3.0), slope, rest: part(0.0, 0.1) }
+        let deviations = std::array::from_fn(|_| part(-1.0, 1.0));
+        Affine { centre: part(0.0, 3.0), deviations, remainder: part(0.0, 0.1) }
     }
 
     fn lines<const N: usize>(values: &[Affine<N>], limits: &[Affine<N>]) -> (Vec<Line<N>>, Vec<Line<N>>) {
@@ -141,7 +141,7 @@ mod tests {
         for _ in 0..2000 {
             let values: Vec<_> = (0..3).map(|_| random(&mut rng)).collect();
             let limits: Vec<_> =
-                (0..2).map(|_| random(&mut rng)).map(|x| Affine { middle: x.middle - 1.0, ..x }).collect();
+                (0..2).map(|_| random(&mut rng)).map(|x| Affine { centre: x.centre - 1.0, ..x }).collect();
             let (values, limits) = lines(&values, &limits);
             let part = remaining(&values, &limits, 1.8);
             gone += usize::from(part.is_none());
@@ -172,16 +172,16 @@ mod tests {
         for _ in 0..2000 {
             let values: Vec<_> = (0..4).map(|_| random(&mut rng)).collect();
             let limits: Vec<_> =
-                (0..2).map(|_| random(&mut rng)).map(|x| Affine { middle: x.middle - 1.0, ..x }).collect();
+                (0..2).map(|_| random(&mut rng)).map(|x| Affine { centre: x.centre - 1.0, ..x }).collect();
             let (lines, allowed_by) = lines(&values, &limits);
             let bound = least_largest(&lines, &allowed_by);
             better += usize::from(values.iter().map(Affine::min).fold(0.0, f64::max) < bound - 0.01);
             for _ in 0..50 {
                 let at: [f64; 3] = std::array::from_fn(|_| 2.0 * rng.f64() - 1.0);
-                let linear = |x: &Affine<3>| x.middle + (0..3).map(|i| x.slope[i] * at[i]).sum::<f64>();
-                if limits.iter().all(|x| 0.0 <= linear(x) + x.rest) {
+                let linear = |x: &Affine<3>| x.centre + (0..3).map(|i| x.deviations[i] * at[i]).sum::<f64>();
+                if limits.iter().all(|x| 0.0 <= linear(x) + x.remainder) {
                     allowed += 1;
-                    let largest = values.iter().map(|x| linear(x) - x.rest).fold(0.0, f64::max);
+                    let largest = values.iter().map(|x| linear(x) - x.remainder).fold(0.0, f64::max);
                     assert!(bound <= largest + 1e-12, "{values:?} {limits:?}");
                 }
             }
@@ -191,13 +191,15 @@ mod tests {
 
     #[test]
     fn two_that_cross_are_no_less_than_where_they_do() {
-        let line = |slope: f64| Affine { middle: 1.0, slope: [slope], rest: 0.0 };
+        let line = |slope: f64| Affine { centre: 1.0, deviations: [slope], remainder: 0.0 };
         let least = |values: &[Affine<1>], limits: &[Affine<1>]| {
             let (values, limits) = lines(values, limits);
             least_largest(&values, &limits)
         };
         assert!((least(&[line(0.5), line(-0.3)], &[]) - 1.0).abs() < 1e-12);
         // And one that falls is no less than where the limit stops it.
-        assert!((least(&[line(0.5)], &[Affine { middle: 0.2, slope: [1.0], rest: 0.0 }]) - 0.9).abs() < 1e-12);
+        assert!(
+            (least(&[line(0.5)], &[Affine { centre: 0.2, deviations: [1.0], remainder: 0.0 }]) - 0.9).abs() < 1e-12
+        );
     }
 }

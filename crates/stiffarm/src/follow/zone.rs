@@ -1,39 +1,35 @@
-//! How far joints turn within a zone that stands still: enclosed, so that nothing between two samples is missed.
+//! How far do the joints turn within a zone? Enclosed, so that nothing between two samples is missed.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::SpatialArm;
-use super::affine::{Affine, sin_cos};
-use super::enclosure::{Angles, Enclosing};
-use super::patch::{Patch, Stand};
+use crate::batch::SpatialArm;
+use crate::enclose::{Affine, Angles, ArmEnclosure, sin_cos};
 use crate::interval::Interval;
 use crate::inverse::{Configuration, postures};
 use crate::spatial::Pose;
 use crate::task::Zone;
+use crate::tolerances;
+use crate::work::{WorkPlacement, WorkPlane};
 
-/// What a least value is told too low by at most, rad.
-pub(crate) const TOLERANCE: f64 = 1e-6;
-/// And as part of it.
-const RELATIVE: f64 = 1e-3;
-/// Parts of a zone that are looked at before a least value is told as far as it is known.
+/// Parts of a zone that are enclosed before the search for a least value stops with the bound it has.
 const MOST_PARTS: usize = 5000;
 
-/// A zone at its stand, held in one class.
-pub(crate) struct Follower<'a> {
+/// A zone at its place, held in one configuration.
+pub(super) struct HeldZone<'a> {
     arm: &'a SpatialArm,
-    enclosing: Enclosing,
+    enclosure: ArmEnclosure,
     tool_from_flange: Pose,
-    patch: Patch,
-    stand: Stand,
+    plane: WorkPlane,
+    work: WorkPlacement,
     zone: Zone,
-    class: Configuration,
-    /// The model angles at its centre, and the forearm's.
+    configuration: Configuration,
+    /// The model angles at its centre, theta 1 to 6 and `theta 2 + theta 3`.
     centre: [f64; 7],
 }
 
-/// A part of a zone: sides of a rectangle, or radius and angle on a disc; and what is least in it.
+/// A part of a zone (sides of a rectangle, or radius and angle on a disc), and a lower bound on the least value in it.
 struct Part {
     sides: [Interval; 2],
     least: f64,
@@ -57,33 +53,34 @@ impl Ord for Part {
     }
 }
 
-impl<'a> Follower<'a> {
-    /// From the model angles with which the class holds the centre of the zone.
-    pub(crate) fn new(
+impl<'a> HeldZone<'a> {
+    /// From the model angles with which the configuration holds the centre of the zone.
+    pub(super) fn new(
         arm: &'a SpatialArm,
         elevation: f64,
-        stand: &Stand,
+        work: &WorkPlacement,
         zone: Zone,
-        class: Configuration,
+        configuration: Configuration,
         centre: &[f64; 6],
     ) -> Self {
         let [t1, t2, t3, t4, t5, t6] = *centre;
         Self {
             arm,
-            enclosing: Enclosing::new(&arm.without_limits(), [false; 6]),
+            enclosure: ArmEnclosure::new(&arm.without_limits(), [false; 6]),
             tool_from_flange: arm.flange_from_tool.inverse(),
-            patch: Patch::of(elevation, stand),
-            stand: *stand,
+            plane: WorkPlane::of(elevation, work),
+            work: *work,
             zone,
-            class,
+            configuration,
             centre: [t1, t2, t3, t4, t5, t6, t2 + t3],
         }
     }
 
-    /// A lower bound on the least value in the zone of what the model angles say, too low by at most [`TOLERANCE`] or the part
-    /// [`RELATIVE`] of it unless it lies above `enough`; minus infinity where that is not known. Angles are followed from the
-    /// centre, less than half a turn away.
-    pub(crate) fn least(&self, enough: f64, value: impl Fn(&Angles) -> f64) -> f64 {
+    /// A lower bound on the least `value` of the model angles in the zone; minus infinity where none is known.
+    ///
+    /// It is too low by at most [`tolerances::FOLLOWED`] or the part [`tolerances::FOLLOWED_PART`] of it, unless it is at least
+    /// `enough`. `value` takes the angles less than half a turn from those at the centre.
+    pub(super) fn least(&self, enough: f64, value: impl Fn(&Angles) -> f64) -> f64 {
         let mut queue = BinaryHeap::new();
         let mut found = f64::INFINITY;
         let whole = match self.zone {
@@ -95,13 +92,13 @@ impl<'a> Follower<'a> {
         queue.push(Part { sides: whole, least: f64::NEG_INFINITY });
         let mut parts = 0;
         while let Some(Part { sides, least }) = queue.pop() {
-            let tolerance = TOLERANCE.max(RELATIVE * found.abs());
+            let tolerance = tolerances::FOLLOWED.max(tolerances::FOLLOWED_PART * found.abs());
             if enough <= least || found - tolerance <= least || MOST_PARTS < parts {
                 return least.min(found);
             }
             for sides in self.halves(sides) {
                 parts += 1;
-                let angles = self.enclosing.angles(&self.patch, &self.stand, self.part(sides), self.class);
+                let angles = self.enclosure.angles(&self.plane, &self.work, self.part(sides), self.configuration);
                 let least_here = angles.map_or(f64::NEG_INFINITY, |angles| value(&self.followed(angles)));
                 queue.push(Part { sides, least: least.max(least_here) });
                 if found <= least_here {
@@ -116,7 +113,7 @@ impl<'a> Follower<'a> {
         found
     }
 
-    /// The two halves of a part across its longer side; an angle counts as the way along the rim.
+    /// The two halves of a part across its longer side; an angle counts as the length of its arc on the rim.
     fn halves(&self, sides: [Interval; 2]) -> [[Interval; 2]; 2] {
         let lever = match self.zone {
             Zone::Circle { .. } => sides[0].max(),
@@ -129,11 +126,11 @@ impl<'a> Follower<'a> {
         halves
     }
 
-    /// A part as numbers in the zone.
+    /// All points of a part, m from the centre of the zone.
     fn part(&self, sides: [Interval; 2]) -> [Affine<2>; 2] {
         let length = |i: usize| {
             let mut length = Affine::point(sides[i].middle());
-            length.slope[i] = sides[i].width() / 2.0;
+            length.deviations[i] = sides[i].width() / 2.0;
             length
         };
         match self.zone {
@@ -161,9 +158,10 @@ impl<'a> Follower<'a> {
 
     /// The angles at a point of the zone, m from its centre.
     fn angles_at(&self, at: [f64; 2]) -> Option<[f64; 7]> {
-        let flange = self.patch.pose(&self.stand, at) * self.tool_from_flange;
+        let flange = self.plane.pose(&self.work, at) * self.tool_from_flange;
         let found = postures(&self.arm.geometry, &flange).found;
-        let [t1, t2, t3, t4, t5, t6] = found.into_iter().find(|(class, _)| *class == self.class)?.1;
+        let [t1, t2, t3, t4, t5, t6] =
+            found.into_iter().find(|(configuration, _)| *configuration == self.configuration)?.1;
         let mut angles = [t1, t2, t3, t4, t5, t6, t2 + t3];
         for (angle, centre) in angles.iter_mut().zip(self.centre) {
             *angle -= ((*angle - centre) / TAU).round() * TAU;
@@ -171,7 +169,7 @@ impl<'a> Follower<'a> {
         Some(angles)
     }
 
-    /// Whole turns added so that the middles lie less than half a turn from the centre's.
+    /// The same angles with whole turns added, so that the middles lie within half a turn of the centre's angles.
     fn followed(&self, angles: Angles) -> Angles {
         std::array::from_fn(|i| {
             let turns = ((angles[i].middle() - self.centre[i]) / TAU).round();
@@ -179,8 +177,8 @@ impl<'a> Follower<'a> {
         })
     }
 
-    /// No joint turns by a quarter turn from the centre: angles that are followed are those that a robot passes through.
-    pub(crate) fn turns_less_than_a_quarter(&self) -> bool {
+    /// No joint turns by a quarter turn or more from the centre: the robot passes through the angles that are followed.
+    pub(super) fn turns_less_than_a_quarter(&self) -> bool {
         let room = |angles: &Angles| {
             let least = |i: usize| {
                 let turned = angles[i].affine(1.0, -self.centre[i]);
@@ -212,25 +210,25 @@ mod tests {
             };
             let elevation = [-FRAC_PI_2, 0.0, -0.7][case % 3];
             let (x, z) = (part(1.0, 1.8), part(0.6, 1.4));
-            let stand = Stand { x, z, yaw: part(-0.4, 0.4), angle: part(0.0, 3.0), roll: part(0.0, 6.0) };
-            let patch = Patch::of(elevation, &stand);
-            let at_centre = postures(&arm.geometry, &(patch.pose(&stand, [0.0; 2]) * arm.flange_from_tool.inverse()));
+            let work = WorkPlacement { x, z, yaw: part(-0.4, 0.4), angle: part(0.0, 3.0), roll: part(0.0, 6.0) };
+            let plane = WorkPlane::of(elevation, &work);
+            let at_centre = postures(&arm.geometry, &(plane.pose(&work, [0.0; 2]) * arm.flange_from_tool.inverse()));
             for (held, centre) in at_centre.found {
-                let follower = Follower::new(&arm, elevation, &stand, zone, held, &centre);
-                if !follower.turns_less_than_a_quarter() {
+                let held_zone = HeldZone::new(&arm, elevation, &work, zone, held, &centre);
+                if !held_zone.turns_less_than_a_quarter() {
                     continue;
                 }
                 followed += 1;
                 let side = |i: usize| i as f64 / 20.0 - 1.0;
                 let points = (0..=40).flat_map(|j| (0..=40).map(move |i| zone.at([side(i), side(j)])));
-                let samples: Vec<[f64; 7]> = points.map(|at| follower.angles_at(at).expect("reached")).collect();
+                let samples: Vec<[f64; 7]> = points.map(|at| held_zone.angles_at(at).expect("reached")).collect();
                 for i in 0..7 {
                     for sign in [1.0, -1.0] {
-                        let least = follower.least(f64::INFINITY, |angles| angles[i].affine(sign, 0.0).min());
+                        let least = held_zone.least(f64::INFINITY, |angles| angles[i].affine(sign, 0.0).min());
                         let lowest = samples.iter().map(|angles| sign * angles[i]).fold(f64::INFINITY, f64::min);
                         let off = lowest - least;
-                        // Samples stand a fortieth of the zone apart, on its rim too; the rest is what the library allows itself.
-                        let most = TOLERANCE.max(RELATIVE * lowest.abs()) + 2e-3;
+                        // Samples lie a fortieth of the zone apart, on its rim too; the rest is what the library allows itself.
+                        let most = tolerances::FOLLOWED.max(tolerances::FOLLOWED_PART * lowest.abs()) + 2e-3;
                         assert!((-1e-12..most).contains(&off), "{case} {held} angle {i}: {least} {lowest}");
                     }
                 }

@@ -9,6 +9,8 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use pulp::Simd;
 
+use crate::real::Real;
+
 /// One register of numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Lanes<S: Simd> {
@@ -54,6 +56,8 @@ impl<S: Simd> Neg for Lanes<S> {
         Self { simd: self.simd, value: self.simd.neg_f64s(self.value) }
     }
 }
+
+impl<S: Simd> Real for Lanes<S> {}
 
 impl<S: Simd> Lanes<S> {
     #[inline(always)]
@@ -118,6 +122,12 @@ impl<S: Simd> Lanes<S> {
         self.all(other).not_above(self)
     }
 
+    /// False where it is NaN.
+    #[inline(always)]
+    pub(crate) fn above(self, other: f64) -> Mask<S> {
+        Mask { simd: self.simd, value: self.simd.less_than_f64s(self.simd.splat_f64s(other), self.value) }
+    }
+
     /// Sine and cosine, to two units in the last place for angles up to 1e5 rad.
     ///
     /// Reduction to a quarter turn in three parts (Cody and Waite), kernels with the coefficients of fdlibm.
@@ -162,10 +172,10 @@ impl<S: Simd> Lanes<S> {
         let square = t * t;
         let (pairs, _) = COS_OF_THIRD.as_chunks::<2>();
         let mut sum = t.all(0.0);
-        let mut place = pairs.len();
-        while 0 < place {
-            place -= 1;
-            let [low, high] = pairs[place];
+        let mut pair = pairs.len();
+        while 0 < pair {
+            pair -= 1;
+            let [low, high] = pairs[pair];
             sum = sum * square + (t * high + low);
         }
         sum

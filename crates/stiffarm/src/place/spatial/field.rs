@@ -1,4 +1,4 @@
-//! The deflection across a zone that has its place.
+//! The deflection field of a zone at its place.
 
 use nalgebra::Point2;
 
@@ -7,7 +7,7 @@ use crate::compliance::{PostureError, compliance};
 use crate::inverse::postures;
 use crate::model::{ModelError, SpatialModel};
 use crate::place::{PlaceError, PlaceOptions, Placement, SpaceHold};
-use crate::space::{Patch, Stand};
+use crate::work::{WorkPlacement, WorkPlane};
 
 /// A point of a zone at its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,7 +19,7 @@ pub struct ZonePoint {
 }
 
 /// As [`deflection_field`](crate::place::deflection_field), held with six drives.
-pub(in crate::place) fn across(
+pub(in crate::place) fn deflection_field(
     model: &SpatialModel,
     options: &PlaceOptions,
     placement: &Placement,
@@ -28,14 +28,14 @@ pub(in crate::place) fn across(
 ) -> Result<Vec<ZonePoint>, PlaceError> {
     let (robot, arm) = (model.robot(), model.arm());
     let [x, z] = placement.centre;
-    let stand = Stand { x, z, yaw: hold.yaw, angle: placement.angle, roll: hold.roll };
-    let patch = Patch::of(options.stance.unwrap_or_else(Stance::tool_down).elevation, &stand);
+    let work = WorkPlacement { x, z, yaw: hold.yaw, angle: placement.angle, roll: hold.roll };
+    let plane = WorkPlane::of(options.stance.unwrap_or_else(Stance::tool_down).elevation, &work);
     let tool_from_flange = arm.flange_from_tool.inverse();
-    let judged = |at: Point2<f64>| {
-        let pose = patch.pose(&stand, at.into());
+    let evaluated = |at: Point2<f64>| {
+        let pose = plane.pose(&work, at.into());
         let found = postures(&arm.geometry, &(pose * tool_from_flange)).found;
-        let theta = found.into_iter().find(|(class, _)| *class == hold.configuration).map(|(_, theta)| theta);
-        let deflection = theta.map(|theta| {
+        let held = found.into_iter().find(|(configuration, _)| *configuration == hold.configuration);
+        let deflection = held.map(|(_, theta)| {
             let q = arm.geometry.reported(&theta, arm.limits.third_axis);
             let posture = compliance(robot, &q, &arm.flange_from_tool)?;
             Ok::<_, PostureError>(posture.compliance.worst().0 * options.load.newtons())
@@ -43,7 +43,7 @@ pub(in crate::place) fn across(
         let deflection = deflection.transpose().map_err(ModelError::from)?;
         Ok(ZonePoint { at: pose.translation.vector.into(), deflection })
     };
-    points.into_iter().map(|at| judged(at.into())).collect()
+    points.into_iter().map(|at| evaluated(at.into())).collect()
 }
 
 #[cfg(test)]
@@ -65,11 +65,8 @@ mod tests {
         for (robot, elevation) in paper_robots().iter().take(3).zip([-std::f64::consts::FRAC_PI_2, 0.0, -0.6]) {
             let model = Model::spatial(robot, &Pose::translation(0.0, 0.05, 0.2)).unwrap();
             let stance = Stance { elevation, yaw: Interval::spanning(-0.5, 0.5), roll: None };
-            let options = PlaceOptions {
-                stance: Some(stance),
-                orientation: Orientation::Free,
-                ..PlaceOptions::under(Load::PAPER)
-            };
+            let orientation = Orientation::Free;
+            let options = PlaceOptions { stance: Some(stance), orientation, ..PlaceOptions::under(Load::PAPER) };
             let placed = place(&model, zone, &options).unwrap();
             let found = placed.feasible().unwrap_or_else(|| panic!("{}: no place", robot.name));
             let side = |i: i32| f64::from(i) / 20.0 - 1.0;

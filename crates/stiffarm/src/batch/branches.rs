@@ -1,0 +1,205 @@
+//! Which configurations hold a pose within the limits, and how compliant is each? Inverse kinematics in registers.
+
+use pulp::Simd;
+
+use super::lanes::Lanes;
+use super::posture::PostureLanes;
+use super::vectors::Triple;
+use super::{Coupling, SameBranch, SpatialArm};
+use crate::inverse::{ArmBranch, Configuration, ELBOWS, Shoulder, Wrist};
+use crate::tolerances::{RIM, SINGULAR, SINGULAR_SQUARE};
+
+/// One configuration at every pose, one pose a lane.
+#[derive(Clone, Copy)]
+pub(super) struct BranchLanes<S: Simd> {
+    /// The largest translation per force, m/N, whatever the limits; NaN where nothing holds joint 2.
+    pub(super) worst: Lanes<S>,
+    /// Negative where a limit or a length forbids the posture.
+    pub(super) slack: Lanes<S>,
+    /// The same for lengths and joints 2 and 3 alone.
+    pub(super) links: Lanes<S>,
+    /// Axis 6 forwards of the forearm and across it: a vector in the direction of theta 4, as long as the sine of theta 5.
+    pub(super) bent: [Lanes<S>; 2],
+}
+
+impl<S: Simd> BranchLanes<S> {
+    /// The largest translation per force; infinite where the posture is forbidden or nothing holds joint 2.
+    #[inline(always)]
+    pub(super) fn allowed(self) -> Lanes<S> {
+        let is_held = self.worst.at_least(0.0);
+        (self.slack.at_least(0.0) & is_held).select(self.worst, self.worst.all(f64::INFINITY))
+    }
+}
+
+impl SpatialArm {
+    /// Every configuration of a pose, at its index.
+    #[inline(always)]
+    pub(super) fn configurations<S: Simd>(
+        &self,
+        flange: &FlangePoses<S>,
+        same_branch: &SameBranch,
+    ) -> [BranchLanes<S>; Configuration::COUNT] {
+        let (px, py, pz) = flange.point.parts();
+        let (ux, uy, uz) = flange.wrist_to_tool.parts();
+        let (wx, wy, wz) = (px - ux, py - uy, pz - uz);
+        let b = self.geometry.b;
+        let square = wx * wx + wy * wy;
+        let across = square - b * b;
+        let ahead = across.max(0.0).sqrt();
+        let reached = across + SINGULAR * self.geometry.c2 * self.geometry.c2;
+        let reached = (square - (same_branch.clearance * self.geometry.c2).powi(2)).or_less(reached);
+        // Above its own axis joint 1 is free: straight ahead stands for all.
+        let free = square.at_most(SINGULAR_SQUARE * self.geometry.c2 * self.geometry.c2);
+        let inverse = free.select(px.all(0.0), px.all(1.0) / square);
+        let one = px.all(1.0);
+        let mut found = [BranchLanes { worst: one, slack: one, links: one, bent: [one; 2] }; Configuration::COUNT];
+        for shoulder in 0..2 {
+            let forwards = [ahead, -ahead][shoulder];
+            let c1 = free.select(one, (wx * forwards + wy * b) * inverse);
+            let s1 = free.select(px.all(0.0), (wy * forwards - wx * b) * inverse);
+            let turned = self.angular_limits.joints[0]
+                .slack(c1, s1, one)
+                .or_less(same_branch.first[shoulder].slack(c1, s1, one));
+            let seen = FlangeInArmAxes {
+                axis_6: flange.axis_6.seen_turned(s1, c1),
+                flange_x: flange.flange_x.seen_turned(s1, c1),
+                wrist_to_tool: flange.wrist_to_tool.seen_turned(s1, c1),
+                x: forwards - self.geometry.a1,
+                z: wz - self.geometry.c1,
+            };
+            self.elbows(&seen, [reached, turned], same_branch, Shoulder::ALL[shoulder], &mut found);
+        }
+        found
+    }
+
+    /// Elbow up and down, each with both wrists, of one shoulder.
+    #[inline(always)]
+    fn elbows<S: Simd>(
+        &self,
+        seen: &FlangeInArmAxes<S>,
+        [reached, turned]: [Lanes<S>; 2],
+        same_branch: &SameBranch,
+        shoulder: Shoulder,
+        found: &mut [BranchLanes<S>; Configuration::COUNT],
+    ) {
+        let (l2, l3) = (self.geometry.c2, self.geometry.l3());
+        let (lean_c, lean_s) = (self.geometry.c3 / l3, self.geometry.a2 / l3);
+        let (x, z) = (seen.x, seen.z);
+        let square = x * x + z * z;
+        let c = (square - (l2 * l2 + l3 * l3)) * (1.0 / (2.0 * l2 * l3));
+        let straight = if same_branch.clearance == 0.0 { 1.0 + RIM } else { same_branch.clearance.cos() };
+        let reached = (c.all(straight) - c).or_less(c + straight).or_less(reached);
+        let reached = (square - SINGULAR_SQUARE * l2 * l2).or_less(reached);
+        let c = c.max(-1.0).min(1.0);
+        let s = (c.all(1.0) - c * c).max(0.0).sqrt();
+        let inverse = c.all(1.0) / square.max(SINGULAR_SQUARE * l2 * l2);
+        let one = c.all(1.0);
+        let along = c * l3 + l2;
+        for elbow in 0..2 {
+            let s = [s, -s][elbow];
+            let aside = s * l3;
+            let (s2, c2) = ((x * along - z * aside) * inverse, (z * along + x * aside) * inverse);
+            let (s3, c3) = (s * lean_c - c * lean_s, c * lean_c + s * lean_s);
+            let (s23, c23) = (s2 * c3 + c2 * s3, c2 * c3 - s2 * s3);
+            let [_, second, third, ..] = self.angular_limits.joints;
+            let forearm = self.angular_limits.third_is_forearm;
+            let third_allowed = match &self.angular_limits.multi_turn {
+                Some(multi_turn) => multi_turn.slack(if forearm { [s2, c2] } else { [one.all(0.0), one] }, [s3, c3]),
+                None if forearm => third.slack(c23, s23, one),
+                None => third.slack(c3, s3, one),
+            };
+            let links = third_allowed.or_less(self.angular_limits.elbow.slack(c3, s3, one));
+            let links = second.slack(c2, s2, one).or_less(links).or_less(reached);
+            let arm = ArmBranch { shoulder, elbow: ELBOWS[elbow] };
+            self.wrists(seen, [s2, c2, s23, c23], [links, turned], same_branch, arm, found);
+        }
+    }
+
+    /// Both wrists of one shoulder and elbow.
+    #[inline(always)]
+    fn wrists<S: Simd>(
+        &self,
+        seen: &FlangeInArmAxes<S>,
+        [s2, c2, s23, c23]: [Lanes<S>; 4],
+        [links, turned]: [Lanes<S>; 2],
+        same_branch: &SameBranch,
+        arm: ArmBranch,
+        found: &mut [BranchLanes<S>; Configuration::COUNT],
+    ) {
+        let zero = s2.all(0.0);
+        let along = Triple([s23, zero, c23]);
+        let (axis_6_x, axis_6_y, axis_6_z) = seen.axis_6.parts();
+        // The axis of joint 6 seen from the forearm: forwards, across, along.
+        let (forwards, across, c5) = (c23 * axis_6_x - s23 * axis_6_z, axis_6_y, s23 * axis_6_x + c23 * axis_6_z);
+        let s5 = (forwards * forwards + across * across).sqrt();
+        let singular = s5.at_most(SINGULAR);
+        let inverse = s2.all(1.0) / s5.max(SINGULAR);
+        let (axis_5_x, axis_5_y) = (-across * inverse, singular.select(s2.all(1.0), forwards * inverse));
+        let axis_5 = Triple([c23 * axis_5_x, axis_5_y, -(s23 * axis_5_x)]);
+        let (cos_6, sin_6) = (-along.dot(seen.flange_x), along.dot(seen.axis_6.cross(seen.flange_x)));
+        let [.., fourth, fifth, sixth] = self.angular_limits.joints;
+        let compliance = self.translation(&PostureLanes {
+            s2,
+            c2,
+            s23,
+            c23,
+            axis_5,
+            axis_6: seen.axis_6,
+            wrist_to_tool: seen.wrist_to_tool,
+        });
+        let worst = compliance.largest();
+        let any_split = s2.all(if self.angular_limits.any_wrist_split { 1.0 } else { -1.0 });
+        let flipped = match self.coupling {
+            // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
+            Coupling::Serial | Coupling::QuasiSerial => worst,
+            Coupling::Any(_) => {
+                let axis_5 = axis_5 * -1.0;
+                self.translation(&PostureLanes {
+                    s2,
+                    c2,
+                    s23,
+                    c23,
+                    axis_5,
+                    axis_6: seen.axis_6,
+                    wrist_to_tool: seen.wrist_to_tool,
+                })
+                .largest()
+            }
+        };
+        let worst = [worst, flipped];
+        for wrist in 0..2 {
+            let index = arm.with(Wrist::ALL[wrist]).index();
+            let sign = [1.0, -1.0][wrist];
+            let (turn_4, turn_6) = ([forwards * sign, across * sign], [cos_6 * sign, sin_6 * sign]);
+            let turns = fourth.slack(turn_4[0], turn_4[1], s5).or_less(sixth.slack(turn_6[0], turn_6[1], s5));
+            let turns = singular.select(any_split, turns);
+            let turns = same_branch.fourth[index].slack(turn_4[0], turn_4[1], s5).or_less(turns);
+            let turns = same_branch.sixth[index].slack(turn_6[0], turn_6[1], s5).or_less(turns);
+            let bent = fifth.slack(c5, s5 * sign, s2.all(1.0));
+            let bent = (s5 - same_branch.clearance).or_less(bent);
+            let slack = turns.or_less(bent).or_less(turned).or_less(links);
+            found[index] = BranchLanes { worst: worst[wrist], slack, links, bent: [forwards, across] };
+        }
+    }
+}
+
+/// Poses of the flange, base axes.
+pub(super) struct FlangePoses<S: Simd> {
+    /// The tool point.
+    pub(super) point: Triple<S>,
+    /// Axis of joint 6, the flange's z.
+    pub(super) axis_6: Triple<S>,
+    /// The flange's x.
+    pub(super) flange_x: Triple<S>,
+    /// From the wrist centre to the tool point.
+    pub(super) wrist_to_tool: Triple<S>,
+}
+
+/// The same in the axes of the arm, joint 1 turned; the wrist centre `x` forwards and `z` above the joint-2 axis.
+struct FlangeInArmAxes<S: Simd> {
+    pub(super) axis_6: Triple<S>,
+    pub(super) flange_x: Triple<S>,
+    pub(super) wrist_to_tool: Triple<S>,
+    x: Lanes<S>,
+    z: Lanes<S>,
+}

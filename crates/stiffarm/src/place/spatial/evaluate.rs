@@ -1,0 +1,144 @@
+//! What is the answer at a placement: which configuration follows the zone, and how far is the tool pushed off?
+
+use std::f64::consts::PI;
+
+use nalgebra::{Rotation3, Vector3};
+
+use super::search::{CELLS, Candidate, FINE, HALVING, Score, Search};
+use super::{Outside, Resolution, Solution};
+use crate::angle::wrapped;
+use crate::compliance::compliance;
+use crate::follow::{Followed, NotFollowed, PlacedZone};
+use crate::inverse::Configuration;
+use crate::task::Zone;
+use crate::tolerances;
+use crate::work::{Grid, WorkPlacement, WorkPlane};
+
+/// How often a place is sought anew within narrower limits.
+const NARROWINGS: usize = 5;
+
+impl Search<'_> {
+    /// The answer at a refined place; where a limit is overstepped between samples, at the place next to it that was refined
+    /// within limits so much narrower. `None` where no configuration follows the zone.
+    pub(super) fn evaluate(&self, candidate: &Candidate, coarse: Score) -> Option<Solution> {
+        let mut narrower = 0.0;
+        let mut work = candidate.work;
+        for _ in 0..NARROWINGS {
+            match self.evaluate_placement(&work, coarse) {
+                Ok(placement) => return Some(placement),
+                Err(NotFollowed::Impossible) => return None,
+                Err(NotFollowed::Oversteps(by)) => narrower = 4.0 * narrower + 1.1 * by + 2.0 * tolerances::FOLLOWED,
+            }
+            let within = Self { freed: self.freed.narrowed(narrower)?, ..self.clone() };
+            let start = within.candidate(work, &Grid::of(self.zone, CELLS[2]));
+            // Far enough to leave what the narrower limits take away.
+            let step = (self.step / 64.0).max(4.0 * narrower * self.robot.stretch());
+            work = within.refined(&[start], CELLS[2], step).first()?.work;
+        }
+        None
+    }
+
+    /// The answer at a placement, by the best configuration that follows the zone.
+    fn evaluate_placement(&self, work: &WorkPlacement, coarse: Score) -> Result<Solution, NotFollowed> {
+        let mut order: Vec<(Score, Configuration)> =
+            self.scores(work, &Grid::of(self.zone, CELLS[2])).into_iter().zip(Configuration::ALL).collect();
+        order.retain(|(score, _)| score.is_feasible());
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut evaluated =
+            order.into_iter().map(|(_, configuration)| self.evaluate_configuration(work, configuration, coarse));
+        evaluated
+            .find(|evaluated| !matches!(evaluated, Err(NotFollowed::Impossible)))
+            .unwrap_or(Err(NotFollowed::Impossible))
+    }
+
+    /// The answer in one configuration, with samples so fine that halving their distance changes little.
+    fn evaluate_configuration(
+        &self,
+        work: &WorkPlacement,
+        configuration: Configuration,
+        coarse: Score,
+    ) -> Result<Solution, NotFollowed> {
+        let score = |grid: &Grid| self.configuration_score(work, grid, configuration).ok_or(NotFollowed::Impossible);
+        let mut cells = CELLS[2];
+        let mut before = score(&Grid::of(self.zone, cells / 2))?;
+        loop {
+            let grid = Grid::of(self.zone, cells);
+            let found = score(&grid)?;
+            let halving = (found - before) / before;
+            if halving.abs() < HALVING || CELLS[3] <= cells {
+                let followed = self.placed(work, configuration).follow(&grid)?;
+                let placement = self.placement(work, configuration, &grid, &followed, coarse, halving);
+                return placement.ok_or(NotFollowed::Impossible);
+            }
+            before = found;
+            cells *= 2;
+        }
+    }
+
+    fn placed(&self, work: &WorkPlacement, configuration: Configuration) -> PlacedZone<'_> {
+        PlacedZone {
+            arm: self.arm,
+            elevation: self.options.elevation,
+            zone: self.zone,
+            work: *work,
+            configuration,
+            roll_is_free: self.roll_is_free,
+        }
+    }
+
+    /// The largest compliance of one configuration, where it reaches every pose.
+    fn configuration_score(&self, work: &WorkPlacement, grid: &Grid, configuration: Configuration) -> Option<f64> {
+        let score = self.scores(work, grid)[configuration.index()];
+        score.is_feasible().then_some(score.worst)
+    }
+
+    fn placement(
+        &self,
+        work: &WorkPlacement,
+        configuration: Configuration,
+        grid: &Grid,
+        followed: &Followed,
+        coarse: Score,
+        halving: f64,
+    ) -> Option<Solution> {
+        let tool = &self.arm.flange_from_tool;
+        let evaluated = followed.joints.iter().map(|q| compliance(self.robot, q, tool).ok());
+        let evaluated: Vec<_> = evaluated.collect::<Option<_>>()?;
+        let worst = evaluated.iter().map(|posture| posture.compliance.worst());
+        let (at, (value, direction)) = worst.enumerate().max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+        let plane = WorkPlane::of(self.options.elevation, work);
+        let points = || grid.points.iter().map(|&at| plane.point(work, at));
+        let worst_point =
+            Rotation3::from_axis_angle(&Vector3::z_axis(), followed.bearing) * plane.point(work, grid.points[at]);
+        let from_axis_1 = points().map(|point| point.xy().norm()).fold(f64::INFINITY, f64::min);
+        let reaches = |axis: usize| points().any(|point| point[axis] < -tolerances::OUTSIDE);
+        let half_turn = |angle: f64| angle.rem_euclid(PI);
+        Some(Solution {
+            deflection: value * self.options.force,
+            lower_bound: 0.0,
+            centre: [work.x, work.z],
+            bearing: followed.bearing,
+            yaw: wrapped(work.yaw),
+            angle: if matches!(self.zone, Zone::Circle { .. }) { 0.0 } else { half_turn(work.angle) },
+            roll: wrapped(followed.roll),
+            configuration,
+            worst_point: worst_point.into(),
+            from_axis_1,
+            outside: Outside { below: reaches(2), behind: reaches(0) },
+            worst_joints: followed.joints[at],
+            worst_shares: evaluated[at].shares(&direction),
+            limit_margin: followed.limit_margin,
+            singular_margin: followed.singular_margin,
+            resolution: Resolution {
+                coarse_step: self.step,
+                coarse: if coarse.is_feasible() { coarse.worst * self.options.force } else { f64::NAN },
+                fine_step: FINE.0,
+                fine_turn: FINE.1,
+                sample_step: grid.step,
+                samples: grid.points.len(),
+                halving,
+                boxes: 0,
+            },
+        })
+    }
+}
