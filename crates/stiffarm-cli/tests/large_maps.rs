@@ -8,8 +8,8 @@ use std::process::Command;
 use serde_json::{Value, json};
 use stiffarm::catalogue::find;
 use stiffarm::map::{Axis, Direction, MapOptions, SectionOptions, Spacing, map, reached_box, reached_section, section};
-use stiffarm::question::Held;
 use stiffarm::report;
+use stiffarm::request::Held;
 use tempfile::TempDir;
 
 fn run(arguments: &[&str]) -> String {

@@ -13,10 +13,10 @@
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
 //!
 //! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only at
-//! the borders: [`catalogue`] reads robot files, [`question`] what people ask, [`report`] tells the answers. The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
+//! the borders: [`catalogue`] reads robot files, [`request`] what is asked, [`report`] tells the answers. The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`interval`], [`limits`], [`spatial`], [`geometry`], [`drive`], [`plane`], [`robot`], [`compliance`], [`catalogue`], [`task`],
-//! [`map`], [`place`], [`rank`], [`study`], [`question`], [`report`], [`ledger`]; [`plain`] keeps texts from outside on their line.
+//! [`map`], [`place`], [`rank`], [`study`], [`request`], [`report`], [`ledger`]; [`plain`] keeps texts from outside on their line.
 //!
 //! # What is left out
 //! The planar model of the paper, on which all verbs but `compliance` stand: drives 2 and 3 are compliant, links, bearings, the other drives and the base are
@@ -41,9 +41,9 @@ pub mod map;
 pub mod place;
 pub mod plain;
 pub mod plane;
-pub mod question;
 pub mod rank;
 pub mod report;
+pub mod request;
 pub mod robot;
 mod root;
 pub mod space;

@@ -7,13 +7,13 @@ use stiffarm::interval::Interval;
 use stiffarm::map::{Component, Direction, Map, MapError, MapOptions, Spacing, map, reached_box, stiffest_posture};
 use stiffarm::place::{PlaceOptions, Placement, Within, find_robot};
 use stiffarm::plane::PlanarArm;
-use stiffarm::question::Angle;
 use stiffarm::report;
+use stiffarm::request::Request;
 use stiffarm::robot::{Arm, ArmPlane, Robot};
 use stiffarm::task::Task;
 
 use super::{spatial, waiting};
-use crate::args::{Common, Layer, MapArgs, Part};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::map::MapFigure;
 use crate::figures::scene::{Scene, ZoneMark, links, rim};
@@ -25,41 +25,32 @@ use crate::table::{Table, full};
 /// Points along the longer side of a map that is only drawn.
 const FIGURE_SIZE: usize = 400;
 
-pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
-    if args.zone.is_none() && (args.placing.within.is_some() || args.placing.angle != Angle::Axes) {
-        return Err(Failure::Usage("--within and --angle place a zone: give --zone with them".into()));
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let name = asked.robot()?;
+    let robot = selection::robot(&name, common)?;
+    if asked.is_spatial() {
+        return spatial::map::run(robot, asked, common);
     }
-    let robot = selection::robot(&args.robot, common)?;
-    if args.space.is_spatial()? {
-        return spatial::map::run(robot, args, common);
-    }
-    for (name, given) in [("--posture", args.posture.is_some()), ("--layer", args.layer != Layer::Deflection)] {
-        if given {
-            return Err(Failure::Usage(format!("{name} needs --model spatial")));
-        }
-    }
-    let outputs = Outputs::open::<MapAnswer>(common, &[Path::new(&args.robot)])?;
+    let outputs = Outputs::open::<MapAnswer>(common, &[Path::new(&name)])?;
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let plane = arm_plane(&robot).map_err(failure)?;
-    let [x, z] = args.spacing().cover(reached_box(&plane.arm).map_err(failure)?);
-    let direction = args.direction_deg.map_or(Direction::Worst, |angle| {
-        Direction::Given(angle.to_radians(), args.component.unwrap_or(Part::Total).into())
-    });
-    let options = MapOptions { x, z, force: args.placing.force_n, direction, elbow: args.elbow.map(Into::into) };
+    let [x, z] = asked.spacing().cover(reached_box(&plane.arm).map_err(failure)?);
+    let options = MapOptions { x, z, force: asked.force(), direction: asked.direction(), elbow: asked.elbow() };
     let map = waiting("mapping", common, || map(&plane.arm, &options)).map_err(failure)?;
-    let zone = match &args.zone {
+    let zone = match asked.zone() {
         None => None,
         Some(task) => {
-            let placing = args.placing.options(task.zone);
+            let placing = asked.wanted().planar(task.zone);
             let found = waiting("searching places", common, || find_robot(&robot, task.zone, &placing))
                 .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
             if found.is_none() && !common.quiet {
                 say(&format!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label));
             }
-            found.map(|placement| (task.clone(), placement))
+            found.map(|placement| (task, placement))
         }
     };
-    outputs.deliver(&MapAnswer { within: args.placing.planar_within(), robot, plane, options, map, zone })
+    let within = asked.wanted().within.unwrap_or(Within::ANYWHERE);
+    outputs.deliver(&MapAnswer { within, robot, plane, options, map, zone })
 }
 
 fn arm_plane(robot: &Robot) -> Result<ArmPlane, MapError> {

@@ -5,29 +5,30 @@ use std::path::Path;
 
 use stiffarm::place::{Outside, PlaceError, PlaceOptions, Placed, Placement, place_robot};
 use stiffarm::report;
+use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 use stiffarm::task::Task;
 
 use super::map::{MapAnswer, placement_map};
 use super::{spatial, waiting};
-use crate::args::{Common, PlaceArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::view3d::View;
 use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
 use crate::table::{Table, fixed, full};
 
-pub(crate) fn run(args: &PlaceArgs, common: &Common) -> Result<(), Failure> {
-    let robot = selection::robot(&args.robot, common)?;
-    if args.space.is_spatial()? {
-        return spatial::place::run(robot, args, common);
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let (name, task) = (asked.robot()?, asked.task()?);
+    let robot = selection::robot(&name, common)?;
+    if asked.is_spatial() {
+        return spatial::place::run(robot, asked, common);
     }
-    let outputs = Outputs::open::<PlaceAnswer>(common, &[Path::new(&args.robot)])?;
-    let options = args.placing.options(args.task.zone);
-    let placed = waiting("searching places", common, || place_robot(&robot, args.task.zone, &options))
+    let outputs = Outputs::open::<PlaceAnswer>(common, &[Path::new(&name)])?;
+    let options = asked.wanted().planar(task.zone);
+    let placed = waiting("searching places", common, || place_robot(&robot, task.zone, &options))
         .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
-    let answer = PlaceAnswer { robot, task: args.task.clone(), options, placed, tolerance_mm: args.tolerance_mm };
-    outputs.deliver(&answer)
+    outputs.deliver(&PlaceAnswer { robot, task, options, placed, tolerance_mm: asked.tolerance_mm() })
 }
 
 struct PlaceAnswer {

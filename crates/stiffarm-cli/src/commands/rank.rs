@@ -7,16 +7,16 @@ use std::path::Path;
 
 use stiffarm::drive::Architecture;
 use stiffarm::place::{Outside, PlaceOptions};
-use stiffarm::question::{Angle, distinct};
 use stiffarm::rank::{PlanarCell, Ranking, Row, curves, is_not_of_the_plane, rank};
 use stiffarm::report;
+use stiffarm::request::{Request, distinct};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
 
 use super::place::{CELL_COLUMNS, cell_row};
 use super::sheet::{ASSUMED_ARCHITECTURE, architecture};
 use super::{progress, spatial};
-use crate::args::{Common, RankArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::ranking::{self, Curve, Panel};
 use crate::output::{Answer, Outputs, figure, pretty};
@@ -32,37 +32,34 @@ const MOST_DRAWN: usize = 24;
 /// A remark names no more robots than this.
 const MOST_NAMED: usize = 12;
 
-pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
-    if matches!(args.placing.angle, Angle::Horizontal | Angle::Vertical) && args.tasks.len() > 1 {
-        return Err(Failure::Usage(
-            "--angle horizontal or vertical means the long side of one task; give one --task with it".into(),
-        ));
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let names = asked.robots();
+    let robots = selection::robots(&names, common)?;
+    let robots = selection::keep(robots, asked, &[]).map_err(|failure| widened(failure, &names))?;
+    let given = asked.tasks();
+    let tasks = distinct(&given);
+    let first = given.first().ok_or_else(|| Failure::Usage("no task to rank for; give --task".into()))?;
+    if asked.is_spatial() {
+        return spatial::rank::run(&robots, &tasks, asked, common);
     }
-    let robots = selection::robots(&args.robots, common)?;
-    let robots = args.filters.keep(robots, &[]).map_err(|failure| widened(failure, args))?;
-    let tasks = distinct(&args.tasks);
-    let first = args.tasks.first().ok_or_else(|| Failure::Usage("no task to rank for; give --task".into()))?;
-    if args.space.is_spatial()? {
-        return spatial::rank::run(&robots, &tasks, args, common);
-    }
-    let outputs = Outputs::open::<RankAnswer>(common, &inputs(args))?;
-    let options = args.placing.options(first.zone);
+    let outputs = Outputs::open::<RankAnswer>(common, &inputs(&names))?;
+    let options = asked.wanted().planar(first.zone);
     let bar = progress(robots.len() * tasks.len(), "placing zones", common);
     let ranking = rank(&robots, &tasks, &options, || bar.inc(1))?;
     bar.finish_and_clear();
-    let answer = RankAnswer { ranking, options, args, common, svg: OnceCell::new() };
+    let answer = RankAnswer { ranking, options, tolerance_mm: asked.tolerance_mm(), common, svg: OnceCell::new() };
     outputs.deliver(&answer)
 }
 
 /// What may be files among the robots.
-pub(crate) fn inputs(args: &RankArgs) -> Vec<&Path> {
-    args.robots.iter().map(|robot| Path::new(robot.trim())).collect()
+pub(crate) fn inputs(robots: &[String]) -> Vec<&Path> {
+    robots.iter().map(|robot| Path::new(robot.trim())).collect()
 }
 
 /// Where only the paper's robots were asked, there are more.
-fn widened(failure: Failure, args: &RankArgs) -> Failure {
+fn widened(failure: Failure, robots: &[String]) -> Failure {
     match failure {
-        Failure::NothingLeft { asked, of, hint } if args.robots == ["paper"] => {
+        Failure::NothingLeft { asked, of, hint } if robots == ["paper"] => {
             let hint = format!("{hint}; these are the paper's ten, --robots all takes every robot");
             Failure::NothingLeft { asked, of, hint }
         }
@@ -73,14 +70,14 @@ fn widened(failure: Failure, args: &RankArgs) -> Failure {
 struct RankAnswer<'a> {
     ranking: Ranking,
     options: PlaceOptions,
-    args: &'a RankArgs,
+    tolerance_mm: Option<f64>,
     common: &'a Common,
     svg: OnceCell<String>,
 }
 
 impl RankAnswer<'_> {
     fn tolerance_mm(&self) -> Option<f64> {
-        self.args.tolerance_mm
+        self.tolerance_mm
     }
 
     /// `1.234`, marked when it is the best of its column, with the margin where a tolerance is given.

@@ -1,7 +1,7 @@
 //! What do programs read? The answers of the verbs as JSON, with the keys on which scripts rely.
 //!
 //! One file a verb, and every face calls it: a number is the same to the last bit wherever it is shown. Beside
-//! [`catalogue`](crate::catalogue) and [`question`](crate::question) the only module in which mm and degrees exist.
+//! [`catalogue`](crate::catalogue) and [`request`](crate::request) the only module in which mm and degrees exist.
 
 pub mod compliance;
 pub mod map;

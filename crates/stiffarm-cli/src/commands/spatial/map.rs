@@ -5,11 +5,12 @@ use std::path::Path;
 
 use stiffarm::map::{Axis, Section, SectionOptions, section};
 use stiffarm::report;
+use stiffarm::request::{Layer, Request};
 use stiffarm::robot::Robot;
 
 use super::drawing::{over_everything, scene};
 use super::{direction, tool};
-use crate::args::{Common, Layer, MapArgs};
+use crate::args::Common;
 use crate::commands::waiting;
 use crate::failure::Failure;
 use crate::figures::map::MapFigure;
@@ -17,30 +18,19 @@ use crate::figures::view3d::{ArmMark, Sheet, View};
 use crate::output::{Answer, Outputs, figure, pretty};
 use crate::table::{Table, full};
 
-pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), Failure> {
-    for (name, given) in [
-        ("--direction-deg", args.direction_deg.is_some()),
-        ("--elbow", args.elbow.is_some()),
-        ("--zone", args.zone.is_some()),
-        ("--yaw-deg", args.space.yaw_deg.is_some()),
-    ] {
-        if given {
-            return Err(Failure::Usage(format!(
-                "{name} does not go with a map in space; `stiffarm place --model spatial` draws a zone"
-            )));
-        }
-    }
-    let outputs = Outputs::open::<MapAnswer>(common, &[Path::new(&args.robot)])?;
+pub(crate) fn run(robot: Robot, args: &Request, common: &Common) -> Result<(), Failure> {
+    let outputs = Outputs::open::<MapAnswer>(common, &[Path::new(&args.robot()?)])?;
     let unit = Axis { start: 0.0, step: 1.0, count: 2 };
+    let held = args.held();
     let asked = SectionOptions {
         x: unit,
         z: unit,
-        force: args.placing.force_n,
-        flange_from_tool: args.space.tool(),
-        elevation: args.space.elevation(),
+        force: args.force(),
+        flange_from_tool: held.tool(),
+        elevation: held.elevation(),
         yaw: 0.0,
-        roll: args.space.roll_deg.map(f64::to_radians),
-        configuration: args.posture,
+        roll: held.roll(),
+        configuration: args.posture(),
     };
     let Some(options) = over_everything(&robot, &asked, args.spacing())? else {
         return Err(Failure::Usage(format!(
@@ -51,7 +41,7 @@ pub(crate) fn run(robot: Robot, args: &MapArgs, common: &Common) -> Result<(), F
     };
     let section = waiting("mapping", common, || section(&robot, &options))
         .map_err(|error| Failure::Map { robot: robot.name.clone(), error })?;
-    outputs.deliver(&MapAnswer { robot, options, section, layer: args.layer })
+    outputs.deliver(&MapAnswer { robot, options, section, layer: args.layer() })
 }
 
 struct MapAnswer {

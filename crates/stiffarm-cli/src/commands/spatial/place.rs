@@ -5,13 +5,14 @@ use std::path::Path;
 
 use stiffarm::map::{Axis, Section, SectionOptions, Spacing, section};
 use stiffarm::place::{SpatialOptions, SpatialPlacement, SpatiallyPlaced, ZonePoint, across_zone, place_in_space};
+use stiffarm::request::Request;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::space::SpatialArm;
 use stiffarm::task::Task;
 
 use super::drawing::{over_everything, scene};
 use super::{CELL_COLUMNS, COLUMN, cell_json, cell_row, direction, tool, window};
-use crate::args::{Common, PlaceArgs};
+use crate::args::Common;
 use crate::commands::waiting;
 use crate::failure::Failure;
 use crate::figures::face::FaceFigure;
@@ -26,13 +27,13 @@ const FIGURE_SIZE: usize = 300;
 /// Points along each side of the zone that are drawn.
 const FACE_SIZE: usize = 33;
 
-pub(crate) fn run(robot: Robot, args: &PlaceArgs, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<PlaceAnswer>(common, &[Path::new(&args.robot)])?;
-    let options = args.space.options_for(&args.placing, args.task.zone)?;
-    let placed = waiting("searching places", common, || place_in_space(&robot, args.task.zone, &options))
+pub(crate) fn run(robot: Robot, asked: &Request, common: &Common) -> Result<(), Failure> {
+    let (name, task) = (asked.robot()?, asked.task()?);
+    let outputs = Outputs::open::<PlaceAnswer>(common, &[Path::new(&name)])?;
+    let options = asked.spatial_for(task.zone)?;
+    let placed = waiting("searching places", common, || place_in_space(&robot, task.zone, &options))
         .map_err(|error| Failure::PlaceInSpace { robot: robot.name.clone(), error })?;
-    let answer = PlaceAnswer { robot, task: args.task.clone(), options, placed, tolerance_mm: args.tolerance_mm };
-    outputs.deliver(&answer)
+    outputs.deliver(&PlaceAnswer { robot, task, options, placed, tolerance_mm: asked.tolerance_mm() })
 }
 
 struct PlaceAnswer {

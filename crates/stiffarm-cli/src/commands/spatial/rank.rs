@@ -7,11 +7,12 @@ use stiffarm::drive::Architecture;
 use stiffarm::place::{SpatialOptions, SpatialPlacement, SpatiallyPlaced};
 use stiffarm::rank::{Ranking, Row, rank_in_plane, rank_in_space};
 use stiffarm::report;
+use stiffarm::request::Request;
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::Task;
 
 use super::{CELL_COLUMNS, COLUMN, cell_row, direction, tool, window};
-use crate::args::{Common, RankArgs};
+use crate::args::Common;
 use crate::commands::rank::inputs;
 use crate::commands::sheet::{ASSUMED_ARCHITECTURE, architecture};
 use crate::commands::{progress, waiting};
@@ -23,17 +24,18 @@ use crate::table::{Table, fixed, prose};
 /// More bars are not told apart on one page.
 const MOST_DRAWN: usize = 60;
 
-pub(crate) fn run(robots: &[Robot], tasks: &[Task], args: &RankArgs, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<RankAnswer>(common, &inputs(args))?;
+pub(crate) fn run(robots: &[Robot], tasks: &[Task], asked: &Request, common: &Common) -> Result<(), Failure> {
+    let names = asked.robots();
+    let outputs = Outputs::open::<RankAnswer>(common, &inputs(&names))?;
     let options = match tasks {
-        [task] => args.space.options_for(&args.placing, task.zone)?,
-        _ => args.space.options(&args.placing)?,
+        [task] => asked.spatial_for(task.zone)?,
+        _ => asked.spatial()?,
     };
     let bar = progress(robots.len() * tasks.len(), "placing zones in space", common);
     let ranking = rank_in_space(robots, tasks, &options, || bar.inc(1))?;
     bar.finish_and_clear();
     let planar = waiting("placing zones in the plane", common, || rank_in_plane(robots, tasks, options.force))?;
-    outputs.deliver(&RankAnswer { ranking, planar, options, tolerance_mm: args.tolerance_mm })
+    outputs.deliver(&RankAnswer { ranking, planar, options, tolerance_mm: asked.tolerance_mm() })
 }
 
 struct RankAnswer {
