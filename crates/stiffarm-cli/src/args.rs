@@ -1,4 +1,5 @@
 //! What was asked on the command line, in a job file, or in both: requests of the library, and what is a matter of the program.
+#![allow(rustdoc::broken_intra_doc_links, reason = "help texts put units and defaults in brackets")]
 
 use std::path::{Path, PathBuf};
 
