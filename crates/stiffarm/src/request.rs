@@ -73,7 +73,7 @@ impl Request {
         }
         let request = Self { verb, reader, given };
         for given in &request.given {
-            request.check_count(given)?;
+            check_count(given)?;
             request.check_model(given)?;
             request.check_others(given)?;
         }
@@ -101,15 +101,6 @@ impl Request {
             }
             _ => Vec::new(),
         }
-    }
-
-    fn check_count(&self, given: &Given) -> Result<(), Refusal> {
-        let Given { setting, at, values, .. } = given;
-        let Count { least, most, what, expected } = setting.count;
-        if (least..=most).contains(&values.len()) {
-            return Ok(());
-        }
-        Err(Refusal::Count { at: at.clone(), name: at.name(setting), count: values.len(), what, expected })
     }
 
     /// An option belongs to the models to which it, and what it needs, belong.
@@ -166,6 +157,15 @@ impl Request {
             expected: setting.map_or("", |setting| setting.help),
         }
     }
+}
+
+fn check_count(given: &Given) -> Result<(), Refusal> {
+    let Given { setting, at, values, .. } = given;
+    let Count { least, most, what, expected } = setting.count;
+    if (least..=most).contains(&values.len()) {
+        return Ok(());
+    }
+    Err(Refusal::Count { at: at.clone(), name: at.name(setting), count: values.len(), what, expected })
 }
 
 /// The row that a name means to its reader.

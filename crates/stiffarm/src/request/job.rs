@@ -88,7 +88,7 @@ impl Reader<'_> {
             })?;
             let is_path = name == "output" || setting.is_some_and(|setting| setting.kind == Kind::Robot);
             let pairs = texts.into_iter().map(|text| {
-                let text = if is_path { self.from_here(name, text) } else { text };
+                let text = if is_path { self.rebased(name, text) } else { text };
                 Pair { name: name.clone(), text, at: self.at(*place) }
             });
             if of_program { job.program.extend(pairs) } else { job.pairs.extend(pairs) }
@@ -130,7 +130,7 @@ impl Reader<'_> {
     }
 
     /// A path that is relative counts from the folder of the file.
-    fn from_here(&self, name: &str, text: String) -> String {
+    fn rebased(&self, name: &str, text: String) -> String {
         let is_path = name == "output" || is_path(&text);
         if is_path { self.folder.join(text).to_string_lossy().into_owned() } else { text }
     }

@@ -257,10 +257,12 @@ impl Request {
     }
 }
 
+#[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
 fn number(value: Value) -> Option<f64> {
     if let Value::Number(number) = value { Some(number) } else { None }
 }
 
+#[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
 fn interval(value: Value) -> Option<Interval> {
     if let Value::Interval(interval) = value { Some(interval) } else { None }
 }
