@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use stiffarm::drive::Architecture;
 use stiffarm::request::{Absent, Of, Pair, Refusal, Request, SETTINGS, Setting, Spelling, Verb, job};
 use stiffarm::robot::Status;
+use stiffarm::task::Zone;
 
 fn pair(name: &str, text: &str, at: &Spelling) -> Pair {
     Pair { name: name.into(), text: text.into(), at: at.clone() }
@@ -72,16 +73,14 @@ fn examples_and_defaults_are_understood() {
 
 /// Everything that a request can be asked for, in words.
 fn told(request: &Request) -> String {
-    let mut told = format!("{:?} {:?}", request.robots(), request.tasks());
+    let mut told = vec![format!("{:?} {:?}", request.robots(), request.tasks())];
     let verb = request.verb;
     if [Verb::Rank, Verb::Place, Verb::Map].contains(&verb) {
-        told += &format!("{:?} {:?} {}", request.wanted(), request.held(), request.is_spatial());
-        told += &format!(
-            "{:?}",
-            request.spatial_for("rect:1x2".parse::<stiffarm::task::Task>().expect("a task").zone).ok()
-        );
+        let zone = Zone::Rectangle { width: 1.0, height: 2.0 };
+        told.push(format!("{:?} {:?} {}", request.wanted(), request.held(), request.is_spatial()));
+        told.push(format!("{:?}", request.spatial_for(zone).ok()));
     }
-    told += &match verb {
+    told.push(match verb {
         Verb::Rank | Verb::List => format!("{:?} {:?}", request.filter(Vec::new()), request.tolerance_mm()),
         Verb::Place => format!("{:?} {:?} {:?}", request.robot().ok(), request.task().ok(), request.tolerance_mm()),
         Verb::Map => format!(
@@ -99,8 +98,8 @@ fn told(request: &Request) -> String {
             format!("{robot:?} {joints:?} {:?} {:?}", request.force_along(), request.held())
         }
         Verb::Study => format!("{:?}", request.study()),
-    };
-    told
+    });
+    told.join(" ")
 }
 
 /// An option that nothing reads would be an option that does nothing.
