@@ -1,70 +1,209 @@
-//! What can be asked for on the command line.
+//! What was asked on the command line, in a job file, or in both: requests of the library, and what is a matter of the program.
 #![allow(rustdoc::broken_intra_doc_links, reason = "help texts put units and defaults in brackets")]
 
-use std::path::PathBuf;
-use std::str::FromStr;
+use std::path::{Path, PathBuf};
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::parser::ValueSource;
+use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand, ValueEnum};
+use stiffarm::catalogue::files;
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
-use stiffarm::inverse::Configuration;
-use stiffarm::load::{Component, Load};
-use stiffarm::map::Spacing;
-use stiffarm::model::ModelKind;
-use stiffarm::place::{PlaceOptions, Within};
-use stiffarm::plane::Elbow;
-use stiffarm::question::{
-    Angle, Held, Unasked, Wanted, degrees, elevation, number, open_range, shape, tool, within, yaw,
-};
-use stiffarm::spatial::Pose;
-use stiffarm::task::{Task, Zone};
+use stiffarm::request::{Pair, Refusal, Request, Spelling, Verb, job, number, open_range};
 
 use crate::failure::Failure;
-use crate::filters::Filters;
+use crate::options::{SAVE_JOB, positional_of, robot, subcommand, typed};
+use crate::output::{say, write_text};
 
-/// Which robot is stiff enough for machining, where must the work stand, and how far is the tool pushed off?
-#[derive(Debug, Parser)]
-#[command(name = "stiffarm", version, propagate_version = true)]
-pub(crate) struct Arguments {
-    #[command(subcommand)]
-    pub(crate) command: Command,
-    #[command(flatten)]
-    pub(crate) common: Common,
+/// What the program does.
+const ABOUT: &str =
+    "Which robot is stiff enough for machining, where must the work stand, and how far is the tool pushed off?";
+
+/// The verbs of the library, with a line of help each.
+const VERBS: [(Verb, &str); 5] = [
+    (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
+    (Verb::Place, "Find the best place of one zone, with a proof"),
+    (Verb::Map, "Map the deflection over everything a robot reaches"),
+    (Verb::Compliance, "Six-axis compliance at one posture, and which drive gives how much"),
+    (Verb::Study, "Compare two architectures over link ratio and task size"),
+];
+
+/// The whole command line.
+pub(crate) fn command() -> Command {
+    let program = Common::augment_args(Command::new("stiffarm").version(env!("CARGO_PKG_VERSION")).about(ABOUT))
+        .propagate_version(true)
+        .subcommand_required(true)
+        .arg_required_else_help(true);
+    let list = subcommand(Verb::List, "The robots that come with the program, all or those that match").arg(
+        clap::Arg::new("text")
+            .value_name("TEXT")
+            .num_args(0..)
+            .help("Words that must stand in the maker's or the robot's name"),
+    );
+    let robots = Command::new("robots").about("List, show and check robots").subcommand(list);
+    program
+        .subcommands(VERBS.map(|(verb, about)| subcommand(verb, about)))
+        .subcommand(RobotsAction::augment_subcommands(robots))
+        .subcommand(Command::new("validate").about("Print every published number beside the computed one"))
 }
 
-#[derive(Debug, Subcommand)]
-pub(crate) enum Command {
-    /// Rank robots for tasks; without arguments the ten robots of the paper on its six tasks
-    Rank(RankArgs),
-    /// Find the best place of one zone, with a proof
-    Place(PlaceArgs),
-    /// Map the deflection over everything a robot reaches
-    Map(MapArgs),
-    /// Six-axis compliance at one posture, and which drive gives how much
-    Compliance(ComplianceArgs),
-    /// Compare two architectures over link ratio and task size
-    Study(StudyArgs),
-    /// List, show and check robots
-    Robots(RobotsArgs),
-    /// Print every published number beside the computed one
+/// What is to be done.
+#[derive(Debug)]
+pub(crate) enum Task {
+    /// A verb of the library.
+    Ask(Request),
+    /// Those of the catalogue that have some words in their names and what is asked.
+    List(Vec<String>, Request),
+    /// Something with files of robots.
+    Robots(RobotsAction),
+    /// The published numbers.
     Validate,
+}
+
+/// What is to be done, and how the program behaves meanwhile.
+///
+/// # Errors
+/// Where a job file cannot be read or written, or what is asked makes no sense.
+pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
+    let (name, inner) = matches.subcommand().unwrap_or(("", matches));
+    let common =
+        |inner: &ArgMatches| Common::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()));
+    if let Some((verb, _)) = VERBS.into_iter().find(|(verb, _)| verb.name() == name) {
+        return ask(verb, inner, common(inner)?);
+    }
+    if name == "validate" {
+        return Ok((Task::Validate, common(inner)?));
+    }
+    let list = |pairs: &[Pair]| Request::read(Verb::List, pairs, Spelling::Typed);
+    match inner.subcommand() {
+        None => Ok((Task::List(Vec::new(), list(&[])?), common(inner)?)),
+        Some(("list", inner)) => {
+            let words = inner.get_many::<String>("text").into_iter().flatten().cloned().collect();
+            Ok((Task::List(words, list(&typed(inner))?), common(inner)?))
+        }
+        Some((_, action)) => {
+            let known = RobotsAction::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
+            Ok((Task::Robots(known), common(action)?))
+        }
+    }
+}
+
+/// A verb, from what was typed and the job file that may stand beside it.
+fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Common), Failure> {
+    let mut pairs = typed(matches);
+    let mut reader = Spelling::Typed;
+    if let Some(name) = positional_of(matches) {
+        if let Some(job) = job_file(verb, name)? {
+            reader = Spelling::Key { file: files::shown(Path::new(name)), line: None };
+            common.job = Some(name.into());
+            common.take(&job.program, matches)?;
+            pairs = job.overruled_by(pairs);
+        } else {
+            pairs.insert(0, robot(name));
+        }
+    }
+    let request = Request::read(verb, &pairs, reader)?;
+    if let Some(file) = matches.get_one::<String>(SAVE_JOB) {
+        save(&request, Path::new(file), &common)?;
+    }
+    Ok((Task::Ask(request), common))
+}
+
+/// The job in a file, where it is one; nothing where it is a robot's.
+fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
+    let path = Path::new(name);
+    let takes_robot = verb.setting("robot").is_some();
+    if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
+        let why = format!("'{name}' is no job file; expected a name that ends in .toml, robots are named by --robots");
+        return if takes_robot { Ok(None) } else { Err(Failure::Usage(why)) };
+    }
+    let text = files::text(path)?;
+    if takes_robot && !job::is_job(&text) {
+        return Ok(None);
+    }
+    let job = job::read(&text, path)?;
+    if job.verb != verb {
+        let (asked, found) = (verb.name(), job.verb.name());
+        return Err(Failure::Usage(format!("{} is a job for {found}; {asked} was asked", files::shown(path))));
+    }
+    Ok(Some(job))
+}
+
+/// Writes what is asked to a job file, whole or not at all.
+fn save(request: &Request, file: &Path, common: &Common) -> Result<(), Failure> {
+    if !file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
+        let shown = files::shown(file);
+        return Err(Failure::Usage(format!("--save-job cannot write {shown}: expected a name that ends in .toml")));
+    }
+    let mut inputs = request.robots();
+    inputs.extend(request.robot());
+    let inputs: Vec<&Path> = inputs.iter().map(|name| Path::new(name.trim())).chain(common.job.as_deref()).collect();
+    write_text(file, &inputs, &job::write(request, &common.entries(file), file))?;
+    if !common.quiet {
+        say(&format!("wrote {}", file.display()));
+    }
+    Ok(())
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct Common {
     /// Format of what goes to standard output
-    #[arg(long, value_enum, default_value_t = Format::Table, global = true)]
+    #[arg(long, value_enum, default_value_t = Format::Table, global = true, display_order = 900)]
     pub(crate) format: Format,
     /// Write to a file; its ending chooses the format: .csv, .parquet, .json, .md, .txt, a figure as .svg or .png, or a view
     /// in space as .html. May be given several times
-    #[arg(short, long = "output", value_name = "FILE", global = true)]
+    #[arg(short, long = "output", value_name = "FILE", global = true, display_order = 901)]
     pub(crate) output: Vec<PathBuf>,
     /// Number of threads [default: all cores]
-    #[arg(long, value_name = "N", value_parser = threads, global = true)]
+    #[arg(long, value_name = "N", value_parser = threads, global = true, display_order = 902)]
     pub(crate) threads: Option<usize>,
     /// No progress, no remarks
-    #[arg(short, long, global = true)]
+    #[arg(short, long, global = true, display_order = 903)]
     pub(crate) quiet: bool,
+    /// The job file that was read.
+    #[arg(skip)]
+    pub(crate) job: Option<PathBuf>,
+}
+
+impl Common {
+    /// Takes what a job file says of the program, where nothing else was typed.
+    fn take(&mut self, pairs: &[Pair], typed: &ArgMatches) -> Result<(), Failure> {
+        let is_typed = |name: &str| typed.value_source(name) == Some(ValueSource::CommandLine);
+        for Pair { name, text, at } in pairs.iter().filter(|pair| !is_typed(&pair.name)) {
+            let wrong = |expected: String| {
+                let why = format!("invalid value '{}' for '{name}': {expected}", stiffarm::plain::on_one_line(text));
+                Refusal::Job { at: at.clone(), why }
+            };
+            match name.as_str() {
+                "output" => self.output.push(text.into()),
+                "threads" => self.threads = Some(threads(text).map_err(wrong)?),
+                "quiet" => self.quiet = text.parse().map_err(|_| wrong("expected true or false".into()))?,
+                _ => {
+                    let expected = |_| wrong("expected table, json, csv or md".into());
+                    self.format = Format::from_str(text, false).map_err(expected)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// What stands in a job file of it.
+    fn entries(&self, file: &Path) -> Vec<(&'static str, String)> {
+        let mut entries = Vec::new();
+        let format = self.format.to_possible_value();
+        if let Some(format) = format.filter(|_| self.format != Format::Table) {
+            entries.push(("format", format!("\"{}\"", format.get_name())));
+        }
+        if !self.output.is_empty() {
+            let folder = file.parent().unwrap_or(Path::new(""));
+            // A path also where it is a bare name.
+            let seen = |path: &PathBuf| job::seen_from(folder, &Path::new(".").join(path).to_string_lossy());
+            let files: Vec<String> = self.output.iter().map(|path| job::text(&seen(path))).collect();
+            entries.push(("output", format!("[{}]", files.join(", "))));
+        }
+        entries.extend(self.threads.map(|threads| ("threads", threads.to_string())));
+        entries.extend(self.quiet.then(|| ("quiet", "true".into())));
+        entries
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -75,239 +214,8 @@ pub(crate) enum Format {
     Md,
 }
 
-/// What is asked of a placement, whatever the verb.
-#[derive(Debug, Args)]
-pub(crate) struct Placing {
-    /// Cutting force [N]
-    #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = force, allow_hyphen_values = true)]
-    pub(crate) force_n: f64,
-    /// Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
-    /// [default: anywhere; with --model spatial 0..,0..: in front of the joint-1 axis and above the base]
-    #[arg(long, value_name = "RANGES", value_parser = within, allow_hyphen_values = true)]
-    pub(crate) within: Option<Within>,
-    /// Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or degrees of its first side
-    #[arg(long, value_name = "ANGLE", value_parser = Angle::from_str, default_value = "axes", allow_hyphen_values = true)]
-    pub(crate) angle: Angle,
-    /// Largest relative distance between a value and its proof [default: 0.0001]
-    #[arg(long, value_name = "RATIO", value_parser = gap, allow_hyphen_values = true)]
-    pub(crate) gap: Option<f64>,
-}
-
-impl Placing {
-    pub(crate) fn question(&self) -> Result<Wanted, Failure> {
-        let load = Load::worst(self.force_n).map_err(|error| Failure::Usage(error.to_string()))?;
-        Ok(Wanted { load, within: self.within, angle: self.angle, gap: self.gap })
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Model {
-    /// The paper's: drives 2 and 3, the wrist centre, zones in the arm plane
-    Planar,
-    /// All six drives, the tool where it is, flat zones that the tool axis meets at a right angle
-    Spatial,
-}
-
-/// What only the spatial model knows.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Model")]
-pub(crate) struct Space {
-    /// Which model
-    #[arg(long, value_enum, default_value_t = Model::Planar)]
-    pub(crate) model: Model,
-    /// Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis [default: the flange]
-    #[arg(long, value_name = "X,Y,Z", value_parser = tool, allow_hyphen_values = true)]
-    pub(crate) tool_mm: Option<Pose>,
-    /// The tool axis: down, forward, up, or its angle above the horizontal [deg] [default: down]
-    #[arg(long, value_name = "DIRECTION", value_parser = elevation, allow_hyphen_values = true)]
-    pub(crate) tool_direction: Option<f64>,
-    /// Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]
-    #[arg(long, value_name = "DEG", value_parser = yaw, allow_hyphen_values = true)]
-    pub(crate) yaw_deg: Option<Interval>,
-    /// Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]
-    #[arg(long, value_name = "DEG", value_parser = degrees, allow_hyphen_values = true)]
-    pub(crate) roll_deg: Option<f64>,
-}
-
-impl Space {
-    /// Refuses what the planar model does not know.
-    pub(crate) fn is_spatial(&self) -> Result<bool, Failure> {
-        let further = [
-            ("--tool-mm", self.tool_mm.is_some()),
-            ("--tool-direction", self.tool_direction.is_some()),
-            ("--yaw-deg", self.yaw_deg.is_some()),
-            ("--roll-deg", self.roll_deg.is_some()),
-        ];
-        match (self.model, further.iter().find(|(_, given)| *given)) {
-            (Model::Spatial, _) => Ok(true),
-            (Model::Planar, None) => Ok(false),
-            (Model::Planar, Some((name, _))) => Err(Failure::Usage(format!("{name} needs --model spatial"))),
-        }
-    }
-
-    pub(crate) fn elevation(&self) -> f64 {
-        self.held().elevation()
-    }
-
-    pub(crate) fn tool(&self) -> Pose {
-        self.held().tool()
-    }
-
-    /// Which model, with the tool where it has one.
-    pub(crate) fn kind(&self) -> Result<ModelKind, Failure> {
-        Ok(if self.is_spatial()? { ModelKind::Spatial(self.tool()) } else { ModelKind::Planar })
-    }
-
-    /// What `place` and `rank` ask of a model, of one zone or of zones of any shape.
-    pub(crate) fn options(
-        &self,
-        placing: &Placing,
-        kind: &ModelKind,
-        zone: Option<Zone>,
-    ) -> Result<PlaceOptions, Failure> {
-        placing.question()?.options(kind, &self.held(), zone).map_err(flagged)
-    }
-
-    fn held(&self) -> Held {
-        Held { tool: self.tool_mm, elevation_deg: self.tool_direction, yaw: self.yaw_deg, roll_deg: self.roll_deg }
-    }
-}
-
-/// An option's name as it is typed.
-fn flagged(error: Unasked) -> Failure {
-    Failure::Usage(format!("--{error}"))
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct RankArgs {
-    /// Robots: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times
-    #[arg(long, value_name = "ROBOTS", value_delimiter = ',', default_value = "paper")]
-    pub(crate) robots: Vec<String>,
-    /// Tasks: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; separated by commas or given several times
-    #[arg(long = "task", value_name = "TASK", value_delimiter = ',', default_values = ["A:0.1", "A:1.0", "B:0.1", "B:0.5", "C:0.05", "C:0.15"])]
-    pub(crate) tasks: Vec<Task>,
-    /// Largest deflection that is acceptable [mm]: adds pass or fail
-    #[arg(long, value_name = "MM", value_parser = tolerance, allow_hyphen_values = true)]
-    pub(crate) tolerance_mm: Option<f64>,
-    #[command(flatten)]
-    pub(crate) placing: Placing,
-    #[command(flatten)]
-    pub(crate) space: Space,
-    #[command(flatten)]
-    pub(crate) filters: Filters,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct PlaceArgs {
-    /// A robot's name, or the path of a robot file
-    pub(crate) robot: String,
-    /// circle:D, rect:AxB, A:d, B:d, C:d with sizes in m
-    #[arg(long, value_name = "TASK")]
-    pub(crate) task: Task,
-    /// Largest deflection that is acceptable [mm]: adds pass or fail
-    #[arg(long, value_name = "MM", value_parser = tolerance, allow_hyphen_values = true)]
-    pub(crate) tolerance_mm: Option<f64>,
-    #[command(flatten)]
-    pub(crate) placing: Placing,
-    #[command(flatten)]
-    pub(crate) space: Space,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct MapArgs {
-    /// A robot's name, or the path of a robot file
-    pub(crate) robot: String,
-    /// Direction of the force [deg], counter-clockwise from straight ahead [default: the worst in every point]
-    #[arg(long, value_name = "DEG", value_parser = degrees, allow_hyphen_values = true)]
-    pub(crate) direction_deg: Option<f64>,
-    /// The whole displacement, or its part along the force [default: total]
-    #[arg(long, value_enum, requires = "direction_deg")]
-    pub(crate) component: Option<Part>,
-    /// Only one elbow side [default: the stiffer that reaches a point]
-    #[arg(long, value_enum)]
-    pub(crate) elbow: Option<Side>,
-    /// Only one posture, with --model spatial: such as front,up,no-flip [default: the stiffest at each point]
-    #[arg(long, value_name = "POSTURE")]
-    pub(crate) posture: Option<Configuration>,
-    /// What the figure shows, with --model spatial; the tables have all of it
-    #[arg(long, value_enum, default_value_t = Layer::Deflection)]
-    pub(crate) layer: Layer,
-    /// Draw the best placement of this task
-    #[arg(long, value_name = "TASK")]
-    pub(crate) zone: Option<Task>,
-    /// Distance between points [m]
-    #[arg(long, value_name = "M", value_parser = step, allow_hyphen_values = true, conflicts_with = "size")]
-    pub(crate) step_m: Option<f64>,
-    /// Points along the longer side
-    #[arg(long, value_name = "N", default_value_t = 400, value_parser = points)]
-    pub(crate) size: usize,
-    #[command(flatten)]
-    pub(crate) placing: Placing,
-    #[command(flatten)]
-    pub(crate) space: Space,
-}
-
-impl MapArgs {
-    pub(crate) fn spacing(&self) -> Spacing {
-        self.step_m.map_or(Spacing::Points(self.size), Spacing::Step)
-    }
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct ComplianceArgs {
-    /// A robot's name, or the path of a robot file
-    pub(crate) robot: String,
-    /// The six joint angles as the robot reports them [deg], separated by commas
-    #[arg(long, value_name = "Q1,..,Q6", value_delimiter = ',', required = true, value_parser = joint, allow_hyphen_values = true)]
-    pub(crate) joints_deg: Vec<f64>,
-    /// Force at the tool point, base axes [N]: x,y,z
-    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', value_parser = force_along, allow_hyphen_values = true)]
-    pub(crate) force_n: Vec<f64>,
-    /// Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange centre]
-    #[arg(long, value_name = "X,Y,Z", value_parser = tool, allow_hyphen_values = true)]
-    pub(crate) tool_mm: Option<Pose>,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct StudyArgs {
-    /// Shapes at size 1: A, B, C, or such as rect:1x3
-    #[arg(long, value_name = "SHAPES", value_delimiter = ',', value_parser = shape, default_value = "A,B,C")]
-    pub(crate) tasks: Vec<Task>,
-    /// Sizes over l2 + l3
-    #[arg(long, value_name = "SIZES", value_delimiter = ',', value_parser = size, allow_hyphen_values = true, default_values_t = [0.1, 0.3, 0.5, 0.8])]
-    pub(crate) sizes: Vec<f64>,
-    /// Link ratios mu = l3/l2
-    #[arg(long, value_name = "RATIOS", value_delimiter = ',', value_parser = link_ratio, allow_hyphen_values = true, default_values_t = [0.8, 1.0, 1.2])]
-    pub(crate) ratios: Vec<f64>,
-    /// Link ratios among which the best is sought
-    #[arg(long, value_name = "RANGE", value_parser = open_range, default_value = "0.5..1.5")]
-    pub(crate) range: Interval,
-    /// The two architectures that are compared
-    #[arg(long, value_name = "TWO", value_delimiter = ',', value_parser = architecture, default_value = "serial,quasi-serial")]
-    pub(crate) compare: Vec<Architecture>,
-    /// Compliance of drive 2 over the reference k, for both or one each; 0: rigid
-    #[arg(long, value_name = "K", value_delimiter = ',', value_parser = relative_compliance, allow_hyphen_values = true, default_value = "1")]
-    pub(crate) k2: Vec<f64>,
-    /// Compliance of drive 3 over the reference k, for both or one each; 0: rigid
-    #[arg(long, value_name = "K", value_delimiter = ',', value_parser = relative_compliance, allow_hyphen_values = true, default_value = "1")]
-    pub(crate) k3: Vec<f64>,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct RobotsArgs {
-    #[command(subcommand)]
-    pub(crate) action: Option<RobotsAction>,
-}
-
 #[derive(Debug, Subcommand)]
 pub(crate) enum RobotsAction {
-    /// The robots that come with the program, all or those that match
-    List {
-        /// Words that must stand in the maker's or the robot's name
-        text: Vec<String>,
-        #[command(flatten)]
-        filters: Filters,
-    },
     /// Geometry, limits and sources of one robot; -o draws what it reaches
     Show {
         /// A robot's name, or the path of a robot file
@@ -353,78 +261,6 @@ pub(crate) struct ImportArgs {
     pub(crate) tip: Option<String>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Layer {
-    /// The worst deflection
-    Deflection,
-    /// How far the nearest joint limit is
-    LimitMargin,
-    /// How far the nearest singular posture is
-    SingularMargin,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Part {
-    Total,
-    Along,
-}
-
-impl From<Part> for Component {
-    fn from(part: Part) -> Self {
-        match part {
-            Part::Total => Self::Total,
-            Part::Along => Self::Along,
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Side {
-    Up,
-    Down,
-}
-
-impl From<Side> for Elbow {
-    fn from(side: Side) -> Self {
-        match side {
-            Side::Up => Self::Up,
-            Side::Down => Self::Down,
-        }
-    }
-}
-
-fn force(text: &str) -> Result<f64, String> {
-    number(text, 1e-3, 1e6, "N")
-}
-
-fn force_along(text: &str) -> Result<f64, String> {
-    number(text, -1e6, 1e6, "N along each of x, y, z")
-}
-
-fn joint(text: &str) -> Result<f64, String> {
-    number(text, -1080.0, 1080.0, "degrees for each of six joints")
-}
-
-fn size(text: &str) -> Result<f64, String> {
-    number(text, 1e-4, 10.0, "times l2 + l3")
-}
-
-fn link_ratio(text: &str) -> Result<f64, String> {
-    number(text, 0.05, 20.0, "(l3 over l2)")
-}
-
-fn relative_compliance(text: &str) -> Result<f64, String> {
-    number(text, 0.0, 0.0, "").or_else(|_| number(text, 1e-3, 1e3, "times the reference, or 0 for a rigid drive"))
-}
-
-fn gap(text: &str) -> Result<f64, String> {
-    number(text, 1e-9, 0.5, "(relative)")
-}
-
-fn tolerance(text: &str) -> Result<f64, String> {
-    number(text, 1e-6, 1e3, "mm")
-}
-
 fn payload(text: &str) -> Result<f64, String> {
     number(text, 0.1, 1e4, "kg")
 }
@@ -440,17 +276,6 @@ fn joint_range(text: &str) -> Result<Interval, String> {
     })
 }
 
-fn step(text: &str) -> Result<f64, String> {
-    number(text, 1e-6, 10.0, "m")
-}
-
-fn points(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(points @ 2..=100_000) => Ok(points),
-        _ => Err("expected a whole number from 2 to 100000".into()),
-    }
-}
-
 fn threads(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(threads @ 1..=1024) => Ok(threads),
@@ -458,7 +283,7 @@ fn threads(text: &str) -> Result<usize, String> {
     }
 }
 
-pub(crate) fn architecture(text: &str) -> Result<Architecture, String> {
+fn architecture(text: &str) -> Result<Architecture, String> {
     let known = Architecture::ALL.into_iter().find(|architecture| architecture.name() == text);
     known.ok_or_else(|| "expected serial or quasi-serial".into())
 }
@@ -469,7 +294,6 @@ mod tests {
 
     #[test]
     fn the_arguments_are_consistent() {
-        use clap::CommandFactory;
-        Arguments::command().debug_assert();
+        command().debug_assert();
     }
 }

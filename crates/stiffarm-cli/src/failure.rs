@@ -9,6 +9,7 @@ use stiffarm::map::MapError;
 use stiffarm::model::ModelError;
 use stiffarm::place::PlaceError;
 use stiffarm::rank::RankError;
+use stiffarm::request::Refusal;
 use stiffarm::robot::NoArmPlane;
 
 /// Every way in which a command ends without an answer.
@@ -90,6 +91,9 @@ pub(crate) enum Failure {
     /// Wrong usage that clap cannot see.
     #[error("{0}")]
     Usage(String),
+    /// What is asked makes no sense.
+    #[error(transparent)]
+    Request(#[from] Refusal),
     /// A robot that cannot be judged.
     #[error(transparent)]
     Rank(#[from] RankError),
@@ -153,7 +157,12 @@ impl Failure {
     /// 2 for wrong usage, 1 for everything else.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
-            Self::Usage(_) | Self::Pattern { .. } | Self::Dash | Self::Ending { .. } | Self::OntoInput(_) => 2,
+            Self::Usage(_)
+            | Self::Request(_)
+            | Self::Pattern { .. }
+            | Self::Dash
+            | Self::Ending { .. }
+            | Self::OntoInput(_) => 2,
             _ => 1,
         }
     }
@@ -195,7 +204,7 @@ impl Failure {
             Self::Unreadable(unreadable) => unreadable.advice(),
             Self::RobotFile(_) => "the README shows a complete robot file",
             Self::Import { error, ends_are_given } => import_hint(error, *ends_are_given),
-            Self::Usage(_) => "--help behind the command tells its options",
+            Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
             Self::Map { error: MapError::Size { .. }, .. } => "try --size 1000",
             Self::Map { .. } | Self::Figure(_) => "--format csv or json gives the numbers; `stiffarm robots show` what is reached",
             Self::Rank(_) | Self::Study(_) => "--help behind the command tells what each option takes",

@@ -5,7 +5,7 @@ mod columns;
 mod commands;
 mod failure;
 mod figures;
-mod filters;
+mod options;
 mod output;
 mod selection;
 mod table;
@@ -13,19 +13,19 @@ mod table;
 use std::io::ErrorKind;
 use std::process::ExitCode;
 
-use clap::Parser;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use args::{Arguments, Command, Common};
+use args::{Common, Task};
 use failure::Failure;
 use output::say;
+use stiffarm::request::Verb;
 
 /// Of each thread, bytes: as much as the first one has.
 const STACK: usize = 8 << 20;
 
 fn main() -> ExitCode {
-    let outcome = match Arguments::try_parse() {
-        Ok(arguments) => pool(&arguments.common).install(|| answer(&arguments)),
+    let outcome = match args::command().try_get_matches() {
+        Ok(matches) => args::read(&matches).and_then(|(task, common)| pool(&common).install(|| answer(&task, &common))),
         Err(usage) => return told(&usage),
     };
     match outcome {
@@ -39,16 +39,19 @@ fn main() -> ExitCode {
     }
 }
 
-fn answer(arguments: &Arguments) -> Result<(), Failure> {
-    let common = &arguments.common;
-    match &arguments.command {
-        Command::Rank(args) => commands::rank::run(args, common),
-        Command::Place(args) => commands::place::run(args, common),
-        Command::Map(args) => commands::map::run(args, common),
-        Command::Compliance(args) => commands::compliance::run(args, common),
-        Command::Study(args) => commands::study::run(args, common),
-        Command::Robots(args) => commands::robots::run(args, common),
-        Command::Validate => commands::validate::run(common),
+fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
+    match task {
+        Task::Ask(asked) => match asked.verb {
+            Verb::Rank => commands::rank::run(asked, common),
+            Verb::Place => commands::place::run(asked, common),
+            Verb::Map => commands::map::run(asked, common),
+            Verb::Compliance => commands::compliance::run(asked, common),
+            Verb::Study => commands::study::run(asked, common),
+            Verb::List => commands::robots::listed(&[], asked, common),
+        },
+        Task::List(words, asked) => commands::robots::listed(words, asked, common),
+        Task::Robots(action) => commands::robots::run(action, common),
+        Task::Validate => commands::validate::run(common),
     }
 }
 

@@ -132,6 +132,20 @@ fn sink(path: &Path, inputs: &[&Path]) -> Result<Sink, Failure> {
     }
 }
 
+/// Writes a text to a file, whole or not at all; `inputs` are the names under which the command reads.
+///
+/// # Errors
+/// Where the file cannot be written, or is one that is read.
+pub(crate) fn write_text(path: &Path, inputs: &[&Path], text: &str) -> Result<(), Failure> {
+    let written = match sink(path, inputs)? {
+        Sink::Straight => {
+            fs::OpenOptions::new().write(true).open(path).and_then(|mut file| file.write_all(text.as_bytes()))
+        }
+        Sink::Atomic(mut file) => file.write_all(text.as_bytes()).and_then(|()| file.commit()),
+    };
+    written.map_err(|error| Failure::Write { path: path.into(), error })
+}
+
 fn write<A: Answer>(answer: &A, path: &Path, sink: Sink) -> Result<(), Failure> {
     let body = Body::of_file(answer, path)?;
     let write = || match sink {

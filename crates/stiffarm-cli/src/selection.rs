@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use stiffarm::catalogue::files::{self, Loaded};
-use stiffarm::catalogue::{self, paper_robots, suggestions};
+use stiffarm::catalogue::{self, NothingLeft, paper_robots, suggestions};
+use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 
 use crate::args::Common;
@@ -34,6 +35,13 @@ pub(crate) fn robots(wanted: &[String], common: &Common) -> Result<Vec<Robot>, F
         }
     }
     Ok(told_apart(found, common))
+}
+
+/// Those that have all that is asked for, in their order.
+pub(crate) fn keep(robots: Vec<Robot>, asked: &Request, words: &[String]) -> Result<Vec<Robot>, Failure> {
+    let typed = |key: &str| format!("--{}", key.replace('_', "-"));
+    let nothing = |NothingLeft { asked, of, hint }| Failure::NothingLeft { asked, of, hint };
+    asked.filter(words.to_vec()).keep(robots, typed).map_err(nothing)
 }
 
 /// A robot, and the file that it was read from.
@@ -101,4 +109,44 @@ pub(crate) fn read_file(path: &Path, common: &Common) -> Result<Robot, Failure> 
         }
     }
     Ok(robot)
+}
+
+#[cfg(test)]
+mod tests {
+    use stiffarm::request::{Pair, Spelling, Verb};
+
+    use super::*;
+
+    fn kept(wishes: &[(&str, &str)], words: &[&str]) -> Result<Vec<String>, Failure> {
+        let pair =
+            |(name, text): &(&str, &str)| Pair { name: (*name).into(), text: (*text).into(), at: Spelling::Typed };
+        let pairs: Vec<Pair> = wishes.iter().map(pair).collect();
+        let asked = Request::read(Verb::List, &pairs, Spelling::Typed)?;
+        let words: Vec<String> = words.iter().map(|&word| word.into()).collect();
+        Ok(keep(paper_robots(), &asked, &words)?.into_iter().map(|robot| robot.name).collect())
+    }
+
+    #[test]
+    fn every_wish_must_be_met_and_the_ends_of_a_range_belong_to_it() {
+        let kuka = ("vendor", "kuka,STAUBLI");
+        assert_eq!(kept(&[kuka], &[]).unwrap(), ["KR 210 R2700 extra", "TX340 SH"]);
+        assert_eq!(kept(&[kuka, ("payload-kg", "210..210")], &[]).unwrap(), ["KR 210 R2700 extra"]);
+        assert_eq!(kept(&[kuka, ("reach-m", "3.45..")], &[]).unwrap(), ["TX340 SH"]);
+        assert!(kept(&[kuka, ("architecture", "serial"), ("status", "derived")], &[]).is_err());
+        assert_eq!(kept(&[], &["fanuc 210"]).unwrap(), ["R-2000iC/210R"]);
+        assert_eq!(kept(&[], &["irb-66"]).unwrap(), ["IRB 6650S-200"]);
+        assert_eq!(kept(&[], &[]).unwrap().len(), 10);
+    }
+
+    #[test]
+    fn what_nothing_meets_is_answered_with_what_would_match() {
+        let failure = kept(&[("vendor", "KUKA"), ("payload-kg", "211..300")], &[]).unwrap_err();
+        assert_eq!(failure.to_string(), "none of 10 robots matches --vendor KUKA --payload-kg 211..300");
+        assert_eq!(failure.hint(), "without --payload-kg 211..300 1 would match");
+        let hint = kept(&[("vendor", "nobody")], &[]).unwrap_err().hint();
+        assert_eq!(
+            hint,
+            "there are robots of ABB, Fanuc, Kawasaki, KUKA, Staubli, Yaskawa; payload 165 to 210 kg; reach 2.4 to 3.507 m"
+        );
+    }
 }

@@ -3,6 +3,7 @@
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use stiffarm::answer::compliance::{matrices_um_per_n, worst_um_per_n};
+use stiffarm::request::Verb;
 
 use crate::asked::Asked;
 use crate::pool::detached;
@@ -25,7 +26,7 @@ pub(crate) fn worst<'py>(
     joints_deg: PyReadonlyArray2<'py, f64>,
     asked: Asked,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let (robot, tool) = (&robot.0, asked.held()?.tool());
+    let (robot, tool) = (&robot.0, asked.of(Verb::Compliance)?.held().tool());
     let joints_deg = rows(&joints_deg)?;
     let mut found = vec![0.0; joints_deg.len()];
     detached(py, || worst_um_per_n(robot, &tool, joints_deg, &mut found))?
@@ -41,7 +42,7 @@ pub(crate) fn matrices<'py>(
     joints_deg: PyReadonlyArray2<'py, f64>,
     asked: Asked,
 ) -> PyResult<Bound<'py, PyArray3<f64>>> {
-    let (robot, tool) = (&robot.0, asked.held()?.tool());
+    let (robot, tool) = (&robot.0, asked.of(Verb::Compliance)?.held().tool());
     let joints_deg = rows(&joints_deg)?;
     let mut found = vec![[0.0; 9]; joints_deg.len()];
     detached(py, || matrices_um_per_n(robot, &tool, joints_deg, &mut found))?

@@ -9,11 +9,11 @@ use serde_json::Value;
 use stiffarm::answer::robot::{drive_urad_per_nm, sheet};
 use stiffarm::catalogue::files::{self, LoadError, Unreadable};
 use stiffarm::catalogue::import::{ImportOptions, import};
-use stiffarm::catalogue::{self, Entry, Filter, find, matching, paper_robots, read, suggestions, write};
-use stiffarm::drive::Architecture;
-use stiffarm::question::open_range;
-use stiffarm::robot::{Arm, Robot as Arms, Status};
+use stiffarm::catalogue::{self, Entry, find, matching, paper_robots, read, suggestions, write};
+use stiffarm::request::Verb;
+use stiffarm::robot::{Arm, Robot as Arms};
 
+use crate::asked::Asked;
 use crate::json::to_python;
 use crate::numbers::{kind, refuse_masked};
 use crate::{numbers, refused};
@@ -338,31 +338,8 @@ pub(crate) fn select(name: &str) -> PyResult<Vec<Robot>> {
 
 /// Those of some robots that have all that is asked for.
 #[pyfunction]
-pub(crate) fn robots(
-    among: Vec<PyRef<'_, Robot>>,
-    words: Vec<String>,
-    vendors: Vec<String>,
-    ranges: [Option<String>; 2],
-    architecture: Option<String>,
-    statuses: Vec<String>,
-) -> PyResult<Vec<Robot>> {
-    let [payload_kg, reach] = ranges.map(|range| range.map(|text| open_range(&text).map_err(refused)).transpose());
-    let architecture = architecture.map(|name| {
-        let known = Architecture::ALL.into_iter().find(|known| known.name() == name);
-        known.ok_or_else(|| refused(format!("architecture='{name}'; expected serial or quasi-serial")))
-    });
-    let statuses = statuses.iter().map(|name| {
-        let known = Status::ALL.into_iter().find(|known| known.name() == name);
-        known.ok_or_else(|| refused(format!("status='{name}'; expected identified, data-sheet, derived or estimated")))
-    });
-    let filter = Filter {
-        words,
-        vendors,
-        payload_kg: payload_kg?,
-        reach: reach?,
-        architecture: architecture.transpose()?,
-        statuses: statuses.collect::<PyResult<_>>()?,
-    };
+pub(crate) fn robots(among: Vec<PyRef<'_, Robot>>, words: Vec<String>, asked: Asked) -> PyResult<Vec<Robot>> {
+    let filter = asked.of(Verb::List)?.filter(words);
     let among = among.iter().map(|robot| robot.0.clone()).collect();
     let kept = filter.keep(among, str::to_owned).map_err(|nothing| refused(format!("{nothing}; {}", nothing.hint)))?;
     Ok(kept.into_iter().map(Robot).collect())

@@ -7,15 +7,12 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use stiffarm::answer::{Cell, ColumnKind, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer};
 use stiffarm::compliance::compliance;
-use stiffarm::drive::Architecture;
-use stiffarm::interval::Interval;
-use stiffarm::load::{Component, Load};
-use stiffarm::map::{Extent, Held, MapOptions, Posture, Spacing};
-use stiffarm::model::{Model, ModelKind};
+use stiffarm::map::Posture;
+use stiffarm::model::Model;
 use stiffarm::place::Hold;
-use stiffarm::question::{self, Angle, degrees, number, shape};
+use stiffarm::request::{self, Verb};
 use stiffarm::robot::Robot as Arms;
-use stiffarm::study::{Contender, StudyOptions, study as studied};
+use stiffarm::study::study as studied;
 use stiffarm::task::{Task, Zone};
 
 use crate::asked::{Asked, task};
@@ -64,19 +61,10 @@ fn json_of(cell: &Cell) -> Value {
 
 /// One posture.
 #[pyfunction]
-pub(crate) fn posture<'py>(
-    py: Python<'py>,
-    robot: &Robot,
-    joints_deg: [f64; 6],
-    force_n: Option<[f64; 3]>,
-    asked: Asked,
-) -> Answer<'py> {
-    let robot = &robot.0;
-    let force = force_n.map(Vector3::from);
-    if force.is_some_and(|force| !force.iter().all(|part| part.abs() <= 1e6)) {
-        return Err(refused("force_n takes x, y, z in N, each at most 1e6"));
-    }
-    let posture = compliance(robot, &joints_deg.map(f64::to_radians), &asked.held()?.tool()).map_err(of(robot))?;
+pub(crate) fn posture<'py>(py: Python<'py>, robot: &Robot, joints_deg: [f64; 6], asked: Asked) -> Answer<'py> {
+    let (robot, asked) = (&robot.0, asked.of(Verb::Compliance)?);
+    let force = asked.force_along().map(Vector3::from);
+    let posture = compliance(robot, &joints_deg.map(f64::to_radians), &asked.held().tool()).map_err(of(robot))?;
     let answer = ComplianceAnswer { robot: robot.clone(), joints_deg, posture, force };
     to_python(py, &answer.json())
 }
@@ -84,9 +72,9 @@ pub(crate) fn posture<'py>(
 /// The best place of one zone.
 #[pyfunction]
 pub(crate) fn place<'py>(py: Python<'py>, robot: &Robot, wanted_task: &str, asked: Asked) -> WithColumns<'py> {
-    let (robot, task) = (&robot.0, task(wanted_task)?);
-    let (kind, tolerance_mm) = (asked.kind()?, asked.tolerance_mm()?);
-    let options = asked.wanted()?.options(&kind, &asked.held()?, Some(task.zone)).map_err(refused)?;
+    let (robot, asked) = (&robot.0, asked.with(Verb::Place, &[("task", wanted_task)])?);
+    let (task, kind, tolerance_mm) = (asked.task().map_err(refused)?, asked.model(), asked.tolerance_mm());
+    let options = asked.place_options(Some(task.zone)).map_err(refused)?;
     let placed = detached(py, || stiffarm::place::place(&kind.of(robot)?, task.zone, &options))?.map_err(of(robot))?;
     let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
@@ -96,7 +84,7 @@ pub(crate) fn place<'py>(py: Python<'py>, robot: &Robot, wanted_task: &str, aske
 #[pyfunction]
 pub(crate) fn distinct(tasks: Vec<String>) -> PyResult<Vec<String>> {
     let tasks: Vec<Task> = tasks.iter().map(|text| task(text)).collect::<PyResult<_>>()?;
-    Ok(question::distinct(&tasks).into_iter().map(|task| task.label).collect())
+    Ok(request::distinct(&tasks).into_iter().map(|task| task.label).collect())
 }
 
 /// Robots in order.
@@ -107,19 +95,15 @@ pub(crate) fn rank<'py>(
     tasks: Vec<String>,
     asked: Asked,
 ) -> WithColumns<'py> {
-    let asked_for: Vec<Task> = tasks.iter().map(|text| task(text)).collect::<PyResult<_>>()?;
+    let tasks: Vec<(&str, &str)> = tasks.iter().map(|text| ("tasks", text.as_str())).collect();
+    let asked = asked.with(Verb::Rank, &tasks)?;
     let robots: Vec<Arms> = robots.iter().map(|robot| robot.0.clone()).collect();
-    let (wanted, tolerance_mm) = (asked.wanted()?, asked.tolerance_mm()?);
-    if matches!(wanted.angle, Angle::Horizontal | Angle::Vertical) && 1 < asked_for.len() {
-        return Err(refused("angle horizontal or vertical means the long side of one task; give one task with it"));
-    }
-    if asked_for.is_empty() {
+    let (kind, tasks, tolerance_mm) = (asked.model(), request::distinct(&asked.tasks()), asked.tolerance_mm());
+    if tasks.is_empty() {
         return Err(refused("no task to rank for; give tasks"));
     }
-    let tasks = question::distinct(&asked_for);
-    let kind = asked.kind()?;
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
-    let options = wanted.options(&kind, &asked.held()?, only).map_err(refused)?;
+    let options = asked.place_options(only).map_err(refused)?;
     let ranking = detached(py, || stiffarm::rank::rank(&robots, &tasks, &kind, &options, || ()))?;
     let answer = RankAnswer { ranking: ranking.map_err(refused)?, options, tolerance_mm };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
@@ -132,26 +116,9 @@ pub(crate) fn map<'py>(
     robot: &Robot,
     asked: Asked,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>, Bound<'py, PyAny>)> {
-    let robot = &robot.0;
-    let spacing = asked.read("step_m", |text| number(text, 1e-6, 10.0, "m"))?.map(Spacing::Step);
-    let points = asked.read("size", |text| match text.parse() {
-        Ok(points @ 2..=100_000) => Ok(Spacing::Points(points)),
-        _ => Err("expected a whole number from 2 to 100000".into()),
-    })?;
-    let spacing = spacing.or(points).ok_or_else(|| refused("size is missing"))?;
-    let kind = asked.kind()?;
-    if let ModelKind::Spatial(_) = kind {
-        let why = "does not go with a map in space";
-        asked.refuse(&["direction_deg", "component", "elbow", "zone", "yaw_deg", "within_m", "angle", "gap"], why)?;
-    }
-    let zone = asked.read("zone", |text| text.parse::<Task>().map_err(|error| error.to_string()))?;
-    if zone.is_none() {
-        asked.refuse(&["within_m", "angle", "gap"], "places a zone: give zone with it")?;
-    }
-    let options = map_options(&asked, spacing, &kind)?;
-    let placing =
-        zone.as_ref().map(|task| asked.wanted()?.options(&kind, &asked.held()?, Some(task.zone)).map_err(refused));
-    let placing = placing.transpose()?;
+    let (robot, asked) = (&robot.0, asked.of(Verb::Map)?);
+    let (kind, zone, options) = (asked.model(), asked.zone(), asked.map_options());
+    let placing = zone.as_ref().map(|task| asked.place_options(Some(task.zone)).map_err(refused)).transpose()?;
     let answer = detached(py, || {
         let model = kind.of(robot).map_err(of(robot))?;
         let map = stiffarm::map::map(&model, &options).map_err(of(robot))?;
@@ -166,36 +133,6 @@ pub(crate) fn map<'py>(
         Ok::<_, PyErr>(MapAnswer { model, options, map, zone })
     })??;
     handed_over(py, &answer)
-}
-
-fn map_options(asked: &Asked, spacing: Spacing, kind: &ModelKind) -> PyResult<MapOptions> {
-    let component = asked.read("component", |text| match text {
-        "total" => Ok(Component::Total),
-        "along" => Ok(Component::Along),
-        _ => Err("expected total or along".into()),
-    })?;
-    let elbow = asked.read("elbow", |text| match text {
-        "up" => Ok(stiffarm::plane::Elbow::Up),
-        "down" => Ok(stiffarm::plane::Elbow::Down),
-        _ => Err("expected up or down".into()),
-    })?;
-    let load = asked.load()?;
-    let load = match (asked.read("direction_deg", degrees)?, component) {
-        (Some(angle), part) => {
-            let part = part.unwrap_or(Component::Total);
-            Load::in_plane(load.newtons(), angle.to_radians(), part).map_err(refused)?
-        }
-        (None, None) => load,
-        (None, Some(_)) => return Err(refused("component needs direction_deg")),
-    };
-    let asked_for = asked.held()?;
-    let held = match kind {
-        ModelKind::Planar => None,
-        ModelKind::Spatial(_) => {
-            Some(Held { elevation: asked_for.elevation(), yaw: 0.0, roll: asked_for.roll(), configuration: None })
-        }
-    };
-    Ok(MapOptions { extent: Extent::Reached(spacing), load, elbow, held })
 }
 
 /// The links that are drawn, seen from the side: ahead and up; at the worst point of the zone, or at the stiffest point.
@@ -240,30 +177,8 @@ fn handed_over<'py>(
 
 /// Architecture against link ratio and size.
 #[pyfunction]
-pub(crate) fn study(
-    py: Python<'_>,
-    tasks: Vec<String>,
-    sizes: Vec<f64>,
-    ratios: Vec<f64>,
-    range: [f64; 2],
-    contenders: [(String, f64, f64); 2],
-) -> WithColumns<'_> {
-    let contender = |(name, k2, k3): &(String, f64, f64)| {
-        let known = Architecture::ALL.into_iter().find(|known| known.name() == name);
-        let architecture = known.ok_or_else(|| refused(format!("'{name}'; expected serial or quasi-serial")))?;
-        Ok::<_, PyErr>(Contender { architecture, k2: *k2, k3: *k3 })
-    };
-    let [first, second] = contenders;
-    let [low, high] = range;
-    let range = Interval::new(low, high).filter(|range| range.is_bounded());
-    let options = StudyOptions {
-        contenders: [contender(&first)?, contender(&second)?],
-        tasks: tasks.iter().map(|text| shape(text)).collect::<Result<_, _>>().map_err(refused)?,
-        sizes,
-        ratios,
-        range: range.ok_or_else(|| refused(format!("range={low}..{high}; expected both ends, the lower one first")))?,
-    };
-    let found = detached(py, || studied(&options))?.map_err(refused)?;
-    let answer = StudyAnswer(found);
+pub(crate) fn study(py: Python<'_>, asked: Asked) -> WithColumns<'_> {
+    let options = asked.of(Verb::Study)?.study().map_err(refused)?;
+    let answer = StudyAnswer(detached(py, || studied(&options))?.map_err(refused)?);
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }

@@ -11,11 +11,29 @@ os.environ.setdefault("MPLBACKEND", "Agg")
 ROOT = Path(__file__).resolve().parents[3]
 
 
-@pytest.fixture(scope="session")
-def program():
-    """The JSON that the program prints. STIFFARM_PROGRAM says where it is."""
+def path_of_program():
+    """STIFFARM_PROGRAM says where it is."""
     path = os.environ.get("STIFFARM_PROGRAM", str(ROOT / "target" / "debug" / "stiffarm"))
     assert Path(path).is_file(), f"{path} is not there: cargo build, or set STIFFARM_PROGRAM"
+    return path
+
+
+@pytest.fixture(scope="session")
+def refusal():
+    """What the program says where it refuses."""
+
+    def run(*arguments):
+        done = subprocess.run([path_of_program(), *arguments], capture_output=True, text=True)
+        assert done.returncode == 2, done
+        return done.stderr
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def program():
+    """The JSON that the program prints."""
+    path = path_of_program()
 
     def run(*arguments):
         command = [path, *arguments, "--format", "json", "--quiet"]

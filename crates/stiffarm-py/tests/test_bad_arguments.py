@@ -92,6 +92,32 @@ def test_numbers_out_of_range_are_named():
     refused("one posture", stiffarm.compliance, ROBOT, joints_deg=Q, force_n=(1, 2, 3))
 
 
+@pytest.mark.parametrize(
+    ("options", "words", "typed", "told"),
+    [
+        ({"gap": 0.01}, ["--gap", "0.01"], "--gap needs --zone", "gap needs zone"),
+        ({"within_m": "0.."}, ["--within", "0.."], "--within needs --zone", "within_m needs zone"),
+        (
+            {"within_m": "0..", "model": "spatial"}, ["--within", "0..", "--model", "spatial"],
+            "--within is of the planar model; it does not go with --model spatial, in space",
+            'within_m is of the planar model; it does not go with model="spatial", in space',
+        ),
+        ({"size": 9, "step_m": 0.1}, ["--size", "9", "--step-m", "0.1"], "exclude each other", "exclude each other"),
+        ({"component": "along"}, ["--component", "along"], "--component needs --direction-deg", "component needs direction_deg"),
+        (
+            {"force_n": 0}, ["--force-n", "0"],
+            "invalid value '0' for '--force-n <N>': expected a number from 0.001 to 1000000 N",
+            "invalid value '0.0' for 'force_n': expected a number from 0.001 to 1000000 N",
+        ),
+    ],
+)  # fmt: skip
+def test_the_program_and_the_package_refuse_the_same(refusal, options, words, typed, told):
+    with pytest.raises(StiffarmError) as error:
+        stiffarm.map(ROBOT, **options)
+    assert told in str(error.value)
+    assert typed in refusal("map", ROBOT.name, *words)
+
+
 #: Too large for a float, and for its digits to be printed.
 LARGE, HUGE = 10**400, 10**5000
 MASKED = np.ma.masked_array([0.0, 0.0, 200.0], [False, True, False])

@@ -13,12 +13,12 @@
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
 //!
 //! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only at
-//! the borders: [`catalogue`] reads robot files, [`question`] what people ask, [`answer`] tells what was found.
+//! the borders: [`catalogue`] reads robot files, [`request`] what people ask, [`answer`] tells what was found.
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
 //! [`geometry`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`inverse`], [`compliance`], [`batch`], [`task`], `work`, `enclose`, `follow`,
-//! [`model`], [`map`], [`place`], [`rank`], [`study`], [`ledger`], [`question`], [`answer`]. Each uses only those before it.
+//! [`model`], [`map`], [`place`], [`rank`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
 //! The planar model of the paper, on which all verbs but `compliance` stand: drives 2 and 3 are compliant, links, bearings, the other drives and the base are
@@ -51,9 +51,9 @@ pub mod palette;
 pub mod place;
 pub mod plain;
 pub mod plane;
-pub mod question;
 pub mod rank;
 mod real;
+pub mod request;
 pub mod robot;
 mod root;
 pub mod spatial;

@@ -7,31 +7,24 @@ use nalgebra::Vector3;
 use stiffarm::answer::compliance::vector;
 use stiffarm::answer::{ComplianceAnswer, Rows};
 use stiffarm::compliance::{beyond_limits, compliance};
+use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
 
-use crate::args::{Common, ComplianceArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::view3d::{ArmMark, Arrow, View};
 use crate::output::{Answer, Outputs, pretty, say};
 use crate::selection;
 use crate::table::shown;
 
-pub(crate) fn run(args: &ComplianceArgs, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<ComplianceOutput>(common, &[Path::new(&args.robot)])?;
-    let robot = selection::robot(&args.robot, common)?;
-    let q: [f64; 6] = args.joints_deg.as_slice().try_into().map_err(|_| {
-        Failure::Usage(format!("--joints-deg has {} angles; expected six, separated by commas", args.joints_deg.len()))
-    })?;
-    let tool = args.tool_mm.unwrap_or_else(Pose::identity);
-    let force = match *args.force_n.as_slice() {
-        [] => None,
-        [x, y, z] => Some(Vector3::new(x, y, z)),
-        ref parts => {
-            let count = parts.len();
-            return Err(Failure::Usage(format!("--force-n has {count} numbers; expected three: x,y,z in N")));
-        }
-    };
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let name = asked.robot()?;
+    let outputs = Outputs::open::<ComplianceOutput>(common, &[Path::new(&name)])?;
+    let robot = selection::robot(&name, common)?;
+    let q = asked.joints_deg()?;
+    let tool = asked.held().tool();
+    let force = asked.force_along().map(Vector3::from);
     let radians = q.map(f64::to_radians);
     let posture =
         compliance(&robot, &radians, &tool).map_err(|error| Failure::Posture { robot: robot.name.clone(), error })?;

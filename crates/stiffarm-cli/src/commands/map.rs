@@ -5,15 +5,14 @@ use std::path::Path;
 
 use stiffarm::answer::words::{direction, mapped, tool, window};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows};
-use stiffarm::load::Load;
-use stiffarm::map::{Extent, Held, MapError, MapOptions, Posture, map};
+use stiffarm::map::{Held, MapError, Posture, map};
 use stiffarm::model::{Model, ModelKind};
 use stiffarm::place::{Hold, Placement, place};
-use stiffarm::question::Angle;
+use stiffarm::request::{Layer, Request};
 
 use super::drawing::{arm, scene};
 use super::waiting;
-use crate::args::{Common, Layer, MapArgs, Part};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::face::FaceFigure;
 use crate::figures::map::MapFigure;
@@ -23,80 +22,33 @@ use crate::output::{Answer, Outputs, figure, pretty, say};
 use crate::selection;
 use crate::table::shown;
 
-pub(crate) fn run(args: &MapArgs, common: &Common) -> Result<(), Failure> {
-    if args.zone.is_none() && (args.placing.within.is_some() || args.placing.angle != Angle::Axes) {
-        return Err(Failure::Usage("--within and --angle place a zone: give --zone with them".into()));
-    }
-    let robot = selection::robot(&args.robot, common)?;
-    let kind = args.space.kind()?;
-    refuse(args, &kind)?;
-    let outputs = Outputs::open::<MapOutput>(common, &[Path::new(&args.robot)])?;
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let (name, kind, options) = (asked.robot()?, asked.model(), asked.map_options());
+    let robot = selection::robot(&name, common)?;
+    let outputs = Outputs::open::<MapOutput>(common, &[Path::new(&name)])?;
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
-    let options = options(args, &kind)?;
     let map = waiting("mapping", common, || map(&model, &options)).map_err(|error| match error {
         MapError::NothingReached => {
-            let towards = direction(args.space.elevation());
+            let towards = direction(asked.held().elevation());
             Failure::Usage(format!("{}: no point is reached with the {towards}", robot.name))
         }
         error => failure(error),
     })?;
-    let zone = match &args.zone {
+    let zone = match asked.zone() {
         None => None,
         Some(task) => {
-            let options = args.space.options(&args.placing, &kind, Some(task.zone))?;
+            let options = asked.place_options(Some(task.zone))?;
             let placed = waiting("searching places", common, || place(&model, task.zone, &options))
                 .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
             if placed.feasible().is_none() && !common.quiet {
                 say(&format!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label));
             }
-            let (robot, task) = (robot.clone(), task.clone());
+            let robot = robot.clone();
             Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None })
         }
     };
-    outputs.deliver(&MapOutput { layer: args.layer, answer: MapAnswer { model, options, map, zone } })
-}
-
-/// Refuses what a model does not map.
-fn refuse(args: &MapArgs, kind: &ModelKind) -> Result<(), Failure> {
-    let (given, advice) = match kind {
-        ModelKind::Planar => (
-            vec![("--posture", args.posture.is_some()), ("--layer", args.layer != Layer::Deflection)],
-            "needs --model spatial",
-        ),
-        ModelKind::Spatial(_) => (
-            vec![
-                ("--direction-deg", args.direction_deg.is_some()),
-                ("--elbow", args.elbow.is_some()),
-                ("--zone", args.zone.is_some()),
-                ("--yaw-deg", args.space.yaw_deg.is_some()),
-            ],
-            "does not go with a map in space; `stiffarm place --model spatial` draws a zone",
-        ),
-    };
-    match given.into_iter().find(|(_, given)| *given) {
-        Some((name, _)) => Err(Failure::Usage(format!("{name} {advice}"))),
-        None => Ok(()),
-    }
-}
-
-fn options(args: &MapArgs, kind: &ModelKind) -> Result<MapOptions, Failure> {
-    let newtons = args.placing.force_n;
-    let load = match args.direction_deg {
-        None => Load::worst(newtons),
-        Some(angle) => Load::in_plane(newtons, angle.to_radians(), args.component.unwrap_or(Part::Total).into()),
-    };
-    let load = load.map_err(|error| Failure::Usage(error.to_string()))?;
-    let held = match kind {
-        ModelKind::Planar => None,
-        ModelKind::Spatial(_) => Some(Held {
-            elevation: args.space.elevation(),
-            yaw: 0.0,
-            roll: args.space.roll_deg.map(f64::to_radians),
-            configuration: args.posture,
-        }),
-    };
-    Ok(MapOptions { extent: Extent::Reached(args.spacing()), load, elbow: args.elbow.map(Into::into), held })
+    outputs.deliver(&MapOutput { layer: asked.layer(), answer: MapAnswer { model, options, map, zone } })
 }
 
 struct MapOutput {

@@ -8,10 +8,11 @@ use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows};
 use stiffarm::map::{Extent, Held, MapOptions, Posture, Spacing, map};
 use stiffarm::model::{Model, ModelKind};
 use stiffarm::place::{Placed, Placement, SpaceHold, Stance, ZonePoint, deflection_field, place};
+use stiffarm::request::Request;
 
 use super::map::Drawn;
 use super::waiting;
-use crate::args::{Common, PlaceArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::face::FaceFigure;
 use crate::figures::scene::{ZoneMark, rim};
@@ -25,15 +26,15 @@ const FIGURE_SIZE: [usize; 2] = [400, 300];
 /// Points along each side of the zone that are drawn.
 const FACE_SIZE: usize = 33;
 
-pub(crate) fn run(args: &PlaceArgs, common: &Common) -> Result<(), Failure> {
-    let robot = selection::robot(&args.robot, common)?;
-    let kind = args.space.kind()?;
-    let outputs = Outputs::open::<PlaceOutput>(common, &[Path::new(&args.robot)])?;
-    let options = args.space.options(&args.placing, &kind, Some(args.task.zone))?;
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let (name, task, kind) = (asked.robot()?, asked.task()?, asked.model());
+    let robot = selection::robot(&name, common)?;
+    let outputs = Outputs::open::<PlaceOutput>(common, &[Path::new(&name)])?;
+    let options = asked.place_options(Some(task.zone))?;
     let failure = |error| Failure::Place { robot: robot.name.clone(), error };
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
-    let placed = waiting("searching places", common, || place(&model, args.task.zone, &options)).map_err(failure)?;
-    let (task, tolerance_mm) = (args.task.clone(), args.tolerance_mm);
+    let placed = waiting("searching places", common, || place(&model, task.zone, &options)).map_err(failure)?;
+    let tolerance_mm = asked.tolerance_mm();
     let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
     outputs.deliver(&PlaceOutput { model, answer })
 }

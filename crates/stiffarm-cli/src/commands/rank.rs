@@ -8,13 +8,13 @@ use stiffarm::answer::{RankAnswer, Rows, words};
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
 use stiffarm::place::PlaceOptions;
-use stiffarm::question::{Angle, distinct};
 use stiffarm::rank::{Ranking, curves, rank};
+use stiffarm::request::{Request, distinct};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
 
 use super::progress;
-use crate::args::{Common, RankArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::figures::ranking::{self, Curve, Panel};
@@ -29,38 +29,33 @@ const MOST_CURVES: usize = 24;
 /// More bars are not told apart on one page.
 const MOST_BARS: usize = 60;
 
-pub(crate) fn run(args: &RankArgs, common: &Common) -> Result<(), Failure> {
-    if matches!(args.placing.angle, Angle::Horizontal | Angle::Vertical) && args.tasks.len() > 1 {
-        return Err(Failure::Usage(
-            "--angle horizontal or vertical means the long side of one task; give one --task with it".into(),
-        ));
-    }
-    let robots = selection::robots(&args.robots, common)?;
-    let robots = args.filters.keep(robots, &[]).map_err(|failure| widened(failure, args))?;
-    let tasks = distinct(&args.tasks);
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let names = asked.robots();
+    let robots = selection::robots(&names, common)?;
+    let robots = selection::keep(robots, asked, &[]).map_err(|failure| widened(failure, &names))?;
+    let (kind, tasks) = (asked.model(), distinct(&asked.tasks()));
     if tasks.is_empty() {
         return Err(Failure::Usage("no task to rank for; give --task".into()));
     }
-    let kind = args.space.kind()?;
-    let outputs = Outputs::open::<RankOutput>(common, &inputs(args))?;
+    let outputs = Outputs::open::<RankOutput>(common, &inputs(&names))?;
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
-    let options = args.space.options(&args.placing, &kind, only)?;
+    let options = asked.place_options(only)?;
     let bar = progress(robots.len() * tasks.len(), "placing zones", common);
     let ranking = rank(&robots, &tasks, &kind, &options, || bar.inc(1))?;
     bar.finish_and_clear();
-    let answer = RankAnswer { ranking, options, tolerance_mm: args.tolerance_mm };
+    let answer = RankAnswer { ranking, options, tolerance_mm: asked.tolerance_mm() };
     outputs.deliver(&RankOutput { answer, common, svg: OnceCell::new() })
 }
 
 /// What may be files among the robots.
-fn inputs(args: &RankArgs) -> Vec<&Path> {
-    args.robots.iter().map(|robot| Path::new(robot.trim())).collect()
+fn inputs(robots: &[String]) -> Vec<&Path> {
+    robots.iter().map(|robot| Path::new(robot.trim())).collect()
 }
 
 /// Where only the paper's robots were asked, there are more.
-fn widened(failure: Failure, args: &RankArgs) -> Failure {
+fn widened(failure: Failure, robots: &[String]) -> Failure {
     match failure {
-        Failure::NothingLeft { asked, of, hint } if args.robots == ["paper"] => {
+        Failure::NothingLeft { asked, of, hint } if robots == ["paper"] => {
             let hint = format!("{hint}; these are the paper's ten, --robots all takes every robot");
             Failure::NothingLeft { asked, of, hint }
         }

@@ -9,29 +9,27 @@ use stiffarm::answer::words::{ASSUMED_ARCHITECTURE, architecture};
 use stiffarm::answer::{Rows, Table};
 use stiffarm::catalogue;
 use stiffarm::plane::PlanarArm;
+use stiffarm::request::Request;
 use stiffarm::robot::{Robot, Status};
 
 use super::sheet::Sheet;
-use crate::args::{Common, RobotsAction, RobotsArgs};
+use crate::args::{Common, RobotsAction};
 use crate::failure::Failure;
-use crate::filters::Filters;
 use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
 use crate::table::{fixed_or_dash, shown};
 
-pub(crate) fn run(args: &RobotsArgs, common: &Common) -> Result<(), Failure> {
-    match &args.action {
-        None => listed(&[], &Filters::default(), common),
-        Some(RobotsAction::List { text, filters }) => listed(text, filters, common),
-        Some(RobotsAction::Show { robot }) => show(robot, common),
-        Some(RobotsAction::Check { files }) => super::check::run(files, common),
-        Some(RobotsAction::Import(args)) => super::import::run(args, common),
+pub(crate) fn run(action: &RobotsAction, common: &Common) -> Result<(), Failure> {
+    match action {
+        RobotsAction::Show { robot } => show(robot, common),
+        RobotsAction::Check { files } => super::check::run(files, common),
+        RobotsAction::Import(args) => super::import::run(args, common),
     }
 }
 
-fn listed(words: &[String], filters: &Filters, common: &Common) -> Result<(), Failure> {
+pub(crate) fn listed(words: &[String], asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<List>(common, &[])?;
-    outputs.deliver(&List(filters.keep(catalogue::robots(), words)?))
+    outputs.deliver(&List(selection::keep(catalogue::robots(), asked, words)?))
 }
 
 fn show(robot: &str, common: &Common) -> Result<(), Failure> {

@@ -3,10 +3,11 @@
 use std::io::{self, Write};
 
 use stiffarm::answer::{Rows, StudyAnswer};
-use stiffarm::study::{Contender, StudyOptions, study};
+use stiffarm::request::Request;
+use stiffarm::study::{StudyOptions, study};
 
 use super::waiting;
-use crate::args::{Common, StudyArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::study::{self as figure_of, StudyCurve, StudyPanel};
 use crate::output::{Answer, Outputs, figure, pretty};
@@ -16,30 +17,9 @@ use crate::table::shown;
 const FIGURE_RATIOS: usize = 61;
 const FIGURE_SIZES: usize = 48;
 
-pub(crate) fn run(args: &StudyArgs, common: &Common) -> Result<(), Failure> {
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<StudyOutput>(common, &[])?;
-    let pick = |key: &str, values: &[f64]| match *values {
-        [both] => Ok([both, both]),
-        [first, second] => Ok([first, second]),
-        _ => Err(Failure::Usage(format!("--{key} takes one value for both architectures, or two"))),
-    };
-    if !args.range.is_bounded() {
-        return Err(Failure::Usage("--range takes both ends, e.g. 0.5..1.5".into()));
-    }
-    let [first, second] = *args.compare.as_slice() else {
-        return Err(Failure::Usage("--compare takes two architectures, e.g. serial,quasi-serial".into()));
-    };
-    let (k2, k3) = (pick("k2", &args.k2)?, pick("k3", &args.k3)?);
-    let options = StudyOptions {
-        contenders: [
-            Contender { architecture: first, k2: k2[0], k3: k3[0] },
-            Contender { architecture: second, k2: k2[1], k3: k3[1] },
-        ],
-        tasks: args.tasks.clone(),
-        sizes: args.sizes.clone(),
-        ratios: args.ratios.clone(),
-        range: args.range,
-    };
+    let options = asked.study()?;
     let found = waiting("studying", common, || study(&options))?;
     outputs.deliver(&StudyOutput(StudyAnswer(found)))
 }

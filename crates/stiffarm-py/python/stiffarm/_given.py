@@ -79,6 +79,11 @@ def texts(name: str, value: object) -> list[str]:
     return [text(name, item) for item in items]
 
 
+def listed(name: str, value: object) -> str | None:
+    """Texts with commas between, as the command line spells them; None where there are none."""
+    return ",".join(texts(name, value)) or None
+
+
 def tasks(value: object) -> list[str]:
     """Tasks by their notation; a text may be a list with commas."""
     return [part.strip() for given in texts("tasks", value) for part in given.split(",")]

@@ -49,11 +49,12 @@ def robots(
     StiffarmError
         Where no robot is left; it says what would match.
     """
-    vendors, statuses = _given.texts("vendor", vendor), _given.texts("status", status)
-    ranges = [_given.between("payload_kg", payload_kg), _given.between("reach_m", reach_m)]
-    architecture = None if architecture is None else _given.text("architecture", architecture)
-    words = _given.text("words", words)
-    return _stiffarm.robots(_given.robots(among), words.split(), vendors, ranges, architecture, statuses)
+    asked = _given.asked(
+        vendor=_given.listed("vendor", vendor), payload_kg=_given.between("payload_kg", payload_kg),
+        reach_m=_given.between("reach_m", reach_m), status=_given.listed("status", status),
+        architecture=None if architecture is None else _given.text("architecture", architecture),
+    )  # fmt: skip
+    return _stiffarm.robots(_given.robots(among), _given.text("words", words).split(), asked)
 
 
 @overload
@@ -115,10 +116,8 @@ def compliance(
     if joints.shape == (6,):
         if full:
             raise StiffarmError("full=True is for many postures: one has all there is")
-        force = None if force_n is None else _given.numbers("force_n", force_n)
-        if force is not None and force.shape != (3,):
-            raise StiffarmError(f"force_n of shape {force.shape}; expected (3,): x, y, z in N")
-        return Compliance(_stiffarm.posture(robot, joints.tolist(), None if force is None else force.tolist(), asked))
+        asked.update(_given.asked(force_n=None if force_n is None else _given.row("force_n", force_n)))
+        return Compliance(_stiffarm.posture(robot, joints.tolist(), asked))
     if joints.ndim != 2 or joints.shape[1] != 6:
         raise StiffarmError(f"joints_deg of shape {joints.shape}; expected (6,) or (n, 6), in degrees")
     if force_n is not None:
@@ -260,7 +259,7 @@ def map(
     elbow: Literal["up", "down"] | None = None,
     zone: str | None = None,
     step_m: float | None = None,
-    size: int = 400,
+    size: int | None = None,
     within_m: str | Sequence[RangeLike | None] | None = None,
     angle: str | float | None = None,
     gap: float | None = None,
@@ -287,8 +286,8 @@ def map(
         Adds the best placement of this task; ``within_m``, ``angle`` and ``gap`` are as in `place`.
     step_m : float, optional
         Distance between points [m], in place of ``size``.
-    size : int
-        Points along the longer side.
+    size : int, optional
+        Points along the longer side; 400 without it.
     model, tool_mm, tool_direction, roll_deg
         As in `place`.
 
@@ -347,19 +346,12 @@ def study(
     StiffarmError
         Where an argument makes no sense.
     """
-    of_each = []
-    for name, value in (("k2", k2), ("k3", k3)):
-        pair = _given.row(name, value)
-        if len(pair) not in (1, 2):
-            raise StiffarmError(f"{name} takes one value for both architectures, or two")
-        of_each.append((pair[0], pair[-1]))
-    names = [compare] if isinstance(compare, str) else _given.texts("compare", compare)
-    if len(names) != 2:
-        raise StiffarmError('compare takes two architectures, e.g. ("serial", "quasi-serial")')
-    contenders = [(name, of_each[0][i], of_each[1][i]) for i, name in enumerate(names)]
+    rows = {name: _given.row(name, value) for name, value in (("sizes", sizes), ("ratios", ratios), ("k2", k2), ("k3", k3))}
     ends = _given.row("range", range)
     if len(ends) != 2:
         raise StiffarmError(f"range of {len(ends)} numbers; expected both ends")
-    return Study(
-        *_stiffarm.study(_given.tasks(tasks), _given.row("sizes", sizes), _given.row("ratios", ratios), ends, contenders)
-    )
+    asked = _given.asked(
+        tasks=",".join(_given.tasks(tasks)), range=_given.between("range", ends),
+        compare=_given.listed("compare", compare), **rows,
+    )  # fmt: skip
+    return Study(*_stiffarm.study(asked))

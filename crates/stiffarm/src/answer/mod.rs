@@ -2,7 +2,7 @@
 //!
 //! A [`Record`] holds fields with their values; [`Rows`] are typed columns for spreadsheets and data frames; a [`Table`] is
 //! what people read. A number is the same to the last bit wherever it is shown, and every position counts from the robot's base:
-//! x forward, y left, z up. Beside [`catalogue`](crate::catalogue) and [`request`](crate::question) the only module in which mm and
+//! x forward, y left, z up. Beside [`catalogue`](crate::catalogue) and [`request`](crate::request) the only module in which mm and
 //! degrees exist.
 
 pub mod compliance;

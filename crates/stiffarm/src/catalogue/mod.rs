@@ -15,8 +15,8 @@ pub use fault::{Fault, Faults};
 pub use filter::{Filter, NothingLeft};
 pub use index::{Entry, entries, find, matching, names, suggestions};
 pub use robot_file::read;
-pub(crate) use write::microradians;
 pub use write::write;
+pub(crate) use write::{microradians, quoted};
 
 use crate::drive::JointCompliance;
 use crate::robot::{Arm, Robot};

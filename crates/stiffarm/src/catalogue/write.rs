@@ -157,7 +157,7 @@ fn key_of(key: &str) -> String {
 }
 
 /// A TOML string in double quotes.
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
         match c {

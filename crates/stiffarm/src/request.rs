@@ -1,0 +1,209 @@
+//! What can be asked? Every option once, and a request: what is given under their names, checked.
+//!
+//! The command line, Python and job files are readers of [`SETTINGS`]: each hands over names and texts, and all refuse the
+//! same in the same words, in their own spelling.
+
+pub mod job;
+mod kind;
+mod notation;
+mod options;
+mod refusal;
+mod settings;
+mod wishes;
+
+pub use kind::Kind;
+pub use notation::{Angle, degrees, elevation, number, open_range, shape, tool, within, yaw};
+pub use options::{Held, Unasked, Wanted, distinct};
+pub use refusal::{Refusal, Spelling};
+pub use settings::{Absent, Count, Of, SETTINGS, Setting, Verb};
+pub use wishes::Layer;
+
+use kind::Value;
+use refusal::shown;
+
+/// A name and a text, as a reader found them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pair {
+    /// The name of the option in the spelling of its reader, without dashes before it.
+    pub name: String,
+    /// Its value; of an option that takes several, some of them with commas between.
+    pub text: String,
+    /// How the reader spells, and where it found this.
+    pub at: Spelling,
+}
+
+/// What is asked of a verb: every option known to it and its model, every value in its range.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// What is asked.
+    pub verb: Verb,
+    /// How whoever asks spells what is missing.
+    reader: Spelling,
+    given: Vec<Given>,
+}
+
+/// An option with its values.
+#[derive(Clone, Debug)]
+struct Given {
+    setting: &'static Setting,
+    at: Spelling,
+    texts: Vec<String>,
+    values: Vec<Value>,
+}
+
+impl Request {
+    /// Reads what was given, and checks it against [`SETTINGS`]. What is required is asked for by the functions that tell
+    /// it, so that a face may bring it in another way.
+    ///
+    /// # Errors
+    /// The first fault: names, then values, then what does not go together.
+    pub fn read(verb: Verb, pairs: &[Pair], reader: Spelling) -> Result<Self, Refusal> {
+        let mut given: Vec<Given> = Vec::new();
+        for pair in pairs {
+            let setting = setting_of(verb, pair)?;
+            let (texts, values) = read_values(setting, pair)?;
+            match given.iter_mut().find(|known| known.setting.name == setting.name) {
+                None => given.push(Given { setting, at: pair.at.clone(), texts, values }),
+                Some(known) if setting.is_list() => {
+                    known.texts.extend(texts);
+                    known.values.extend(values);
+                }
+                Some(_) => return Err(Refusal::Twice { at: pair.at.clone(), name: pair.at.name(setting) }),
+            }
+        }
+        let request = Self { verb, reader, given };
+        for given in &request.given {
+            check_count(given)?;
+            request.check_model(given)?;
+            request.check_others(given)?;
+        }
+        request.check_long_side()?;
+        Ok(request)
+    }
+
+    /// Was it given, rather than left to its default?
+    pub fn is_given(&self, name: &str) -> bool {
+        self.find(name).is_some()
+    }
+
+    fn find(&self, name: &str) -> Option<&Given> {
+        self.given.iter().find(|given| given.setting.name == name)
+    }
+
+    /// What was given, or the default.
+    fn values(&self, name: &str) -> Vec<Value> {
+        if let Some(given) = self.find(name) {
+            return given.values.clone();
+        }
+        match self.verb.setting(name).map(|setting| (setting, setting.absent)) {
+            Some((setting, Absent::Default(text))) => {
+                parts(setting, text).filter_map(|part| setting.kind.read(part).ok()).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// An option belongs to the models to which it, and what it needs, belong.
+    fn check_model(&self, given: &Given) -> Result<(), Refusal> {
+        let (at, name, model) = (given.at.clone(), given.at.name(given.setting), given.at.model("spatial"));
+        let mut next = Some(given.setting);
+        while let Some(setting) = next {
+            match setting.of {
+                Of::Spatial if !self.is_spatial() => return Err(Refusal::NeedsModel { at, name, model }),
+                Of::Planar if self.is_spatial() => return Err(Refusal::NotInSpace { at, name, model }),
+                _ => next = self.needed(setting),
+            }
+        }
+        Ok(())
+    }
+
+    fn needed(&self, setting: &Setting) -> Option<&'static Setting> {
+        let (_, name) = setting.needs.iter().find(|(verb, _)| *verb == self.verb)?;
+        self.verb.setting(name)
+    }
+
+    fn check_others(&self, given: &Given) -> Result<(), Refusal> {
+        let Given { setting, at, .. } = given;
+        let (at, name) = (at.clone(), at.name(setting));
+        if let Some(other) = self.needed(setting).filter(|other| !self.is_given(other.name)) {
+            let other = at.name(other);
+            return Err(Refusal::Needs { at, name, other });
+        }
+        match setting.excludes.iter().find_map(|other| self.find(other)) {
+            None => Ok(()),
+            Some(other) => {
+                let other = other.at.name(other.setting);
+                Err(Refusal::Excludes { at, name, other })
+            }
+        }
+    }
+
+    /// On several tasks no one knows which side is meant.
+    fn check_long_side(&self) -> Result<(), Refusal> {
+        let is_long = matches!(self.angle(), Angle::Horizontal | Angle::Vertical);
+        match (self.find("angle"), self.verb.setting("task")) {
+            (Some(Given { setting, at, .. }), Some(task)) if is_long && 1 < self.tasks().len() => {
+                Err(Refusal::LongSide { at: at.clone(), name: at.name(setting), task: at.name(task) })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn missing(&self, name: &str) -> Refusal {
+        let setting = self.verb.setting(name);
+        Refusal::Missing {
+            at: self.reader.clone(),
+            name: setting.map_or_else(|| self.reader.bare(name), |setting| self.reader.with_value(setting)),
+            expected: setting.map_or("", |setting| setting.help),
+        }
+    }
+}
+
+fn check_count(given: &Given) -> Result<(), Refusal> {
+    let Given { setting, at, values, .. } = given;
+    let Count { least, most, what, expected } = setting.count;
+    if (least..=most).contains(&values.len()) {
+        return Ok(());
+    }
+    Err(Refusal::Count { at: at.clone(), name: at.name(setting), count: values.len(), what, expected })
+}
+
+/// The row that a name means to its reader.
+fn setting_of(verb: Verb, pair: &Pair) -> Result<&'static Setting, Refusal> {
+    let Pair { name, at, .. } = pair;
+    let is_meant = |setting: &&Setting| match at {
+        Spelling::Keyword => setting.keyword() == *name,
+        Spelling::Typed | Spelling::Key { .. } => setting.name == name,
+    };
+    if let Some(setting) = verb.settings().find(is_meant) {
+        return Ok(setting);
+    }
+    let of: Vec<Verb> = Verb::ALL.into_iter().filter(|verb| verb.settings().any(|row| is_meant(&row))).collect();
+    let (at, name) = (at.clone(), at.bare(name));
+    if !of.is_empty() {
+        return Err(Refusal::Verb { at, name, verb, of });
+    }
+    let near = verb.settings().map(|setting| (strsim::jaro_winkler(setting.name, &pair.name), setting.name));
+    let near = near.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(score, _)| 0.8 < *score);
+    Err(Refusal::Unknown { at, name, verb, near: near.map(|(_, near)| near) })
+}
+
+/// The texts of one value each.
+fn parts<'a>(setting: &Setting, text: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
+    if setting.is_list() { Box::new(text.split(',')) } else { Box::new(std::iter::once(text)) }
+}
+
+fn read_values(setting: &Setting, pair: &Pair) -> Result<(Vec<String>, Vec<Value>), Refusal> {
+    let mut found = (Vec::new(), Vec::new());
+    for part in parts(setting, &pair.text) {
+        let value = setting.kind.read(part).map_err(|expected| Refusal::Value {
+            at: pair.at.clone(),
+            name: pair.at.with_value(setting),
+            text: shown(part),
+            expected: crate::plain::on_one_line(&expected).into_owned(),
+        })?;
+        found.0.push(part.to_owned());
+        found.1.push(value);
+    }
+    Ok(found)
+}

@@ -1,0 +1,165 @@
+//! What does an option take, and which value does a text stand for?
+
+use super::notation::{Angle, elevation, number, open_range, shape, tool, within, yaw};
+use super::settings::Count;
+use crate::interval::Interval;
+use crate::inverse::Configuration;
+use crate::place::Within;
+use crate::spatial::Pose;
+use crate::task::Task;
+
+/// What an option takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Any text.
+    Text,
+    /// A robot's name, or a path.
+    Robot,
+    /// One of some words, each with a line of help.
+    Word(&'static [(&'static str, &'static str)]),
+    /// A number.
+    Number {
+        /// The smallest.
+        min: f64,
+        /// The largest.
+        max: f64,
+        /// The unit in the words of a refusal.
+        of: &'static str,
+        /// Zero is allowed, too.
+        or_zero: bool,
+    },
+    /// A whole number.
+    Whole {
+        /// The smallest.
+        min: usize,
+        /// The largest.
+        max: usize,
+    },
+    /// `a..b`.
+    Range {
+        /// Neither end may be left open.
+        is_bounded: bool,
+    },
+    /// `x0..x1,z0..z1` in m.
+    Within,
+    /// Of a rectangle: a word, or degrees.
+    Angle,
+    /// Of the tool axis: a word, or degrees.
+    Elevation,
+    /// `any`, or degrees.
+    Yaw,
+    /// A tool frame in mm and degrees.
+    Tool,
+    /// A zone with its size.
+    Task,
+    /// A zone at size 1.
+    Shape,
+    /// An inverse-kinematics solution.
+    Posture,
+}
+
+/// No bound on how many.
+pub(super) const ANY: usize = usize::MAX;
+
+pub(super) const fn count_of(least: usize, most: usize, what: &'static str, expected: &'static str) -> Count {
+    Count { least, most, what, expected }
+}
+
+pub(super) const fn count(exactly: usize, what: &'static str, expected: &'static str) -> Count {
+    count_of(exactly, exactly, what, expected)
+}
+
+pub(super) const fn number_of(min: f64, max: f64, of: &'static str) -> Kind {
+    Kind::Number { min, max, of, or_zero: false }
+}
+
+pub(super) const fn degrees_of(most: f64, of: &'static str) -> Kind {
+    number_of(-most, most, of)
+}
+
+/// What a text stands for: numbers in the unit of the option, all else in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Value {
+    Text(String),
+    Word(&'static str),
+    Number(f64),
+    Whole(usize),
+    Interval(Interval),
+    Within(Within),
+    Angle(Angle),
+    Tool(Pose),
+    Task(Task),
+    Posture(Configuration),
+}
+
+impl Kind {
+    /// The two architectures.
+    pub(super) const ARCHITECTURE: Self = Self::Word(&[("serial", ""), ("quasi-serial", "")]);
+    /// How well a robot is known.
+    pub(super) const STATUS: Self =
+        Self::Word(&[("identified", ""), ("data-sheet", ""), ("derived", ""), ("estimated", "")]);
+
+    /// The words there are, where there are only some.
+    pub fn words(self) -> &'static [(&'static str, &'static str)] {
+        match self {
+            Self::Word(words) => words,
+            _ => &[],
+        }
+    }
+
+    /// A value may begin with a minus.
+    pub fn may_be_negative(self) -> bool {
+        !matches!(self, Self::Text | Self::Robot | Self::Word(_) | Self::Task | Self::Shape | Self::Posture)
+    }
+
+    /// A job file has it as a number, never as a text.
+    pub(super) fn is_number(self) -> bool {
+        matches!(self, Self::Number { .. } | Self::Whole { .. })
+    }
+
+    /// A job file may have it as a number.
+    pub(super) fn may_be_number(self) -> bool {
+        self.is_number() || matches!(self, Self::Angle | Self::Elevation | Self::Yaw)
+    }
+
+    /// What a text stands for, or what was expected.
+    pub(super) fn read(self, text: &str) -> Result<Value, String> {
+        match self {
+            Self::Text | Self::Robot => Ok(Value::Text(text.into())),
+            Self::Word(words) => {
+                let known = words.iter().find(|(word, _)| *word == text);
+                known.map(|(word, _)| Value::Word(word)).ok_or_else(|| expected(words))
+            }
+            Self::Number { or_zero: true, .. } if number(text, 0.0, 0.0, "").is_ok() => Ok(Value::Number(0.0)),
+            Self::Number { min, max, of, .. } => number(text, min, max, of).map(Value::Number),
+            Self::Whole { min, max } => {
+                let whole = text.trim().parse().ok().filter(|whole| (min..=max).contains(whole));
+                whole.map(Value::Whole).ok_or_else(|| format!("expected a whole number from {min} to {max}"))
+            }
+            Self::Range { is_bounded } => match open_range(text)? {
+                range if is_bounded && !range.is_bounded() => Err("it takes both ends, e.g. 0.5..1.5".into()),
+                range => Ok(Value::Interval(range)),
+            },
+            Self::Within => within(text).map(Value::Within),
+            Self::Angle => text.parse().map(Value::Angle),
+            Self::Elevation => elevation(text).map(Value::Number),
+            Self::Yaw => yaw(text).map(Value::Interval),
+            Self::Tool => tool(text).map(Value::Tool),
+            Self::Task => text.parse().map(Value::Task).map_err(|error: crate::task::TaskError| error.to_string()),
+            Self::Shape => shape(text).map(Value::Task),
+            Self::Posture => text
+                .parse()
+                .map(Value::Posture)
+                .map_err(|error: crate::inverse::UnknownConfiguration| error.to_string()),
+        }
+    }
+}
+
+/// `expected up or down`.
+fn expected(words: &[(&str, &str)]) -> String {
+    let names: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
+    match names.as_slice() {
+        [first @ .., last] if !first.is_empty() => format!("expected {} or {last}", first.join(", ")),
+        names => format!("expected {}", names.concat()),
+    }
+}

@@ -1,0 +1,124 @@
+//! How do the wishes of a request become options of the solvers, with the usual answer where nothing is said?
+
+use super::notation::Angle;
+use crate::interval::Interval;
+use crate::load::Load;
+use crate::model::ModelKind;
+use crate::place::{Orientation, PlaceOptions, Stance, Within};
+use crate::spatial::Pose;
+use crate::task::{Task, Zone};
+
+/// What is asked of a placement, whatever the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    /// Cutting force.
+    pub load: Load,
+    /// Where the zone may stand, m from the robot's base; anywhere, or in space in front of the joint-1 axis and above the
+    /// base, where `None`.
+    pub within: Option<Within>,
+    /// Of a rectangle.
+    pub angle: Angle,
+    /// Largest relative distance between a value and its proof; that of the paper's options where `None`.
+    pub gap: Option<f64>,
+}
+
+/// How the tool is held, in space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Held {
+    /// The tool frame in the flange frame; the flange where `None`.
+    pub tool: Option<Pose>,
+    /// Angle of the tool axis above the horizontal, deg; down where `None`.
+    pub elevation_deg: Option<f64>,
+    /// Angles of the zone about the vertical, rad; the best of a half turn where `None`.
+    pub yaw: Option<Interval>,
+    /// About the tool axis, deg; the best where `None`.
+    pub roll_deg: Option<f64>,
+}
+
+/// What a model cannot be asked; the first word is the name of the option.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unasked {
+    /// On a table no side is the upper one.
+    #[error(
+        "angle horizontal and vertical mean the long side on a wall; on a table give degrees, 0 has the first side ahead"
+    )]
+    LongSide,
+    /// A vertical tool has no yaw.
+    #[error("yaw-deg turns nothing where the tool points straight down or up; the angle of the zone does")]
+    Yaw,
+}
+
+impl Wanted {
+    /// The options of a model for one zone, or for zones of any shape where there is none.
+    ///
+    /// # Errors
+    /// Where the spatial model has no answer.
+    pub fn options(&self, model: &ModelKind, held: &Held, zone: Option<Zone>) -> Result<PlaceOptions, Unasked> {
+        let asked = PlaceOptions { within: self.within, gap: self.gap, ..PlaceOptions::under(self.load) };
+        match model {
+            ModelKind::Planar => {
+                let zone = zone.unwrap_or(Zone::Circle { diameter: 1.0 }); // which side is long matters of one zone only
+                Ok(PlaceOptions { orientation: self.angle.orientation(zone), ..asked })
+            }
+            ModelKind::Spatial(_) => {
+                let (stance, orientation) = (held.stance()?, self.on_a_plane(held, zone)?);
+                Ok(PlaceOptions { orientation, stance: Some(stance), ..asked })
+            }
+        }
+    }
+
+    /// Of a rectangle on a table or a wall.
+    fn on_a_plane(&self, held: &Held, zone: Option<Zone>) -> Result<Orientation, Unasked> {
+        let is_wall = held.elevation().abs() < 1.5;
+        let upright = zone.map(|zone| {
+            let [first, second] = zone.sides();
+            if second <= first { 0.0 } else { 90.0_f64 }
+        });
+        match (self.angle, upright) {
+            (Angle::Axes, _) => Ok(Orientation::Axes),
+            (Angle::Free, _) => Ok(Orientation::Free),
+            (Angle::Degrees(angle), _) => Ok(Orientation::Fixed(angle.to_radians())),
+            (Angle::Horizontal | Angle::Vertical, _) if !is_wall => Err(Unasked::LongSide),
+            (Angle::Vertical, Some(upright)) => Ok(Orientation::Fixed(upright.to_radians())),
+            (Angle::Horizontal, Some(upright)) => Ok(Orientation::Fixed((90.0 - upright).to_radians())),
+            (Angle::Horizontal | Angle::Vertical, None) => Ok(Orientation::Axes),
+        }
+    }
+}
+
+impl Held {
+    fn stance(&self) -> Result<Stance, Unasked> {
+        let usual = Stance::tool_at(self.elevation());
+        let is_vertical = std::f64::consts::FRAC_PI_2 - usual.elevation.abs() < 1e-9;
+        if self.yaw.is_some() && is_vertical {
+            return Err(Unasked::Yaw);
+        }
+        Ok(Stance { yaw: self.yaw.unwrap_or(usual.yaw), roll: self.roll(), ..usual })
+    }
+
+    /// Of the tool axis above the horizontal, rad.
+    pub fn elevation(&self) -> f64 {
+        self.elevation_deg.unwrap_or(-90.0).to_radians()
+    }
+
+    /// The tool frame in the flange frame.
+    pub fn tool(&self) -> Pose {
+        self.tool.unwrap_or_else(Pose::identity)
+    }
+
+    /// About the tool axis, rad.
+    pub fn roll(&self) -> Option<f64> {
+        self.roll_deg.map(f64::to_radians)
+    }
+}
+
+/// Tasks of which no two have the same zone, in their order.
+pub fn distinct(tasks: &[Task]) -> Vec<Task> {
+    let mut kept: Vec<Task> = Vec::new();
+    for task in tasks {
+        if !kept.iter().any(|known| known.zone == task.zone) {
+            kept.push(task.clone());
+        }
+    }
+    kept
+}

@@ -1,0 +1,579 @@
+//! Which options are there? One row each, from which every face builds its parser, its help and its refusals.
+
+use super::kind::{ANY, Kind, count, count_of, degrees_of, number_of};
+
+/// What can be asked of the library, as a command, a function or the `verb` of a job file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verb {
+    /// Robots in order.
+    Rank,
+    /// The best place of one zone.
+    Place,
+    /// The deflection everywhere.
+    Map,
+    /// One posture.
+    Compliance,
+    /// Two architectures.
+    Study,
+    /// Which robots there are.
+    List,
+}
+
+impl Verb {
+    /// All of them.
+    pub const ALL: [Self; 6] = [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::List];
+    /// Those that a job file may ask.
+    pub const JOBS: [Self; 5] = [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study];
+
+    /// As it is typed.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rank => "rank",
+            Self::Place => "place",
+            Self::Map => "map",
+            Self::Compliance => "compliance",
+            Self::Study => "study",
+            Self::List => "robots list",
+        }
+    }
+
+    /// Its rows, in the order in which help tells them.
+    pub fn settings(self) -> impl Iterator<Item = &'static Setting> {
+        SETTINGS.iter().filter(move |setting| setting.verbs.contains(&self))
+    }
+
+    /// The row of a name.
+    pub fn setting(self, name: &str) -> Option<&'static Setting> {
+        self.settings().find(|setting| setting.name == name)
+    }
+}
+
+/// Which model an option belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// Every model, and verbs that have only one.
+    Any,
+    /// The paper's.
+    Planar,
+    /// All six drives.
+    Spatial,
+}
+
+/// What happens where an option is not given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Absent {
+    /// As if this were given.
+    Default(&'static str),
+    /// What a value cannot say, in words.
+    Means(&'static str),
+    /// Nothing that needs words.
+    Optional,
+    /// It must be given.
+    Required,
+}
+
+/// How many values an option takes, separated by commas or given several times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Count {
+    /// At least.
+    pub least: usize,
+    /// At most.
+    pub most: usize,
+    /// What is counted, such as `angles`.
+    pub what: &'static str,
+    /// For the words of a refusal.
+    pub expected: &'static str,
+}
+
+/// One option.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// The long name: `--NAME` on the command line, `NAME` in a job file.
+    pub name: &'static str,
+    /// The keyword in Python, where it is not the name with underscores.
+    pub keyword: &'static str,
+    /// The verbs that know it.
+    pub verbs: &'static [Verb],
+    /// The models that know it.
+    pub of: Of,
+    /// What it takes.
+    pub kind: Kind,
+    /// How many of that.
+    pub count: Count,
+    /// For help; empty where there is none.
+    pub unit: &'static str,
+    /// What stands for its value in help.
+    pub value: &'static str,
+    /// Without it.
+    pub absent: Absent,
+    /// In a verb, the option without which it has no meaning.
+    pub needs: &'static [(Verb, &'static str)],
+    /// Options that say the same in another way.
+    pub excludes: &'static [&'static str],
+    /// One line.
+    pub help: &'static str,
+    /// Under which heading help tells it; empty for the usual.
+    pub heading: &'static str,
+    /// A value that is understood.
+    pub example: &'static str,
+    /// On the command line it stands without its name.
+    pub is_positional: bool,
+}
+
+impl Setting {
+    /// Several values may be given.
+    pub fn is_list(&self) -> bool {
+        1 < self.count.most
+    }
+
+    /// Its keyword in Python.
+    pub fn keyword(&self) -> String {
+        if self.keyword.is_empty() { self.name.replace('-', "_") } else { self.keyword.into() }
+    }
+
+    /// The line of help with the unit in brackets behind its first clause, and what happens without the option.
+    pub fn described(&self) -> String {
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };
+        let clause = self.help.find([':', ',', ';']).unwrap_or(self.help.len());
+        let (first, rest) = self.help.split_at(clause);
+        let absent = match self.absent {
+            Absent::Means(words) => format!(" [default: {words}]"),
+            _ => String::new(),
+        };
+        format!("{first}{unit}{rest}{absent}")
+    }
+}
+
+const ONE: Count = count_of(1, 1, "values", "one");
+const SEVERAL: Count = count_of(1, ANY, "values", "some");
+const EACH: Count = count_of(1, 2, "values", "one for both architectures, or two");
+const RANK: &[Verb] = &[Verb::Rank];
+const PLACE: &[Verb] = &[Verb::Place];
+const MAP: &[Verb] = &[Verb::Map];
+const COMPLIANCE: &[Verb] = &[Verb::Compliance];
+const STUDY: &[Verb] = &[Verb::Study];
+const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map];
+const CHOOSING: &[Verb] = &[Verb::Rank, Verb::List];
+const A_ZONE: &[(Verb, &str)] = &[(Verb::Map, "zone")];
+
+/// What a row has where it says nothing else.
+const ROW: Setting = Setting {
+    name: "",
+    keyword: "",
+    verbs: &[],
+    of: Of::Any,
+    kind: Kind::Text,
+    count: ONE,
+    unit: "",
+    value: "",
+    absent: Absent::Optional,
+    needs: &[],
+    excludes: &[],
+    help: "",
+    heading: "",
+    example: "",
+    is_positional: false,
+};
+/// Of the drives' compliances in a study.
+const RELATIVE: Setting = Setting {
+    verbs: STUDY,
+    kind: Kind::Number { min: 1e-3, max: 1e3, of: "times the reference, or 0 for a rigid drive", or_zero: true },
+    count: EACH,
+    value: "K",
+    absent: Absent::Default("1"),
+    example: "0.5",
+    ..ROW
+};
+/// Of the tool's pose.
+const TOOL: Setting = Setting { verbs: PLACING, of: Of::Spatial, value: "DEG", heading: "Model", ..ROW };
+/// Of the catalogue.
+const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: "Which robots", ..ROW };
+
+/// Every option, each once for the verbs in which it means the same.
+pub static SETTINGS: &[Setting] = &[
+    Setting {
+        name: "robot",
+        verbs: &[Verb::Place, Verb::Map, Verb::Compliance],
+        kind: Kind::Robot,
+        value: "ROBOT",
+        absent: Absent::Required,
+        help: "A robot's name, or the path of a robot file",
+        example: "KR 210 R2700 extra",
+        is_positional: true,
+        ..ROW
+    },
+    Setting {
+        name: "robots",
+        verbs: RANK,
+        kind: Kind::Robot,
+        count: SEVERAL,
+        value: "ROBOTS",
+        absent: Absent::Default("paper"),
+        help: "Robots: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times",
+        example: "KR 210*,BT200L",
+        ..ROW
+    },
+    Setting {
+        name: "task",
+        keyword: "tasks",
+        verbs: RANK,
+        kind: Kind::Task,
+        count: SEVERAL,
+        value: "TASK",
+        absent: Absent::Default("A:0.1,A:1.0,B:0.1,B:0.5,C:0.05,C:0.15"),
+        help: "Tasks: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; separated by commas or given several times",
+        example: "A:0.3,rect:0.6x0.4",
+        ..ROW
+    },
+    Setting {
+        name: "task",
+        verbs: PLACE,
+        kind: Kind::Task,
+        value: "TASK",
+        absent: Absent::Required,
+        help: "circle:D, rect:AxB, A:d, B:d, C:d with sizes in m",
+        example: "rect:0.6x0.4",
+        ..ROW
+    },
+    Setting {
+        name: "tolerance-mm",
+        verbs: &[Verb::Rank, Verb::Place],
+        kind: number_of(1e-6, 1e3, "mm"),
+        unit: "mm",
+        value: "MM",
+        help: "Largest deflection that is acceptable: adds pass or fail",
+        example: "2",
+        ..ROW
+    },
+    Setting {
+        name: "direction-deg",
+        verbs: MAP,
+        of: Of::Planar,
+        kind: degrees_of(360.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Means("the worst in every point"),
+        help: "Direction of the force, counter-clockwise from straight ahead",
+        example: "30",
+        ..ROW
+    },
+    Setting {
+        name: "component",
+        verbs: MAP,
+        of: Of::Planar,
+        kind: Kind::Word(&[("total", ""), ("along", "")]),
+        value: "COMPONENT",
+        absent: Absent::Means("total"),
+        needs: &[(Verb::Map, "direction-deg")],
+        help: "The whole displacement, or its part along the force",
+        example: "along",
+        ..ROW
+    },
+    Setting {
+        name: "elbow",
+        verbs: MAP,
+        of: Of::Planar,
+        kind: Kind::Word(&[("up", ""), ("down", "")]),
+        value: "ELBOW",
+        absent: Absent::Means("the stiffer that reaches a point"),
+        help: "Only one elbow side",
+        example: "up",
+        ..ROW
+    },
+    Setting {
+        name: "posture",
+        verbs: MAP,
+        of: Of::Spatial,
+        kind: Kind::Posture,
+        value: "POSTURE",
+        absent: Absent::Means("the stiffest at each point"),
+        help: "Only one posture, with --model spatial: such as front,up,no-flip",
+        example: "front,up,no-flip",
+        ..ROW
+    },
+    Setting {
+        name: "layer",
+        verbs: MAP,
+        of: Of::Spatial,
+        kind: Kind::Word(&[
+            ("deflection", "The worst deflection"),
+            ("limit-margin", "How far the nearest joint limit is"),
+            ("singular-margin", "How far the nearest singular posture is"),
+        ]),
+        value: "LAYER",
+        absent: Absent::Default("deflection"),
+        help: "What the figure shows, with --model spatial; the tables have all of it",
+        example: "limit-margin",
+        ..ROW
+    },
+    Setting {
+        name: "zone",
+        verbs: MAP,
+        of: Of::Planar,
+        kind: Kind::Task,
+        value: "TASK",
+        help: "Draw the best placement of this task",
+        example: "B:0.5",
+        ..ROW
+    },
+    Setting {
+        name: "step-m",
+        verbs: MAP,
+        kind: number_of(1e-6, 10.0, "m"),
+        unit: "m",
+        value: "M",
+        excludes: &["size"],
+        help: "Distance between points",
+        example: "0.05",
+        ..ROW
+    },
+    Setting {
+        name: "size",
+        verbs: MAP,
+        kind: Kind::Whole { min: 2, max: 100_000 },
+        value: "N",
+        absent: Absent::Default("400"),
+        excludes: &["step-m"],
+        help: "Points along the longer side",
+        example: "60",
+        ..ROW
+    },
+    Setting {
+        name: "force-n",
+        verbs: PLACING,
+        kind: number_of(1e-3, 1e6, "N"),
+        unit: "N",
+        value: "N",
+        absent: Absent::Default("1000"),
+        help: "Cutting force",
+        example: "500",
+        ..ROW
+    },
+    Setting {
+        name: "within",
+        keyword: "within_m",
+        verbs: PLACING,
+        kind: Kind::Within,
+        value: "RANGES",
+        absent: Absent::Means(
+            "anywhere; with --model spatial 0..,0..: in front of the joint-1 axis and above the base",
+        ),
+        needs: A_ZONE,
+        help: "Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open",
+        example: "1.0..,0.5..2",
+        ..ROW
+    },
+    Setting {
+        name: "angle",
+        verbs: PLACING,
+        kind: Kind::Angle,
+        value: "ANGLE",
+        absent: Absent::Default("axes"),
+        needs: A_ZONE,
+        help: "Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or degrees of its first side",
+        example: "30",
+        ..ROW
+    },
+    Setting {
+        name: "gap",
+        verbs: PLACING,
+        of: Of::Planar,
+        kind: number_of(1e-9, 0.5, "(relative)"),
+        value: "RATIO",
+        absent: Absent::Means("0.0001"),
+        needs: A_ZONE,
+        help: "Largest relative distance between a value and its proof",
+        example: "0.001",
+        ..ROW
+    },
+    Setting {
+        name: "joints-deg",
+        verbs: COMPLIANCE,
+        kind: degrees_of(1080.0, "degrees for each of six joints"),
+        count: count(6, "angles", "six, separated by commas"),
+        unit: "deg",
+        value: "Q1,..,Q6",
+        absent: Absent::Required,
+        help: "The six joint angles as the robot reports them, separated by commas",
+        example: "0,-90,90,0,45,0",
+        ..ROW
+    },
+    Setting {
+        name: "force-n",
+        verbs: COMPLIANCE,
+        kind: number_of(-1e6, 1e6, "N along each of x, y, z"),
+        count: count(3, "numbers", "three: x,y,z in N"),
+        unit: "N",
+        value: "X,Y,Z",
+        help: "Force at the tool point: x,y,z in base axes",
+        example: "0,1000,0",
+        ..ROW
+    },
+    Setting {
+        name: "tool-mm",
+        verbs: COMPLIANCE,
+        kind: Kind::Tool,
+        unit: "mm, deg",
+        value: "X,Y,Z",
+        absent: Absent::Means("the flange centre"),
+        help: "Tool frame in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes",
+        example: "0,0,150",
+        ..ROW
+    },
+    Setting {
+        name: "tasks",
+        verbs: STUDY,
+        kind: Kind::Shape,
+        count: SEVERAL,
+        value: "SHAPES",
+        absent: Absent::Default("A,B,C"),
+        help: "Shapes at size 1: A, B, C, or such as rect:1x3",
+        example: "A,rect:1x3",
+        ..ROW
+    },
+    Setting {
+        name: "sizes",
+        verbs: STUDY,
+        kind: number_of(1e-4, 10.0, "times l2 + l3"),
+        count: SEVERAL,
+        value: "SIZES",
+        absent: Absent::Default("0.1,0.3,0.5,0.8"),
+        help: "Sizes over l2 + l3",
+        example: "0.1,0.5",
+        ..ROW
+    },
+    Setting {
+        name: "ratios",
+        verbs: STUDY,
+        kind: number_of(0.05, 20.0, "(l3 over l2)"),
+        count: SEVERAL,
+        value: "RATIOS",
+        absent: Absent::Default("0.8,1,1.2"),
+        help: "Link ratios mu = l3/l2",
+        example: "0.9",
+        ..ROW
+    },
+    Setting {
+        name: "range",
+        verbs: STUDY,
+        kind: Kind::Range { is_bounded: true },
+        value: "RANGE",
+        absent: Absent::Default("0.5..1.5"),
+        help: "Link ratios among which the best is sought",
+        example: "0.6..1.4",
+        ..ROW
+    },
+    Setting {
+        name: "compare",
+        verbs: STUDY,
+        kind: Kind::ARCHITECTURE,
+        count: count(2, "architectures", "two, e.g. serial,quasi-serial"),
+        value: "TWO",
+        absent: Absent::Default("serial,quasi-serial"),
+        help: "The two architectures that are compared",
+        example: "serial,serial",
+        ..ROW
+    },
+    Setting {
+        name: "k2",
+        help: "Compliance of drive 2 over the reference k, for both or one each; 0: rigid",
+        ..RELATIVE
+    },
+    Setting {
+        name: "k3",
+        help: "Compliance of drive 3 over the reference k, for both or one each; 0: rigid",
+        ..RELATIVE
+    },
+    Setting {
+        name: "model",
+        verbs: PLACING,
+        kind: Kind::Word(&[
+            ("planar", "The paper's: drives 2 and 3, the wrist centre, zones in the arm plane"),
+            ("spatial", "All six drives, the tool where it is, flat zones that the tool axis meets at a right angle"),
+        ]),
+        value: "MODEL",
+        absent: Absent::Default("planar"),
+        help: "Which model",
+        heading: "Model",
+        example: "spatial",
+        ..ROW
+    },
+    Setting {
+        name: "tool-mm",
+        kind: Kind::Tool,
+        unit: "mm, deg",
+        value: "X,Y,Z",
+        absent: Absent::Means("the flange"),
+        help: "Tool frame in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis",
+        example: "0,0,200",
+        ..TOOL
+    },
+    Setting {
+        name: "tool-direction",
+        kind: Kind::Elevation,
+        value: "DIRECTION",
+        absent: Absent::Means("down"),
+        help: "The tool axis: down, forward, up, or its angle above the horizontal in degrees",
+        example: "forward",
+        ..TOOL
+    },
+    Setting {
+        name: "yaw-deg",
+        verbs: &[Verb::Rank, Verb::Place],
+        kind: Kind::Yaw,
+        unit: "deg",
+        absent: Absent::Means("the best of -90..90"),
+        help: "Angle of the zone about the vertical, 0 faces the robot; or any",
+        example: "30",
+        ..TOOL
+    },
+    Setting {
+        name: "roll-deg",
+        kind: degrees_of(360.0, "degrees"),
+        unit: "deg",
+        absent: Absent::Means("the best"),
+        help: "Rotation about the tool axis; 0 has the tool's x axis ahead, on a wall upright",
+        example: "45",
+        ..TOOL
+    },
+    Setting {
+        name: "vendor",
+        count: SEVERAL,
+        help: "Only robots of these makers, separated by commas",
+        example: "KUKA,ABB",
+        ..FILTER
+    },
+    Setting {
+        name: "payload-kg",
+        kind: Kind::Range { is_bounded: false },
+        unit: "kg",
+        value: "RANGE",
+        help: "Only robots with a payload in this range: A..B; either end may be left open",
+        example: "200..",
+        ..FILTER
+    },
+    Setting {
+        name: "reach-m",
+        kind: Kind::Range { is_bounded: false },
+        unit: "m",
+        value: "RANGE",
+        help: "Only robots with a reach in this range: A..B; either end may be left open",
+        example: "..2.8",
+        ..FILTER
+    },
+    Setting {
+        name: "architecture",
+        kind: Kind::ARCHITECTURE,
+        help: "Only robots of this architecture: serial or quasi-serial",
+        example: "serial",
+        ..FILTER
+    },
+    Setting {
+        name: "status",
+        kind: Kind::STATUS,
+        count: SEVERAL,
+        help: "Only robots of these statuses: identified, data-sheet, derived, estimated; separated by commas",
+        example: "data-sheet,derived",
+        ..FILTER
+    },
+];

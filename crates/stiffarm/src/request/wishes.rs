@@ -1,0 +1,280 @@
+//! What does a request ask? Its values by what they mean, in SI, with the default where nothing was given.
+
+use super::kind::Value;
+use super::{Angle, Held, Refusal, Request, Spelling, Unasked, Wanted};
+use crate::catalogue::Filter;
+use crate::drive::Architecture;
+use crate::interval::Interval;
+use crate::inverse::Configuration;
+use crate::load::{Component, Load};
+use crate::map::{Extent, Held as HeldTool, MapOptions, Spacing};
+use crate::model::ModelKind;
+use crate::place::PlaceOptions;
+use crate::plane::Elbow;
+use crate::robot::Status;
+use crate::study::{Contender, StudyOptions};
+use crate::task::{Task, Zone};
+
+/// What the figure of a map in space shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layer {
+    /// The worst deflection.
+    Deflection,
+    /// How far the nearest joint limit is.
+    LimitMargin,
+    /// How far the nearest singular posture is.
+    SingularMargin,
+}
+
+impl Request {
+    /// The model has all six drives.
+    pub fn is_spatial(&self) -> bool {
+        self.word("model") == Some("spatial")
+    }
+
+    /// The robot's name or path.
+    ///
+    /// # Errors
+    /// Where it is missing.
+    pub fn robot(&self) -> Result<String, Refusal> {
+        self.texts("robot").pop().ok_or_else(|| self.missing("robot"))
+    }
+
+    /// Names, patterns, files, folders and sets, in the order given.
+    pub fn robots(&self) -> Vec<String> {
+        self.texts("robots")
+    }
+
+    /// The one zone.
+    ///
+    /// # Errors
+    /// Where it is missing.
+    pub fn task(&self) -> Result<Task, Refusal> {
+        self.tasks().into_iter().next().ok_or_else(|| self.missing("task"))
+    }
+
+    /// The zones; of a study its shapes at size 1.
+    pub fn tasks(&self) -> Vec<Task> {
+        let name = if self.verb.setting("tasks").is_some() { "tasks" } else { "task" };
+        self.all(name, task)
+    }
+
+    /// The zone that a map places.
+    pub fn zone(&self) -> Option<Task> {
+        self.one("zone", task)
+    }
+
+    /// Which model, with the tool where it has one.
+    pub fn model(&self) -> ModelKind {
+        if self.is_spatial() { ModelKind::Spatial(self.held().tool()) } else { ModelKind::Planar }
+    }
+
+    /// The cutting force.
+    ///
+    /// # Panics
+    /// Of a verb that has no such option.
+    fn load(&self) -> Load {
+        let newtons = self.number("force-n").expect("the row has a default");
+        let component = if self.word("component") == Some("along") { Component::Along } else { Component::Total };
+        let load = match self.number("direction-deg") {
+            None => Load::worst(newtons),
+            Some(degrees) => Load::in_plane(newtons, degrees.to_radians(), component),
+        };
+        load.expect("the row's range is that of a load")
+    }
+
+    /// Force at the tool point of one posture, N.
+    pub fn force_along(&self) -> Option<[f64; 3]> {
+        self.all("force-n", number).try_into().ok()
+    }
+
+    /// The joint angles of one posture, deg.
+    ///
+    /// # Errors
+    /// Where they are missing.
+    pub fn joints_deg(&self) -> Result<[f64; 6], Refusal> {
+        self.all("joints-deg", number).try_into().map_err(|_| self.missing("joints-deg"))
+    }
+
+    /// Largest deflection that is acceptable, mm.
+    pub fn tolerance_mm(&self) -> Option<f64> {
+        self.number("tolerance-mm")
+    }
+
+    /// Of a rectangle.
+    pub(super) fn angle(&self) -> Angle {
+        let angle = |value| if let Value::Angle(angle) = value { Some(angle) } else { None };
+        self.one("angle", angle).unwrap_or(Angle::Axes)
+    }
+
+    fn wanted(&self) -> Wanted {
+        let within = |value| if let Value::Within(within) = value { Some(within) } else { None };
+        // A zone on a map is placed for the worst direction, whatever is mapped.
+        let load = Load::worst(self.load().newtons()).expect("checked");
+        Wanted { load, within: self.one("within", within), angle: self.angle(), gap: self.number("gap") }
+    }
+
+    /// What is asked of a placement of one zone, or of zones of any shape where there is none.
+    ///
+    /// # Errors
+    /// Where the options together have no answer.
+    ///
+    /// # Panics
+    /// Of a verb that places nothing.
+    pub fn place_options(&self, zone: Option<Zone>) -> Result<PlaceOptions, Refusal> {
+        self.wanted().options(&self.model(), &self.held(), zone).map_err(|unasked| self.unanswered(unasked))
+    }
+
+    /// What is asked of a map.
+    ///
+    /// # Panics
+    /// Of a verb that maps nothing.
+    pub fn map_options(&self) -> MapOptions {
+        let held = self.held();
+        let held = self.is_spatial().then(|| HeldTool {
+            elevation: held.elevation(),
+            yaw: 0.0,
+            roll: held.roll(),
+            configuration: self.posture(),
+        });
+        MapOptions { extent: Extent::Reached(self.spacing()), load: self.load(), elbow: self.elbow(), held }
+    }
+
+    /// How the tool is held, in space.
+    pub fn held(&self) -> Held {
+        let tool = |value| if let Value::Tool(tool) = value { Some(tool) } else { None };
+        Held {
+            tool: self.one("tool-mm", tool),
+            elevation_deg: self.number("tool-direction"),
+            yaw: self.one("yaw-deg", interval),
+            roll_deg: self.number("roll-deg"),
+        }
+    }
+
+    fn unanswered(&self, unasked: Unasked) -> Refusal {
+        let told = unasked.to_string();
+        let (name, why) = told.split_once(' ').unwrap_or((&told, ""));
+        let at = self.find(name).map_or_else(|| self.reader.clone(), |given| given.at.clone());
+        let name = self.verb.setting(name).map_or_else(|| at.bare(name), |setting| at.name(setting));
+        Refusal::Unanswered { at, name, why: why.into() }
+    }
+
+    /// How finely a map is drawn.
+    ///
+    /// # Panics
+    /// Of a verb that has no such option.
+    fn spacing(&self) -> Spacing {
+        let whole = |value| if let Value::Whole(whole) = value { Some(whole) } else { None };
+        let points = || Spacing::Points(self.one("size", whole).expect("the row has a default"));
+        self.number("step-m").map_or_else(points, Spacing::Step)
+    }
+
+    /// The one elbow side of a map in the plane.
+    fn elbow(&self) -> Option<Elbow> {
+        self.word("elbow").map(|side| if side == "up" { Elbow::Up } else { Elbow::Down })
+    }
+
+    /// The one posture of a map in space.
+    fn posture(&self) -> Option<Configuration> {
+        self.one("posture", |value| if let Value::Posture(posture) = value { Some(posture) } else { None })
+    }
+
+    /// What the figure of a map in space shows.
+    pub fn layer(&self) -> Layer {
+        match self.word("layer") {
+            Some("limit-margin") => Layer::LimitMargin,
+            Some("singular-margin") => Layer::SingularMargin,
+            _ => Layer::Deflection,
+        }
+    }
+
+    /// Which robots of the catalogue are wanted.
+    pub fn filter(&self, words: Vec<String>) -> Filter {
+        let named = |word: &str| Status::ALL.into_iter().find(|status| status.name() == word);
+        Filter {
+            words,
+            vendors: self.texts("vendor"),
+            payload_kg: self.one("payload-kg", interval),
+            reach: self.one("reach-m", interval),
+            architecture: self.architectures("architecture").pop(),
+            statuses: self.words("status").into_iter().filter_map(named).collect(),
+        }
+    }
+
+    /// What a study compares.
+    ///
+    /// # Errors
+    /// Where two architectures or the range are missing, which have defaults.
+    pub fn study(&self) -> Result<StudyOptions, Refusal> {
+        let compared = self.architectures("compare");
+        let [first, second] = *compared.as_slice() else { return Err(self.missing("compare")) };
+        let (k2, k3) = (self.for_both("k2")?, self.for_both("k3")?);
+        Ok(StudyOptions {
+            contenders: [
+                Contender { architecture: first, k2: k2[0], k3: k3[0] },
+                Contender { architecture: second, k2: k2[1], k3: k3[1] },
+            ],
+            tasks: self.tasks(),
+            sizes: self.all("sizes", number),
+            ratios: self.all("ratios", number),
+            range: self.one("range", interval).ok_or_else(|| self.missing("range"))?,
+        })
+    }
+
+    /// One number for both, or one each.
+    fn for_both(&self, name: &str) -> Result<[f64; 2], Refusal> {
+        match *self.all(name, number).as_slice() {
+            [both] => Ok([both, both]),
+            [first, second] => Ok([first, second]),
+            _ => Err(self.missing(name)),
+        }
+    }
+
+    fn architectures(&self, name: &str) -> Vec<Architecture> {
+        let named = |word: &str| Architecture::ALL.into_iter().find(|architecture| architecture.name() == word);
+        self.words(name).into_iter().filter_map(named).collect()
+    }
+
+    fn number(&self, name: &str) -> Option<f64> {
+        self.one(name, number)
+    }
+
+    fn words(&self, name: &str) -> Vec<&'static str> {
+        self.all(name, |value| if let Value::Word(word) = value { Some(word) } else { None })
+    }
+
+    fn word(&self, name: &str) -> Option<&'static str> {
+        self.words(name).pop()
+    }
+
+    fn texts(&self, name: &str) -> Vec<String> {
+        self.all(name, |value| if let Value::Text(text) = value { Some(text) } else { None })
+    }
+
+    fn one<T>(&self, name: &str, pick: impl FnMut(Value) -> Option<T>) -> Option<T> {
+        self.all(name, pick).pop()
+    }
+
+    fn all<T>(&self, name: &str, pick: impl FnMut(Value) -> Option<T>) -> Vec<T> {
+        self.values(name).into_iter().filter_map(pick).collect()
+    }
+
+    /// How whoever asks spells, for what is not in the table.
+    pub fn reader(&self) -> &Spelling {
+        &self.reader
+    }
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
+fn number(value: Value) -> Option<f64> {
+    if let Value::Number(number) = value { Some(number) } else { None }
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
+fn interval(value: Value) -> Option<Interval> {
+    if let Value::Interval(interval) = value { Some(interval) } else { None }
+}
+
+fn task(value: Value) -> Option<Task> {
+    if let Value::Task(task) = value { Some(task) } else { None }
+}
