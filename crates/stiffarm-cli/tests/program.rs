@@ -514,7 +514,7 @@ fn a_robot_with_a_compensator_is_a_row_that_says_why_and_alone_a_refusal_with_ad
     assert!(last["cells"][0]["reason"].as_str().unwrap().contains("gravity compensator"), "{last}");
     let csv = run(&[&both[..], &["--format", "csv"]].concat());
     let line = csv.lines().nth(2).unwrap();
-    assert!(line.starts_with(",,geared wrist") && line.contains("gravity compensator"), "{csv}");
+    assert!(line.starts_with(",,,,geared wrist") && line.contains("gravity compensator"), "{csv}");
     for alone in [
         &["rank", "--robots", &file, "--task", "A:0.5"][..],
         &["place", &file, "--task", "A:0.5"],

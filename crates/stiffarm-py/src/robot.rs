@@ -1,8 +1,10 @@
 //! Robots, and which of them are meant.
 
+use std::ffi::CString;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
@@ -107,7 +109,9 @@ impl Robot {
     ) -> PyResult<Self> {
         let options = ImportOptions { name, vendor, base, tip, ..ImportOptions::default() };
         let text = text_of(&path)?;
-        import(&text, &files::shown(&path), &options).map(|found| Self(found.robot)).map_err(refused)
+        let found = import(&text, &files::shown(&path), &options).map_err(refused)?;
+        remarks(&path, &found.notes)?;
+        Ok(Self(found.robot))
     }
 
     /// A robot from its numbers, by the keys of a robot file.
@@ -298,10 +302,23 @@ fn unknown(name: &str) -> PyErr {
 
 fn read_file(path: &Path) -> PyResult<Robot> {
     match files::load(path) {
-        Ok(found) => Ok(Robot(found.robot)),
+        Ok(found) => {
+            remarks(path, &found.notes)?;
+            Ok(Robot(found.robot))
+        }
         Err(LoadError::Unreadable(error)) => Err(unread(&error)),
         Err(error) => Err(refused(error)),
     }
+}
+
+/// Says what was chosen in reading a file, each as a `UserWarning`.
+fn remarks(path: &Path, notes: &[String]) -> PyResult<()> {
+    for note in notes {
+        let text = format!("{}: {note}", files::shown(path)).replace('\0', " ");
+        let text = CString::new(text).map_err(refused)?;
+        Python::attach(|py| PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 1))?;
+    }
+    Ok(())
 }
 
 fn text_of(path: &Path) -> PyResult<String> {

@@ -179,3 +179,38 @@ def test_the_number_of_threads_changes_no_number():
 def test_the_licences_come_with_the_package(name):
     found = [file for file in importlib.metadata.files("stiffarm") if file.name == name]
     assert [file.read_text() for file in found] == [(Path(__file__).resolve().parents[3] / name).read_text()]
+
+
+def test_an_estimated_robot_has_no_rank_in_data_frames_and_is_never_called_best():
+    ranking = stiffarm.rank(tasks=["A:0.1", "B:0.5"])
+    assert ranking.rows[0]["status"] == "estimated"
+    frame = ranking.to_pandas()
+    estimated = frame["status"] == "estimated"
+    assert frame["rank"][estimated].isna().all() and frame["rank"][~estimated].min() == 1
+    best = next(row["robot"] for row in ranking.rows if row["status"] != "estimated")
+    assert f"best {best}" in repr(ranking)
+
+
+def test_columns_have_the_same_types_whatever_they_hold():
+    fits, misfits = (stiffarm.place(ROBOT, task=task).to_pandas() for task in ("A:0.3", "A:9"))
+    assert list(fits.columns) == list(misfits.columns)
+    for key in ("deflection_mm", "x_m", "q1_deg", "within_x0_m"):
+        assert fits[key].dtype == misfits[key].dtype == np.float64, key
+    assert misfits["deflection_mm"].isna().all() and "does not fit" in misfits["reason"][0]
+
+
+def test_a_place_keeps_what_was_asked():
+    asked = {"within_m": ((1.2, None), (0.4, 1.8)), "model": "spatial", "tool_mm": (0, 0, 200), "tool_direction": 30}
+    for model in ("planar", "spatial"):
+        options = asked if model == "spatial" else {"within_m": asked["within_m"]}
+        best = stiffarm.place(ROBOT, task="A:0.1", **options)
+        assert best.within_m == [[1.2, None], [0.4, 1.8]] and best.schema["version"] == 2
+    assert best.tool_mm[:3] == [0, 0, 200] and abs(best.tool_direction_deg - 30) < 1e-9
+
+
+def test_what_an_import_noted_is_a_warning():
+    urdf = Path(__file__).parents[3] / "docs" / "examples" / "example_150.urdf"
+    for read in (Robot, Robot.from_urdf):
+        with pytest.warns(UserWarning, match="example_150.urdf: ") as told:
+            assert read(urdf).name == "Example 150"
+        assert len(told) > 1

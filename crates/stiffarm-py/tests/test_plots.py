@@ -21,8 +21,7 @@ def picture(ax):
 def test_maps():
     for options in ({"zone": "B:0.5", "angle": "free"}, {"zone": "A:0.5"}, {"direction_deg": 20}, {"model": "spatial"}):
         ax = picture(plot.map(stiffarm.map("KR 210 R2700 extra", size=40, **options)))
-        origin = "base" if "model" in options else "joint-2 axis"
-        assert ax.get_xlabel() == f"x from the {origin} [m]" and "KUKA" in ax.get_title(loc="left")
+        assert ax.get_xlabel() == "x from the base [m]" and "KUKA" in ax.get_title(loc="left")
         assert len(ax.patches) == ("zone" in options)
         assert "[mm]" in ax.figure.axes[1].get_ylabel() and "1000 N" in ax.figure.axes[1].get_ylabel()
 

@@ -62,6 +62,20 @@ pub enum PostureError {
 /// `C = (J A) k (J A)^T` with the 6 x 6 geometric Jacobian at the tool point and the transmission `A` (\[theory\], section
 /// 1); nothing is inverted, so singular postures have one too. Left out: links, bearings, base, the robot's own weight.
 ///
+/// ```
+/// use stiffarm::catalogue::find;
+/// use stiffarm::compliance::compliance;
+/// use stiffarm::spatial::Pose;
+///
+/// let robot = find("KR 210 R2700 extra").ok_or("in the catalogue")?.robot();
+/// let joints = [0.0_f64, -90.0, 90.0, 0.0, 45.0, 0.0].map(f64::to_radians);
+/// let posture = compliance(&robot, &joints, &Pose::translation(0.0, 0.0, 0.15))?;
+/// let (worst, direction) = posture.compliance.worst();
+/// assert!((worst - 4.470e-6).abs() < 1e-9); // m/N
+/// assert!((posture.shares(&direction)[1] - 0.572).abs() < 1e-3); // drive 2 gives most of it
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Where the robot is planar, or a number makes no sense. Joint limits are not checked here.
 pub fn compliance(robot: &Robot, q: &[f64; 6], flange_from_tool: &Pose) -> Result<Posture, PostureError> {

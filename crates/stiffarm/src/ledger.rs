@@ -103,6 +103,14 @@ type Key = (String, String, String);
 
 /// Computes every published number and compares it with the print.
 ///
+/// ```
+/// use stiffarm::ledger::{Printed, validate};
+///
+/// let entries = validate(&Printed::PAPER)?;
+/// assert!(entries.iter().all(|entry| entry.is_settled()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Where a text is not a table of the expected columns, or lists a disagreement that is not printed anywhere.
 pub fn validate(printed: &Printed) -> Result<Vec<Entry>, LedgerError> {

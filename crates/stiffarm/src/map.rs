@@ -285,6 +285,20 @@ impl Margins {
 ///
 /// In space the points stand for all places about the robot: joint 1 turns there, and its limits are left aside.
 ///
+/// ```
+/// use stiffarm::catalogue::find;
+/// use stiffarm::load::Load;
+/// use stiffarm::map::{MapOptions, Spacing, map};
+/// use stiffarm::model::Model;
+///
+/// let robot = find("KR 210 R2700 extra").ok_or("in the catalogue")?.robot();
+/// let map = map(&Model::planar(&robot)?, &MapOptions::over(Spacing::Step(0.05), Load::PAPER))?;
+/// let [(least, i, j), _] = map.deflection.extremes().ok_or("reached")?;
+/// assert!(1.444e-3 < least && least < 1.5e-3); // m under 1 kN
+/// println!("stiffest at {:.2} m ahead of and {:.2} m above the base", map.deflection.x.at(i), map.deflection.z.at(j));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Where an argument makes no sense or belongs to another model; a map that is too large is refused before memory is taken.
 pub fn map(model: &Model, options: &MapOptions) -> Result<Map, MapError> {

@@ -9,6 +9,19 @@ use crate::spatial::Pose;
 /// A robot made ready: frame, limits and elasticity under one set of assumptions. Every verb takes one.
 ///
 /// Positions that go in and come out count from the robot's base. What only one model can do is asked of it.
+///
+/// ```
+/// use stiffarm::catalogue::find;
+/// use stiffarm::model::Model;
+/// use stiffarm::spatial::Pose;
+///
+/// let robot = find("KR 210 R2700 extra").ok_or("in the catalogue")?.robot();
+/// let spindle = Pose::translation(0.0, 0.0, 0.25); // m, in the flange frame
+/// for model in [Model::planar(&robot)?, Model::spatial(&robot, &spindle)?] {
+///     assert!(model.is_linear_in_load(), "{}", model.kind().name());
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub enum Model {
     /// The paper's: drives 2 and 3 are compliant, the tool point is the wrist centre, work lies in the arm plane.

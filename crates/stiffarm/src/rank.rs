@@ -188,6 +188,21 @@ pub fn curves(
 ///
 /// Robots that are not of the plane are rows without values in a planar ranking, and say why.
 ///
+/// ```
+/// use stiffarm::catalogue::paper_robots;
+/// use stiffarm::load::Load;
+/// use stiffarm::model::ModelKind;
+/// use stiffarm::place::PlaceOptions;
+/// use stiffarm::rank::rank;
+/// use stiffarm::task::Task;
+///
+/// let task: Task = "B:0.5".parse()?;
+/// let ranking = rank(&paper_robots(), &[task], &ModelKind::Planar, &PlaceOptions::under(Load::PAPER), || ())?;
+/// let best = ranking.best_published(0).ok_or("some robot holds it")?;
+/// assert_eq!(best.robot.name, "KR 210 R2700 extra");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// The first robot (in the order given) that makes no sense, and in space one of which only two links are known; the first one
 /// where none is of the plane.

@@ -11,11 +11,11 @@ mod refusal;
 mod settings;
 mod wishes;
 
-pub use kind::Kind;
+pub use kind::{Count, Kind};
 pub use notation::{Angle, degrees, elevation, number, open_range, shape, tool, within, yaw};
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};
-pub use settings::{Absent, Count, Of, SETTINGS, Setting, Verb};
+pub use settings::{Absent, Of, SETTINGS, Setting, Verb};
 pub use wishes::Layer;
 
 use kind::Value;

@@ -188,6 +188,15 @@ pub enum StudyError {
 
 /// Compares two architectures over link ratio and task size (\[paper\], Fig. 4-9 and Table I), without joint limits.
 ///
+/// ```
+/// use stiffarm::study::{StudyOptions, study};
+///
+/// let study = study(&StudyOptions::paper())?;
+/// let best = study.boundaries.iter().find(|boundary| boundary.mu.is_none()).ok_or("the order changes")?;
+/// assert!((best.size - 0.549).abs() < 1e-3); // of a circle over l2 + l3: below it a serial arm is stiffer
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Where a ratio, size or compliance is out of range.
 pub fn study(options: &StudyOptions) -> Result<Study, StudyError> {

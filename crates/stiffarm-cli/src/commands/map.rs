@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::words::{direction, mapped, tool, window};
+use stiffarm::answer::words::{direction, mapped, origin, tool, window};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows};
 use stiffarm::map::{Held, MapError, Posture, map};
 use stiffarm::model::{Model, ModelKind};
@@ -90,7 +90,7 @@ impl<'a> Drawn<'a> {
     }
 
     fn origin(&self) -> &'static str {
-        if self.answer.model.knows_base() { "the base" } else { "the joint-2 axis" }
+        origin(self.answer.model.robot())
     }
 
     pub(super) fn svg(self) -> Result<String, Failure> {

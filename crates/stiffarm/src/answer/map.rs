@@ -168,7 +168,8 @@ impl MapAnswer {
                 for (name, (value, i, j)) in [("least", least), ("most", most)] {
                     let held = self.map.space.as_ref().and_then(|margins| margins.at(i, j));
                     let held = held.map_or_else(String::new, |(configuration, _)| format!(" ({configuration})"));
-                    let place = format!("x {:.3} m, z {:.3} m from the base", grid.x.at(i), grid.z.at(j));
+                    let place =
+                        format!("x {:.3} m, z {:.3} m from {}", grid.x.at(i), grid.z.at(j), words::origin(robot));
                     lines.push(line(name, format!("{:.4} mm at {place}{held}", value * 1e3)));
                 }
             }

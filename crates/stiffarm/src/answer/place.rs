@@ -112,7 +112,7 @@ impl PlaceAnswer {
         let mut lines = vec![
             line("worst deflection in the zone", format!("{:.4} mm", best.deflection * 1e3)),
             line("no place has less than", proof(best)),
-            line("centre from the base", format!("x {x:.4} m, z {z:.4} m")),
+            line(format!("centre from {}", words::origin(&self.robot)), format!("x {x:.4} m, z {z:.4} m")),
         ];
         lines.extend(outside(best).map(|note| line("note", note)));
         match best.space() {
@@ -168,11 +168,7 @@ fn hold_lines(hold: &SpaceHold) -> Vec<Line> {
     let (margin, joint) = hold.limit_margin;
     let which = if joint == 0 { "the angle between the links".into() } else { format!("joint {joint}") };
     let found = &hold.resolution;
-    let coarse = if found.coarse.is_finite() {
-        format!("best {:.4} mm", found.coarse * 1e3)
-    } else {
-        "no whole zone there".to_owned()
-    };
+    let coarse = found.coarse.map_or_else(|| "no whole zone there".into(), |best| format!("best {:.4} mm", best * 1e3));
     vec![
         line("joints there, as reported", format!("{} deg", joints.join(", "))),
         line("share of drives 1-6", percentages(&hold.shares)),
@@ -332,7 +328,7 @@ fn resolution(found: &Resolution) -> Record {
     let mut record = Record::new();
     record
         .put(field::COARSE_STEP, found.coarse_step)
-        .put(field::COARSE, found.coarse.is_finite().then_some(found.coarse))
+        .put(field::COARSE, found.coarse)
         .put(field::FINE_STEP, found.fine_step)
         .put(field::FINE_TURN, found.fine_turn)
         .put(field::SAMPLE_STEP, found.sample_step)

@@ -4,7 +4,7 @@ use crate::interval::Interval;
 use crate::load::{Component, Direction, Load};
 use crate::model::ModelKind;
 use crate::place::Within;
-use crate::robot::{Robot, Status};
+use crate::robot::{Arm, Robot, Status};
 use crate::spatial::Pose;
 
 /// A zone that is nearer to the joint-1 axis, m, stands where most robots have their own base.
@@ -36,6 +36,14 @@ pub fn architecture(robot: &Robot) -> String {
 
 /// Why there is a question mark.
 pub const ASSUMED_ARCHITECTURE: &str = "serial?: no parallelogram is reported, and none is ruled out\n";
+
+/// What positions count from, of a robot of which only two links are known their joint-2 axis.
+pub fn origin(robot: &Robot) -> &'static str {
+    match &robot.arm {
+        Arm::SixAxis { .. } => "the base",
+        Arm::Planar(_) => "the joint-2 axis",
+    }
+}
 
 /// Its name, marked where its numbers are partly assumed.
 pub fn marked(robot: &Robot) -> String {

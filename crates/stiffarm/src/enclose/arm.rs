@@ -4,12 +4,12 @@ use nalgebra::Vector3;
 
 use super::affine::{Affine, Vector};
 use super::bounds::NodeBounds;
-use super::continuity::{JointDirections, TURNED_BY_ZONE, TurnExtent};
-use super::links::{angle, distance_ring, seen_from_forearm, unit};
-use super::node::{Node, WorkPlaneEnclosure};
-use crate::batch::SpatialArm;
+use super::continuity::{JointDirections, TurnExtent};
+use super::links::{angle, seen_from_forearm, unit};
+use super::node::WorkPlaneEnclosure;
+use super::prepared::{ArmEnclosure, ToolFrameEnclosure};
 use crate::interval::Interval;
-use crate::inverse::{ArmBranch, Configuration, Shoulder, Wrist};
+use crate::inverse::{ArmBranch, Configuration, Wrist};
 use crate::plane::Elbow;
 use crate::tolerances;
 use crate::work::{WorkPlacement, WorkPlane};
@@ -17,68 +17,7 @@ use crate::work::{WorkPlacement, WorkPlane};
 /// Ranges of theta 1 to 6 and of the forearm's angle, `theta 2 + theta 3`.
 pub(crate) type Angles = [Interval; 7];
 
-/// The work plane and the tool at the placements of a node: from the wrist centre to the tool point, the flange's z and x; base
-/// axes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ToolFrameEnclosure<const N: usize> {
-    pub(crate) plane: WorkPlaneEnclosure<N>,
-    pub(super) wrist_to_tool: Vector<N>,
-    pub(super) axis_6: Vector<N>,
-    pub(super) flange_x: Vector<N>,
-}
-
-/// An arm whose kinematics and limits are evaluated for all placements of a node at once.
-#[derive(Clone, Debug)]
-pub(crate) struct ArmEnclosure {
-    pub(super) arm: SpatialArm,
-    /// From the wrist centre to the tool point (m), the flange's z and its x, in the axes of the tool.
-    wrist_to_tool: [f64; 3],
-    axis_6: [f64; 3],
-    flange_x: [f64; 3],
-    /// Squared distances of the wrist centre from the joint-2 axis, elbow up and down, that the links and the limits on
-    /// the angle between them allow.
-    pub(super) distance_rings: [Option<Interval>; 2],
-    /// By how much joints 1, 4 and 6 may turn within a zone, rad, and their ranges of model angles.
-    pub(super) turns: [f64; 3],
-    pub(super) ranges: [Interval; 3],
-}
-
 impl ArmEnclosure {
-    /// For an arm without the limits of the joints that are `free`: those that turn with the zone or the tool as a whole.
-    pub(crate) fn new(asked: &SpatialArm, free: [bool; 6]) -> Self {
-        let arm = (0..6).fold(asked.clone(), |arm, joint| arm.without_limit_on(joint, free[joint]));
-        let turns = TURNED_BY_ZONE.map(|joint| asked.limits.joints[joint].width());
-        let ranges = TURNED_BY_ZONE.map(|joint| arm.geometry.theta(joint, arm.limits.joints[joint]));
-        let tool_from_flange = arm.flange_from_tool.rotation.inverse();
-        let point = arm.flange_from_tool.translation.vector + Vector3::z() * arm.geometry.c4;
-        let seen = |v: Vector3<f64>| (tool_from_flange * v).into();
-        let (wrist_to_tool, axis_6, flange_x) = (seen(point), seen(Vector3::z()), seen(Vector3::x()));
-        let distance_rings = [1.0, -1.0].map(|sign| distance_ring(&arm, sign));
-        Self { arm, wrist_to_tool, axis_6, flange_x, distance_rings, turns, ranges }
-    }
-
-    /// How far the wrist centre lies from the axis of the tool, m.
-    pub(crate) fn beside_the_tool_axis(&self) -> f64 {
-        self.wrist_to_tool[0].hypot(self.wrist_to_tool[1])
-    }
-
-    /// The work plane and the tool at the placements of a node.
-    pub(crate) fn tool_frame<const N: usize>(&self, elevation: f64, node: &Node) -> ToolFrameEnclosure<N> {
-        let plane = WorkPlaneEnclosure::of(elevation, node);
-        let [wrist_to_tool, axis_6, flange_x] =
-            [self.wrist_to_tool, self.axis_6, self.flange_x].map(|v| plane.carried(v));
-        ToolFrameEnclosure { plane, wrist_to_tool, axis_6, flange_x }
-    }
-
-    /// Squared distance, m^2, of the wrist centre from the joint-2 axis, the tool at a point of the work plane.
-    pub(crate) fn distance(&self, plane: &WorkPlane, point: &Vector3<f64>, branch: ArmBranch) -> f64 {
-        let geometry = &self.arm.geometry;
-        let wrist = point - plane.tool() * Vector3::from(self.wrist_to_tool);
-        let ahead = (wrist.xy().norm_squared() - geometry.b * geometry.b).max(0.0).sqrt();
-        let forwards = if branch.shoulder == Shoulder::Back { -ahead } else { ahead };
-        (forwards - geometry.a1).powi(2) + (wrist.z - geometry.c1).powi(2)
-    }
-
     /// Adds what holds wherever the pose at a point of the zone is held in an arm branch with one of the `wrists`, and takes away the
     /// wrists that are impossible; `None` where no placement of the node allows the pose.
     ///
@@ -192,10 +131,13 @@ mod tests {
     use std::f64::consts::{FRAC_PI_2, TAU};
 
     use super::*;
+    use crate::batch::SpatialArm;
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
     use crate::drive::{GravityCompensator, JointCompliance, Transmission};
     use crate::enclose::middle;
+    use crate::enclose::node::Node;
+    use crate::enclose::prepared::TURNED_BY_ZONE;
     use crate::inverse::{postures, within_limits};
     use crate::robot::{Arm, Robot};
     use crate::spatial::Pose;

@@ -3,9 +3,9 @@
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
 use super::affine::{Affine, Vector};
-use super::arm::ArmEnclosure;
 use super::bounds::NodeBounds;
 use super::links::{ArmView, Links};
+use super::prepared::ArmEnclosure;
 use crate::batch::{Coupling, arm_columns};
 use crate::interval::Interval;
 use crate::inverse::{ArmBranch, Shoulder};

@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use super::affine::Affine;
-use super::arm::ArmEnclosure;
 use super::bounds::NodeBounds;
 use super::links::{angle, turned_into};
+use super::prepared::ArmEnclosure;
 use crate::batch::AngularInterval;
 use crate::interval::Interval;
 use crate::tolerances;
@@ -18,9 +18,6 @@ pub(crate) struct JointDirections<const N: usize>(pub(super) [[Affine<N>; 2]; 3]
 /// least the first number, and down to at most the second, rad.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct TurnExtent([[f64; 2]; 3]);
-
-/// The joints of [`JointDirections`], from 0.
-pub(super) const TURNED_BY_ZONE: [usize; 3] = [0, 3, 5];
 
 impl ArmEnclosure {
     /// Adds that joints 1, 4 and 6 turn by less than a quarter turn from the centre, by no more than their ranges are wide, and

@@ -5,9 +5,9 @@
 use std::f64::consts::{PI, TAU};
 
 use super::affine::{Affine, Vector};
-use super::arm::{ArmEnclosure, ToolFrameEnclosure};
+
 use super::bounds::NodeBounds;
-use crate::batch::SpatialArm;
+use super::prepared::{ArmEnclosure, ToolFrameEnclosure};
 use crate::interval::Interval;
 use crate::inverse::{ArmBranch, Shoulder};
 use crate::limits::{Limits, ThirdAxis};
@@ -180,34 +180,4 @@ pub(super) fn turned_into(range: Interval, angles: Interval) -> impl Iterator<It
     (0..turns)
         .map(move |turn| angles.affine(1.0, (first + turn as f64) * TAU))
         .filter(move |turned| wide.intersect(*turned).is_some())
-}
-
-/// The squared distances at which the limits allow the angle between the links, elbow up (`sign` 1) or down (-1).
-pub(super) fn distance_ring(arm: &SpatialArm, sign: f64) -> Option<Interval> {
-    let Limits { elbow, third_axis, joints, .. } = &arm.limits;
-    let (l2, l3, lean) = (arm.geometry.c2, arm.geometry.l3(), arm.geometry.lean());
-    // The elbow's angle from a stretched arm, 0 to pi, is theta3 + lean, or its negative.
-    let bends = |theta_3: Interval| bends(theta_3.affine(sign, sign * lean));
-    let mut allowed = bends(elbow.affine(-1.0, PI))?
-        .intersect(Interval::spanning(tolerances::PROOF_CLEARANCE, PI - tolerances::PROOF_CLEARANCE))?;
-    if *third_axis == ThirdAxis::Elbow {
-        allowed = allowed.intersect(bends(arm.geometry.theta(2, joints[2]))?)?;
-    }
-    let square = |axis_5: f64| l2 * l2 + l3 * l3 + 2.0 * l2 * l3 * axis_5.cos();
-    let hair = 1e-11 * (l2 + l3) * (l2 + l3);
-    Some(Interval::spanning((square(allowed.max()) - hair).max(0.0), square(allowed.min()) + hair))
-}
-
-/// The smallest range that holds what a range of angles shares with `0..pi`, up to whole turns.
-fn bends(angles: Interval) -> Option<Interval> {
-    let all = Interval::spanning(0.0, PI);
-    if !angles.is_bounded() || TAU <= angles.width() {
-        return Some(all);
-    }
-    let wide = Interval::spanning(angles.min() - tolerances::PROOF, angles.max() + tolerances::PROOF);
-    let first = (-wide.max() / TAU).ceil();
-    [0.0, 1.0, 2.0]
-        .into_iter()
-        .filter_map(|turn| wide.affine(1.0, (first + turn) * TAU).intersect(all))
-        .reduce(|a, b| Interval::spanning(a.min().min(b.min()), a.max().max(b.max())))
 }

@@ -13,10 +13,12 @@ mod continuity;
 mod dual_bound;
 mod links;
 mod node;
+mod prepared;
 
 pub(crate) use affine::{Affine, sin_cos};
-pub(crate) use arm::{Angles, ArmEnclosure, ToolFrameEnclosure};
+pub(crate) use arm::Angles;
 pub(crate) use bounds::NodeBounds;
 pub(crate) use continuity::TurnExtent;
 pub(crate) use dual_bound::{Line, least_largest, remaining};
 pub(crate) use node::{Node, middle, variables};
+pub(crate) use prepared::{ArmEnclosure, ToolFrameEnclosure};

@@ -341,6 +341,22 @@ impl PlaceError {
 /// ones; it is deterministic, and [`Resolution`] says how finely it looked. A branch and bound over all places then proves a lower
 /// bound (\[theory\], section 7), within 1 % of the value where a bounded number of boxes is enough for that.
 ///
+/// ```
+/// use stiffarm::catalogue::find;
+/// use stiffarm::load::Load;
+/// use stiffarm::model::Model;
+/// use stiffarm::place::{PlaceOptions, place};
+/// use stiffarm::task::Task;
+///
+/// let robot = find("KR 210 R2700 extra").ok_or("in the catalogue")?.robot();
+/// let task: Task = "B:0.5".parse()?; // 0.5 x 1 m
+/// let placed = place(&Model::planar(&robot)?, task.zone, &PlaceOptions::under(Load::PAPER))?;
+/// let best = placed.feasible().ok_or("it fits")?;
+/// assert!((best.deflection - 1.987e-3).abs() < 1e-6 && best.gap() < 1e-4); // m, proved
+/// assert!((best.centre[0] - 1.072).abs() < 1e-3 && (best.centre[1] - 0.675).abs() < 1e-3); // m from the base
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Where an argument makes no sense or belongs to another model, or the search does not end.
 pub fn place(model: &Model, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {

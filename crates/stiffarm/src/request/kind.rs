@@ -1,7 +1,6 @@
 //! What does an option take, and which value does a text stand for?
 
 use super::notation::{Angle, elevation, number, open_range, shape, tool, within, yaw};
-use super::settings::Count;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::place::Within;
@@ -60,6 +59,19 @@ pub enum Kind {
 
 /// No bound on how many.
 pub(super) const ANY: usize = usize::MAX;
+
+/// How many values an option takes, separated by commas or given several times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Count {
+    /// At least.
+    pub least: usize,
+    /// At most.
+    pub most: usize,
+    /// What is counted, such as `angles`.
+    pub what: &'static str,
+    /// For the words of a refusal.
+    pub expected: &'static str,
+}
 
 pub(super) const fn count_of(least: usize, most: usize, what: &'static str, expected: &'static str) -> Count {
     Count { least, most, what, expected }

@@ -1,6 +1,6 @@
 //! Which options are there? One row each, from which every face builds its parser, its help and its refusals.
 
-use super::kind::{ANY, Kind, count, count_of, degrees_of, number_of};
+use super::kind::{ANY, Count, Kind, count, count_of, degrees_of, number_of};
 
 /// What can be asked of the library, as a command, a function or the `verb` of a job file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,19 +70,6 @@ pub enum Absent {
     Optional,
     /// It must be given.
     Required,
-}
-
-/// How many values an option takes, separated by commas or given several times.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Count {
-    /// At least.
-    pub least: usize,
-    /// At most.
-    pub most: usize,
-    /// What is counted, such as `angles`.
-    pub what: &'static str,
-    /// For the words of a refusal.
-    pub expected: &'static str,
 }
 
 /// One option.

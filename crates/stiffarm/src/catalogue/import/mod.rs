@@ -148,6 +148,15 @@ struct Understood {
 
 /// Makes a robot file from the text of a URDF or of an OPW parameter file; `file` is named in errors and as the source.
 ///
+/// ```
+/// use stiffarm::catalogue::import::{ImportOptions, import};
+///
+/// let urdf = include_str!("../../../../../docs/examples/example_150.urdf");
+/// let imported = import(urdf, "example_150.urdf", &ImportOptions::default())?;
+/// assert!(imported.text.contains("c2_mm = 1000"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Where the text is faulty (all faults at once), no arm of this class, or where the file would not be exact.
 pub fn import(text: &str, file: &str, options: &ImportOptions) -> Result<Imported, ImportError> {

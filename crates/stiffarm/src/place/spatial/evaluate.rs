@@ -131,7 +131,7 @@ impl Search<'_> {
             singular_margin: followed.singular_margin,
             resolution: Resolution {
                 coarse_step: self.step,
-                coarse: if coarse.is_feasible() { coarse.worst * self.options.force } else { f64::NAN },
+                coarse: coarse.is_feasible().then_some(coarse.worst * self.options.force),
                 fine_step: FINE.0,
                 fine_turn: FINE.1,
                 sample_step: grid.step,

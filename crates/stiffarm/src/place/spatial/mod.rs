@@ -62,8 +62,8 @@ impl Question {
 pub struct Resolution {
     /// Distance between the places of the coarse search, m.
     pub coarse_step: f64,
-    /// The best value of the coarse search, m.
-    pub coarse: f64,
+    /// The best value of the coarse search, m; `None` where it saw no whole zone.
+    pub coarse: Option<f64>,
     /// The last step of the refinement, m.
     pub fine_step: f64,
     /// The last step of the refinement, rad.

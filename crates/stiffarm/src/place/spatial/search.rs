@@ -48,7 +48,7 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
             break;
         }
         // What the coarse search saw stays what it is.
-        let coarse = found.map_or(f64::NAN, |placement| placement.resolution.coarse);
+        let coarse = found.map_or(None, |placement| placement.resolution.coarse);
         found = Ok(Solution { resolution: Resolution { coarse, ..better.resolution }, ..better });
         proof = branch_and_bound.prove(value(&found));
     }
