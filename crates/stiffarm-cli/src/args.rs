@@ -103,6 +103,7 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
     }
     let request = Request::read(verb, &pairs, reader)?;
     if let Some(file) = matches.get_one::<String>(SAVE_JOB) {
+        request.check_complete()?;
         save(&request, Path::new(file), &common)?;
     }
     Ok((Task::Ask(request), common))

@@ -21,8 +21,8 @@
 //! [`model`], [`map`], [`place`], [`rank`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
-//! The planar model of the paper, on which all verbs but `compliance` stand: drives 2 and 3 are compliant, links, bearings, the other drives and the base are
-//! rigid; the tool point is the wrist centre; the deflection is elastic and static, without the robot's own weight.
+//! In both models links, bearings and the base are rigid; the deflection is elastic and static, without the robot's own weight. The planar
+//! model of the paper leaves out the drives 1, 4, 5 and 6 and the tool besides: its tool point is the wrist centre.
 //!
 //! # Sources
 //! - **\[paper\]** A. Klimchik, E. Magid, A. Pashkevich, *Machining with serial and quasi-serial industrial robots:

@@ -8,7 +8,7 @@ use crate::spatial::Pose;
 
 /// A robot made ready: frame, limits and elasticity under one set of assumptions. Every verb takes one.
 ///
-/// Positions that go in and come out count from the robot's base. What only one model can do is asked of it.
+/// Positions that go in and come out count from the robot's base (of two links alone, from their joint-2 axis). What only one model can do is asked of it.
 ///
 /// ```
 /// use stiffarm::catalogue::find;

@@ -81,6 +81,15 @@ impl Request {
         Ok(request)
     }
 
+    /// Checks that everything is given that must be.
+    ///
+    /// # Errors
+    /// The first that is missing.
+    pub fn check_complete(&self) -> Result<(), Refusal> {
+        let missing = |setting: &&Setting| setting.absent == Absent::Required && !self.is_given(setting.name);
+        self.verb.settings().find(missing).map_or(Ok(()), |setting| Err(self.missing(setting.name)))
+    }
+
     /// Was it given, rather than left to its default?
     pub fn is_given(&self, name: &str) -> bool {
         self.find(name).is_some()

@@ -517,3 +517,17 @@ fn whole_turns_between_the_zeros_of_joints_change_nothing() {
         }
     }
 }
+
+// The arm plane of a TX90 stands 50 mm to the left of its joint-1 axis.
+#[test]
+fn a_zone_in_an_arm_plane_beside_the_joint_1_axis_is_as_far_from_it_as_it_lies() {
+    let robot = stiffarm::catalogue::find("TX90").unwrap().robot();
+    let placed =
+        place(&Model::planar(&robot).unwrap(), Zone::Circle { diameter: 0.1 }, &PlaceOptions::under(Load::PAPER));
+    let placed = placed.unwrap();
+    let best = placed.feasible().unwrap();
+    assert!((best.worst_point[1] - 0.05).abs() < 1e-12, "{best:?}");
+    let expected = (best.centre[0] - 0.05).hypot(0.05);
+    assert!((best.from_axis_1.unwrap() - expected).abs() < 1e-12 && 0.051 < expected, "{best:?}");
+    assert_eq!(best.outside.unwrap().below, best.centre[1] < 0.05);
+}

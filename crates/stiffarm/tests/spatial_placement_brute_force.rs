@@ -348,8 +348,9 @@ impl Question {
         let at = |point| stand.pose(options.elevation, point).translation.vector.xy().norm();
         let nearest = self::rim(self.zone, 24).into_iter().map(at).fold(f64::INFINITY, f64::min);
         let part = self.zone.sides().into_iter().fold(0.0, f64::max) / 24.0;
-        let off = found.from_axis_1 - nearest;
-        assert!(-part <= off && off <= 1e-2 * part, "{nearest} {}: {}", found.from_axis_1, case());
+        let from_axis_1 = found.from_axis_1.expect("in space");
+        let off = from_axis_1 - nearest;
+        assert!(-part <= off && off <= 1e-2 * part, "{nearest} {from_axis_1}: {}", case());
         let shares = worst.shares(&direction).into_iter().zip(hold.shares).map(|(a, b)| (a - b).abs());
         assert!(shares.fold(0.0, f64::max) < 1e-9, "{}", case());
         // The library halves its steps until that gains less than a thousandth.

@@ -154,7 +154,8 @@ fn subtitle(answer: &MapAnswer) -> String {
     match model.kind() {
         ModelKind::Planar => {
             let within = zone.as_ref().and_then(|zone| zone.placed.feasible().and(zone.options.within));
-            let within = within.map_or_else(String::new, |within| format!("; zone within {}", window(&within)));
+            let within = within
+                .map_or_else(String::new, |within| format!("; zone within {}", window(&within, origin(model.robot()))));
             format!("{start}; {}, planar model{within}", mapped(options.load))
         }
         ModelKind::Spatial(flange_from_tool) => {

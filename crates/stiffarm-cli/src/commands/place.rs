@@ -52,12 +52,13 @@ impl PlaceOutput {
     /// What is drawn, where there is something.
     fn feasible(&self) -> Result<(&Placement, Option<&SpaceHold>), Failure> {
         let PlaceAnswer { robot, task, placed, .. } = &self.answer;
-        match (placed, &self.model) {
-            (Placed::Infeasible { reason, .. }, Model::Spatial(_)) => {
-                Err(Failure::Usage(format!("{}: no place for {} to draw: {reason}", robot.name, task.label)))
+        match placed {
+            Placed::Feasible(best) => Ok((best, best.space())),
+            Placed::Infeasible { reason, is_proved, .. } => {
+                let proof = if *is_proved { "; it is proved that there is none" } else { "" };
+                let why = format!("{}: no place for {} to draw: {reason}{proof}", robot.name, task.label);
+                Err(Failure::Usage(why))
             }
-            (Placed::Feasible(best), _) => Ok((best, best.space())),
-            (Placed::Infeasible { .. }, Model::Planar(_)) => Err(Failure::Figure("there is no zone to draw".into())),
         }
     }
 
@@ -121,9 +122,9 @@ impl PlaceOutput {
 
     /// The zone on the section that points straight ahead, and what is seen along the tool axis.
     fn figure(&self) -> Result<String, Failure> {
+        let (best, hold) = self.feasible()?;
         let map = self.mapped()?;
         let Model::Spatial(_) = self.model else { return Drawn::of_zone(&map).svg() };
-        let (best, hold) = self.feasible()?;
         let bearing = hold.map_or(0.0, |hold| hold.bearing);
         // Turned back: the section points straight ahead.
         let ((s, c), [wx, wy, wz]) = (bearing.sin_cos(), best.worst_point);
@@ -169,9 +170,9 @@ impl PlaceOutput {
     }
 
     fn in_space(&self) -> Result<View, Failure> {
+        let (best, hold) = self.feasible()?;
         let map = self.mapped()?;
         let Model::Spatial(_) = self.model else { return Ok(Drawn::of_zone(&map).view()) };
-        let (best, hold) = self.feasible()?;
         let (s, c) = hold.map_or(0.0, |hold| hold.bearing).sin_cos();
         let turned = |[x, y, z]: Point| [c * x - s * y, s * x + c * y, z];
         let cell = |point: &ZonePoint| Cell { at: turned(point.at), mm: point.deflection.map(|metres| metres * 1e3) };

@@ -72,7 +72,7 @@ impl Answer for Ledger {
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut answer = Record::new();
         answer.put(field::ROWS, self.0.iter().map(|entry| record(entry).json()).collect::<Value>());
-        pretty(out, &with_schema("validate", &answer))
+        pretty(out, &with_schema("validate", "none", &answer))
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -60,7 +60,7 @@ impl ComplianceAnswer {
 
     /// As JSON.
     pub fn json(&self) -> Value {
-        with_schema("compliance", &self.record())
+        with_schema("compliance", super::ORIGIN, &self.record())
     }
 
     /// The 6 x 6 matrix for a spreadsheet: from each force and moment to translation and rotation, SI.

@@ -19,30 +19,18 @@ pub enum Unit {
     MicrometrePerNewton,
     /// kg.
     Kilogram,
+    /// As it was given, in the unit named.
+    Given(&'static str),
 }
 
 impl Unit {
     /// A number in SI as it is told; what is zero has no sign.
     pub fn told(self, si: f64) -> f64 {
         match self {
-            Self::One | Self::Metre | Self::Newton | Self::Kilogram => si + 0.0,
+            Self::One | Self::Metre | Self::Newton | Self::Kilogram | Self::Given(_) => si + 0.0,
             Self::Millimetre | Self::Milliradian => si * 1e3 + 0.0,
             Self::Degree => si.to_degrees() + 0.0,
             Self::MicrometrePerNewton => si * 1e6 + 0.0,
-        }
-    }
-
-    /// As it is written.
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            Self::One => "1",
-            Self::Metre => "m",
-            Self::Millimetre => "mm",
-            Self::Degree => "deg",
-            Self::Milliradian => "mrad",
-            Self::Newton => "N",
-            Self::MicrometrePerNewton => "um/N",
-            Self::Kilogram => "kg",
         }
     }
 }
@@ -118,7 +106,7 @@ fields! {
     TASK: "task", Kind::Text, "The zone as it was asked for.";
     MODEL: "model", Kind::Text, "planar or spatial.";
     FORCE: "force_n", Kind::Number(Unit::Newton), "The cutting force.";
-    TOOL: "tool_mm", numbers(Unit::One, &["tool_x_mm", "tool_y_mm", "tool_z_mm", "tool_rx_deg", "tool_ry_deg", "tool_rz_deg"]),
+    TOOL: "tool_mm", numbers(Unit::Given("mm"), &["tool_x_mm", "tool_y_mm", "tool_z_mm", "tool_rx_deg", "tool_ry_deg", "tool_rz_deg"]),
         "The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg.";
     TOOL_DIRECTION: "tool_direction_deg", Kind::Number(Unit::Degree), "The tool axis above the horizontal.";
     WITHIN: "within_m", Kind::Numbers { unit: Unit::Metre, columns: &["within_x0_m", "within_x1_m", "within_z0_m", "within_z1_m"], nested: 2 },
@@ -158,9 +146,9 @@ fields! {
     SAMPLES: "samples", Kind::Count, "How many they are.";
     HALVING: "halving", Kind::Number(Unit::One), "By how much the value grew when that distance was halved last, relative.";
     BOXES: "boxes", Kind::Count, "Boxes of places behind the lower bound.";
-    TOLERANCE: "tolerance_mm", Kind::Number(Unit::One), "The largest deflection that is acceptable.";
+    TOLERANCE: "tolerance_mm", Kind::Number(Unit::Given("mm")), "The largest deflection that is acceptable.";
     PASS: "pass", Kind::Truth, "The tolerance is kept.";
-    MARGIN: "margin_mm", Kind::Number(Unit::One), "What is left of the tolerance.";
+    MARGIN: "margin_mm", Kind::Number(Unit::Given("mm")), "What is left of the tolerance.";
     RANK: "rank", Kind::Count, "From 1; none for a robot that is estimated, or of which nothing is known.";
     PLANAR_RANK: "planar_rank", Kind::Count, "The rank in the planar ranking of the same robots and tasks.";
     BOUND: "bound_mm", Kind::Number(Unit::Millimetre), "Deflection at the stiffest posture of the links.";
@@ -174,7 +162,7 @@ fields! {
     BEST_SERIAL: "best_serial", Kind::Text, "The best serial robot.";
     BEST_QUASI_SERIAL: "best_quasi_serial", Kind::Text, "The best quasi-serial robot.";
     SUMMARY: "summary", Kind::Nested, "What a manager would read.";
-    JOINTS: "joints_deg", numbers(Unit::One, &["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]), "Joint angles as the robot reports them, deg.";
+    JOINTS: "joints_deg", numbers(Unit::Given("deg"), &["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]), "Joint angles as the robot reports them, deg.";
     TCP: "tcp_m", numbers(Unit::Metre, &["tcp_x_m", "tcp_y_m", "tcp_z_m"]), "The tool point.";
     COMPLIANCE: "compliance_um_per_n", Kind::Numbers { unit: Unit::MicrometrePerNewton, columns: &[], nested: 3 }, "From force to translation, base axes.";
     COMPLIANCE_6X6: "compliance_6x6_si", Kind::Numbers { unit: Unit::One, columns: &[], nested: 6 }, "From wrench to translation and rotation, base axes, SI.";
@@ -236,9 +224,13 @@ mod tests {
                 Some(Unit::Newton) => "_n",
                 Some(Unit::MicrometrePerNewton) => "_um_per_n",
                 Some(Unit::Kilogram) => "_kg",
+                Some(Unit::Given(unit)) => unit,
                 Some(Unit::One) | None => "",
             };
             assert!(field.key.ends_with(ending), "{field:?}");
+            let endings = ["_m", "_mm", "_deg", "_mrad", "_n", "_um_per_n", "_kg"];
+            let has_unit = endings.iter().any(|ending| field.key.ends_with(ending));
+            assert!(!ending.is_empty() || !has_unit || field.unit().is_none(), "a number of no unit: {field:?}");
             assert!(field.about.ends_with('.') && field.about.is_ascii(), "{field:?}");
             if let Kind::Numbers { columns, .. } = field.kind {
                 assert!(columns.is_empty() || 1 < columns.len(), "{field:?}");

@@ -65,6 +65,16 @@ impl MapAnswer {
         layers
     }
 
+    fn schema(&self) -> Value {
+        schema("map", words::origin(self.model.robot()))
+    }
+
+    /// Keys of what the model does not know.
+    fn absent(&self) -> &'static [field::Field] {
+        const OF_SPACE: &[field::Field] = &[field::LIMIT_MARGIN, field::SINGULAR_MARGIN, field::POSTURE, field::ROLL];
+        if self.map.space.is_some() { &[] } else { OF_SPACE }
+    }
+
     fn held(&self) -> Held {
         self.options.held.unwrap_or(Held::TOOL_DOWN)
     }
@@ -105,7 +115,7 @@ impl MapAnswer {
     /// Never: texts and finite numbers are JSON.
     pub fn head_json(&self) -> Value {
         let mut object = super::Object::new();
-        object.insert("schema".into(), schema("map"));
+        object.insert("schema".into(), self.schema());
         object.extend(self.head().json().as_object().cloned().unwrap_or_default());
         object.insert("x_m".into(), json!(self.map.deflection.x.points()));
         object.insert("z_m".into(), json!(self.map.deflection.z.points()));
@@ -114,6 +124,9 @@ impl MapAnswer {
         }
         for (key, grid) in self.grids() {
             object.insert(key.into(), serde_json::to_value(grid).expect("texts and numbers"));
+        }
+        for field in self.absent() {
+            object.insert(field.key.into(), Value::Null);
         }
         Value::Object(object)
     }
@@ -217,7 +230,7 @@ fn held_cells(margins: &Margins, i: usize, j: usize) -> [Cell; 4] {
 impl Serialize for MapAnswer {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut object = serializer.serialize_map(None)?;
-        object.serialize_entry("schema", &schema("map"))?;
+        object.serialize_entry("schema", &self.schema())?;
         for (key, value) in self.head().json().as_object().into_iter().flatten() {
             object.serialize_entry(key, value)?;
         }
@@ -228,6 +241,9 @@ impl Serialize for MapAnswer {
         }
         for (key, cells) in self.grids() {
             object.serialize_entry(key, &cells)?;
+        }
+        for field in self.absent() {
+            object.serialize_entry(field.key, &Value::Null)?;
         }
         object.end()
     }

@@ -35,18 +35,20 @@ type Object = serde_json::Map<String, Value>;
 /// left out where nothing was known. 2: every position counts from the robot's base, and every key is told.
 pub const SCHEMA: usize = 2;
 
-/// Where every position in an answer counts from.
-pub const ORIGIN: &str = "robot base, x forward, y left, z up";
+/// What every position in an answer counts from; of a robot of which only two links are known, from their joint-2 axis.
+pub const ORIGIN: &str = "the base";
 
 /// What a program must know to read an answer.
-pub fn schema(verb: &str) -> Value {
-    json!({ "version": SCHEMA, "verb": verb, "origin": ORIGIN, "units": "the ending of each key" })
+pub fn schema(verb: &str, origin: &str) -> Value {
+    json!({
+        "version": SCHEMA, "verb": verb, "origin": origin, "axes": "x forward, y left, z up", "units": "the ending of each key",
+    })
 }
 
 /// An answer as JSON: its schema, then its fields.
-pub fn with_schema(verb: &str, record: &Record) -> Value {
+pub fn with_schema(verb: &str, origin: &str, record: &Record) -> Value {
     let mut object = Object::new();
-    object.insert("schema".into(), schema(verb));
+    object.insert("schema".into(), schema(verb, origin));
     if let Value::Object(fields) = record.json() {
         object.extend(fields);
     }

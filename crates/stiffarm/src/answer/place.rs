@@ -58,7 +58,7 @@ impl PlaceAnswer {
 
     /// As JSON.
     pub fn json(&self) -> Value {
-        with_schema("place", &self.record())
+        with_schema("place", words::origin(&self.robot), &self.record())
     }
 
     /// One row for a spreadsheet.
@@ -80,7 +80,7 @@ impl PlaceAnswer {
             }
         }
         lines.push(line("force", words::load(options.load, model)));
-        lines.push(line("allowed place", window(&allowed(model, options))));
+        lines.push(line("allowed place", window(&allowed(model, options), words::origin(robot))));
         match placed {
             Placed::Feasible(best) => lines.extend(self.lines(best)),
             Placed::Infeasible { reason, is_proved, largest_scale } => {
@@ -147,8 +147,8 @@ impl PlaceAnswer {
         lines.push(line("angle of the first side", degrees(best.angle)));
         lines.push(line("roll of the tool", degrees(hold.roll)));
         lines.push(line("posture", hold.configuration.to_string()));
-        if best.from_axis_1 < COLUMN {
-            let near = format!("{:.2} m; the robot's own base stands there, --within keeps away", best.from_axis_1);
+        if let Some(near) = best.from_axis_1.filter(|near| *near < COLUMN) {
+            let near = format!("{near:.2} m; the robot's own base stands there, --within keeps away");
             lines.push(line("nearest to the joint-1 axis", near));
         }
         lines
@@ -208,7 +208,7 @@ fn proof(best: &Placement) -> String {
 
 /// Says where a place lies partly below the base or behind the joint-1 axis: reached, but rarely meant.
 fn outside(best: &Placement) -> Option<String> {
-    let Outside { below, behind } = best.outside;
+    let Outside { below, behind } = best.outside?;
     let place = match (below, behind) {
         (false, false) => return None,
         (true, false) => "below the base",
@@ -313,9 +313,9 @@ fn held(record: &mut Record, best: Option<&Placement>) {
         .put(field::ELBOW, best.map(|best| best.elbow.name()))
         .put(field::WRIST, hold.map(|hold| hold.configuration.wrist.name()))
         .put(field::WORST_POINT, best.map(|best| best.worst_point))
-        .put(field::FROM_AXIS_1, best.map(|best| best.from_axis_1))
-        .put(field::BELOW_BASE, best.map(|best| best.outside.below))
-        .put(field::BEHIND_AXIS_1, best.map(|best| best.outside.behind))
+        .put(field::FROM_AXIS_1, best.and_then(|best| best.from_axis_1))
+        .put(field::BELOW_BASE, best.and_then(|best| best.outside).map(|outside| outside.below))
+        .put(field::BEHIND_AXIS_1, best.and_then(|best| best.outside).map(|outside| outside.behind))
         .put(field::WORST_JOINTS, hold.map(|hold| hold.joints))
         .put(field::WORST_SHARES, hold.map(|hold| hold.shares))
         .put(field::LIMIT_MARGIN, of(|hold| hold.limit_margin.0))

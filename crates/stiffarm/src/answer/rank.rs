@@ -44,7 +44,7 @@ impl RankAnswer {
 
     /// As JSON.
     pub fn json(&self) -> Value {
-        with_schema("rank", &self.record())
+        with_schema("rank", super::ORIGIN, &self.record())
     }
 
     fn rows_json(&self) -> Value {
@@ -199,7 +199,7 @@ impl RankAnswer {
 
     /// How the tool is held, and where zones may stand.
     pub fn stance(&self) -> String {
-        let within = words::window(&allowed(&self.ranking.model, &self.options));
+        let within = words::window(&allowed(&self.ranking.model, &self.options), "the base");
         match &self.ranking.model {
             ModelKind::Planar => format!("zones {within}"),
             ModelKind::Spatial(tool) => {
@@ -292,7 +292,7 @@ impl RankAnswer {
 
     /// Names the places that lie partly below the base: reached, but rarely meant.
     fn below_base(&self) -> String {
-        let named = self.named(|best| best.outside.below);
+        let named = self.named(|best| best.outside.is_some_and(|outside| outside.below));
         named.map_or_else(String::new, |names| {
             format!("zones partly below the base (--within=..,0.. keeps them above): {names}\n")
         })
@@ -300,7 +300,7 @@ impl RankAnswer {
 
     /// Names the places in space where most robots have their own base.
     fn in_column(&self) -> String {
-        let named = self.named(|best| best.space().is_some() && best.from_axis_1 < COLUMN);
+        let named = self.named(|best| best.space().is_some() && best.from_axis_1.is_some_and(|near| near < COLUMN));
         named.map_or_else(String::new, |names| {
             format!(
                 "zones within {COLUMN} m of the joint-1 axis, where the robot's own base stands (--within keeps away): {names}\n"
@@ -418,7 +418,8 @@ impl RankAnswer {
             (0..row.cells.len())
                 .all(|task| row.deflection(task).is_some_and(|deflection| Verdict::of(deflection, tolerance).passes))
         };
-        let passing: Vec<&str> = self.ranking.rows.iter().filter(keeps).map(|row| row.robot.name.as_str()).collect();
+        let passing: Vec<String> =
+            self.ranking.rows.iter().filter(keeps).map(|row| words::marked(&row.robot)).collect();
         if passing.is_empty() {
             format!("No robot keeps {tolerance} mm on every task.")
         } else {

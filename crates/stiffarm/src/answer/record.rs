@@ -1,9 +1,9 @@
 //! Fields with their values: what every printer of an answer reads.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
-use super::field::{Field, Kind, Unit};
+use super::field::{Field, Kind};
 use super::rows::{Cell, Column, ColumnKind};
 
 /// A value, in SI where its field has a unit.
@@ -96,16 +96,6 @@ impl Record {
         self
     }
 
-    /// All fields and values.
-    pub fn fields(&self) -> &[(Field, Datum)] {
-        &self.0
-    }
-
-    /// The value under a key; absent where there is none.
-    pub fn get(&self, key: &str) -> &Datum {
-        self.0.iter().find(|(field, _)| field.key == key).map_or(&Datum::Absent, |(_, datum)| datum)
-    }
-
     /// As JSON: every key, null where nothing is known.
     pub fn json(&self) -> Value {
         Value::Object(self.0.iter().map(|(field, datum)| (field.key.to_owned(), told(field, datum))).collect())
@@ -119,15 +109,6 @@ impl Record {
     /// The same record as a row of that table.
     pub fn cells(&self) -> Vec<Cell> {
         self.0.iter().flat_map(|(field, datum)| cells_of(field, datum)).collect()
-    }
-
-    /// The units of its numbers by their keys.
-    pub fn units(&self) -> Map<String, Value> {
-        let unit = |(field, _): &(Field, Datum)| {
-            let unit = field.unit().filter(|unit| *unit != Unit::One)?;
-            Some((field.key.to_owned(), json!(unit.symbol())))
-        };
-        self.0.iter().filter_map(unit).collect()
     }
 }
 
@@ -207,7 +188,6 @@ mod tests {
         assert_eq!(record.columns().len(), record.cells().len());
         assert_eq!(record.cells()[3..7], [Cell::Number(0.0), Cell::Absent, Cell::Number(1.0), Cell::Number(2.0)]);
         assert_eq!(record.cells()[7..], [Cell::Absent, Cell::Absent, Cell::Absent, Cell::Count(3)]);
-        assert_eq!(record.units()["deflection_mm"], "mm");
     }
 
     #[test]

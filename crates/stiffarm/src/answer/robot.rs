@@ -34,7 +34,7 @@ pub fn sheet(robot: &Robot) -> Value {
             json!({
                 "l2_m": arm.l2, "l3_m": arm.l3, "k2_urad_per_nm": arm.k2 * 1e6, "k3_urad_per_nm": arm.k3 * 1e6,
                 "shoulder_deg": range(arm.shoulder), "elbow_deg": range(arm.elbow), "forearm_deg": range(arm.forearm),
-                "axis_from_base_m": plane.axis_from_base, "bound_um_per_n": floor(robot),
+                "axis_from_base_m": matches!(robot.arm, Arm::SixAxis { .. }).then_some(plane.axis_from_base), "bound_um_per_n": floor(robot),
             }),
         );
     }

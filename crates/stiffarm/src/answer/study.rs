@@ -50,7 +50,7 @@ impl StudyAnswer {
         record
             .put(field::ROWS, self.records().map(|record| record.json()).collect::<Value>())
             .put(field::BOUNDARIES, self.boundaries());
-        with_schema("study", &record)
+        with_schema("study", "none", &record)
     }
 
     /// Every accuracy, for a spreadsheet.

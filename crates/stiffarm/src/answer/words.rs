@@ -122,8 +122,8 @@ pub(crate) fn tool_mm(tool: &Pose) -> [f64; 6] {
     [x, y, z, rx.to_degrees(), ry.to_degrees(), rz.to_degrees()].map(|part| part + 0.0)
 }
 
-/// Where a zone may stand.
-pub fn window(within: &Within) -> String {
+/// Where a zone may stand, and what that counts from.
+pub fn window(within: &Within, origin: &str) -> String {
     let range = |range: Interval| {
         let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
         format!("{}..{}", end(range.min()), end(range.max()))
@@ -131,5 +131,5 @@ pub fn window(within: &Within) -> String {
     if *within == Within::ANYWHERE {
         return "anywhere".into();
     }
-    format!("x {} m, z {} m from the base", range(within.x), range(within.z))
+    format!("x {} m, z {} m from {origin}", range(within.x), range(within.z))
 }

@@ -60,7 +60,9 @@ impl Unreadable {
     pub fn advice(&self) -> &'static str {
         match &self.why {
             Why::System(error) => match error.kind() {
-                ErrorKind::NotFound => "is the path right? it counts from the folder in which the command is given",
+                ErrorKind::NotFound => {
+                    "is the path right? it counts from the folder in which the command is given, in a job file from that of the job"
+                }
                 ErrorKind::PermissionDenied => "ask its owner for the right to read it and every folder above it",
                 ErrorKind::NotADirectory => "a part of the path before the last is a file, not a folder",
                 ErrorKind::InvalidFilename => "the path is longer than the system takes; was a text given for a file?",

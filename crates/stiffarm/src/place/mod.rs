@@ -14,6 +14,7 @@ use crate::inverse::Configuration;
 use crate::load::{Direction, Load};
 use crate::model::{Model, ModelError};
 use crate::plane::Elbow;
+use crate::robot::NoArmPlane;
 use crate::task::Zone;
 use crate::tolerances;
 
@@ -121,10 +122,11 @@ pub struct Placement {
     pub elbow: Elbow,
     /// Where in the zone the deflection is largest.
     pub worst_point: [f64; 3],
-    /// Distance of the zone's nearest point from the joint-1 axis: the robot's own base and column stand there.
-    pub from_axis_1: f64,
-    /// What of the zone is reached but rarely meant.
-    pub outside: Outside,
+    /// Distance of the zone's nearest point from the joint-1 axis: the robot's own base and column stand there. `None` where it is not
+    /// known where the base stands.
+    pub from_axis_1: Option<f64>,
+    /// What of the zone is reached but rarely meant; `None` where it is not known where the base stands.
+    pub outside: Option<Outside>,
     /// How the arm holds it.
     pub hold: Hold,
 }
@@ -190,9 +192,6 @@ pub struct Outside {
 }
 
 impl Outside {
-    /// Nothing of it does, or where the base stands is not known.
-    pub const NOWHERE: Self = Self { below: false, behind: false };
-
     /// Of an upright box around a zone, by its centre from the base and half its sides.
     fn of([x, z]: [f64; 2], half: Vector2<f64>) -> Self {
         Self { below: z - half.y < -tolerances::OUTSIDE, behind: x - half.x < -tolerances::OUTSIDE }
@@ -321,7 +320,7 @@ impl PlaceError {
     /// The robot is sound, but the planar model does not hold for it: a compensator, an unusual coupling, or rigid drives 2
     /// and 3.
     pub fn is_not_of_the_plane(&self) -> bool {
-        matches!(self, Self::Model(ModelError::NoArmPlane(_)))
+        matches!(self, Self::Model(ModelError::NoArmPlane(error)) if *error != NoArmPlane::Limits)
     }
 }
 

@@ -37,7 +37,9 @@ pub struct Job {
 /// Is this the text of a job file? It has a key `verb` at its top, which no robot file has.
 pub fn is_job(text: &str) -> bool {
     if let Ok(root) = DeTable::parse(text) {
-        return root.get_ref().contains_key("verb");
+        // What names a robot or a task, and has no name itself, is a job whose verb was forgotten.
+        let has = |key: &str| root.get_ref().contains_key(key);
+        return has("verb") || !has("name") && (has("robot") || has("robots") || has("task"));
     }
     // Of a text that is no TOML, so that what is wrong is said of a job.
     let top = text.lines().map(str::trim_start).take_while(|line| !line.starts_with('['));
@@ -131,7 +133,7 @@ impl Reader<'_> {
 
     /// A path that is relative counts from the folder of the file.
     fn rebased(&self, name: &str, text: String) -> String {
-        let is_path = name == "output" || is_path(&text);
+        let is_path = name == "output" || is_path(&text) || !is_name(&text) && self.folder.join(&text).is_dir();
         if is_path { self.folder.join(text).to_string_lossy().into_owned() } else { text }
     }
 }
@@ -152,8 +154,11 @@ impl Job {
 /// A file or folder of robots rather than a name: no name of the catalogue, no pattern, no set; it has a separator in it, or the
 /// ending of a robot file.
 fn is_path(text: &str) -> bool {
-    let is_name = catalogue::find(text).is_some() || text.contains(['*', '?', '[']) || matches!(text, "paper" | "all");
-    !is_name && (text.contains(['/', MAIN_SEPARATOR]) || files::is_robot_file(Path::new(text)))
+    !is_name(text) && (text.contains(['/', MAIN_SEPARATOR]) || files::is_robot_file(Path::new(text)))
+}
+
+fn is_name(text: &str) -> bool {
+    catalogue::find(text).is_some() || text.contains(['*', '?', '[']) || matches!(text, "paper" | "all")
 }
 
 /// The value of a key as it would be typed, once for each of several values.

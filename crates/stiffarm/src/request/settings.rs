@@ -127,7 +127,8 @@ impl Setting {
             Absent::Means(words) => format!(" [default: {words}]"),
             _ => String::new(),
         };
-        format!("{first}{unit}{rest}{absent}")
+        let model = if self.of == Of::Planar { " [planar model only]" } else { "" };
+        format!("{first}{unit}{rest}{absent}{model}")
     }
 }
 

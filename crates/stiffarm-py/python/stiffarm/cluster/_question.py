@@ -211,7 +211,7 @@ def _doubled(known: dict[str, Any], times: int, options: dict[str, str]) -> dict
     for key in ("deflection_mm", "lower_bound_mm"):
         if row.get(key) is not None:
             row[key] = math.ldexp(row[key], times)
-    if "pass" in row and row.get("deflection_mm") is not None:
+    if row.get("pass") is not None and row.get("deflection_mm") is not None:
         row["pass"] = row["deflection_mm"] <= float(options["tolerance_mm"])
     return row
 

@@ -104,8 +104,8 @@ impl Solution {
             angle: self.angle,
             elbow: self.elbow,
             worst_point: [wx + ahead, model.aside(), wz + up],
-            from_axis_1: (centre[0].abs() - half.x).max(0.0),
-            outside: if model.knows_base() { Outside::of(centre, half) } else { Outside::NOWHERE },
+            from_axis_1: model.knows_base().then(|| (centre[0].abs() - half.x).max(0.0).hypot(model.aside())),
+            outside: model.knows_base().then(|| Outside::of(centre, half)),
             hold: Hold::Plane { posture: self.worst_posture },
         }
     }

@@ -108,8 +108,8 @@ impl From<Solution> for Placement {
             angle: found.angle,
             elbow: found.configuration.elbow,
             worst_point: found.worst_point,
-            from_axis_1: found.from_axis_1,
-            outside: found.outside,
+            from_axis_1: Some(found.from_axis_1),
+            outside: Some(found.outside),
             hold: Hold::Space(Box::new(SpaceHold {
                 bearing: found.bearing,
                 yaw: found.yaw,
