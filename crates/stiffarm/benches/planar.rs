@@ -55,7 +55,7 @@ fn placements(c: &mut Criterion) {
     for (name, options) in [("exact", anywhere), ("within", on_a_table), ("within_any_angle", turned)] {
         let robot = robot(&robots, "BT200L");
         group.bench_function(name, |b| {
-            b.iter(|| place(&Model::planar(black_box(&robot)).expect("a plane"), zone, &options))
+            b.iter(|| place(&Model::planar(black_box(&robot)).expect("a plane"), zone, &options));
         });
     }
     group.finish();
@@ -66,7 +66,7 @@ fn tables(c: &mut Criterion) {
     let tasks = tasks(&["A:0.1", "A:1.0", "B:0.1", "B:0.5", "C:0.05", "C:0.15"]);
     let options = PlaceOptions::under(Load::PAPER);
     c.bench_function("rank_ten_robots_six_tasks", |b| {
-        b.iter(|| rank(black_box(&robots), &tasks, &ModelKind::Planar, &options, || ()))
+        b.iter(|| rank(black_box(&robots), &tasks, &ModelKind::Planar, &options, || ()));
     });
     let paper = StudyOptions::paper();
     let mut group = c.benchmark_group("table_1");

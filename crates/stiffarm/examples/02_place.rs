@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!("centre {:.3?} m from the base, elbow {}", best.centre, best.elbow.name());
         }
         Placed::Infeasible { reason, largest_scale, .. } => {
-            println!("{reason}; {largest_scale:.3?} of the size would fit")
+            println!("{reason}; {largest_scale:.3?} of the size would fit");
         }
     }
     Ok(())

@@ -145,7 +145,7 @@ pub fn curves(
         let mut curve = Curve { points: Vec::new(), is_complete: false };
         let model = match kind.of(robot).map_err(PlaceError::from) {
             Err(error) if error.is_not_of_the_plane() => {
-                scales.iter().for_each(|_| done());
+                (0..scales.len()).for_each(|_| done());
                 return Ok(curve);
             }
             model => model.map_err(|error| failed(robot, shape, error))?,

@@ -1,5 +1,7 @@
 //! How is a map told?
 
+use std::fmt::Write as _;
+
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 
@@ -168,7 +170,7 @@ impl MapAnswer {
         let mut mapped = format!("{}, {} model", words::mapped(self.options.load), kind.name());
         let mut lines = vec![line("robot", words::robot(robot))];
         if let ModelKind::Spatial(tool) = kind {
-            mapped += &format!(", {}", words::direction(self.held().elevation));
+            let _ = write!(mapped, ", {}", words::direction(self.held().elevation));
             lines.push(line("mapped", mapped));
             lines.push(line("tool", words::tool(&tool)));
         } else {

@@ -70,18 +70,20 @@ impl Wanted {
     /// Of a rectangle on a table or a wall.
     fn on_a_plane(&self, held: &Held, zone: Option<Zone>) -> Result<Orientation, Unasked> {
         let is_wall = held.elevation().abs() < 1.5;
-        let upright = zone.map(|zone| {
-            let [first, second] = zone.sides();
-            if second <= first { 0.0 } else { 90.0_f64 }
-        });
-        match (self.angle, upright) {
-            (Angle::Axes, _) => Ok(Orientation::Axes),
-            (Angle::Free, _) => Ok(Orientation::Free),
-            (Angle::Degrees(angle), _) => Ok(Orientation::Fixed(angle.to_radians())),
-            (Angle::Horizontal | Angle::Vertical, _) if !is_wall => Err(Unasked::LongSide),
-            (Angle::Vertical, Some(upright)) => Ok(Orientation::Fixed(upright.to_radians())),
-            (Angle::Horizontal, Some(upright)) => Ok(Orientation::Fixed((90.0 - upright).to_radians())),
-            (Angle::Horizontal | Angle::Vertical, None) => Ok(Orientation::Axes),
+        // On a wall 0 has the first side upright.
+        let long_side_at = |upright: f64, lying: f64| {
+            zone.map_or(Orientation::Axes, |zone| {
+                let [first, second] = zone.sides();
+                Orientation::Fixed(if second <= first { upright } else { lying }.to_radians())
+            })
+        };
+        match self.angle {
+            Angle::Axes => Ok(Orientation::Axes),
+            Angle::Free => Ok(Orientation::Free),
+            Angle::Degrees(angle) => Ok(Orientation::Fixed(angle.to_radians())),
+            Angle::Horizontal | Angle::Vertical if !is_wall => Err(Unasked::LongSide),
+            Angle::Vertical => Ok(long_side_at(0.0, 90.0)),
+            Angle::Horizontal => Ok(long_side_at(90.0, 0.0)),
         }
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn place(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> 
     let question = Question::of(model, options)?;
     let search = search::Search::new(&model.arm, &model.sides, &question);
     Ok(match search.best(zone)? {
-        Some(solution) => Placed::Feasible(solution.from_base(model, zone)),
+        Some(solution) => Placed::Feasible(solution.into_placement(model, zone)),
         None => infeasible(model, zone, &question, &search),
     })
 }
@@ -56,7 +56,7 @@ pub(super) fn place(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> 
 pub(super) fn find(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
     let question = Question::of(model, options)?;
     let best = search::Search::new(&model.arm, &model.sides, &question).best(zone)?;
-    Ok(best.map(|solution| solution.from_base(model, zone)))
+    Ok(best.map(|solution| solution.into_placement(model, zone)))
 }
 
 /// The deflection at points of a zone that has its place.
@@ -91,7 +91,7 @@ impl Question {
 }
 
 impl Solution {
-    fn from_base(self, model: &PlanarModel, zone: Zone) -> Placement {
+    fn into_placement(self, model: &PlanarModel, zone: Zone) -> Placement {
         let [ahead, up] = model.axis_from_base;
         let [x, z] = self.centre;
         let centre = [x + ahead, z + up];
