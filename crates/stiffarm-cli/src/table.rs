@@ -1,7 +1,5 @@
 //! Tables as people read them (plain or Markdown) and as spreadsheets do.
 
-pub(crate) use stiffarm::answer::fixed;
-
 use std::borrow::Cow;
 use std::io::{self, Write};
 
@@ -89,11 +87,6 @@ fn looks_like_a_number(cell: &str) -> bool {
     cell.trim().is_empty()
         || matches!(cell, "-" | "~" | "?")
         || cell.starts_with(|c: char| c.is_ascii_digit() || c == '-')
-}
-
-/// Rounded for people, or a dash.
-pub(crate) fn fixed_or_dash(value: Option<f64>, digits: usize) -> String {
-    value.map_or_else(|| "-".into(), |value| fixed(value, digits))
 }
 
 #[cfg(test)]

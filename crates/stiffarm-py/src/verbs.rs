@@ -7,9 +7,6 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use stiffarm::answer::{Cell, ColumnKind, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer};
 use stiffarm::compliance::compliance;
-use stiffarm::map::Posture;
-use stiffarm::model::Model;
-use stiffarm::place::Hold;
 use stiffarm::request::{self, Verb};
 use stiffarm::robot::Robot as Arms;
 use stiffarm::study::study as studied;
@@ -137,18 +134,8 @@ pub(crate) fn map<'py>(
 
 /// The links that are drawn, seen from the side: ahead and up; at the worst point of the zone, or at the stiffest point.
 fn links(answer: &MapAnswer) -> Option<Vec<[f64; 2]>> {
-    let MapAnswer { model, options, map, zone } = answer;
-    let best = zone.as_ref().and_then(|zone| zone.placed.feasible());
-    let posture = match best.map(|best| &best.hold) {
-        Some(Hold::Plane { posture }) => Posture::Plane(*posture),
-        Some(Hold::Space(hold)) => Posture::Joints(hold.joints),
-        None => map.stiffest(model, options)?.2,
-    };
-    match (model, posture) {
-        (Model::Planar(model), Posture::Plane(angles)) => Some(model.points(angles).to_vec()),
-        (Model::Spatial(model), Posture::Joints(q)) => Some(model.points(&q).map(|[x, _, z]| [x, z]).to_vec()),
-        (Model::Planar(_), Posture::Joints(_)) | (Model::Spatial(_), Posture::Plane(_)) => None,
-    }
+    let points = answer.model.points(&answer.posture()?)?;
+    Some(points.into_iter().map(|[x, _, z]| [x, z]).collect())
 }
 
 fn handed_over<'py>(

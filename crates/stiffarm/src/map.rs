@@ -8,7 +8,7 @@ mod spans;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::load::{Direction, Load};
-use crate::model::{Model, ModelError, PlanarModel, SpatialModel};
+use crate::model::{ArmPosture, Model, ModelError, PlanarModel, SpatialModel};
 use crate::plane::{Elbow, InvalidArm, PlanarArm};
 
 pub use section::ROLL_TOLERANCE;
@@ -126,6 +126,11 @@ impl MapOptions {
     pub const fn over(spacing: Spacing, load: Load) -> Self {
         Self { extent: Extent::Reached(spacing), load, elbow: None, held: None }
     }
+
+    /// How the tool is held: straight down where nothing is said.
+    pub fn held(&self) -> Held {
+        self.held.unwrap_or(Held::TOOL_DOWN)
+    }
 }
 
 /// One number over a grid; absent where the arm does not reach.
@@ -160,16 +165,6 @@ pub struct Margins {
     pub singular: Grid,
     /// Configuration and roll (rad) of every cell, row by row.
     held: Vec<Option<(Configuration, f64)>>,
-}
-
-/// The arm at one point of a map.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Posture {
-    /// Shoulder and elbow angle in the arm plane, rad.
-    Plane([f64; 2]),
-    /// Joint angles as the robot reports them, rad; joint 1 turns straight ahead whatever its limits, and so does joint 6 where the
-    /// roll moves nothing.
-    Joints([f64; 6]),
 }
 
 /// A map that cannot be made.
@@ -246,20 +241,21 @@ impl Grid {
 }
 
 impl Map {
-    /// The stiffest point: its column, its row, and the posture that holds it there; `None` where nothing is reached.
+    /// The stiffest point: its column, its row, and the posture that holds it there; `None` where nothing is reached. In space joint 1
+    /// points straight ahead whatever its limits, and joint 6 turns freely where the roll moves nothing.
     ///
     /// `options` are those with which `model` made the map.
-    pub fn stiffest(&self, model: &Model, options: &MapOptions) -> Option<(usize, usize, Posture)> {
+    pub fn stiffest(&self, model: &Model, options: &MapOptions) -> Option<(usize, usize, ArmPosture)> {
         let [(_, i, j), _] = self.deflection.extremes()?;
         let posture = match (model, &self.space) {
             (Model::Planar(model), None) => {
                 let point = [self.from_axis_2[0].at(i), self.from_axis_2[1].at(j)];
-                Posture::Plane(planar::posture(model, options.elbow, point)?)
+                ArmPosture::Plane(planar::posture(model, options.elbow, point)?)
             }
             (Model::Spatial(model), Some(margins)) => {
-                let held = options.held.unwrap_or(Held::TOOL_DOWN);
+                let held = options.held();
                 let point = [self.deflection.x.at(i), self.deflection.z.at(j)];
-                Posture::Joints(section::joints(model, &held, margins.at(i, j)?, point)?)
+                ArmPosture::Joints(section::joints(model, &held, margins.at(i, j)?, point)?)
             }
             (Model::Planar(_), Some(_)) | (Model::Spatial(_), None) => return None, // another model's map
         };
@@ -368,7 +364,7 @@ fn in_space(model: &SpatialModel, options: &MapOptions) -> Result<Map, MapError>
     if options.elbow.is_some() {
         return Err(MapError::Inapplicable { what: "one elbow side", model: "planar" });
     }
-    let held = options.held.unwrap_or(Held::TOOL_DOWN);
+    let held = options.held();
     if let Some(angle) =
         [held.elevation, held.yaw, held.roll.unwrap_or(0.0)].into_iter().find(|angle| !(angle.abs() <= 1e3))
     {

@@ -47,6 +47,15 @@ pub struct SpatialModel {
     pub(crate) arm: SpatialArm,
 }
 
+/// The arm in one posture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ArmPosture {
+    /// Shoulder and elbow angle in the arm plane, rad.
+    Plane([f64; 2]),
+    /// Joint angles as the robot reports them, rad.
+    Joints([f64; 6]),
+}
+
 /// Which model of a robot is meant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ModelKind {
@@ -67,7 +76,7 @@ pub enum ModelError {
     NoArmPlane(#[from] NoArmPlane),
     /// The spatial model does not hold, or the tool makes no sense.
     #[error(transparent)]
-    Posture(#[from] PostureError),
+    ArmPosture(#[from] PostureError),
 }
 
 impl ModelKind {
@@ -139,6 +148,18 @@ impl Model {
     pub const fn is_linear_in_load(&self) -> bool {
         match self {
             Self::Planar(_) | Self::Spatial(_) => true,
+        }
+    }
+
+    /// The arm in a posture, m from the base: in the plane its joint-2 axis, elbow and wrist centre; in space the base before them, and
+    /// the flange after them. `None` for a posture of another model.
+    pub fn points(&self, posture: &ArmPosture) -> Option<Vec<[f64; 3]>> {
+        match (self, posture) {
+            (Self::Planar(model), ArmPosture::Plane(angles)) => {
+                Some(model.points(*angles).map(|[x, z]| [x, model.aside(), z]).to_vec())
+            }
+            (Self::Spatial(model), ArmPosture::Joints(q)) => Some(model.points(q).to_vec()),
+            (Self::Planar(_), ArmPosture::Joints(_)) | (Self::Spatial(_), ArmPosture::Plane(_)) => None,
         }
     }
 

@@ -1,14 +1,13 @@
 //! The robot, the zone and the map of an answer, ready to be drawn.
 
-use stiffarm::map::Posture;
-use stiffarm::model::Model;
+use stiffarm::model::{ArmPosture, Model};
 use stiffarm::robot::{Arm, Robot};
 
 use crate::figures::scene::{Scene, ZoneMark};
 use crate::figures::view3d::ArmMark;
 
 /// The arm in a posture, seen from its right side, on its base; lengths from the base.
-pub(super) fn scene(model: &Model, posture: Option<Posture>, zone: Option<ZoneMark>) -> Scene {
+pub(super) fn scene(model: &Model, posture: Option<ArmPosture>, zone: Option<ZoneMark>) -> Scene {
     let robot = model.robot();
     let mut points = links(model, posture).into_iter();
     Scene {
@@ -21,9 +20,9 @@ pub(super) fn scene(model: &Model, posture: Option<Posture>, zone: Option<ZoneMa
 }
 
 /// The joint-2 axis and what follows it, forwards and up.
-fn links(model: &Model, posture: Option<Posture>) -> Vec<[f64; 2]> {
+fn links(model: &Model, posture: Option<ArmPosture>) -> Vec<[f64; 2]> {
     match (model, posture) {
-        (Model::Planar(model), Some(Posture::Plane(angles))) => model.points(angles).to_vec(),
+        (Model::Planar(model), Some(ArmPosture::Plane(angles))) => model.points(angles).to_vec(),
         (Model::Spatial(_), Some(_)) => {
             let arm = arm(model, posture, None);
             arm.iter().flat_map(|arm| &arm.points).skip(1).map(|([x, _, z], _)| [*x, *z]).collect()
@@ -33,13 +32,13 @@ fn links(model: &Model, posture: Option<Posture>) -> Vec<[f64; 2]> {
 }
 
 /// The arm in space; `shares` is what each drive gives of the deflection.
-pub(super) fn arm(model: &Model, posture: Option<Posture>, shares: Option<&[f64; 6]>) -> Option<ArmMark> {
+pub(super) fn arm(model: &Model, posture: Option<ArmPosture>, shares: Option<&[f64; 6]>) -> Option<ArmMark> {
     match (model, posture?) {
-        (Model::Planar(model), Posture::Plane(angles)) => Some(ArmMark::planar(model, angles)),
-        (Model::Spatial(model), Posture::Joints(q)) => {
+        (Model::Planar(model), ArmPosture::Plane(angles)) => Some(ArmMark::planar(model, angles)),
+        (Model::Spatial(model), ArmPosture::Joints(q)) => {
             ArmMark::posed(model.robot(), &q, model.flange_from_tool(), shares)
         }
-        (Model::Planar(_), Posture::Joints(_)) | (Model::Spatial(_), Posture::Plane(_)) => None,
+        (Model::Planar(_), ArmPosture::Joints(_)) | (Model::Spatial(_), ArmPosture::Plane(_)) => None,
     }
 }
 

@@ -5,9 +5,9 @@ use std::path::Path;
 
 use stiffarm::answer::words::{direction, mapped, origin, tool, window};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows};
-use stiffarm::map::{Held, MapError, Posture, map};
-use stiffarm::model::{Model, ModelKind};
-use stiffarm::place::{Hold, Placement, place};
+use stiffarm::map::{MapError, map};
+use stiffarm::model::{ArmPosture, Model, ModelKind};
+use stiffarm::place::{Placement, place};
 use stiffarm::request::{Layer, Request};
 
 use super::drawing::{arm, scene};
@@ -63,7 +63,7 @@ pub(super) struct Drawn<'a> {
     pub(super) layer: Layer,
     pub(super) subtitle: String,
     /// The arm that is drawn.
-    pub(super) posture: Option<Posture>,
+    pub(super) posture: Option<ArmPosture>,
     pub(super) mark: Option<ZoneMark>,
     pub(super) face: Option<FaceFigure>,
 }
@@ -72,11 +72,7 @@ impl<'a> Drawn<'a> {
     /// The deflection, the arm at the worst point of the zone, or at the stiffest point where there is none.
     pub(super) fn of_zone(answer: &'a MapAnswer) -> Self {
         let best = answer.zone.as_ref().and_then(|zone| zone.placed.feasible());
-        let posture = match best.map(|best| &best.hold) {
-            Some(Hold::Plane { posture }) => Some(Posture::Plane(*posture)),
-            Some(Hold::Space(hold)) => Some(Posture::Joints(hold.joints)),
-            None => answer.map.stiffest(&answer.model, &answer.options).map(|(_, _, posture)| posture),
-        };
+        let posture = answer.posture();
         let mark = answer.zone.as_ref().zip(best).map(|(zone, best)| mark(zone, best));
         Self { answer, layer: Layer::Deflection, subtitle: subtitle(answer), posture, mark, face: None }
     }
@@ -159,7 +155,7 @@ fn subtitle(answer: &MapAnswer) -> String {
             format!("{start}; {}, planar model{within}", mapped(options.load))
         }
         ModelKind::Spatial(flange_from_tool) => {
-            let towards = direction(options.held.unwrap_or(Held::TOOL_DOWN).elevation);
+            let towards = direction(options.held().elevation);
             let tool = tool(&flange_from_tool);
             format!("{start}; all six drives, {towards}, tool: {tool}; drawn at the stiffest point")
         }

@@ -5,9 +5,9 @@ use std::path::Path;
 
 use stiffarm::answer::words::{direction, tool};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows};
-use stiffarm::map::{Extent, Held, MapOptions, Posture, Spacing, map};
-use stiffarm::model::{Model, ModelKind};
-use stiffarm::place::{Placed, Placement, SpaceHold, Stance, ZonePoint, deflection_field, place};
+use stiffarm::map::{Spacing, map};
+use stiffarm::model::{ArmPosture, Model, ModelKind};
+use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place};
 use stiffarm::request::Request;
 
 use super::map::Drawn;
@@ -46,7 +46,7 @@ struct PlaceOutput {
 
 impl PlaceOutput {
     fn elevation(&self) -> f64 {
-        self.answer.options.stance.unwrap_or_else(Stance::tool_down).elevation
+        self.answer.options.stance().elevation
     }
 
     /// What is drawn, where there is something.
@@ -65,27 +65,9 @@ impl PlaceOutput {
     /// The map of what is reached, held as the zone is.
     fn mapped(&self) -> Result<MapAnswer, Failure> {
         let Self { model, answer } = self;
-        let failure = |error| Failure::Map { robot: answer.robot.name.clone(), error };
-        let (size, held) = match (model, answer.placed.feasible().and_then(Placement::space)) {
-            (Model::Planar(_), _) => (FIGURE_SIZE[0], None),
-            (Model::Spatial(_), None) => {
-                (FIGURE_SIZE[1], Some(Held { elevation: self.elevation(), ..Held::TOOL_DOWN }))
-            }
-            (Model::Spatial(spatial), Some(hold)) => {
-                let asked = answer.options.stance.and_then(|stance| stance.roll);
-                let any_roll = asked.is_none() && spatial.arm().tool_turns_about_axis_6();
-                let held = Held {
-                    elevation: self.elevation(),
-                    yaw: hold.yaw,
-                    roll: (!any_roll).then_some(hold.roll),
-                    configuration: Some(hold.configuration),
-                };
-                (FIGURE_SIZE[1], Some(held))
-            }
-        };
-        let extent = Extent::Reached(Spacing::Points(size));
-        let options = MapOptions { extent, load: answer.options.load, elbow: None, held };
-        let map = map(model, &options).map_err(failure)?;
+        let size = if answer.model == ModelKind::Planar { FIGURE_SIZE[0] } else { FIGURE_SIZE[1] };
+        let options = answer.map_options(model, Spacing::Points(size));
+        let map = map(model, &options).map_err(|error| Failure::Map { robot: answer.robot.name.clone(), error })?;
         Ok(MapAnswer { model: model.clone(), options, map, zone: Some(answer.clone()) })
     }
 
@@ -139,16 +121,16 @@ impl PlaceOutput {
             angle: best.angle,
             cells: self.face()?.iter().map(|point| point.deflection.map(|metres| metres * 1e3)).collect(),
             per_side: FACE_SIZE,
-            up: match self.elevation().to_degrees() {
-                down if down < -89.9 => "ahead",
-                up if 89.9 < up => "back",
-                _ => "upwards in its plane",
+            up: match self.answer.options.stance().is_vertical() {
+                false => "upwards in its plane",
+                true if self.elevation() < 0.0 => "ahead",
+                true => "back",
             },
             colour_label: Drawn::of_zone(&map).colour_label(),
         };
         Drawn {
             subtitle: self.subtitle(),
-            posture: hold.map(|hold| Posture::Joints(self.straight_ahead(hold))),
+            posture: hold.map(|hold| ArmPosture::Joints(self.straight_ahead(hold))),
             mark: Some(mark),
             face: Some(face),
             ..Drawn::of_zone(&map)
@@ -185,7 +167,7 @@ impl PlaceOutput {
         };
         let mut section = Sheet::of_map(&map.map.deflection, 0.0);
         section.rows.iter_mut().flatten().for_each(|cell| cell.at = turned(cell.at));
-        let posture = hold.map(|hold| Posture::Joints(hold.joints));
+        let posture = hold.map(|hold| ArmPosture::Joints(hold.joints));
         Ok(View {
             title: self.answer.robot.full_name(),
             notes: vec![self.subtitle(), "arm at the worst point of the zone; section held as the zone is".into()],

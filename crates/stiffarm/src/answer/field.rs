@@ -108,7 +108,7 @@ fields! {
     FORCE: "force_n", Kind::Number(Unit::Newton), "The cutting force.";
     TOOL: "tool_mm", numbers(Unit::Given("mm"), &["tool_x_mm", "tool_y_mm", "tool_z_mm", "tool_rx_deg", "tool_ry_deg", "tool_rz_deg"]),
         "The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg.";
-    TOOL_DIRECTION: "tool_direction_deg", Kind::Number(Unit::Degree), "The tool axis above the horizontal.";
+    TOOL_DIRECTION: "tool_direction_deg", Kind::Number(Unit::Given("deg")), "The tool axis above the horizontal.";
     WITHIN: "within_m", Kind::Numbers { unit: Unit::Metre, columns: &["within_x0_m", "within_x1_m", "within_z0_m", "within_z1_m"], nested: 2 },
         "Where the zone may stand; null where it is open.";
     FEASIBLE: "feasible", Kind::Truth, "There is a place; null where it is not known.";
@@ -182,7 +182,7 @@ fields! {
     BETTER_ABOVE: "better_above", Kind::Text, "The better contender for larger tasks.";
     WORST: "worst_mm", Kind::Number(Unit::Millimetre), "Deflection under the force in its worst direction.";
     DIRECTED: "deflection_mm", Kind::Number(Unit::Millimetre), "Deflection under the force in the direction asked for.";
-    DIRECTION: "direction_deg", Kind::Number(Unit::Degree), "Of the force in the arm plane, from straight ahead.";
+    DIRECTION: "direction_deg", Kind::Number(Unit::Given("deg")), "Of the force in the arm plane, from straight ahead.";
     ROLL_TOLERANCE: "roll_tolerance", Kind::Number(Unit::One), "How much more than at the best roll a point may tell, relative.";
     POSTURE: "posture", Kind::Text, "The configuration that holds a point.";
     ZONE: "zone", Kind::Nested, "The best placement of the task that was given.";

@@ -10,7 +10,7 @@ use super::words::{self, tool_mm};
 use super::{Cell, Record, Rows, Table, Unit, columns_of, field, line, schema};
 use crate::load::Direction;
 use crate::map::{Grid, Held, Map, MapOptions, Margins, ROLL_TOLERANCE};
-use crate::model::{Model, ModelKind};
+use crate::model::{ArmPosture, Model, ModelKind};
 
 /// The answer of `map`, with what was asked.
 ///
@@ -78,14 +78,22 @@ impl MapAnswer {
     }
 
     fn held(&self) -> Held {
-        self.options.held.unwrap_or(Held::TOOL_DOWN)
+        self.options.held()
+    }
+
+    /// The arm that a figure shows: at the worst point of the zone, or at the stiffest point where none has its place.
+    pub fn posture(&self) -> Option<ArmPosture> {
+        match self.zone.as_ref().and_then(|zone| zone.placed.feasible()) {
+            Some(best) => Some(best.posture()),
+            None => self.map.stiffest(&self.model, &self.options).map(|(_, _, posture)| posture),
+        }
     }
 
     /// What is said once, besides the axes.
     fn head(&self) -> Record {
         let direction = match self.options.load.direction() {
             Direction::Worst => None,
-            Direction::InPlane(angle, _) => Some(angle),
+            Direction::InPlane(angle, _) => Some(words::asked_degrees(angle)),
         };
         let tool = match self.model.kind() {
             ModelKind::Planar => None,
@@ -99,7 +107,7 @@ impl MapAnswer {
             .put(field::FORCE, self.options.load.newtons())
             .put(field::DIRECTION, direction)
             .put(field::TOOL, tool.as_ref().map(tool_mm))
-            .put(field::TOOL_DIRECTION, tool.map(|_| self.held().elevation))
+            .put(field::TOOL_DIRECTION, tool.map(|_| words::asked_degrees(self.held().elevation)))
             .put(field::ROLL_TOLERANCE, searched.then_some(ROLL_TOLERANCE))
             .put(
                 field::ZONE,

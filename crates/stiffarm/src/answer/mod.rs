@@ -7,6 +7,7 @@
 
 pub mod compliance;
 pub mod field;
+pub mod ledger;
 pub mod map;
 pub mod place;
 pub mod rank;
@@ -20,6 +21,7 @@ use serde_json::{Value, json};
 
 pub use compliance::ComplianceAnswer;
 pub use field::{Field, Kind, Unit};
+pub use ledger::LedgerAnswer;
 pub use map::MapAnswer;
 pub use place::{PlaceAnswer, Verdict};
 pub use rank::RankAnswer;

@@ -5,8 +5,9 @@ use serde_json::Value;
 use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm, window};
 use super::{Datum, Line, Record, Rows, Table, field, line, with_schema, words};
 use crate::interval::Interval;
-use crate::model::ModelKind;
-use crate::place::{Outside, PlaceError, PlaceOptions, Placed, Placement, Resolution, SpaceHold, Stance, Within};
+use crate::map::{Held, MapOptions, Spacing};
+use crate::model::{Model, ModelKind};
+use crate::place::{Outside, PlaceError, PlaceOptions, Placed, Placement, Resolution, SpaceHold, Within};
 use crate::robot::Robot;
 use crate::task::Task;
 
@@ -80,7 +81,7 @@ impl PlaceAnswer {
             }
         }
         lines.push(line("force", words::load(options.load, model)));
-        lines.push(line("allowed place", window(&allowed(model, options), words::origin(robot))));
+        lines.push(line("allowed place", window(&options.within(model), words::origin(robot))));
         match placed {
             Placed::Feasible(best) => lines.extend(self.lines(best)),
             Placed::Infeasible { reason, is_proved, largest_scale } => {
@@ -91,6 +92,25 @@ impl PlaceAnswer {
             }
         }
         Table::of_lines(lines)
+    }
+
+    /// A map of what is reached, held as the zone is.
+    pub fn map_options(&self, model: &Model, spacing: Spacing) -> MapOptions {
+        let stance = self.options.stance();
+        let held = match (model, self.placed.feasible().and_then(Placement::space)) {
+            (Model::Planar(_), _) => None,
+            (Model::Spatial(_), None) => Some(Held { elevation: stance.elevation, ..Held::TOOL_DOWN }),
+            (Model::Spatial(spatial), Some(hold)) => {
+                let any_roll = stance.roll.is_none() && spatial.arm().tool_turns_about_axis_6();
+                Some(Held {
+                    elevation: stance.elevation,
+                    yaw: hold.yaw,
+                    roll: (!any_roll).then_some(hold.roll),
+                    configuration: Some(hold.configuration),
+                })
+            }
+        };
+        MapOptions { held, ..MapOptions::over(spacing, self.options.load) }
     }
 
     /// What stands below the table.
@@ -104,7 +124,7 @@ impl PlaceAnswer {
     }
 
     fn elevation(&self) -> f64 {
-        self.options.stance.unwrap_or_else(Stance::tool_down).elevation
+        self.options.stance().elevation
     }
 
     fn lines(&self, best: &Placement) -> Vec<Line> {
@@ -141,7 +161,7 @@ impl PlaceAnswer {
             let turned = format!("{} about the joint-1 axis, where its limits allow the zone", degrees(hold.bearing));
             lines.push(line("turned", turned));
         }
-        if !self.elevation().to_degrees().abs().eq(&90.0) {
+        if !self.options.stance().is_vertical() {
             lines.push(line("yaw of the zone's plane", degrees(hold.yaw)));
         }
         lines.push(line("angle of the first side", degrees(best.angle)));
@@ -153,14 +173,6 @@ impl PlaceAnswer {
         }
         lines
     }
-}
-
-/// Where the zone may stand, with what a model takes where nothing is said.
-pub(super) fn allowed(model: &ModelKind, options: &PlaceOptions) -> Within {
-    options.within.unwrap_or(match model {
-        ModelKind::Planar => Within::ANYWHERE,
-        ModelKind::Spatial(_) => Within::AHEAD,
-    })
 }
 
 fn hold_lines(hold: &SpaceHold) -> Vec<Line> {
@@ -275,12 +287,12 @@ fn asked(record: &mut Record, model: &ModelKind, options: &PlaceOptions) {
         ModelKind::Planar => None,
         ModelKind::Spatial(flange_from_tool) => Some(flange_from_tool),
     };
-    let stance = options.stance.unwrap_or_else(Stance::tool_down);
-    let Within { x, z } = allowed(model, options);
+    let stance = options.stance();
+    let Within { x, z } = options.within(model);
     let ends = |range: Interval| [range.min(), range.max()].map(|end| end.is_finite().then_some(end));
     record
         .put(field::TOOL, flange_from_tool.map(tool_mm))
-        .put(field::TOOL_DIRECTION, flange_from_tool.map(|_| stance.elevation))
+        .put(field::TOOL_DIRECTION, flange_from_tool.map(|_| words::asked_degrees(stance.elevation)))
         .put(field::WITHIN, Datum::Numbers([ends(x), ends(z)].concat()));
 }
 

@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use super::place::{Verdict, allowed, cell};
+use super::place::{Verdict, cell};
 use super::words::{self, COLUMN, fixed};
 use super::{Record, Rows, Table, columns_of, field, with_schema};
 use crate::drive::Architecture;
 use crate::model::ModelKind;
-use crate::place::{PlaceOptions, Placement, Stance};
+use crate::place::{PlaceOptions, Placement};
 use crate::rank::{Cell, Ranking, Row};
 use crate::robot::{Robot, Status};
 
@@ -185,7 +185,7 @@ impl RankAnswer {
         let newtons = self.ranking.load.newtons();
         match &self.ranking.model {
             ModelKind::Planar => {
-                let gap = self.options.gap.unwrap_or(crate::place::GAP);
+                let gap = self.options.gap();
                 format!(
                     "Worst deflection inside each zone at its best place, {newtons} N in the worst direction, planar model; proved to {gap}\n"
                 )
@@ -199,11 +199,11 @@ impl RankAnswer {
 
     /// How the tool is held, and where zones may stand.
     pub fn stance(&self) -> String {
-        let within = words::window(&allowed(&self.ranking.model, &self.options), "the base");
+        let within = words::window(&self.options.within(&self.ranking.model), "the base");
         match &self.ranking.model {
             ModelKind::Planar => format!("zones {within}"),
             ModelKind::Spatial(tool) => {
-                let elevation = self.options.stance.unwrap_or_else(Stance::tool_down).elevation;
+                let elevation = self.options.stance().elevation;
                 format!("{}, tool {}; zones within {within}", words::direction(elevation), words::tool(tool))
             }
         }
@@ -212,9 +212,8 @@ impl RankAnswer {
     /// What stands below the table: what the marks mean, and what is odd.
     pub fn notes(&self) -> String {
         let Ranking { rows, in_plane, .. } = &self.ranking;
-        let has = |status| rows.iter().any(|row| row.robot.status == status);
         let mut notes = String::from("* best of the robots of which no number is assumed");
-        if has(Status::Estimated) {
+        if rows.iter().any(|row| row.robot.status == Status::Estimated) {
             notes += "; ~ estimated robot: it cannot win, even where its value is smaller";
         }
         notes += match in_plane {
@@ -243,12 +242,7 @@ impl RankAnswer {
         if in_plane.is_none() {
             notes += "bound: deflection at the stiffest posture of the links; no placement of any task has less\n";
         }
-        if has(Status::Derived) {
-            notes += "derived: partly from published figures of the same or a sister model\n";
-        }
-        if has(Status::Estimated) {
-            notes += "estimated: lengths or limits partly assumed, see `stiffarm robots show NAME`\n";
-        }
+        notes += &words::statuses(rows.iter().map(|row| &row.robot));
         if in_plane.is_some() {
             notes += &self.proof();
             notes += "collisions are not checked\n";

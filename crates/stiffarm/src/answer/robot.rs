@@ -2,11 +2,12 @@
 
 use serde_json::{Value, json};
 
-use super::{Object, Record, Rows, field};
+use super::{Object, Record, Rows, Table, field, words};
 use crate::catalogue::microradians;
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, ThirdAxis};
+use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot};
 
 /// Everything that is known of one robot.
@@ -68,6 +69,55 @@ pub fn list(robots: &[Robot]) -> Rows<'static> {
     let records: Vec<Record> = robots.iter().map(entry).collect();
     let columns = records.first().map(Record::columns).unwrap_or_default();
     Rows::new(columns, records.iter().map(Record::cells).collect())
+}
+
+/// Robots for people, a row each.
+pub fn table(robots: &[Robot]) -> Table {
+    let mut table = Table::new([
+        "vendor",
+        "robot",
+        "architecture",
+        "status",
+        "payload kg",
+        "reach m",
+        "l2 m",
+        "l3 m",
+        "l3/l2",
+        "bound um/N",
+    ]);
+    let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| words::fixed(value, 3));
+    for robot in robots {
+        let arm = robot.two_links().ok().map(|plane| plane.arm);
+        let of_arm = |value: fn(&PlanarArm) -> f64| or_dash(arm.as_ref().map(value));
+        table.row([
+            robot.vendor.clone(),
+            robot.name.clone(),
+            words::architecture(robot),
+            robot.status.to_string(),
+            robot.payload_kg.map_or_else(|| "-".into(), |kg| kg.to_string()),
+            or_dash(robot.reach),
+            of_arm(|arm| arm.l2),
+            of_arm(|arm| arm.l3),
+            of_arm(|arm| arm.l3 / arm.l2),
+            or_dash(floor(robot)),
+        ]);
+    }
+    table
+}
+
+/// What stands below that table.
+pub fn notes(robots: &[Robot]) -> String {
+    let mut makers: Vec<&str> = robots.iter().map(|robot| robot.vendor.as_str()).collect();
+    makers.dedup(); // the list is in their order
+    let of = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let assumed = robots.iter().any(|robot| robot.architecture_is_assumed);
+    format!(
+        "{} of {}\n{}{}bound: compliance at the stiffest posture of the links, with the joint compliances of the robot file\n",
+        of(robots.len(), "robot"),
+        of(makers.len(), "maker"),
+        if assumed { words::ASSUMED_ARCHITECTURE } else { "" },
+        words::statuses(robots.iter())
+    )
 }
 
 /// In degrees; null where an end is open.

@@ -24,6 +24,11 @@ pub fn degrees(angle: f64) -> String {
     format!("{} deg", fixed(angle.to_degrees(), 1))
 }
 
+/// Degrees as they were typed, of an angle that was asked, rad: not as they come out of radians.
+pub(super) fn asked_degrees(angle: f64) -> f64 {
+    (angle.to_degrees() * 1e9).round() / 1e9 + 0.0
+}
+
 /// Maker, name, architecture and status.
 pub fn robot(robot: &Robot) -> String {
     format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)
@@ -36,6 +41,19 @@ pub fn architecture(robot: &Robot) -> String {
 
 /// Why there is a question mark.
 pub const ASSUMED_ARCHITECTURE: &str = "serial?: no parallelogram is reported, and none is ruled out\n";
+
+/// What the status of some of these robots means, where it is not the best.
+pub fn statuses<'a>(robots: impl Iterator<Item = &'a Robot> + Clone) -> String {
+    let has = |status| robots.clone().any(|robot| robot.status == status);
+    let mut notes = String::new();
+    if has(Status::Derived) {
+        notes += "derived: partly from published figures of the same or a sister model\n";
+    }
+    if has(Status::Estimated) {
+        notes += "estimated: lengths or limits partly assumed, see `stiffarm robots show NAME`\n";
+    }
+    notes
+}
 
 /// What positions count from, of a robot of which only two links are known their joint-2 axis.
 pub fn origin(robot: &Robot) -> &'static str {
@@ -94,8 +112,7 @@ pub fn direction(elevation: f64) -> String {
         "tool up".into()
     } else {
         let side = if degrees < 0.0 { "below" } else { "above" };
-        // As it was typed, not as it came out of radians.
-        format!("tool {} deg {side} the horizontal", (degrees.abs() * 1e9).round() / 1e9)
+        format!("tool {} deg {side} the horizontal", asked_degrees(elevation).abs())
     }
 }
 

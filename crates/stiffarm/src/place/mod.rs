@@ -5,14 +5,14 @@ mod spatial;
 
 use nalgebra::Vector2;
 
-pub(crate) use planar::{GAP, best_near};
+pub(crate) use planar::best_near;
 pub use planar::{best_without_limits, largest_scale_without_limits};
 pub use spatial::{Resolution, ZonePoint};
 
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::load::{Direction, Load};
-use crate::model::{Model, ModelError};
+use crate::model::{ArmPosture, Model, ModelError, ModelKind};
 use crate::plane::Elbow;
 use crate::robot::NoArmPlane;
 use crate::task::Zone;
@@ -75,6 +75,11 @@ impl Stance {
         Self::tool_at(-std::f64::consts::FRAC_PI_2)
     }
 
+    /// The tool points straight down or up: a yaw would turn nothing that the angle of the zone does not.
+    pub fn is_vertical(&self) -> bool {
+        std::f64::consts::FRAC_PI_2 - self.elevation.abs() < 1e-9
+    }
+
     /// The tool axis at an angle above the horizontal, rad, at the best yaw of the half turn that faces the robot, and the best
     /// roll.
     pub fn tool_at(elevation: f64) -> Self {
@@ -104,6 +109,24 @@ impl PlaceOptions {
     /// The usual question under a load: horizontal or vertical, wherever the model usually looks, to its usual certificate.
     pub const fn under(load: Load) -> Self {
         Self { load, orientation: Orientation::Axes, within: None, gap: None, stance: None }
+    }
+
+    /// How the tool is held: straight down where nothing is said.
+    pub fn stance(&self) -> Stance {
+        self.stance.unwrap_or_else(Stance::tool_down)
+    }
+
+    /// Where the zone may stand, and where a model looks when nothing is said.
+    pub fn within(&self, model: &ModelKind) -> Within {
+        self.within.unwrap_or(match model {
+            ModelKind::Planar => Within::ANYWHERE,
+            ModelKind::Spatial(_) => Within::AHEAD,
+        })
+    }
+
+    /// Largest relative distance between the value and its lower bound in the arm plane; 1e-4 where nothing is said.
+    pub fn gap(&self) -> f64 {
+        self.gap.unwrap_or(1e-4)
     }
 }
 
@@ -171,6 +194,14 @@ impl Placement {
     /// How far the lower bound lies below the value, relative to it; 0 where nothing gives way.
     pub fn gap(&self) -> f64 {
         if self.deflection <= NOTHING { 0.0 } else { 1.0 - self.lower_bound / self.deflection }
+    }
+
+    /// The arm at the worst point.
+    pub fn posture(&self) -> ArmPosture {
+        match &self.hold {
+            Hold::Plane { posture } => ArmPosture::Plane(*posture),
+            Hold::Space(hold) => ArmPosture::Joints(hold.joints),
+        }
     }
 
     /// What only the spatial model knows.

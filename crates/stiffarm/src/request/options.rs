@@ -91,8 +91,7 @@ impl Wanted {
 impl Held {
     fn stance(&self) -> Result<Stance, Unasked> {
         let usual = Stance::tool_at(self.elevation());
-        let is_vertical = std::f64::consts::FRAC_PI_2 - usual.elevation.abs() < 1e-9;
-        if self.yaw.is_some() && is_vertical {
+        if self.yaw.is_some() && usual.is_vertical() {
             return Err(Unasked::Yaw);
         }
         Ok(Stance { yaw: self.yaw.unwrap_or(usual.yaw), roll: self.roll(), ..usual })

@@ -14,12 +14,9 @@ use super::{
     Hold, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, Within, ZonePoint, check_zone,
 };
 use crate::interval::Interval;
-use crate::model::PlanarModel;
+use crate::model::{ModelKind, PlanarModel};
 use crate::plane::{Elbow, PlanarArm};
 use crate::task::Zone;
-
-/// Relative distance between value and proof where none is asked for.
-pub(crate) const GAP: f64 = 1e-4;
 
 /// What is asked, in the frame of the arm plane.
 #[derive(Clone, Copy, Debug)]
@@ -81,11 +78,11 @@ impl Question {
         if options.stance.is_some() {
             return Err(PlaceError::Inapplicable { what: "a direction of the tool", model: "spatial" });
         }
-        let gap = options.gap.unwrap_or(GAP);
+        let gap = options.gap();
         if !(1e-9..=0.5).contains(&gap) {
             return Err(PlaceError::Gap(gap));
         }
-        let within = options.within.unwrap_or(Within::ANYWHERE).seen_from(model.axis_from_base);
+        let within = options.within(&ModelKind::Planar).seen_from(model.axis_from_base);
         Ok(Self { force: options.load.newtons(), orientation: options.orientation, within, gap })
     }
 }

@@ -305,7 +305,7 @@ mod tests {
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
     use crate::load::Load;
-    use crate::model::Model;
+    use crate::model::{Model, ModelKind};
     use crate::place::spatial::search::region;
     use crate::place::{Orientation, PlaceOptions, Placed, Stance, place};
     use crate::spatial::Pose;
@@ -346,7 +346,7 @@ mod tests {
     #[test]
     fn no_place_lies_under_the_bound() {
         for (zone, tool, options) in typical() {
-            let question = Question::of(&options).unwrap();
+            let question = Question::of(&ModelKind::Spatial(tool), &options).unwrap();
             for robot in paper_robots().iter().step_by(3) {
                 let arm = SpatialArm::new(robot, &tool).unwrap();
                 let roll_is_free = arm.tool_turns_about_axis_6();

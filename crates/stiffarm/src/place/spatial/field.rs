@@ -2,7 +2,6 @@
 
 use nalgebra::Point2;
 
-use super::Stance;
 use crate::compliance::{PostureError, compliance};
 use crate::inverse::postures;
 use crate::model::{ModelError, SpatialModel};
@@ -29,7 +28,7 @@ pub(in crate::place) fn deflection_field(
     let (robot, arm) = (model.robot(), model.arm());
     let [x, z] = placement.centre;
     let work = WorkPlacement { x, z, yaw: hold.yaw, angle: placement.angle, roll: hold.roll };
-    let plane = WorkPlane::of(options.stance.unwrap_or_else(Stance::tool_down).elevation, &work);
+    let plane = WorkPlane::of(options.stance().elevation, &work);
     let tool_from_flange = arm.flange_from_tool.inverse();
     let evaluated = |at: Point2<f64>| {
         let pose = plane.pose(&work, at.into());
@@ -55,6 +54,7 @@ mod tests {
     use crate::interval::Interval;
     use crate::load::Load;
     use crate::model::Model;
+    use crate::place::Stance;
     use crate::place::{Orientation, deflection_field, place};
     use crate::spatial::Pose;
     use crate::task::Zone;

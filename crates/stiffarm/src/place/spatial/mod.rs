@@ -16,7 +16,7 @@ use super::{
 };
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::model::SpatialModel;
+use crate::model::{ModelKind, SpatialModel};
 use crate::task::Zone;
 
 /// What is asked, with nothing left open.
@@ -35,11 +35,11 @@ struct Question {
 }
 
 impl Question {
-    fn of(options: &PlaceOptions) -> Result<Self, PlaceError> {
+    fn of(model: &ModelKind, options: &PlaceOptions) -> Result<Self, PlaceError> {
         if options.gap.is_some() {
             return Err(PlaceError::Inapplicable { what: "a gap", model: "planar" });
         }
-        let Stance { elevation, yaw, roll } = options.stance.unwrap_or_else(Stance::tool_down);
+        let Stance { elevation, yaw, roll } = options.stance();
         let angles = [elevation, yaw.min(), yaw.max(), roll.unwrap_or(0.0)];
         if let Some(angle) = angles.into_iter().find(|angle| !(angle.abs() <= 1e3)) {
             return Err(PlaceError::Angle(angle));
@@ -47,13 +47,13 @@ impl Question {
         if FRAC_PI_2 + 1e-9 < elevation.abs() {
             return Err(PlaceError::Elevation(elevation));
         }
-        let within = options.within.unwrap_or(Within::AHEAD);
+        let within = options.within(model);
         Ok(Self { force: options.load.newtons(), elevation, yaw, orientation: options.orientation, roll, within })
     }
 
     /// The tool axis is vertical: the zone's yaw and its angle are the same thing.
     fn is_vertical(&self) -> bool {
-        FRAC_PI_2 - self.elevation.abs() < 1e-9
+        Stance { elevation: self.elevation, yaw: self.yaw, roll: self.roll }.is_vertical()
     }
 }
 
@@ -127,6 +127,6 @@ impl From<Solution> for Placement {
 
 /// The best place with what could be proved of it, or why none was found.
 pub(super) fn place(model: &SpatialModel, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    let question = Question::of(options)?;
+    let question = Question::of(&ModelKind::Spatial(*model.flange_from_tool()), options)?;
     Ok(search::search(model.robot(), &model.arm, zone, &question))
 }
