@@ -5,7 +5,7 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 use stiffarm::answer::compliance::vector;
-use stiffarm::answer::{ComplianceAnswer, Rows};
+use stiffarm::answer::{ComplianceAnswer, Rows, Unit};
 use stiffarm::compliance::{beyond_limits, compliance};
 use stiffarm::request::Request;
 use stiffarm::robot::Robot;
@@ -62,7 +62,7 @@ impl ComplianceOutput {
         let moved = self.answer.deflection().map(|(moved, _)| moved);
         let times = magnified(worst.norm().max(moved.map_or(0.0, |moved| moved.norm())));
         let arrow = |what: &str, moved: Vector3<f64>, unit: &str| Arrow {
-            label: format!("{what}: {:.4} {unit}, drawn {times} times as long", moved.norm() * 1e3),
+            label: format!("{what}: {:.4} {unit}, drawn {times} times as long", Unit::Millimetre.told(moved.norm())),
             at,
             along: (times * moved).into(),
         };

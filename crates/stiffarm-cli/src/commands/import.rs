@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use serde_json::json;
-use stiffarm::answer::{Cell, Rows, Table, columns_of, field};
+use stiffarm::answer::{Cell, Rows, Table, Unit, columns_of, field};
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::import::{ImportOptions, Imported, SAMPLES, import};
 use stiffarm::interval::Interval;
@@ -73,14 +73,15 @@ impl Report {
             let lengths = lengths.map(|(name, m)| format!("{name} {}", (m * 1e6).round() / 1e3));
             rows.push(("lengths", format!("{} mm", lengths.join(", "))));
             let list = |values: [f64; 6]| values.map(|x| format!("{}", (x * 1e4).round() / 1e4)).join(", ");
-            rows.push(("zero offsets", format!("{} deg", list(geometry.offset.map(f64::to_degrees)))));
+            rows.push(("zero offsets", format!("{} deg", list(geometry.offset.map(|angle| Unit::Degree.told(angle))))));
             rows.push(("signs", list(geometry.sign)));
             let ranges = limits.joints.map(|range| {
-                let end = |x: f64| (x.to_degrees() * 1e2).round() / 1e2;
+                let end = |x: f64| (Unit::Degree.told(x) * 1e2).round() / 1e2;
                 format!("{}..{}", end(range.min()), end(range.max()))
             });
             rows.push(("limits", format!("{} deg", ranges.join(", "))));
-            let speeds = limits.speeds.map(|speeds| format!("{} deg/s", list(speeds.map(f64::to_degrees))));
+            let speeds =
+                limits.speeds.map(|speeds| format!("{} deg/s", list(speeds.map(|speed| Unit::Degree.told(speed)))));
             rows.push(("speeds", speeds.unwrap_or_else(|| "-".into())));
         }
         rows.extend(notes.iter().map(|note| ("note", note.clone())));
@@ -89,7 +90,7 @@ impl Report {
             format!(
                 "at {SAMPLES} postures, and uphill from the worst, against {compared_with}: largest error {} um, {:.5} deg",
                 micrometres(*largest_error),
-                largest_turn.to_degrees()
+                Unit::Degree.told(*largest_turn)
             ),
         ));
         rows

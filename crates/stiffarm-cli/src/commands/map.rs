@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::answer::words::{direction, mapped, origin, tool, window};
-use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows};
+use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit};
 use stiffarm::map::{MapError, map};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::place::{Placement, place};
@@ -91,11 +91,10 @@ impl<'a> Drawn<'a> {
 
     pub(super) fn svg(self) -> Result<String, Failure> {
         let MapAnswer { model, map, .. } = self.answer;
-        let degrees = 1_f64.to_degrees();
-        let (grid, factor, ends) = match (self.layer, &map.space) {
-            (Layer::LimitMargin, Some(margins)) => (&margins.limits, degrees, ["near", "far"]),
-            (Layer::SingularMargin, Some(margins)) => (&margins.singular, degrees, ["near", "far"]),
-            _ => (&map.deflection, 1e3, ["stiff", "soft"]),
+        let (grid, unit, ends) = match (self.layer, &map.space) {
+            (Layer::LimitMargin, Some(margins)) => (&margins.limits, Unit::Degree, ["near", "far"]),
+            (Layer::SingularMargin, Some(margins)) => (&margins.singular, Unit::Degree, ["near", "far"]),
+            _ => (&map.deflection, Unit::Millimetre, ["stiff", "soft"]),
         };
         let edge = match model {
             Model::Planar(model) => Some((model.arm(), model.axis_from_base())),
@@ -104,7 +103,7 @@ impl<'a> Drawn<'a> {
         let drawn = MapFigure {
             title: model.robot().full_name(),
             map: grid,
-            factor,
+            unit,
             ends,
             edge,
             colour_label: self.colour_label(),
@@ -127,7 +126,7 @@ impl<'a> Drawn<'a> {
         let colour_label = self.colour_label();
         let zone = best.zip(self.mark).map(|(best, mark)| Zone {
             rim: mark.rim.iter().map(|&[x, z]| [x, y, z]).collect(),
-            worst: Some(Cell { at: best.worst_point, mm: Some(best.deflection * 1e3) }),
+            worst: Some(Cell { at: best.worst_point, mm: Some(Unit::Millimetre.told(best.deflection)) }),
             label: mark.label,
             sheet: None,
         });
@@ -169,7 +168,7 @@ fn mark(zone: &PlaceAnswer, best: &Placement) -> ZoneMark {
         zone: zone.task.zone,
         rim: rim(zone.task.zone, best.centre, best.angle),
         worst_point: [x, z],
-        label: format!("{}: {:.3} mm at worst", zone.task.label, best.deflection * 1e3),
+        label: format!("{}: {:.3} mm at worst", zone.task.label, Unit::Millimetre.told(best.deflection)),
     }
 }
 

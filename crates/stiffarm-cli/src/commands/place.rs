@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::answer::words::{direction, tool};
-use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows};
+use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit};
 use stiffarm::map::{Spacing, map};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place};
@@ -119,7 +119,11 @@ impl PlaceOutput {
         let face = FaceFigure {
             zone: self.answer.task.zone,
             angle: best.angle,
-            cells: self.face()?.iter().map(|point| point.deflection.map(|metres| metres * 1e3)).collect(),
+            cells: self
+                .face()?
+                .iter()
+                .map(|point| point.deflection.map(|metres| Unit::Millimetre.told(metres)))
+                .collect(),
             per_side: FACE_SIZE,
             up: match self.answer.options.stance().is_vertical() {
                 false => "upwards in its plane",
@@ -148,7 +152,7 @@ impl PlaceOutput {
     }
 
     fn label(&self, best: &Placement) -> String {
-        format!("{}: {:.3} mm at worst", self.answer.task.label, best.deflection * 1e3)
+        format!("{}: {:.3} mm at worst", self.answer.task.label, Unit::Millimetre.told(best.deflection))
     }
 
     fn in_space(&self) -> Result<View, Failure> {
@@ -157,13 +161,16 @@ impl PlaceOutput {
         let Model::Spatial(_) = self.model else { return Ok(Drawn::of_zone(&map).view()) };
         let (s, c) = hold.map_or(0.0, |hold| hold.bearing).sin_cos();
         let turned = |[x, y, z]: Point| [c * x - s * y, s * x + c * y, z];
-        let cell = |point: &ZonePoint| Cell { at: turned(point.at), mm: point.deflection.map(|metres| metres * 1e3) };
+        let cell = |point: &ZonePoint| Cell {
+            at: turned(point.at),
+            mm: point.deflection.map(|metres| Unit::Millimetre.told(metres)),
+        };
         let face: Vec<Cell> = self.face()?.iter().map(cell).collect();
         let zone = Zone {
             label: self.label(best),
             rim: self.rim()?.into_iter().map(turned).collect(),
             sheet: Some(Sheet { rows: face.chunks(FACE_SIZE).map(<[Cell]>::to_vec).collect() }),
-            worst: Some(Cell { at: best.worst_point, mm: Some(best.deflection * 1e3) }),
+            worst: Some(Cell { at: best.worst_point, mm: Some(Unit::Millimetre.told(best.deflection)) }),
         };
         let mut section = Sheet::of_map(&map.map.deflection, 0.0);
         section.rows.iter_mut().flatten().for_each(|cell| cell.at = turned(cell.at));

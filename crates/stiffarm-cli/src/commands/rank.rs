@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::{RankAnswer, Rows, words};
+use stiffarm::answer::{RankAnswer, Rows, Unit, words};
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
 use stiffarm::place::PlaceOptions;
@@ -93,7 +93,11 @@ impl RankOutput<'_> {
                 robot: robot.name.clone(),
                 serial: robot.architecture == Architecture::Serial,
                 estimated: robot.status == Status::Estimated,
-                points: curve.points.into_iter().map(|(scale, deflection)| (scale, deflection * 1e3)).collect(),
+                points: curve
+                    .points
+                    .into_iter()
+                    .map(|(scale, deflection)| (scale, Unit::Millimetre.told(deflection)))
+                    .collect(),
                 is_complete: curve.is_complete,
             });
             panels.push(Panel {
@@ -125,7 +129,11 @@ impl RankOutput<'_> {
             serial: row.robot.architecture == Architecture::Serial,
             estimated: row.robot.status == Status::Estimated,
             values: (0..tasks.len())
-                .map(|task| row.placement(task).map(|best| (best.deflection * 1e3, best.lower_bound * 1e3)))
+                .map(|task| {
+                    row.placement(task).map(|best| {
+                        [best.deflection, best.lower_bound].map(|metres| Unit::Millimetre.told(metres)).into()
+                    })
+                })
                 .collect(),
         });
         BarsFigure {

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use stiffarm::answer::robot::{lengths, rounded, sheet};
-use stiffarm::answer::{Cell, Rows, Table, columns_of, field};
+use stiffarm::answer::{Cell, Rows, Table, Unit, columns_of, field};
 use stiffarm::drive::{Architecture, Drives, Transmission};
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
@@ -24,7 +24,7 @@ fn degrees(range: Interval) -> String {
     if range.is_all() {
         "no limit".into()
     } else {
-        format!("{:.1} to {:.1} deg", range.min().to_degrees(), range.max().to_degrees())
+        format!("{:.1} to {:.1} deg", Unit::Degree.told(range.min()), Unit::Degree.told(range.max()))
     }
 }
 
@@ -42,7 +42,7 @@ impl Sheet {
             ("reach".into(), robot.reach.map_or_else(|| "-".into(), |reach| format!("{reach:.3} m"))),
         ];
         rows.extend(robot.mass_kg.map(|kg| ("mass".into(), format!("{kg} kg"))));
-        let repeatability = robot.repeatability.map(|m| format!("{} mm", rounded(m * 1e3)));
+        let repeatability = robot.repeatability.map(|m| format!("{} mm", rounded(Unit::Millimetre.told(m))));
         rows.extend(repeatability.map(|text| ("repeatability".into(), text)));
         if let Arm::SixAxis { geometry, limits, drives } = &robot.arm {
             rows.extend(geometry_rows(geometry));
@@ -87,8 +87,8 @@ impl Sheet {
 
 fn geometry_rows(geometry: &Geometry) -> Lines {
     let lengths: Vec<String> =
-        lengths(geometry).iter().map(|(name, m)| format!("{name} {}", rounded(m * 1e3))).collect();
-    let offsets: Vec<String> = geometry.offset.iter().map(|x| rounded(x.to_degrees()).to_string()).collect();
+        lengths(geometry).iter().map(|(name, m)| format!("{name} {}", rounded(Unit::Millimetre.told(*m)))).collect();
+    let offsets: Vec<String> = geometry.offset.iter().map(|x| rounded(Unit::Degree.told(*x)).to_string()).collect();
     let signs: Vec<&str> = geometry.sign.iter().map(|&sign| if 0.0 < sign { "+" } else { "-" }).collect();
     vec![
         ("lengths".into(), format!("{} mm", lengths.join(", "))),
@@ -100,8 +100,9 @@ fn geometry_rows(geometry: &Geometry) -> Lines {
 fn limit_rows(limits: &Limits) -> Lines {
     let mut rows = Lines::new();
     for (i, range) in limits.joints.iter().enumerate() {
-        let speed =
-            limits.speeds.map_or_else(String::new, |speeds| format!(", {} deg/s", rounded(speeds[i].to_degrees())));
+        let speed = limits
+            .speeds
+            .map_or_else(String::new, |speeds| format!(", {} deg/s", rounded(Unit::Degree.told(speeds[i]))));
         let forearm = i == 2 && limits.third_axis == ThirdAxis::Forearm;
         let remark = if forearm { " (absolute angle of the forearm)" } else { "" };
         rows.push((format!("joint {} as reported", i + 1), degrees(*range) + &speed + remark));
@@ -122,9 +123,10 @@ fn drive_rows(drives: &Drives, architecture: Architecture) -> Lines {
         }
     }
     if let Some(spring) = drives.compensator {
-        let point = |[x, z]: [f64; 2]| format!("{}, {}", rounded(x * 1e3), rounded(z * 1e3));
+        let point =
+            |[x, z]: [f64; 2]| format!("{}, {}", rounded(Unit::Millimetre.told(x)), rounded(Unit::Millimetre.told(z)));
         let [base, arm] = [spring.base, spring.arm].map(point);
-        let (stiffness, free) = (rounded(spring.stiffness / 1e3), rounded(spring.free_length * 1e3));
+        let (stiffness, free) = (rounded(spring.stiffness / 1e3), rounded(Unit::Millimetre.told(spring.free_length)));
         rows.push((
             "gravity compensator".into(),
             format!("{stiffness} N/mm, {free} mm when free, from {base} mm on the base to {arm} mm on the upper arm"),

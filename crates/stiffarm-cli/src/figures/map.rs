@@ -1,5 +1,6 @@
 //! The compliance map of an arm: bands of deflection, the arm, and where the work stands.
 
+use stiffarm::answer::Unit;
 use stiffarm::map::Grid as Mapped;
 use stiffarm::plane::{ElbowSide, PlanarArm};
 
@@ -27,8 +28,8 @@ pub(crate) struct MapFigure<'a> {
     pub subtitle: String,
     /// What is drawn, such as deflections, m.
     pub map: &'a Mapped,
-    /// What its values are multiplied by, such as 1000 for mm.
-    pub factor: f64,
+    /// The unit in which its values are told.
+    pub unit: Unit,
     /// What its smallest and its largest values are called.
     pub ends: [&'static str; 2],
     /// The arm whose plane was mapped, with its joint-2 axis, where it says exactly where the mapped area ends.
@@ -98,7 +99,7 @@ impl MapFigure<'_> {
         let index = |i: usize, count: usize| (i * stride).min(last(count));
         let count = |count: usize| last(count).div_ceil(stride) + 1;
         let grid = Grid::new(count(x.count), count(z.count), |i, j| {
-            Some(self.factor * self.map.get(index(i, x.count), index(j, z.count))?)
+            Some(self.unit.told(self.map.get(index(i, x.count), index(j, z.count))?))
         });
         let [[_, bottom], [right, top]] = frame.corners();
         let Some(extremes) = grid.extremes() else {
@@ -220,7 +221,7 @@ mod tests {
             title,
             subtitle,
             map,
-            factor: 1e3,
+            unit: Unit::Millimetre,
             ends: ["stiff", "soft"],
             edge: Some((arm, [0.0; 2])),
             scene: scene(arm),

@@ -8,6 +8,7 @@ mod traces;
 pub(crate) use arm::ArmMark;
 
 use serde_json::Value;
+use stiffarm::answer::Unit;
 use stiffarm::map::Grid;
 use stiffarm::palette::{INK, PAPER, PROSE};
 
@@ -84,7 +85,10 @@ impl Sheet {
         let stride = map.x.count.max(map.z.count).div_ceil(MOST_POINTS).max(1);
         // The last point is always kept, so that the map does not shrink.
         let kept = |count: usize| (0..count).filter(move |i| i % stride == 0 || i + 1 == count);
-        let cell = |i: usize, j: usize| Cell { at: [map.x.at(i), y, map.z.at(j)], mm: map.get(i, j).map(|m| m * 1e3) };
+        let cell = |i: usize, j: usize| Cell {
+            at: [map.x.at(i), y, map.z.at(j)],
+            mm: map.get(i, j).map(|metres| Unit::Millimetre.told(metres)),
+        };
         Self { rows: kept(map.z.count).map(|j| kept(map.x.count).map(|i| cell(i, j)).collect()).collect() }
     }
 
