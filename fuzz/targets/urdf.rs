@@ -15,7 +15,7 @@ fuzz_target!(|text: &str| {
             assert_eq!(read(&imported.text, "fuzz.toml").as_ref(), Ok(&imported.robot));
             assert_eq!(write(&imported.robot), imported.text);
         }
-        Err(ImportError::Faults(faults) | ImportError::Which(faults) | ImportError::Configuration(faults)) => {
+        Err(ImportError::Faults(faults) | ImportError::Which(faults) | ImportError::Class(faults)) => {
             assert!(!faults.faults.is_empty(), "refused without a reason");
             let lines = text.split('\n').count();
             for fault in &faults.faults {
