@@ -116,7 +116,7 @@ pub fn notes(robots: &[Robot]) -> String {
         of(robots.len(), "robot"),
         of(makers.len(), "maker"),
         if assumed { words::ASSUMED_ARCHITECTURE } else { "" },
-        words::statuses(robots.iter())
+        words::statuses(robots)
     )
 }
 

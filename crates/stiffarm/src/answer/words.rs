@@ -43,8 +43,9 @@ pub fn architecture(robot: &Robot) -> String {
 pub const ASSUMED_ARCHITECTURE: &str = "serial?: no parallelogram is reported, and none is ruled out\n";
 
 /// What the status of some of these robots means, where it is not the best.
-pub fn statuses<'a>(robots: impl Iterator<Item = &'a Robot> + Clone) -> String {
-    let has = |status| robots.clone().any(|robot| robot.status == status);
+pub fn statuses<'a>(robots: impl IntoIterator<Item = &'a Robot>) -> String {
+    let found: Vec<Status> = robots.into_iter().map(|robot| robot.status).collect();
+    let has = |status| found.contains(&status);
     let mut notes = String::new();
     if has(Status::Derived) {
         notes += "derived: partly from published figures of the same or a sister model\n";
