@@ -7,6 +7,7 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use stiffarm::answer::{Cell, ColumnKind, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer};
 use stiffarm::compliance::compliance;
+use stiffarm::rank::{Contestant, Standing};
 use stiffarm::request::{self, Verb};
 use stiffarm::robot::Robot as Arms;
 use stiffarm::study::study as studied;
@@ -21,6 +22,9 @@ use crate::robot::Robot;
 type Answer<'py> = PyResult<Bound<'py, PyAny>>;
 /// An answer, and its rows as columns for data frames.
 type WithColumns<'py> = PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>)>;
+
+/// A robot's place among those given, its rank, and its mean ratio.
+type Stood = (usize, Option<usize>, Option<f64>);
 
 /// Names the robot before what is wrong.
 fn of<E: ToString>(robot: &Arms) -> impl Fn(E) -> PyErr {
@@ -104,6 +108,30 @@ pub(crate) fn rank<'py>(
     let ranking = detached(py, || stiffarm::rank::rank(&robots, &tasks, &kind, &options, || ()))?;
     let answer = RankAnswer { ranking: ranking.map_err(refused)?, options, tolerance_mm };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
+}
+
+/// The order of robots by their values: their places among those given, with rank and mean ratio.
+#[pyfunction]
+pub(crate) fn order(
+    robots: Vec<(String, String, bool, bool)>,
+    deflections_mm: Vec<Vec<Option<f64>>>,
+) -> PyResult<Vec<Stood>> {
+    if robots.len() != deflections_mm.len() {
+        return Err(refused(format!("{} robots, but values of {}", robots.len(), deflections_mm.len())));
+    }
+    let contestants: Vec<Contestant> = robots
+        .iter()
+        .zip(deflections_mm)
+        .map(|((vendor, name, is_estimated, is_judged), values)| Contestant {
+            vendor,
+            name,
+            is_estimated: *is_estimated,
+            is_judged: *is_judged,
+            deflections: values.into_iter().map(|mm| mm.map(|mm| mm / 1e3)).collect(),
+        })
+        .collect();
+    let standings = stiffarm::rank::order(&contestants).into_iter();
+    Ok(standings.map(|Standing { at, rank, mean_ratio }| (at, rank, mean_ratio)).collect())
 }
 
 /// A map: its head, its layers by key, and what a figure shows besides.

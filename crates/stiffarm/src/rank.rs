@@ -17,6 +17,8 @@ pub type Cell = Result<Placed, PlaceError>;
 pub struct Row {
     /// Which.
     pub robot: Robot,
+    /// From 1; `None` for an estimated robot, which stands where its values put it, and for one of which nothing is known.
+    pub rank: Option<usize>,
     /// One answer per task.
     pub cells: Vec<Cell>,
     /// How much worse than the best robot of each task, as a geometric mean over the tasks it can do; 1 is the best. `None` where
@@ -28,11 +30,6 @@ pub struct Row {
 }
 
 impl Row {
-    /// How many tasks have no place, or none that is known.
-    pub fn misfits(&self) -> usize {
-        (0..self.cells.len()).filter(|&task| self.placement(task).is_none()).count()
-    }
-
     /// The best place of a task, where there is one.
     pub fn placement(&self, task: usize) -> Option<&Placement> {
         self.cells[task].as_ref().ok()?.feasible()
@@ -81,24 +78,9 @@ impl Ranking {
         self.best(task, |robot| robot.status != Status::Estimated)
     }
 
-    /// Ranks from 1, row by row: an estimated robot stands where its values put it, but has none, nor has one of which
-    /// nothing is known.
-    pub fn ranks(&self) -> Vec<Option<usize>> {
-        let mut rank = 0;
-        let mut next = |row: &Row| {
-            let is_known = row.cells.iter().any(Result::is_ok);
-            (is_known && row.robot.status != Status::Estimated).then(|| {
-                rank += 1;
-                rank
-            })
-        };
-        self.rows.iter().map(&mut next).collect()
-    }
-
     /// The rank of one robot.
     pub fn rank_of(&self, robot: &Robot) -> Option<usize> {
-        let at = self.rows.iter().position(|row| row.robot == *robot)?;
-        self.ranks()[at]
+        self.rows.iter().find(|row| row.robot == *robot)?.rank
     }
 }
 
@@ -263,30 +245,84 @@ fn ranked(
     };
     let cells: Vec<Cell> = pairs.par_iter().with_max_len(1).map(judge).collect::<Result<_, _>>()?;
     let mut cells = cells.into_iter();
-    let mut rows: Vec<Row> = robots
+    let rows: Vec<Row> = robots
         .iter()
         .zip(&models)
         .map(|(robot, model)| Row {
             robot: robot.clone(),
+            rank: None,
             cells: cells.by_ref().take(tasks.len()).collect(),
             mean_ratio: None,
             floor: model.as_ref().ok().and_then(Model::floor).map(|floor| floor * options.load.newtons()),
         })
         .collect();
-    let best: Vec<f64> = (0..tasks.len())
-        .map(|task| rows.iter().filter_map(|row| row.deflection(task)).fold(f64::INFINITY, f64::min))
+    let contestants: Vec<Contestant> = rows
+        .iter()
+        .map(|row| Contestant {
+            vendor: &row.robot.vendor,
+            name: &row.robot.name,
+            is_estimated: row.robot.status == Status::Estimated,
+            is_judged: row.cells.iter().any(Result::is_ok),
+            deflections: (0..tasks.len()).map(|task| row.deflection(task)).collect(),
+        })
         .collect();
-    for row in &mut rows {
-        let ratios: Vec<f64> =
-            (0..tasks.len()).filter_map(|task| Some(ratio(row.deflection(task)?, best[task]).ln())).collect();
-        if !ratios.is_empty() {
-            row.mean_ratio = Some((ratios.iter().sum::<f64>() / ratios.len() as f64).exp());
-        }
-    }
-    rows.sort_by(|a, b| {
-        let names = || (&a.robot.vendor, &a.robot.name).cmp(&(&b.robot.vendor, &b.robot.name));
-        let score = |row: &Row| row.mean_ratio.unwrap_or(f64::INFINITY);
-        a.misfits().cmp(&b.misfits()).then(score(a).total_cmp(&score(b))).then_with(names)
-    });
+    let standings = order(&contestants);
+    let placed = |Standing { at, rank, mean_ratio }| Row { rank, mean_ratio, ..rows[at].clone() };
+    let rows = standings.into_iter().map(placed).collect();
     Ok(Ranking { tasks: tasks.to_vec(), load: options.load, model: *kind, rows, in_plane: None })
+}
+
+/// What decides where a robot stands among others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contestant<'a> {
+    /// Its maker.
+    pub vendor: &'a str,
+    /// Its name.
+    pub name: &'a str,
+    /// Its numbers are partly assumed.
+    pub is_estimated: bool,
+    /// Something is known of it.
+    pub is_judged: bool,
+    /// Deflection of each task, m; `None` where there is no place, or it is not known.
+    pub deflections: Vec<Option<f64>>,
+}
+
+/// Where a robot stands among others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Standing {
+    /// Its place among those that were given.
+    pub at: usize,
+    /// As [`Row::rank`].
+    pub rank: Option<usize>,
+    /// As [`Row::mean_ratio`].
+    pub mean_ratio: Option<f64>,
+}
+
+/// Robots in order: those that can do more of the tasks first, then by the mean ratio to the best, then by name.
+pub fn order(contestants: &[Contestant]) -> Vec<Standing> {
+    let tasks = contestants.iter().map(|one| one.deflections.len()).max().unwrap_or(0);
+    let of = |one: &Contestant, task: usize| one.deflections.get(task).copied().flatten();
+    let best: Vec<f64> = (0..tasks)
+        .map(|task| contestants.iter().filter_map(|one| of(one, task)).fold(f64::INFINITY, f64::min))
+        .collect();
+    let mean_ratio = |one: &Contestant| {
+        let ratios: Vec<f64> = (0..tasks).filter_map(|task| Some(ratio(of(one, task)?, best[task]).ln())).collect();
+        (!ratios.is_empty()).then(|| (ratios.iter().sum::<f64>() / ratios.len() as f64).exp())
+    };
+    let mut standings: Vec<Standing> = contestants
+        .iter()
+        .enumerate()
+        .map(|(at, one)| Standing { at, rank: None, mean_ratio: mean_ratio(one) })
+        .collect();
+    let misfits = |one: &Standing| (0..tasks).filter(|&task| of(&contestants[one.at], task).is_none()).count();
+    let score = |one: &Standing| one.mean_ratio.unwrap_or(f64::INFINITY);
+    let names = |one: &Standing| (contestants[one.at].vendor, contestants[one.at].name);
+    standings.sort_by(|a, b| {
+        misfits(a).cmp(&misfits(b)).then(score(a).total_cmp(&score(b))).then_with(|| names(a).cmp(&names(b)))
+    });
+    let takes_rank = |one: &&mut Standing| contestants[one.at].is_judged && !contestants[one.at].is_estimated;
+    for (rank, one) in standings.iter_mut().filter(takes_rank).enumerate() {
+        one.rank = Some(rank + 1);
+    }
+    standings
 }

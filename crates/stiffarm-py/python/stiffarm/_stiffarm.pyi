@@ -16,6 +16,7 @@ __all__ = [
     "map",
     "matrices",
     "palette",
+    "order",
     "place",
     "posture",
     "rank",
@@ -92,6 +93,9 @@ def place(robot: Robot, wanted_task: str, asked: dict[str, str]) -> tuple[dict[s
 def rank(
     robots: Sequence[Robot], tasks: Sequence[str], asked: dict[str, str]
 ) -> tuple[dict[str, Any], dict[str, Any]]: ...
+def order(
+    robots: Sequence[tuple[str, str, bool, bool]], deflections_mm: Sequence[Sequence[float | None]]
+) -> list[tuple[int, int | None, float | None]]: ...
 def map(
     robot: Robot, asked: dict[str, str]
 ) -> tuple[dict[str, Any], dict[str, npt.NDArray[np.float64]], dict[str, Any]]: ...

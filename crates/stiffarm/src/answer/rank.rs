@@ -48,8 +48,7 @@ impl RankAnswer {
     }
 
     fn rows_json(&self) -> Value {
-        let rows = self.ranking.rows.iter().zip(self.ranking.ranks());
-        let told = rows.map(|(row, rank)| {
+        let told = self.ranking.rows.iter().map(|row| {
             let cells: Value = self.cells(row).map(|cell| cell.json()).collect();
             let mut record = Record::new();
             record
@@ -58,7 +57,7 @@ impl RankAnswer {
                 .put(field::ARCHITECTURE, row.robot.architecture.name())
                 .put(field::ARCHITECTURE_ASSUMED, row.robot.architecture_is_assumed)
                 .put(field::STATUS, row.robot.status.name())
-                .extend(self.standing(row, rank))
+                .extend(self.standing(row))
                 .put(field::CELLS, cells);
             record.json()
         });
@@ -66,11 +65,11 @@ impl RankAnswer {
     }
 
     /// Where a robot stands among the others.
-    fn standing(&self, row: &Row, rank: Option<usize>) -> Record {
+    fn standing(&self, row: &Row) -> Record {
         let planar_rank = self.ranking.in_plane.as_ref().and_then(|planar| planar.rank_of(&row.robot));
         let mut record = Record::new();
         record
-            .put(field::RANK, rank)
+            .put(field::RANK, row.rank)
             .put(field::PLANAR_RANK, planar_rank)
             .put(field::BOUND, row.floor)
             .put(field::MEAN_RATIO, row.mean_ratio);
@@ -107,12 +106,12 @@ impl RankAnswer {
         let mut columns =
             [field::RANK, field::PLANAR_RANK, field::BOUND, field::MEAN_RATIO].map(|f| columns_of(&f)).concat();
         let mut rows = Vec::new();
-        for (row, rank) in self.ranking.rows.iter().zip(self.ranking.ranks()) {
+        for row in &self.ranking.rows {
             for record in self.cells(row) {
                 if rows.is_empty() {
                     columns.extend(record.columns());
                 }
-                rows.push([self.standing(row, rank).cells(), record.cells()].concat());
+                rows.push([self.standing(row).cells(), record.cells()].concat());
             }
         }
         Rows::new(columns, rows)
@@ -131,7 +130,7 @@ impl RankAnswer {
             headings.push("planar #".into());
         }
         let mut table = Table::new(headings);
-        for (row, rank) in rows.iter().zip(self.ranking.ranks()) {
+        for row in rows {
             let robot = &row.robot;
             let estimated = robot.status == Status::Estimated;
             let or_none = |rank: Option<usize>| {
@@ -139,7 +138,7 @@ impl RankAnswer {
                 rank.map_or_else(|| none.to_owned(), |rank| rank.to_string())
             };
             let mut cells = vec![
-                or_none(rank),
+                or_none(row.rank),
                 format!("{}{}", robot.full_name(), if estimated { " ~" } else { "" }),
                 words::architecture(robot),
                 robot.status.to_string(),

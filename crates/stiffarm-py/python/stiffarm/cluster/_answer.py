@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from .. import _stiffarm
 from .._answers import Array, _Table
 from .._stiffarm import StiffarmError
 from ._folder import ASKED, SCENARIOS, SUMS, check, read_sums, read_whole
@@ -25,9 +26,6 @@ Flags = npt.NDArray[np.bool_]
 
 #: Standard deviations of a normal distribution that hold 95 %.
 _Z95 = 1.959963984540054
-
-#: Deflections below this, mm, are rounding: nothing gives way.
-_NOTHING_MM = 1e-12
 
 
 def wilson(wins: float, of: int) -> tuple[float, float]:
@@ -248,25 +246,22 @@ class Sweep:
             raise StiffarmError(f"{scenarios} scenarios and {forces} forces have no one order; wins() compares them")
         values, answered = self._deflections()
         values, answered = values[0, :, 0], answered[0, :, 0]
-        best = np.array([min((v for v in task if np.isfinite(v)), default=np.nan) for task in values])
+        judged: Flags = np.asarray(answered.any(axis=0))
         errors = self.to_arrow(["error"])["error"].to_pylist()
         labels, who = self._question.labels, self._question.robots
+        told = [[float(v) if np.isfinite(v) else None for v in values[:, r]] for r in range(len(who))]
+        names = [
+            (robot["vendor"] or "", robot["robot"], robot["status"] == "estimated", bool(judged[r]))
+            for r, robot in enumerate(who)
+        ]
         rows: list[dict[str, Any]] = []
-        for r, robot in enumerate(who):
-            ratios = [math.log(max(v, _NOTHING_MM) / max(b, _NOTHING_MM)) for v, b in zip(values[:, r], best) if np.isfinite(v)]
-            row: dict[str, Any] = {"rank": None, **_who(robot), "feasible_tasks": len(ratios)}
-            row["mean_ratio"] = math.exp(sum(ratios) / len(ratios)) if ratios else None
-            row.update({task: float(v) if np.isfinite(v) else None for task, v in zip(labels, values[:, r])})
+        for r, rank, mean_ratio in _stiffarm.order(names, told):
+            row: dict[str, Any] = {"rank": rank, **_who(who[r])}
+            row["feasible_tasks"] = sum(value is not None for value in told[r])
+            row["mean_ratio"] = mean_ratio
+            row.update(zip(labels, told[r]))
             row["error"] = next((error for error in errors[r :: len(who)] if error), None)
             rows.append(row)
-        judged: Flags = np.asarray(answered.any(axis=0))
-        ranks = sorted(range(len(rows)), key=lambda r: (not judged[r], *_standing(rows[r])))
-        rank = 0
-        for r in ranks:
-            if who[r]["status"] != "estimated" and judged[r]:
-                rank += 1
-                rows[r]["rank"] = rank
-        rows = [rows[r] for r in ranks]
         model = self._question.options["model"]
         return Order({"tasks": labels, "model": model, "force_n": self._question.forces_n[0], "rows": rows})
 
@@ -317,11 +312,6 @@ def _who(robot: dict[str, str | None]) -> dict[str, str | None]:
 def _name(row: dict[str, Any]) -> str:
     """Maker and name, estimated robots marked."""
     return f"{row['vendor'] or ''} {row['robot']}".strip() + ("~" if row["status"] == "estimated" else "")
-
-
-def _standing(row: dict[str, Any]) -> tuple[Any, ...]:
-    ratio = math.inf if row["mean_ratio"] is None else row["mean_ratio"]
-    return -row["feasible_tasks"], ratio, row["vendor"] or "", row["robot"]
 
 
 def _frequency(row: dict[str, Any]) -> tuple[float, float]:
