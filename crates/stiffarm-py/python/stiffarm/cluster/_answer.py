@@ -251,7 +251,7 @@ class Sweep:
         labels, who = self._question.labels, self._question.robots
         told = [[float(v) if np.isfinite(v) else None for v in values[:, r]] for r in range(len(who))]
         names = [
-            (robot["vendor"] or "", robot["robot"], robot["status"] == "estimated", bool(judged[r]))
+            (robot["vendor"] or "", robot["robot"] or "", robot["status"] == "estimated", bool(judged[r]))
             for r, robot in enumerate(who)
         ]
         rows: list[dict[str, Any]] = []
