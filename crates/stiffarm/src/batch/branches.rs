@@ -138,33 +138,14 @@ impl SpatialArm {
         let axis_5 = Triple([c23 * axis_5_x, axis_5_y, -(s23 * axis_5_x)]);
         let (cos_6, sin_6) = (-along.dot(seen.flange_x), along.dot(seen.axis_6.cross(seen.flange_x)));
         let [.., fourth, fifth, sixth] = self.angular_limits.joints;
-        let compliance = self.translation(&PostureLanes {
-            s2,
-            c2,
-            s23,
-            c23,
-            axis_5,
-            axis_6: seen.axis_6,
-            wrist_to_tool: seen.wrist_to_tool,
-        });
-        let worst = compliance.largest();
+        let (axis_6, wrist_to_tool) = (seen.axis_6, seen.wrist_to_tool);
+        let posture = PostureLanes { s2, c2, s23, c23, axis_5, axis_6, wrist_to_tool };
+        let worst = self.translation(&posture).largest();
         let any_split = s2.all(if self.angular_limits.any_wrist_split { 1.0 } else { -1.0 });
         let flipped = match self.coupling {
             // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
             Coupling::Serial | Coupling::QuasiSerial => worst,
-            Coupling::Any(_) => {
-                let axis_5 = axis_5 * -1.0;
-                self.translation(&PostureLanes {
-                    s2,
-                    c2,
-                    s23,
-                    c23,
-                    axis_5,
-                    axis_6: seen.axis_6,
-                    wrist_to_tool: seen.wrist_to_tool,
-                })
-                .largest()
-            }
+            Coupling::Any(_) => self.translation(&PostureLanes { axis_5: axis_5 * -1.0, ..posture }).largest(),
         };
         let worst = [worst, flipped];
         for wrist in 0..2 {

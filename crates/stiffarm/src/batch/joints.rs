@@ -180,22 +180,36 @@ mod tests {
         robots
     }
 
+    /// Postures of one batch; not a multiple of any register.
+    const COUNT: usize = 203;
+
+    /// Random postures, and what the registers make of them.
+    struct Batch {
+        q: [Vec<f64>; 6],
+        worst: Vec<f64>,
+        entries: Vec<Vec<f64>>,
+    }
+
+    /// Angles lie in a range of `width`, rad, about zero.
+    fn batch(robot: &Robot, tool: &Pose, width: f64) -> Batch {
+        let mut rng = fastrand::Rng::with_seed(4);
+        let arm = SpatialArm::new(robot, tool).unwrap();
+        let q: [Vec<f64>; 6] = std::array::from_fn(|_| (0..COUNT).map(|_| width * (rng.f64() - 0.5)).collect());
+        let joints = std::array::from_fn(|i| q[i].as_slice());
+        let (mut worst, mut entries) = (vec![0.0; COUNT], vec![vec![0.0; COUNT]; 6]);
+        arm.worst(joints, &mut worst).unwrap();
+        let mut rows = entries.iter_mut();
+        arm.translations(joints, std::array::from_fn(|_| rows.next().unwrap().as_mut_slice())).unwrap();
+        Batch { q, worst, entries }
+    }
+
     #[test]
     fn batches_are_what_single_postures_are() {
-        let mut rng = fastrand::Rng::with_seed(4);
         let tools = [Pose::identity(), Pose::translation(0.0, 0.0, 0.3), Pose::translation(0.1, -0.2, 0.25)];
         for (n, robot) in robots().iter().enumerate() {
             let tool = tools[n % 3];
-            let arm = SpatialArm::new(robot, &tool).unwrap();
-            let count = 203; // not a multiple of any register
-            let q: [Vec<f64>; 6] = std::array::from_fn(|_| (0..count).map(|_| 12.0 * (rng.f64() - 0.5)).collect());
-            let joints = std::array::from_fn(|i| q[i].as_slice());
-            let mut worst = vec![0.0; count];
-            let mut entries = vec![vec![0.0; count]; 6];
-            arm.worst(joints, &mut worst).unwrap();
-            let mut rows = entries.iter_mut();
-            arm.translations(joints, std::array::from_fn(|_| rows.next().unwrap().as_mut_slice())).unwrap();
-            for k in 0..count {
+            let Batch { q, worst, entries } = batch(robot, &tool, 12.0);
+            for k in 0..COUNT {
                 let expected = compliance(robot, &std::array::from_fn(|i| q[i][k]), &tool).unwrap().compliance;
                 let (largest, _) = expected.worst();
                 assert!((worst[k] - largest).abs() <= 3e-8 * largest, "{}: {} {largest}", robot.name, worst[k]);
@@ -221,24 +235,15 @@ mod tests {
     #[test]
     fn where_nothing_holds_joint_2_there_is_no_number() {
         let (robot, tool) = (pushed_over(), Pose::translation(0.05, 0.0, 0.2));
-        let arm = SpatialArm::new(&robot, &tool).unwrap();
-        let mut rng = fastrand::Rng::with_seed(5);
-        let count = 203; // not a multiple of any register
-        let q: [Vec<f64>; 6] = std::array::from_fn(|_| (0..count).map(|_| 6.0 * (rng.f64() - 0.5)).collect());
-        let joints = std::array::from_fn(|i| q[i].as_slice());
-        let mut worst = vec![0.0; count];
-        let mut entries = vec![vec![0.0; count]; 6];
-        arm.worst(joints, &mut worst).unwrap();
-        let mut rows = entries.iter_mut();
-        arm.translations(joints, std::array::from_fn(|_| rows.next().unwrap().as_mut_slice())).unwrap();
+        let Batch { q, worst, entries } = batch(&robot, &tool, 6.0);
         let mut unheld = 0;
-        for k in 0..count {
+        for k in 0..COUNT {
             let is_held = compliance(&robot, &std::array::from_fn(|i| q[i][k]), &tool).is_ok();
             unheld += usize::from(!is_held);
             assert_eq!(worst[k].is_nan(), !is_held, "{k}: {}", worst[k]);
             assert!(entries.iter().all(|entry| entry[k].is_nan() != is_held), "{k}");
         }
-        assert!(20 < unheld && unheld < count - 20, "{unheld}");
+        assert!(20 < unheld && unheld < COUNT - 20, "{unheld}");
     }
 
     #[test]
