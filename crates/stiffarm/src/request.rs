@@ -106,7 +106,7 @@ impl Request {
         }
         match self.verb.setting(name).map(|setting| (setting, setting.absent)) {
             Some((setting, Absent::Default(text))) => {
-                parts(setting, text).filter_map(|part| setting.kind.read(part).ok()).collect()
+                parts(setting, text).map(|part| setting.kind.read(part).expect("a default is understood")).collect()
             }
             _ => Vec::new(),
         }

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use stiffarm::drive::Architecture;
+use stiffarm::place::Orientation;
 use stiffarm::request::{Absent, Of, Pair, Refusal, Request, SETTINGS, Setting, Spelling, Verb, job};
 use stiffarm::robot::Status;
 use stiffarm::task::Zone;
@@ -51,6 +52,23 @@ fn every_row_has_a_name_of_its_own_and_refers_to_rows_that_are_there() {
         }
     }
     assert!(SETTINGS.iter().all(|setting| !setting.verbs.is_empty()));
+}
+
+/// A long side lies or stands on all that leans; only on a level table none of the sides is the upper one.
+#[test]
+fn a_long_side_is_refused_where_the_tool_is_vertical_and_nowhere_else() {
+    let options = |direction: &str| {
+        let given = [("model", "spatial"), ("tool-direction", direction), ("angle", "horizontal")];
+        let request = asked(Verb::Place, &given).expect("understood");
+        request.place_options(Some(Zone::Rectangle { width: 1.0, height: 0.5 })).map(|options| options.orientation)
+    };
+    for direction in ["-89", "-87", "-86", "-80", "0", "87"] {
+        assert_eq!(options(direction), Ok(Orientation::Fixed(90_f64.to_radians())), "{direction}");
+    }
+    for direction in ["down", "-90", "up", "90"] {
+        let refused = options(direction).expect_err(direction).to_string();
+        assert!(refused.starts_with("--angle horizontal and vertical mean the long side on a wall"), "{refused}");
+    }
 }
 
 #[test]

@@ -232,7 +232,7 @@ fn literal(kind: Kind, text: &str, folder: &Path) -> String {
     match kind {
         Kind::Robot => quoted(&seen_from(folder, text.trim())),
         Kind::Tool => {
-            let parts: Vec<String> = text.split(',').filter_map(number).collect();
+            let parts: Vec<String> = text.split(',').map(|part| number(part).expect("a tool is numbers")).collect();
             format!("[{}]", parts.join(", "))
         }
         kind if kind.may_be_number() => number(text).unwrap_or_else(|| quoted(text)),

@@ -40,12 +40,22 @@ pub struct Held {
 pub enum Unasked {
     /// On a table no side is the upper one.
     #[error(
-        "angle horizontal and vertical mean the long side on a wall; on a table give degrees, 0 has the first side ahead"
+        "horizontal and vertical mean the long side on a wall; on a table give degrees, 0 has the first side ahead"
     )]
     LongSide,
     /// A vertical tool has no yaw.
-    #[error("yaw-deg turns nothing where the tool points straight down or up; the angle of the zone does")]
+    #[error("turns nothing where the tool points straight down or up; the angle of the zone does")]
     Yaw,
+}
+
+impl Unasked {
+    /// The option that says it.
+    pub(super) const fn setting(self) -> &'static str {
+        match self {
+            Self::LongSide => "angle",
+            Self::Yaw => "yaw-deg",
+        }
+    }
 }
 
 impl Wanted {
@@ -69,7 +79,7 @@ impl Wanted {
 
     /// Of a rectangle on a table or a wall.
     fn on_a_plane(&self, held: &Held, zone: Option<Zone>) -> Result<Orientation, Unasked> {
-        let is_wall = held.elevation().abs() < 1.5;
+        let is_wall = !Stance::tool_at(held.elevation()).is_vertical();
         // On a wall 0 has the first side upright.
         let long_side_at = |upright: f64, lying: f64| {
             zone.map_or(Orientation::Axes, |zone| {

@@ -152,11 +152,10 @@ impl Request {
     }
 
     fn unanswered(&self, unasked: Unasked) -> Refusal {
-        let told = unasked.to_string();
-        let (name, why) = told.split_once(' ').unwrap_or((&told, ""));
-        let at = self.find(name).map_or_else(|| self.reader.clone(), |given| given.at.clone());
+        let name = unasked.setting();
+        let at = self.find(name).map_or(&self.reader, |given| &given.at).clone();
         let name = self.verb.setting(name).map_or_else(|| at.bare(name), |setting| at.name(setting));
-        Refusal::Unanswered { at, name, why: why.into() }
+        Refusal::Unanswered { at, name, why: unasked.to_string() }
     }
 
     /// How finely a map is drawn.
@@ -255,8 +254,11 @@ impl Request {
         self.all(name, pick).pop()
     }
 
-    fn all<T>(&self, name: &str, pick: impl FnMut(Value) -> Option<T>) -> Vec<T> {
-        self.values(name).into_iter().filter_map(pick).collect()
+    fn all<T>(&self, name: &str, mut pick: impl FnMut(Value) -> Option<T>) -> Vec<T> {
+        let values = self.values(name).into_iter();
+        values
+            .map(|value| pick(value).unwrap_or_else(|| panic!("{name} is read as what its row does not take")))
+            .collect()
     }
 
     /// How whoever asks spells, for what is not in the table.
