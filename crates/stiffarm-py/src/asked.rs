@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use pyo3::prelude::*;
-use stiffarm::request::{Pair, Request, Spelling, Verb};
+use stiffarm::request::{Absent, Kind, Pair, Request, Spelling, Verb};
 use stiffarm::task::Task;
 
 use crate::refused;
@@ -26,6 +26,30 @@ impl Asked {
         let pairs: Vec<Pair> = further.iter().map(|(name, text)| pair(name, text)).chain(given).collect();
         Request::read(verb, &pairs, Spelling::Keyword).map_err(refused)
     }
+}
+
+/// An option as Python needs it: keyword, what it takes, the bounds of a whole number, whether it takes several, its default as it
+/// is typed, whether it must be given, and a line of help.
+type Told = (String, String, Option<(usize, usize)>, bool, Option<&'static str>, bool, String);
+
+/// The options of a verb, in the order of help.
+#[pyfunction]
+pub(crate) fn options(verb: &str) -> PyResult<Vec<Told>> {
+    let verb = Verb::ALL.into_iter().find(|known| known.name() == verb);
+    let verb = verb.ok_or_else(|| refused("no such verb"))?;
+    let told = verb.settings().map(|setting| {
+        let bounds = if let Kind::Whole { min, max } = setting.kind { Some((min, max)) } else { None };
+        let default = if let Absent::Default(text) = setting.absent { Some(text) } else { None };
+        let is_required = setting.absent == Absent::Required;
+        (setting.keyword(), kind(setting.kind), bounds, setting.is_list(), default, is_required, setting.described())
+    });
+    Ok(told.collect())
+}
+
+/// The name of a kind: `number`, `word`, `within`.
+fn kind(kind: Kind) -> String {
+    let shown = format!("{kind:?}");
+    shown.split(|letter: char| !letter.is_alphanumeric()).next().unwrap_or_default().to_lowercase()
 }
 
 /// A task by its notation.

@@ -38,6 +38,8 @@ mod _stiffarm {
     #[pymodule_export]
     use super::StiffarmError;
     #[pymodule_export]
+    use super::asked::options;
+    #[pymodule_export]
     use super::batch::{matrices, worst};
     #[pymodule_export]
     use super::palette::colours;

@@ -12,7 +12,7 @@ use stiffarm::answer::robot::{drive_urad_per_nm, sheet};
 use stiffarm::catalogue::files::{self, LoadError, Unreadable};
 use stiffarm::catalogue::import::{ImportOptions, import};
 use stiffarm::catalogue::{self, Entry, find, matching, paper_robots, read, suggestions, write};
-use stiffarm::request::Verb;
+use stiffarm::request::{Request, Verb};
 use stiffarm::robot::{Arm, Robot as Arms};
 
 use crate::asked::Asked;
@@ -356,8 +356,12 @@ pub(crate) fn select(name: &str) -> PyResult<Vec<Robot>> {
 /// Those of some robots that have all that is asked for.
 #[pyfunction]
 pub(crate) fn robots(among: Vec<PyRef<'_, Robot>>, words: Vec<String>, asked: Asked) -> PyResult<Vec<Robot>> {
-    let filter = asked.of(Verb::List)?.filter(words);
     let among = among.iter().map(|robot| robot.0.clone()).collect();
-    let kept = filter.keep(among, str::to_owned).map_err(|nothing| refused(format!("{nothing}; {}", nothing.hint)))?;
-    Ok(kept.into_iter().map(Robot).collect())
+    Ok(kept(among, &asked.of(Verb::List)?, words)?.into_iter().map(Robot).collect())
+}
+
+/// Those of some robots that have all that is asked for.
+pub(crate) fn kept(among: Vec<Arms>, asked: &Request, words: Vec<String>) -> PyResult<Vec<Arms>> {
+    let kept = asked.filter(words).keep(among, str::to_owned);
+    kept.map_err(|nothing| refused(format!("{nothing}; {}", nothing.hint)))
 }

@@ -17,7 +17,7 @@ use crate::asked::{Asked, task};
 use crate::json::to_python;
 use crate::pool::detached;
 use crate::refused;
-use crate::robot::Robot;
+use crate::robot::{Robot, kept};
 
 type Answer<'py> = PyResult<Bound<'py, PyAny>>;
 /// An answer, and its rows as columns for data frames.
@@ -98,7 +98,7 @@ pub(crate) fn rank<'py>(
 ) -> WithColumns<'py> {
     let tasks: Vec<(&str, &str)> = tasks.iter().map(|text| ("tasks", text.as_str())).collect();
     let asked = asked.with(Verb::Rank, &tasks)?;
-    let robots: Vec<Arms> = robots.iter().map(|robot| robot.0.clone()).collect();
+    let robots = kept(robots.iter().map(|robot| robot.0.clone()).collect(), &asked, Vec::new())?;
     let (kind, tasks, tolerance_mm) = (asked.model(), request::distinct(&asked.tasks()), asked.tolerance_mm());
     if tasks.is_empty() {
         return Err(refused("no task to rank for; give tasks"));

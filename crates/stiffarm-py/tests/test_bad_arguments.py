@@ -142,7 +142,8 @@ def test_what_is_no_number_raises_the_error_of_the_package(bad):
             continue
         refused(name, call, *(() if call == ROBOT.with_compliance else (ROBOT,)), **options)
     for name in ("sizes", "ratios", "range", "k2", "k3"):
-        refused(name, stiffarm.study, **{name: bad})
+        if bad is not None:
+            refused(name, stiffarm.study, **{name: bad})
     for name in ("payload_kg", "reach_m"):
         if bad is not None:
             refused(name, stiffarm.robots, **{name: (0, bad)})

@@ -119,23 +119,6 @@ def within(value: str | Sequence[RangeLike | None] | None) -> str | None:
     return ",".join(between("within_m", part) or ".." for part in (x, z))
 
 
-def asked(**given: object) -> dict[str, str]:
-    """What was given, as the command line spells it."""
-    spelt: dict[str, str] = {}
-    for name, value in given.items():
-        if value is None:
-            continue
-        if isinstance(value, str):
-            spelt[name] = value
-        elif name == "size":
-            spelt[name] = str(whole(name, value, 2, 100_000))
-        elif isinstance(value, (list, tuple, np.ndarray)):
-            spelt[name] = ",".join(repr(part) for part in row(name, value))
-        else:
-            spelt[name] = repr(number(name, value))
-    return spelt
-
-
 def robot(value: RobotLike) -> Robot:
     return value if isinstance(value, Robot) else Robot(value)
 

@@ -23,16 +23,18 @@ from typing import TYPE_CHECKING, Union
 import numpy as np
 import numpy.typing as npt
 
-from .. import _given, _stiffarm
+from .. import _given, _options, _stiffarm
 from .._answers import Array
-from .._given import RangeLike, RobotLike
+from .._given import RobotLike
 from .._stiffarm import Robot, StiffarmError
-from .._verbs import PAPER_TASKS, Model
+from .._verbs import PAPER_TASKS
+from ..types import SweepOptions
 from ._answer import Order, Sweep, Wins
 from ._question import Question
 
 if TYPE_CHECKING:
     from distributed import Client
+    from typing_extensions import Unpack
 
 __all__ = ["Order", "Sweep", "Wins", "load", "rank", "spread", "sweep"]
 
@@ -96,6 +98,7 @@ def load(folder: str | os.PathLike[str]) -> Sweep:
     return found
 
 
+@_options.takes("place", SweepOptions)
 def sweep(
     robots: RobotLike | Iterable[RobotLike] = "paper",
     *,
@@ -103,20 +106,12 @@ def sweep(
     tasks: str | Iterable[str] = PAPER_TASKS,
     force_n: float | Sequence[float] = 1000.0,
     scenarios: npt.ArrayLike | None = None,
-    tolerance_mm: float | None = None,
-    within_m: str | Sequence[RangeLike | None] | None = None,
-    angle: str | float = "axes",
-    gap: float | None = None,
-    model: Model = "planar",
-    tool_mm: npt.ArrayLike | str | None = None,
-    tool_direction: str | float | None = None,
-    yaw_deg: str | float | None = None,
-    roll_deg: float | None = None,
     client: ClientLike = None,
     workers: int | None = None,
     chunk_rows: int | None = None,
     timeout_s: float = 30.0,
     progress: bool | None = None,
+    **options: Unpack[SweepOptions],
 ) -> Sweep:
     """Every robot at every task, force and scenario, on a cluster.
 
@@ -135,8 +130,6 @@ def sweep(
     scenarios : (m, 6) or (m, robots, 6) array_like, optional
         Factors on the compliance of each drive [1], for all robots or for each: `spread`. A factor that is no positive
         number becomes rows with an ``error``.
-    tolerance_mm, within_m, angle, gap, model, tool_mm, tool_direction, yaw_deg, roll_deg
-        As in `stiffarm.place`.
     client : distributed.Client or str, optional
         A client, or the address of a scheduler. Without it workers of one thread on this machine.
     workers : int, optional
@@ -147,6 +140,7 @@ def sweep(
         How long to wait for a scheduler and its first worker [s].
     progress : bool, optional
         Whether to show how far it is; without it on a terminal.
+    {options}
 
     Returns
     -------
@@ -163,10 +157,8 @@ def sweep(
     forces = _given.row("force_n", force_n)
     path, timeout_s = _given.path("folder", folder).absolute(), _given.number("timeout_s", timeout_s)
     workers = None if workers is None else _given.whole("workers", workers, 1, 1024)
-    asked = _given.asked(
-        tolerance_mm=tolerance_mm, within_m=_given.within(within_m), angle=angle, gap=gap, model=model, tool_mm=tool_mm,
-        tool_direction=tool_direction, yaw_deg=yaw_deg, roll_deg=roll_deg,
-    )  # fmt: skip
+    # Both stand in every folder, and name its columns.
+    asked = _options.spelt("place", {"angle": "axes", "model": "planar", **options})
     question = _checked(robots, tasks, forces, asked, scenarios, chunk_rows)
     from ._run import run
 
@@ -174,26 +166,19 @@ def sweep(
     return Sweep(path)
 
 
+@_options.takes("place", SweepOptions)
 def rank(
     robots: RobotLike | Iterable[RobotLike] = "paper",
     *,
     folder: str | os.PathLike[str] | None = None,
     tasks: str | Iterable[str] = PAPER_TASKS,
     force_n: float = 1000.0,
-    tolerance_mm: float | None = None,
-    within_m: str | Sequence[RangeLike | None] | None = None,
-    angle: str | float = "axes",
-    gap: float | None = None,
-    model: Model = "planar",
-    tool_mm: npt.ArrayLike | str | None = None,
-    tool_direction: str | float | None = None,
-    yaw_deg: str | float | None = None,
-    roll_deg: float | None = None,
     client: ClientLike = None,
     workers: int | None = None,
     chunk_rows: int | None = None,
     timeout_s: float = 30.0,
     progress: bool | None = None,
+    **options: Unpack[SweepOptions],
 ) -> Order:
     """Robots in the order of `stiffarm.rank`, with its deflections.
 
@@ -201,8 +186,9 @@ def rank(
     ----------
     folder : path, optional
         Where the Parquet files go; nothing is kept without it. Workers on other machines need one.
-    **options
-        All others as in `sweep`.
+    {options}
+
+    All others are as in `sweep`.
 
     Returns
     -------
@@ -213,10 +199,8 @@ def rank(
         raise StiffarmError("folder is missing: the workers of a client write where they can all see it")
     with tempfile.TemporaryDirectory(prefix="stiffarm-") as kept:
         return sweep(
-            robots, folder=kept if folder is None else folder, tasks=tasks, force_n=force_n, tolerance_mm=tolerance_mm,
-            within_m=within_m, angle=angle, gap=gap, model=model, tool_mm=tool_mm, tool_direction=tool_direction,
-            yaw_deg=yaw_deg, roll_deg=roll_deg, client=client, workers=workers, chunk_rows=chunk_rows,
-            timeout_s=timeout_s, progress=progress,
+            robots, folder=kept if folder is None else folder, tasks=tasks, force_n=force_n, client=client, workers=workers,
+            chunk_rows=chunk_rows, timeout_s=timeout_s, progress=progress, **options,
         ).order()  # fmt: skip
 
 

@@ -1,0 +1,244 @@
+"""What goes in, for type checkers: the options of every verb.
+
+Written by ``STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types`` from the tables of the library; not to be edited.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Literal, TypedDict
+
+import numpy.typing as npt
+
+from ._given import RangeLike
+
+
+class RobotsOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.robots`."""
+
+    vendor: str | Iterable[str] | None
+    """Only robots of these makers, separated by commas."""
+
+    payload_kg: RangeLike | None
+    """Only robots with a payload in this range [kg]: A..B; either end may be left open."""
+
+    reach_m: RangeLike | None
+    """Only robots with a reach in this range [m]: A..B; either end may be left open."""
+
+    architecture: Literal["serial", "quasi-serial"] | None
+    """Only robots of this architecture: serial or quasi-serial."""
+
+    status: str | Iterable[Literal["identified", "data-sheet", "derived", "estimated"]] | None
+    """Only robots of these statuses: identified, data-sheet, derived, estimated; separated by commas."""
+
+
+class ComplianceOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.compliance`."""
+
+    force_n: npt.ArrayLike | None
+    """Force at the tool point [N]: x,y,z in base axes."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
+    centre]."""
+
+
+class PlaceOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.place`."""
+
+    tolerance_mm: float | None
+    """Largest deflection that is acceptable [mm]: adds pass or fail."""
+
+    force_n: float
+    """Cutting force [N]."""
+
+    within_m: str | Sequence[RangeLike | None] | None
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
+    [default: anywhere; with model="spatial" 0..,0..: in front of the joint-1 axis and above the base]."""
+
+    angle: str | float
+    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
+    degrees of its first side."""
+
+    gap: float | None
+    """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
+
+    model: Literal["planar", "spatial"]
+    """Which model."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
+    [default: the flange]."""
+
+    tool_direction: str | float | None
+    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
+
+    yaw_deg: str | float | None
+    """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
+
+    roll_deg: float | None
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+
+
+class RankOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.rank`."""
+
+    tolerance_mm: float | None
+    """Largest deflection that is acceptable [mm]: adds pass or fail."""
+
+    force_n: float
+    """Cutting force [N]."""
+
+    within_m: str | Sequence[RangeLike | None] | None
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
+    [default: anywhere; with model="spatial" 0..,0..: in front of the joint-1 axis and above the base]."""
+
+    angle: str | float
+    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
+    degrees of its first side."""
+
+    gap: float | None
+    """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
+
+    model: Literal["planar", "spatial"]
+    """Which model."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
+    [default: the flange]."""
+
+    tool_direction: str | float | None
+    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
+
+    yaw_deg: str | float | None
+    """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
+
+    roll_deg: float | None
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+
+    vendor: str | Iterable[str] | None
+    """Only robots of these makers, separated by commas."""
+
+    payload_kg: RangeLike | None
+    """Only robots with a payload in this range [kg]: A..B; either end may be left open."""
+
+    reach_m: RangeLike | None
+    """Only robots with a reach in this range [m]: A..B; either end may be left open."""
+
+    architecture: Literal["serial", "quasi-serial"] | None
+    """Only robots of this architecture: serial or quasi-serial."""
+
+    status: str | Iterable[Literal["identified", "data-sheet", "derived", "estimated"]] | None
+    """Only robots of these statuses: identified, data-sheet, derived, estimated; separated by commas."""
+
+
+class MapOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.map`."""
+
+    direction_deg: float | None
+    """Direction of the force [deg], counter-clockwise from straight ahead [default: the worst in every point]
+    [planar model only]."""
+
+    component: Literal["total", "along"] | None
+    """The whole displacement, or its part along the force [default: total] [planar model only]."""
+
+    elbow: Literal["up", "down"] | None
+    """Only one elbow side [default: the stiffer that reaches a point] [planar model only]."""
+
+    posture: str | None
+    """Only one posture, with model="spatial": such as front,up,no-flip [default: the stiffest at each point]."""
+
+    zone: str | None
+    """Draw the best placement of this task [planar model only]."""
+
+    step_m: float | None
+    """Distance between points [m]."""
+
+    size: int
+    """Points along the longer side."""
+
+    force_n: float
+    """Cutting force [N]."""
+
+    within_m: str | Sequence[RangeLike | None] | None
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
+    [default: anywhere; with model="spatial" 0..,0..: in front of the joint-1 axis and above the base]."""
+
+    angle: str | float
+    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
+    degrees of its first side."""
+
+    gap: float | None
+    """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
+
+    model: Literal["planar", "spatial"]
+    """Which model."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
+    [default: the flange]."""
+
+    tool_direction: str | float | None
+    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
+
+    roll_deg: float | None
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+
+
+class StudyOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.study`."""
+
+    tasks: str | Iterable[str]
+    """Shapes at size 1: A, B, C, or such as rect:1x3."""
+
+    sizes: npt.ArrayLike
+    """Sizes over l2 + l3."""
+
+    ratios: npt.ArrayLike
+    """Link ratios mu = l3/l2."""
+
+    range: RangeLike
+    """Link ratios among which the best is sought."""
+
+    compare: str | Iterable[Literal["serial", "quasi-serial"]]
+    """The two architectures that are compared."""
+
+    k2: npt.ArrayLike
+    """Compliance of drive 2 over the reference k, for both or one each; 0: rigid."""
+
+    k3: npt.ArrayLike
+    """Compliance of drive 3 over the reference k, for both or one each; 0: rigid."""
+
+
+class SweepOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.cluster.sweep`."""
+
+    tolerance_mm: float | None
+    """Largest deflection that is acceptable [mm]: adds pass or fail."""
+
+    within_m: str | Sequence[RangeLike | None] | None
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
+    [default: anywhere; with model="spatial" 0..,0..: in front of the joint-1 axis and above the base]."""
+
+    angle: str | float
+    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
+    degrees of its first side."""
+
+    gap: float | None
+    """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
+
+    model: Literal["planar", "spatial"]
+    """Which model."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
+    [default: the flange]."""
+
+    tool_direction: str | float | None
+    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
+
+    yaw_deg: str | float | None
+    """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
+
+    roll_deg: float | None
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
