@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::body::Body;
 use crate::drive::{Architecture, Drives, JointCompliance};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
@@ -64,6 +65,8 @@ pub struct Robot {
     pub mass_kg: Option<f64>,
     /// Repeatability by the data sheet, m.
     pub repeatability: Option<f64>,
+    /// How thick its links are; estimated where `None`, see [`Self::thickness`].
+    pub body: Option<Body>,
     /// What moves.
     pub arm: Arm,
     /// Where each group of numbers comes from.
@@ -108,6 +111,7 @@ impl Robot {
             reach: None,
             mass_kg: None,
             repeatability: None,
+            body: None,
             arm: Arm::Planar(arm),
             source: BTreeMap::new(),
         }
@@ -116,6 +120,14 @@ impl Robot {
     /// Maker and name, or the name alone where no maker is known.
     pub fn full_name(&self) -> String {
         format!("{} {}", self.vendor, self.name).trim().into()
+    }
+
+    /// How thick its links are, and whether that is an estimate.
+    pub fn thickness(&self) -> (Body, bool) {
+        match self.body {
+            Some(body) => (body, false),
+            None => (Body::estimated(self.payload_kg, self.reach.unwrap_or_else(|| self.stretch())), true),
+        }
     }
 
     /// Joint 1 axis to wrist centre with both links straight ahead, m: `a1 + l2 + l3`.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
+use stiffarm::body::Body;
 use stiffarm::catalogue::{read, write};
 use stiffarm::drive::{Architecture, Drives, GravityCompensator, JointCompliance, Transmission};
 use stiffarm::geometry::Geometry;
@@ -120,6 +121,7 @@ fn robot() -> impl Strategy<Value = Robot> {
         proptest::option::of(0.1..20.0),
         proptest::option::of(1.0..1e5),
         proptest::option::of(length(0.001, 10.0).prop_filter("a repeatability", |m| 1e-7 <= *m)),
+        proptest::option::of([(); 4].map(|()| length(5.0, 1500.0))).prop_map(|radii| radii.map(Body::from)),
     );
     let source = proptest::collection::btree_map(any::<String>(), any::<String>(), 0..4);
     let kind = prop_oneof![Just(Architecture::Serial), Just(Architecture::QuasiSerial)];
@@ -128,7 +130,7 @@ fn robot() -> impl Strategy<Value = Robot> {
     (names, figures, source, arm, status).prop_map(
         |(
             (name, vendor, assumed),
-            (payload_kg, reach, mass_kg, repeatability),
+            (payload_kg, reach, mass_kg, repeatability, body),
             source,
             (architecture, arm),
             status,
@@ -142,6 +144,7 @@ fn robot() -> impl Strategy<Value = Robot> {
             reach,
             mass_kg,
             repeatability,
+            body: if matches!(arm, Arm::SixAxis { .. }) { body } else { None },
             arm,
             source: BTreeMap::from_iter(source),
         },
@@ -180,6 +183,7 @@ proptest! {
             reach: None,
             mass_kg: None,
             repeatability: None,
+            body: None,
             arm: Arm::Planar(arm.clone()),
             source: BTreeMap::new(),
         };

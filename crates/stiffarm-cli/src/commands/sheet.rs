@@ -48,6 +48,7 @@ impl Sheet {
             rows.extend(geometry_rows(geometry));
             rows.extend(limit_rows(limits));
             rows.extend(drive_rows(drives, robot.architecture));
+            rows.push(("radii of the links".into(), radii(robot)));
         }
         if let Ok(plane) = robot.two_links() {
             rows.extend(plane_rows(&plane.arm));
@@ -83,6 +84,15 @@ impl Sheet {
         };
         drawn.svg().map_err(figure)
     }
+}
+
+/// Column, upper arm, forearm and wrist.
+fn radii(robot: &Robot) -> String {
+    let (body, is_estimated) = robot.thickness();
+    let names = ["column", "upper arm", "forearm", "wrist"];
+    let radii = names.iter().zip(<[f64; 4]>::from(body));
+    let told: Vec<String> = radii.map(|(name, m)| format!("{name} {:.0}", Unit::Millimetre.told(m))).collect();
+    format!("{} mm{}", told.join(", "), if is_estimated { " (estimated)" } else { "" })
 }
 
 fn geometry_rows(geometry: &Geometry) -> Lines {

@@ -137,6 +137,9 @@ fields! {
     LIMIT_MARGIN: "limit_margin_deg", Kind::Number(Unit::Degree), "The smallest distance of any joint to its limits in the zone.";
     LIMIT_MARGIN_JOINT: "limit_margin_joint", Kind::Count, "That joint; 0 is the angle between the links.";
     SINGULAR_MARGIN: "singular_margin_deg", Kind::Number(Unit::Degree), "The smallest angle to a singular posture in the zone.";
+    CLEARANCE: "clearance_mm", Kind::Number(Unit::Millimetre), "The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap.";
+    CLEARANCE_OF: "clearance_of", Kind::Text, "Which link to what.";
+    CLEARANCE_ESTIMATED: "clearance_estimated", Kind::Truth, "A radius in it is estimated.";
     RESOLUTION: "resolution", Kind::Nested, "How finely a place was looked for.";
     COARSE_STEP: "coarse_step_m", Kind::Number(Unit::Metre), "Distance between the places of the coarse search.";
     COARSE: "coarse_mm", Kind::Number(Unit::Millimetre), "The best value of the coarse search.";

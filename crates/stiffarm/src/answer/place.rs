@@ -118,7 +118,7 @@ impl PlaceAnswer {
         match self.model {
             ModelKind::Planar => "",
             ModelKind::Spatial(_) => {
-                "all six drives compliant, everything else rigid; the robot's own body and the table are not known: collisions are not checked\n"
+                "all six drives compliant, everything else rigid\nclearance: links as capsules, coarse, at the poses of the answer; nothing is known of tables and fixtures\n"
             }
         }
     }
@@ -146,6 +146,7 @@ impl PlaceAnswer {
         let [near, far] = [format!("x {wx} m"), format!("z {wz} m")];
         let worst = if best.space().is_some() { format!("{near}, y {wy} m, {far}") } else { format!("{near}, {far}") };
         lines.push(line("worst point", worst));
+        lines.extend(best.clearance.map(|clearance| words::clearance(&clearance)));
         lines.extend(best.space().into_iter().flat_map(hold_lines));
         if let Some(tolerance) = self.tolerance_mm {
             let verdict = Verdict::of(best.deflection, tolerance);
@@ -316,6 +317,7 @@ fn outcome(record: &mut Record, placed: Result<&Placed, &PlaceError>) {
 fn held(record: &mut Record, best: Option<&Placement>) {
     let hold = best.and_then(Placement::space);
     let of = |value: fn(&SpaceHold) -> f64| hold.map(value);
+    let clearance = best.and_then(|best| best.clearance);
     record
         .put(field::BEARING, of(|hold| hold.bearing))
         .put(field::YAW, of(|hold| hold.yaw))
@@ -333,6 +335,9 @@ fn held(record: &mut Record, best: Option<&Placement>) {
         .put(field::LIMIT_MARGIN, of(|hold| hold.limit_margin.0))
         .put(field::LIMIT_MARGIN_JOINT, hold.map(|hold| hold.limit_margin.1))
         .put(field::SINGULAR_MARGIN, of(|hold| hold.singular_margin))
+        .put(field::CLEARANCE, clearance.map(|clearance| clearance.distance))
+        .put(field::CLEARANCE_OF, clearance.map(|clearance| words::clearance_of(&clearance)))
+        .put(field::CLEARANCE_ESTIMATED, clearance.map(|clearance| clearance.is_estimated))
         .put(field::RESOLUTION, hold.map(|hold| resolution(&hold.resolution)));
 }
 

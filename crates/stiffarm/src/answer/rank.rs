@@ -244,7 +244,8 @@ impl RankAnswer {
         notes += &words::statuses(rows.iter().map(|row| &row.robot));
         if in_plane.is_some() {
             notes += &self.proof();
-            notes += "collisions are not checked\n";
+            notes += &self.colliding();
+            notes += "clearance (JSON, CSV): links as capsules, coarse, at the poses of each answer; nothing is known of tables and fixtures\n";
         }
         notes
     }
@@ -301,6 +302,14 @@ impl RankAnswer {
         })
     }
 
+    /// Names the places in space where the arm overlaps with something.
+    fn colliding(&self) -> String {
+        let named = self.named(|best| best.space().is_some() && best.collides());
+        named.map_or_else(String::new, |names| {
+            format!("COLLISION at the place (`stiffarm place --model spatial` says of what): {names}\n")
+        })
+    }
+
     /// How far the values in space are from being proved best.
     fn proof(&self) -> String {
         let rows = &self.ranking.rows;
@@ -354,6 +363,15 @@ impl RankAnswer {
             format!("{} for {}", row.robot.full_name(), tasks.iter().map(told).collect::<Vec<_>>().join(", "))
         };
         let list: Vec<String> = winners.iter().map(won).collect();
+        let collides =
+            |row: &Row, task: usize| row.placement(task).is_some_and(|best| best.space().is_some() && best.collides());
+        if winners.iter().any(|(row, tasks)| tasks.iter().any(|&task| collides(row, task))) {
+            return format!(
+                "Under {} N in the worst direction the least deflection is that of {}; but an arm collides there, so no robot is advised.",
+                ranking.load.newtons(),
+                list.join("; ")
+            );
+        }
         format!("Under {} N in the worst direction take {}.", ranking.load.newtons(), list.join("; "))
     }
 

@@ -24,6 +24,11 @@ pub fn sheet(robot: &Robot) -> Value {
     put("mass_kg", json!(robot.mass_kg));
     put("repeatability_mm", json!(robot.repeatability.map(|m| rounded(m * 1e3))));
     if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
+        let (body, is_estimated) = robot.thickness();
+        put(
+            "body",
+            json!({ "radius_mm": <[f64; 4]>::from(body).map(|m| rounded(m * 1e3)), "estimated": is_estimated }),
+        );
         put("geometry", geometry_json(geometry));
         put("limits", limits_json(limits));
     }

@@ -1,5 +1,7 @@
 //! Numbers and choices as people read them.
 
+use super::{Line, line};
+use crate::clearance::{Clearance, Obstacle};
 use crate::interval::Interval;
 use crate::load::{Component, Direction, Load};
 use crate::model::ModelKind;
@@ -138,6 +140,30 @@ pub(crate) fn tool_mm(tool: &Pose) -> [f64; 6] {
     let (rx, ry, rz) = tool.rotation.euler_angles();
     let [x, y, z] = tool.translation.vector.map(|metres| metres * 1e3).into();
     [x, y, z, rx.to_degrees(), ry.to_degrees(), rz.to_degrees()].map(|part| part + 0.0)
+}
+
+/// Which link is nearest to what, such as `forearm (estimated radius) to floor`.
+pub fn clearance_of(clearance: &Clearance) -> String {
+    let estimated = if clearance.is_estimated { " (estimated radius)" } else { "" };
+    let to = match clearance.to {
+        Obstacle::Floor => "floor".into(),
+        Obstacle::Work => "work".into(),
+        Obstacle::KeepOut(number) => format!("keep-out {number}"),
+        Obstacle::Link(link) => link.name().into(),
+    };
+    format!("{}{estimated} to {to}", clearance.link.name())
+}
+
+/// How near the arm comes to anything; loud where it is too near.
+pub fn clearance(clearance: &Clearance) -> Line {
+    let (distance, of) = (clearance.distance * 1e3, clearance_of(clearance));
+    let poses = clearance.poses;
+    let tool = if clearance.knows_tool { "" } else { "; wrist and tool are not known to this model" };
+    if distance < 0.0 {
+        let by = fixed(-distance, 0);
+        return line("COLLISION", format!("{of}: they overlap by {by} mm{tool}; a place not to be chosen"));
+    }
+    line("clearance", format!("{} mm, {of}, at {poses} poses{tool}", fixed(distance, 0)))
 }
 
 /// Where a zone may stand, and what that counts from.

@@ -179,6 +179,7 @@ mod tests {
                 ("reach", robot.reach.is_some()),
                 ("mass", robot.mass_kg.is_some()),
                 ("repeatability", robot.repeatability.is_some()),
+                ("body", robot.body.is_some()),
             ];
             for (group, is_stated) in stated {
                 assert!(!is_stated || source.contains_key(group), "{name}: [source] lacks {group}");

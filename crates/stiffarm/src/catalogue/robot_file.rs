@@ -7,6 +7,7 @@ use toml::de::DeTable;
 
 use super::reader::{Log, Quantity, Table};
 use super::{Fault, Faults};
+use crate::body::Body;
 use crate::drive::{Architecture, Drives, GravityCompensator, JointCompliance, Transmission};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
@@ -29,6 +30,8 @@ const COMPLIANCE: Quantity =
 const COUPLING: Quantity = Quantity { unit: "(ratio)", min: -1000.0, max: 1000.0, suspect: None };
 const SPRING: Quantity = Quantity { unit: "N/mm", min: 1e-3, max: 1e6, suspect: None };
 const SPRING_LENGTH: Quantity = Quantity { unit: "mm", min: 0.0, max: 10_000.0, suspect: None };
+/// Of a capsule about a link.
+const RADIUS: Quantity = Quantity { unit: "mm", min: 5.0, max: 1500.0, suspect: Some((3.0, 1e3, "m")) };
 const SPEED: Quantity = Quantity { unit: "deg/s", min: 1.0, max: 10_000.0, suspect: None };
 const MASS: Quantity = Quantity { unit: "kg", min: 1.0, max: 100_000.0, suspect: None };
 const REPEATABILITY: Quantity = Quantity { unit: "mm", min: 1e-4, max: 10.0, suspect: None };
@@ -107,7 +110,7 @@ fn robot(mut root: Table) -> Option<Robot> {
     let reach = root.optional_number("reach_m", REACH);
     let source: BTreeMap<String, String> = root.table("source").texts();
     let arm = if root.has("planar") {
-        for key in ["geometry", "limits", "compliance", "compensator"] {
+        for key in ["geometry", "limits", "compliance", "compensator", "body"] {
             if root.has(key) {
                 root.fault(key, "does not go with [planar]; a robot has either [planar] or [geometry] and [limits]");
             }
@@ -119,7 +122,8 @@ fn robot(mut root: Table) -> Option<Robot> {
         root.fault("", "neither [geometry] with [limits] nor [planar]; a robot needs one of them");
         None
     };
-    root.finish(&["geometry", "limits", "compliance", "compensator", "planar"]);
+    let body = if root.has("body") { body(root.table("body")) } else { Some(None) };
+    root.finish(&["geometry", "limits", "compliance", "compensator", "body", "planar"]);
     let vendor = vendor.unwrap_or_default();
     Some(Robot {
         name: name?,
@@ -131,6 +135,7 @@ fn robot(mut root: Table) -> Option<Robot> {
         reach,
         mass_kg,
         repeatability,
+        body: body?,
         arm: arm?,
         source,
     })
@@ -206,6 +211,13 @@ fn compensator(mut table: Table) -> Option<GravityCompensator> {
         stiffness: stiffness? * 1e3,
         free_length: free_length? / 1e3,
     })
+}
+
+/// The radii of column, upper arm, forearm and wrist; the outer `None` is a fault.
+fn body(mut table: Table) -> Option<Option<Body>> {
+    let radii = table.numbers("radius_mm", RADIUS);
+    table.finish(&[]);
+    radii.map(|mm: [f64; 4]| Some(Body::from(mm.map(|mm| mm / 1e3))))
 }
 
 /// What a length may be in a table that has lengths under these keys: all of them say in which unit they are.

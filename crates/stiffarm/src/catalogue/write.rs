@@ -40,6 +40,10 @@ pub fn write(robot: &Robot) -> String {
         }
         Arm::Planar(arm) => file.planar(arm),
     }
+    if let Some(body) = robot.body {
+        file.table("body");
+        file.list("radius_mm", <[f64; 4]>::from(body).map(millimetres));
+    }
     if !robot.source.is_empty() {
         file.table("source");
         for (key, text) in &robot.source {

@@ -9,6 +9,7 @@ pub(crate) use planar::best_near;
 pub use planar::{best_without_limits, largest_scale_without_limits};
 pub use spatial::{Resolution, ZonePoint};
 
+use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::load::{Direction, Load};
@@ -150,6 +151,9 @@ pub struct Placement {
     pub from_axis_1: Option<f64>,
     /// What of the zone is reached but rarely meant; `None` where it is not known where the base stands.
     pub outside: Option<Outside>,
+    /// The nearest that the arm comes to the floor, the work and itself, in the poses of the answer; `None` where it is not known where the base
+    /// stands.
+    pub clearance: Option<Clearance>,
     /// How the arm holds it.
     pub hold: Hold,
 }
@@ -194,6 +198,11 @@ impl Placement {
     /// How far the lower bound lies below the value, relative to it; 0 where nothing gives way.
     pub fn gap(&self) -> f64 {
         if self.deflection <= NOTHING { 0.0 } else { 1.0 - self.lower_bound / self.deflection }
+    }
+
+    /// At some pose of the answer the arm overlaps with the floor, the work, itself or what must be kept free.
+    pub fn collides(&self) -> bool {
+        self.clearance.is_some_and(|clearance| clearance.distance < 0.0)
     }
 
     /// The arm at the worst point.

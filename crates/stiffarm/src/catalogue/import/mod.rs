@@ -326,6 +326,7 @@ fn robot(understood: &Understood, geometry: Geometry, options: &ImportOptions) -
         reach: options.reach,
         mass_kg: None,
         repeatability: None,
+        body: None,
         arm: Arm::SixAxis {
             geometry,
             limits: understood.limits.clone(),

@@ -3,6 +3,7 @@
 //! Everything here counts from the joint-2 axis.
 
 mod boxes;
+mod clearance;
 mod exact;
 mod search;
 
@@ -103,6 +104,7 @@ impl Solution {
             worst_point: [wx + ahead, model.aside(), wz + up],
             from_axis_1: model.knows_base().then(|| (centre[0].abs() - half.x).max(0.0).hypot(model.aside())),
             outside: model.knows_base().then(|| Outside::of(centre, half)),
+            clearance: clearance::of(model, zone, &self),
             hold: Hold::Plane { posture: self.worst_posture },
         }
     }

@@ -129,6 +129,7 @@ impl Search<'_> {
             worst_shares: evaluated[at].shares(&direction),
             limit_margin: followed.limit_margin,
             singular_margin: followed.singular_margin,
+            clearance: self.clearance(work, followed),
             resolution: Resolution {
                 coarse_step: self.step,
                 coarse: coarse.is_feasible().then_some(coarse.worst * self.options.force),

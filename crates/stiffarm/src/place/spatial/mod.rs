@@ -1,6 +1,7 @@
 //! The best place of a flat zone in space: coarse over all places, refined from the best, with a proved lower bound.
 
 mod bound;
+mod clearance;
 mod evaluate;
 mod field;
 mod order;
@@ -14,6 +15,7 @@ pub(super) use field::deflection_field;
 use super::{
     Hold, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, SpaceHold, Stance, Within,
 };
+use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::model::{ModelKind, SpatialModel};
@@ -96,6 +98,7 @@ struct Solution {
     worst_shares: [f64; 6],
     limit_margin: (f64, usize),
     singular_margin: f64,
+    clearance: Option<Clearance>,
     resolution: Resolution,
 }
 
@@ -110,6 +113,7 @@ impl From<Solution> for Placement {
             worst_point: found.worst_point,
             from_axis_1: Some(found.from_axis_1),
             outside: Some(found.outside),
+            clearance: found.clearance,
             hold: Hold::Space(Box::new(SpaceHold {
                 bearing: found.bearing,
                 yaw: found.yaw,

@@ -1,0 +1,264 @@
+//! How near does the arm come to the floor, to what stands about it, to the work and to itself? Coarse: links are capsules.
+
+mod links;
+mod solid;
+
+use nalgebra::Vector3;
+
+use crate::body::Body;
+use crate::geometry::Geometry;
+use crate::robot::{Arm, Robot};
+use crate::spatial::Pose;
+use crate::task::Zone;
+use links::{Tool, links};
+pub(crate) use solid::{Capsule, Solid};
+
+/// The work is a sheet of this thickness, m, behind its surface.
+const SHEET: f64 = 1e-3;
+/// A tool shorter than this, m, is no link.
+const NO_TOOL: f64 = 1e-6;
+
+/// A part of the arm that may touch something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Link {
+    /// About the joint-1 axis, and out to the joint-2 axis.
+    Column,
+    /// Joint-2 axis to elbow.
+    UpperArm,
+    /// Elbow to wrist centre.
+    Forearm,
+    /// Wrist centre to flange.
+    Wrist,
+    /// Flange to tool point.
+    Tool,
+}
+
+/// What a link may touch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Obstacle {
+    /// The floor.
+    Floor,
+    /// What is machined.
+    Work,
+    /// A box that was asked to be kept free, by its number from 1.
+    KeepOut(usize),
+    /// Another link.
+    Link(Link),
+}
+
+/// The nearest that any link comes to anything, over all poses that were looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clearance {
+    /// m; negative where they overlap.
+    pub distance: f64,
+    /// Which link.
+    pub link: Link,
+    /// To what.
+    pub to: Obstacle,
+    /// A radius in it is estimated.
+    pub is_estimated: bool,
+    /// The tool is among the links.
+    pub knows_tool: bool,
+    /// How many poses were looked at.
+    pub poses: usize,
+}
+
+/// What stands about a robot, in the axes of its base.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Surroundings {
+    /// A point of the floor and the unit normal that leads away from it; `None` where there is none.
+    pub(crate) floor: Option<[Vector3<f64>; 2]>,
+    /// What is machined.
+    pub(crate) work: Option<Solid>,
+    /// Boxes that must be kept free.
+    pub(crate) keep_out: Vec<Solid>,
+}
+
+/// A robot whose links have a thickness.
+#[derive(Clone, Debug)]
+pub(crate) struct ThickArm<'a> {
+    geometry: &'a Geometry,
+    body: Body,
+    is_estimated: bool,
+    tool: Option<Tool>,
+    /// The wrist centre is the tool point: it touches the work, and what lies beyond is not known.
+    ends_at_wrist: bool,
+}
+
+impl Surroundings {
+    /// Nothing but the floor on which the base stands.
+    pub(crate) fn on_the_floor() -> Self {
+        Self { floor: Some([Vector3::zeros(), Vector3::z()]), ..Self::default() }
+    }
+}
+
+impl Link {
+    /// As answers tell it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Column => "column",
+            Self::UpperArm => "upper arm",
+            Self::Forearm => "forearm",
+            Self::Wrist => "wrist",
+            Self::Tool => "tool",
+        }
+    }
+
+    /// The links between which nothing else stands, or which may never meet, are not compared.
+    fn may_meet(self, other: Self) -> bool {
+        matches!(
+            (self, other),
+            (Self::Forearm | Self::Wrist | Self::Tool, Self::Column) | (Self::Wrist | Self::Tool, Self::UpperArm)
+        )
+    }
+}
+
+impl<'a> ThickArm<'a> {
+    /// With its tool, whose radius is estimated where `None`; nothing where only two links of the robot are known.
+    pub(crate) fn new(robot: &'a Robot, flange_from_tool: &Pose, tool_radius: Option<f64>) -> Option<Self> {
+        let Arm::SixAxis { geometry, .. } = &robot.arm else { return None };
+        let (body, is_estimated) = robot.thickness();
+        let point = flange_from_tool.translation.vector;
+        let radius = tool_radius.unwrap_or_else(|| body.spindle());
+        let tool = (NO_TOOL < point.norm()).then_some(Tool { point, radius });
+        let is_estimated = is_estimated || tool.is_some() && tool_radius.is_none();
+        Some(Self { geometry, body, is_estimated, tool, ends_at_wrist: false })
+    }
+
+    /// Upper arm and forearm of the arm plane, the tool point at the wrist centre.
+    pub(crate) fn to_wrist(robot: &'a Robot) -> Option<Self> {
+        Some(Self { ends_at_wrist: true, ..Self::new(robot, &Pose::identity(), None)? })
+    }
+
+    /// The nearest to anything over postures given by their model angles; `None` where there are none, or nothing to meet.
+    pub(crate) fn clearance(&self, postures: &[[f64; 6]], about: &Surroundings) -> Option<Clearance> {
+        let mut nearest: Option<Clearance> = None;
+        for theta in postures {
+            for (link, to, distance) in self.distances(theta, about) {
+                if nearest.is_none_or(|nearest| distance < nearest.distance) {
+                    nearest = Some(Clearance {
+                        distance,
+                        link,
+                        to,
+                        is_estimated: self.is_estimated,
+                        knows_tool: !self.ends_at_wrist,
+                        poses: postures.len(),
+                    });
+                }
+            }
+        }
+        nearest
+    }
+
+    /// Every pair that may meet in one posture.
+    fn distances(&self, theta: &[f64; 6], about: &Surroundings) -> Vec<(Link, Obstacle, f64)> {
+        let links: Vec<(Link, Capsule)> = links(self.geometry, &self.body, theta, self.tool)
+            .into_iter()
+            .filter(|(link, _)| !(self.ends_at_wrist && *link == Link::Wrist))
+            .collect();
+        let mut found = Vec::new();
+        for (i, &(link, capsule)) in links.iter().enumerate() {
+            // The last one is there to touch the work, and the round end of its capsule would reach beyond.
+            let is_last = i + 1 == links.len() && link != Link::Wrist;
+            // In the arm plane the work lies where the links move.
+            let may_touch = if self.ends_at_wrist { link == Link::Column } else { link != links[links.len() - 1].0 };
+            let work = about.work.filter(|_| may_touch);
+            found.extend(work.map(|work| (link, Obstacle::Work, capsule.to_solid(&work))));
+            let Some(capsule) = (if is_last { capsule.cut_back(capsule.radius) } else { Some(capsule) }) else {
+                continue;
+            };
+            if let Some([through, up]) = about.floor.filter(|_| link != Link::Column) {
+                found.push((link, Obstacle::Floor, capsule.above(&through, &up)));
+            }
+            let kept_out = about.keep_out.iter().enumerate();
+            found.extend(kept_out.map(|(i, solid)| (link, Obstacle::KeepOut(i + 1), capsule.to_solid(solid))));
+            let others = links.iter().filter(|(other, _)| link.may_meet(*other));
+            found.extend(others.map(|(other, thick)| (link, Obstacle::Link(*other), capsule.to(thick))));
+        }
+        found
+    }
+}
+
+impl Solid {
+    /// The sheet behind a flat zone, from its middle point, the directions of its sides and the one in which the tool points.
+    pub(crate) fn sheet(zone: Zone, centre: Vector3<f64>, first: Vector3<f64>, along_tool: Vector3<f64>) -> Self {
+        let axes = nalgebra::Matrix3::from_columns(&[first, along_tool.cross(&first), along_tool]);
+        let rotation = nalgebra::Rotation3::from_matrix_unchecked(axes);
+        let pose = Pose::from_parts((centre + along_tool * (SHEET / 2.0)).into(), rotation.into());
+        match zone {
+            Zone::Circle { diameter } => Self::Disc { pose, radius: diameter / 2.0, half_thickness: SHEET / 2.0 },
+            Zone::Rectangle { width, height } => Self::Box { pose, half: [width / 2.0, height / 2.0, SHEET / 2.0] },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::FRAC_PI_2;
+
+    use super::*;
+    use crate::catalogue::find;
+
+    /// A robot with round lengths and radii.
+    fn robot() -> Robot {
+        let mut robot = find("KR 210 R2700 extra").unwrap().robot();
+        let Arm::SixAxis { geometry, .. } = &mut robot.arm else { unreachable!("it has six axes") };
+        *geometry = Geometry { a1: 0.3, a2: 0.0, b: 0.0, c1: 0.7, c2: 1.0, c3: 1.0, c4: 0.2, ..geometry.clone() };
+        robot.body = Some(Body::from([0.3, 0.2, 0.15, 0.1]));
+        robot
+    }
+
+    fn nearest(robot: &Robot, tool: Option<f64>, theta: [f64; 6], about: &Surroundings) -> (f64, Link, Obstacle) {
+        let flange_from_tool = tool.map_or(Pose::identity(), |length| Pose::translation(0.0, 0.0, length));
+        let thick = ThickArm::new(robot, &flange_from_tool, Some(0.05)).unwrap();
+        let found = thick.clearance(&[theta], about).unwrap();
+        assert!(!found.is_estimated && found.knows_tool && found.poses == 1);
+        ((found.distance * 1e6).round() / 1e6, found.link, found.to)
+    }
+
+    /// Upper arm up, forearm level at 1.7 m, the wrist centre 1.3 m ahead.
+    const LEVEL: [f64; 6] = [0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0];
+    /// The same, the tool down.
+    const DOWN: [f64; 6] = [0.0, 0.0, FRAC_PI_2, 0.0, FRAC_PI_2, 0.0];
+
+    #[test]
+    fn the_nearest_of_all_links_is_that_of_a_hand_calculation() {
+        let (robot, floor) = (robot(), Surroundings::on_the_floor());
+        // The joint-2 axis stands 0.7 m high, and the upper arm is 0.2 m thick there.
+        assert_eq!(nearest(&robot, None, LEVEL, &floor), (0.5, Link::UpperArm, Obstacle::Floor));
+        let far = Solid::Box { pose: Pose::translation(9.0, 0.0, 0.0), half: [0.1; 3] };
+        let post = Solid::Box { pose: Pose::translation(1.1, 0.0, 0.7), half: [0.1, 0.1, 0.7] };
+        let fenced = Surroundings { keep_out: vec![far, post], ..floor.clone() };
+        // 1.7 m - 1.4 m - 0.15 m.
+        assert_eq!(nearest(&robot, None, LEVEL, &fenced), (0.15, Link::Forearm, Obstacle::KeepOut(2)));
+        // The flange stands 1.5 m high, and the tool point touches the work.
+        let disc =
+            Solid::sheet(Zone::Circle { diameter: 0.6 }, Vector3::new(1.3, 0.0, 1.25), Vector3::x(), -Vector3::z());
+        let work = Surroundings { work: Some(disc), ..floor };
+        assert_eq!(nearest(&robot, Some(0.25), DOWN, &work), (0.25, Link::Wrist, Obstacle::Work));
+        // A table 0.1 m under the tool point: the tool counts up to its point.
+        let table = Solid::Box { pose: Pose::translation(1.3, 0.0, 1.1), half: [0.2, 0.2, 0.05] };
+        let on_a_table = Surroundings { keep_out: vec![table], ..work };
+        assert_eq!(nearest(&robot, Some(0.25), DOWN, &on_a_table), (0.1, Link::Tool, Obstacle::KeepOut(1)));
+    }
+
+    #[test]
+    fn an_arm_that_folds_back_meets_its_own_column() {
+        let robot = robot();
+        // Upper arm forwards and level at 0.7 m, the forearm back over it: the wrist centre at 0.3 m, 0.7 m high.
+        let theta = [0.4, FRAC_PI_2, std::f64::consts::PI, 0.0, 0.0, 0.0];
+        let (distance, link, to) = nearest(&robot, None, theta, &Surroundings::default());
+        // The flange lies 0.1 m before the joint-1 axis; the lines of both run into each other.
+        assert_eq!((distance, link, to), (-0.35, Link::Forearm, Obstacle::Link(Link::Column)));
+    }
+
+    #[test]
+    fn of_two_links_the_wrist_touches_the_work() {
+        let robot = robot();
+        let thick = ThickArm::to_wrist(&robot).unwrap();
+        // Upper arm level forwards at 0.7 m, forearm straight down to -0.3 m, and 0.15 m of it are left out.
+        let theta = [0.0, FRAC_PI_2, FRAC_PI_2, 0.0, 0.0, 0.0];
+        let found = thick.clearance(&[theta], &Surroundings::on_the_floor()).unwrap();
+        assert!((found.distance + 0.3).abs() < 1e-12 && found.link == Link::Forearm && !found.knows_tool, "{found:?}");
+    }
+}

@@ -1,0 +1,191 @@
+//! How far is a link from a box, a disc or another link? The only place where `parry` and its types are used.
+
+use nalgebra::{UnitQuaternion, Vector3};
+use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
+use parry3d_f64::query::{contact, details::distance_segment_segment};
+use parry3d_f64::shape::{Cuboid, Cylinder, Segment, Shape};
+
+use crate::spatial::Pose;
+
+/// Solids farther apart than this, m, are told to be so far apart.
+const FAR: f64 = 1e3;
+/// A link shorter than this, m, is a ball: a segment needs two ends.
+const SHORT: f64 = 1e-9;
+
+/// All points within a radius of a straight line from end to end; m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Capsule {
+    pub(crate) ends: [Vector3<f64>; 2],
+    pub(crate) radius: f64,
+}
+
+/// What stands about a robot; the pose is that of its centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Solid {
+    /// By half its sides, m.
+    Box { pose: Pose, half: [f64; 3] },
+    /// A disc as thick as it stands along z.
+    Disc { pose: Pose, radius: f64, half_thickness: f64 },
+}
+
+impl Capsule {
+    /// The same without the last `length`, m, before its second end; `None` where nothing remains.
+    pub(crate) fn cut_back(self, length: f64) -> Option<Self> {
+        let [from, to] = self.ends;
+        let whole = (to - from).norm();
+        (length < whole).then(|| Self { ends: [from, to - (to - from) * (length / whole)], ..self })
+    }
+
+    /// Its lowest height over a plane through a point, m, with the unit normal `up`.
+    pub(crate) fn above(&self, through: &Vector3<f64>, up: &Vector3<f64>) -> f64 {
+        self.ends.map(|end| (end - through).dot(up)).into_iter().fold(f64::INFINITY, f64::min) - self.radius
+    }
+
+    /// To another one, m; negative where they overlap: their lines come so much nearer than the radii allow.
+    pub(crate) fn to(&self, other: &Self) -> f64 {
+        let apart = distance_segment_segment(&ParryPose::identity(), &self.segment(), &other.segment());
+        apart - self.radius - other.radius
+    }
+
+    /// To a solid, m; negative where they overlap: so far one would have to move.
+    pub(crate) fn to_solid(&self, solid: &Solid) -> f64 {
+        let (pose, shape): (ParryPose, &dyn Shape) = match solid {
+            Solid::Box { pose, half } => (parry(pose), &Cuboid::new(Vector::from(*half))),
+            Solid::Disc { pose, radius, half_thickness } => {
+                // A cylinder of parry stands along y.
+                let standing = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::FRAC_PI_2);
+                (parry(&(pose * standing)), &Cylinder::new(*half_thickness, *radius))
+            }
+        };
+        let apart = contact(&ParryPose::identity(), &self.segment(), &pose, shape, FAR);
+        // Convex shapes are supported, so nothing within reach means that it is far.
+        let apart = apart.ok().flatten().map_or(FAR, |contact| contact.dist);
+        apart - self.radius
+    }
+
+    fn segment(&self) -> Segment {
+        let [from, mut to] = self.ends;
+        if (to - from).norm() < SHORT {
+            to.z += SHORT;
+        }
+        let [from, to] = [from, to].map(|end| Vector::from(<[f64; 3]>::from(end)));
+        Segment::new(from, to)
+    }
+}
+
+fn parry(pose: &Pose) -> ParryPose {
+    let [x, y, z, w] = pose.rotation.coords.into();
+    ParryPose::from_parts(
+        Vector::from(<[f64; 3]>::from(pose.translation.vector)),
+        Rotation::from_xyzw(x, y, z, w).normalize(),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::FRAC_PI_4;
+
+    fn capsule(from: [f64; 3], to: [f64; 3], radius: f64) -> Capsule {
+        Capsule { ends: [from.into(), to.into()], radius }
+    }
+
+    fn close(a: f64, b: f64) {
+        assert!((a - b).abs() < 1e-7, "{a} is not {b}");
+    }
+
+    #[test]
+    fn distances_are_those_of_a_hand_calculation() {
+        let cube = Solid::Box { pose: Pose::translation(2.0, 0.0, 0.0), half: [0.5; 3] };
+        // Level along y, 1 m before the near face at x = 1.5.
+        close(capsule([0.5, -1.0, 0.0], [0.5, 1.0, 0.0], 0.2).to_solid(&cube), 0.8);
+        // Past the edge at (1.5, 0.5): a step of 0.3 and 0.4.
+        close(capsule([1.2, 0.9, -5.0], [1.2, 0.9, 5.0], 0.1).to_solid(&cube), 0.4);
+        // Beside the corner (1.5, 0.5, 0.5): a step of 0.2, 0.3 and 0.6, the length of which is 0.7.
+        close(capsule([1.3, 0.8, 1.1], [0.0, 2.0, 3.0], 0.0).to_solid(&cube), 0.7);
+        // 0.1 m under the face, with a radius of 0.2: it must move by 0.3.
+        close(capsule([1.6, 0.0, 0.0], [0.0, 0.0, 0.0], 0.2).to_solid(&cube), -0.3);
+        let turned = Pose::new(Vector3::new(2.0, 0.0, 0.0), Vector3::z() * FRAC_PI_4);
+        // The edge of the turned cube stands half a diagonal before its centre.
+        close(
+            capsule([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.1).to_solid(&Solid::Box { pose: turned, half: [0.5; 3] }),
+            2.0 - 0.5_f64.sqrt() - 0.1,
+        );
+        let disc = Solid::Disc { pose: Pose::translation(0.0, 0.0, 1.0), radius: 0.5, half_thickness: 0.1 };
+        close(capsule([0.0, 0.0, 2.0], [0.3, 0.0, 3.0], 0.25).to_solid(&disc), 0.65);
+        close(capsule([0.8, 0.0, 1.5], [0.8, 0.0, 3.0], 0.1).to_solid(&disc), 0.4);
+        // Crossed lines 0.7 m apart; and two that run into each other.
+        let level = capsule([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], 0.2);
+        close(level.to(&capsule([0.0, -1.0, 0.7], [0.0, 1.0, 0.7], 0.1)), 0.4);
+        close(level.to(&capsule([1.0, 0.1, 0.0], [2.0, 0.1, 0.0], 0.1)), -0.2);
+        close(level.above(&Vector3::new(0.0, 0.0, -1.0), &Vector3::z()), 0.8);
+        close(capsule([0.0; 3], [0.0; 3], 0.25).to_solid(&cube), 1.25);
+    }
+
+    #[test]
+    fn of_a_link_its_end_is_left_out_where_work_is_touched() {
+        let tool = capsule([0.0, 0.0, 1.0], [0.0, 0.0, 0.0], 0.1);
+        assert_eq!(tool.cut_back(0.25).unwrap().ends[1], Vector3::new(0.0, 0.0, 0.25));
+        assert_eq!(tool.cut_back(1.0), None);
+    }
+
+    /// Distance of a point from a box, by its coordinates: outside by the part that sticks out.
+    fn of_point(point: &Vector3<f64>, pose: &Pose, half: [f64; 3]) -> f64 {
+        let at = pose.inverse_transform_point(&(*point).into());
+        let out = Vector3::from_fn(|i, _| (at[i].abs() - half[i]).max(0.0));
+        out.norm()
+    }
+
+    #[test]
+    fn distances_to_boxes_discs_and_links_are_the_least_over_many_points() {
+        let mut rng = fastrand::Rng::with_seed(11);
+        let mut number = |size: f64| size * (rng.f64() - 0.5);
+        let (mut outside, mut inside) = (0, 0);
+        for _ in 0..500 {
+            let mut vector = |size: f64| Vector3::from_fn(|_, _| number(size));
+            let (link, other) = (
+                Capsule { ends: [vector(3.0), vector(3.0)], radius: 0.1 },
+                Capsule { ends: [vector(3.0), vector(3.0)], radius: 0.2 },
+            );
+            let pose = Pose::new(vector(2.0), vector(6.0));
+            let half: [f64; 3] = vector(1.0).map(|x| x.abs() + 0.05).into();
+            const POINTS: usize = 2000;
+            let along = |capsule: &Capsule, i: usize| {
+                let part = i as f64 / POINTS as f64;
+                capsule.ends[0] * (1.0 - part) + capsule.ends[1] * part
+            };
+            let points: Vec<Vector3<f64>> = (0..=POINTS).map(|i| along(&link, i)).collect();
+            let step = (link.ends[1] - link.ends[0]).norm() / POINTS as f64;
+            let least = |of: &dyn Fn(&Vector3<f64>) -> f64| points.iter().map(of).fold(f64::INFINITY, f64::min);
+            let sampled = least(&|point| of_point(point, &pose, half));
+            let found = link.to_solid(&Solid::Box { pose, half }) + link.radius;
+            if 1e-9 < sampled {
+                outside += 1;
+                assert!((-1e-6..=step).contains(&(sampled - found)), "{found} is not {sampled}");
+            } else {
+                inside += 1;
+                assert!(found <= 1e-6, "{found} where a point lies inside");
+            }
+            let radius = half[0];
+            let disc = Solid::Disc { pose, radius, half_thickness: half[2] };
+            let sampled = least(&|point| {
+                let at = pose.inverse_transform_point(&(*point).into());
+                (at.x.hypot(at.y) - radius).max(0.0).hypot((at.z.abs() - half[2]).max(0.0))
+            });
+            let found = link.to_solid(&disc) + link.radius;
+            if 1e-9 < sampled {
+                assert!((-1e-4..=step + 1e-4).contains(&(sampled - found)), "disc: {found} is not {sampled}");
+            } else {
+                assert!(found <= 1e-4, "disc: {found} where a point lies inside");
+            }
+            let line = |point: &Vector3<f64>| {
+                let [from, to] = other.ends;
+                let part = ((point - from).dot(&(to - from)) / (to - from).norm_squared()).clamp(0.0, 1.0);
+                (point - from - (to - from) * part).norm()
+            };
+            let found = link.to(&other) + link.radius + other.radius;
+            assert!((-1e-9..=step).contains(&(least(&line) - found)), "{found}");
+        }
+        assert!(100 < outside && 25 < inside, "{outside} {inside}");
+    }
+}
