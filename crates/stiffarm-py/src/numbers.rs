@@ -8,10 +8,11 @@ use pyo3::types::{PyBool, PyDict, PyString};
 use crate::refused;
 
 /// The keys of a robot file by their tables; without `[source]`.
-const TABLES: [(&str, &[&str]); 4] = [
+const TABLES: [(&str, &[&str]); 5] = [
     ("geometry", &["a1_mm", "a2_mm", "b_mm", "c1_mm", "c2_mm", "c3_mm", "c4_mm", "offset_deg", "sign"]),
     ("limits", &["joint_deg", "third_axis", "elbow_deg", "speed_deg_per_s"]),
     ("compliance", &["drive_urad_per_nm", "transmission"]),
+    ("body", &["radius_mm"]),
     ("planar", &["l2_mm", "l3_mm", "shoulder_deg", "elbow_deg", "forearm_deg", "k2_urad_per_nm", "k3_urad_per_nm"]),
 ];
 const HEAD: [&str; 8] = [

@@ -209,6 +209,12 @@ class Placement(_Table):
     limit_margin_deg: float | None
     limit_margin_joint: int | None
     singular_margin_deg: float | None
+    #: The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap.
+    clearance_mm: float | None
+    #: Which link to what.
+    clearance_of: str | None
+    #: A radius in it is estimated.
+    clearance_estimated: bool | None
     resolution: dict[str, Any] | None
     tolerance_mm: float | None
     margin_mm: float | None

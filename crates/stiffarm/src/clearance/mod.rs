@@ -163,7 +163,7 @@ impl<'a> ThickArm<'a> {
             // In the arm plane the work lies where the links move.
             let may_touch = if self.ends_at_wrist { link == Link::Column } else { link != links[links.len() - 1].0 };
             let work = about.work.filter(|_| may_touch);
-            found.extend(work.map(|work| (link, Obstacle::Work, capsule.to_solid(&work))));
+            found.extend(work.map(|work| (link, Obstacle::Work, capsule.apart_from_solid(&work))));
             let Some(capsule) = (if is_last { capsule.cut_back(capsule.radius) } else { Some(capsule) }) else {
                 continue;
             };
@@ -171,9 +171,9 @@ impl<'a> ThickArm<'a> {
                 found.push((link, Obstacle::Floor, capsule.above(&through, &up)));
             }
             let kept_out = about.keep_out.iter().enumerate();
-            found.extend(kept_out.map(|(i, solid)| (link, Obstacle::KeepOut(i + 1), capsule.to_solid(solid))));
+            found.extend(kept_out.map(|(i, solid)| (link, Obstacle::KeepOut(i + 1), capsule.apart_from_solid(solid))));
             let others = links.iter().filter(|(other, _)| link.may_meet(*other));
-            found.extend(others.map(|(other, thick)| (link, Obstacle::Link(*other), capsule.to(thick))));
+            found.extend(others.map(|(other, thick)| (link, Obstacle::Link(*other), capsule.apart_from(thick))));
         }
         found
     }

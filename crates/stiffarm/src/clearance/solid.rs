@@ -42,13 +42,13 @@ impl Capsule {
     }
 
     /// To another one, m; negative where they overlap: their lines come so much nearer than the radii allow.
-    pub(crate) fn to(&self, other: &Self) -> f64 {
+    pub(crate) fn apart_from(&self, other: &Self) -> f64 {
         let apart = distance_segment_segment(&ParryPose::identity(), &self.segment(), &other.segment());
         apart - self.radius - other.radius
     }
 
     /// To a solid, m; negative where they overlap: so far one would have to move.
-    pub(crate) fn to_solid(&self, solid: &Solid) -> f64 {
+    pub(crate) fn apart_from_solid(&self, solid: &Solid) -> f64 {
         let (pose, shape): (ParryPose, &dyn Shape) = match solid {
             Solid::Box { pose, half } => (parry(pose), &Cuboid::new(Vector::from(*half))),
             Solid::Disc { pose, radius, half_thickness } => {
@@ -98,28 +98,29 @@ mod tests {
     fn distances_are_those_of_a_hand_calculation() {
         let cube = Solid::Box { pose: Pose::translation(2.0, 0.0, 0.0), half: [0.5; 3] };
         // Level along y, 1 m before the near face at x = 1.5.
-        close(capsule([0.5, -1.0, 0.0], [0.5, 1.0, 0.0], 0.2).to_solid(&cube), 0.8);
+        close(capsule([0.5, -1.0, 0.0], [0.5, 1.0, 0.0], 0.2).apart_from_solid(&cube), 0.8);
         // Past the edge at (1.5, 0.5): a step of 0.3 and 0.4.
-        close(capsule([1.2, 0.9, -5.0], [1.2, 0.9, 5.0], 0.1).to_solid(&cube), 0.4);
+        close(capsule([1.2, 0.9, -5.0], [1.2, 0.9, 5.0], 0.1).apart_from_solid(&cube), 0.4);
         // Beside the corner (1.5, 0.5, 0.5): a step of 0.2, 0.3 and 0.6, the length of which is 0.7.
-        close(capsule([1.3, 0.8, 1.1], [0.0, 2.0, 3.0], 0.0).to_solid(&cube), 0.7);
+        close(capsule([1.3, 0.8, 1.1], [0.0, 2.0, 3.0], 0.0).apart_from_solid(&cube), 0.7);
         // 0.1 m under the face, with a radius of 0.2: it must move by 0.3.
-        close(capsule([1.6, 0.0, 0.0], [0.0, 0.0, 0.0], 0.2).to_solid(&cube), -0.3);
+        close(capsule([1.6, 0.0, 0.0], [0.0, 0.0, 0.0], 0.2).apart_from_solid(&cube), -0.3);
         let turned = Pose::new(Vector3::new(2.0, 0.0, 0.0), Vector3::z() * FRAC_PI_4);
         // The edge of the turned cube stands half a diagonal before its centre.
         close(
-            capsule([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.1).to_solid(&Solid::Box { pose: turned, half: [0.5; 3] }),
+            capsule([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.1)
+                .apart_from_solid(&Solid::Box { pose: turned, half: [0.5; 3] }),
             2.0 - 0.5_f64.sqrt() - 0.1,
         );
         let disc = Solid::Disc { pose: Pose::translation(0.0, 0.0, 1.0), radius: 0.5, half_thickness: 0.1 };
-        close(capsule([0.0, 0.0, 2.0], [0.3, 0.0, 3.0], 0.25).to_solid(&disc), 0.65);
-        close(capsule([0.8, 0.0, 1.5], [0.8, 0.0, 3.0], 0.1).to_solid(&disc), 0.4);
+        close(capsule([0.0, 0.0, 2.0], [0.3, 0.0, 3.0], 0.25).apart_from_solid(&disc), 0.65);
+        close(capsule([0.8, 0.0, 1.5], [0.8, 0.0, 3.0], 0.1).apart_from_solid(&disc), 0.4);
         // Crossed lines 0.7 m apart; and two that run into each other.
         let level = capsule([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], 0.2);
-        close(level.to(&capsule([0.0, -1.0, 0.7], [0.0, 1.0, 0.7], 0.1)), 0.4);
-        close(level.to(&capsule([1.0, 0.1, 0.0], [2.0, 0.1, 0.0], 0.1)), -0.2);
+        close(level.apart_from(&capsule([0.0, -1.0, 0.7], [0.0, 1.0, 0.7], 0.1)), 0.4);
+        close(level.apart_from(&capsule([1.0, 0.1, 0.0], [2.0, 0.1, 0.0], 0.1)), -0.2);
         close(level.above(&Vector3::new(0.0, 0.0, -1.0), &Vector3::z()), 0.8);
-        close(capsule([0.0; 3], [0.0; 3], 0.25).to_solid(&cube), 1.25);
+        close(capsule([0.0; 3], [0.0; 3], 0.25).apart_from_solid(&cube), 1.25);
     }
 
     #[test]
@@ -128,6 +129,9 @@ mod tests {
         assert_eq!(tool.cut_back(0.25).unwrap().ends[1], Vector3::new(0.0, 0.0, 0.25));
         assert_eq!(tool.cut_back(1.0), None);
     }
+
+    /// Along a link.
+    const POINTS: usize = 2000;
 
     /// Distance of a point from a box, by its coordinates: outside by the part that sticks out.
     fn of_point(point: &Vector3<f64>, pose: &Pose, half: [f64; 3]) -> f64 {
@@ -149,7 +153,6 @@ mod tests {
             );
             let pose = Pose::new(vector(2.0), vector(6.0));
             let half: [f64; 3] = vector(1.0).map(|x| x.abs() + 0.05).into();
-            const POINTS: usize = 2000;
             let along = |capsule: &Capsule, i: usize| {
                 let part = i as f64 / POINTS as f64;
                 capsule.ends[0] * (1.0 - part) + capsule.ends[1] * part
@@ -158,7 +161,7 @@ mod tests {
             let step = (link.ends[1] - link.ends[0]).norm() / POINTS as f64;
             let least = |of: &dyn Fn(&Vector3<f64>) -> f64| points.iter().map(of).fold(f64::INFINITY, f64::min);
             let sampled = least(&|point| of_point(point, &pose, half));
-            let found = link.to_solid(&Solid::Box { pose, half }) + link.radius;
+            let found = link.apart_from_solid(&Solid::Box { pose, half }) + link.radius;
             if 1e-9 < sampled {
                 outside += 1;
                 assert!((-1e-6..=step).contains(&(sampled - found)), "{found} is not {sampled}");
@@ -172,7 +175,7 @@ mod tests {
                 let at = pose.inverse_transform_point(&(*point).into());
                 (at.x.hypot(at.y) - radius).max(0.0).hypot((at.z.abs() - half[2]).max(0.0))
             });
-            let found = link.to_solid(&disc) + link.radius;
+            let found = link.apart_from_solid(&disc) + link.radius;
             if 1e-9 < sampled {
                 assert!((-1e-4..=step + 1e-4).contains(&(sampled - found)), "disc: {found} is not {sampled}");
             } else {
@@ -183,7 +186,7 @@ mod tests {
                 let part = ((point - from).dot(&(to - from)) / (to - from).norm_squared()).clamp(0.0, 1.0);
                 (point - from - (to - from) * part).norm()
             };
-            let found = link.to(&other) + link.radius + other.radius;
+            let found = link.apart_from(&other) + link.radius + other.radius;
             assert!((-1e-9..=step).contains(&(least(&line) - found)), "{found}");
         }
         assert!(100 < outside && 25 < inside, "{outside} {inside}");

@@ -19,8 +19,8 @@ pub(super) fn of(model: &PlanarModel, zone: Zone, found: &Solution) -> Option<Cl
     let thick = ThickArm::to_wrist(model.robot())?;
     let Arm::SixAxis { geometry, .. } = &model.robot().arm else { return None };
     let side = |p: Vector2<f64>| {
-        let sides = model.sides.iter().filter(|side| side.elbow == found.elbow);
-        sides.filter_map(|side| side.posture(p)).next()
+        let mut sides = model.sides.iter().filter(|side| side.elbow == found.elbow);
+        sides.find_map(|side| side.posture(p))
     };
     let centre = Vector2::from(found.centre);
     let postures = Grid::of(zone, CELLS).points.into_iter().filter_map(|at| {
