@@ -5,13 +5,15 @@ use std::path::{Path, PathBuf};
 
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use stiffarm::catalogue::files;
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
 use stiffarm::request::{Pair, Refusal, Request, Spelling, Verb, job, number, open_range};
 
 use crate::failure::Failure;
-use crate::options::{SAVE_JOB, positional_of, robot, subcommand, typed};
+use crate::help::{EXIT_CODES, with_help, without_common};
+use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_of, robot, subcommand, typed};
 use crate::output::{say, write_text};
 
 /// What the program does.
@@ -29,21 +31,50 @@ const VERBS: [(Verb, &str); 5] = [
 
 /// The whole command line.
 pub(crate) fn command() -> Command {
+    command_with(true)
+}
+
+/// The same without options that are only there to be refused: for shells and manuals.
+pub(crate) fn command_without_hidden() -> Command {
+    command_with(false)
+}
+
+fn command_with(hidden: bool) -> Command {
     let program = Common::augment_args(Command::new("stiffarm").version(env!("CARGO_PKG_VERSION")).about(ABOUT))
+        .after_help(EXIT_CODES)
         .propagate_version(true)
         .subcommand_required(true)
         .arg_required_else_help(true);
-    let list = subcommand(Verb::List, "The robots that come with the program, all or those that match").arg(
+    let list = subcommand(Verb::List, "The robots that come with the program, all or those that match", hidden).arg(
         clap::Arg::new("text")
             .value_name("TEXT")
             .num_args(0..)
             .help("Words that must stand in the maker's or the robot's name"),
     );
-    let robots = Command::new("robots").about("List, show and check robots").subcommand(list);
+    let robots = Command::new("robots").about("List, show and check robots").subcommand(with_help(list, "robots list"));
+    let robots = with_help(RobotsAction::augment_subcommands(robots), "robots");
+    let robots = ["show", "check", "import"].into_iter().fold(robots, |robots, name| {
+        robots.mut_subcommand(name, |command| with_help(command, &format!("robots {name}")))
+    });
+    let validate = Command::new("validate").about("Print every published number beside the computed one");
+    let completions = Command::new("completions").about("Print what lets a shell complete commands and options").arg(
+        clap::Arg::new("shell")
+            .value_name("SHELL")
+            .required(true)
+            .value_parser(clap::builder::EnumValueParser::<Shell>::new()),
+    );
+    let man = Command::new("man").about("Print the program's manual page, or write those of all commands").arg(
+        clap::Arg::new("folder")
+            .value_name("FOLDER")
+            .value_parser(clap::value_parser!(PathBuf))
+            .help("Write a page for every command into this folder"),
+    );
     program
-        .subcommands(VERBS.map(|(verb, about)| subcommand(verb, about)))
-        .subcommand(RobotsAction::augment_subcommands(robots))
-        .subcommand(Command::new("validate").about("Print every published number beside the computed one"))
+        .subcommands(VERBS.map(|(verb, about)| with_help(subcommand(verb, about, hidden), verb.name())))
+        .subcommand(robots)
+        .subcommand(with_help(validate, "validate"))
+        .subcommand(with_help(completions, "completions"))
+        .subcommand(without_common(man))
 }
 
 /// What is to be done.
@@ -57,6 +88,10 @@ pub(crate) enum Task {
     Robots(RobotsAction),
     /// The published numbers.
     Validate,
+    /// What a shell knows of the program.
+    Completions(Shell),
+    /// Manual pages, to a folder where one is named.
+    Man(Option<PathBuf>),
 }
 
 /// What is to be done, and how the program behaves meanwhile.
@@ -72,6 +107,13 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
     }
     if name == "validate" {
         return Ok((Task::Validate, common(inner)?));
+    }
+    if name == "completions" {
+        let shell = inner.get_one::<Shell>("shell").copied().expect("clap asks for it");
+        return Ok((Task::Completions(shell), common(inner)?));
+    }
+    if name == "man" {
+        return Ok((Task::Man(inner.get_one::<PathBuf>("folder").cloned()), common(inner)?));
     }
     let list = |pairs: &[Pair]| Request::read(Verb::List, pairs, Spelling::Typed);
     match inner.subcommand() {
@@ -90,6 +132,7 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
 /// A verb, from what was typed and the job file that may stand beside it.
 fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Common), Failure> {
     let mut pairs = typed(matches);
+    common.check = CHECKED.contains(&verb) && matches.get_flag(CHECK);
     let mut reader = Spelling::Typed;
     if let Some(name) = positional_of(matches) {
         if let Some(job) = job_file(verb, name)? {
@@ -100,6 +143,9 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
         } else {
             pairs.insert(0, robot(name));
         }
+    }
+    if common.check && !CHECKED.contains(&verb) {
+        return Err(Failure::Usage(format!("check does not go with {}; it goes with rank and place", verb.name())));
     }
     let request = Request::read(verb, &pairs, reader)?;
     if let Some(file) = matches.get_one::<String>(SAVE_JOB) {
@@ -160,6 +206,9 @@ pub(crate) struct Common {
     /// No progress, no remarks
     #[arg(short, long, global = true, display_order = 903)]
     pub(crate) quiet: bool,
+    /// What does not hold is a failure.
+    #[arg(skip)]
+    pub(crate) check: bool,
     /// The job file that was read.
     #[arg(skip)]
     pub(crate) job: Option<PathBuf>,
@@ -168,7 +217,7 @@ pub(crate) struct Common {
 impl Common {
     /// Takes what a job file says of the program, where nothing else was typed.
     fn take(&mut self, pairs: &[Pair], typed: &ArgMatches) -> Result<(), Failure> {
-        let is_typed = |name: &str| typed.value_source(name) == Some(ValueSource::CommandLine);
+        let is_typed = |name: &str| name != CHECK && typed.value_source(name) == Some(ValueSource::CommandLine);
         for Pair { name, text, at } in pairs.iter().filter(|pair| !is_typed(&pair.name)) {
             let wrong = |expected: String| {
                 let why = format!("invalid value '{}' for '{name}': {expected}", stiffarm::plain::on_one_line(text));
@@ -177,6 +226,7 @@ impl Common {
             match name.as_str() {
                 "output" => self.output.push(text.into()),
                 "threads" => self.threads = Some(threads(text).map_err(wrong)?),
+                "check" => self.check |= text.parse::<bool>().map_err(|_| wrong("expected true or false".into()))?,
                 "quiet" => self.quiet = text.parse().map_err(|_| wrong("expected true or false".into()))?,
                 _ => {
                     let expected = |_| wrong("expected table, json, csv or md".into());
@@ -203,6 +253,7 @@ impl Common {
         }
         entries.extend(self.threads.map(|threads| ("threads", threads.to_string())));
         entries.extend(self.quiet.then(|| ("quiet", "true".into())));
+        entries.extend(self.check.then(|| ("check", "true".into())));
         entries
     }
 }

@@ -138,6 +138,9 @@ pub(crate) enum Failure {
         /// What to do about the first.
         hint: String,
     },
+    /// With `--check`: the answer is told, and is no.
+    #[error("{0}")]
+    NotHeld(String),
     /// A figure that cannot be drawn.
     #[error("cannot draw the figure: {0}")]
     Figure(String),
@@ -154,7 +157,7 @@ impl From<LoadError> for Failure {
 }
 
 impl Failure {
-    /// 2 for wrong usage, 1 for everything else.
+    /// 2 for wrong usage, 3 for an answer that --check does not accept, 1 for everything else.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
             Self::Usage(_)
@@ -163,6 +166,7 @@ impl Failure {
             | Self::Dash
             | Self::Ending { .. }
             | Self::OntoInput(_) => 2,
+            Self::NotHeld(_) => 3,
             _ => 1,
         }
     }
@@ -195,6 +199,7 @@ impl Failure {
                 "* stands for any letters, ? for one, [abc] for one of these; a * or [ itself is written [*] and [[]"
             }
             Self::ClosedPipe => "nothing is left to do",
+            Self::NotHeld(_) => "the answer stands above; without --check it is no failure",
             Self::Stdout(_) => "-o FILE writes the answer to a file instead",
             Self::Dash => {
                 "without -o the answer goes to standard output; --format json, csv or md chooses its form there"
@@ -202,7 +207,7 @@ impl Failure {
             Self::Ending { .. } => "the ending of the name chooses what is written",
             Self::OntoInput(_) => "choose another name: what is read is not written over",
             Self::Unreadable(unreadable) => unreadable.advice(),
-            Self::RobotFile(_) => "the README shows a complete robot file",
+            Self::RobotFile(_) => "`stiffarm robots show BT200L -o example.toml` writes a complete robot file to compare with",
             Self::Import { error, ends_are_given } => import_hint(error, *ends_are_given),
             Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
             Self::Map { error: MapError::Size { .. }, .. } => "try --size 1000",

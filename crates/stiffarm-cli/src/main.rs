@@ -5,6 +5,8 @@ mod columns;
 mod commands;
 mod failure;
 mod figures;
+mod help;
+mod look;
 mod options;
 mod output;
 mod selection;
@@ -52,6 +54,8 @@ fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
         Task::List(words, asked) => commands::robots::listed(words, asked, common),
         Task::Robots(action) => commands::robots::run(action, common),
         Task::Validate => commands::validate::run(common),
+        Task::Completions(shell) => output::print_text(&commands::shell::completions(*shell)),
+        Task::Man(folder) => commands::shell::man(folder.as_deref(), common),
     }
 }
 

@@ -11,17 +11,22 @@ use stiffarm::request::{Absent, Pair, SETTINGS, Setting, Spelling, Verb};
 const POSITIONAL: &str = "positional";
 /// The id of `--save-job`.
 pub(crate) const SAVE_JOB: &str = "save-job";
+/// The id of `--check`.
+pub(crate) const CHECK: &str = "check";
+/// The verbs whose answers hold or do not.
+pub(crate) const CHECKED: [Verb; 2] = [Verb::Rank, Verb::Place];
 
-/// The subcommand of a verb with its options. Those of other verbs are hidden: the library refuses them, in the words that every
-/// reader has.
-pub(crate) fn subcommand(verb: Verb, about: &'static str) -> Command {
+/// The subcommand of a verb with its options; `with_hidden` those of other verbs, too, which help does not tell: the library refuses
+/// them, in the words that every reader has.
+pub(crate) fn subcommand(verb: Verb, about: &'static str, with_hidden: bool) -> Command {
     let name = verb.name().rsplit(' ').next().unwrap_or_default();
     let mut command = Command::new(name).about(about).override_usage(usage(verb));
     for setting in verb.settings().filter(|setting| !setting.is_positional) {
         command = command.arg(argument(setting));
     }
     let mut hidden: Vec<&str> = Vec::new();
-    for setting in SETTINGS.iter().filter(|setting| !setting.is_positional && verb.setting(setting.name).is_none()) {
+    let is_of_others = |setting: &&Setting| !setting.is_positional && verb.setting(setting.name).is_none();
+    for setting in SETTINGS.iter().filter(|setting| with_hidden && is_of_others(setting)) {
         if !hidden.contains(&setting.name) {
             hidden.push(setting.name);
             command = command.arg(takes(setting, Arg::new(setting.name).long(setting.name)).hide(true));
@@ -29,6 +34,10 @@ pub(crate) fn subcommand(verb: Verb, about: &'static str) -> Command {
     }
     if !Verb::JOBS.contains(&verb) {
         return command;
+    }
+    if CHECKED.contains(&verb) {
+        let help = "Exit code 3 where the tolerance is not held, or there is no place";
+        command = command.arg(Arg::new(CHECK).long(CHECK).action(ArgAction::SetTrue).help(help).display_order(890));
     }
     let save = Arg::new(SAVE_JOB)
         .long(SAVE_JOB)

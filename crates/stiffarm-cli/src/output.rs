@@ -15,6 +15,7 @@ use crate::columns::write_parquet;
 use crate::commands::waiting;
 use crate::failure::Failure;
 use crate::figures::view3d::View;
+use crate::look::Look;
 use crate::table::write_csv;
 
 /// An answer in every form it can take. Each is made only when asked for.
@@ -24,7 +25,7 @@ pub(crate) trait Answer {
     /// Endings of the files it can be written to besides those of tables: svg and png, html, toml.
     const FURTHER: &'static [&'static str] = &[];
     /// For people.
-    fn text(&self, markdown: bool) -> String;
+    fn text(&self, look: Look) -> String;
     /// For programs; through [`pretty`].
     fn json(&self, out: &mut dyn Write) -> io::Result<()>;
     /// For spreadsheets, and as typed columns for data frames.
@@ -96,7 +97,7 @@ impl<'a> Outputs<'a> {
         }
         let printed = match failed.first() {
             Some((path, _)) => print(&Body::printable(answer, path, common.format)),
-            None if is_printed => print(&Body::of_format(answer, common.format)),
+            None if is_printed => print(&Body::of_stdout(answer, common.format)),
             None => Ok(()),
         };
         if !common.quiet {
@@ -167,10 +168,19 @@ enum Body<'a, A> {
 }
 
 impl<'a, A: Answer> Body<'a, A> {
+    /// As it stands on standard output, which may be a terminal.
+    fn of_stdout(answer: &'a A, format: Format) -> Self {
+        if format != Format::Table {
+            return Self::of_format(answer, format);
+        }
+        let look = Look::of_stdout();
+        Self::Bytes(look.coloured(&on_its_lines(&answer.text(look))).into_owned().into())
+    }
+
     fn of_format(answer: &'a A, format: Format) -> Self {
         match format {
-            Format::Table => Self::Bytes(on_its_lines(&answer.text(false)).into_owned().into()),
-            Format::Md => Self::Bytes(on_its_lines(&answer.text(true)).into_owned().into()),
+            Format::Table => Self::Bytes(on_its_lines(&answer.text(Look::PLAIN)).into_owned().into()),
+            Format::Md => Self::Bytes(on_its_lines(&answer.text(Look::MARKDOWN)).into_owned().into()),
             Format::Json => Self::Json(answer),
             Format::Csv => Self::Csv(answer.rows()),
         }
@@ -198,7 +208,7 @@ impl<'a, A: Answer> Body<'a, A> {
             "csv" | "parquet" => Self::of_format(answer, Format::Csv),
             "md" => Self::of_format(answer, Format::Md),
             "toml" => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
-            _ => Self::of_format(answer, usual),
+            _ => Self::of_stdout(answer, usual),
         }
     }
 
@@ -239,17 +249,28 @@ pub(crate) fn pretty(out: &mut dyn Write, value: &impl Serialize) -> io::Result<
     out.write_all(b"\n")
 }
 
+/// Writes a text to standard output as it is.
+///
+/// # Errors
+/// Where standard output is closed or full.
+pub(crate) fn print_text(text: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout();
+    out.write_all(text).and_then(|()| out.flush()).map_err(of_stdout)
+}
+
+fn of_stdout(error: io::Error) -> Failure {
+    if error.kind() == io::ErrorKind::BrokenPipe { Failure::ClosedPipe } else { Failure::Stdout(error) }
+}
+
 /// Writes to standard output.
 fn print<A: Answer>(body: &Body<A>) -> Result<(), Failure> {
-    body.write(&mut io::stdout()).map_err(|error| match error.kind() {
-        io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
-        _ => Failure::Stdout(error),
-    })
+    body.write(&mut io::stdout()).map_err(of_stdout)
 }
 
 /// Talks to the user, beside the answer.
 pub(crate) fn say(text: &str) {
-    let lines = on_its_lines(text).into_owned() + "\n";
+    let look = Look::of_stderr();
+    let lines = look.coloured(&look.wrapped(&on_its_lines(text))).into_owned() + "\n";
     // Where standard error is closed or full, nobody listens, and there is nowhere left to say so.
     let _ = io::stderr().write_all(lines.as_bytes());
 }

@@ -8,26 +8,114 @@ use comfy_table::{CellAlignment, ContentArrangement};
 use stiffarm::answer::{Cell, Rows, Table};
 use stiffarm::plain::on_one_line;
 
-/// Aligned text; columns that hold numbers stand to the right.
-pub(crate) fn shown(table: &Table, markdown: bool) -> String {
-    let mut text = comfy_table::Table::new();
-    text.load_style(if markdown { ASCII_MARKDOWN } else { NOTHING });
-    text.set_content_arrangement(ContentArrangement::Disabled);
-    let shown = |cell: &String| prose(&on_one_line(&cell.replace(['\n', '\r'], " ")), markdown).into_owned();
-    text.set_header(table.headings.iter().map(shown));
-    let mut is_number = vec![true; table.headings.len()];
-    for row in &table.rows {
-        for (all, cell) in is_number.iter_mut().zip(row) {
-            *all &= looks_like_a_number(cell);
-        }
-        text.add_row(row.iter().map(shown));
+use crate::look::Look;
+
+/// Two blanks, as they stand between columns.
+const BETWEEN: usize = 2;
+
+/// Aligned text; columns that hold numbers stand to the right. Where there is no room for all columns, those that can be spared are
+/// left out, which is said; what is still too wide is stacked.
+pub(crate) fn shown(table: &Table, look: Look) -> String {
+    let whole = Look { width: None, ..look };
+    let text = |cell: &String| prose(&on_one_line(&cell.replace(['\n', '\r'], " ")), whole).into_owned();
+    let cells = Cells {
+        headings: table.headings.iter().map(text).collect(),
+        rows: table.rows.iter().map(|row| row.iter().map(text).collect()).collect(),
+    };
+    let Some(width) = look.width.filter(|_| !look.markdown) else {
+        let all: Vec<usize> = (0..table.headings.len()).collect();
+        return cells.drawn(&all, look);
+    };
+    if cells.names_lines() {
+        return cells.with_lines_broken(width).drawn(&[0, 1], look);
     }
-    for (column, is_number) in text.column_iter_mut().zip(is_number) {
-        if is_number {
-            column.set_cell_alignment(CellAlignment::Right);
+    let (kept, left_out) = cells.kept(table, width);
+    let blocks = cells.stacked(&kept, table.keys, width);
+    let drawn: Vec<String> = blocks.iter().map(|columns| cells.drawn(columns, look)).collect();
+    let note = match left_out.as_slice() {
+        [] => String::new(),
+        names => {
+            format!("\nleft out where a line has {width} letters: {}; -o answer.csv has everything\n", names.join(", "))
         }
+    };
+    drawn.join("\n") + &look.wrapped(&note)
+}
+
+/// Words as they are shown.
+struct Cells {
+    headings: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Cells {
+    /// Names on the left, what they say on the right.
+    fn names_lines(&self) -> bool {
+        self.headings.len() == 2 && self.headings.iter().all(String::is_empty)
     }
-    text.trim_fmt() + "\n"
+
+    /// What is said, in as many lines as it takes.
+    fn with_lines_broken(mut self, width: usize) -> Self {
+        let room = width.saturating_sub(1 + self.width_of(0) + BETWEEN).max(20);
+        for row in &mut self.rows {
+            let lines = textwrap::wrap(&row[1], textwrap::Options::new(room).break_words(false));
+            row[1] = lines.join("\n");
+        }
+        self
+    }
+
+    fn width_of(&self, column: usize) -> usize {
+        let cells = self.rows.iter().map(|row| &row[column]).chain([&self.headings[column]]);
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    }
+
+    fn width(&self, columns: &[usize]) -> usize {
+        1 + columns.iter().map(|&column| self.width_of(column) + BETWEEN).sum::<usize>().saturating_sub(BETWEEN)
+    }
+
+    /// The columns for which there is room, and the names of those that are spared for it.
+    fn kept(&self, table: &Table, width: usize) -> (Vec<usize>, Vec<String>) {
+        let mut kept: Vec<usize> = (0..self.headings.len()).collect();
+        let mut left_out = Vec::new();
+        for name in &table.spare {
+            if self.width(&kept) <= width {
+                break;
+            }
+            if let Some(at) = kept.iter().position(|&column| table.headings[column] == *name) {
+                kept.remove(at);
+                left_out.push(name.clone());
+            }
+        }
+        (kept, left_out)
+    }
+
+    /// Blocks of columns, each behind those that say of what a row is.
+    fn stacked(&self, columns: &[usize], keys: usize, width: usize) -> Vec<Vec<usize>> {
+        let (keys, others) = columns.split_at(keys.min(columns.len()));
+        let in_blocks =
+            |size: usize| -> Vec<Vec<usize>> { others.chunks(size).map(|block| [keys, block].concat()).collect() };
+        let fits = |size: &usize| in_blocks(*size).iter().all(|block| self.width(block) <= width);
+        let most = (1..=others.len()).rev().find(fits).unwrap_or(1);
+        // As many in the last block as in the first.
+        let count = others.len().div_ceil(most).max(1);
+        in_blocks(others.len().div_ceil(count).max(1))
+    }
+
+    fn drawn(&self, columns: &[usize], look: Look) -> String {
+        let of = |cells: &[String]| -> Vec<String> { columns.iter().map(|&column| cells[column].clone()).collect() };
+        let mut text = comfy_table::Table::new();
+        text.load_style(if look.markdown { ASCII_MARKDOWN } else { NOTHING });
+        text.set_content_arrangement(ContentArrangement::Disabled);
+        text.set_header(of(&self.headings));
+        for row in &self.rows {
+            text.add_row(of(row));
+        }
+        for (column, &of) in text.column_iter_mut().zip(columns) {
+            if self.rows.iter().all(|row| looks_like_a_number(&row[of])) {
+                column.set_cell_alignment(CellAlignment::Right);
+            }
+        }
+        text.trim_fmt() + "\n"
+    }
 }
 
 /// Comma-separated values with a line of headings.
@@ -64,9 +152,12 @@ fn in_spreadsheet(cell: &str) -> Cow<'_, str> {
     }
 }
 
-/// Text of an answer, in which Markdown shows every letter as it is.
-pub(crate) fn prose(text: &str, markdown: bool) -> Cow<'_, str> {
-    if !markdown || !text.contains(['&', '<', '>', '|', '`', '\\', '[']) {
+/// Text of an answer: Markdown shows every letter as it is, a terminal lines that fit it.
+pub(crate) fn prose(text: &str, look: Look) -> Cow<'_, str> {
+    if !look.markdown {
+        return look.wrapped(text);
+    }
+    if !text.contains(['&', '<', '>', '|', '`', '\\', '[']) {
         return text.into();
     }
     let mut shown = String::with_capacity(text.len() + 16);
@@ -120,9 +211,27 @@ mod tests {
     fn markdown_shows_every_letter_and_runs_none() {
         let mut table = Table::new(["robot"]);
         table.row(["<img src=x onerror=y> | `a` & \\| [b](c)\u{7}\nd"]);
-        let text = shown(&table, true);
+        let text = shown(&table, Look::MARKDOWN);
         assert!(text.contains(r"&lt;img src=x onerror=y&gt; \| \`a\` &amp; \\\| \[b](c)\\u{7} d"), "{text}");
         assert_eq!(text.lines().count(), 3);
+    }
+
+    #[test]
+    fn what_has_no_room_is_left_out_or_stacked_and_that_is_said() {
+        let mut table = Table::new(["#", "robot", "bound", "A:0.1", "A:0.2"]).with_room(2, &["bound"]);
+        table.row(["1", "a long name", "1.111", "2.222 pass", "3.333 fail"]);
+        let at = |width: usize| shown(&table, Look { width: Some(width), ..Look::PLAIN });
+        let [whole, spared, stacked] = [at(80), at(43), at(35)];
+        assert_eq!(whole, shown(&table, Look::PLAIN));
+        assert_eq!(whole.lines().next(), Some(" #  robot        bound       A:0.1       A:0.2"));
+        assert!(!spared.contains("1.111") && spared.contains("43 letters:\n  bound;"), "{spared}");
+        let lines: Vec<&str> = stacked.lines().collect();
+        assert_eq!(lines[..2], [" #  robot             A:0.1", " 1  a long name  2.222 pass"]);
+        assert_eq!(lines[3..5], [" #  robot             A:0.2", " 1  a long name  3.333 fail"]);
+        let mut lines = Table::new(["", ""]);
+        lines.row(["name", "one two three four five six seven"]);
+        let broken = shown(&lines, Look { width: Some(30), ..Look::PLAIN });
+        assert_eq!(broken, "\n name  one two three four five\n       six seven\n");
     }
 
     #[test]

@@ -500,7 +500,8 @@ fn robots_that_are_named_alike_are_told_apart_by_their_files() {
 #[test]
 fn a_robot_with_a_compensator_is_a_row_that_says_why_and_alone_a_refusal_with_advice() {
     let text = include_str!("../../../docs/robot_file.md");
-    let block = text.split("```toml\n").last().unwrap().split("```").next().unwrap();
+    let is_robot = |block: &&str| block.starts_with("name = ");
+    let block = text.split("```toml\n").find(is_robot).unwrap().split("```").next().unwrap();
     let folder = TempDir::new().unwrap();
     let file = path(&folder, "compensator.toml");
     fs::write(&file, block).unwrap();

@@ -1,8 +1,14 @@
 //! Does every command that the README shows still print what the README says?
+//!
+//! `BLESS=1 cargo test -p stiffarm-cli --test readme` writes what the program prints into the README.
+
+use std::fs;
 
 use assert_cmd::Command;
 
-const README: &str = include_str!("../../../README.md");
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+/// Letters in a line of the README's terminal.
+const COLUMNS: usize = 104;
 
 /// Words of a command line; double quotes keep blanks.
 fn words(line: &str) -> Vec<String> {
@@ -17,21 +23,45 @@ fn words(line: &str) -> Vec<String> {
         .collect()
 }
 
+/// What a command prints on a terminal of that width, without blanks at the end of lines.
+fn printed(command: &str) -> String {
+    let arguments = command.strip_prefix("$ stiffarm ").expect("a command of the program");
+    let mut program = Command::cargo_bin("stiffarm").unwrap();
+    let program = program.current_dir(ROOT).env("COLUMNS", COLUMNS.to_string()).env_remove("CLICOLOR_FORCE");
+    let output = program.args(words(arguments)).output().unwrap();
+    let printed = String::from_utf8(output.stdout).unwrap();
+    let lines: Vec<&str> = printed.trim_end().lines().map(str::trim_end).collect();
+    lines.join("\n")
+}
+
 #[test]
 fn the_readme_shows_what_the_program_prints() {
-    let mut shown = 0;
-    for block in README.split("```text\n").skip(1) {
-        let block = block.split("\n```").next().expect("a closed block");
-        let Some((command, expected)) = block.split_once('\n') else { continue };
-        let arguments = command.strip_prefix("$ stiffarm ").expect("a command of the program");
-        let mut program = Command::cargo_bin("stiffarm").unwrap();
-        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-        let output = program.current_dir(root).args(words(arguments)).output().unwrap();
-        let printed = String::from_utf8(output.stdout).unwrap();
-        let printed: Vec<&str> = printed.trim_end().lines().map(str::trim_end).collect();
+    let file = format!("{ROOT}/README.md");
+    let readme = fs::read_to_string(&file).unwrap();
+    let mut blocks = readme.split("```text\n");
+    let mut blessed = blocks.next().expect("a beginning").to_owned();
+    let (mut shown, mut others) = (0, Vec::new());
+    for block in blocks {
+        let (block, after) = block.split_once("\n```").expect("a closed block");
+        let (command, expected) = block.split_once('\n').expect("a command and what it prints");
+        let printed = printed(command);
+        for line in printed.lines() {
+            assert!(
+                line.chars().count() <= COLUMNS,
+                "`{command}` prints a line of more than {COLUMNS} letters: {line}"
+            );
+        }
         let expected: Vec<&str> = expected.trim_end().lines().map(str::trim_end).collect();
-        assert_eq!(printed, expected, "`{command}` prints something else than the README shows");
+        if printed != expected.join("\n") {
+            others.push(format!("`{command}` prints something else than the README shows:\n{printed}"));
+        }
+        blessed += &format!("```text\n{command}\n{printed}\n```{after}");
         shown += 1;
     }
     assert!(5 <= shown, "the README lost its tour");
+    if std::env::var_os("BLESS").is_some() {
+        fs::write(&file, blessed).unwrap();
+    } else {
+        assert!(others.is_empty(), "{}", others.join("\n\n"));
+    }
 }

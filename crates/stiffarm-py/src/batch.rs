@@ -26,7 +26,8 @@ pub(crate) fn worst<'py>(
     joints_deg: PyReadonlyArray2<'py, f64>,
     asked: Asked,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let (robot, tool) = (&robot.0, asked.of(Verb::Compliance)?.held().tool());
+    let asked = asked.of(Verb::Compliance)?;
+    let (robot, tool) = (&asked.equipped(robot.0.clone()).map_err(refused)?, asked.held().tool());
     let joints_deg = rows(&joints_deg)?;
     let mut found = vec![0.0; joints_deg.len()];
     detached(py, || worst_um_per_n(robot, &tool, joints_deg, &mut found))?
@@ -42,7 +43,8 @@ pub(crate) fn matrices<'py>(
     joints_deg: PyReadonlyArray2<'py, f64>,
     asked: Asked,
 ) -> PyResult<Bound<'py, PyArray3<f64>>> {
-    let (robot, tool) = (&robot.0, asked.of(Verb::Compliance)?.held().tool());
+    let asked = asked.of(Verb::Compliance)?;
+    let (robot, tool) = (&asked.equipped(robot.0.clone()).map_err(refused)?, asked.held().tool());
     let joints_deg = rows(&joints_deg)?;
     let mut found = vec![[0.0; 9]; joints_deg.len()];
     detached(py, || matrices_um_per_n(robot, &tool, joints_deg, &mut found))?

@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
 use stiffarm::answer::robot::{drive_urad_per_nm, sheet};
+use stiffarm::answer::words;
 use stiffarm::catalogue::files::{self, LoadError, Unreadable};
 use stiffarm::catalogue::import::{ImportOptions, import};
 use stiffarm::catalogue::{self, Entry, find, matching, paper_robots, read, suggestions, write};
@@ -253,7 +254,7 @@ impl Robot {
     }
 
     fn __repr__(&self) -> String {
-        format!("<stiffarm.Robot {} ({}, {})>", self.0.full_name(), self.0.architecture, self.0.status)
+        format!("<stiffarm.Robot {}>", words::robot(&self.0))
     }
 
     fn __hash__(&self) -> u64 {

@@ -5,7 +5,9 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
-use stiffarm::answer::{Cell, ColumnKind, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer};
+use stiffarm::answer::{
+    Cell, ColumnKind, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
+};
 use stiffarm::compliance::compliance;
 use stiffarm::rank::{Contestant, Standing};
 use stiffarm::request::{self, Verb};
@@ -63,7 +65,8 @@ fn json_of(cell: &Cell) -> Value {
 /// One posture.
 #[pyfunction]
 pub(crate) fn posture<'py>(py: Python<'py>, robot: &Robot, joints_deg: [f64; 6], asked: Asked) -> Answer<'py> {
-    let (robot, asked) = (&robot.0, asked.of(Verb::Compliance)?);
+    let asked = asked.of(Verb::Compliance)?;
+    let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
     let force = asked.force_along().map(Vector3::from);
     let posture = compliance(robot, &joints_deg.map(f64::to_radians), &asked.held().tool()).map_err(of(robot))?;
     let answer = ComplianceAnswer { robot: robot.clone(), joints_deg, posture, force };
@@ -73,7 +76,8 @@ pub(crate) fn posture<'py>(py: Python<'py>, robot: &Robot, joints_deg: [f64; 6],
 /// The best place of one zone.
 #[pyfunction]
 pub(crate) fn place<'py>(py: Python<'py>, robot: &Robot, wanted_task: &str, asked: Asked) -> WithColumns<'py> {
-    let (robot, asked) = (&robot.0, asked.with(Verb::Place, &[("task", wanted_task)])?);
+    let asked = asked.with(Verb::Place, &[("task", wanted_task)])?;
+    let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
     let (task, kind, tolerance_mm) = (asked.task().map_err(refused)?, asked.model(), asked.tolerance_mm());
     let options = asked.place_options(Some(task.zone)).map_err(refused)?;
     let placed = detached(py, || stiffarm::place::place(&kind.of(robot)?, task.zone, &options))?.map_err(of(robot))?;
@@ -99,6 +103,8 @@ pub(crate) fn rank<'py>(
     let tasks: Vec<(&str, &str)> = tasks.iter().map(|text| ("tasks", text.as_str())).collect();
     let asked = asked.with(Verb::Rank, &tasks)?;
     let robots = kept(robots.iter().map(|robot| robot.0.clone()).collect(), &asked, Vec::new())?;
+    let robots: Vec<Arms> =
+        robots.into_iter().map(|robot| asked.equipped(robot)).collect::<Result<_, _>>().map_err(refused)?;
     let (kind, tasks, tolerance_mm) = (asked.model(), request::distinct(&asked.tasks()), asked.tolerance_mm());
     if tasks.is_empty() {
         return Err(refused("no task to rank for; give tasks"));
@@ -141,7 +147,8 @@ pub(crate) fn map<'py>(
     robot: &Robot,
     asked: Asked,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>, Bound<'py, PyAny>)> {
-    let (robot, asked) = (&robot.0, asked.of(Verb::Map)?);
+    let asked = asked.of(Verb::Map)?;
+    let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
     let (kind, zone, options) = (asked.model(), asked.zone(), asked.map_options());
     let placing = zone.as_ref().map(|task| asked.place_options(Some(task.zone)).map_err(refused)).transpose()?;
     let answer = detached(py, || {
@@ -181,7 +188,7 @@ fn handed_over<'py>(
     let sides = answer.zone.as_ref().map(|zone| zone.task.zone);
     let shown = json!({
         "title": robot.full_name(),
-        "subtitle": format!("{}, {}", robot.architecture, robot.status),
+        "subtitle": format!("{}; {}", words::class(robot), stiffness(robot)),
         "arm_m": links(answer),
         "knows_base": answer.model.knows_base(),
         "zone_sides_m": sides.map(Zone::sides),

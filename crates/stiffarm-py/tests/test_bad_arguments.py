@@ -77,7 +77,7 @@ def test_numbers_out_of_range_are_named():
     for options in ({"tool_mm": (1, 2)}, {"tool_mm": (0, 0, 1e5)}, {"tool_direction": 91}, {"yaw_deg": np.nan}):
         refused(next(iter(options)), stiffarm.place, ROBOT, **place, model="spatial", **options)
     refused("gap", stiffarm.place, ROBOT, **place, model="spatial", gap=0.01)
-    refused("tool_mm needs", stiffarm.place, ROBOT, **place, tool_mm=(0, 0, 1))
+    refused("tool_mm needs", stiffarm.place, ROBOT, **place, tool_mm=(0, 0, 100))
     refused("model", stiffarm.place, ROBOT, **place, model="flat")
     refused("size", stiffarm.map, ROBOT, size=1)
     refused("zone", stiffarm.map, ROBOT, within_m="0..")

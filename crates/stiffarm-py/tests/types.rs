@@ -85,7 +85,7 @@ fn python_type(setting: &Setting) -> String {
         (Kind::Whole { .. }, false) => "int".into(),
         (Kind::Word(known), false) => words(known),
         (Kind::Word(known), true) => format!("str | Iterable[{}]", words(known)),
-        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture, false) => "str".into(),
+        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Spindle, false) => "str".into(),
         (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture, true) => "str | Iterable[str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),

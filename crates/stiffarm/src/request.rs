@@ -12,7 +12,7 @@ mod settings;
 mod wishes;
 
 pub use kind::{Count, Kind};
-pub use notation::{Angle, degrees, elevation, number, open_range, shape, tool, within, yaw};
+pub use notation::{Angle, degrees, elevation, number, open_range, shape, spindle, tool, within, yaw};
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};
 pub use settings::{Absent, Of, SETTINGS, Setting, Verb};
@@ -170,11 +170,12 @@ impl Request {
 
 fn check_count(given: &Given) -> Result<(), Refusal> {
     let Given { setting, at, values, .. } = given;
-    let Count { least, most, what, expected } = setting.count;
-    if (least..=most).contains(&values.len()) {
+    let Count { least, most, is_one_or_all, what, expected } = setting.count;
+    let count = values.len();
+    if (least..=most).contains(&count) && !(is_one_or_all && least < count && count < most) {
         return Ok(());
     }
-    Err(Refusal::Count { at: at.clone(), name: at.name(setting), count: values.len(), what, expected })
+    Err(Refusal::Count { at: at.clone(), name: at.name(setting), count, what, expected })
 }
 
 /// The row that a name means to its reader.

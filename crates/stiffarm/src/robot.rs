@@ -44,6 +44,36 @@ impl std::fmt::Display for Status {
     }
 }
 
+/// Where the compliance of the drives is from; told wherever a deflection is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StiffnessSource {
+    /// Nobody has said it: the paper's 1 urad/(N m).
+    Assumed,
+    /// The robot file.
+    File,
+    /// Whoever asks.
+    Given,
+}
+
+impl StiffnessSource {
+    /// All, the least known first.
+    pub const ALL: [Self; 3] = [Self::Assumed, Self::File, Self::Given];
+
+    /// The name that answers use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Assumed => "assumed",
+            Self::File => "robot file",
+            Self::Given => "given",
+        }
+    }
+}
+
+/// Under which key of [`Robot::source`] it stands where the compliance of the drives is from.
+pub const COMPLIANCE_SOURCE: &str = "compliance";
+/// What stands there where whoever asks has given it.
+pub const GIVEN: &str = "given";
+
 /// A robot: geometry, drives, limits and pedigree.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Robot {
@@ -55,7 +85,9 @@ pub struct Robot {
     pub architecture: Architecture,
     /// Nothing says that it is: no parallelogram is reported, or one is guessed from the family.
     pub architecture_is_assumed: bool,
-    /// How well the numbers are known.
+    /// Nothing says how stiff some of its drives are: those have the paper's compliance.
+    pub stiffness_is_assumed: bool,
+    /// How well the geometry and the limits are known.
     pub status: Status,
     /// Nominal payload, kg.
     pub payload_kg: Option<f64>,
@@ -106,6 +138,7 @@ impl Robot {
             vendor: String::new(),
             architecture: arm.architecture,
             architecture_is_assumed: false,
+            stiffness_is_assumed: false,
             status: Status::Estimated,
             payload_kg: None,
             reach: None,
@@ -127,6 +160,24 @@ impl Robot {
         match self.body {
             Some(body) => (body, false),
             None => (Body::estimated(self.payload_kg, self.reach.unwrap_or_else(|| self.stretch())), true),
+        }
+    }
+
+    /// Where the compliance of its drives is from.
+    pub fn stiffness_source(&self) -> StiffnessSource {
+        let given = self.source.get(COMPLIANCE_SOURCE).is_some_and(|source| source == GIVEN);
+        match (self.stiffness_is_assumed, given) {
+            (true, _) => StiffnessSource::Assumed,
+            (false, true) => StiffnessSource::Given,
+            (false, false) => StiffnessSource::File,
+        }
+    }
+
+    /// The compliance of each drive, rad/(N m); of two links those of the drives 2 and 3 alone.
+    pub fn drive_compliance(&self) -> [Option<f64>; 6] {
+        match &self.arm {
+            Arm::SixAxis { drives, .. } => drives.compliance.0.map(Some),
+            Arm::Planar(arm) => [None, Some(arm.k2), Some(arm.k3), None, None, None],
         }
     }
 

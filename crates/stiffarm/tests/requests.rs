@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use proptest::prelude::*;
+use stiffarm::catalogue::paper_robots;
 use stiffarm::drive::Architecture;
 use stiffarm::place::Orientation;
 use stiffarm::request::{Absent, Of, Pair, Refusal, Request, SETTINGS, Setting, Spelling, Verb, job};
@@ -98,6 +99,7 @@ fn told(request: &Request) -> String {
         told.push(format!("{:?} {:?}", request.model(), request.held()));
         told.push(format!("{:?} {:?}", request.place_options(Some(zone)).ok(), request.place_options(None).ok()));
     }
+    told.push(format!("{:?}", request.equipped(paper_robots().swap_remove(0))));
     told.push(match verb {
         Verb::Rank | Verb::List => format!("{:?} {:?}", request.filter(Vec::new()), request.tolerance_mm()),
         Verb::Place => format!("{:?} {:?} {:?}", request.robot().ok(), request.task().ok(), request.tolerance_mm()),
@@ -197,6 +199,26 @@ fn what_makes_no_sense_is_refused_with_option_value_and_what_is_expected() {
         (Verb::Compliance, &[("joints-deg", "1,2")], "--joints-deg has 2 angles; expected six, separated by commas"),
         (Verb::Study, &[("k2", "1,2,3")], "--k2 has 3 values; expected one for both architectures, or two"),
         (Verb::Rank, &[("angle", "vertical")], "--angle horizontal or vertical means the long side of one task; give"),
+        (
+            Verb::Place,
+            &[("drive-urad-per-nm", "1,2")],
+            "--drive-urad-per-nm has 2 values; expected one for every drive, or six",
+        ),
+        (
+            Verb::Map,
+            &[("drive-urad-per-nm", "1e-6")],
+            "invalid value '1e-6' for '--drive-urad-per-nm <K>': expected a number from 0.001 to 10000 urad/(N m), or 0",
+        ),
+        (
+            Verb::Rank,
+            &[("stiffness-nm-per-rad", "0")],
+            "invalid value '0' for '--stiffness-nm-per-rad <K>': expected a number from 100",
+        ),
+        (
+            Verb::Compliance,
+            &[("stiffness-nm-per-rad", "1e6"), ("drive-urad-per-nm", "1")],
+            "--stiffness-nm-per-rad and --drive-urad-per-nm exclude each other",
+        ),
         (Verb::Place, &[("force-n", "1\n2")], "invalid value '1\\n2' for"),
     ] {
         let text = asked(verb, given).unwrap_err().to_string();
@@ -205,6 +227,24 @@ fn what_makes_no_sense_is_refused_with_option_value_and_what_is_expected() {
     let none = asked(Verb::Place, &[]).expect("nothing is wrong yet");
     assert!(none.task().unwrap_err().to_string().starts_with("--task <TASK> is missing; expected circle:D"));
     assert!(none.robot().unwrap_err().to_string().starts_with("<ROBOT> is missing; expected A robot's name"));
+}
+
+#[test]
+fn a_stiffness_that_is_given_is_that_of_every_robot() {
+    let robot = || paper_robots().swap_remove(4);
+    let given = |name: &str, text: &str| asked(Verb::Place, &[(name, text)]).unwrap().equipped(robot());
+    // By hand: 1 / (2e6 N m/rad) = 0.5e-6 rad/(N m).
+    let softer = given("stiffness-nm-per-rad", "2e6").unwrap();
+    assert_eq!(softer.drive_compliance(), [Some(0.5e-6); 6]);
+    assert_eq!(softer, given("drive-urad-per-nm", "0.5").unwrap());
+    let each = given("drive-urad-per-nm", "0.5,1,0,2,3,4").unwrap();
+    assert_eq!(each.drive_compliance(), [0.5e-6, 1e-6, 0.0, 2e-6, 3e-6, 4e-6].map(Some));
+    assert_eq!(asked(Verb::Place, &[]).unwrap().equipped(robot()).unwrap(), robot());
+    let rigid = given("drive-urad-per-nm", "0").unwrap_err().to_string();
+    assert!(
+        rigid.starts_with("--drive-urad-per-nm makes no sense of KR 210 R2700 extra: every drive is rigid"),
+        "{rigid}"
+    );
 }
 
 #[test]
@@ -264,10 +304,10 @@ fn a_fault_of_a_job_names_file_line_key_value_and_what_was_expected() {
         ("verb = 'rank'\nforce-n = nan", "job.toml:2: invalid value 'nan' for 'force-n': expected a number from"),
         ("verb = 'rank'\nforce-n = 0x10", "job.toml:2: invalid value '10' for 'force-n': expected a number"),
         ("verb = 'rank'\nforce-n = 1\nforce_n = 1", "job.toml:3: force-n is given twice"),
-        ("verb = 'rank'\ntool-mm = [0,0,1]\n[tool]\nmm = [0,0,2]", "job.toml:2: tool-mm is given twice"),
+        ("verb = 'rank'\ntool-mm = [0,0,100]\n[tool]\nmm = [0,0,2]", "job.toml:2: tool-mm is given twice"),
         ("verb = 'rank'\n[cell]\nfloor-m = 0", "job.toml:3: cell-floor-m is no option of rank"),
         ("verb = 'study'\n[tool]\nmm = [0,0,2]", "job.toml:3: tool-mm does not go with study"),
-        ("verb = 'rank'\ntool-mm = [0,0,1]", "job.toml:2: tool-mm needs model = \"spatial\""),
+        ("verb = 'rank'\ntool-mm = [0,0,100]", "job.toml:2: tool-mm needs model = \"spatial\""),
         ("verb = 'rank'\n\"a\\nb\" = 1", "job.toml:2: a\\nb is no option of rank"),
     ] {
         let text = read_job(text).unwrap_err().to_string();

@@ -113,6 +113,15 @@ fn arm(architecture: Architecture) -> impl Strategy<Value = Arm> {
     ]
 }
 
+/// A file that leaves out what is assumed can say this.
+fn may_be_assumed(arm: &Arm) -> bool {
+    let paper = JointCompliance::PAPER;
+    match arm {
+        Arm::SixAxis { drives, .. } => drives.compliance == paper,
+        Arm::Planar(arm) => arm.k2 == paper.0[1] || arm.k3 == paper.0[2],
+    }
+}
+
 fn robot() -> impl Strategy<Value = Robot> {
     let text = || any::<String>().prop_map(|text| format!("x{text}x"));
     let names = (text(), prop_oneof![Just(String::new()), text()], any::<bool>());
@@ -139,6 +148,7 @@ fn robot() -> impl Strategy<Value = Robot> {
             vendor,
             architecture,
             architecture_is_assumed: assumed,
+            stiffness_is_assumed: assumed && may_be_assumed(&arm),
             status,
             payload_kg,
             reach,
@@ -178,6 +188,7 @@ proptest! {
             vendor: String::new(),
             architecture: Architecture::Serial,
             architecture_is_assumed: false,
+            stiffness_is_assumed: true,
             status: Status::Derived,
             payload_kg: None,
             reach: None,

@@ -11,6 +11,7 @@ use stiffarm::robot::Robot;
 
 use crate::args::Common;
 use crate::failure::Failure;
+use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, say};
 use crate::table::shown;
 
@@ -90,9 +91,9 @@ impl Checked {
 impl Answer for Check {
     const COMMAND: &'static str = "robots check";
 
-    fn text(&self, markdown: bool) -> String {
-        if markdown {
-            return shown(&Table::of_rows(&self.rows()), true);
+    fn text(&self, look: Look) -> String {
+        if look.markdown {
+            return shown(&Table::of_rows(&self.rows()), look);
         }
         let usable = self.0.iter().filter_map(|checked| Some((&checked.file, checked.robot()?)));
         usable.map(|(file, robot)| format!("{file}: {robot} can be used\n")).collect()

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 use stiffarm::answer::compliance::vector;
-use stiffarm::answer::{ComplianceAnswer, Rows, Unit};
+use stiffarm::answer::words::class;
+use stiffarm::answer::{ComplianceAnswer, Rows, Unit, stiffness};
 use stiffarm::compliance::{beyond_limits, compliance};
 use stiffarm::request::Request;
 use stiffarm::robot::Robot;
@@ -14,14 +15,15 @@ use stiffarm::spatial::Pose;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::view3d::{ArmMark, Arrow, View};
+use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, say};
 use crate::selection;
-use crate::table::shown;
+use crate::table::{prose, shown};
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let name = asked.robot()?;
     let outputs = Outputs::open::<ComplianceOutput>(common, &[Path::new(&name)])?;
-    let robot = selection::robot(&name, common)?;
+    let robot = asked.equipped(selection::robot(&name, common)?)?;
     let q = asked.joints_deg()?;
     let tool = asked.held().tool();
     let force = asked.force_along().map(Vector3::from);
@@ -86,8 +88,8 @@ impl Answer for ComplianceOutput {
     const COMMAND: &'static str = "compliance";
     const FURTHER: &'static [&'static str] = &["html"];
 
-    fn text(&self, markdown: bool) -> String {
-        format!("{}\n{}", shown(&self.answer.table(), markdown), ComplianceAnswer::NOTES)
+    fn text(&self, look: Look) -> String {
+        format!("{}\n{}", shown(&self.answer.table(), look), prose(&self.answer.notes(), look))
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -106,7 +108,8 @@ impl Answer for ComplianceOutput {
         Some(Ok(View {
             title: robot.full_name(),
             notes: vec![
-                format!("{}, {}; joints as reported: {angles} deg", robot.architecture, robot.status),
+                format!("{}; joints as reported: {angles} deg", class(robot)),
+                stiffness(robot),
                 format!("worst direction: {:.4} um/N along {}", worst * 1e6, vector(&direction, 3)),
                 "all six drives compliant, everything else rigid".into(),
             ],

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use serde_json::json;
+use stiffarm::answer::words::architecture;
 use stiffarm::answer::{Cell, Rows, Table, Unit, columns_of, field};
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::import::{ImportOptions, Imported, SAMPLES, import};
@@ -11,6 +12,7 @@ use stiffarm::robot::Arm;
 
 use crate::args::{Common, Format, ImportArgs};
 use crate::failure::Failure;
+use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, say};
 use crate::table::shown;
 
@@ -23,7 +25,7 @@ pub(crate) fn run(args: &ImportArgs, common: &Common) -> Result<(), Failure> {
             .map_err(|error| Failure::Import { error, ends_are_given: args.base.is_some() && args.tip.is_some() })?,
     );
     if common.format == Format::Table && !common.quiet {
-        say(answer.report(false).trim_end());
+        say(answer.report(Look::of_stderr()).trim_end());
     }
     outputs.deliver(&answer)
 }
@@ -59,7 +61,7 @@ fn micrometres(metres: f64) -> String {
 impl Report {
     fn lines(&self) -> Vec<(&'static str, String)> {
         let Imported { robot, notes, compared_with, largest_error, largest_turn, .. } = &self.0;
-        let mut rows = vec![("robot", robot.full_name()), ("architecture", robot.architecture.to_string())];
+        let mut rows = vec![("robot", robot.full_name()), ("architecture", architecture(robot))];
         if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
             let lengths = [
                 ("a1", geometry.a1),
@@ -96,12 +98,12 @@ impl Report {
         rows
     }
 
-    fn report(&self, markdown: bool) -> String {
+    fn report(&self, look: Look) -> String {
         let mut table = Table::new(["", ""]);
         for (key, value) in self.lines() {
             table.row([key.to_owned(), value]);
         }
-        shown(&table, markdown)
+        shown(&table, look)
     }
 }
 
@@ -109,8 +111,8 @@ impl Answer for Report {
     const COMMAND: &'static str = "robots import";
     const FURTHER: &'static [&'static str] = &["toml"];
 
-    fn text(&self, markdown: bool) -> String {
-        if markdown { self.report(true) } else { self.0.text.clone() }
+    fn text(&self, look: Look) -> String {
+        if look.markdown { self.report(look) } else { self.0.text.clone() }
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

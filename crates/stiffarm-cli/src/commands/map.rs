@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::words::{direction, mapped, origin, tool, window};
-use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit};
+use stiffarm::answer::words::{class, direction, mapped, origin, tool, window};
+use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::map::{MapError, map};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::place::{Placement, place};
@@ -18,13 +18,14 @@ use crate::figures::face::FaceFigure;
 use crate::figures::map::MapFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::view3d::{Cell, Sheet, View, Zone};
+use crate::look::Look;
 use crate::output::{Answer, Outputs, figure, pretty, say};
 use crate::selection;
-use crate::table::shown;
+use crate::table::{prose, shown};
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let (name, kind, options) = (asked.robot()?, asked.model(), asked.map_options());
-    let robot = selection::robot(&name, common)?;
+    let robot = asked.equipped(selection::robot(&name, common)?)?;
     let outputs = Outputs::open::<MapOutput>(common, &[Path::new(&name)])?;
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
@@ -145,7 +146,7 @@ impl<'a> Drawn<'a> {
 
 fn subtitle(answer: &MapAnswer) -> String {
     let MapAnswer { model, options, zone, .. } = answer;
-    let start = format!("{}, {}", model.robot().architecture, model.robot().status);
+    let start = format!("{}; {}", class(model.robot()), stiffness(model.robot()));
     match model.kind() {
         ModelKind::Planar => {
             let within = zone.as_ref().and_then(|zone| zone.placed.feasible().and(zone.options.within));
@@ -176,8 +177,8 @@ impl Answer for MapOutput {
     const COMMAND: &'static str = "map";
     const FURTHER: &'static [&'static str] = &["svg", "png", "html"];
 
-    fn text(&self, markdown: bool) -> String {
-        format!("{}\n{}", shown(&self.answer.table(), markdown), self.answer.notes())
+    fn text(&self, look: Look) -> String {
+        format!("{}\n{}", shown(&self.answer.table(), look), prose(&self.answer.notes(), look))
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

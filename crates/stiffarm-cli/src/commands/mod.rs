@@ -9,6 +9,7 @@ pub(crate) mod place;
 pub(crate) mod rank;
 pub(crate) mod robots;
 mod sheet;
+pub(crate) mod shell;
 pub(crate) mod study;
 pub(crate) mod validate;
 

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::words::{direction, tool};
-use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit};
+use stiffarm::answer::words::{class, direction, tool};
+use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::map::{Spacing, map};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place};
@@ -17,9 +17,10 @@ use crate::failure::Failure;
 use crate::figures::face::FaceFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
+use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
-use crate::table::shown;
+use crate::table::{prose, shown};
 
 /// Points along the longer side of the map that is drawn, in the arm plane and in space.
 const FIGURE_SIZE: [usize; 2] = [400, 300];
@@ -28,7 +29,7 @@ const FACE_SIZE: usize = 33;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let (name, task, kind) = (asked.robot()?, asked.task()?, asked.model());
-    let robot = selection::robot(&name, common)?;
+    let robot = asked.equipped(selection::robot(&name, common)?)?;
     let outputs = Outputs::open::<PlaceOutput>(common, &[Path::new(&name)])?;
     let options = asked.place_options(Some(task.zone))?;
     let failure = |error| Failure::Place { robot: robot.name.clone(), error };
@@ -36,7 +37,9 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let placed = waiting("searching places", common, || place(&model, task.zone, &options)).map_err(failure)?;
     let tolerance_mm = asked.tolerance_mm();
     let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
-    outputs.deliver(&PlaceOutput { model, answer })
+    let shortfall = answer.shortfall().filter(|_| common.check);
+    outputs.deliver(&PlaceOutput { model, answer })?;
+    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
 }
 
 struct PlaceOutput {
@@ -73,7 +76,7 @@ impl PlaceOutput {
 
     fn subtitle(&self) -> String {
         let PlaceAnswer { robot, model, placed, .. } = &self.answer;
-        let start = format!("{}, {}", robot.architecture, robot.status);
+        let start = format!("{}; {}", class(robot), stiffness(robot));
         match (model, placed.feasible().and_then(Placement::space)) {
             (ModelKind::Spatial(flange_from_tool), Some(hold)) => {
                 let (towards, tool) = (direction(self.elevation()), tool(flange_from_tool));
@@ -192,10 +195,10 @@ impl Answer for PlaceOutput {
     const COMMAND: &'static str = "place";
     const FURTHER: &'static [&'static str] = &["svg", "png", "html"];
 
-    fn text(&self, markdown: bool) -> String {
+    fn text(&self, look: Look) -> String {
         let notes = self.answer.notes();
         let apart = if notes.is_empty() { "" } else { "\n" };
-        format!("{}{apart}{notes}", shown(&self.answer.table(), markdown))
+        format!("{}{apart}{}", shown(&self.answer.table(), look), prose(&notes, look))
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

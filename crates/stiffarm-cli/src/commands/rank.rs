@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::{RankAnswer, Rows, Unit, words};
+use stiffarm::answer::{RankAnswer, Rows, Unit, stiffnesses, words};
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
 use stiffarm::place::PlaceOptions;
@@ -18,6 +18,7 @@ use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::figures::ranking::{self, Curve, Panel};
+use crate::look::Look;
 use crate::output::{Answer, Outputs, figure, pretty};
 use crate::selection;
 use crate::table::{prose, shown};
@@ -33,6 +34,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let names = asked.robots();
     let robots = selection::robots(&names, common)?;
     let robots = selection::keep(robots, asked, &[]).map_err(|failure| widened(failure, &names))?;
+    let robots = robots.into_iter().map(|robot| asked.equipped(robot)).collect::<Result<Vec<Robot>, _>>()?;
     let (kind, tasks) = (asked.model(), distinct(&asked.tasks()));
     if tasks.is_empty() {
         return Err(Failure::Usage("no task to rank for; give --task".into()));
@@ -44,7 +46,9 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let ranking = rank(&robots, &tasks, &kind, &options, || bar.inc(1))?;
     bar.finish_and_clear();
     let answer = RankAnswer { ranking, options, tolerance_mm: asked.tolerance_mm() };
-    outputs.deliver(&RankOutput { answer, common, svg: OnceCell::new() })
+    let shortfall = answer.shortfall().filter(|_| common.check);
+    outputs.deliver(&RankOutput { answer, common, svg: OnceCell::new() })?;
+    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
 }
 
 /// What may be files among the robots.
@@ -115,7 +119,8 @@ impl RankOutput<'_> {
             format!("; the first {MOST_CURVES} of {} robots", rows.len())
         };
         let newtons = load.newtons();
-        let title = format!("Worst deflection at the best place under {newtons} N, planar model{chosen}");
+        let springs = stiffnesses(rows.iter().map(|row| &row.robot));
+        let title = format!("Worst deflection at the best place under {newtons} N, planar model; {springs}{chosen}");
         ranking::svg(&title, &panels).map_err(figure)
     }
 
@@ -138,7 +143,11 @@ impl RankOutput<'_> {
         });
         BarsFigure {
             title: format!("Worst deflection inside each flat zone at its best place, {} N{first}", load.newtons()),
-            subtitle: format!("all six drives, {}", self.answer.stance()),
+            subtitle: format!(
+                "{}; {}",
+                stiffnesses(self.answer.ranking.rows.iter().map(|row| &row.robot)),
+                self.answer.stance()
+            ),
             tasks: tasks.iter().map(|task| task.label.clone()).collect(),
             rows: drawn.collect(),
             tolerance_mm: *tolerance_mm,
@@ -183,14 +192,14 @@ impl Answer for RankOutput<'_> {
     const COMMAND: &'static str = "rank";
     const FURTHER: &'static [&'static str] = &["svg", "png"];
 
-    fn text(&self, markdown: bool) -> String {
+    fn text(&self, look: Look) -> String {
         let answer = &self.answer;
         format!(
             "{}\n{}\n{}\n{}\n",
-            answer.heading(),
-            shown(&answer.table(), markdown),
-            prose(&answer.notes(), markdown),
-            prose(&answer.sentences().join("\n"), markdown)
+            prose(&answer.heading(), look),
+            shown(&answer.table(), look),
+            prose(&answer.notes(), look),
+            prose(&answer.sentences().join("\n"), look)
         )
     }
 

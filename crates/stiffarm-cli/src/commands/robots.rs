@@ -13,9 +13,10 @@ use stiffarm::robot::Robot;
 use super::sheet::Sheet;
 use crate::args::{Common, RobotsAction};
 use crate::failure::Failure;
+use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
-use crate::table::shown;
+use crate::table::{prose, shown};
 
 pub(crate) fn run(action: &RobotsAction, common: &Common) -> Result<(), Failure> {
     match action {
@@ -40,8 +41,8 @@ struct List(Vec<Robot>);
 impl Answer for List {
     const COMMAND: &'static str = "robots list";
 
-    fn text(&self, markdown: bool) -> String {
-        format!("{}\n{}", shown(&table(&self.0), markdown), notes(&self.0))
+    fn text(&self, look: Look) -> String {
+        format!("{}\n{}", shown(&table(&self.0), look), prose(&notes(&self.0), look))
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

@@ -3,7 +3,9 @@
 use std::io::{self, Write};
 
 use stiffarm::answer::robot::{lengths, rounded, sheet};
-use stiffarm::answer::{Cell, Rows, Table, Unit, columns_of, field};
+use stiffarm::answer::words::{architecture, assumed_architecture, class};
+use stiffarm::answer::{Cell, Rows, Table, Unit, columns_of, field, stiffness};
+use stiffarm::catalogue::write;
 use stiffarm::drive::{Architecture, Drives, Transmission};
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
@@ -14,8 +16,9 @@ use stiffarm::robot::{Arm, ArmPlane, Robot};
 
 use crate::failure::Failure;
 use crate::figures::reach::ReachFigure;
+use crate::look::Look;
 use crate::output::{Answer, figure, pretty};
-use crate::table::shown;
+use crate::table::{prose, shown};
 
 pub(super) struct Sheet(pub(super) Robot);
 
@@ -33,10 +36,9 @@ type Lines = Vec<(String, String)>;
 impl Sheet {
     fn lines(&self) -> Lines {
         let robot = &self.0;
-        let assumed = if robot.architecture_is_assumed { " (assumed)" } else { "" };
         let mut rows: Lines = vec![
             ("robot".into(), robot.full_name()),
-            ("architecture".into(), format!("{}{assumed}", robot.architecture)),
+            ("architecture".into(), architecture(robot)),
             ("status".into(), robot.status.to_string()),
             ("payload".into(), robot.payload_kg.map_or_else(|| "-".into(), |kg| format!("{kg} kg"))),
             ("reach".into(), robot.reach.map_or_else(|| "-".into(), |reach| format!("{reach:.3} m"))),
@@ -50,6 +52,7 @@ impl Sheet {
             rows.extend(drive_rows(drives, robot.architecture));
             rows.push(("radii of the links".into(), radii(robot)));
         }
+        rows.push(("stiffness".into(), stiffness(robot)));
         if let Ok(plane) = robot.two_links() {
             rows.extend(plane_rows(&plane.arm));
         }
@@ -71,14 +74,10 @@ impl Sheet {
         let robot = &self.0;
         let failure = |error| Failure::Map { robot: robot.name.clone(), error };
         let plane = robot.two_links().map_err(|error| failure(MapError::Model(error.into())))?;
-        let assumed = if robot.architecture_is_assumed { " (assumed)" } else { "" };
         let base = (plane.axis_from_base != [0.0; 2]).then_some(plane.axis_from_base);
         let drawn = ReachFigure {
             title: robot.full_name(),
-            subtitle: format!(
-                "{}{assumed}, {}; what the wrist centre reaches in the arm plane",
-                robot.architecture, robot.status
-            ),
+            subtitle: format!("{}; what the wrist centre reaches in the arm plane", class(robot)),
             arm: &plane.arm,
             base,
         };
@@ -124,8 +123,7 @@ fn limit_rows(limits: &Limits) -> Lines {
 }
 
 fn drive_rows(drives: &Drives, architecture: Architecture) -> Lines {
-    let compliance: Vec<String> = drives.compliance.0.iter().map(|k| rounded(k * 1e6).to_string()).collect();
-    let mut rows = vec![("drive compliance".into(), format!("{} urad/(N m)", compliance.join(", ")))];
+    let mut rows = Lines::new();
     if drives.transmission != Transmission::of(architecture) {
         for (i, row) in drives.transmission.0.row_iter().enumerate() {
             let row: Vec<String> = row.iter().map(|ratio| rounded(*ratio).to_string()).collect();
@@ -157,16 +155,17 @@ fn plane_rows(arm: &PlanarArm) -> Lines {
 
 impl Answer for Sheet {
     const COMMAND: &'static str = "robots show";
-    const FURTHER: &'static [&'static str] = &["svg", "png"];
+    const FURTHER: &'static [&'static str] = &["svg", "png", "toml"];
 
-    fn text(&self, markdown: bool) -> String {
+    fn text(&self, look: Look) -> String {
         let mut table = Table::new(["", ""]);
         for (key, value) in self.lines() {
             table.row([key, value]);
         }
-        shown(&table, markdown)
+        let notes = assumed_architecture([&self.0]).to_owned()
             + "angles of the arm plane: counter-clockwise, 0 straight ahead; negative elbow: bent forwards and down\n\
-               -o reach.svg or .png draws what it reaches\n"
+               -o reach.svg or .png draws what it reaches, -o robot.toml writes the robot file\n";
+        shown(&table, look) + &prose(&notes, look)
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -177,6 +176,10 @@ impl Answer for Sheet {
         let rows =
             self.lines().into_iter().map(|(key, value)| vec![Cell::Text(key.trim().to_owned()), Cell::Text(value)]);
         Rows::new([field::KEY, field::VALUE].map(|field| columns_of(&field)).concat(), rows.collect())
+    }
+
+    fn robot_file(&self) -> Option<String> {
+        Some(write(&self.0))
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {

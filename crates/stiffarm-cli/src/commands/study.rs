@@ -10,8 +10,9 @@ use super::waiting;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::study::{self as figure_of, StudyCurve, StudyPanel};
+use crate::look::Look;
 use crate::output::{Answer, Outputs, figure, pretty};
-use crate::table::shown;
+use crate::table::{prose, shown};
 
 /// Ratios and sizes along the sides of a figure.
 const FIGURE_RATIOS: usize = 61;
@@ -105,11 +106,12 @@ impl Answer for StudyOutput {
     const COMMAND: &'static str = "study";
     const FURTHER: &'static [&'static str] = &["svg", "png"];
 
-    fn text(&self, markdown: bool) -> String {
+    fn text(&self, look: Look) -> String {
         format!(
-            "Worst deflection at the best place over k F (l2+l3)^2, sizes d over l2+l3, no joint limits; - does not fit\n\n{}\n{}",
-            shown(&self.0.table(), markdown),
-            self.0.notes()
+            "{}\n{}\n{}",
+            prose(&self.0.heading(), look),
+            shown(&self.0.table(), look),
+            prose(&self.0.notes(), look)
         )
     }
 

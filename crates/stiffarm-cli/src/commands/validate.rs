@@ -7,8 +7,9 @@ use stiffarm::ledger::{Printed, validate};
 
 use crate::args::Common;
 use crate::failure::Failure;
+use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
-use crate::table::shown;
+use crate::table::{prose, shown};
 
 pub(crate) fn run(common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<Ledger>(common, &[])?;
@@ -25,8 +26,8 @@ struct Ledger(LedgerAnswer);
 impl Answer for Ledger {
     const COMMAND: &'static str = "validate";
 
-    fn text(&self, markdown: bool) -> String {
-        format!("{}\n{}", shown(&self.0.table(), markdown), self.0.notes())
+    fn text(&self, look: Look) -> String {
+        format!("{}\n{}", shown(&self.0.table(), look), prose(&self.0.notes(), look))
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

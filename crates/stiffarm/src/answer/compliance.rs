@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use serde_json::Value;
 
+use super::stiffness::{self, stiffness};
 use super::words::{self, fixed, percentages};
 use super::{Cell, Column, ColumnKind, Datum, Record, Rows, Table, columns_of, field, line, with_schema};
 use crate::batch::{RowError, Units, matrices_of_rows, worst_of_rows};
@@ -44,6 +45,12 @@ impl ComplianceAnswer {
         let mut record = Record::new();
         record
             .put(field::ROBOT, &robot.name)
+            .put(field::VENDOR, &robot.vendor)
+            .put(field::ARCHITECTURE, robot.architecture.name())
+            .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
+            .put(field::STATUS, robot.status.name());
+        stiffness::put(&mut record, robot);
+        record
             .put(field::MODEL, "spatial")
             .put(field::JOINTS, *joints_deg)
             .put(field::TCP, posture.tool.translation.vector.as_slice())
@@ -82,6 +89,7 @@ impl ComplianceAnswer {
         let Self { robot, joints_deg, posture, .. } = self;
         let mut lines = vec![
             line("robot", words::robot(robot)),
+            line("stiffness", stiffness(robot)),
             line("joints as reported", format!("{} deg", joints_deg.map(|angle| angle.to_string()).join(", "))),
             line("tool point from the base", format!("{} m", vector(&posture.tool.translation.vector, 4))),
         ];
@@ -110,8 +118,10 @@ impl ComplianceAnswer {
     }
 
     /// What stands below the table.
-    pub const NOTES: &'static str =
-        "base axes: x forward, y left, z up; all six drives compliant, everything else rigid\n";
+    pub fn notes(&self) -> String {
+        let assumed = words::assumed_architecture([&self.robot]);
+        format!("{assumed}base axes: x forward, y left, z up; all six drives compliant, everything else rigid\n")
+    }
 }
 
 /// Three numbers, rounded.

@@ -1,5 +1,7 @@
 //! What can be told, each thing once: its key, its unit, and what it is.
 
+use crate::catalogue::microradians;
+
 /// A unit as answers tell it; inside, everything is SI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
@@ -17,6 +19,8 @@ pub enum Unit {
     Newton,
     /// um/N, from m/N.
     MicrometrePerNewton,
+    /// urad/(N m), from rad/(N m).
+    MicroradianPerNewtonMetre,
     /// kg.
     Kilogram,
     /// As it was given, in the unit named.
@@ -31,6 +35,7 @@ impl Unit {
             Self::Millimetre | Self::Milliradian => si * 1e3 + 0.0,
             Self::Degree => si.to_degrees() + 0.0,
             Self::MicrometrePerNewton => si * 1e6 + 0.0,
+            Self::MicroradianPerNewtonMetre => microradians(si),
         }
     }
 }
@@ -103,6 +108,9 @@ fields! {
     ARCHITECTURE: "architecture", Kind::Text, "serial or quasi-serial.";
     ARCHITECTURE_ASSUMED: "architecture_assumed", Kind::Truth, "Nothing says that it is of this architecture.";
     STATUS: "status", Kind::Text, "How well the robot's numbers are known.";
+    STIFFNESS_SOURCE: "stiffness_source", Kind::Text, "Who says how stiff the drives are: assumed, robot file or given.";
+    DRIVE_COMPLIANCE: "drive_urad_per_nm", numbers(Unit::MicroradianPerNewtonMetre, &["k1_urad_per_nm", "k2_urad_per_nm", "k3_urad_per_nm", "k4_urad_per_nm", "k5_urad_per_nm", "k6_urad_per_nm"]),
+        "The compliance of each drive; null where a robot of two links has none.";
     TASK: "task", Kind::Text, "The zone as it was asked for.";
     MODEL: "model", Kind::Text, "planar or spatial.";
     FORCE: "force_n", Kind::Number(Unit::Newton), "The cutting force.";
@@ -160,7 +168,7 @@ fields! {
     CELLS: "cells", Kind::Nested, "One placement per task.";
     ROWS: "rows", Kind::Nested, "One entry per row.";
     WINNERS: "winners", Kind::Nested, "Who is best at each task.";
-    BEST: "best", Kind::Text, "The best robot of which no number is assumed.";
+    BEST: "best", Kind::Text, "The best robot whose geometry and limits are published.";
     BEST_WITH_ESTIMATED: "best_with_estimated", Kind::Text, "The best robot of all.";
     BEST_SERIAL: "best_serial", Kind::Text, "The best serial robot.";
     BEST_QUASI_SERIAL: "best_quasi_serial", Kind::Text, "The best quasi-serial robot.";
@@ -226,12 +234,13 @@ mod tests {
                 Some(Unit::Milliradian) => "_mrad",
                 Some(Unit::Newton) => "_n",
                 Some(Unit::MicrometrePerNewton) => "_um_per_n",
+                Some(Unit::MicroradianPerNewtonMetre) => "_urad_per_nm",
                 Some(Unit::Kilogram) => "_kg",
                 Some(Unit::Given(unit)) => unit,
                 Some(Unit::One) | None => "",
             };
             assert!(field.key.ends_with(ending), "{field:?}");
-            let endings = ["_m", "_mm", "_deg", "_mrad", "_n", "_um_per_n", "_kg"];
+            let endings = ["_m", "_mm", "_deg", "_mrad", "_n", "_um_per_n", "_urad_per_nm", "_kg"];
             let has_unit = endings.iter().any(|ending| field.key.ends_with(ending));
             assert!(!ending.is_empty() || !has_unit || field.unit().is_none(), "a number of no unit: {field:?}");
             assert!(field.about.ends_with('.') && field.about.is_ascii(), "{field:?}");
@@ -248,6 +257,7 @@ mod tests {
             (Unit::Degree, std::f64::consts::PI, 180.0),
             (Unit::MicrometrePerNewton, 3e-6, 3.0),
             (Unit::Milliradian, 0.5, 500.0),
+            (Unit::MicroradianPerNewtonMetre, 0.7e-6, 0.7),
             (Unit::Metre, 1.5, 1.5),
         ] {
             assert!((unit.told(si) - told).abs() < 1e-12, "{unit:?}");

@@ -6,6 +6,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 
 use super::place::{PlaceAnswer, cell};
+use super::stiffness::{self, stiffness};
 use super::words::{self, tool_mm};
 use super::{Cell, Record, Rows, Table, Unit, columns_of, field, line, schema};
 use crate::load::Direction;
@@ -101,8 +102,15 @@ impl MapAnswer {
         };
         let searched = tool.is_some() && self.held().roll.is_none();
         let mut record = Record::new();
+        let robot = self.model.robot();
         record
-            .put(field::ROBOT, &self.model.robot().name)
+            .put(field::ROBOT, &robot.name)
+            .put(field::VENDOR, &robot.vendor)
+            .put(field::ARCHITECTURE, robot.architecture.name())
+            .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
+            .put(field::STATUS, robot.status.name());
+        stiffness::put(&mut record, robot);
+        record
             .put(field::MODEL, self.model.kind().name())
             .put(field::FORCE, self.options.load.newtons())
             .put(field::DIRECTION, direction)
@@ -176,7 +184,7 @@ impl MapAnswer {
     pub fn table(&self) -> Table {
         let (robot, grid, kind) = (self.model.robot(), &self.map.deflection, self.model.kind());
         let mut mapped = format!("{}, {} model", words::mapped(self.options.load), kind.name());
-        let mut lines = vec![line("robot", words::robot(robot))];
+        let mut lines = vec![line("robot", words::robot(robot)), line("stiffness", stiffness(robot))];
         if let ModelKind::Spatial(tool) = kind {
             let _ = write!(mapped, ", {}", words::direction(self.held().elevation));
             lines.push(line("mapped", mapped));
@@ -214,14 +222,15 @@ impl MapAnswer {
     }
 
     /// What stands below the table.
-    pub fn notes(&self) -> &'static str {
-        match self.model {
+    pub fn notes(&self) -> String {
+        let notes = match self.model {
             Model::Planar(_) => "-o map.svg, .png, .html, .csv, .parquet or .json writes the map\n",
             Model::Spatial(_) => {
                 "the section points straight ahead and stands for every direction about the joint-1 axis; the best posture of each point and its best roll, to 0.1 %\n\
                  -o map.svg, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
             }
-        }
+        };
+        format!("{}{notes}", words::assumed_architecture([self.model.robot()]))
     }
 }
 

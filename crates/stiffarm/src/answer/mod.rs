@@ -14,6 +14,7 @@ pub mod rank;
 mod record;
 pub mod robot;
 mod rows;
+mod stiffness;
 pub mod study;
 pub mod words;
 
@@ -27,6 +28,7 @@ pub use place::{PlaceAnswer, Verdict};
 pub use rank::RankAnswer;
 pub use record::{Datum, Record, columns_of};
 pub use rows::{Cell, Column, ColumnKind, Rows};
+pub use stiffness::{stiffness, stiffnesses};
 pub use study::StudyAnswer;
 pub use words::fixed;
 
@@ -64,24 +66,35 @@ pub struct Table {
     pub headings: Vec<String>,
     /// As many words each as there are headings.
     pub rows: Vec<Vec<String>>,
+    /// The first so many columns say of what a row is.
+    pub keys: usize,
+    /// Headings of columns that may be left out where there is no room, the first first.
+    pub spare: Vec<String>,
 }
 
 impl Table {
     /// A table without rows.
     pub fn new<S: Into<String>>(headings: impl IntoIterator<Item = S>) -> Self {
-        Self { headings: headings.into_iter().map(Into::into).collect(), rows: Vec::new() }
+        let headings = headings.into_iter().map(Into::into).collect();
+        Self { headings, rows: Vec::new(), keys: 1, spare: Vec::new() }
     }
 
     /// Names on the left, what they say on the right.
     pub fn of_lines(lines: impl IntoIterator<Item = Line>) -> Self {
-        Self { headings: vec![String::new(); 2], rows: lines.into_iter().map(Into::into).collect() }
+        Self { rows: lines.into_iter().map(Into::into).collect(), ..Self::new(["", ""]) }
     }
 
     /// Rows as people read them, to the last digit.
     pub fn of_rows(rows: &Rows) -> Self {
         let words = |row: std::borrow::Cow<'_, [Cell]>| row.iter().map(Cell::to_string).collect();
-        let headings = rows.columns().iter().map(|column| column.name.clone()).collect();
-        Self { headings, rows: rows.iter().map(words).collect() }
+        let headings = rows.columns().iter().map(|column| column.name.clone());
+        Self { rows: rows.iter().map(words).collect(), ..Self::new(headings) }
+    }
+
+    /// The first so many columns are repeated where a table is stacked, and those of these headings left out before it is.
+    #[must_use]
+    pub fn with_room(self, keys: usize, spare: &[&str]) -> Self {
+        Self { keys, spare: spare.iter().map(|&name| name.into()).collect(), ..self }
     }
 
     /// Adds a row.

@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use super::stiffness::{self, stiffness};
 use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm, window};
 use super::{Datum, Line, Record, Rows, Table, field, line, with_schema, words};
 use crate::interval::Interval;
@@ -71,7 +72,7 @@ impl PlaceAnswer {
     /// For people.
     pub fn table(&self) -> Table {
         let Self { robot, model, task, options, placed, .. } = self;
-        let mut lines = vec![line("robot", words::robot(robot))];
+        let mut lines = vec![line("robot", words::robot(robot)), line("stiffness", stiffness(robot))];
         let zone = format!("{} ({})", task.label, task.zone.describe());
         match model {
             ModelKind::Planar => lines.push(line("task", zone)),
@@ -94,6 +95,19 @@ impl PlaceAnswer {
         Table::of_lines(lines)
     }
 
+    /// Why the answer is no, where it is: there is no place, or the tolerance is not held.
+    pub fn shortfall(&self) -> Option<String> {
+        let Self { robot, task, placed, tolerance_mm, .. } = self;
+        match placed {
+            Placed::Infeasible { reason, .. } => Some(format!("{}: no place for {}: {reason}", robot.name, task.label)),
+            Placed::Feasible(best) => tolerance_mm.and_then(|tolerance| {
+                let told = fixed(best.deflection * 1e3, 4);
+                let fails = !Verdict::of(best.deflection, tolerance).passes;
+                fails.then(|| format!("{}: {told} mm on {}, tolerance {tolerance} mm", robot.name, task.label))
+            }),
+        }
+    }
+
     /// A map of what is reached, held as the zone is.
     pub fn map_options(&self, model: &Model, spacing: Spacing) -> MapOptions {
         let stance = self.options.stance();
@@ -114,13 +128,14 @@ impl PlaceAnswer {
     }
 
     /// What stands below the table.
-    pub fn notes(&self) -> &'static str {
-        match self.model {
+    pub fn notes(&self) -> String {
+        let notes = match self.model {
             ModelKind::Planar => "",
             ModelKind::Spatial(_) => {
                 "all six drives compliant, everything else rigid\nclearance: links as capsules, coarse, at the poses of the answer; nothing is known of tables and fixtures\n"
             }
-        }
+        };
+        format!("{}{notes}", words::assumed_architecture([&self.robot]))
     }
 
     fn elevation(&self) -> f64 {
@@ -254,10 +269,10 @@ pub(super) fn cell(
         .put(field::ROBOT, &robot.name)
         .put(field::VENDOR, &robot.vendor)
         .put(field::ARCHITECTURE, robot.architecture.name())
-        .put(field::STATUS, robot.status.name())
-        .put(field::TASK, &task.label)
-        .put(field::MODEL, model.name())
-        .put(field::FORCE, options.load.newtons());
+        .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
+        .put(field::STATUS, robot.status.name());
+    stiffness::put(&mut record, robot);
+    record.put(field::TASK, &task.label).put(field::MODEL, model.name()).put(field::FORCE, options.load.newtons());
     asked(&mut record, model, options);
     outcome(&mut record, placed);
     record

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::place::{Verdict, cell};
 use super::words::{self, COLUMN, fixed};
-use super::{Record, Rows, Table, columns_of, field, with_schema};
+use super::{Record, Rows, Table, columns_of, field, stiffness, stiffnesses, with_schema};
 use crate::drive::Architecture;
 use crate::model::ModelKind;
 use crate::place::{PlaceOptions, Placement};
@@ -56,9 +56,9 @@ impl RankAnswer {
                 .put(field::VENDOR, &row.robot.vendor)
                 .put(field::ARCHITECTURE, row.robot.architecture.name())
                 .put(field::ARCHITECTURE_ASSUMED, row.robot.architecture_is_assumed)
-                .put(field::STATUS, row.robot.status.name())
-                .extend(self.standing(row))
-                .put(field::CELLS, cells);
+                .put(field::STATUS, row.robot.status.name());
+            stiffness::put(&mut record, &row.robot);
+            record.extend(self.standing(row)).put(field::CELLS, cells);
             record.json()
         });
         told.collect()
@@ -122,14 +122,14 @@ impl RankAnswer {
         let Ranking { tasks, rows, in_plane, .. } = &self.ranking;
         let mut headings: Vec<String> = ["#", "robot", "architecture", "status"].map(Into::into).into();
         if in_plane.is_none() {
-            headings.push("bound mm".into());
+            headings.push("bound".into());
         }
-        headings.extend(tasks.iter().map(|task| format!("{} mm", task.label)));
+        headings.extend(tasks.iter().map(|task| task.label.clone()));
         headings.push("mean ratio".into());
         if in_plane.is_some() {
             headings.push("planar #".into());
         }
-        let mut table = Table::new(headings);
+        let mut table = Table::new(headings).with_room(2, &["bound", "mean ratio", "status", "architecture"]);
         for row in rows {
             let robot = &row.robot;
             let estimated = robot.status == Status::Estimated;
@@ -182,15 +182,16 @@ impl RankAnswer {
     /// What stands above the table.
     pub fn heading(&self) -> String {
         let newtons = self.ranking.load.newtons();
+        let springs = stiffnesses(self.ranking.rows.iter().map(|row| &row.robot));
         match &self.ranking.model {
             ModelKind::Planar => {
                 let gap = self.options.gap();
                 format!(
-                    "Worst deflection inside each zone at its best place, {newtons} N in the worst direction, planar model; proved to {gap}\n"
+                    "Worst deflection [mm] inside each zone at its best place, {newtons} N in the worst direction\nplanar model; {springs}; proved to {gap}\n"
                 )
             }
             ModelKind::Spatial(_) => format!(
-                "Worst deflection inside each flat zone at its best place, {newtons} N in the worst direction, spatial model\n{}\n",
+                "Worst deflection [mm] inside each flat zone at its best place, {newtons} N in the worst direction\nspatial model; {springs}\n{}\n",
                 self.stance()
             ),
         }
@@ -211,7 +212,7 @@ impl RankAnswer {
     /// What stands below the table: what the marks mean, and what is odd.
     pub fn notes(&self) -> String {
         let Ranking { rows, in_plane, .. } = &self.ranking;
-        let mut notes = String::from("* best of the robots of which no number is assumed");
+        let mut notes = String::from("* best of the robots whose geometry is published");
         if rows.iter().any(|row| row.robot.status == Status::Estimated) {
             notes += "; ~ estimated robot: it cannot win, even where its value is smaller";
         }
@@ -235,9 +236,7 @@ impl RankAnswer {
         notes += &self.overloaded();
         notes += &self.below_base();
         notes += &self.in_column();
-        if rows.iter().any(|row| row.robot.architecture_is_assumed) {
-            notes += words::ASSUMED_ARCHITECTURE;
-        }
+        notes += words::assumed_architecture(rows.iter().map(|row| &row.robot));
         if in_plane.is_none() {
             notes += "bound: deflection at the stiffest posture of the links; no placement of any task has less\n";
         }
@@ -254,13 +253,14 @@ impl RankAnswer {
     fn overloaded(&self) -> String {
         let held = self.ranking.load.newtons() / 9.81;
         let rows = &self.ranking.rows;
-        let count = rows.iter().filter(|row| row.robot.payload_kg.is_some_and(|kg| kg < held)).count();
+        let light = |row: &&Row| row.robot.stiffness_is_assumed && row.robot.payload_kg.is_some_and(|kg| kg < held);
+        let count = rows.iter().filter(light).count();
         if count == 0 {
             return String::new();
         }
         let (of, least) = (rows.len(), held.ceil());
         format!(
-            "{count} of {of} robots are sold for less than this force ({held:.0} kg), and the usual 1 urad/(N m) per drive is that of \
+            "{count} of {of} robots are sold for less than this force ({held:.0} kg), and the 1 urad/(N m) that is assumed on every drive is that of \
              heavy robots: --payload-kg {least}.. leaves them out\n"
         )
     }
@@ -335,6 +335,21 @@ impl RankAnswer {
         sentences
     }
 
+    /// Why the answer is no, where it is: no robot of published geometry has a place for every task and holds the tolerance there.
+    pub fn shortfall(&self) -> Option<String> {
+        let holds =
+            |deflection: f64| self.tolerance_mm.is_none_or(|tolerance| Verdict::of(deflection, tolerance).passes);
+        let does =
+            |row: &&Row| row.rank.is_some() && (0..row.cells.len()).all(|task| row.deflection(task).is_some_and(holds));
+        if self.ranking.rows.iter().any(|row| does(&row)) {
+            return None;
+        }
+        Some(match self.tolerance_mm {
+            Some(tolerance) => format!("no robot of published geometry holds {tolerance} mm on every task"),
+            None => "no robot of published geometry has a place for every task".into(),
+        })
+    }
+
     /// The tasks of each robot that `pick` names for a task, in the order in which robots are named first.
     fn tasks_by_robot<'a>(&self, pick: impl Fn(usize) -> Option<&'a Row>) -> Vec<(&'a Row, Vec<usize>)> {
         let mut found: Vec<(&Row, Vec<usize>)> = Vec::new();
@@ -356,7 +371,7 @@ impl RankAnswer {
         let ranking = &self.ranking;
         let winners = self.tasks_by_robot(|task| ranking.best_published(task));
         if winners.is_empty() {
-            return "No robot of which all numbers are known can do any of these tasks.".into();
+            return "No robot whose geometry is published can do any of these tasks.".into();
         }
         let won = |(row, tasks): &(&Row, Vec<usize>)| {
             let told = |&task: &usize| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(row, task));

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Object, Record, Rows, Table, field, words};
+use super::{Object, Record, Rows, Table, field, stiffness, stiffnesses, words};
 use crate::catalogue::microradians;
 use crate::geometry::Geometry;
 use crate::interval::Interval;
@@ -19,6 +19,8 @@ pub fn sheet(robot: &Robot) -> Value {
     put("architecture", json!(robot.architecture.name()));
     put("status", json!(robot.status.name()));
     put("architecture_assumed", json!(robot.architecture_is_assumed));
+    put("stiffness_source", json!(robot.stiffness_source().name()));
+    put("drive_urad_per_nm", json!(robot.drive_compliance().map(|k| k.map(microradians))));
     put("payload_kg", json!(robot.payload_kg));
     put("reach_m", json!(robot.reach));
     put("mass_kg", json!(robot.mass_kg));
@@ -66,6 +68,7 @@ fn entry(robot: &Robot) -> Record {
         .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
         .put(field::MASS, robot.mass_kg)
         .put(field::REPEATABILITY, robot.repeatability);
+    stiffness::put(&mut record, robot);
     record
 }
 
@@ -89,7 +92,8 @@ pub fn table(robots: &[Robot]) -> Table {
         "l3 m",
         "l3/l2",
         "bound um/N",
-    ]);
+    ])
+    .with_room(2, &["l3/l2", "bound um/N", "l2 m", "l3 m"]);
     let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| words::fixed(value, 3));
     for robot in robots {
         let arm = robot.two_links().ok().map(|plane| plane.arm);
@@ -115,13 +119,13 @@ pub fn notes(robots: &[Robot]) -> String {
     let mut makers: Vec<&str> = robots.iter().map(|robot| robot.vendor.as_str()).collect();
     makers.dedup(); // the list is in their order
     let of = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
-    let assumed = robots.iter().any(|robot| robot.architecture_is_assumed);
     format!(
-        "{} of {}\n{}{}bound: compliance at the stiffest posture of the links, with the joint compliances of the robot file\n",
+        "{} of {}\n{}{}bound: compliance at the stiffest posture of the links, with the {}\n",
         of(robots.len(), "robot"),
         of(makers.len(), "maker"),
-        if assumed { words::ASSUMED_ARCHITECTURE } else { "" },
-        words::statuses(robots)
+        words::assumed_architecture(robots),
+        words::statuses(robots),
+        stiffnesses(robots)
     )
 }
 

@@ -65,7 +65,7 @@ impl StudyAnswer {
         let Study { options, rows, .. } = &self.0;
         let mut headings = vec!["task".to_owned(), "mu = l3/l2".into(), "architecture".into()];
         headings.extend(options.sizes.iter().map(|size| format!("d = {size}")));
-        let mut table = Table::new(headings);
+        let mut table = Table::new(headings).with_room(3, &[]);
         let per_ratio = options.sizes.len() * 2;
         for group in rows.chunks(per_ratio) {
             for contender in [0, 1] {
@@ -79,6 +79,13 @@ impl StudyAnswer {
             }
         }
         table
+    }
+
+    /// What stands above the table.
+    pub fn heading(&self) -> String {
+        "Worst deflection at the best place over k F (l2+l3)^2, sizes d over l2+l3, no joint limits\n\
+         k: compliance of a drive, of the drives 2 and 3 alike where nothing else is named; - does not fit\n"
+            .into()
     }
 
     /// What stands below the table: where the better contender changes.

@@ -33,12 +33,22 @@ pub(super) fn asked_degrees(angle: f64) -> f64 {
 
 /// Maker, name, architecture and status.
 pub fn robot(robot: &Robot) -> String {
-    format!("{} ({}, {})", robot.full_name(), robot.architecture, robot.status)
+    format!("{} ({})", robot.full_name(), class(robot))
+}
+
+/// Architecture and status, for a line below a name.
+pub fn class(robot: &Robot) -> String {
+    format!("{}, {}", architecture(robot), robot.status)
 }
 
 /// Its architecture, with a question mark where nothing says that it is.
 pub fn architecture(robot: &Robot) -> String {
     format!("{}{}", robot.architecture, if robot.architecture_is_assumed { "?" } else { "" })
+}
+
+/// Why there is a question mark, where some of these robots have one.
+pub fn assumed_architecture<'a>(robots: impl IntoIterator<Item = &'a Robot>) -> &'static str {
+    if robots.into_iter().any(|robot| robot.architecture_is_assumed) { ASSUMED_ARCHITECTURE } else { "" }
 }
 
 /// Why there is a question mark.
@@ -128,11 +138,34 @@ pub fn tool(tool: &Pose) -> String {
     let (rx, ry, rz) = tool.rotation.euler_angles();
     let point = format!("{:.1}, {:.1}, {:.1} mm from the flange", v.x + 0.0, v.y + 0.0, v.z + 0.0);
     if tool.rotation.angle() < 1e-12 {
-        point
-    } else {
-        let turned = [rx, ry, rz].map(|angle| format!("{:.2}", angle.to_degrees() + 0.0));
-        format!("{point}, turned {} deg", turned.join(", "))
+        return point;
     }
+    if let Some(spindle) = spindle(tool) {
+        return format!("{spindle}: {point}");
+    }
+    let turned = [rx, ry, rz].map(|angle| format!("{:.2}", angle.to_degrees() + 0.0));
+    format!("{point}, turned {} deg", turned.join(", "))
+}
+
+/// A tool that leans towards the flange's x, in the words of `spindle:250@90+30`.
+fn spindle(tool: &Pose) -> Option<String> {
+    let [x, y, z] = tool.translation.vector.map(|metres| metres * 1e3).into();
+    let axis = tool.rotation.to_rotation_matrix().into_inner();
+    let [s, c] = [axis[(0, 2)], axis[(2, 2)]];
+    let keeps_y = (axis[(1, 1)] - 1.0).abs() < 1e-12 && y.abs() < 1e-9;
+    if !keeps_y || s < 1e-6 || x <= 0.0 {
+        return None;
+    }
+    // The tool point is (L s, 0, O + L c).
+    let length = x / s;
+    let offset = z - length * c;
+    let before = match offset {
+        offset if offset.abs() < 0.05 => String::new(),
+        offset if offset < 0.0 => return None,
+        offset => format!(", {offset:.1} mm before the flange"),
+    };
+    let angle = asked_degrees(s.atan2(c));
+    Some(format!("spindle of {length:.1} mm at {angle} deg to the flange axis{before}"))
 }
 
 /// As `--tool-mm` takes it: x, y, z, mm, and the turns about fixed axes, deg.

@@ -19,7 +19,7 @@ pub use write::write;
 pub(crate) use write::{microradians, quoted};
 
 use crate::drive::JointCompliance;
-use crate::robot::{Arm, Robot};
+use crate::robot::{Arm, COMPLIANCE_SOURCE, GIVEN, Robot};
 
 /// The ten robots of the paper, in the order of its Table II.
 const PAPER: [&str; 10] = [
@@ -49,13 +49,15 @@ pub fn robots() -> Vec<Robot> {
 }
 
 /// The robot with other compliances of its drives, urad/(N m), held to what a robot file may say; of a planar robot those of
-/// the drives 2 and 3 count.
+/// the drives 2 and 3 count. Answers call them given.
 ///
 /// # Errors
 /// A value that no drive has.
 pub fn with_compliance(robot: &Robot, drive_urad_per_nm: [f64; 6]) -> Result<Robot, Faults> {
     let k = drive_urad_per_nm.map(|urad| urad / 1e6);
     let mut changed = robot.clone();
+    changed.stiffness_is_assumed = false;
+    changed.source.insert(COMPLIANCE_SOURCE.into(), GIVEN.into());
     match &mut changed.arm {
         Arm::SixAxis { drives, .. } => drives.compliance = JointCompliance(k),
         Arm::Planar(arm) => (arm.k2, arm.k3) = (k[1], k[2]),
@@ -66,6 +68,7 @@ pub fn with_compliance(robot: &Robot, drive_urad_per_nm: [f64; 6]) -> Result<Rob
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::robot::StiffnessSource;
 
     #[test]
     fn other_compliances_change_nothing_else_and_are_held_to_what_a_file_may_say() {
@@ -74,7 +77,9 @@ mod tests {
             let changed = with_compliance(&robot, urad).unwrap();
             let Arm::SixAxis { drives, .. } = &changed.arm else { unreachable!("six axes") };
             assert_eq!(drives.compliance.0, urad.map(|urad| urad / 1e6));
-            assert_eq!(with_compliance(&changed, [1.0; 6]).unwrap(), robot);
+            assert_eq!(with_compliance(&changed, [1.0; 6]).unwrap().arm, robot.arm);
+            let sources = [&robot, &changed].map(Robot::stiffness_source);
+            assert_eq!(sources, [StiffnessSource::Assumed, StiffnessSource::Given]);
             assert_eq!(with_compliance(&robot, [1.0, 1.0, f64::NAN, 1.0, 1.0, 1.0]).unwrap_err().faults.len(), 1);
             assert!(with_compliance(&robot, [1e-6; 6]).is_err());
         }

@@ -61,7 +61,13 @@ impl Quantity {
             let meant = meant.trim_end_matches('0').trim_end_matches('.');
             return Some(format!("{x} {unit} is too small to be true; if this is in {other}, write {meant}"));
         }
-        (!(min <= x && x <= max)).then(|| format!("{x} {unit}; expected {min} to {max} {unit}"))
+        let is_stiffness = unit == "urad/(N m)" && max < x;
+        let stiffness = if is_stiffness {
+            format!("; if this is a stiffness in N m/rad, write {}", 1e6 / x)
+        } else {
+            String::new()
+        };
+        (!(min <= x && x <= max)).then(|| format!("{x} {unit}; expected {min} to {max} {unit}{stiffness}"))
     }
 }
 

@@ -115,7 +115,7 @@ fn robot(mut root: Table) -> Option<Robot> {
                 root.fault(key, "does not go with [planar]; a robot has either [planar] or [geometry] and [limits]");
             }
         }
-        planar(root.table("planar"), architecture).map(Arm::Planar)
+        planar(root.table("planar"), architecture)
     } else if root.has("geometry") {
         six_axis(&mut root, architecture)
     } else {
@@ -125,23 +125,29 @@ fn robot(mut root: Table) -> Option<Robot> {
     let body = if root.has("body") { body(root.table("body")) } else { Some(None) };
     root.finish(&["geometry", "limits", "compliance", "compensator", "body", "planar"]);
     let vendor = vendor.unwrap_or_default();
+    let (arm, stiffness_is_assumed) = arm?;
     Some(Robot {
         name: name?,
         vendor,
         architecture: architecture?,
         architecture_is_assumed: architecture_is_assumed?,
+        stiffness_is_assumed,
         status: status?,
         payload_kg,
         reach,
         mass_kg,
         repeatability,
         body: body?,
-        arm: arm?,
+        arm,
         source,
     })
 }
 
-fn planar(mut table: Table, architecture: Option<Architecture>) -> Option<PlanarArm> {
+/// What moves, and whether the stiffness of any drive is left to be assumed.
+type Moving = (Arm, bool);
+
+fn planar(mut table: Table, architecture: Option<Architecture>) -> Option<Moving> {
+    let stiffness_is_assumed = !(table.has("k2_urad_per_nm") && table.has("k3_urad_per_nm"));
     let l2 = table.number("l2_mm", LINK);
     let l3 = table.number("l3_mm", LINK);
     let k2 = table.compliance("k2_urad_per_nm");
@@ -150,7 +156,7 @@ fn planar(mut table: Table, architecture: Option<Architecture>) -> Option<Planar
     let elbow = table.angles("elbow_deg", ANGLE);
     let forearm = table.angles("forearm_deg", ANGLE);
     table.finish(&[]);
-    Some(PlanarArm {
+    let arm = PlanarArm {
         l2: l2? / 1e3,
         l3: l3? / 1e3,
         k2,
@@ -159,23 +165,25 @@ fn planar(mut table: Table, architecture: Option<Architecture>) -> Option<Planar
         shoulder: shoulder?,
         elbow: elbow?,
         forearm: forearm?,
-    })
+    };
+    Some((Arm::Planar(arm), stiffness_is_assumed))
 }
 
-fn six_axis(root: &mut Table, architecture: Option<Architecture>) -> Option<Arm> {
+fn six_axis(root: &mut Table, architecture: Option<Architecture>) -> Option<Moving> {
     let geometry = geometry(root.table("geometry"));
     if !root.has("limits") {
         root.fault("limits", "missing; expected a table with joint_deg, six times [min, max] in deg");
     }
     let limits = limits(root.table("limits"));
-    let drives = drives(root, architecture);
-    Some(Arm::SixAxis { geometry: geometry?, limits: limits?, drives: drives? })
+    let (drives, stiffness_is_assumed) = drives(root, architecture)?;
+    Some((Arm::SixAxis { geometry: geometry?, limits: limits?, drives }, stiffness_is_assumed))
 }
 
-fn drives(root: &mut Table, architecture: Option<Architecture>) -> Option<Drives> {
+fn drives(root: &mut Table, architecture: Option<Architecture>) -> Option<(Drives, bool)> {
     let mut table = root.table("compliance");
     // A table that says nothing at all was meant to say something.
     let may_be_absent = !root.has("compliance") || table.has("transmission");
+    let is_assumed = !table.has("drive_urad_per_nm");
     let compliance = if may_be_absent {
         table.optional_numbers("drive_urad_per_nm", COMPLIANCE)
     } else {
@@ -194,7 +202,7 @@ fn drives(root: &mut Table, architecture: Option<Architecture>) -> Option<Drives
     if compensator.is_some() && !transmission.joint_2_is_direct() {
         root.fault("compensator", "needs a joint 2 that drive 2 alone moves, one to one; see compliance.transmission");
     }
-    Some(Drives { compliance: compliance?, transmission, compensator })
+    Some((Drives { compliance: compliance?, transmission, compensator }, is_assumed))
 }
 
 fn compensator(mut table: Table) -> Option<GravityCompensator> {
@@ -243,8 +251,12 @@ fn geometry(mut table: Table) -> Option<Geometry> {
 
 fn limits(mut table: Table) -> Option<Limits> {
     let joints: Option<[(f64, f64); 6]> = table.ranges("joint_deg", ANGLE);
-    if joints.is_some_and(|joints| joints.iter().all(|(min, max)| max - min < 7.0)) {
-        table.fault("joint_deg", "every range is narrower than 7 deg; if these are radians, convert them to degrees");
+    // A turn is 6.3 rad; joints 4 and 6 may make several.
+    if joints.is_some_and(|joints| joints[..3].iter().all(|(min, max)| max - min < 7.0)) {
+        table.fault(
+            "joint_deg",
+            "the joints 1, 2 and 3 turn by less than 7 deg; if these are radians, convert them to degrees",
+        );
     }
     let third_axis = table.choice(
         "third_axis",

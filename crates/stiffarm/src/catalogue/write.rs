@@ -36,9 +36,9 @@ pub fn write(robot: &Robot) -> String {
         Arm::SixAxis { geometry, limits, drives } => {
             file.geometry(geometry);
             file.limits(limits);
-            file.drives(drives, &Transmission::of(robot.architecture));
+            file.drives(drives, robot);
         }
-        Arm::Planar(arm) => file.planar(arm),
+        Arm::Planar(arm) => file.planar(arm, robot.stiffness_is_assumed),
     }
     if let Some(body) = robot.body {
         file.table("body");
@@ -109,12 +109,13 @@ impl Text {
         }
     }
 
-    fn drives(&mut self, drives: &Drives, usual: &Transmission) {
-        let (paper, own) = (drives.compliance == JointCompliance::PAPER, drives.transmission != *usual);
-        if !paper || own {
+    fn drives(&mut self, drives: &Drives, robot: &Robot) {
+        let is_assumed = robot.stiffness_is_assumed && drives.compliance == JointCompliance::PAPER;
+        let own = drives.transmission != Transmission::of(robot.architecture);
+        if !is_assumed || own {
             self.table("compliance");
         }
-        if !paper {
+        if !is_assumed {
             self.list("drive_urad_per_nm", drives.compliance.0.map(|k| plain(microradians(k))));
         }
         if own {
@@ -130,7 +131,7 @@ impl Text {
         }
     }
 
-    fn planar(&mut self, arm: &PlanarArm) {
+    fn planar(&mut self, arm: &PlanarArm, is_assumed: bool) {
         self.table("planar");
         self.entry("l2_mm", &millimetres(arm.l2));
         self.entry("l3_mm", &millimetres(arm.l3));
@@ -138,7 +139,7 @@ impl Text {
         self.range("elbow_deg", arm.elbow);
         self.range("forearm_deg", arm.forearm);
         for (key, k) in [("k2_urad_per_nm", arm.k2), ("k3_urad_per_nm", arm.k3)] {
-            if k != JointCompliance::PAPER.0[1] {
+            if !is_assumed || k != JointCompliance::PAPER.0[1] {
                 self.entry(key, &plain(microradians(k)));
             }
         }

@@ -21,7 +21,7 @@ use crate::catalogue::{self, files, quoted};
 use crate::plain::on_one_line;
 
 /// Keys that are a matter of the program which reads the file; their values are not checked here.
-pub const PROGRAM: [&str; 4] = ["format", "output", "threads", "quiet"];
+pub const PROGRAM: [&str; 5] = ["format", "output", "threads", "quiet", "check"];
 
 /// What a job file asks.
 #[derive(Clone, Debug, PartialEq, Eq)]

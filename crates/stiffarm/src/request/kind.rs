@@ -1,6 +1,6 @@
 //! What does an option take, and which value does a text stand for?
 
-use super::notation::{Angle, elevation, number, open_range, shape, tool, within, yaw};
+use super::notation::{Angle, elevation, number, open_range, shape, spindle, tool, within, yaw};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::place::Within;
@@ -49,6 +49,8 @@ pub enum Kind {
     Yaw,
     /// A tool frame in mm and degrees.
     Tool,
+    /// A spindle by its length, mm, and its angle to the flange axis, deg.
+    Spindle,
     /// A zone with its size.
     Task,
     /// A zone at size 1.
@@ -67,6 +69,8 @@ pub struct Count {
     pub least: usize,
     /// At most.
     pub most: usize,
+    /// No number between the two: one for all, or one each.
+    pub is_one_or_all: bool,
     /// What is counted, such as `angles`.
     pub what: &'static str,
     /// For the words of a refusal.
@@ -74,7 +78,12 @@ pub struct Count {
 }
 
 pub(super) const fn count_of(least: usize, most: usize, what: &'static str, expected: &'static str) -> Count {
-    Count { least, most, what, expected }
+    Count { least, most, is_one_or_all: false, what, expected }
+}
+
+/// One for all, or one each.
+pub(super) const fn one_or(all: usize, what: &'static str, expected: &'static str) -> Count {
+    Count { least: 1, most: all, is_one_or_all: true, what, expected }
 }
 
 pub(super) const fn count(exactly: usize, what: &'static str, expected: &'static str) -> Count {
@@ -121,7 +130,10 @@ impl Kind {
 
     /// A value may begin with a minus.
     pub fn may_be_negative(self) -> bool {
-        !matches!(self, Self::Text | Self::Robot | Self::Word(_) | Self::Task | Self::Shape | Self::Posture)
+        !matches!(
+            self,
+            Self::Text | Self::Robot | Self::Word(_) | Self::Task | Self::Shape | Self::Posture | Self::Spindle
+        )
     }
 
     /// A job file has it as a number, never as a text.
@@ -157,6 +169,7 @@ impl Kind {
             Self::Elevation => elevation(text).map(Value::Number),
             Self::Yaw => yaw(text).map(Value::Interval),
             Self::Tool => tool(text).map(Value::Tool),
+            Self::Spindle => spindle(text).map(Value::Tool),
             Self::Task => text.parse().map(Value::Task).map_err(|error: crate::task::TaskError| error.to_string()),
             Self::Shape => shape(text).map(Value::Task),
             Self::Posture => text

@@ -75,6 +75,21 @@ pub fn degrees(text: &str) -> Result<f64, String> {
     number(text, -360.0, 360.0, "degrees")
 }
 
+/// A tool that is shorter than this, mm, was given in metres.
+const SHORTEST_TOOL: f64 = 5.0;
+
+/// Lengths of a tool, mm, that are not metres.
+fn checked_tool(lengths: &[f64]) -> Result<(), String> {
+    let longest = lengths.iter().fold(0.0, |longest: f64, length| longest.max(length.abs()));
+    if longest == 0.0 || SHORTEST_TOOL <= longest {
+        return Ok(());
+    }
+    let meant = (longest * 1e9).round() / 1e6;
+    Err(format!(
+        "expected lengths in mm, and at least one of {SHORTEST_TOOL} mm ({longest} mm is no tool; {longest} m would be {meant})"
+    ))
+}
+
 /// `x,y,z` or `x,y,z,rx,ry,rz`, in mm and degrees about fixed x, y, z.
 ///
 /// # Errors
@@ -88,7 +103,45 @@ pub fn tool(text: &str) -> Result<Pose, String> {
         [x, y, z, rx, ry, rz] => ([x, y, z], [rx, ry, rz].map(f64::to_radians)),
         _ => return Err(expected()),
     };
+    checked_tool(&[x, y, z])?;
     Ok(Pose::from_parts(Translation3::new(x / 1e3, y / 1e3, z / 1e3), Rotation3::from_euler_angles(rx, ry, rz).into()))
+}
+
+/// `spindle:L@A+O`: a tool of length L, mm, whose axis stands at the angle A, deg, to the flange axis, and crosses it O mm before the
+/// flange; without `@A` straight, without `+O` at the flange centre.
+///
+/// In the flange frame, z along axis 6 and out of the flange, it leans towards x:
+///
+/// ```text
+/// tool point = (L sin A, 0, O + L cos A)      tool axis = (sin A, 0, cos A)      y stays that of the flange
+/// ```
+///
+/// Joint 6 turns all of it about the flange axis, so that to lean another way is to count joint 6 from elsewhere.
+///
+/// # Errors
+/// What was expected.
+pub fn spindle(text: &str) -> Result<Pose, String> {
+    let expected = || {
+        "expected spindle:LENGTH, spindle:LENGTH@ANGLE or spindle:LENGTH@ANGLE+OFFSET with mm and degrees, e.g. spindle:250@90+30; \
+         lengths up to 10000 mm, angles from 0 to 180"
+            .to_owned()
+    };
+    let part = |text: &str, least: f64, most: f64| number(text, least, most, "").map_err(|_| expected());
+    let rest = text.trim().strip_prefix("spindle:").ok_or_else(expected)?;
+    let (length, rest) = rest.split_once('@').map_or((rest, None), |(length, rest)| (length, Some(rest)));
+    let (angle, offset) = match rest.map(|rest| rest.split_once('+').map_or((rest, None), |(a, o)| (a, Some(o)))) {
+        None => (0.0, 0.0),
+        Some((angle, offset)) => {
+            (part(angle, 0.0, 180.0)?, offset.map_or(Ok(0.0), |offset| part(offset, 0.0, 10_000.0))?)
+        }
+    };
+    let length = part(length, 0.0, 10_000.0)?;
+    checked_tool(&[length])?;
+    let lean = angle.to_radians();
+    // Exactly nothing sideways at 0 and 180 deg, nothing along the flange axis at 90.
+    let (s, c) = (if angle == 180.0 { 0.0 } else { lean.sin() }, if angle == 90.0 { 0.0 } else { lean.cos() });
+    let point = Translation3::new(length * s / 1e3, 0.0, (offset + length * c) / 1e3);
+    Ok(Pose::from_parts(point, Rotation3::from_euler_angles(0.0, lean, 0.0).into()))
 }
 
 /// The tool axis in words, or degrees above the horizontal.
@@ -167,6 +220,43 @@ mod tests {
         for bad in ["", "1", "2..1,..", "a..b,..", "1..2,..,3", "nan..1,..", "1..inf,.."] {
             assert!(within(bad).is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn a_spindle_is_the_tool_frame_that_its_drawing_shows() {
+        // By hand: 250 mm across the flange axis, 30 mm before the flange; its axis is the flange's x, its y the flange's.
+        let across = spindle("spindle:250@90+30").unwrap();
+        assert_eq!(across.translation.vector, nalgebra::Vector3::new(0.25, 0.0, 0.03));
+        let turned = across.rotation.to_rotation_matrix();
+        assert!((turned.matrix().column(2) - nalgebra::Vector3::x()).norm() < 1e-15);
+        assert!((turned.matrix().column(1) - nalgebra::Vector3::y()).norm() < 1e-15);
+        assert_eq!(across, tool("250,0,30,0,90,0").unwrap());
+        assert_eq!(spindle("spindle:200").unwrap(), tool("0,0,200").unwrap());
+        // Pythagoras: 3-4-5.
+        let slanted = spindle("spindle:500@36.86989764584402").unwrap().translation.vector;
+        assert!((slanted - nalgebra::Vector3::new(0.3, 0.0, 0.4)).norm() < 1e-15, "{slanted}");
+        for bad in [
+            "250@90",
+            "spindle",
+            "spindle:",
+            "spindle:x",
+            "spindle:250@",
+            "spindle:250@200",
+            "spindle:250@90-30",
+            "spindle:-1",
+        ] {
+            assert!(spindle(bad).unwrap_err().starts_with("expected spindle:LENGTH"), "{bad}");
+        }
+    }
+
+    #[test]
+    fn a_tool_in_metres_is_not_taken_for_millimetres() {
+        for text in ["0,0,0.25", "0.1,0,0.25,0,90,0"] {
+            let why = tool(text).unwrap_err();
+            assert!(why.ends_with("(0.25 mm is no tool; 0.25 m would be 250)"), "{why}");
+        }
+        assert!(spindle("spindle:0.25@90").unwrap_err().contains("0.25 m would be 250"));
+        assert!(tool("0,0,0").is_ok() && tool("0,0.2,250").is_ok() && tool("0,0,5").is_ok());
     }
 
     #[test]

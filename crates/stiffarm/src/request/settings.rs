@@ -1,6 +1,6 @@
 //! Which options are there? One row each, from which every face builds its parser, its help and its refusals.
 
-use super::kind::{ANY, Count, Kind, count, count_of, degrees_of, number_of};
+use super::kind::{ANY, Count, Kind, count, count_of, degrees_of, number_of, one_or};
 
 /// What can be asked of the library, as a command, a function or the `verb` of a job file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,6 +132,9 @@ impl Setting {
     }
 }
 
+/// Under which heading help tells what chooses among robots.
+pub(super) const FILTERS: &str = "Which robots";
+
 const ONE: Count = count_of(1, 1, "values", "one");
 const SEVERAL: Count = count_of(1, ANY, "values", "some");
 const EACH: Count = count_of(1, 2, "values", "one for both architectures, or two");
@@ -141,6 +144,8 @@ const MAP: &[Verb] = &[Verb::Map];
 const COMPLIANCE: &[Verb] = &[Verb::Compliance];
 const STUDY: &[Verb] = &[Verb::Study];
 const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map];
+/// Those that tell deflections of robots.
+const BENDING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance];
 const CHOOSING: &[Verb] = &[Verb::Rank, Verb::List];
 const A_ZONE: &[(Verb, &str)] = &[(Verb::Map, "zone")];
 
@@ -172,10 +177,29 @@ const RELATIVE: Setting = Setting {
     example: "0.5",
     ..ROW
 };
+/// Of the drives' springs.
+const SPRINGS: Setting = Setting {
+    verbs: BENDING,
+    count: one_or(6, "values", "one for every drive, or six, separated by commas"),
+    value: "K",
+    heading: "Stiffness",
+    ..ROW
+};
 /// Of the tool's pose.
 const TOOL: Setting = Setting { verbs: PLACING, of: Of::Spatial, value: "DEG", heading: "Model", ..ROW };
+/// The same, as spindles are described.
+const SPINDLE: Setting = Setting {
+    kind: Kind::Spindle,
+    unit: "mm, deg",
+    value: "TOOL",
+    excludes: &["tool-mm"],
+    help: "The tool by its shape: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it leans towards the flange's x, \
+           and joint 6 turns it), OFFSET from the flange to where they cross",
+    example: "spindle:250@90+30",
+    ..TOOL
+};
 /// Of the catalogue.
-const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: "Which robots", ..ROW };
+const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: FILTERS, ..ROW };
 
 /// Every option, each once for the verbs in which it means the same.
 pub static SETTINGS: &[Setting] = &[
@@ -196,7 +220,7 @@ pub static SETTINGS: &[Setting] = &[
         kind: Kind::Robot,
         count: SEVERAL,
         value: "ROBOTS",
-        absent: Absent::Default("paper"),
+        absent: Absent::Means("paper; all where robots are chosen by maker, payload, reach, architecture or status"),
         help: "Robots: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times",
         example: "KR 210*,BT200L",
         ..ROW
@@ -404,10 +428,12 @@ pub static SETTINGS: &[Setting] = &[
         unit: "mm, deg",
         value: "X,Y,Z",
         absent: Absent::Means("the flange centre"),
+        excludes: &["tool"],
         help: "Tool frame in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes",
         example: "0,0,150",
         ..ROW
     },
+    Setting { name: "tool", verbs: COMPLIANCE, of: Of::Any, heading: "", ..SPINDLE },
     Setting {
         name: "tasks",
         verbs: STUDY,
@@ -473,6 +499,25 @@ pub static SETTINGS: &[Setting] = &[
         ..RELATIVE
     },
     Setting {
+        name: "drive-urad-per-nm",
+        kind: Kind::Number { min: 1e-3, max: 1e4, of: "urad/(N m), or 0 for a rigid drive", or_zero: true },
+        unit: "urad/(N m)",
+        absent: Absent::Means("as the robot file has it, else 1 on every drive, assumed"),
+        excludes: &["stiffness-nm-per-rad"],
+        help: "Compliance of the drives: one for all six, or six; of every robot that is asked for",
+        example: "0.5,0.5,0.8,2,3,3",
+        ..SPRINGS
+    },
+    Setting {
+        name: "stiffness-nm-per-rad",
+        kind: number_of(100.0, 1e9, "N m/rad"),
+        unit: "N m/rad",
+        excludes: &["drive-urad-per-nm"],
+        help: "The same as a stiffness: one for all six drives, or six",
+        example: "2e6",
+        ..SPRINGS
+    },
+    Setting {
         name: "model",
         verbs: PLACING,
         kind: Kind::Word(&[
@@ -492,10 +537,12 @@ pub static SETTINGS: &[Setting] = &[
         unit: "mm, deg",
         value: "X,Y,Z",
         absent: Absent::Means("the flange"),
+        excludes: &["tool"],
         help: "Tool frame in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis",
         example: "0,0,200",
         ..TOOL
     },
+    Setting { name: "tool", ..SPINDLE },
     Setting {
         name: "tool-direction",
         kind: Kind::Elevation,

@@ -1,8 +1,9 @@
 //! What does a request ask? Its values by what they mean, in SI, with the default where nothing was given.
 
 use super::kind::Value;
+use super::settings::FILTERS;
 use super::{Angle, Held, Refusal, Request, Spelling, Unasked, Wanted};
-use crate::catalogue::Filter;
+use crate::catalogue::{Filter, with_compliance};
 use crate::drive::Architecture;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
@@ -11,7 +12,7 @@ use crate::map::{Extent, Held as HeldTool, MapOptions, Spacing};
 use crate::model::ModelKind;
 use crate::place::PlaceOptions;
 use crate::plane::Elbow;
-use crate::robot::Status;
+use crate::robot::{Robot, Status};
 use crate::study::{Contender, StudyOptions};
 use crate::task::{Task, Zone};
 
@@ -41,8 +42,15 @@ impl Request {
     }
 
     /// Names, patterns, files, folders and sets, in the order given.
+    ///
+    /// Where none are named, the paper's, or all where some are chosen by what they have.
     pub fn robots(&self) -> Vec<String> {
-        self.texts("robots")
+        let is_chosen = self.verb.settings().any(|row| row.heading == FILTERS && self.is_given(row.name));
+        let usual = if is_chosen { "all" } else { "paper" };
+        if self.is_given("robots") || self.verb.setting("robots").is_none() {
+            return self.texts("robots");
+        }
+        vec![usual.into()]
     }
 
     /// The one zone.
@@ -67,6 +75,24 @@ impl Request {
     /// Which model, with the tool where it has one.
     pub fn model(&self) -> ModelKind {
         if self.is_spatial() { ModelKind::Spatial(self.held().tool()) } else { ModelKind::Planar }
+    }
+
+    /// The robot with the stiffness that is asked for, or as it is where none is.
+    ///
+    /// # Errors
+    /// Where no robot has such drives: all of them rigid, or too soft for the gravity compensator.
+    pub fn equipped(&self, robot: Robot) -> Result<Robot, Refusal> {
+        let compliances = self.all("drive-urad-per-nm", number);
+        // k = 1 / K, in urad/(N m).
+        let stiffnesses = self.all("stiffness-nm-per-rad", number).into_iter().map(|stiffness| 1e6 / stiffness);
+        let name = if compliances.is_empty() { "stiffness-nm-per-rad" } else { "drive-urad-per-nm" };
+        let given: Vec<f64> = compliances.into_iter().chain(stiffnesses).collect();
+        let Some(&first) = given.first() else { return Ok(robot) };
+        let each = std::array::from_fn(|drive| given.get(drive).copied().unwrap_or(first));
+        with_compliance(&robot, each).map_err(|faults| {
+            let why = faults.faults.first().map_or_else(String::new, |fault| fault.message.clone());
+            self.refused(name, format!("makes no sense of {}: {why}", robot.name))
+        })
     }
 
     /// The cutting force.
@@ -144,7 +170,7 @@ impl Request {
     pub fn held(&self) -> Held {
         let tool = |value| if let Value::Tool(tool) = value { Some(tool) } else { None };
         Held {
-            tool: self.one("tool-mm", tool),
+            tool: self.one("tool-mm", tool).or_else(|| self.one("tool", tool)),
             elevation_deg: self.number("tool-direction"),
             yaw: self.one("yaw-deg", interval),
             roll_deg: self.number("roll-deg"),
@@ -152,10 +178,14 @@ impl Request {
     }
 
     fn unanswered(&self, unasked: Unasked) -> Refusal {
-        let name = unasked.setting();
+        self.refused(unasked.setting(), unasked.to_string())
+    }
+
+    /// What an option means has no answer.
+    fn refused(&self, name: &str, why: String) -> Refusal {
         let at = self.find(name).map_or(&self.reader, |given| &given.at).clone();
         let name = self.verb.setting(name).map_or_else(|| at.bare(name), |setting| at.name(setting));
-        Refusal::Unanswered { at, name, why: unasked.to_string() }
+        Refusal::Unanswered { at, name, why }
     }
 
     /// How finely a map is drawn.

@@ -321,6 +321,7 @@ fn robot(understood: &Understood, geometry: Geometry, options: &ImportOptions) -
         vendor: options.vendor.clone().unwrap_or_default().trim().into(),
         architecture,
         architecture_is_assumed: options.architecture.is_none(),
+        stiffness_is_assumed: true,
         status: Status::Derived,
         payload_kg: options.payload_kg,
         reach: options.reach,

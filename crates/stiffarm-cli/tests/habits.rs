@@ -1,0 +1,192 @@
+//! Does the program keep the habits that scripts and terminals rely on: exit codes, widths, colours, completions, what help says?
+
+use assert_cmd::Command;
+use tempfile::TempDir;
+
+struct Ran {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+fn ran(variables: &[(&str, &str)], arguments: &[&str]) -> Ran {
+    let mut program = Command::cargo_bin("stiffarm").expect("built");
+    for name in ["COLUMNS", "NO_COLOR", "CLICOLOR_FORCE"] {
+        program.env_remove(name);
+    }
+    let output = program.envs(variables.iter().copied()).args(arguments).output().expect("runs");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+    let code = output.status.code().expect("an exit code");
+    Ran { code, out: text(output.stdout), err: text(output.stderr) }
+}
+
+/// 0 answer, 1 failure, 2 usage, 3 tolerance not held or no place: as help and the README say.
+#[test]
+fn exit_codes_are_as_help_says() {
+    let cases: &[(&[&str], i32)] = &[
+        (&["place", "BT200L", "--task", "A:0.1"], 0),
+        (&["place", "BT200L", "--task", "A:0.1", "--tolerance-mm", "1", "--force-n", "100", "--check"], 0),
+        (&["place", "BT200L", "--task", "A:0.1", "--tolerance-mm", "0.01"], 0),
+        (&["place", "BT200L", "--task", "A:0.1", "--tolerance-mm", "0.01", "--check"], 3),
+        (&["place", "IRB 6400 2.4-200", "--task", "C:0.3"], 0),
+        (&["place", "IRB 6400 2.4-200", "--task", "C:0.3", "--check"], 3),
+        (&["rank", "--task", "A:0.1", "--tolerance-mm", "2", "--check"], 0),
+        (&["rank", "--task", "A:0.1", "--tolerance-mm", "0.1", "--check"], 3),
+        // Only the estimated ones hold that, and they cannot win.
+        (
+            &[
+                "rank",
+                "--robots",
+                "paper",
+                "--status",
+                "estimated",
+                "--task",
+                "A:0.1",
+                "--tolerance-mm",
+                "5",
+                "--check",
+            ],
+            3,
+        ),
+        (&["place", "nobody", "--task", "A:0.1", "--check"], 1),
+        (&["place", "BT200L", "--check"], 2),
+        (&["map", "BT200L", "--check"], 2),
+    ];
+    for (arguments, code) in cases {
+        let ran = ran(&[], arguments);
+        assert_eq!(ran.code, *code, "{arguments:?}: {}", ran.err);
+        // With 3, the answer is told all the same.
+        assert!(*code == 1 || *code == 2 || !ran.out.is_empty(), "{arguments:?}");
+    }
+    let help = ran(&[], &["--help"]).out;
+    for line in ["0  the answer is told", "1  no answer", "2  wrong usage", "3  with --check"] {
+        assert!(help.contains(line), "{help}");
+    }
+    assert!(include_str!("../../../README.md").contains("exit code 3"));
+}
+
+#[test]
+fn a_job_may_ask_to_be_checked() {
+    let folder = TempDir::new().expect("a folder");
+    let file = folder.path().join("job.toml");
+    let job = file.to_str().expect("a plain path");
+    let asked = ["place", "BT200L", "--task", "A:0.1", "--tolerance-mm", "0.01", "--check", "--save-job", job, "-q"];
+    assert_eq!(ran(&[], &asked).code, 3);
+    assert_eq!(ran(&[], &["place", job]).code, 3);
+    let text = std::fs::read_to_string(&file).expect("written").replace("\"place\"", "\"map\"");
+    std::fs::write(&file, text.replace("task", "zone").replace("tolerance-mm = 0.01\n", "")).expect("written");
+    let refused = ran(&[], &["map", job]);
+    assert!(refused.code == 2 && refused.err.contains("check does not go with map"), "{}", refused.err);
+}
+
+#[test]
+fn tables_fit_the_width_that_is_asked_for_and_pipes_get_whole_lines() {
+    let commands: &[&[&str]] = &[
+        &["rank"],
+        &["rank", "--task", "A:0.1,B:0.5,C:0.15", "--tolerance-mm", "2"],
+        &["place", "IRB 6400 2.4-200", "--task", "C:0.3"],
+        &["map", "BT200L", "--size", "50"],
+        &["study", "--tasks", "A"],
+        &["robots", "list", "kuka", "--payload-kg", "200..300"],
+        &["robots", "show", "KR 210 R2700 extra"],
+    ];
+    for arguments in commands {
+        for width in ["80", "100"] {
+            let shown = ran(&[("COLUMNS", width)], arguments).out;
+            let longest = shown.lines().max_by_key(|line| line.chars().count()).expect("lines");
+            assert!(longest.chars().count() <= width.parse().expect("a number"), "{arguments:?} at {width}: {longest}");
+        }
+    }
+    let narrow = ran(&[("COLUMNS", "80")], &["rank"]).out;
+    assert!(narrow.contains("left out where a line has 80 letters: bound, mean ratio"), "{narrow}");
+    let whole = ran(&[], &["rank"]).out;
+    assert!(!whole.contains("left out") && whole.lines().any(|line| line.ends_with("mean ratio")), "{whole}");
+}
+
+#[test]
+fn verdicts_are_coloured_only_where_that_is_allowed() {
+    let asked = ["place", "BT200L", "--task", "A:0.1", "--tolerance-mm", "0.01"];
+    let force = ("CLICOLOR_FORCE", "1");
+    assert!(!ran(&[], &asked).out.contains('\u{1b}'), "a pipe is no terminal");
+    assert!(ran(&[force], &asked).out.contains("\u{1b}[31mfail\u{1b}[0m"));
+    assert!(!ran(&[force], &[&asked[..], &["--format", "json"]].concat()).out.contains('\u{1b}'));
+    assert!(!ran(&[("NO_COLOR", "1")], &asked).out.contains('\u{1b}'));
+}
+
+#[test]
+fn a_stiffness_that_is_given_is_told_and_scales_the_answer() {
+    let asked = ["place", "BT200L", "--task", "A:0.1", "--format", "json"];
+    let told = |more: &[&str]| -> serde_json::Value {
+        serde_json::from_str(&ran(&[], &[&asked[..], more].concat()).out).expect("JSON")
+    };
+    let (usual, softer) = (told(&[]), told(&["--drive-urad-per-nm", "2"]));
+    assert_eq!((&usual["stiffness_source"], &softer["stiffness_source"]), (&"assumed".into(), &"given".into()));
+    assert_eq!(softer["drive_urad_per_nm"], serde_json::json!(vec![2.0; 6]));
+    // Deflections are linear in the compliance.
+    let ratio =
+        softer["deflection_mm"].as_f64().expect("a number") / usual["deflection_mm"].as_f64().expect("a number");
+    assert!((ratio - 2.0).abs() < 1e-6, "{ratio}");
+    for verb in
+        [&["place", "BT200L", "--task", "A:0.1"][..], &["map", "BT200L", "--size", "20"], &["rank", "--task", "A:0.1"]]
+    {
+        let heading = ran(&[], &[verb, &["--stiffness-nm-per-rad", "2e6"]].concat()).out;
+        assert!(heading.contains("given: 0.5 urad/(N m) on every drive, 2 MN m/rad"), "{heading}");
+        assert!(ran(&[], verb).out.contains("1 urad/(N m) assumed on every drive"), "{verb:?}");
+    }
+}
+
+#[test]
+fn filters_alone_look_at_the_whole_catalogue() {
+    let rows = |arguments: &[&str]| ran(&[], &[arguments, &["--format", "csv"]].concat()).out.lines().count() - 1;
+    let asked = ["rank", "--task", "A:0.1", "--payload-kg", "300..500"];
+    assert_eq!(rows(&asked), rows(&[&asked[..], &["--robots", "all"]].concat()));
+    assert!(10 < rows(&asked), "{}", rows(&asked));
+    assert_eq!(rows(&["rank", "--task", "A:0.1"]), 10);
+    assert_eq!(rows(&["rank", "--task", "A:0.1", "--robots", "paper", "--vendor", "KUKA"]), 1);
+}
+
+#[test]
+fn a_spindle_is_the_tool_that_it_stands_for() {
+    let asked = ["compliance", "KR 210 R2700 extra", "--joints-deg", "0,-90,90,0,45,0"];
+    let with = |tool: [&str; 2]| ran(&[], &[&asked[..], &tool, &["--format", "json"]].concat()).out;
+    assert_eq!(with(["--tool", "spindle:250@90+30"]), with(["--tool-mm", "250,0,30,0,90,0"]));
+    let told =
+        ran(&[], &["place", "BT200L", "--task", "A:0.1", "--model", "spatial", "--tool", "spindle:250@90+30"]).out;
+    let words = "spindle of 250.0 mm at 90 deg to the flange axis, 30.0 mm before the flange: 250.0, 0.0, 30.0 mm from the flange";
+    assert!(told.contains(words), "{told}");
+    let both = ran(&[], &[&asked[..], &["--tool", "spindle:250", "--tool-mm", "0,0,250"]].concat());
+    assert!(both.code == 2 && both.err.contains("exclude each other"), "{}", both.err);
+    let metres = ran(&[], &[&asked[..], &["--tool-mm", "0,0,0.25"]].concat());
+    assert!(metres.code == 2 && metres.err.contains("0.25 m would be 250"), "{}", metres.err);
+}
+
+#[test]
+fn a_robot_that_is_shown_as_a_file_is_read_back_as_it_was() {
+    let folder = TempDir::new().expect("a folder");
+    for name in ["KR 210 R2700 extra", "IRB 6700-200/2.6", "M-900iA/200P"] {
+        let file = folder.path().join("robot.toml");
+        let path = file.to_str().expect("a plain path");
+        assert_eq!(ran(&[], &["robots", "show", name, "-o", path]).code, 0);
+        let told = |name: &str| ran(&[], &["robots", "show", name, "--format", "json"]).out;
+        assert_eq!(told(path), told(name));
+    }
+    let shown = ran(&[], &["robots", "show", "IRB 6700-200/2.6"]).out;
+    assert!(shown.contains("serial?") && shown.contains("serial?: no parallelogram is reported"), "{shown}");
+}
+
+#[test]
+fn shells_and_manuals_know_every_command() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = ran(&[], &["completions", shell]);
+        assert!(script.code == 0 && script.out.contains("compliance") && script.out.contains("tool-mm"), "{shell}");
+    }
+    assert!(ran(&[], &["man"]).out.contains(".TH stiffarm 1"));
+    let folder = TempDir::new().expect("a folder");
+    assert_eq!(ran(&[], &["man", folder.path().to_str().expect("a plain path"), "-q"]).code, 0);
+    for page in ["stiffarm.1", "stiffarm-rank.1", "stiffarm-robots-show.1"] {
+        let text = std::fs::read_to_string(folder.path().join(page)).expect(page);
+        assert!(!text.is_empty(), "{page}");
+    }
+    let rank = std::fs::read_to_string(folder.path().join("stiffarm-rank.1")).expect("written");
+    assert!(rank.contains("Examples") && !rank.contains("joints"), "{rank}");
+}

@@ -1,0 +1,113 @@
+//! How stiff are the drives, and who says so? In the same words wherever a deflection is told.
+
+use super::{Record, field};
+use crate::catalogue::microradians;
+use crate::drive::JointCompliance;
+use crate::robot::{Arm, Robot, StiffnessSource};
+
+/// So many robots of one stiffness are named; more are counted.
+const MOST_NAMED: usize = 3;
+/// So many stiffnesses are told in a heading; more are counted.
+const MOST_TOLD: usize = 4;
+
+/// Of one robot: `1 urad/(N m) assumed on every drive`.
+pub fn stiffness(robot: &Robot) -> String {
+    let urad: Vec<f64> = robot.drive_compliance().into_iter().flatten().map(microradians).collect();
+    let is_planar = matches!(robot.arm, Arm::Planar(_));
+    let is_uniform = urad.iter().all(|k| *k == urad[0]);
+    let values = if is_uniform { urad[0].to_string() } else { listed(&urad) };
+    let drives = match (is_uniform, is_planar) {
+        (_, true) => "the drives 2 and 3",
+        (true, false) => "every drive",
+        (false, false) => "the drives 1-6",
+    };
+    let is_papers = is_uniform && urad[0] == microradians(JointCompliance::PAPER.0[0]);
+    let told = match robot.stiffness_source() {
+        StiffnessSource::Assumed if is_papers => format!("{values} urad/(N m) assumed on {drives}"),
+        StiffnessSource::Assumed => format!("{values} urad/(N m) on {drives}, partly assumed"),
+        StiffnessSource::File => format!("{values} urad/(N m) on {drives}, from the robot file"),
+        StiffnessSource::Given if is_uniform && 0.0 < urad[0] => {
+            format!("given: {values} urad/(N m) on {drives}, {} MN m/rad", rounded(1.0 / urad[0]))
+        }
+        StiffnessSource::Given => format!("given: {values} urad/(N m) on {drives}"),
+    };
+    let compensated = matches!(&robot.arm, Arm::SixAxis { drives, .. } if drives.compensator.is_some());
+    if compensated { format!("{told}; drive 2 with its gravity compensator") } else { told }
+}
+
+/// Of some robots, in the order in which they are met.
+pub fn stiffnesses<'a>(robots: impl IntoIterator<Item = &'a Robot>) -> String {
+    let mut groups: Vec<(String, Vec<&str>)> = Vec::new();
+    for robot in robots {
+        let told = stiffness(robot);
+        match groups.iter_mut().find(|(known, _)| *known == told) {
+            Some((_, names)) => names.push(&robot.name),
+            None => groups.push((told, vec![&robot.name])),
+        }
+    }
+    if let [(told, _)] = groups.as_slice() {
+        return told.clone();
+    }
+    let more: usize = groups.iter().skip(MOST_TOLD).map(|(_, names)| names.len()).sum();
+    let mut told: Vec<String> =
+        groups.iter().take(MOST_TOLD).map(|(told, names)| format!("{told} ({})", of(names))).collect();
+    if 0 < more {
+        told.push(format!("others on {more} more (`stiffarm robots show NAME`)"));
+    }
+    told.join("; ")
+}
+
+fn of(names: &[&str]) -> String {
+    if names.len() <= MOST_NAMED { names.join(", ") } else { format!("{} robots", names.len()) }
+}
+
+/// Six digits of a number that came out of a division.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
+}
+
+fn listed(numbers: &[f64]) -> String {
+    numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// The same as fields.
+pub(super) fn put(record: &mut Record, robot: &Robot) {
+    record
+        .put(field::STIFFNESS_SOURCE, robot.stiffness_source().name())
+        .put(field::DRIVE_COMPLIANCE, super::Datum::Numbers(robot.drive_compliance().to_vec()));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::{paper_robots, read, with_compliance};
+
+    #[test]
+    fn every_stiffness_says_its_value_and_who_says_it() {
+        let robot = paper_robots().swap_remove(4);
+        assert_eq!(stiffness(&robot), "1 urad/(N m) assumed on every drive");
+        let given = with_compliance(&robot, [0.5; 6]).unwrap();
+        // By hand: 1 / (0.5e-6 rad/(N m)) = 2e6 N m/rad.
+        assert_eq!(stiffness(&given), "given: 0.5 urad/(N m) on every drive, 2 MN m/rad");
+        let each = with_compliance(&robot, [0.5, 1.0, 2.0, 3.0, 4.0, 0.0]).unwrap();
+        assert_eq!(stiffness(&each), "given: 0.5, 1, 2, 3, 4, 0 urad/(N m) on the drives 1-6");
+        let filed = Robot { stiffness_is_assumed: false, ..robot.clone() };
+        assert_eq!(stiffness(&filed), "1 urad/(N m) on every drive, from the robot file");
+        let planar = |more: &str| {
+            let text = format!(
+                "name = 'x'\narchitecture = 'serial'\nstatus = 'derived'\n[planar]\nl2_mm = 1000\nl3_mm = 800\n{more}"
+            );
+            stiffness(&read(&text, "x.toml").unwrap())
+        };
+        assert_eq!(planar(""), "1 urad/(N m) assumed on the drives 2 and 3");
+        assert_eq!(planar("k2_urad_per_nm = 2"), "2, 1 urad/(N m) on the drives 2 and 3, partly assumed");
+        let both = planar("k2_urad_per_nm = 1\nk3_urad_per_nm = 1");
+        assert_eq!(both, "1 urad/(N m) on the drives 2 and 3, from the robot file");
+        assert_eq!(stiffnesses([&robot, &robot]), stiffness(&robot));
+        let names = format!(" ({})", robot.name);
+        assert_eq!(
+            stiffnesses([&robot, &given]),
+            [stiffness(&robot), stiffness(&given)].join(&format!("{names}; ")) + &names
+        );
+    }
+}
