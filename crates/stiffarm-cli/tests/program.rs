@@ -100,7 +100,7 @@ fn a_robot_without_an_arm_plane_is_ranked_in_space() {
 
 #[test]
 fn a_placement_has_the_keys_that_scripts_rely_on() {
-    let cell = json(&["place", "kr210r2700EXTRA", "--task", "B:0.5", "--tolerance-mm", "2"]);
+    let cell = json(&["place", "kr210r2700EXTRA", "--task", "B:0.5", "--tolerance-mm", "2.5"]);
     for key in [
         "robot",
         "task",
@@ -151,7 +151,8 @@ fn the_smallest_robot_file_reproduces_the_motivating_example() {
     let folder = TempDir::new().unwrap();
     let file = path(&folder, "two_links.toml");
     fs::write(&file, SMALLEST).unwrap();
-    let zone = json(&["place", &file, "--task", "rect:0.5x2"]);
+    let paper = ["--limit-margin-deg", "0", "--singular-margin-deg", "0"];
+    let zone = json(&[&["place", &file, "--task", "rect:0.5x2"][..], &paper].concat());
     assert!((zone["deflection_mm"].as_f64().unwrap() - 1.772).abs() < 5e-4, "{zone}");
     let both = json(&[
         "rank",
@@ -364,10 +365,65 @@ fn in_space_a_zone_has_a_place_a_posture_and_joint_angles_and_planar_questions_a
 
 #[test]
 fn a_zone_below_the_base_is_pointed_out() {
-    assert_eq!(json(&["place", "BT200L", "--task", "C:0.15"])["below_base"], true);
-    assert_eq!(json(&["place", "BT200L", "--task", "C:0.15", "--within", "..,0.."])["below_base"], false);
-    assert!(run(&["rank", "--robots", "BT200L", "--task", "C:0.15"]).contains("zones partly below the base"));
-    assert!(!run(&["rank", "--robots", "BT200L", "--task", "C:0.15", "--within=..,0.."]).contains("below the base"));
+    let placed = |options: &[&str]| json(&[&["place", "BT200L", "--task", "C:0.15"], options].concat());
+    assert_eq!(placed(&["--floor", "none"])["below_base"], true);
+    assert_eq!(placed(&["--floor", "-2"])["below_base"], true);
+    assert_eq!(placed(&["--within", "..,0.."])["below_base"], false);
+    assert_eq!(placed(&[])["below_base"], false);
+    let ranked = |options: &[&str]| run(&[&["rank", "--robots", "BT200L", "--task", "C:0.15"], options].concat());
+    assert!(ranked(&["--floor", "none"]).contains("zones partly below the base"));
+    assert!(!ranked(&[]).contains("below the base"));
+}
+
+/// What is asked stands in the answer, and the place keeps it; where nothing is said, the ranking is the paper's.
+#[test]
+fn margins_are_asked_told_and_kept() {
+    let asked =
+        ["--limit-margin-deg", "12", "--singular-margin-deg", "8", "--clear-of-base-m", "1.1", "--floor", "0.4"];
+    let place = ["place", "KR 210 R2700 extra", "--task", "A:0.4", "--model", "spatial"];
+    let kept = json(&[&place[..], &asked].concat());
+    let number = |key: &str| kept[key].as_f64().unwrap_or_else(|| panic!("{key}: {kept}"));
+    assert_eq!([number("asked_limit_margin_deg"), number("asked_singular_margin_deg")].map(f64::round), [12.0, 8.0]);
+    assert_eq!([number("clear_of_base_m"), number("floor_m")], [1.1, 0.4]);
+    assert!(12.0 - 1e-6 <= number("limit_margin_deg") && 8.0 - 1e-6 <= number("singular_margin_deg"), "{kept}");
+    assert!(1.1 - 1e-6 <= number("from_axis_1_m") && 0.4 - 1e-6 <= number("z_m"), "{kept}");
+    assert!(run(&["rank"]).contains("the paper's convention: no margins"));
+    assert!(
+        run(&["rank", "--task", "A:0.1"]).contains("kept: 5 deg from joint limits and from a straight wrist or arm")
+    );
+    for (option, value, expected) in [
+        ("--limit-margin-deg", "95", "from 0 to 90"),
+        ("--singular-margin-deg", "-1", "from 0 to 45"),
+        ("--clear-of-base-m", "much", "expected a number"),
+        ("--floor", "low", "or none"),
+    ] {
+        let (code, errors) = refused(&["place", "BT200L", "--task", "A:0.1", option, value]);
+        assert!(code == 2 && errors.contains(option) && errors.contains(expected), "{errors}");
+    }
+}
+
+/// A part has its faces in the answer, and what does not apply to it is refused.
+#[test]
+fn a_part_is_placed_with_its_faces() {
+    let place = ["place", "KR 210 R2700 extra", "--task", "box:0.3x0.2x0.1"];
+    let spindle = ["--model", "spatial", "--tool-mm", "250,0,100,0,90,0"];
+    let placed = json(&[&place[..], &spindle, &["--faces", "top,front"]].concat());
+    let faces = placed["faces"].as_array().unwrap();
+    assert_eq!(faces.iter().map(|face| face["face"].as_str().unwrap()).collect::<Vec<_>>(), ["top", "front"]);
+    let worst = faces.iter().map(|face| face["deflection_mm"].as_f64().unwrap()).fold(0.0, f64::max);
+    assert_eq!(placed["deflection_mm"].as_f64(), Some(worst));
+    let flat: &[&str] = &["place", "BT200L", "--task", "A:0.1"];
+    for (arguments, expected) in [
+        (place.to_vec(), "several faces is a matter of the spatial model"),
+        ([&place[..], &spindle, &["--faces", "under"]].concat(), "no face 'under'; this part has top, front"),
+        ([&place[..], &spindle, &["--tool-direction", "down"]].concat(), "a part says itself how the tool meets"),
+        ([flat, &["--model", "spatial", "--faces", "top"]].concat(), "a flat zone is one face"),
+        (vec!["map", "BT200L", "--zone", "box:0.3x0.2x0.1"], "a map draws one flat zone"),
+        (vec!["place", "BT200L", "--task", "box:0.3x0.2"], "expected box:AxBxC"),
+    ] {
+        let (_, errors) = refused(&arguments);
+        assert!(errors.contains(expected), "{arguments:?}: {errors}");
+    }
 }
 
 #[cfg(unix)]

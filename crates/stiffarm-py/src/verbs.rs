@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use stiffarm::answer::{
     Cell, ColumnKind, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
 };
+use stiffarm::catalogue::paper_robots;
 use stiffarm::compliance::compliance;
 use stiffarm::rank::{Contestant, Standing};
 use stiffarm::request::{self, Verb};
@@ -80,7 +81,7 @@ pub(crate) fn place<'py>(py: Python<'py>, robot: &Robot, wanted_task: &str, aske
     let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
     let (task, kind, tolerance_mm) = (asked.task().map_err(refused)?, asked.model(), asked.tolerance_mm());
     let options = asked.place_options(Some(task.zone)).map_err(refused)?;
-    let placed = detached(py, || stiffarm::place::place(&kind.of(robot)?, task.zone, &options))?.map_err(of(robot))?;
+    let placed = detached(py, || stiffarm::place::place_task(&kind.of(robot)?, &task, &options))?.map_err(of(robot))?;
     let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
@@ -100,9 +101,12 @@ pub(crate) fn rank<'py>(
     tasks: Vec<String>,
     asked: Asked,
 ) -> WithColumns<'py> {
-    let tasks: Vec<(&str, &str)> = tasks.iter().map(|text| ("tasks", text.as_str())).collect();
-    let asked = asked.with(Verb::Rank, &tasks)?;
-    let robots = kept(robots.iter().map(|robot| robot.0.clone()).collect(), &asked, Vec::new())?;
+    let robots: Vec<Arms> = robots.iter().map(|robot| robot.0.clone()).collect();
+    let tasks = tasks.iter().map(|text| ("tasks", text.as_str()));
+    // The paper's robots are those that are meant where none are named.
+    let others = robots.iter().filter(|_| robots != paper_robots()).map(|robot| ("robots", robot.name.as_str()));
+    let asked = asked.with(Verb::Rank, &tasks.chain(others).collect::<Vec<_>>())?;
+    let robots = kept(robots, &asked, Vec::new())?;
     let robots: Vec<Arms> =
         robots.into_iter().map(|robot| asked.equipped(robot)).collect::<Result<_, _>>().map_err(refused)?;
     let (kind, tasks, tolerance_mm) = (asked.model(), request::distinct(&asked.tasks()), asked.tolerance_mm());

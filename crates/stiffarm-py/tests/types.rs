@@ -89,7 +89,7 @@ fn python_type(setting: &Setting) -> String {
         (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture, true) => "str | Iterable[str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),
-        (Kind::Angle | Kind::Elevation | Kind::Yaw, _) => "str | float".into(),
+        (Kind::Angle | Kind::Elevation | Kind::Floor | Kind::Yaw, _) => "str | float".into(),
         _ => "npt.ArrayLike".into(),
     };
     if matches!(setting.absent, Absent::Default(_)) { usual } else { format!("{usual} | None") }

@@ -77,6 +77,11 @@ impl Interval {
         x.clamp(self.min, self.max)
     }
 
+    /// Shorter by `by` at either end; `None` where nothing is left.
+    pub(crate) fn narrowed(self, by: f64) -> Option<Self> {
+        Self::new(self.min + by, self.max - by)
+    }
+
     /// What both ranges share.
     pub fn intersect(self, other: Self) -> Option<Self> {
         Self::new(self.min.max(other.min), self.max.min(other.max))

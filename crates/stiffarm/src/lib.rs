@@ -17,7 +17,7 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`inverse`], [`compliance`], [`batch`], [`task`], [`clearance`], `work`, `enclose`, `follow`,
+//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`inverse`], [`compliance`], [`batch`], [`zone`], [`part`], [`task`], [`clearance`], `work`, `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
@@ -50,6 +50,7 @@ pub mod load;
 pub mod map;
 pub mod model;
 pub mod palette;
+pub mod part;
 pub mod place;
 pub mod plain;
 pub mod plane;
@@ -63,3 +64,4 @@ pub mod study;
 pub mod task;
 mod tolerances;
 mod work;
+pub mod zone;

@@ -231,7 +231,7 @@ impl PlanarModel {
 
     /// The base is known, and with it the floor.
     pub fn knows_base(&self) -> bool {
-        matches!(self.robot.arm, Arm::SixAxis { .. })
+        self.robot.knows_base()
     }
 }
 

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::load::Load;
 use crate::model::{Model, ModelKind};
-use crate::place::{NOTHING, PlaceError, PlaceOptions, Placed, Placement, find, place};
+use crate::place::{NOTHING, PlaceError, PlaceOptions, Placed, Placement, find, place_task};
 use crate::robot::{Robot, Status};
 use crate::task::Task;
 
@@ -234,7 +234,7 @@ fn ranked(
     let pairs: Vec<(usize, &Task)> =
         (0..robots.len()).flat_map(|robot| tasks.iter().map(move |task| (robot, task))).collect();
     let judge = |(robot, task): &(usize, &Task)| {
-        let placed = models[*robot].as_ref().map_err(Clone::clone).and_then(|model| place(model, task.zone, options));
+        let placed = models[*robot].as_ref().map_err(Clone::clone).and_then(|model| place_task(model, task, options));
         done();
         match placed {
             Err(error) if !error.is_not_of_the_plane() && !matches!(error, PlaceError::Unfinished { .. }) => {

@@ -78,6 +78,7 @@ impl Request {
             request.check_others(given)?;
         }
         request.check_long_side()?;
+        request.check_parts()?;
         Ok(request)
     }
 
@@ -104,12 +105,7 @@ impl Request {
         if let Some(given) = self.find(name) {
             return given.values.clone();
         }
-        match self.verb.setting(name).map(|setting| (setting, setting.absent)) {
-            Some((setting, Absent::Default(text))) => {
-                parts(setting, text).map(|part| setting.kind.read(part).expect("a default is understood")).collect()
-            }
-            _ => Vec::new(),
-        }
+        self.verb.setting(name).map_or_else(Vec::new, default_of)
     }
 
     /// An option belongs to the models to which it, and what it needs, belong.
@@ -158,6 +154,39 @@ impl Request {
         }
     }
 
+    /// A part is placed, not mapped, says itself how the tool meets each face, and has the faces that are asked for.
+    fn check_parts(&self) -> Result<(), Refusal> {
+        let refused = |name: &str, why: &str| {
+            let given = self.find(name).expect("it was given");
+            Refusal::Unanswered { at: given.at.clone(), name: given.at.name(given.setting), why: why.into() }
+        };
+        if self.verb == Verb::Map {
+            let is_part = self.zone().is_some_and(|zone| zone.part.is_some());
+            return if is_part {
+                Err(refused("zone", "a map draws one flat zone; place takes a part"))
+            } else {
+                Ok(())
+            };
+        }
+        let tasks = self.works();
+        let has_part = tasks.iter().any(|task| task.part.is_some());
+        for name in ["tool-direction", "yaw-deg"] {
+            if has_part && self.is_given(name) {
+                return Err(refused(name, "a part says itself how the tool meets each face"));
+            }
+        }
+        if !self.is_given("faces") {
+            return Ok(());
+        }
+        if !has_part {
+            return Err(refused("faces", "a flat zone is one face; a part is such as box:0.8x0.5x0.1"));
+        }
+        for part in tasks.iter().filter_map(|task| task.part.as_ref()) {
+            part.with_faces(&self.texts("faces")).map_err(|error| refused("faces", &error.to_string()))?;
+        }
+        Ok(())
+    }
+
     fn missing(&self, name: &str) -> Refusal {
         let setting = self.verb.setting(name);
         Refusal::Missing {
@@ -165,6 +194,16 @@ impl Request {
             name: setting.map_or_else(|| self.reader.bare(name), |setting| self.reader.with_value(setting)),
             expected: setting.map_or("", |setting| setting.help),
         }
+    }
+}
+
+/// What an option means where it is not given; nothing where no value says it.
+fn default_of(setting: &Setting) -> Vec<Value> {
+    match setting.absent {
+        Absent::Default(text) => {
+            parts(setting, text).map(|part| setting.kind.read(part).expect("a default is understood")).collect()
+        }
+        Absent::Means(_) | Absent::Optional | Absent::Required => Vec::new(),
     }
 }
 

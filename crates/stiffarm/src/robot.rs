@@ -181,6 +181,11 @@ impl Robot {
         }
     }
 
+    /// It is known where the base stands, and with it the floor and the joint-1 axis.
+    pub fn knows_base(&self) -> bool {
+        matches!(self.arm, Arm::SixAxis { .. })
+    }
+
     /// Joint 1 axis to wrist centre with both links straight ahead, m: `a1 + l2 + l3`.
     pub fn stretch(&self) -> f64 {
         match &self.arm {

@@ -29,6 +29,9 @@ fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static s
     for (_, name) in setting.needs.iter().filter(|(of, _)| *of == verb) {
         given.push((name, verb.setting(name).expect("a row").example));
     }
+    if setting.name == "faces" {
+        given.push(("task", "box:0.3x0.2x0.1"));
+    }
     given
 }
 

@@ -17,7 +17,7 @@ use stiffarm::inverse::{Configuration, reached};
 use stiffarm::limits::Limits;
 use stiffarm::load::Load;
 use stiffarm::model::Model;
-use stiffarm::place::{Orientation, PlaceOptions, Placed, Placement, SpaceHold, Within, place};
+use stiffarm::place::{Column, Orientation, PlaceOptions, Placed, Placement, SpaceHold, Within, place};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
@@ -106,12 +106,12 @@ fn rim(zone: Zone, cells: usize) -> Vec<[f64; 2]> {
     }
 }
 
-/// The same robot with limits `by` rad farther out.
+/// The same robot with limits `by` rad farther out, or farther in where that is negative.
 fn widened(robot: &Robot, by: f64) -> Robot {
     let mut robot = robot.clone();
     if let Arm::SixAxis { limits, .. } = &mut robot.arm {
         for range in limits.joints.iter_mut().chain([&mut limits.elbow]) {
-            *range = range.plus(Interval::spanning(-by, by));
+            *range = Interval::new(range.min() - by, range.max() + by).expect("room between the limits");
         }
     }
     robot
@@ -136,9 +136,22 @@ impl Question {
         self.options.roll.is_none() && (axis - Vector3::z()).norm() < 1e-9 && tool.translation.vector.xy().norm() == 0.0
     }
 
+    /// What the zone keeps from the joint-1 axis, m.
+    fn column(&self) -> f64 {
+        match self.options.margins.column {
+            Column::Radius(radius) => radius,
+            Column::Estimated => unreachable!("the questions give a radius"),
+        }
+    }
+
+    /// The robot with its limits narrower by the margin.
+    fn narrowed(&self) -> Robot {
+        widened(&self.robot, -self.options.margins.limit)
+    }
+
     /// The same without a limit on the joints that may be turned into their ranges as a whole.
     fn with_zone_and_roll_to_turn(&self) -> Robot {
-        let mut robot = self.robot.clone();
+        let mut robot = self.narrowed();
         if let Arm::SixAxis { limits, .. } = &mut robot.arm {
             limits.joints[0] = Interval::ALL;
             if self.roll_is_free() {
@@ -199,19 +212,22 @@ impl Question {
 
     /// The joints that are turned as a whole have room for what they turn by within the zone.
     fn turns_fit(&self, held: &Held) -> bool {
-        let (_, limits) = six_axis(&self.robot);
+        let narrowed = self.narrowed();
+        let (_, limits) = six_axis(&narrowed);
         let fits = |joint: usize| held.joints[joint].width() <= limits.joints[joint].width() + SLACK;
         fits(0) && (fits(5) || !self.roll_is_free())
     }
 
-    /// All of the zone stands where it may.
+    /// All of the zone stands where it may, and clear of the column: its rim, and the same drawn in towards its centre.
     fn stands_within(&self, stand: &Stand) -> bool {
         let Within { x, z } = self.options.within;
-        let ahead = Stand { bearing: 0.0, ..*stand };
-        rim(self.zone, 16)
-            .into_iter()
-            .map(|at| ahead.pose(self.options.elevation, at).translation)
-            .all(|at| x.contains(at.x, SLACK) && z.contains(at.z, SLACK))
+        let (ahead, column) = (Stand { bearing: 0.0, ..*stand }, self.column());
+        let drawn_in = |part: f64| rim(self.zone, 16).into_iter().map(move |[u, v]| [part * u, part * v]);
+        let parts = if column == 0.0 { 4..=4 } else { 0..=4 };
+        parts
+            .flat_map(|part| drawn_in(f64::from(part) / 4.0))
+            .map(|at| ahead.pose(self.options.elevation, at).translation.vector)
+            .all(|at| x.contains(at.x, SLACK) && z.contains(at.z, SLACK) && column <= at.xy().norm() + SLACK)
     }
 
     /// The compliance at a stand, m/N, if it is less than `limit`: in the stiffest class, with coarse samples first.
@@ -229,7 +245,9 @@ impl Question {
             .map(|(class, _)| class);
         let values = classes.filter_map(|class| {
             let held = [1, 4, 16].iter().try_fold(None, |_, cells| {
-                self.hold(freed, stand, class, *cells, limit).filter(|held| self.turns_fit(held)).map(Some)
+                let clear = |held: &Held| self.options.margins.singular <= held.singular_margin + SLACK;
+                let held = self.hold(freed, stand, class, *cells, limit);
+                held.filter(|held| self.turns_fit(held) && clear(held)).map(Some)
             });
             held.flatten().map(|held| held.worst)
         });
@@ -310,6 +328,9 @@ impl Question {
         assert!(held.pace < FRAC_PI_4, "a joint jumps by {} rad: {}", held.pace, case());
 
         // The place is one that was asked for.
+        let asked = options.margins;
+        assert!(asked.limit <= hold.limit_margin.0 + SLACK, "{}", case());
+        assert!(asked.singular <= hold.singular_margin + SLACK, "{}", case());
         assert!(self.stands_within(&stand), "{}", case());
         let same = |a: f64, b: f64, period: f64| (a - b - ((a - b) / period).round() * period).abs() < 1e-9;
         let is_vertical = FRAC_PI_2 - options.elevation.abs() < 1e-9;

@@ -7,7 +7,7 @@ use stiffarm::answer::words::{class, direction, tool};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::map::{Spacing, map};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
-use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place};
+use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place_task};
 use stiffarm::request::Request;
 
 use super::map::Drawn;
@@ -34,7 +34,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let options = asked.place_options(Some(task.zone))?;
     let failure = |error| Failure::Place { robot: robot.name.clone(), error };
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
-    let placed = waiting("searching places", common, || place(&model, task.zone, &options)).map_err(failure)?;
+    let placed = waiting("searching places", common, || place_task(&model, &task, &options)).map_err(failure)?;
     let tolerance_mm = asked.tolerance_mm();
     let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
     let shortfall = answer.shortfall().filter(|_| common.check);
@@ -56,6 +56,13 @@ impl PlaceOutput {
     fn feasible(&self) -> Result<(&Placement, Option<&SpaceHold>), Failure> {
         let PlaceAnswer { robot, task, placed, .. } = &self.answer;
         match placed {
+            Placed::Feasible(best) if !best.faces.is_empty() => {
+                let why = format!(
+                    "{}: pictures show one flat zone; --faces takes one face of {}, or take json, csv or md",
+                    robot.name, task.label
+                );
+                Err(Failure::Usage(why))
+            }
             Placed::Feasible(best) => Ok((best, best.space())),
             Placed::Infeasible { reason, is_proved, .. } => {
                 let proof = if *is_proved { "; it is proved that there is none" } else { "" };

@@ -173,7 +173,7 @@ fn shapes(tasks: &[Task]) -> Vec<(Task, Vec<f64>)> {
         };
         match shapes.iter_mut().find(|(shape, _)| shape.label == label) {
             Some((_, marks)) => marks.push(first),
-            None => shapes.push((Task { label, zone }, vec![first])),
+            None => shapes.push((Task { label, ..zone.into() }, vec![first])),
         }
     }
     shapes

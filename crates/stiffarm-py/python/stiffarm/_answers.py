@@ -203,6 +203,10 @@ class Placement(_Table):
     tool_mm: list[float] | None
     tool_direction_deg: float | None
     within_m: list[list[float | None]] | None
+    asked_limit_margin_deg: float
+    asked_singular_margin_deg: float
+    clear_of_base_m: float | None
+    floor_m: float | None
     from_axis_1_m: float | None
     worst_joints_deg: list[float] | None
     worst_shares: list[float] | None

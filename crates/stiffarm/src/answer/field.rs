@@ -119,6 +119,10 @@ fields! {
     TOOL_DIRECTION: "tool_direction_deg", Kind::Number(Unit::Given("deg")), "The tool axis above the horizontal.";
     WITHIN: "within_m", Kind::Numbers { unit: Unit::Metre, columns: &["within_x0_m", "within_x1_m", "within_z0_m", "within_z1_m"], nested: 2 },
         "Where the zone may stand; null where it is open.";
+    ASKED_LIMIT_MARGIN: "asked_limit_margin_deg", Kind::Number(Unit::Degree), "What every joint was to keep from its limits.";
+    ASKED_SINGULAR_MARGIN: "asked_singular_margin_deg", Kind::Number(Unit::Degree), "What wrist and arm were to keep from straight.";
+    CLEAR_OF_BASE: "clear_of_base_m", Kind::Number(Unit::Metre), "What the zone was to keep from the joint-1 axis; null where it is not known where that stands.";
+    FLOOR_HEIGHT: "floor_m", Kind::Number(Unit::Metre), "Height of the floor above which the zone was to stand, from the base; null where there is none.";
     FEASIBLE: "feasible", Kind::Truth, "There is a place; null where it is not known.";
     REASON: "reason", Kind::Text, "Why there is no place, or it is not known.";
     PROVED: "proved", Kind::Truth, "That there is no place is proved.";
@@ -148,6 +152,9 @@ fields! {
     CLEARANCE: "clearance_mm", Kind::Number(Unit::Millimetre), "The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap.";
     CLEARANCE_OF: "clearance_of", Kind::Text, "Which link to what.";
     CLEARANCE_ESTIMATED: "clearance_estimated", Kind::Truth, "A radius in it is estimated.";
+    FACES: "faces", Kind::Nested, "Every face of a part; null of one flat zone.";
+    FACE: "face", Kind::Text, "Which face of a part.";
+    FACE_CENTRE: "centre_m", numbers(Unit::Metre, &["centre_x_m", "centre_y_m", "centre_z_m"]), "Its centre.";
     RESOLUTION: "resolution", Kind::Nested, "How finely a place was looked for.";
     COARSE_STEP: "coarse_step_m", Kind::Number(Unit::Metre), "Distance between the places of the coarse search.";
     COARSE: "coarse_mm", Kind::Number(Unit::Millimetre), "The best value of the coarse search.";

@@ -9,6 +9,7 @@ pub mod compliance;
 pub mod field;
 pub mod ledger;
 pub mod map;
+mod margins;
 pub mod place;
 pub mod rank;
 mod record;

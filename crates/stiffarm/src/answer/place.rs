@@ -3,12 +3,14 @@
 use serde_json::Value;
 
 use super::stiffness::{self, stiffness};
-use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm, window};
-use super::{Datum, Line, Record, Rows, Table, field, line, with_schema, words};
+use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm};
+use super::{Datum, Line, Record, Rows, Table, field, line, margins, with_schema, words};
 use crate::interval::Interval;
 use crate::map::{Held, MapOptions, Spacing};
 use crate::model::{Model, ModelKind};
-use crate::place::{Outside, PlaceError, PlaceOptions, Placed, Placement, Resolution, SpaceHold, Within};
+use crate::place::{
+    FacePlacement, Outside, PlaceError, PlaceOptions, Placed, Placement, Resolution, SpaceHold, Within,
+};
 use crate::robot::Robot;
 use crate::task::Task;
 
@@ -73,8 +75,12 @@ impl PlaceAnswer {
     pub fn table(&self) -> Table {
         let Self { robot, model, task, options, placed, .. } = self;
         let mut lines = vec![line("robot", words::robot(robot)), line("stiffness", stiffness(robot))];
-        let zone = format!("{} ({})", task.label, task.zone.describe());
+        let zone = format!("{} ({})", task.label, task.describe());
         match model {
+            ModelKind::Spatial(flange_from_tool) if task.part.is_some() => {
+                lines.push(line("task", zone));
+                lines.push(line("tool", tool(flange_from_tool)));
+            }
             ModelKind::Planar => lines.push(line("task", zone)),
             ModelKind::Spatial(flange_from_tool) => {
                 lines.push(line("task", format!("{zone}, {}", direction(self.elevation()))));
@@ -82,7 +88,10 @@ impl PlaceAnswer {
             }
         }
         lines.push(line("force", words::load(options.load, model)));
-        lines.push(line("allowed place", window(&options.within(model), words::origin(robot))));
+        let allowed = words::window(&margins::window(options, model, robot), words::origin(robot));
+        lines.push(line("allowed place", allowed));
+        lines.extend(margins::column(&options.margins, robot).map(|kept| line("", kept)));
+        lines.push(line("places keep", margins::angles(&options.margins)));
         match placed {
             Placed::Feasible(best) => lines.extend(self.lines(best)),
             Placed::Infeasible { reason, is_proved, largest_scale } => {
@@ -144,16 +153,22 @@ impl PlaceAnswer {
 
     fn lines(&self, best: &Placement) -> Vec<Line> {
         let [x, z] = best.centre;
+        let (whole, centre) =
+            if best.faces.is_empty() { ("in the zone", "centre") } else { ("on the part", "middle of its underside") };
         let mut lines = vec![
-            line("worst deflection in the zone", format!("{:.4} mm", best.deflection * 1e3)),
+            line(format!("worst deflection {whole}"), format!("{:.4} mm", best.deflection * 1e3)),
             line("no place has less than", proof(best)),
-            line(format!("centre from {}", words::origin(&self.robot)), format!("x {x:.4} m, z {z:.4} m")),
+            line(format!("{centre} from {}", words::origin(&self.robot)), format!("x {x:.4} m, z {z:.4} m")),
         ];
         lines.extend(outside(best).map(|note| line("note", note)));
         match best.space() {
             None => {
                 lines.push(line("angle of the first side", degrees(best.angle)));
                 lines.push(line("elbow", best.elbow.name()));
+            }
+            Some(_) if !best.faces.is_empty() => {
+                lines.push(line("turned about the vertical", degrees(best.angle)));
+                lines.extend(best.faces.iter().map(face_line));
             }
             Some(hold) => lines.extend(self.stance_lines(best, hold)),
         }
@@ -183,12 +198,51 @@ impl PlaceAnswer {
         lines.push(line("angle of the first side", degrees(best.angle)));
         lines.push(line("roll of the tool", degrees(hold.roll)));
         lines.push(line("posture", hold.configuration.to_string()));
-        if let Some(near) = best.from_axis_1.filter(|near| *near < COLUMN) {
-            let near = format!("{near:.2} m; the robot's own base stands there, --within keeps away");
+        let is_free = self.options.margins.radius(&self.robot) == 0.0;
+        if let Some(near) = best.from_axis_1.filter(|near| is_free && *near < COLUMN) {
+            let near = format!("{near:.2} m; the robot's own base stands there, --clear-of-base-m keeps away");
             lines.push(line("nearest to the joint-1 axis", near));
         }
         lines
     }
+}
+
+/// One face of a part.
+fn face_line(found: &FacePlacement) -> Line {
+    let FacePlacement { face, deflection, hold, .. } = found;
+    let says = format!(
+        "{:.4} mm; {}, tool rolled by {}; {} from a joint limit, {} from a straight posture",
+        deflection * 1e3,
+        hold.configuration,
+        degrees(hold.roll),
+        degrees(hold.limit_margin.0),
+        degrees(hold.singular_margin),
+    );
+    line(face.name.clone(), says)
+}
+
+/// The same for machines.
+fn face_record(found: &FacePlacement) -> Record {
+    let FacePlacement { face, centre, deflection, lower_bound, worst_point, hold } = found;
+    let mut record = Record::new();
+    record
+        .put(field::FACE, &face.name)
+        .put(field::FACE_CENTRE, *centre)
+        .put(field::TOOL_DIRECTION, words::asked_degrees(face.elevation))
+        .put(field::YAW, hold.yaw)
+        .put(field::ROLL, hold.roll)
+        .put(field::DEFLECTION, *deflection)
+        .put(field::LOWER_BOUND, *lower_bound)
+        .put(field::SHOULDER, hold.configuration.shoulder.name())
+        .put(field::ELBOW, hold.configuration.elbow.name())
+        .put(field::WRIST, hold.configuration.wrist.name())
+        .put(field::WORST_POINT, *worst_point)
+        .put(field::WORST_JOINTS, hold.joints)
+        .put(field::WORST_SHARES, hold.shares)
+        .put(field::LIMIT_MARGIN, hold.limit_margin.0)
+        .put(field::LIMIT_MARGIN_JOINT, hold.limit_margin.1)
+        .put(field::SINGULAR_MARGIN, hold.singular_margin);
+    record
 }
 
 fn hold_lines(hold: &SpaceHold) -> Vec<Line> {
@@ -243,7 +297,7 @@ fn outside(best: &Placement) -> Option<String> {
         (false, true) => "behind the joint-1 axis",
         (true, true) => "below the base and behind the joint-1 axis",
     };
-    Some(format!("part of it lies {place}; --within 0..,0.. keeps it in front of and above the base"))
+    Some(format!("part of it lies {place}; --within and --floor say where it may stand"))
 }
 
 /// How large a zone of the shape would fit.
@@ -251,7 +305,7 @@ fn largest(task: &Task, scale: f64) -> String {
     if scale == 0.0 {
         "none: no zone of this shape fits, however small".into()
     } else {
-        format!("{scale:.4} of the size asked for ({})", task.zone.scaled(scale).describe())
+        format!("{scale:.4} of the size asked for ({})", task.scaled(scale).describe())
     }
 }
 
@@ -273,7 +327,7 @@ pub(super) fn cell(
         .put(field::STATUS, robot.status.name());
     stiffness::put(&mut record, robot);
     record.put(field::TASK, &task.label).put(field::MODEL, model.name()).put(field::FORCE, options.load.newtons());
-    asked(&mut record, model, options);
+    asked(&mut record, robot, model, options);
     outcome(&mut record, placed);
     record
         .put(field::DEFLECTION, best.map(|best| best.deflection))
@@ -298,18 +352,19 @@ pub(super) fn cell(
 }
 
 /// What was asked of a model, with what it takes where nothing was said.
-fn asked(record: &mut Record, model: &ModelKind, options: &PlaceOptions) {
+fn asked(record: &mut Record, robot: &Robot, model: &ModelKind, options: &PlaceOptions) {
     let flange_from_tool = match model {
         ModelKind::Planar => None,
         ModelKind::Spatial(flange_from_tool) => Some(flange_from_tool),
     };
     let stance = options.stance();
-    let Within { x, z } = options.within(model);
+    let Within { x, z } = margins::window(options, model, robot);
     let ends = |range: Interval| [range.min(), range.max()].map(|end| end.is_finite().then_some(end));
     record
         .put(field::TOOL, flange_from_tool.map(tool_mm))
         .put(field::TOOL_DIRECTION, flange_from_tool.map(|_| words::asked_degrees(stance.elevation)))
         .put(field::WITHIN, Datum::Numbers([ends(x), ends(z)].concat()));
+    margins::put(record, options, robot);
 }
 
 /// Whether there is a place, and why not.
@@ -353,7 +408,14 @@ fn held(record: &mut Record, best: Option<&Placement>) {
         .put(field::CLEARANCE, clearance.map(|clearance| clearance.distance))
         .put(field::CLEARANCE_OF, clearance.map(|clearance| words::clearance_of(&clearance)))
         .put(field::CLEARANCE_ESTIMATED, clearance.map(|clearance| clearance.is_estimated))
-        .put(field::RESOLUTION, hold.map(|hold| resolution(&hold.resolution)));
+        .put(field::RESOLUTION, hold.map(|hold| resolution(&hold.resolution)))
+        .put(field::FACES, faces(best));
+}
+
+/// Every face of a part; null of one flat zone.
+fn faces(best: Option<&Placement>) -> Datum {
+    let faces = best.map(|best| &best.faces).filter(|faces| !faces.is_empty());
+    faces.map_or(Datum::Absent, |faces| Datum::Nested(faces.iter().map(|face| face_record(face).json()).collect()))
 }
 
 fn resolution(found: &Resolution) -> Record {

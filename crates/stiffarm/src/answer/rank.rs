@@ -6,10 +6,10 @@ use serde_json::{Value, json};
 
 use super::place::{Verdict, cell};
 use super::words::{self, COLUMN, fixed};
-use super::{Record, Rows, Table, columns_of, field, stiffness, stiffnesses, with_schema};
+use super::{Record, Rows, Table, columns_of, field, margins, stiffness, stiffnesses, with_schema};
 use crate::drive::Architecture;
 use crate::model::ModelKind;
-use crate::place::{PlaceOptions, Placement};
+use crate::place::{Column, Margins, PlaceError, PlaceOptions, Placement};
 use crate::rank::{Cell, Ranking, Row};
 use crate::robot::{Robot, Status};
 
@@ -187,19 +187,37 @@ impl RankAnswer {
             ModelKind::Planar => {
                 let gap = self.options.gap();
                 format!(
-                    "Worst deflection [mm] inside each zone at its best place, {newtons} N in the worst direction\nplanar model; {springs}; proved to {gap}\n"
+                    "Worst deflection [mm] inside each zone at its best place, {newtons} N in the worst direction\nplanar model; {springs}; proved to {gap}\n{}\n{}\n",
+                    self.stance(),
+                    self.kept()
                 )
             }
             ModelKind::Spatial(_) => format!(
-                "Worst deflection [mm] inside each flat zone at its best place, {newtons} N in the worst direction\nspatial model; {springs}\n{}\n",
-                self.stance()
+                "Worst deflection [mm] inside each flat zone at its best place, {newtons} N in the worst direction\nspatial model; {springs}\n{}\n{}\n",
+                self.stance(),
+                self.kept()
             ),
         }
     }
 
+    /// What every place keeps.
+    fn kept(&self) -> String {
+        let margins = &self.options.margins;
+        if *margins == Margins::NONE && self.ranking.model == ModelKind::Planar {
+            // The ranking of which nothing is said, too.
+            return format!("the paper's convention: {}", margins::of_all(margins));
+        }
+        margins::of_all(margins)
+    }
+
     /// How the tool is held, and where zones may stand.
     pub fn stance(&self) -> String {
-        let within = words::window(&self.options.within(&self.ranking.model), "the base");
+        let model = &self.ranking.model;
+        let asked = self.options.within(model);
+        // Of robots of which the base is known; the others have neither a floor nor a column.
+        let known = self.ranking.rows.iter().find(|row| row.robot.knows_base());
+        let within = known.map_or(asked, |row| margins::window(&self.options, model, &row.robot));
+        let within = words::window(&within, "the base");
         match &self.ranking.model {
             ModelKind::Planar => format!("zones {within}"),
             ModelKind::Spatial(tool) => {
@@ -211,7 +229,7 @@ impl RankAnswer {
 
     /// What stands below the table: what the marks mean, and what is odd.
     pub fn notes(&self) -> String {
-        let Ranking { rows, in_plane, .. } = &self.ranking;
+        let Ranking { rows, tasks, in_plane, .. } = &self.ranking;
         let mut notes = String::from("* best of the robots whose geometry is published");
         if rows.iter().any(|row| row.robot.status == Status::Estimated) {
             notes += "; ~ estimated robot: it cannot win, even where its value is smaller";
@@ -223,8 +241,11 @@ impl RankAnswer {
         if in_plane.is_some() {
             notes += "planar #: rank in the planar ranking of the same robots and tasks (zones in the arm plane, anywhere)\n";
         }
+        if in_plane.is_some() && tasks.iter().any(|task| task.part.is_some()) {
+            let _ = writeln!(notes, "n/a in the plane: {}", PlaceError::PartInPlane);
+        }
         for row in in_plane.as_ref().map_or(rows, |planar| &planar.rows) {
-            if let Some(error) = row.why_not_of_the_plane() {
+            if let Some(error) = row.why_not_of_the_plane().filter(|error| **error != PlaceError::PartInPlane) {
                 let advice = if in_plane.is_none() { " (--model spatial)" } else { "" };
                 let _ = writeln!(notes, "n/a {}: {error}{advice}", row.robot.name);
             }
@@ -288,16 +309,19 @@ impl RankAnswer {
     fn below_base(&self) -> String {
         let named = self.named(|best| best.outside.is_some_and(|outside| outside.below));
         named.map_or_else(String::new, |names| {
-            format!("zones partly below the base (--within=..,0.. keeps them above): {names}\n")
+            format!("zones partly below the base (--floor 0 keeps them above): {names}\n")
         })
     }
 
     /// Names the places in space where most robots have their own base.
     fn in_column(&self) -> String {
+        if self.options.margins.column != Column::Radius(0.0) {
+            return String::new();
+        }
         let named = self.named(|best| best.space().is_some() && best.from_axis_1.is_some_and(|near| near < COLUMN));
         named.map_or_else(String::new, |names| {
             format!(
-                "zones within {COLUMN} m of the joint-1 axis, where the robot's own base stands (--within keeps away): {names}\n"
+                "zones within {COLUMN} m of the joint-1 axis, where the robot's own base stands (--clear-of-base-m keeps away): {names}\n"
             )
         })
     }

@@ -47,7 +47,7 @@ impl SpatialArm {
         let across = square - b * b;
         let ahead = across.max(0.0).sqrt();
         let reached = across + SINGULAR * self.geometry.c2 * self.geometry.c2;
-        let reached = (square - (same_branch.clearance * self.geometry.c2).powi(2)).or_less(reached);
+        let reached = (square - (same_branch.beside_axis_1 * self.geometry.c2).powi(2)).or_less(reached);
         // Above its own axis joint 1 is free: straight ahead stands for all.
         let free = square.at_most(SINGULAR_SQUARE * self.geometry.c2 * self.geometry.c2);
         let inverse = free.select(px.all(0.0), px.all(1.0) / square);
@@ -141,6 +141,7 @@ impl SpatialArm {
         let (axis_6, wrist_to_tool) = (seen.axis_6, seen.wrist_to_tool);
         let posture = PostureLanes { s2, c2, s23, c23, axis_5, axis_6, wrist_to_tool };
         let worst = self.translation(&posture).largest();
+        let straight = same_branch.clearance.sin();
         let any_split = s2.all(if self.angular_limits.any_wrist_split { 1.0 } else { -1.0 });
         let flipped = match self.coupling {
             // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
@@ -157,7 +158,7 @@ impl SpatialArm {
             let turns = same_branch.fourth[index].slack(turn_4[0], turn_4[1], s5).or_less(turns);
             let turns = same_branch.sixth[index].slack(turn_6[0], turn_6[1], s5).or_less(turns);
             let bent = fifth.slack(c5, s5 * sign, s2.all(1.0));
-            let bent = (s5 - same_branch.clearance).or_less(bent);
+            let bent = (s5 - straight).or_less(bent);
             let slack = turns.or_less(bent).or_less(turned).or_less(links);
             found[index] = BranchLanes { worst: worst[wrist], slack, links, bent: [forwards, across] };
         }

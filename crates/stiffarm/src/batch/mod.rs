@@ -32,6 +32,7 @@ use crate::interval::Interval;
 use crate::limits::Limits;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
+use crate::tolerances::{CLEARANCE, PROOF_CLEARANCE};
 
 pub(crate) use angular_interval::AngularInterval;
 use angular_limits::AngularLimits;
@@ -53,7 +54,9 @@ pub struct SpatialArm {
     pub(crate) k: [f64; 6],
     pub(crate) compensator: Option<GravityCompensator>,
     pub(crate) angular_limits: AngularLimits,
-    /// Added to the distance that places keep from singular postures, rad.
+    /// How far places keep from a straight wrist or arm, rad.
+    pub(crate) clearance: f64,
+    /// Added to that distance where samples alone are looked at, rad.
     reserve: f64,
 }
 
@@ -94,6 +97,7 @@ impl SpatialArm {
             coupling,
             k: drives.compliance.0,
             compensator: drives.compensator,
+            clearance: CLEARANCE,
             reserve: 0.0,
         })
     }
@@ -137,17 +141,28 @@ impl SpatialArm {
     /// The same arm with every limit narrowed by `by`, rad, at either end, and with the distance from singular postures widened
     /// by it; `None` where nothing of a limit would be left.
     pub(crate) fn narrowed(&self, by: f64) -> Option<Self> {
-        let mut arm = Self { reserve: by, ..self.clone() };
+        Some(Self { reserve: by, ..self.with_margins(by, self.clearance)? })
+    }
+
+    /// The same arm with every limit narrowed by `limit`, rad, at either end, that keeps `singular` from a straight wrist or arm, rad, and
+    /// no less than [`CLEARANCE`]; `None` where nothing of a limit would be left.
+    pub(crate) fn with_margins(&self, limit: f64, singular: f64) -> Option<Self> {
+        let mut arm = Self { clearance: singular.max(CLEARANCE), ..self.clone() };
         for range in arm.limits.joints.iter_mut().chain([&mut arm.limits.elbow]) {
-            *range = Interval::new(range.min() + by, range.max() - by)?;
+            *range = range.narrowed(limit)?;
         }
         arm.angular_limits = AngularLimits::new(&arm.geometry, &arm.limits);
         Some(arm)
     }
 
-    /// The same arm without any limits.
+    /// How near to a straight wrist or arm a proof still looks, rad: by a hair nearer than places are.
+    pub(crate) fn proof_clearance(&self) -> f64 {
+        self.clearance * (PROOF_CLEARANCE / CLEARANCE)
+    }
+
+    /// The same arm without any limits or margins.
     pub(crate) fn without_limits(&self) -> Self {
-        let mut arm = self.clone();
+        let mut arm = Self { clearance: CLEARANCE, ..self.clone() };
         arm.limits.joints = [Interval::ALL; 6];
         arm.limits.elbow = Interval::ALL;
         arm.angular_limits = AngularLimits::new(&arm.geometry, &arm.limits);

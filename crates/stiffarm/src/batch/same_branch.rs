@@ -15,14 +15,15 @@ pub(crate) struct SameBranch {
     pub(super) first: [AngularInterval; Shoulder::ALL.len()],
     pub(super) fourth: [AngularInterval; Configuration::COUNT],
     pub(super) sixth: [AngularInterval; Configuration::COUNT],
-    /// Least sine of joint 5 and of the elbow, and least distance of the wrist centre from the joint-1 axis as part of the upper
-    /// arm; see [`CLEARANCE`].
+    /// Least angle of joint 5 and of the elbow to a straight wrist or arm, rad, below a quarter turn.
     pub(super) clearance: f64,
+    /// Least distance of the wrist centre from the joint-1 axis, as part of the upper arm; see [`CLEARANCE`].
+    pub(super) beside_axis_1: f64,
 }
 
 impl SpatialArm {
     /// The postures within a quarter turn, joint by joint, of those at a pose of the tool (base axes), and clear of singular ones
-    /// by [`CLEARANCE`].
+    /// by the arm's margin, at least [`CLEARANCE`].
     ///
     /// Joints 2, 3 and 5 of one configuration never span more; joints 1, 4 and 6 turn fast near singular postures and by half a
     /// turn across them. Where the range of joint 4 or 6 is wider than a turn and the angle fits near both ends, each choice
@@ -36,7 +37,11 @@ impl SpatialArm {
         };
         let mut cases = Vec::new();
         for (fourth, sixth) in (0..turns(3)).flat_map(|fourth| (0..turns(5)).map(move |sixth| (fourth, sixth))) {
-            let mut same_branch = SameBranch { clearance: CLEARANCE + self.reserve, ..SameBranch::default() };
+            let mut same_branch = SameBranch {
+                clearance: self.clearance + self.reserve,
+                beside_axis_1: CLEARANCE + self.reserve,
+                ..SameBranch::default()
+            };
             for (configuration, theta) in &postures {
                 let index = configuration.index();
                 let about = |joint: usize, turn: usize| {

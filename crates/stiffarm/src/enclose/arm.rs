@@ -49,7 +49,8 @@ impl ArmEnclosure {
         }
         let (fourth, sixth, c5) = seen_from_forearm(&view, &links);
         let [forwards, across] = fourth;
-        let clear = Interval::spanning(tolerances::PROOF_CLEARANCE * tolerances::PROOF_CLEARANCE, 1.0);
+        let straight = self.arm.proof_clearance().sin();
+        let clear = Interval::spanning(straight * straight, 1.0);
         let s5 = (forwards.square() + across.square()).concave(clear, |x| (x.sqrt(), 0.5 / x.sqrt()))?;
         let directions = JointDirections([view.first, fourth, sixth]);
         if let Some((centre, extent)) = centre {
@@ -59,9 +60,7 @@ impl ArmEnclosure {
         if *wrists == [false; 2] {
             return None;
         }
-        let inverse = s5
-            .inverse(Interval::spanning(tolerances::PROOF_CLEARANCE, 1.0))
-            .filter(|_| tolerances::PROOF_CLEARANCE < s5.min());
+        let inverse = s5.inverse(Interval::spanning(straight, 1.0)).filter(|_| straight < s5.min());
         let sign = if wrists[0] { 1.0 } else { -1.0 };
         let axis_5 = inverse.map(|inverse| {
             let (x, y) = (unit(-across * inverse * sign), unit(forwards * inverse * sign));
@@ -122,7 +121,7 @@ impl ArmEnclosure {
 
 /// All points of a part of the work plane, base axes.
 fn plane_part(plane: &WorkPlane, work: &WorkPlacement, [u, v]: [Affine<2>; 2]) -> Vector<2> {
-    let centre = [work.x, 0.0, work.z];
+    let centre = [work.x, work.y, work.z];
     std::array::from_fn(|i| u * plane.first[i] + v * plane.second[i] + centre[i])
 }
 
@@ -184,7 +183,7 @@ mod tests {
             let variables: [f64; 5] = std::array::from_fn(|_| part(-1.0, 1.0));
             let place: [f64; 5] = std::array::from_fn(|i| node[i].middle() + variables[i] * node[i].width() / 2.0);
             let [x, z, yaw, angle, roll] = place;
-            let work = WorkPlacement { x, z, yaw, angle, roll };
+            let work = WorkPlacement { x, y: 0.0, z, yaw, angle, roll };
             let plane = WorkPlane::of(elevation, &work);
             let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!("six axes") };
             let flange = |at| plane.pose(&work, at) * tool.inverse();

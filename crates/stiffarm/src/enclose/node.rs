@@ -27,7 +27,7 @@ pub(crate) fn variables(node: &Node) -> usize {
 /// The placement in the middle of a node.
 pub(crate) fn middle(node: &Node) -> WorkPlacement {
     let [x, z, yaw, angle, roll] = node.map(Interval::middle);
-    WorkPlacement { x, z, yaw, angle, roll }
+    WorkPlacement { x, y: 0.0, z, yaw, angle, roll }
 }
 
 impl<const N: usize> WorkPlaneEnclosure<N> {
@@ -97,7 +97,7 @@ mod tests {
                 Interval::spanning(from, from + part(0.1, 1.0) * width)
             });
             let [x, z, yaw, angle, roll] = node.map(|range| part(range.min(), range.max()));
-            let work = WorkPlacement { x, z, yaw, angle, roll };
+            let work = WorkPlacement { x, y: 0.0, z, yaw, angle, roll };
             let plane = WorkPlane::of(elevation, &work);
             let all = WorkPlaneEnclosure::<5>::of(elevation, &node);
             let (at, carried) = ([part(-1.0, 1.0), part(-1.0, 1.0)], [part(-1.0, 1.0), part(-1.0, 1.0), 0.3]);

@@ -85,8 +85,8 @@ pub(super) fn distance_ring(arm: &SpatialArm, sign: f64) -> Option<Interval> {
     let (l2, l3, lean) = (arm.geometry.c2, arm.geometry.l3(), arm.geometry.lean());
     // The elbow's angle from a stretched arm, 0 to pi, is theta3 + lean, or its negative.
     let bends = |theta_3: Interval| bends(theta_3.affine(sign, sign * lean));
-    let mut allowed = bends(elbow.affine(-1.0, PI))?
-        .intersect(Interval::spanning(tolerances::PROOF_CLEARANCE, PI - tolerances::PROOF_CLEARANCE))?;
+    let mut allowed =
+        bends(elbow.affine(-1.0, PI))?.intersect(Interval::new(arm.proof_clearance(), PI - arm.proof_clearance())?)?;
     if *third_axis == ThirdAxis::Elbow {
         allowed = allowed.intersect(bends(arm.geometry.theta(2, joints[2]))?)?;
     }

@@ -81,10 +81,16 @@ impl PlacedZone<'_> {
         let held_zone = HeldZone::new(self.arm, self.elevation, &self.work, self.zone, self.configuration, &centre);
         let Shifted { joints, shifts, bearing, roll, nearest } = self.shifted(&thetas)?;
         let straight = |angles: &Angles| to_a_line(angles[4]).min(to_a_line(angles[2].affine(1.0, geometry.lean())));
-        let singular_margin = held_zone.least(f64::INFINITY, straight);
-        if !(CLEARANCE - LIMIT <= singular_margin && held_zone.turns_less_than_a_quarter()) {
+        // Counted from the margin, near which it is enclosed most finely.
+        let clear = self.arm.clearance;
+        let beyond = held_zone.least(f64::INFINITY, |angles| straight(angles) - clear);
+        if !held_zone.turns_less_than_a_quarter() {
             return Err(NotFollowed::Oversteps(CLEARANCE));
         }
+        if !(-LIMIT <= beyond) {
+            return Err(NotFollowed::Oversteps((-beyond).min(CLEARANCE)));
+        }
+        let singular_margin = clear + beyond;
         let elbow_turns = limits.elbow.turn_to(PI - centre[2], LIMIT).ok_or(impossible)? - (PI - centre[2]);
         let room = |angles: &Angles| {
             let elbow = inside(limits.elbow, angles[2].affine(-1.0, PI + elbow_turns));

@@ -210,7 +210,8 @@ mod tests {
             };
             let elevation = [-FRAC_PI_2, 0.0, -0.7][case % 3];
             let (x, z) = (part(1.0, 1.8), part(0.6, 1.4));
-            let work = WorkPlacement { x, z, yaw: part(-0.4, 0.4), angle: part(0.0, 3.0), roll: part(0.0, 6.0) };
+            let work =
+                WorkPlacement { x, y: 0.0, z, yaw: part(-0.4, 0.4), angle: part(0.0, 3.0), roll: part(0.0, 6.0) };
             let plane = WorkPlane::of(elevation, &work);
             let at_centre = postures(&arm.geometry, &(plane.pose(&work, [0.0; 2]) * arm.flange_from_tool.inverse()));
             for (held, centre) in at_centre.found {

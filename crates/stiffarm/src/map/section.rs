@@ -37,7 +37,7 @@ pub(super) fn joints(
     [x, z]: [f64; 2],
 ) -> Option<[f64; 6]> {
     let arm = model.arm();
-    let work = WorkPlacement { x, z, yaw: held.yaw, angle: 0.0, roll };
+    let work = WorkPlacement { x, y: 0.0, z, yaw: held.yaw, angle: 0.0, roll };
     let theta = of_configuration(&at_centre(arm, &WorkPlane::of(held.elevation, &work), &work), configuration)?;
     let q = within_limits(&arm.geometry, &freed(arm, held).limits, &theta);
     Some(q.unwrap_or_else(|| arm.geometry.reported(&theta, arm.limits.third_axis)))
@@ -146,7 +146,7 @@ impl<'a> Scan<'a> {
     }
 
     fn work(options: &SectionOptions, x: f64, z: f64, roll: f64) -> WorkPlacement {
-        WorkPlacement { x, z, yaw: options.held.yaw, angle: 0.0, roll }
+        WorkPlacement { x, y: 0.0, z, yaw: options.held.yaw, angle: 0.0, roll }
     }
 
     fn plane(options: &SectionOptions, work: &WorkPlacement) -> WorkPlane {
@@ -240,7 +240,7 @@ mod tests {
             let found = map.space.as_ref().unwrap();
             for j in 0..7 {
                 for i in 0..8 {
-                    let work = WorkPlacement { x: x.at(i), z: z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
+                    let work = WorkPlacement { x: x.at(i), y: 0.0, z: z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
                     let pose = WorkPlane::of(held.elevation, &work).pose(&work, [0.0; 2]);
                     let ways = reached(robot, &(pose * tool.inverse()));
                     let values = ways.iter().map(|way| compliance(robot, &way.1, &tool).unwrap().compliance.worst().0);

@@ -1,10 +1,12 @@
 //! Verb 3: where must the zone stand, how far is the tool pushed off there, and who proves that no place is better?
 
+mod margins;
 mod planar;
 mod spatial;
 
 use nalgebra::Vector2;
 
+pub use margins::{Column, Margins, column_radius};
 pub(crate) use planar::best_near;
 pub use planar::{best_without_limits, largest_scale_without_limits};
 pub use spatial::{Resolution, ZonePoint};
@@ -14,9 +16,10 @@ use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::load::{Direction, Load};
 use crate::model::{ArmPosture, Model, ModelError, ModelKind};
+use crate::part::{Face, Part};
 use crate::plane::Elbow;
 use crate::robot::NoArmPlane;
-use crate::task::Zone;
+use crate::task::{Task, Zone};
 use crate::tolerances;
 
 /// Deflections below this, m, are rounding: nothing gives way.
@@ -104,12 +107,21 @@ pub struct PlaceOptions {
     pub gap: Option<f64>,
     /// How the tool is held, spatial model only; straight down where `None`.
     pub stance: Option<Stance>,
+    /// What every place keeps from limits, straight postures, the robot's column and the floor.
+    pub margins: Margins,
 }
 
 impl PlaceOptions {
-    /// The usual question under a load: horizontal or vertical, wherever the model usually looks, to its usual certificate.
+    /// The paper's question under a load: horizontal or vertical, wherever the model usually looks, up to the very limits of the joints,
+    /// to its usual certificate.
     pub const fn under(load: Load) -> Self {
-        Self { load, orientation: Orientation::Axes, within: None, gap: None, stance: None }
+        Self { load, orientation: Orientation::Axes, within: None, gap: None, stance: None, margins: Margins::NONE }
+    }
+
+    /// What an engineer would ask of a cell: in front of the robot and above the floor, clear of its column, of joint limits and of straight
+    /// postures ([`Margins::usual`]).
+    pub fn careful(load: Load) -> Self {
+        Self { within: Some(Within::ANYWHERE), margins: Margins::usual(), ..Self::under(load) }
     }
 
     /// How the tool is held: straight down where nothing is said.
@@ -138,9 +150,9 @@ pub struct Placement {
     pub deflection: f64,
     /// No place that was allowed has less; in space up to a relative 1e-9 for rounding.
     pub lower_bound: f64,
-    /// Centre of the zone, ahead and up; in space before it is turned by the bearing.
+    /// Centre of the zone, ahead and up; in space before it is turned by the bearing. Of a part the middle of its underside.
     pub centre: [f64; 2],
-    /// Angle of the first side, rad, in `[0, pi)` in the arm plane; zero for a circle.
+    /// Angle of the first side, rad, in `[0, pi)` in the arm plane; zero for a circle. Of a part its turn about the vertical, in `[0, 2 pi)`.
     pub angle: f64,
     /// Elbow side of the whole zone.
     pub elbow: Elbow,
@@ -154,8 +166,27 @@ pub struct Placement {
     /// The nearest that the arm comes to the floor, the work and itself, in the poses of the answer; `None` where it is not known where the base
     /// stands.
     pub clearance: Option<Clearance>,
-    /// How the arm holds it.
+    /// How the arm holds it; of a part its worst face.
     pub hold: Hold,
+    /// Of a part: every face, in the order in which it has them.
+    pub faces: Vec<FacePlacement>,
+}
+
+/// A face of a part at its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FacePlacement {
+    /// Which.
+    pub face: Face,
+    /// Its centre.
+    pub centre: [f64; 3],
+    /// Its worst deflection, m.
+    pub deflection: f64,
+    /// No place of this face alone has less.
+    pub lower_bound: f64,
+    /// Where on it the deflection is largest.
+    pub worst_point: [f64; 3],
+    /// How it is held.
+    pub hold: SpaceHold,
 }
 
 /// How the arm holds a zone: what only one of the models knows.
@@ -195,6 +226,11 @@ pub struct SpaceHold {
 }
 
 impl Placement {
+    /// Of a part the face on which the deflection is largest.
+    pub fn worst_face(&self) -> Option<&FacePlacement> {
+        self.faces.iter().max_by(|a, b| a.deflection.total_cmp(&b.deflection))
+    }
+
     /// How far the lower bound lies below the value, relative to it; 0 where nothing gives way.
     pub fn gap(&self) -> f64 {
         if self.deflection <= NOTHING { 0.0 } else { 1.0 - self.lower_bound / self.deflection }
@@ -250,6 +286,10 @@ pub enum Misfit {
     Limits,
     /// It fits the arm, but not where it may stand.
     Within,
+    /// It fits, but no place keeps the margins.
+    Margins,
+    /// This face of a part has no place, even without the others.
+    Face(String),
     /// The window is narrower than the zone.
     WindowTooNarrow,
     /// No single point with this direction of the tool.
@@ -274,6 +314,10 @@ impl std::fmt::Display for Misfit {
                 "does not fit the reachable set: the joint limits leave no place for it without a change of posture",
             ),
             Self::Within => f.write_str("does not fit where it may stand: no allowed place is reachable as a whole"),
+            Self::Margins => f.write_str(
+                "has a place only nearer to a joint limit, to a straight posture, to the robot's column or to the floor than the margins allow",
+            ),
+            Self::Face(name) => write!(f, "its face {name} has no place, even without the others"),
             Self::WindowTooNarrow => f.write_str("the allowed place is narrower than the zone"),
             Self::NothingReached => f.write_str("no point of the allowed place is reached with this direction of the tool"),
             Self::NowhereWhole { step } => write!(
@@ -338,6 +382,25 @@ pub enum PlaceError {
     /// An angle that is not a sensible number.
     #[error("an angle of {0} rad; expected a number from -1000 to 1000")]
     Angle(f64),
+    /// Faces that look all ways have no place in one plane.
+    #[error("a part with several faces is a matter of the spatial model")]
+    PartInPlane,
+    /// A part without faces.
+    #[error("a part without faces; expected at least one")]
+    NoFace,
+    /// A margin that is not a sensible number.
+    #[error("a {what} of {value}; expected 0 to {most}")]
+    Margin {
+        /// Which.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// The largest that makes sense.
+        most: f64,
+    },
+    /// A floor that is not a sensible number.
+    #[error("a floor at {0} m; expected -100 to 100 m from the base")]
+    Floor(f64),
     /// A tool axis steeper than straight up or down.
     #[error("a tool axis {0} rad above the horizontal; expected -pi/2 (down) to pi/2 (up)")]
     Elevation(f64),
@@ -358,9 +421,10 @@ pub enum PlaceError {
 
 impl PlaceError {
     /// The robot is sound, but the planar model does not hold for it: a compensator, an unusual coupling, or rigid drives 2
-    /// and 3.
+    /// and 3; or it does not hold for the work.
     pub fn is_not_of_the_plane(&self) -> bool {
-        matches!(self, Self::Model(ModelError::NoArmPlane(error)) if *error != NoArmPlane::Limits)
+        *self == Self::PartInPlane
+            || matches!(self, Self::Model(ModelError::NoArmPlane(error)) if *error != NoArmPlane::Limits)
     }
 }
 
@@ -406,6 +470,53 @@ pub fn place(model: &Model, zone: Zone, options: &PlaceOptions) -> Result<Placed
     }
 }
 
+/// Finds the place of a part that minimises the worst deflection on all its faces.
+///
+/// The part stands upright, straight ahead, at any turn that the orientation allows; each face is met by the tool at a right angle, in one
+/// configuration and at one roll of its own. The lower bound is that of the face which alone has the worst best place: no place of the part is
+/// better, and how near it comes is told as the gap.
+///
+/// ```
+/// use stiffarm::catalogue::find;
+/// use stiffarm::load::Load;
+/// use stiffarm::model::Model;
+/// use stiffarm::part::Part;
+/// use stiffarm::place::{PlaceOptions, place_part};
+/// use stiffarm::spatial::Pose;
+///
+/// let robot = find("KR 210 R2700 extra").ok_or("in the catalogue")?.robot();
+/// let spindle = Pose::new([0.0, 0.0, 0.25].into(), [0.0, std::f64::consts::FRAC_PI_2, 0.0].into());
+/// let part = Part::of_box([0.4, 0.3, 0.1]).with_faces(&["top".into(), "front".into()])?;
+/// let placed = place_part(&Model::spatial(&robot, &spindle)?, &part, &PlaceOptions::careful(Load::worst(400.0)?))?;
+/// let best = placed.feasible().ok_or("it fits")?;
+/// assert!(best.faces.iter().all(|face| face.deflection <= best.deflection));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// Where an argument makes no sense, or the model is planar.
+pub fn place_part(model: &Model, part: &Part, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+    for face in &part.faces {
+        check(face.zone, options)?;
+    }
+    match model {
+        Model::Planar(_) => Err(PlaceError::PartInPlane),
+        Model::Spatial(_) if part.faces.is_empty() => Err(PlaceError::NoFace),
+        Model::Spatial(model) => spatial::place_part(model, part, options),
+    }
+}
+
+/// [`place`] of a zone, [`place_part`] of a part.
+///
+/// # Errors
+/// As those.
+pub fn place_task(model: &Model, task: &Task, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+    match &task.part {
+        None => place(model, task.zone, options),
+        Some(part) => place_part(model, part, options),
+    }
+}
+
 /// [`place`] without a word about why a zone has no place, which in the plane costs more than finding out that it has none.
 ///
 /// # Errors
@@ -448,6 +559,7 @@ fn check(zone: Zone, options: &PlaceOptions) -> Result<(), PlaceError> {
     {
         return Err(PlaceError::Angle(angle));
     }
+    options.margins.check()?;
     check_zone(zone)
 }
 

@@ -97,8 +97,19 @@ impl PlanarArm {
     /// Where a length or compliance is not a sensible number, or the limits leave nothing.
     pub fn sides(&self) -> Result<Vec<ElbowSide>, InvalidArm> {
         self.check()?;
-        let sides = ElbowSide::of(self);
+        let sides = ElbowSide::of(self, 0.0);
         if sides.is_empty() { Err(InvalidArm::NothingReachable) } else { Ok(sides) }
+    }
+
+    /// The elbow sides that are left where every limit is narrowed by `limit` at either end and the arm keeps `singular` from stretched and
+    /// folded, rad; maybe none.
+    pub(crate) fn sides_clear(&self, limit: f64, singular: f64) -> Vec<ElbowSide> {
+        let narrowed = || {
+            let [shoulder, elbow, forearm] =
+                [self.shoulder, self.elbow, self.forearm].map(|range| range.narrowed(limit));
+            Some(Self { shoulder: shoulder?, elbow: elbow?, forearm: forearm?, ..self.clone() })
+        };
+        narrowed().map_or_else(Vec::new, |arm| ElbowSide::of(&arm, singular))
     }
 
     /// Checks lengths, compliances and limits.

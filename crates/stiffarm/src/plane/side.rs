@@ -58,8 +58,9 @@ pub struct ElbowSide {
 }
 
 impl ElbowSide {
-    /// All sides on which the limits leave an area. An elbow range beyond half a turn opens further ones.
-    pub(super) fn of(arm: &PlanarArm) -> Vec<Self> {
+    /// All sides on which the limits leave an area, the elbow `clear`, rad, of stretched and folded. An elbow range beyond half a turn opens
+    /// further ones.
+    pub(super) fn of(arm: &PlanarArm, clear: f64) -> Vec<Self> {
         let implied = if arm.forearm.is_bounded() && arm.shoulder.is_bounded() {
             arm.forearm.plus(arm.shoulder.affine(-1.0, 0.0))
         } else if arm.elbow.is_bounded() {
@@ -72,16 +73,17 @@ impl ElbowSide {
         };
         let first = (elbow.min() / PI).floor() as i64;
         let last = (elbow.max() / PI).ceil() as i64;
-        let mut sides: Vec<Self> = (first..last).filter_map(|half_turn| Self::within(arm, elbow, half_turn)).collect();
+        let mut sides: Vec<Self> =
+            (first..last).filter_map(|half_turn| Self::within(arm, elbow, half_turn, clear)).collect();
         // Usual postures first: they win where two sides are equally stiff.
         sides.sort_by_key(|side| (side.turn.abs() as i64, side.elbow == Elbow::Down));
         sides
     }
 
     /// The part of the elbow range between `half_turn` and `half_turn + 1` half turns.
-    fn within(arm: &PlanarArm, elbow: Interval, half_turn: i64) -> Option<Self> {
+    fn within(arm: &PlanarArm, elbow: Interval, half_turn: i64, clear: f64) -> Option<Self> {
         let start = half_turn as f64 * PI;
-        let piece = elbow.intersect(Interval::spanning(start, start + PI))?;
+        let piece = elbow.intersect(Interval::new(start + clear, start + PI - clear)?)?;
         // A joint that cannot move leaves a line, which holds no zone.
         if [piece, arm.shoulder, arm.forearm].iter().any(|range| range.width() <= SLACK) {
             return None;

@@ -47,6 +47,8 @@ pub enum Kind {
     Elevation,
     /// `any`, or degrees.
     Yaw,
+    /// A height in m, or `none`.
+    Floor,
     /// A tool frame in mm and degrees.
     Tool,
     /// A spindle by its length, mm, and its angle to the flange axis, deg.
@@ -108,6 +110,7 @@ pub(super) enum Value {
     Interval(Interval),
     Within(Within),
     Angle(Angle),
+    Floor(Option<f64>),
     Tool(Pose),
     Task(Task),
     Posture(Configuration),
@@ -143,7 +146,7 @@ impl Kind {
 
     /// A job file may have it as a number.
     pub(super) fn may_be_number(self) -> bool {
-        self.is_number() || matches!(self, Self::Angle | Self::Elevation | Self::Yaw)
+        self.is_number() || matches!(self, Self::Angle | Self::Elevation | Self::Floor | Self::Yaw)
     }
 
     /// What a text stands for, or what was expected.
@@ -168,6 +171,11 @@ impl Kind {
             Self::Angle => text.parse().map(Value::Angle),
             Self::Elevation => elevation(text).map(Value::Number),
             Self::Yaw => yaw(text).map(Value::Interval),
+            Self::Floor if text.trim() == "none" => Ok(Value::Floor(None)),
+            Self::Floor => match number(text, -100.0, 100.0, "m from the robot's base") {
+                Ok(height) => Ok(Value::Floor(Some(height))),
+                Err(expected) => Err(format!("{expected}, or none")),
+            },
             Self::Tool => tool(text).map(Value::Tool),
             Self::Spindle => spindle(text).map(Value::Tool),
             Self::Task => text.parse().map(Value::Task).map_err(|error: crate::task::TaskError| error.to_string()),

@@ -176,8 +176,8 @@ pub fn yaw(text: &str) -> Result<Interval, String> {
 /// What was expected.
 pub fn shape(text: &str) -> Result<Task, String> {
     let notation = if text.contains(':') { text.into() } else { format!("{text}:1") };
-    let task: Task = notation.parse().map_err(|_| "expected A, B, C, or a shape such as rect:1x3".to_owned())?;
-    Ok(Task { label: text.into(), ..task })
+    let zone: Zone = notation.parse().map_err(|_| "expected A, B, C, or a shape such as rect:1x3".to_owned())?;
+    Ok(Task { label: text.into(), ..zone.into() })
 }
 
 /// `a..b`; either end may be left open.

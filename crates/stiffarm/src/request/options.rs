@@ -4,7 +4,7 @@ use super::notation::Angle;
 use crate::interval::Interval;
 use crate::load::Load;
 use crate::model::ModelKind;
-use crate::place::{Orientation, PlaceOptions, Stance, Within};
+use crate::place::{Margins, Orientation, PlaceOptions, Stance, Within};
 use crate::spatial::Pose;
 use crate::task::{Task, Zone};
 
@@ -13,9 +13,10 @@ use crate::task::{Task, Zone};
 pub struct Wanted {
     /// Cutting force.
     pub load: Load,
-    /// Where the zone may stand, m from the robot's base; anywhere, or in space in front of the joint-1 axis and above the
-    /// base, where `None`.
+    /// Where the zone may stand, m from the robot's base.
     pub within: Option<Within>,
+    /// What every place keeps.
+    pub margins: Margins,
     /// Of a rectangle.
     pub angle: Angle,
     /// Largest relative distance between a value and its proof; that of the paper's options where `None`.
@@ -64,7 +65,12 @@ impl Wanted {
     /// # Errors
     /// Where the spatial model has no answer.
     pub fn options(&self, model: &ModelKind, held: &Held, zone: Option<Zone>) -> Result<PlaceOptions, Unasked> {
-        let asked = PlaceOptions { within: self.within, gap: self.gap, ..PlaceOptions::under(self.load) };
+        let asked = PlaceOptions {
+            within: self.within,
+            gap: self.gap,
+            margins: self.margins,
+            ..PlaceOptions::under(self.load)
+        };
         match model {
             ModelKind::Planar => {
                 let zone = zone.unwrap_or(Zone::Circle { diameter: 1.0 }); // which side is long matters of one zone only
@@ -127,7 +133,7 @@ impl Held {
 pub fn distinct(tasks: &[Task]) -> Vec<Task> {
     let mut kept: Vec<Task> = Vec::new();
     for task in tasks {
-        if !kept.iter().any(|known| known.zone == task.zone) {
+        if !kept.iter().any(|known| known.is_same_work(task)) {
             kept.push(task.clone());
         }
     }

@@ -185,6 +185,8 @@ const SPRINGS: Setting = Setting {
     heading: "Stiffness",
     ..ROW
 };
+/// Of what every place keeps.
+const MARGIN: Setting = Setting { verbs: PLACING, needs: A_ZONE, heading: "Margins; 0 or none gives them up", ..ROW };
 /// Of the tool's pose.
 const TOOL: Setting = Setting { verbs: PLACING, of: Of::Spatial, value: "DEG", heading: "Model", ..ROW };
 /// The same, as spindles are described.
@@ -233,7 +235,7 @@ pub static SETTINGS: &[Setting] = &[
         count: SEVERAL,
         value: "TASK",
         absent: Absent::Default("A:0.1,A:1.0,B:0.1,B:0.5,C:0.05,C:0.15"),
-        help: "Tasks: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; separated by commas or given several times",
+        help: "Tasks: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with --model spatial a part, box:AxBxC; separated by commas or given several times",
         example: "A:0.3,rect:0.6x0.4",
         ..ROW
     },
@@ -243,8 +245,20 @@ pub static SETTINGS: &[Setting] = &[
         kind: Kind::Task,
         value: "TASK",
         absent: Absent::Required,
-        help: "circle:D, rect:AxB, A:d, B:d, C:d with sizes in m",
+        help: "circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with --model spatial a part: box:AxBxC, or part: and its faces",
         example: "rect:0.6x0.4",
+        ..ROW
+    },
+    Setting {
+        name: "faces",
+        verbs: &[Verb::Rank, Verb::Place],
+        of: Of::Spatial,
+        kind: Kind::Text,
+        count: SEVERAL,
+        value: "FACES",
+        absent: Absent::Means("all: of a box top, front, left, back, right"),
+        help: "Which faces of a part are machined, by name, separated by commas; front faces the robot before the part is turned",
+        example: "top,front",
         ..ROW
     },
     Setting {
@@ -367,13 +381,52 @@ pub static SETTINGS: &[Setting] = &[
         verbs: PLACING,
         kind: Kind::Within,
         value: "RANGES",
-        absent: Absent::Means(
-            "anywhere; with --model spatial 0..,0..: in front of the joint-1 axis and above the base",
-        ),
+        absent: Absent::Means("in front of the joint-1 axis, above the floor"),
         needs: A_ZONE,
         help: "Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open",
         example: "1.0..,0.5..2",
         ..ROW
+    },
+    Setting {
+        name: "limit-margin-deg",
+        kind: number_of(0.0, 90.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Means("5"),
+        help: "What every joint keeps from either end of its range, all over the zone",
+        example: "10",
+        ..MARGIN
+    },
+    Setting {
+        name: "singular-margin-deg",
+        kind: number_of(0.0, 45.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Means("5"),
+        help: "What wrist and arm keep from straight, all over the zone",
+        example: "10",
+        ..MARGIN
+    },
+    Setting {
+        name: "clear-of-base-m",
+        kind: number_of(0.0, 100.0, "m"),
+        unit: "m",
+        value: "M",
+        absent: Absent::Means("the robot's own column, estimated as a1 + 0.15 (c2 + l3)"),
+        help: "What the zone keeps from the joint-1 axis",
+        example: "0.8",
+        ..MARGIN
+    },
+    Setting {
+        name: "floor",
+        keyword: "floor_m",
+        kind: Kind::Floor,
+        unit: "m",
+        value: "M",
+        absent: Absent::Means("0, unless --within says how low the zone may stand"),
+        help: "Height of the floor from the robot's base, or none; all of the zone stands above it",
+        example: "-0.5",
+        ..MARGIN
     },
     Setting {
         name: "angle",

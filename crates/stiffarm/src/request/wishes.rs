@@ -2,7 +2,7 @@
 
 use super::kind::Value;
 use super::settings::FILTERS;
-use super::{Angle, Held, Refusal, Request, Spelling, Unasked, Wanted};
+use super::{Angle, Held, Refusal, Request, Spelling, Unasked, Verb, Wanted, default_of};
 use crate::catalogue::{Filter, with_compliance};
 use crate::drive::Architecture;
 use crate::interval::Interval;
@@ -10,7 +10,7 @@ use crate::inverse::Configuration;
 use crate::load::{Component, Load};
 use crate::map::{Extent, Held as HeldTool, MapOptions, Spacing};
 use crate::model::ModelKind;
-use crate::place::PlaceOptions;
+use crate::place::{Column, Margins, PlaceOptions, Within};
 use crate::plane::Elbow;
 use crate::robot::{Robot, Status};
 use crate::study::{Contender, StudyOptions};
@@ -63,8 +63,18 @@ impl Request {
 
     /// The zones; of a study its shapes at size 1.
     pub fn tasks(&self) -> Vec<Task> {
+        let faces = self.texts("faces");
+        let with_faces = |task: Task| match &task.part {
+            Some(part) if !faces.is_empty() => part.with_faces(&faces).expect("checked when it was read").into(),
+            _ => task,
+        };
+        self.works().into_iter().map(with_faces).collect()
+    }
+
+    /// The same with all the faces that parts have.
+    pub(super) fn works(&self) -> Vec<Task> {
         let name = if self.verb.setting("tasks").is_some() { "tasks" } else { "task" };
-        self.all(name, task)
+        if self.verb.setting(name).is_some() { self.all(name, task) } else { Vec::new() }
     }
 
     /// The zone that a map places.
@@ -135,9 +145,37 @@ impl Request {
 
     fn wanted(&self) -> Wanted {
         let within = |value| if let Value::Within(within) = value { Some(within) } else { None };
+        let within = self.one("within", within);
+        if self.is_the_papers() {
+            return Wanted { load: Load::PAPER, within: None, margins: Margins::NONE, angle: Angle::Axes, gap: None };
+        }
         // A zone on a map is placed for the worst direction, whatever is mapped.
         let load = Load::worst(self.load().newtons()).expect("checked");
-        Wanted { load, within: self.one("within", within), angle: self.angle(), gap: self.number("gap") }
+        let within_or_anywhere = Some(within.unwrap_or(Within::ANYWHERE));
+        let margins = self.margins(within);
+        Wanted { load, within: within_or_anywhere, margins, angle: self.angle(), gap: self.number("gap") }
+    }
+
+    /// A ranking of which nothing is said but what would be anyway: that of the paper, zones anywhere in the arm plane, joints up to their
+    /// limits.
+    pub fn is_the_papers(&self) -> bool {
+        self.verb == Verb::Rank && self.given.iter().all(|given| given.values == default_of(given.setting))
+    }
+
+    /// What every place keeps: what was given, and what is usual.
+    fn margins(&self, within: Option<Within>) -> Margins {
+        let usual = Margins::usual();
+        let floor = |value| if let Value::Floor(floor) = value { Some(floor) } else { None };
+        let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
+        // Whoever says where a zone may stand means it, below the base and behind the robot, too.
+        let is_low = within.is_some_and(|within| within.z.min().is_finite());
+        Margins {
+            limit: radians("limit-margin-deg", usual.limit),
+            singular: radians("singular-margin-deg", usual.singular),
+            column: self.number("clear-of-base-m").map_or(usual.column, Column::Radius),
+            front: within.is_none(),
+            floor: self.one("floor", floor).unwrap_or(usual.floor.filter(|_| !is_low)),
+        }
     }
 
     /// What is asked of a placement of one zone, or of zones of any shape where there is none.
@@ -276,7 +314,7 @@ impl Request {
         self.words(name).pop()
     }
 
-    fn texts(&self, name: &str) -> Vec<String> {
+    pub(super) fn texts(&self, name: &str) -> Vec<String> {
         self.all(name, |value| if let Value::Text(text) = value { Some(text) } else { None })
     }
 

@@ -57,7 +57,7 @@ mod tests {
 
     #[test]
     fn the_rim_is_covered_more_densely_and_extents_are_those_of_its_points() {
-        let work = WorkPlacement { x: 0.0, z: 0.0, yaw: 0.4, angle: 0.7, roll: 0.0 };
+        let work = WorkPlacement { x: 0.0, y: 0.0, z: 0.0, yaw: 0.4, angle: 0.7, roll: 0.0 };
         for zone in [Zone::Circle { diameter: 0.6 }, Zone::Rectangle { width: 0.2, height: 0.5 }] {
             let grid = Grid::of(zone, 16);
             assert_eq!(grid.points[grid.points.len() / 2], [0.0; 2]);

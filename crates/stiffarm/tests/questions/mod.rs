@@ -10,7 +10,7 @@ use stiffarm::interval::Interval;
 use stiffarm::limits::{Limits, ThirdAxis};
 use stiffarm::load::Load;
 use stiffarm::model::{Model, ModelError};
-use stiffarm::place::{Orientation, PlaceError, PlaceOptions, Placed, Stance, Within, place};
+use stiffarm::place::{Column, Margins, Orientation, PlaceError, PlaceOptions, Placed, Stance, Within, place};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
@@ -33,6 +33,7 @@ pub(crate) struct Asked {
     pub(crate) orientation: Orientation,
     pub(crate) roll: Option<f64>,
     pub(crate) within: Within,
+    pub(crate) margins: Margins,
 }
 
 impl Asked {
@@ -40,16 +41,26 @@ impl Asked {
     pub(crate) fn tool_down(force: f64) -> Self {
         let Stance { elevation, yaw, roll } = Stance::tool_down();
         let (flange_from_tool, orientation) = (Pose::identity(), Orientation::Axes);
-        Self { force, flange_from_tool, elevation, yaw, orientation, roll, within: Within::AHEAD }
+        Self {
+            force,
+            flange_from_tool,
+            elevation,
+            yaw,
+            orientation,
+            roll,
+            within: Within::AHEAD,
+            margins: Margins::NONE,
+        }
     }
 
     pub(crate) fn place(&self, robot: &Robot, zone: Zone) -> Result<Placed, PlaceError> {
-        let Self { force, flange_from_tool, elevation, yaw, orientation, roll, within } = *self;
+        let Self { force, flange_from_tool, elevation, yaw, orientation, roll, within, margins } = *self;
         let load = Load::worst(force).expect("a force");
         let options = PlaceOptions {
             orientation,
             within: Some(within),
             stance: Some(Stance { elevation, yaw, roll }),
+            margins,
             ..PlaceOptions::under(load)
         };
         let model: Result<Model, ModelError> = Model::spatial(robot, &flange_from_tool);
@@ -95,7 +106,7 @@ pub(crate) fn random_robot(rng: &mut fastrand::Rng) -> Robot {
     robot
 }
 
-/// Every other one about a robot of the catalogue; one zone in eight is too large for most arms.
+/// Every other one about a robot of the catalogue; one zone in eight is too large for most arms; one in three asks for margins.
 pub(crate) fn random_question(seed: u64) -> Question {
     let mut rng = fastrand::Rng::with_seed(seed);
     let robot = if seed.is_multiple_of(2) {
@@ -149,6 +160,11 @@ pub(crate) fn random_question(seed: u64) -> Question {
             1 => options.within.x = options.within.x.affine(1.0, -left - size * rng.f64()),
             _ => {}
         }
+    }
+    if seed % 3 == 1 {
+        let [limit, singular] = [0.2, 0.5].map(|most| most * rng.f64());
+        let column = Column::Radius(0.4 * reach * rng.f64());
+        options.margins = Margins { limit, singular, column, ..Margins::NONE };
     }
     Question { robot, zone, options }
 }

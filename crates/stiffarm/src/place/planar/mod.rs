@@ -11,12 +11,16 @@ use nalgebra::Vector2;
 
 pub(crate) use exact::best_near;
 
+use search::Search;
+
+use super::margins::windows_in_plane;
 use super::{
-    Hold, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, Within, ZonePoint, check_zone,
+    Hold, Margins, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, Within, ZonePoint,
+    check_zone,
 };
 use crate::interval::Interval;
 use crate::model::{ModelKind, PlanarModel};
-use crate::plane::{Elbow, PlanarArm};
+use crate::plane::{Elbow, ElbowSide, PlanarArm};
 use crate::task::Zone;
 
 /// What is asked, in the frame of the arm plane.
@@ -42,18 +46,16 @@ struct Solution {
 
 /// The best place with its certificate, or why there is none.
 pub(super) fn place(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    let question = Question::of(model, options)?;
-    let search = search::Search::new(&model.arm, &model.sides, &question);
-    Ok(match search.best(zone)? {
+    let allowed = Allowed::of(model, options)?;
+    Ok(match allowed.best(zone)? {
         Some(solution) => Placed::Feasible(solution.into_placement(model, zone)),
-        None => infeasible(model, zone, &question, &search),
+        None => allowed.infeasible(zone, options),
     })
 }
 
 /// The same without a word about why there is none.
 pub(super) fn find(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
-    let question = Question::of(model, options)?;
-    let best = search::Search::new(&model.arm, &model.sides, &question).best(zone)?;
+    let best = Allowed::of(model, options)?.best(zone)?;
     Ok(best.map(|solution| solution.into_placement(model, zone)))
 }
 
@@ -74,8 +76,15 @@ pub(super) fn deflection_field(
     points.into_iter().map(at).collect()
 }
 
-impl Question {
-    fn of(model: &PlanarModel, options: &PlaceOptions) -> Result<Self, PlaceError> {
+/// Where a zone may stand and how the arm may hold it: its limits with their margins, and windows that share no place.
+struct Allowed<'a> {
+    model: &'a PlanarModel,
+    sides: Vec<ElbowSide>,
+    questions: Vec<Question>,
+}
+
+impl<'a> Allowed<'a> {
+    fn of(model: &'a PlanarModel, options: &PlaceOptions) -> Result<Self, PlaceError> {
         if options.stance.is_some() {
             return Err(PlaceError::Inapplicable { what: "a direction of the tool", model: "spatial" });
         }
@@ -83,8 +92,89 @@ impl Question {
         if !(1e-9..=0.5).contains(&gap) {
             return Err(PlaceError::Gap(gap));
         }
-        let within = options.within(&ModelKind::Planar).seen_from(model.axis_from_base);
-        Ok(Self { force: options.load.newtons(), orientation: options.orientation, within, gap })
+        let Margins { limit, singular, .. } = options.margins;
+        let is_narrower = limit != 0.0 || singular != 0.0;
+        let sides = if is_narrower { model.arm.sides_clear(limit, singular) } else { model.sides.clone() };
+        let question = |within: Within| Question {
+            force: options.load.newtons(),
+            orientation: options.orientation,
+            within: within.seen_from(model.axis_from_base),
+            gap,
+        };
+        let windows = windows_in_plane(&options.margins, options.within(&ModelKind::Planar), model);
+        Ok(Self { model, sides, questions: windows.into_iter().map(question).collect() })
+    }
+
+    fn search<'b>(&'b self, question: &'b Question) -> Search<'b> {
+        Search::new(&self.model.arm, &self.sides, question)
+    }
+
+    /// The best place of all windows; its bound holds for all of them.
+    fn best(&self, zone: Zone) -> Result<Option<Solution>, PlaceError> {
+        let mut best: Option<Solution> = None;
+        for question in &self.questions {
+            let Some(found) = self.search(question).best(zone)? else { continue };
+            best = Some(match best {
+                None => found,
+                Some(best) => {
+                    let lower_bound = best.lower_bound.min(found.lower_bound);
+                    let better = if found.deflection < best.deflection { found } else { best };
+                    Solution { lower_bound, ..better }
+                }
+            });
+        }
+        Ok(best)
+    }
+
+    /// A place in any of the windows? An open answer counts as no.
+    fn has_place(&self, zone: Zone) -> bool {
+        self.questions.iter().any(|question| self.search(question).has_place(zone) == Some(true))
+    }
+
+    fn infeasible(&self, zone: Zone, options: &PlaceOptions) -> Placed {
+        let fits = self.sides.iter().map(|side| exact::largest_scale(side.ring, zone)).fold(0.0, f64::max);
+        let largest_scale = Some(self.largest_scale(zone, fits.min(1.0)));
+        Placed::Infeasible { reason: self.reason(zone, options), is_proved: true, largest_scale }
+    }
+
+    /// The first of what stands in the way: margins, lengths, the window, limits. Undecided so near to the limit of what fits, the limits are
+    /// the likeliest reason.
+    fn reason(&self, zone: Zone, options: &PlaceOptions) -> Misfit {
+        let has_place =
+            |asked: PlaceOptions| Allowed::of(self.model, &asked).is_ok_and(|allowed| allowed.has_place(zone));
+        let bare = PlaceOptions { margins: Margins::NONE, ..*options };
+        if options.margins != Margins::NONE && has_place(bare) {
+            return Misfit::Margins;
+        }
+        let rings = || self.model.sides.iter().map(|side| side.ring);
+        if rings().all(|ring| exact::largest_scale(ring, zone) < 1.0) {
+            let ring = rings().max_by(|a, b| a.width().total_cmp(&b.width())).expect("a side");
+            return Misfit::TooLarge { ring: [ring.min(), ring.max()] };
+        }
+        let anywhere = PlaceOptions { within: None, ..bare };
+        if options.within(&ModelKind::Planar) != Within::ANYWHERE && has_place(anywhere) {
+            Misfit::Within
+        } else {
+            Misfit::Limits
+        }
+    }
+
+    /// The largest scale below `misfit` with a place, to 1e-4: zones of one shape nest about a common centre, so what fits is
+    /// monotone in the scale. Zero where nothing of a hundredth of a millimetre fits.
+    fn largest_scale(&self, zone: Zone, mut misfit: f64) -> f64 {
+        let [first, second] = zone.sides();
+        let least = 1e-5 / first.max(second);
+        let mut fit = 0.0;
+        while least < misfit && 1e-4 * misfit < misfit - fit {
+            let scale = f64::midpoint(fit, misfit);
+            // The scale that is reported has a place for certain.
+            if self.has_place(zone.scaled(scale)) {
+                fit = scale;
+            } else {
+                misfit = scale;
+            }
+        }
+        fit
     }
 }
 
@@ -106,47 +196,9 @@ impl Solution {
             outside: model.knows_base().then(|| Outside::of(centre, half)),
             clearance: clearance::of(model, zone, &self),
             hold: Hold::Plane { posture: self.worst_posture },
+            faces: Vec::new(),
         }
     }
-}
-
-fn infeasible(model: &PlanarModel, zone: Zone, question: &Question, search: &search::Search) -> Placed {
-    let sides = search.sides();
-    let roomiest = sides.iter().max_by(|a, b| a.ring.width().total_cmp(&b.ring.width())).expect("a side");
-    let fits = sides.iter().map(|side| exact::largest_scale(side.ring, zone)).fold(0.0, f64::max);
-    let reason = if fits < 1.0 {
-        Misfit::TooLarge { ring: [roomiest.ring.min(), roomiest.ring.max()] }
-    } else if question.within == Within::ANYWHERE {
-        Misfit::Limits
-    } else {
-        let anywhere = Question { within: Within::ANYWHERE, ..*question };
-        // Undecided so near to the limit of what fits, the limits are the likelier reason.
-        if search::Search::new(&model.arm, sides, &anywhere).has_place(zone) == Some(true) {
-            Misfit::Within
-        } else {
-            Misfit::Limits
-        }
-    };
-    let largest_scale = Some(largest_scale(zone, search, fits.min(1.0)));
-    Placed::Infeasible { reason, is_proved: true, largest_scale }
-}
-
-/// The largest scale below `misfit` with a place, to 1e-4: zones of one shape nest about a common centre, so what fits is
-/// monotone in the scale. Zero where nothing of a hundredth of a millimetre fits.
-fn largest_scale(zone: Zone, search: &search::Search, mut misfit: f64) -> f64 {
-    let [first, second] = zone.sides();
-    let least = 1e-5 / first.max(second);
-    let mut fit = 0.0;
-    while least < misfit && 1e-4 * misfit < misfit - fit {
-        let scale = f64::midpoint(fit, misfit);
-        // An open answer counts as no: the scale that is reported has a place for certain.
-        if search.has_place(zone.scaled(scale)) == Some(true) {
-            fit = scale;
-        } else {
-            misfit = scale;
-        }
-    }
-    fit
 }
 
 /// The value of the best place, m/N, of a zone for an arm whose limits are left aside; `None` where it does not fit.

@@ -64,10 +64,6 @@ impl<'a> Search<'a> {
         Self { arm, sides, options, sigma: arm.radial() }
     }
 
-    pub(super) fn sides(&self) -> &'a [ElbowSide] {
-        self.sides
-    }
-
     /// The best place to the gap asked for; `None` is a proof that there is no place.
     pub(super) fn best(&self, zone: Zone) -> Result<Option<Solution>, PlaceError> {
         Ok(self.run(zone, self.options.gap)?.map(|(found, lower)| self.report(zone, found, lower)))

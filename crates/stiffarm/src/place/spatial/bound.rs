@@ -245,11 +245,17 @@ impl<'a> BranchAndBound<'a> {
         Some(best)
     }
 
-    /// Adds that all of the zone lies in its window; `None` where it does not for certain.
+    /// Adds that all of the zone lies in its window and clear of the robot's column; `None` where it does not for certain.
     fn add_window<const N: usize>(&self, tool_frame: &ToolFrameEnclosure<N>, bounds: &mut NodeBounds<N>) -> Option<()> {
-        let Within { x, z } = self.options.within;
+        let Question { within: Within { x, z }, column, .. } = *self.options;
         for &at in &self.samples {
-            let [px, _, pz] = tool_frame.plane.point(at);
+            let [px, py, pz] = tool_frame.plane.point(at);
+            if 0.0 < column {
+                let room = px.square() + py.square() + (2.0 * tolerances::PROOF * column - column * column);
+                if room.min() < 0.0 {
+                    bounds.require(room)?;
+                }
+            }
             for (part, range) in [(px, x), (pz, z)] {
                 for room in [part + (tolerances::PROOF - range.min()), -part + (range.max() + tolerances::PROOF)] {
                     if room.min() < 0.0 {
@@ -305,7 +311,7 @@ mod tests {
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
     use crate::load::Load;
-    use crate::model::{Model, ModelKind};
+    use crate::model::Model;
     use crate::place::spatial::search::region;
     use crate::place::{Orientation, PlaceOptions, Placed, Stance, place};
     use crate::spatial::Pose;
@@ -346,8 +352,9 @@ mod tests {
     #[test]
     fn no_place_lies_under_the_bound() {
         for (zone, tool, options) in typical() {
-            let question = Question::of(&ModelKind::Spatial(tool), &options).unwrap();
             for robot in paper_robots().iter().step_by(3) {
+                let Model::Spatial(model) = Model::spatial(robot, &tool).unwrap() else { unreachable!("spatial") };
+                let question = Question::of(&model, &options).unwrap().expect("all of the window is left");
                 let arm = SpatialArm::new(robot, &tool).unwrap();
                 let roll_is_free = arm.tool_turns_about_axis_6();
                 let region = region(&arm, question.within);

@@ -39,7 +39,7 @@ impl Search<'_> {
     }
 
     /// The answer at a placement, by the best configuration that follows the zone.
-    fn evaluate_placement(&self, work: &WorkPlacement, coarse: Score) -> Result<Solution, NotFollowed> {
+    pub(super) fn evaluate_placement(&self, work: &WorkPlacement, coarse: Score) -> Result<Solution, NotFollowed> {
         let mut order: Vec<(Score, Configuration)> =
             self.scores(work, &Grid::of(self.zone, CELLS[2])).into_iter().zip(Configuration::ALL).collect();
         order.retain(|(score, _)| score.is_feasible());
@@ -127,7 +127,8 @@ impl Search<'_> {
             outside: Outside { below: reaches(2), behind: reaches(0) },
             worst_joints: followed.joints[at],
             worst_shares: evaluated[at].shares(&direction),
-            limit_margin: followed.limit_margin,
+            // The arm's limits are narrower by the margin that was asked for.
+            limit_margin: (followed.limit_margin.0 + self.options.margins.limit, followed.limit_margin.1),
             singular_margin: followed.singular_margin,
             clearance: self.clearance(work, followed),
             resolution: Resolution {

@@ -27,7 +27,7 @@ pub(in crate::place) fn deflection_field(
 ) -> Result<Vec<ZonePoint>, PlaceError> {
     let (robot, arm) = (model.robot(), model.arm());
     let [x, z] = placement.centre;
-    let work = WorkPlacement { x, z, yaw: hold.yaw, angle: placement.angle, roll: hold.roll };
+    let work = WorkPlacement { x, y: 0.0, z, yaw: hold.yaw, angle: placement.angle, roll: hold.roll };
     let plane = WorkPlane::of(options.stance().elevation, &work);
     let tool_from_flange = arm.flange_from_tool.inverse();
     let evaluated = |at: Point2<f64>| {

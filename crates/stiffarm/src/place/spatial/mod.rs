@@ -5,15 +5,17 @@ mod clearance;
 mod evaluate;
 mod field;
 mod order;
+mod part;
 mod search;
 
 use std::f64::consts::FRAC_PI_2;
 
 pub use field::ZonePoint;
 pub(super) use field::deflection_field;
+pub(super) use part::place as place_part;
 
 use super::{
-    Hold, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, SpaceHold, Stance, Within,
+    Hold, Margins, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, SpaceHold, Stance, Within,
 };
 use crate::clearance::Clearance;
 use crate::interval::Interval;
@@ -33,11 +35,16 @@ struct Question {
     orientation: Orientation,
     /// As [`Stance::roll`].
     roll: Option<f64>,
+    /// With the floor.
     within: Within,
+    /// Radius about the joint-1 axis that the zone keeps free, m.
+    column: f64,
+    margins: Margins,
 }
 
 impl Question {
-    fn of(model: &ModelKind, options: &PlaceOptions) -> Result<Self, PlaceError> {
+    /// `None` where the floor leaves nothing of the window.
+    fn of(model: &SpatialModel, options: &PlaceOptions) -> Result<Option<Self>, PlaceError> {
         if options.gap.is_some() {
             return Err(PlaceError::Inapplicable { what: "a gap", model: "planar" });
         }
@@ -49,8 +56,18 @@ impl Question {
         if FRAC_PI_2 + 1e-9 < elevation.abs() {
             return Err(PlaceError::Elevation(elevation));
         }
-        let within = options.within(model);
-        Ok(Self { force: options.load.newtons(), elevation, yaw, orientation: options.orientation, roll, within })
+        let margins = options.margins;
+        let within = options.within(&ModelKind::Spatial(*model.flange_from_tool()));
+        Ok(margins.part_of(within, model.robot()).map(|within| Self {
+            force: options.load.newtons(),
+            elevation,
+            yaw,
+            orientation: options.orientation,
+            roll,
+            within,
+            column: margins.radius(model.robot()),
+            margins,
+        }))
     }
 
     /// The tool axis is vertical: the zone's yaw and its angle are the same thing.
@@ -114,23 +131,42 @@ impl From<Solution> for Placement {
             from_axis_1: Some(found.from_axis_1),
             outside: Some(found.outside),
             clearance: found.clearance,
-            hold: Hold::Space(Box::new(SpaceHold {
-                bearing: found.bearing,
-                yaw: found.yaw,
-                roll: found.roll,
-                configuration: found.configuration,
-                joints: found.worst_joints,
-                shares: found.worst_shares,
-                limit_margin: found.limit_margin,
-                singular_margin: found.singular_margin,
-                resolution: found.resolution,
-            })),
+            hold: Hold::Space(Box::new(found.hold())),
+            faces: Vec::new(),
+        }
+    }
+}
+
+impl Solution {
+    fn hold(&self) -> SpaceHold {
+        SpaceHold {
+            bearing: self.bearing,
+            yaw: self.yaw,
+            roll: self.roll,
+            configuration: self.configuration,
+            joints: self.worst_joints,
+            shares: self.worst_shares,
+            limit_margin: self.limit_margin,
+            singular_margin: self.singular_margin,
+            resolution: self.resolution,
         }
     }
 }
 
 /// The best place with what could be proved of it, or why none was found.
 pub(super) fn place(model: &SpatialModel, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    let question = Question::of(&ModelKind::Spatial(*model.flange_from_tool()), options)?;
-    Ok(search::search(model.robot(), &model.arm, zone, &question))
+    let nothing_left = || Placed::Infeasible { reason: Misfit::Margins, is_proved: true, largest_scale: None };
+    let Some(question) = Question::of(model, options)? else { return Ok(nothing_left()) };
+    let Margins { limit, singular, .. } = question.margins;
+    let Some(arm) = model.arm.with_margins(limit, singular) else { return Ok(nothing_left()) };
+    let placed = search::search(model.robot(), &arm, zone, &question);
+    let bare = PlaceOptions { margins: Margins::NONE, ..*options };
+    match (placed, Question::of(model, &bare)?) {
+        (Placed::Infeasible { is_proved, largest_scale, .. }, Some(bare))
+            if options.margins != Margins::NONE && search::has_place(model.robot(), &model.arm, zone, &bare) =>
+        {
+            Ok(Placed::Infeasible { reason: Misfit::Margins, is_proved, largest_scale })
+        }
+        (placed, _) => Ok(placed),
+    }
 }

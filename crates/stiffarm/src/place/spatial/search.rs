@@ -19,9 +19,9 @@ use crate::work::{Grid, WorkPlacement, WorkPlane};
 /// Places along the longer side of what is searched.
 const PLACES: usize = 60;
 /// Places that are refined.
-const STARTS: usize = 24;
+pub(super) const STARTS: usize = 24;
 /// Places that are refined once more with the samples of the answer.
-const FINALISTS: usize = 5;
+pub(super) const FINALISTS: usize = 5;
 /// Zones that are evaluated before the best value so far is compared again.
 const BLOCK: usize = 256;
 /// The refinement ends at steps of this length, m, and this angle, rad.
@@ -30,6 +30,10 @@ pub(super) const FINE: (f64, f64) = (5e-5, 5e-5);
 pub(super) const HALVING: f64 = 1e-3;
 /// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
 pub(super) const CELLS: [usize; 4] = [2, 6, 16, 64];
+/// Where the bound lies farther below the value, relatively, directions that no axis has are tried.
+const LOOSE: f64 = 0.02;
+/// How many of them at each length of the steps, and in all.
+const SHAKES: [usize; 2] = [64, 6000];
 /// How often the placement that stands in the way of a better bound is refined.
 const RESTARTS: usize = 3;
 
@@ -52,6 +56,16 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
         found = Ok(Solution { resolution: Resolution { coarse, ..better.resolution }, ..better });
         proof = branch_and_bound.prove(value(&found));
     }
+    // Where much is left open, the descent may have stopped on a ridge between several worst points and limits.
+    if proof.lower < value(&found) * (1.0 - LOOSE)
+        && let Ok(placement) = &found
+        && let Some(better) = search.shaken(placement)
+        && better.deflection < placement.deflection * (1.0 - HALVING)
+    {
+        let coarse = placement.resolution.coarse;
+        found = Ok(Solution { resolution: Resolution { coarse, ..better.resolution }, ..better });
+        proof = branch_and_bound.prove(value(&found));
+    }
     match found {
         Ok(placement) => Placed::Feasible(
             Solution {
@@ -66,6 +80,11 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
         }
         Err(reason) => Placed::Infeasible { reason, is_proved: proof.unfathomed.is_none(), largest_scale: None },
     }
+}
+
+/// Is there any place that the coarse search and its refinement see?
+pub(super) fn has_place(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question) -> bool {
+    Search::new(robot, arm, zone, options).find().is_ok()
 }
 
 /// Where centres may lie by the lengths of the arm, ahead of the joint-1 axis and behind it, and up.
@@ -84,7 +103,7 @@ pub(super) struct Score {
 }
 
 impl Score {
-    const NONE: Self = Self { unreached: usize::MAX, worst: f64::INFINITY };
+    pub(super) const NONE: Self = Self { unreached: usize::MAX, worst: f64::INFINITY };
 
     pub(super) fn is_feasible(&self) -> bool {
         self.unreached == 0
@@ -119,7 +138,7 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a Question) -> Self {
+    pub(super) fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a Question) -> Self {
         let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
         let region = region(arm, options.within);
         let longest = region[0].width().max(region[1].width());
@@ -153,6 +172,57 @@ impl<'a> Search<'a> {
         let start = self.candidate(work, &Grid::of(self.zone, CELLS[1]));
         let rough = self.refined(&[start], CELLS[1], self.step / 8.0);
         self.refined(&rough, CELLS[2], self.step / 8.0).iter().find_map(|found| self.evaluate(found, Score::NONE))
+    }
+
+    /// The best place that steps in many directions from a placement see; the directions are the same every time.
+    fn shaken(&self, from: &Solution) -> Option<Solution> {
+        let ([x, z], roll) = (from.centre, from.roll);
+        let start = WorkPlacement { x, y: 0.0, z, yaw: from.yaw, angle: from.angle, roll };
+        let grid = Grid::of(self.zone, CELLS[1]);
+        let mut rng = fastrand::Rng::with_seed(SHAKES[0] as u64);
+        let (free, mut best) = (self.free(), self.candidate(start, &grid));
+        let (mut step, mut turn, mut tried) = (self.step, 0.3, 0);
+        while FINE.0 < step && tried < SHAKES[1] {
+            let before = best.score;
+            for _ in 0..SHAKES[0] {
+                let direction = free.map(|is_free| if is_free { 2.0 * rng.f64() - 1.0 } else { 0.0 });
+                let moved = self.candidate(self.moved(&best.work, &direction, [step, turn]), &grid);
+                if moved.score.total_cmp(&best.score).is_lt() {
+                    best = moved;
+                }
+            }
+            tried += SHAKES[0];
+            if best.score == before {
+                step /= 2.0;
+                turn /= 2.0;
+            }
+        }
+        self.refined(&[best], CELLS[2], self.step / 64.0).iter().find_map(|found| self.evaluate(found, Score::NONE))
+    }
+
+    /// What of a placement may change: ahead, up, yaw, angle, roll.
+    fn free(&self) -> [bool; 5] {
+        let angle = self.options.orientation == Orientation::Free && !matches!(self.zone, Zone::Circle { .. });
+        let yaw = 0.0 < self.options.yaw.width() && !self.options.is_vertical();
+        [true, true, yaw, angle, self.options.roll.is_none() && !self.roll_is_free]
+    }
+
+    /// A placement moved within what is allowed: by steps, m, and turns, rad.
+    fn moved(
+        &self,
+        from: &WorkPlacement,
+        [x, z, yaw, angle, roll]: &[f64; 5],
+        [step, turn]: [f64; 2],
+    ) -> WorkPlacement {
+        let [.., free_yaw, _, _] = self.free();
+        WorkPlacement {
+            x: self.region[0].clamp(from.x + step * x),
+            y: 0.0,
+            z: self.region[1].clamp(from.z + step * z),
+            yaw: if free_yaw { self.options.yaw.clamp(from.yaw + turn * yaw) } else { from.yaw },
+            angle: from.angle + turn * angle,
+            roll: from.roll + turn * roll,
+        }
     }
 
     /// Every start refined, the best first.
@@ -213,7 +283,7 @@ impl<'a> Search<'a> {
             .flat_map(|[yaw, angle, roll]| {
                 (0..rows * columns).map(move |i| (i % columns, i / columns)).map(move |(i, j)| {
                     let (x, z) = (at(self.region[0], i, columns), at(self.region[1], j, rows));
-                    WorkPlacement { x, z, yaw, angle, roll }
+                    WorkPlacement { x, y: 0.0, z, yaw, angle, roll }
                 })
             })
             .collect();
@@ -286,19 +356,21 @@ impl<'a> Search<'a> {
         Candidate { work, score, configuration }
     }
 
-    /// All of the zone lies in the window.
-    fn is_within(&self, work: &WorkPlacement, [ahead, _, up]: [f64; 3]) -> bool {
+    /// All of the zone lies in the window, and clear of the robot's column.
+    fn is_within(&self, work: &WorkPlacement, plane: &WorkPlane) -> bool {
+        let [ahead, _, up] = plane.half_extents(self.zone);
         let Within { x, z } = self.options.within;
         [(x, work.x, ahead), (z, work.z, up)].into_iter().all(|(range, at, half)| {
             range.contains(at - half, tolerances::WINDOW) && range.contains(at + half, tolerances::WINDOW)
-        })
+        }) && (self.options.column == 0.0
+            || self.options.column <= plane.from_axis_1(work, self.zone) + tolerances::WINDOW)
     }
 
     /// The window is too narrow for the zone however it is turned.
     fn window_is_too_narrow(&self) -> bool {
         let Within { x, z } = self.options.within;
         self.turns().into_iter().all(|[yaw, angle, roll]| {
-            let work = WorkPlacement { x: 0.0, z: 0.0, yaw, angle, roll };
+            let work = WorkPlacement { x: 0.0, y: 0.0, z: 0.0, yaw, angle, roll };
             let [ahead, _, up] = WorkPlane::of(self.options.elevation, &work).half_extents(self.zone);
             x.width() + tolerances::WINDOW < 2.0 * ahead || z.width() + tolerances::WINDOW < 2.0 * up
         })
@@ -311,7 +383,7 @@ impl<'a> Search<'a> {
         let mut points = vec![0.0; 3 * count];
         let (x, yz) = points.split_at_mut(count);
         let (y, z) = yz.split_at_mut(count);
-        if !self.is_within(work, plane.half_extents(self.zone)) {
+        if !self.is_within(work, &plane) {
             return [Score::NONE; Configuration::COUNT];
         }
         for (i, &at) in grid.points.iter().enumerate() {
@@ -339,26 +411,13 @@ impl<'a> Search<'a> {
 
     /// Steps in every direction of what is free, halved where none is better.
     fn descend(&self, start: &Candidate, grid: &Grid, first_step: f64) -> Candidate {
-        let free_angle = self.options.orientation == Orientation::Free && !matches!(self.zone, Zone::Circle { .. });
-        let free_yaw = 0.0 < self.options.yaw.width() && !self.options.is_vertical();
-        let free_roll = self.options.roll.is_none() && !self.roll_is_free;
-        let free = [true, true, free_yaw, free_angle, free_roll];
-        let directions = directions(free);
+        let directions = directions(self.free());
         let mut best = self.candidate(start.work, grid);
         let (mut step, mut turn) = (first_step, 0.3 * first_step / self.step);
         while FINE.0 < step {
-            let moved = directions.iter().map(|direction| {
-                let [x, z, yaw, angle, roll] = *direction;
-                let from = best.work;
-                let work = WorkPlacement {
-                    x: self.region[0].clamp(from.x + step * x),
-                    z: self.region[1].clamp(from.z + step * z),
-                    yaw: if free_yaw { self.options.yaw.clamp(from.yaw + turn * yaw) } else { from.yaw },
-                    angle: from.angle + turn * angle,
-                    roll: from.roll + turn * roll,
-                };
-                self.candidate(work, grid)
-            });
+            let moved = directions
+                .iter()
+                .map(|direction| self.candidate(self.moved(&best.work, direction, [step, turn]), grid));
             let found = moved.min_by(|a, b| a.score.total_cmp(&b.score)).expect("directions");
             if found.score.total_cmp(&best.score).is_lt() {
                 best = found;

@@ -1,0 +1,71 @@
+//! How is told what every place keeps?
+
+use super::words::degrees_short;
+use super::{Record, field};
+use crate::model::ModelKind;
+use crate::place::{Column, Margins, PlaceOptions, Within};
+use crate::robot::Robot;
+
+/// Where a zone of one robot may stand.
+pub(super) fn window(options: &PlaceOptions, model: &ModelKind, robot: &Robot) -> Within {
+    let within = options.within(model);
+    // Where nothing is left, what was asked for is told, and why there is no place.
+    options.margins.part_of(within, robot).unwrap_or(within)
+}
+
+/// Adds what was asked for.
+pub(super) fn put(record: &mut Record, options: &PlaceOptions, robot: &Robot) {
+    let Margins { limit, singular, floor, .. } = options.margins;
+    let floor = floor.filter(|_| robot.knows_base());
+    record
+        .put(field::ASKED_LIMIT_MARGIN, limit)
+        .put(field::ASKED_SINGULAR_MARGIN, singular)
+        .put(field::CLEAR_OF_BASE, robot.knows_base().then(|| options.margins.radius(robot)))
+        .put(field::FLOOR_HEIGHT, floor);
+}
+
+/// What places keep from joints' limits and straight postures.
+pub(super) fn angles(margins: &Margins) -> String {
+    let Margins { limit, singular, .. } = *margins;
+    match (limit == 0.0, singular == 0.0) {
+        (true, true) => "nothing: up to the very limits of the joints, and to straight postures".into(),
+        (false, true) => format!("{} from joint limits, nothing from straight postures", degrees_short(limit)),
+        (true, false) => format!("nothing from joint limits, {} from a straight wrist or arm", degrees_short(singular)),
+        (false, false) => {
+            let (limit, singular) = (degrees_short(limit), degrees_short(singular));
+            if limit == singular {
+                format!("{limit} from joint limits and from a straight wrist or arm")
+            } else {
+                format!("{limit} from joint limits, {singular} from a straight wrist or arm")
+            }
+        }
+    }
+}
+
+/// What a zone keeps from the joint-1 axis of a robot; `None` where that is nothing, or not known.
+pub(super) fn column(margins: &Margins, robot: &Robot) -> Option<String> {
+    let radius = margins.radius(robot);
+    let why = match margins.column {
+        Column::Estimated => "the robot's own column, estimated from its lengths",
+        Column::Radius(_) => "as asked",
+    };
+    (0.0 < radius).then(|| format!("{radius:.2} m clear of the joint-1 axis ({why})"))
+}
+
+/// The same of any robot.
+pub(super) fn columns(margins: &Margins) -> Option<String> {
+    match margins.column {
+        Column::Radius(0.0) => None,
+        Column::Radius(radius) => Some(format!("{radius} m clear of the joint-1 axis")),
+        Column::Estimated => Some("clear of each robot's own column (estimated from its lengths)".into()),
+    }
+}
+
+/// What all robots of a ranking keep, in one line.
+pub(super) fn of_all(margins: &Margins) -> String {
+    if *margins == Margins::NONE {
+        return "no margins: joints up to their limits, straight postures allowed".into();
+    }
+    let column = columns(margins).map_or_else(String::new, |column| format!("; {column}"));
+    format!("kept: {}{column}", angles(margins))
+}

@@ -1,0 +1,425 @@
+//! Where must a part stand? All its faces at once, each in a configuration and at a roll of its own; the worst of them counts.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use rayon::prelude::*;
+
+use super::bound::BranchAndBound;
+use super::search::{CELLS, FINALISTS, FINE, STARTS, Score, Search, region};
+use super::{Outside, Question, Resolution, Solution};
+use crate::batch::{SameBranch, SpatialArm};
+use crate::follow::NotFollowed;
+use crate::interval::Interval;
+use crate::inverse::Configuration;
+use crate::model::SpatialModel;
+use crate::part::{Face, Part};
+use crate::place::{
+    FacePlacement, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within,
+};
+use crate::tolerances;
+use crate::work::{Grid, WorkPlacement, WorkPlane};
+
+/// Parts that are evaluated before the best value so far is compared again.
+const BLOCK: usize = 64;
+/// How often a place is sought anew within narrower limits.
+const NARROWINGS: usize = 5;
+
+/// Where a part stands: ahead and up, m from the base, of the middle of its underside, and its turn about the vertical, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Stand {
+    x: f64,
+    z: f64,
+    turn: f64,
+}
+
+/// A place with the roll of each face.
+#[derive(Clone, Debug)]
+struct Candidate {
+    stand: Stand,
+    rolls: Vec<f64>,
+    score: Score,
+}
+
+/// The search for one part.
+#[derive(Clone)]
+struct PartSearch<'a> {
+    faces: &'a [Face],
+    /// One a face.
+    searches: Vec<Search<'a>>,
+    orientation: Orientation,
+    region: [Interval; 2],
+    step: f64,
+}
+
+/// The best place of a part with what could be proved of it, or why none was found.
+pub(in crate::place) fn place(model: &SpatialModel, part: &Part, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+    let nothing_left = || Placed::Infeasible { reason: Misfit::Margins, is_proved: true, largest_scale: None };
+    let Some(questions) = questions(model, part, options)? else { return Ok(nothing_left()) };
+    let Margins { limit, singular, .. } = options.margins;
+    let Some(arm) = model.arm.with_margins(limit, singular) else { return Ok(nothing_left()) };
+    let search = PartSearch::new(model, &arm, part, &questions);
+    match search.find() {
+        Some((stand, found)) => {
+            let worst = found.iter().map(|face| face.deflection).fold(0.0, f64::max);
+            let bounds = prove(&arm, part, &questions, worst / questions[0].force);
+            Ok(Placed::Feasible(search.told(stand, found, &bounds)))
+        }
+        None => Ok(infeasible(model, &arm, (part, options), &questions)),
+    }
+}
+
+/// What is asked of each face; `None` where the floor leaves nothing of the window.
+fn questions(model: &SpatialModel, part: &Part, options: &PlaceOptions) -> Result<Option<Vec<Question>>, PlaceError> {
+    if options.stance.is_some_and(|stance| !stance.yaw.contains(0.0, 0.0)) {
+        return Err(PlaceError::Inapplicable { what: "a yaw of the plane", model: "one flat zone" });
+    }
+    let of = |face: &Face| {
+        let asked = options.stance();
+        let stance = Stance { elevation: face.elevation, yaw: Interval::point(0.0), roll: asked.roll };
+        Question::of(model, &PlaceOptions { stance: Some(stance), ..*options })
+    };
+    part.faces.iter().map(of).collect()
+}
+
+/// A lower bound on the largest compliance of each face, m/N, wherever the part stands: the face is let go from the others.
+///
+/// `upper` is what is known of the part; the first face that is proved to have no better place of its own is enough.
+fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> Vec<(f64, usize)> {
+    let one = |(face, question): (&Face, &Question)| {
+        let alone = alone(part, face, question);
+        let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
+        let [x, z] = region(arm, alone.within);
+        let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
+        let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(upper);
+        (proof.lower, proof.boxes)
+    };
+    part.faces.par_iter().zip(questions).map(one).collect()
+}
+
+/// What is asked of a face that is let go from the others: its centre turns about the joint-1 axis into the arm plane, and with it whatever
+/// the part's turn leaves open.
+fn alone(part: &Part, face: &Face, question: &Question) -> Question {
+    let is_vertical = FRAC_PI_2 - face.elevation.abs() < 1e-9;
+    let is_central = face.centre[0] == 0.0 && face.centre[1] == 0.0;
+    let orientation = match question.orientation {
+        _ if !is_vertical => Orientation::Fixed(0.0),
+        Orientation::Fixed(angle) if is_central => Orientation::Fixed(angle + face.azimuth),
+        Orientation::Axes if is_central && face.azimuth.rem_euclid(FRAC_PI_2).abs() < 1e-12 => Orientation::Axes,
+        _ => Orientation::Free,
+    };
+    // How far other faces reach below this one and above it.
+    let extent = |face: &Face| {
+        let plane = WorkPlane::of(face.elevation, &placed(face, &Stand { x: 0.0, z: 0.0, turn: 0.0 }, 0.0));
+        let [_, _, half] = plane.half_extents(face.zone);
+        [face.centre[2] - half, face.centre[2] + half]
+    };
+    let own = extent(face);
+    let all = part.faces.iter().map(extent).fold(own, |[low, high], [a, b]| [low.min(a), high.max(b)]);
+    let Within { x, z } = question.within;
+    let z = Interval::new(z.min() + (own[0] - all[0]), z.max() - (all[1] - own[1])).unwrap_or(Interval::point(1e9));
+    // Turned into the arm plane a point keeps its distance from the axis alone.
+    let column = question.column.max(if x.min().is_finite() { x.min() } else { 0.0 });
+    let yaw = Interval::spanning(-PI, PI);
+    Question { orientation, yaw, within: Within { x: Interval::ALL, z }, column, ..*question }
+}
+
+/// Where a face lies when its part stands somewhere.
+fn placed(face: &Face, stand: &Stand, roll: f64) -> WorkPlacement {
+    let [x, y, z] = face.centre;
+    let (s, c) = stand.turn.sin_cos();
+    WorkPlacement {
+        x: stand.x + c * x - s * y,
+        y: s * x + c * y,
+        z: stand.z + z,
+        yaw: stand.turn + face.azimuth,
+        angle: 0.0,
+        roll,
+    }
+}
+
+/// Why a part has no place: the first face that has none of its own, or none that all share.
+fn infeasible(
+    model: &SpatialModel,
+    arm: &SpatialArm,
+    (part, options): (&Part, &PlaceOptions),
+    questions: &[Question],
+) -> Placed {
+    let told = |reason: Misfit, is_proved: bool| Placed::Infeasible { reason, is_proved, largest_scale: None };
+    let bare = PlaceOptions { margins: Margins::NONE, ..*options };
+    if options.margins != Margins::NONE
+        && let Ok(Some(bare)) = self::questions(model, part, &bare)
+        && PartSearch::new(model, &model.arm, part, &bare).find().is_some()
+    {
+        return told(Misfit::Margins, false);
+    }
+    for (face, question) in part.faces.iter().zip(questions) {
+        let alone = alone(part, face, question);
+        let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
+        let [x, z] = region(arm, alone.within);
+        let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
+        let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(f64::INFINITY);
+        if proof.unfathomed.is_none() {
+            return told(Misfit::Face(face.name.clone()), true);
+        }
+    }
+    told(Misfit::NowhereWhole { step: PartSearch::new(model, arm, part, questions).step }, false)
+}
+
+impl<'a> PartSearch<'a> {
+    fn new(model: &'a SpatialModel, arm: &'a SpatialArm, part: &'a Part, questions: &'a [Question]) -> Self {
+        let of = |(face, question): (&Face, &'a Question)| {
+            let mut search = Search::new(model.robot(), arm, face.zone, question);
+            // The faces share one place: none of them is turned into the range of joint 1 on its own.
+            search.freed = arm.without_limit_on(5, search.roll_is_free);
+            search
+        };
+        let searches: Vec<Search> = part.faces.iter().zip(questions).map(of).collect();
+        let (mut region, step) = (searches[0].region, searches[0].step);
+        // The underside may lie lower than what the lengths let the tool reach.
+        let high = part.faces.iter().map(|face| face.centre[2]).fold(0.0, f64::max);
+        region[1] = Interval::spanning(region[1].min() - high, region[1].max());
+        Self { faces: &part.faces, searches, orientation: questions[0].orientation, region, step }
+    }
+
+    /// The best place that is seen, face by face.
+    fn find(&self) -> Option<(Stand, Vec<Solution>)> {
+        let seen = self.coarse();
+        let mut rough = self.refined(&seen, CELLS[1], self.step / 2.0);
+        rough.truncate(FINALISTS);
+        let refined = self.refined(&rough, CELLS[2], self.step / 8.0);
+        let coarse = seen.iter().map(|candidate| candidate.score).min_by(Score::total_cmp).unwrap_or(Score::NONE);
+        refined.iter().find_map(|candidate| self.evaluate(candidate, coarse))
+    }
+
+    fn turns(&self) -> Vec<f64> {
+        let every = |count: usize| (0..count).map(|i| TAU * i as f64 / count as f64).collect();
+        match self.orientation {
+            Orientation::Axes => every(4),
+            Orientation::Fixed(angle) => vec![angle],
+            Orientation::Free => every(24),
+        }
+    }
+
+    fn rolls(&self, face: usize) -> Vec<f64> {
+        let search = &self.searches[face];
+        match search.options.roll {
+            Some(roll) => vec![roll],
+            None if search.roll_is_free => vec![0.0],
+            None => (0..12).map(|i| TAU * f64::from(i) / 12.0).collect(),
+        }
+    }
+
+    /// The best places of a grid over the region and all turns, best first, far enough apart to be different.
+    fn coarse(&self) -> Vec<Candidate> {
+        let [columns, rows] = self.region.map(|range| (range.width() / self.step).ceil() as usize + 1);
+        let at = |range: Interval, i: usize, count: usize| match count {
+            1 => range.middle(),
+            _ => range.min() + range.width() * i as f64 / (count - 1) as f64,
+        };
+        let stands = |turn: f64| -> Vec<Stand> {
+            (0..rows * columns)
+                .map(|i| Stand {
+                    x: at(self.region[0], i % columns, columns),
+                    z: at(self.region[1], i / columns, rows),
+                    turn,
+                })
+                .collect()
+        };
+        let of_turn = |turn: f64| {
+            let stands = stands(turn);
+            let faces: Vec<Vec<(f64, f64)>> = (0..self.faces.len()).map(|face| self.centres(face, &stands)).collect();
+            let whole = move |i: usize| {
+                let worst = faces.iter().map(|face| face[i].0).fold(0.0, f64::max);
+                let rolls: Vec<f64> = faces.iter().map(|face| face[i].1).collect();
+                worst.is_finite().then_some((worst, stands[i], rolls))
+            };
+            (0..rows * columns).filter_map(whole).collect::<Vec<_>>()
+        };
+        let mut centres: Vec<(f64, Stand, Vec<f64>)> = self.turns().into_par_iter().flat_map_iter(of_turn).collect();
+        centres.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (grids, mut seen, mut best) = (self.grids(CELLS[0]), Vec::new(), f64::INFINITY);
+        for block in centres.chunks(BLOCK) {
+            // A face is no stiffer than its centre.
+            if best < block[0].0 {
+                break;
+            }
+            let evaluated: Vec<Candidate> =
+                block.par_iter().map(|(_, stand, rolls)| self.candidate(*stand, rolls, PI / 12.0, &grids)).collect();
+            let feasible = evaluated.iter().filter(|candidate| candidate.score.is_feasible());
+            best = feasible.map(|candidate| candidate.score.worst).fold(best, f64::min);
+            seen.extend(evaluated);
+        }
+        seen.sort_by(|a, b| a.score.total_cmp(&b.score));
+        self.apart(seen)
+    }
+
+    /// The compliance at the centre of a face at each stand, all of one turn, and the roll at which it is least; infinite where it is not
+    /// reached.
+    fn centres(&self, face: usize, stands: &[Stand]) -> Vec<(f64, f64)> {
+        let search = &self.searches[face];
+        let mut best = vec![(f64::INFINITY, 0.0); stands.len()];
+        for roll in self.rolls(face) {
+            let works: Vec<WorkPlacement> = stands.iter().map(|stand| placed(&self.faces[face], stand, roll)).collect();
+            let plane = WorkPlane::of(search.options.elevation, &works[0]);
+            let orientation = search.freed.orientation(plane.tool());
+            let column = |part: fn(&WorkPlacement) -> f64| works.iter().map(part).collect::<Vec<f64>>();
+            let (x, y, z) = (column(|work| work.x), column(|work| work.y), column(|work| work.z));
+            let mut values = vec![0.0; Configuration::COUNT * works.len()];
+            let mut rows = values.chunks_exact_mut(works.len());
+            let into = std::array::from_fn(|_| rows.next().expect("one row per configuration"));
+            search.freed.configurations_at(&orientation, &SameBranch::default(), [&x, &y, &z], into);
+            for row in values.chunks_exact(works.len()) {
+                for (best, value) in best.iter_mut().zip(row) {
+                    if *value < best.0 {
+                        *best = (*value, roll);
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    fn grids(&self, cells: usize) -> Vec<Grid> {
+        self.faces.iter().map(|face| Grid::of(face.zone, cells)).collect()
+    }
+
+    /// A place with its score, each face at the best of its roll and those a `turn` from it.
+    fn candidate(&self, stand: Stand, rolls: &[f64], turn: f64, grids: &[Grid]) -> Candidate {
+        let mut whole = Candidate { stand, rolls: rolls.to_vec(), score: Score { unreached: 0, worst: 0.0 } };
+        for (i, search) in self.searches.iter().enumerate() {
+            let is_free = search.options.roll.is_none() && !search.roll_is_free;
+            let tried = if is_free { vec![rolls[i], rolls[i] + turn, rolls[i] - turn] } else { vec![rolls[i]] };
+            let score = |roll: f64| {
+                let scores = search.scores(&placed(&self.faces[i], &stand, roll), &grids[i]);
+                (scores.into_iter().min_by(Score::total_cmp).expect("eight configurations"), roll)
+            };
+            let (score, roll) =
+                tried.into_iter().map(score).min_by(|a, b| a.0.total_cmp(&b.0)).expect("at least one roll");
+            whole.rolls[i] = roll;
+            whole.score.unreached = whole.score.unreached.saturating_add(score.unreached);
+            whole.score.worst = whole.score.worst.max(score.worst);
+        }
+        whole
+    }
+
+    /// The first of a sorted list that are two steps or another turn apart.
+    fn apart(&self, sorted: Vec<Candidate>) -> Vec<Candidate> {
+        let mut chosen: Vec<Candidate> = Vec::new();
+        for candidate in sorted {
+            let near = |other: &Candidate| {
+                let (a, b) = (candidate.stand, other.stand);
+                (a.x - b.x).hypot(a.z - b.z) < 2.0 * self.step && (a.turn - b.turn).abs() < 0.3
+            };
+            if !chosen.iter().any(near) {
+                chosen.push(candidate);
+            }
+            if chosen.len() == STARTS {
+                break;
+            }
+        }
+        chosen
+    }
+
+    /// Every start refined, the best first.
+    fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Vec<Candidate> {
+        let grids = self.grids(cells);
+        let mut refined: Vec<Candidate> = starts.par_iter().map(|start| self.descend(start, &grids, step)).collect();
+        refined.retain(|candidate| candidate.score.is_feasible());
+        refined.sort_by(|a, b| a.score.total_cmp(&b.score));
+        refined
+    }
+
+    /// Steps in every direction of what is free, halved where none is better.
+    fn descend(&self, start: &Candidate, grids: &[Grid], first_step: f64) -> Candidate {
+        let turns: &[f64] = if self.orientation == Orientation::Free { &[0.0, 1.0, -1.0] } else { &[0.0] };
+        let (mut step, mut turn) = (first_step, 0.3 * first_step / self.step);
+        let mut best = self.candidate(start.stand, &start.rolls, turn, grids);
+        while FINE.0 < step {
+            let moves = turns.iter().flat_map(|t| {
+                [0.0, 1.0, -1.0].into_iter().flat_map(move |x| [0.0, 1.0, -1.0].map(move |z| [x, z, *t]))
+            });
+            let moved = moves.map(|[x, z, t]| {
+                let stand = Stand {
+                    x: self.region[0].clamp(best.stand.x + step * x),
+                    z: self.region[1].clamp(best.stand.z + step * z),
+                    turn: best.stand.turn + turn * t,
+                };
+                self.candidate(stand, &best.rolls, turn, grids)
+            });
+            let found = moved.min_by(|a, b| a.score.total_cmp(&b.score)).expect("directions");
+            if found.score.total_cmp(&best.score).is_lt() {
+                best = found;
+            } else {
+                step /= 2.0;
+                turn /= 2.0;
+            }
+        }
+        best
+    }
+
+    /// The answer of every face at a refined place; where one oversteps a limit between samples, at the place next to it that was refined
+    /// within limits so much narrower. `None` where some face is not followed.
+    fn evaluate(&self, candidate: &Candidate, coarse: Score) -> Option<(Stand, Vec<Solution>)> {
+        let (mut narrower, mut candidate) = (0.0, candidate.clone());
+        for _ in 0..NARROWINGS {
+            match self.evaluate_at(&candidate, coarse) {
+                Ok(found) => return Some((candidate.stand, found)),
+                Err(NotFollowed::Impossible) => return None,
+                Err(NotFollowed::Oversteps(by)) => narrower = 4.0 * narrower + 1.1 * by + 2.0 * tolerances::FOLLOWED,
+            }
+            let mut within = self.clone();
+            for search in &mut within.searches {
+                search.freed = search.freed.narrowed(narrower)?;
+            }
+            let step = (self.step / 64.0).max(4.0 * narrower * self.searches[0].robot.stretch());
+            candidate = within.refined(&[candidate], CELLS[2], step).into_iter().next()?;
+        }
+        None
+    }
+
+    fn evaluate_at(&self, candidate: &Candidate, coarse: Score) -> Result<Vec<Solution>, NotFollowed> {
+        let one = |i: usize| {
+            let work = placed(&self.faces[i], &candidate.stand, candidate.rolls[i]);
+            let found = self.searches[i].evaluate_placement(&work, coarse)?;
+            if found.bearing == 0.0 { Ok(found) } else { Err(NotFollowed::Impossible) }
+        };
+        (0..self.faces.len()).into_par_iter().map(one).collect()
+    }
+
+    /// The placement of the part: that of its worst face, with all of them.
+    fn told(&self, stand: Stand, found: Vec<Solution>, bounds: &[(f64, usize)]) -> Placement {
+        let force = self.searches[0].options.force;
+        let boxes = bounds.iter().map(|(_, boxes)| boxes).sum();
+        let worst = found.iter().max_by(|a, b| a.deflection.total_cmp(&b.deflection)).expect("a face").clone();
+        let lower_bound = bounds.iter().map(|(lower, _)| lower * force).fold(0.0, f64::max).min(worst.deflection);
+        let outside = Outside {
+            below: found.iter().any(|face| face.outside.below),
+            behind: found.iter().any(|face| face.outside.behind),
+        };
+        let clearance = found.iter().filter_map(|face| face.clearance).min_by(|a, b| a.distance.total_cmp(&b.distance));
+        let from_axis_1 = found.iter().map(|face| face.from_axis_1).fold(f64::INFINITY, f64::min);
+        let told = |((mut found, face), (lower, _)): ((Solution, &Face), &(f64, usize))| {
+            let work = placed(face, &stand, found.roll);
+            found.resolution.boxes = boxes;
+            FacePlacement {
+                face: face.clone(),
+                centre: [work.x, work.y, work.z],
+                deflection: found.deflection,
+                lower_bound: (lower * force).min(found.deflection),
+                worst_point: found.worst_point,
+                hold: found.hold(),
+            }
+        };
+        let whole = Solution {
+            lower_bound,
+            centre: [stand.x, stand.z],
+            angle: stand.turn.rem_euclid(TAU),
+            outside,
+            from_axis_1,
+            clearance,
+            resolution: Resolution { boxes, ..worst.resolution },
+            ..worst
+        };
+        Placement { faces: found.into_iter().zip(self.faces).zip(bounds).map(told).collect(), ..whole.into() }
+    }
+}

@@ -1,0 +1,185 @@
+//! Is a part held as it is said to be, and does any other stand, found by brute force, beat it?
+//!
+//! The witness sets each face up from words, and asks [`reached`] for the postures of one pose at a time.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use nalgebra::{Rotation3, Vector3};
+use stiffarm::catalogue::paper_robots;
+use stiffarm::compliance::compliance;
+use stiffarm::interval::Interval;
+use stiffarm::inverse::{Configuration, reached};
+use stiffarm::load::Load;
+use stiffarm::model::Model;
+use stiffarm::part::{Face, Part};
+use stiffarm::place::{
+    Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within, place, place_part,
+};
+use stiffarm::robot::Robot;
+use stiffarm::spatial::Pose;
+use stiffarm::task::Zone;
+
+/// A spindle that points away from the flange at a right angle.
+fn spindle() -> Pose {
+    Pose::new(Vector3::new(0.25, 0.0, 0.1), Vector3::y() * FRAC_PI_2)
+}
+
+fn asked(orientation: Orientation) -> PlaceOptions {
+    PlaceOptions { orientation, ..PlaceOptions::under(Load::UNIT) }
+}
+
+/// A part somewhere: ahead and up, of the middle of its underside, and its turn about the vertical.
+#[derive(Clone, Copy, Debug)]
+struct Stand {
+    x: f64,
+    z: f64,
+    turn: f64,
+}
+
+impl Stand {
+    fn of(placement: &Placement) -> Self {
+        Self { x: placement.centre[0], z: placement.centre[1], turn: placement.angle }
+    }
+
+    /// The tool at a point of a face, m from its centre along its sides: its z axis as the face says, its x axis at roll zero upwards, for a
+    /// tool that hangs down along the part's x axis turned by the face's azimuth.
+    fn pose(&self, face: &Face, [u, v]: [f64; 2], roll: f64) -> Pose {
+        let upright = Rotation3::from_axis_angle(&Vector3::z_axis(), self.turn + face.azimuth);
+        let (s, c) = face.elevation.sin_cos();
+        let axis = upright * Vector3::new(c, 0.0, s);
+        let first = upright * Vector3::new(-s, 0.0, c);
+        let second = upright * Vector3::y();
+        let part = Rotation3::from_axis_angle(&Vector3::z_axis(), self.turn);
+        let centre = Vector3::new(self.x, 0.0, self.z) + part * Vector3::from(face.centre);
+        let tool = Rotation3::from_basis_unchecked(&[first, axis.cross(&first), axis])
+            * Rotation3::from_axis_angle(&Vector3::z_axis(), roll);
+        Pose::from_parts((centre + first * u + second * v).into(), tool.into())
+    }
+}
+
+/// The largest compliance of a face in one configuration at one roll; `None` where a point of it is not reached so.
+fn held(robot: &Robot, stand: &Stand, face: &Face, roll: f64, configuration: Configuration) -> Option<f64> {
+    let side = |i: i32| f64::from(i) / 4.0 - 1.0;
+    let mut worst = 0.0_f64;
+    for at in (0..=8).flat_map(|i| (0..=8).map(move |j| face.zone.at([side(i), side(j)]))) {
+        let flange = stand.pose(face, at, roll) * spindle().inverse();
+        let (_, q) = reached(robot, &flange).into_iter().find(|(found, _)| *found == configuration)?;
+        worst = worst.max(compliance(robot, &q, &spindle()).unwrap().compliance.worst().0);
+    }
+    Some(worst)
+}
+
+/// The largest compliance of a part where every face is held at the best of many rolls, unless it reaches `limit`.
+fn held_below(robot: &Robot, stand: &Stand, part: &Part, limit: f64) -> Option<f64> {
+    let face = |face: &Face| {
+        let rolls = (0..36).map(|i| TAU * f64::from(i) / 36.0);
+        let at = rolls.flat_map(|roll| Configuration::ALL.map(|configuration| (roll, configuration)));
+        // No face is stiffer than its centre.
+        let reached_below = |(roll, configuration): &(f64, Configuration)| {
+            let flange = stand.pose(face, [0.0; 2], *roll) * spindle().inverse();
+            let found = reached(robot, &flange).into_iter().find(|(found, _)| found == configuration);
+            found.is_some_and(|(_, q)| compliance(robot, &q, &spindle()).unwrap().compliance.worst().0 < limit)
+        };
+        let values = at.filter(reached_below).filter_map(|(roll, found)| held(robot, stand, face, roll, found));
+        values.min_by(f64::total_cmp).filter(|value| *value < limit)
+    };
+    part.faces.iter().map(face).try_fold(0.0, |worst: f64, value| Some(worst.max(value?)))
+}
+
+#[test]
+fn every_face_of_a_part_is_held_as_it_is_said_and_no_other_stand_beats_it() {
+    let part = Part::of_box([0.4, 0.3, 0.15]).with_faces(&["top".into(), "front".into(), "left".into()]).unwrap();
+    for (seed, robot) in paper_robots().iter().enumerate().step_by(5) {
+        let model = Model::spatial(robot, &spindle()).unwrap();
+        let options = asked([Orientation::Axes, Orientation::Free][seed / 5 % 2]);
+        let placed = place_part(&model, &part, &options).unwrap();
+        let best = placed.feasible().unwrap_or_else(|| panic!("{}: {placed:?}", robot.name));
+        let case = || format!("{}: {best:#?}", robot.name);
+        let stand = Stand::of(best);
+        let mut worst = 0.0_f64;
+        for found in &best.faces {
+            let at = stand.pose(&found.face, [0.0; 2], found.hold.roll);
+            assert!((at.translation.vector - Vector3::from(found.centre)).norm() < 1e-9, "{}", case());
+            let value = held(robot, &stand, &found.face, found.hold.roll, found.hold.configuration);
+            let value = value.unwrap_or_else(|| panic!("{} is not held: {}", found.face.name, case()));
+            // The witness has fewer samples.
+            assert!(value <= found.deflection * (1.0 + 1e-9) && found.deflection <= value * 1.01, "{value} {}", case());
+            assert_eq!(found.hold.bearing, 0.0);
+            worst = worst.max(found.deflection);
+            let there = compliance(robot, &found.hold.joints, &spindle()).unwrap();
+            assert!((there.tool.translation.vector - Vector3::from(found.worst_point)).norm() < 1e-9, "{}", case());
+        }
+        assert_eq!(worst, best.deflection, "{}", case());
+        assert!(0.3 * worst < best.lower_bound && best.lower_bound <= worst, "{}", case());
+        let mut rng = fastrand::Rng::with_seed(seed as u64);
+        let mut compared = 0;
+        for i in 0..160 {
+            let mut nudge = || if i % 2 == 0 { 0.1 * (2.0 * rng.f64() - 1.0) } else { 2.0 * rng.f64() - 1.0 };
+            let (x, z, turn) = (stand.x + nudge(), (stand.z + nudge()).max(0.0), nudge());
+            let turn = if options.orientation == Orientation::Free { stand.turn + turn } else { stand.turn };
+            let other = Stand { x, z, turn };
+            let reaches = part.faces.iter().all(|face| {
+                let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|at| face.zone.at(at));
+                corners.iter().all(|&at| {
+                    let point = other.pose(face, at, 0.0).translation.vector;
+                    0.0 <= point.x && 0.0 <= point.z
+                })
+            });
+            if reaches && let Some(value) = held_below(robot, &other, &part, 0.97 * worst) {
+                panic!("{other:?} has {value}: {}", case());
+            }
+            compared += usize::from(reaches);
+        }
+        assert!(60 < compared, "{compared} stands compared");
+    }
+}
+
+/// What stands alone needs no others: a part of one face that lies on the table is a flat zone.
+#[test]
+fn a_part_of_one_face_is_a_flat_zone() {
+    let zone = Zone::Rectangle { width: 0.3, height: 0.5 };
+    let face = Face { name: "top".into(), zone, centre: [0.0; 3], elevation: -FRAC_PI_2, azimuth: 0.0 };
+    let part = Part { label: "one".into(), faces: vec![face] };
+    for robot in paper_robots().iter().step_by(3) {
+        let model = Model::spatial(robot, &spindle()).unwrap();
+        let options = PlaceOptions { margins: Margins::usual(), ..asked(Orientation::Axes) };
+        let (alone, flat) = (place_part(&model, &part, &options).unwrap(), place(&model, zone, &options).unwrap());
+        let (alone, flat) = (alone.feasible().unwrap(), flat.feasible().unwrap());
+        let apart = (alone.deflection - flat.deflection).abs() / flat.deflection;
+        assert!(apart < 0.01, "{}: {} {}", robot.name, alone.deflection, flat.deflection);
+        assert!(alone.lower_bound <= flat.deflection && flat.lower_bound <= alone.deflection, "{}", robot.name);
+    }
+}
+
+#[test]
+fn a_wall_that_faces_the_robot_is_a_part_of_one_side() {
+    let zone = Zone::Rectangle { width: 0.2, height: 0.4 };
+    let face = Face { name: "front".into(), zone, centre: [0.0, 0.0, 0.1], elevation: 0.0, azimuth: 0.0 };
+    let part = Part { label: "wall".into(), faces: vec![face] };
+    let robot = &paper_robots()[2];
+    let model = Model::spatial(robot, &spindle()).unwrap();
+    let options = asked(Orientation::Fixed(0.0));
+    let part = place_part(&model, &part, &options).unwrap();
+    let wall = Stance { yaw: Interval::point(0.0), ..Stance::tool_at(0.0) };
+    let flat = place(&model, zone, &PlaceOptions { stance: Some(wall), ..options }).unwrap();
+    let (part, flat) = (part.feasible().unwrap(), flat.feasible().unwrap());
+    assert!((part.deflection - flat.deflection).abs() < 0.01 * flat.deflection, "{part:?} {flat:?}");
+    // The part stands on the underside of what it is a wall of.
+    assert!((part.centre[1] + 0.1 - flat.centre[1]).abs() < 0.05, "{part:?} {flat:?}");
+}
+
+#[test]
+fn a_part_that_has_no_place_says_which_face_has_none() {
+    let robot = &paper_robots()[2];
+    let model = Model::spatial(robot, &spindle()).unwrap();
+    let part = Part::of_box([0.3, 0.3, 0.1]).with_faces(&["top".into(), "back".into()]).unwrap();
+    let far = Within { x: Interval::spanning(9.0, 12.0), z: Interval::POSITIVE };
+    let placed = place_part(&model, &part, &PlaceOptions { within: Some(far), ..asked(Orientation::Axes) }).unwrap();
+    let Placed::Infeasible { reason, is_proved, .. } = placed else { panic!("{placed:?}") };
+    assert_eq!((reason, is_proved), (Misfit::Face("top".into()), true));
+    let planar = Model::planar(robot).unwrap();
+    assert!(matches!(place_part(&planar, &part, &asked(Orientation::Axes)), Err(PlaceError::PartInPlane)));
+    let none = Part { label: "none".into(), faces: Vec::new() };
+    assert_eq!(place_part(&model, &none, &asked(Orientation::Axes)), Err(PlaceError::NoFace));
+    assert!((PI - part.faces[1].azimuth).abs() < 1e-12);
+}
