@@ -2,6 +2,7 @@
 //!
 //! `BLESS=1 cargo test -p stiffarm-cli --test readme` writes what the program prints into the README.
 
+use std::fmt::Write as _;
 use std::fs;
 
 use assert_cmd::Command;
@@ -55,7 +56,7 @@ fn the_readme_shows_what_the_program_prints() {
         if printed != expected.join("\n") {
             others.push(format!("`{command}` prints something else than the README shows:\n{printed}"));
         }
-        blessed += &format!("```text\n{command}\n{printed}\n```{after}");
+        let _ = write!(blessed, "```text\n{command}\n{printed}\n```{after}");
         shown += 1;
     }
     assert!(5 <= shown, "the README lost its tour");

@@ -42,9 +42,24 @@ class ComplianceOptions(TypedDict, total=False):
     """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
     centre]."""
 
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as the robot file has it, else 1 on every drive, assumed]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
 
 class PlaceOptions(TypedDict, total=False):
     """Keywords of `stiffarm.place`."""
+
+    faces: str | Iterable[str] | None
+    """Which faces of a part are machined, by name, separated by commas; front faces the robot before the part is
+    turned [default: all: of a box top, front, left, back, right]."""
 
     tolerance_mm: float | None
     """Largest deflection that is acceptable [mm]: adds pass or fail."""
@@ -54,7 +69,21 @@ class PlaceOptions(TypedDict, total=False):
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
-    [default: anywhere; with model="spatial" 0..,0..: in front of the joint-1 axis and above the base]."""
+    [default: in front of the joint-1 axis, above the floor]."""
+
+    limit_margin_deg: float | None
+    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
+
+    singular_margin_deg: float | None
+    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
+
+    clear_of_base_m: float | None
+    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
+    + l3)]."""
+
+    floor_m: str | float | None
+    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
+    unless --within says how low the zone may stand]."""
 
     angle: str | float
     """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
@@ -63,12 +92,23 @@ class PlaceOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as the robot file has it, else 1 on every drive, assumed]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
     model: Literal["planar", "spatial"]
     """Which model."""
 
     tool_mm: npt.ArrayLike | None
     """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
     [default: the flange]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
 
     tool_direction: str | float | None
     """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
@@ -83,6 +123,10 @@ class PlaceOptions(TypedDict, total=False):
 class RankOptions(TypedDict, total=False):
     """Keywords of `stiffarm.rank`."""
 
+    faces: str | Iterable[str] | None
+    """Which faces of a part are machined, by name, separated by commas; front faces the robot before the part is
+    turned [default: all: of a box top, front, left, back, right]."""
+
     tolerance_mm: float | None
     """Largest deflection that is acceptable [mm]: adds pass or fail."""
 
@@ -91,7 +135,21 @@ class RankOptions(TypedDict, total=False):
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
-    [default: anywhere; with model="spatial" 0..,0..: in front of the joint-1 axis and above the base]."""
+    [default: in front of the joint-1 axis, above the floor]."""
+
+    limit_margin_deg: float | None
+    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
+
+    singular_margin_deg: float | None
+    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
+
+    clear_of_base_m: float | None
+    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
+    + l3)]."""
+
+    floor_m: str | float | None
+    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
+    unless --within says how low the zone may stand]."""
 
     angle: str | float
     """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
@@ -100,12 +158,23 @@ class RankOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as the robot file has it, else 1 on every drive, assumed]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
     model: Literal["planar", "spatial"]
     """Which model."""
 
     tool_mm: npt.ArrayLike | None
     """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
     [default: the flange]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
 
     tool_direction: str | float | None
     """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
@@ -162,7 +231,21 @@ class MapOptions(TypedDict, total=False):
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
-    [default: anywhere; with model="spatial" 0..,0..: in front of the joint-1 axis and above the base]."""
+    [default: in front of the joint-1 axis, above the floor]."""
+
+    limit_margin_deg: float | None
+    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
+
+    singular_margin_deg: float | None
+    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
+
+    clear_of_base_m: float | None
+    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
+    + l3)]."""
+
+    floor_m: str | float | None
+    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
+    unless --within says how low the zone may stand]."""
 
     angle: str | float
     """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
@@ -171,12 +254,23 @@ class MapOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as the robot file has it, else 1 on every drive, assumed]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
     model: Literal["planar", "spatial"]
     """Which model."""
 
     tool_mm: npt.ArrayLike | None
     """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
     [default: the flange]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
 
     tool_direction: str | float | None
     """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
@@ -213,12 +307,30 @@ class StudyOptions(TypedDict, total=False):
 class SweepOptions(TypedDict, total=False):
     """Keywords of `stiffarm.cluster.sweep`."""
 
+    faces: str | Iterable[str] | None
+    """Which faces of a part are machined, by name, separated by commas; front faces the robot before the part is
+    turned [default: all: of a box top, front, left, back, right]."""
+
     tolerance_mm: float | None
     """Largest deflection that is acceptable [mm]: adds pass or fail."""
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
-    [default: anywhere; with model="spatial" 0..,0..: in front of the joint-1 axis and above the base]."""
+    [default: in front of the joint-1 axis, above the floor]."""
+
+    limit_margin_deg: float | None
+    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
+
+    singular_margin_deg: float | None
+    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
+
+    clear_of_base_m: float | None
+    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
+    + l3)]."""
+
+    floor_m: str | float | None
+    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
+    unless --within says how low the zone may stand]."""
 
     angle: str | float
     """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
@@ -227,12 +339,23 @@ class SweepOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as the robot file has it, else 1 on every drive, assumed]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
     model: Literal["planar", "spatial"]
     """Which model."""
 
     tool_mm: npt.ArrayLike | None
     """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
     [default: the flange]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
 
     tool_direction: str | float | None
     """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""

@@ -62,6 +62,9 @@ impl Request {
     }
 
     /// The zones; of a study its shapes at size 1.
+    ///
+    /// # Panics
+    /// Never: that parts have the faces that are asked for is checked when the request is read.
     pub fn tasks(&self) -> Vec<Task> {
         let faces = self.texts("faces");
         let with_faces = |task: Task| match &task.part {

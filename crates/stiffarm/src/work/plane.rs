@@ -75,7 +75,7 @@ impl WorkPlane {
     }
 
     /// Distance of the zone's nearest point from the joint-1 axis, m; zero where the axis passes through it.
-    pub(crate) fn from_axis_1(&self, work: &WorkPlacement, zone: Zone) -> f64 {
+    pub(crate) fn distance_from_axis_1(&self, work: &WorkPlacement, zone: Zone) -> f64 {
         let centre = Vector2::new(work.x, work.y);
         let [first, second] = zone.sides().map(|side| side / 2.0);
         let sides = Matrix2::from_columns(&[self.first.xy() * first, self.second.xy() * second]);
@@ -153,7 +153,7 @@ mod tests {
             let points = (0..=120).flat_map(|i| (0..=120).map(move |j| zone.at([side(i), side(j)])));
             let distance = |at: [f64; 2]| plane.point(&work, at).xy().norm();
             let expected = points.map(distance).fold(f64::INFINITY, f64::min);
-            let found = plane.from_axis_1(&work, zone);
+            let found = plane.distance_from_axis_1(&work, zone);
             assert!(
                 found <= expected + 1e-9 && expected <= found + 0.015,
                 "{case}: {found} {expected} {work:?} {zone:?}"
@@ -165,8 +165,8 @@ mod tests {
         // By hand: a disc of radius 0.2 on a table, its centre 0.5 m ahead.
         let work = WorkPlacement { x: 0.5, y: 0.0, z: 0.0, yaw: 0.0, angle: 0.0, roll: 0.0 };
         let table = WorkPlane::of(-FRAC_PI_2, &work);
-        assert!((table.from_axis_1(&work, Zone::Circle { diameter: 0.4 }) - 0.3).abs() < 1e-9);
-        assert!((table.from_axis_1(&work, Zone::Rectangle { width: 0.4, height: 2.0 }) - 0.3).abs() < 1e-12);
+        assert!((table.distance_from_axis_1(&work, Zone::Circle { diameter: 0.4 }) - 0.3).abs() < 1e-9);
+        assert!((table.distance_from_axis_1(&work, Zone::Rectangle { width: 0.4, height: 2.0 }) - 0.3).abs() < 1e-12);
     }
 
     #[test]

@@ -363,7 +363,7 @@ impl<'a> Search<'a> {
         [(x, work.x, ahead), (z, work.z, up)].into_iter().all(|(range, at, half)| {
             range.contains(at - half, tolerances::WINDOW) && range.contains(at + half, tolerances::WINDOW)
         }) && (self.options.column == 0.0
-            || self.options.column <= plane.from_axis_1(work, self.zone) + tolerances::WINDOW)
+            || self.options.column <= plane.distance_from_axis_1(work, self.zone) + tolerances::WINDOW)
     }
 
     /// The window is too narrow for the zone however it is turned.
