@@ -443,7 +443,9 @@ impl RankAnswer {
             Some(format!("{} {} {sign} {}", ranking.tasks[task].label, show(serial), show(quasi)))
         };
         let cells: Vec<String> = (0..ranking.tasks.len()).filter_map(compared).collect();
-        (!cells.is_empty()).then(|| format!("Best serial against best quasi-serial, mm: {}.", cells.join("; ")))
+        let assumed = |task| best(task, Architecture::Serial).is_some_and(|row| row.robot.architecture_is_assumed);
+        let serial = if (0..ranking.tasks.len()).any(assumed) { "serial?" } else { "serial" };
+        (!cells.is_empty()).then(|| format!("Best {serial} against best quasi-serial, mm: {}.", cells.join("; ")))
     }
 
     fn estimated_rivals(&self) -> Option<String> {

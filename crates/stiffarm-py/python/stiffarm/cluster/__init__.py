@@ -236,6 +236,11 @@ def _checked(
         _stiffarm.place(any_robot, "circle:50", {**asked, "force_n": repr(force)})
     drawn = None if scenarios is None else _given.numbers("scenarios", scenarios)
     if drawn is not None:
+        for stiffness in asked.keys() & {"drive_urad_per_nm", "stiffness_nm_per_rad"}:
+            # It would be that of every scenario.
+            raise StiffarmError(
+                f"{stiffness} and scenarios both say how stiff the drives are; factors apply to Robot.with_compliance"
+            )
         if drawn.shape[1:] not in ((6,), (len(who), 6)) or not len(drawn):
             raise StiffarmError(
                 f"scenarios of shape {drawn.shape}; expected (m, 6) or (m, {len(who)}, 6): factors on the compliance of "
