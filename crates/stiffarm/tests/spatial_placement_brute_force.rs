@@ -218,21 +218,34 @@ impl Question {
         fits(0) && (fits(5) || !self.roll_is_free())
     }
 
-    /// All of the zone stands where it may, and clear of the column: its rim, and the same drawn in towards its centre.
+    /// All of the zone stands where it may.
     fn stands_within(&self, stand: &Stand) -> bool {
         let Within { x, z } = self.options.within;
-        let (ahead, column) = (Stand { bearing: 0.0, ..*stand }, self.column());
-        let drawn_in = |part: f64| rim(self.zone, 16).into_iter().map(move |[u, v]| [part * u, part * v]);
-        let parts = if column == 0.0 { 4..=4 } else { 0..=4 };
-        parts
-            .flat_map(|part| drawn_in(f64::from(part) / 4.0))
-            .map(|at| ahead.pose(self.options.elevation, at).translation.vector)
-            .all(|at| x.contains(at.x, SLACK) && z.contains(at.z, SLACK) && column <= at.xy().norm() + SLACK)
+        let ahead = Stand { bearing: 0.0, ..*stand };
+        rim(self.zone, 16)
+            .into_iter()
+            .map(|at| ahead.pose(self.options.elevation, at).translation)
+            .all(|at| x.contains(at.x, SLACK) && z.contains(at.z, SLACK))
+    }
+
+    /// The nearest of many points of the zone to the joint-1 axis, m, and how far from one of them another may lie.
+    fn from_axis_1(&self, stand: &Stand) -> (f64, f64) {
+        let side = |i: i32| f64::from(i) / 20.0 - 1.0;
+        let points = (0..=40).flat_map(|i| (0..=40).map(move |j| self.zone.at([side(i), side(j)])));
+        let distance = |at| stand.pose(self.options.elevation, at).translation.vector.xy().norm();
+        let [first, second] = self.zone.sides();
+        // The cells of a disc are longer than those of a square, by half a turn over a side at most.
+        (points.map(distance).fold(f64::INFINITY, f64::min), FRAC_PI_2 * first.hypot(second) / 80.0)
     }
 
     /// The compliance at a stand, m/N, if it is less than `limit`: in the stiffest class, with coarse samples first.
     fn value_below(&self, freed: &Robot, stand: &Stand, limit: f64) -> Option<f64> {
         if !self.stands_within(stand) {
+            return None;
+        }
+        // Clear of the column for certain.
+        let (nearest, spacing) = if self.column() == 0.0 { (f64::INFINITY, 0.0) } else { self.from_axis_1(stand) };
+        if nearest - spacing < self.column() {
             return None;
         }
         let tool = &self.options.flange_from_tool;
@@ -332,6 +345,7 @@ impl Question {
         assert!(asked.limit <= hold.limit_margin.0 + SLACK, "{}", case());
         assert!(asked.singular <= hold.singular_margin + SLACK, "{}", case());
         assert!(self.stands_within(&stand), "{}", case());
+        assert!(self.column() <= self.from_axis_1(&stand).0 + SLACK, "{}", case());
         let same = |a: f64, b: f64, period: f64| (a - b - ((a - b) / period).round() * period).abs() < 1e-9;
         let is_vertical = FRAC_PI_2 - options.elevation.abs() < 1e-9;
         let yaw = room(options.yaw, Interval::point(stand.yaw));

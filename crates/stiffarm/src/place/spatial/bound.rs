@@ -7,8 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::Question;
 use crate::batch::SpatialArm;
 use crate::enclose::{
-    Affine, ArmEnclosure, Line, Node, NodeBounds, ToolFrameEnclosure, TurnExtent, least_largest, middle, remaining,
-    variables,
+    Affine, ArmEnclosure, Line, Node, NodeBounds, ToolFrameEnclosure, TurnExtent, least_largest, remaining, variables,
 };
 use crate::interval::Interval;
 use crate::inverse::ArmBranch;
@@ -25,18 +24,22 @@ const MOST_POSES: usize = 400_000;
 const MOST_POSES_FOR_NONE: usize = 50_000;
 /// Of nodes larger than this part of the upper arm only the extreme poses of the zone are enclosed.
 const COARSE: f64 = 0.15;
+/// Nodes among which those are chosen from which a place is sought once more, and how many are.
+const MOST_UNFATHOMED: usize = 2000;
+const RESTARTED: usize = 8;
 /// Nodes of this size, m, are not split: a place is found no finer.
 const SMALLEST: f64 = 2e-5;
 
 /// What is proved.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Proof {
     /// No place has a smaller largest compliance, m/N; the value to be reached where there is no better place.
     pub(super) lower: f64,
     /// Nodes that were bounded.
     pub(super) boxes: usize,
-    /// The middle of the node that stands in the way of a better bound; `None` where every node was fathomed.
-    pub(super) unfathomed: Option<WorkPlacement>,
+    /// The middles of nodes that stand in the way of a better bound, the lowest first, apart from one another; none where every node was
+    /// fathomed.
+    pub(super) unfathomed: Vec<WorkPlacement>,
 }
 
 /// A node whose poses are held in one arm branch.
@@ -154,12 +157,12 @@ impl<'a> BranchAndBound<'a> {
         }
         // The least bound of the fathomed nodes.
         let mut lower = upper;
-        let mut unfathomed = None;
+        let mut unfathomed = Vec::new();
         while let Some(held) = queue.pop() {
             let is_small = self.size(&held) < SMALLEST;
             if most < poses || is_small && held.is_whole {
                 lower = lower.min(held.lower);
-                unfathomed = Some(middle(&held.node));
+                unfathomed = self.apart(held, queue);
                 break;
             }
             let parts = if is_small { vec![held] } else { self.split(&held).to_vec() };
@@ -177,6 +180,25 @@ impl<'a> BranchAndBound<'a> {
             }
         }
         Proof { lower, boxes, unfathomed }
+    }
+
+    /// The middles of the lowest nodes that lie apart from one another.
+    fn apart(&self, first: HeldNode, mut queue: BinaryHeap<HeldNode>) -> Vec<WorkPlacement> {
+        let mut chosen: Vec<[f64; 5]> = Vec::new();
+        let mut next = Some(first);
+        for _ in 0..MOST_UNFATHOMED {
+            let Some(held) = next else { break };
+            let at = held.node.map(Interval::middle);
+            let moves = |other: &[f64; 5]| (0..5).map(|i| (at[i] - other[i]).abs() * self.lever[i]).fold(0.0, f64::max);
+            if chosen.iter().all(|other| self.coarse < moves(other)) {
+                chosen.push(at);
+            }
+            if chosen.len() == RESTARTED {
+                break;
+            }
+            next = queue.pop();
+        }
+        chosen.into_iter().map(|[x, z, yaw, angle, roll]| WorkPlacement { x, y: 0.0, z, yaw, angle, roll }).collect()
     }
 
     /// How far the arm moves at most along one interval of a node, m.

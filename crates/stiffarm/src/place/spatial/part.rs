@@ -158,7 +158,7 @@ fn infeasible(
         let [x, z] = region(arm, alone.within);
         let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
         let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(f64::INFINITY);
-        if proof.unfathomed.is_none() {
+        if proof.unfathomed.is_empty() {
             return told(Misfit::Face(face.name.clone()), true);
         }
     }
@@ -313,7 +313,7 @@ impl<'a> PartSearch<'a> {
             if !chosen.iter().any(near) {
                 chosen.push(candidate);
             }
-            if chosen.len() == STARTS {
+            if chosen.len() == STARTS[0] {
                 break;
             }
         }

@@ -18,8 +18,10 @@ use crate::work::{Grid, WorkPlacement, WorkPlane};
 
 /// Places along the longer side of what is searched.
 const PLACES: usize = 60;
-/// Places that are refined.
-pub(super) const STARTS: usize = 24;
+/// Places that are refined; the second where the bound lies farther below the value than [`LOOSE`].
+pub(super) const STARTS: [usize; 2] = [24, 160];
+/// Relative distance of value and bound beyond which more places are refined.
+const LOOSE: f64 = 0.02;
 /// Places that are refined once more with the samples of the answer.
 pub(super) const FINALISTS: usize = 5;
 /// Zones that are evaluated before the best value so far is compared again.
@@ -30,39 +32,33 @@ pub(super) const FINE: (f64, f64) = (5e-5, 5e-5);
 pub(super) const HALVING: f64 = 1e-3;
 /// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
 pub(super) const CELLS: [usize; 4] = [2, 6, 16, 64];
-/// Where the bound lies farther below the value, relatively, directions that no axis has are tried.
-const LOOSE: f64 = 0.02;
-/// How many of them at each length of the steps, and in all.
-const SHAKES: [usize; 2] = [64, 6000];
 /// How often the placement that stands in the way of a better bound is refined.
 const RESTARTS: usize = 3;
 
 /// Finds the best place that a coarse search and its refinement see, and proves how much better another could be.
 pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question) -> Placed {
     let search = Search::new(robot, arm, zone, options);
-    let mut found = search.find();
+    let mut found = search.find(STARTS[0]);
     let branch_and_bound = BranchAndBound::new(arm, zone, options, search.region, search.roll_is_free);
     let value = |found: &Result<Solution, Misfit>| {
         found.as_ref().map_or(f64::INFINITY, |placement| placement.deflection / options.force)
     };
     let mut proof = branch_and_bound.prove(value(&found));
+    if proof.lower < value(&found) * (1.0 - LOOSE)
+        && let Ok(better) = search.find(STARTS[1])
+        && better.deflection / options.force < value(&found) * (1.0 - HALVING)
+    {
+        found = Ok(better);
+        proof = branch_and_bound.prove(value(&found));
+    }
     for _ in 0..RESTARTS {
-        let Some(better) = proof.unfathomed.and_then(|work| search.find_near(work)) else { break };
+        let near = proof.unfathomed.par_iter().filter_map(|work| search.find_near(*work));
+        let Some(better) = near.min_by(|a, b| a.deflection.total_cmp(&b.deflection)) else { break };
         if value(&found) * (1.0 - HALVING) <= better.deflection / options.force {
             break;
         }
         // What the coarse search saw stays what it is.
         let coarse = found.map_or(None, |placement| placement.resolution.coarse);
-        found = Ok(Solution { resolution: Resolution { coarse, ..better.resolution }, ..better });
-        proof = branch_and_bound.prove(value(&found));
-    }
-    // Where much is left open, the descent may have stopped on a ridge between several worst points and limits.
-    if proof.lower < value(&found) * (1.0 - LOOSE)
-        && let Ok(placement) = &found
-        && let Some(better) = search.shaken(placement)
-        && better.deflection < placement.deflection * (1.0 - HALVING)
-    {
-        let coarse = placement.resolution.coarse;
         found = Ok(Solution { resolution: Resolution { coarse, ..better.resolution }, ..better });
         proof = branch_and_bound.prove(value(&found));
     }
@@ -78,13 +74,13 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
         Err(_) if search.window_is_too_narrow() => {
             Placed::Infeasible { reason: Misfit::WindowTooNarrow, is_proved: true, largest_scale: None }
         }
-        Err(reason) => Placed::Infeasible { reason, is_proved: proof.unfathomed.is_none(), largest_scale: None },
+        Err(reason) => Placed::Infeasible { reason, is_proved: proof.unfathomed.is_empty(), largest_scale: None },
     }
 }
 
 /// Is there any place that the coarse search and its refinement see?
 pub(super) fn has_place(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question) -> bool {
-    Search::new(robot, arm, zone, options).find().is_ok()
+    Search::new(robot, arm, zone, options).find(STARTS[0]).is_ok()
 }
 
 /// Where centres may lie by the lengths of the arm, ahead of the joint-1 axis and behind it, and up.
@@ -155,8 +151,8 @@ impl<'a> Search<'a> {
     }
 
     /// The best place that the coarse search and its refinement see.
-    fn find(&self) -> Result<Solution, Misfit> {
-        let seen = self.coarse()?;
+    fn find(&self, starts: usize) -> Result<Solution, Misfit> {
+        let seen = self.coarse(starts)?;
         let mut rough = self.refined(&seen, CELLS[1], self.step / 2.0);
         rough.truncate(FINALISTS);
         let refined = self.refined(&rough, CELLS[2], self.step / 8.0);
@@ -172,32 +168,6 @@ impl<'a> Search<'a> {
         let start = self.candidate(work, &Grid::of(self.zone, CELLS[1]));
         let rough = self.refined(&[start], CELLS[1], self.step / 8.0);
         self.refined(&rough, CELLS[2], self.step / 8.0).iter().find_map(|found| self.evaluate(found, Score::NONE))
-    }
-
-    /// The best place that steps in many directions from a placement see; the directions are the same every time.
-    fn shaken(&self, from: &Solution) -> Option<Solution> {
-        let ([x, z], roll) = (from.centre, from.roll);
-        let start = WorkPlacement { x, y: 0.0, z, yaw: from.yaw, angle: from.angle, roll };
-        let grid = Grid::of(self.zone, CELLS[1]);
-        let mut rng = fastrand::Rng::with_seed(SHAKES[0] as u64);
-        let (free, mut best) = (self.free(), self.candidate(start, &grid));
-        let (mut step, mut turn, mut tried) = (self.step, 0.3, 0);
-        while FINE.0 < step && tried < SHAKES[1] {
-            let before = best.score;
-            for _ in 0..SHAKES[0] {
-                let direction = free.map(|is_free| if is_free { 2.0 * rng.f64() - 1.0 } else { 0.0 });
-                let moved = self.candidate(self.moved(&best.work, &direction, [step, turn]), &grid);
-                if moved.score.total_cmp(&best.score).is_lt() {
-                    best = moved;
-                }
-            }
-            tried += SHAKES[0];
-            if best.score == before {
-                step /= 2.0;
-                turn /= 2.0;
-            }
-        }
-        self.refined(&[best], CELLS[2], self.step / 64.0).iter().find_map(|found| self.evaluate(found, Score::NONE))
     }
 
     /// What of a placement may change: ahead, up, yaw, angle, roll.
@@ -271,7 +241,7 @@ impl<'a> Search<'a> {
     }
 
     /// The best places of a grid over the region and all turns, best first, far enough apart to be different.
-    fn coarse(&self) -> Result<Vec<Candidate>, Misfit> {
+    fn coarse(&self, starts: usize) -> Result<Vec<Candidate>, Misfit> {
         let [columns, rows] = self.region.map(|range| (range.width() / self.step).ceil() as usize + 1);
         let at = |range: Interval, i: usize, count: usize| match count {
             1 => range.middle(),
@@ -306,7 +276,7 @@ impl<'a> Search<'a> {
             seen.extend(evaluated);
         }
         seen.sort_by(|a, b| a.score.total_cmp(&b.score));
-        Ok(self.apart(&seen))
+        Ok(self.apart(&seen, starts))
     }
 
     /// The value at the centre of each placement, with its position in the list; infinite where it is not reached.
@@ -328,7 +298,7 @@ impl<'a> Search<'a> {
     }
 
     /// The first of a sorted list that are two steps or another turn apart.
-    fn apart(&self, sorted: &[Candidate]) -> Vec<Candidate> {
+    fn apart(&self, sorted: &[Candidate], most: usize) -> Vec<Candidate> {
         let mut chosen: Vec<Candidate> = Vec::new();
         for candidate in sorted {
             let near = |other: &Candidate| {
@@ -342,7 +312,7 @@ impl<'a> Search<'a> {
             if !chosen.iter().any(near) {
                 chosen.push(*candidate);
             }
-            if chosen.len() == STARTS {
+            if chosen.len() == most {
                 break;
             }
         }
