@@ -1,7 +1,8 @@
 //! Verb 1: how compliant is the arm at one posture, all six drives, at the tool point?
 
-use nalgebra::{Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
+use crate::load::{Largest, Load};
 use crate::robot::{Arm, Robot, Unheld};
 use crate::spatial::{Compliance, Pose};
 
@@ -17,6 +18,16 @@ pub struct Posture {
 }
 
 impl Posture {
+    /// What a load does at most, and the force of those that it may be that does it, base axes.
+    ///
+    /// The feed counts from the x axis of the tool, counter-clockwise seen from the spindle: where a zone is placed, its first side lies
+    /// there at roll and angle zero.
+    pub fn under(&self, load: Load) -> Largest {
+        let tool = self.tool.rotation.to_rotation_matrix();
+        let [x, y, z] = [0, 1, 2].map(|i| Vector3::from(tool.matrix().column(i)));
+        load.forces(&Matrix3::from_columns(&[x, -y, -z])).largest(&self.compliance.translation())
+    }
+
     /// How much of the translation per force along `direction` comes from each drive; adds up to 1.
     ///
     /// All zero where nothing gives way in that direction.

@@ -1,12 +1,38 @@
-//! What pushes on the tool?
+//! What pushes on the tool, which way, and what part of the displacement counts?
 
-/// A cutting force at the tool point: how large, and which way.
+mod forces;
+mod in_plane;
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use nalgebra::{Matrix3, Vector3};
+
+pub(crate) use forces::Forces;
+pub use forces::Largest;
+pub(crate) use in_plane::Sector;
+
+/// The largest force that is taken, N.
+const MOST: f64 = 1e6;
+
+/// A cutting force at the tool point: how large, which way as far as that is known, and what part of the displacement counts.
 ///
-/// Checked when it is made, so that what takes a load need not check it again.
+/// Checked when it is made, so that what takes a load need not check it again. All that is computed under it grows with its size
+/// in proportion.
+///
+/// ```
+/// use stiffarm::load::{Component, Load};
+///
+/// // 300 N along the feed, 100 N across, 50 N into the spindle; 20 degrees of doubt; the feed may go any way.
+/// let load = Load::along_tool([300.0, 100.0, 50.0], None)?.with_cone(20_f64.to_radians())?.counting(Component::Normal);
+/// assert!((load.newtons() - 320.2).abs() < 0.1);
+/// # Ok::<(), stiffarm::load::LoadError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load {
     newtons: f64,
     direction: Direction,
+    cone: f64,
+    component: Component,
 }
 
 /// Which way a force pushes.
@@ -14,8 +40,19 @@ pub struct Load {
 pub enum Direction {
     /// At every point the way in which the tool gives way most.
     Worst,
-    /// One angle in the arm plane, rad, counter-clockwise from straight ahead, and the part of the displacement that counts.
-    InPlane(f64, Component),
+    /// An angle in the arm plane, rad, counter-clockwise from straight ahead.
+    InPlane(f64),
+    /// N along the axes of the base: ahead, to the left, up.
+    Base([f64; 3]),
+    /// N on the tool along the axes of the work: the feed, across it (to the left of the feed, seen from the spindle), and away from the
+    /// work, against the z axis of the tool.
+    Tool {
+        /// Along these three.
+        force: [f64; 3],
+        /// Of the feed in the work plane, rad, from the first side of the zone towards the second; where `None`, the feed may go any
+        /// way, and the worst counts.
+        feed: Option<f64>,
+    },
 }
 
 /// What part of a displacement counts.
@@ -23,6 +60,8 @@ pub enum Direction {
 pub enum Component {
     /// The whole displacement, `|C n| F`: the paper's eq. (1) for one direction.
     Total,
+    /// Its part along the tool axis, which meets the face at a right angle: too deep, or not deep enough.
+    Normal,
     /// Its part along the force, `n^T C n F`.
     Along,
 }
@@ -36,14 +75,43 @@ pub enum LoadError {
     /// A direction that is not finite.
     #[error("a direction of {0} rad; expected a finite number")]
     Direction(f64),
+    /// A cone that is none.
+    #[error("a cone of {0} rad about the force; expected 0 to pi/2")]
+    Cone(f64),
+}
+
+/// A load of which the arm plane knows nothing.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum NotInPlane {
+    /// A part of the force across it.
+    #[error("a force of {0} N across the arm plane; the planar model takes x,0,z, and the spatial model any")]
+    Across(f64),
+    /// There is no tool.
+    #[error("a force along feed, across and axial is a matter of the spatial model")]
+    Tool,
+    /// There is no face.
+    #[error("a deflection normal to the face is a matter of the spatial model")]
+    Normal,
+}
+
+impl Component {
+    /// As it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Total => "total",
+            Self::Normal => "normal",
+            Self::Along => "along",
+        }
+    }
 }
 
 impl Load {
     /// The cutting force of the paper, 1 kN, in its worst direction.
-    pub const PAPER: Self = Self { newtons: 1000.0, direction: Direction::Worst };
+    pub const PAPER: Self =
+        Self { newtons: 1000.0, direction: Direction::Worst, cone: 0.0, component: Component::Total };
 
     /// One newton in its worst direction: deflections under it are compliances.
-    pub const UNIT: Self = Self { newtons: 1.0, direction: Direction::Worst };
+    pub const UNIT: Self = Self { newtons: 1.0, ..Self::PAPER };
 
     /// A force, N, in its worst direction.
     ///
@@ -58,15 +126,54 @@ impl Load {
     /// # Errors
     /// Where the force is not positive or above 1 MN, or the angle is not finite.
     pub fn in_plane(newtons: f64, angle: f64, component: Component) -> Result<Self, LoadError> {
-        Self::new(newtons, Direction::InPlane(angle, component))
+        if !angle.is_finite() {
+            return Err(LoadError::Direction(angle));
+        }
+        Self::new(newtons, Direction::InPlane(angle)).map(|load| load.counting(component))
+    }
+
+    /// A force, N along the axes of the base: ahead, to the left, up.
+    ///
+    /// # Errors
+    /// Where its size is not positive, or above 1 MN.
+    pub fn along_base(force: [f64; 3]) -> Result<Self, LoadError> {
+        Self::new(Vector3::from(force).norm(), Direction::Base(force))
+    }
+
+    /// A force, N, and the direction of the feed, as [`Direction::Tool`] has them.
+    ///
+    /// # Errors
+    /// Where its size is not positive, or above 1 MN, or the angle is not finite.
+    pub fn along_tool(force: [f64; 3], feed: Option<f64>) -> Result<Self, LoadError> {
+        if let Some(angle) = feed.filter(|angle| !angle.is_finite()) {
+            return Err(LoadError::Direction(angle));
+        }
+        Self::new(Vector3::from(force).norm(), Direction::Tool { force, feed })
     }
 
     fn new(newtons: f64, direction: Direction) -> Result<Self, LoadError> {
-        match direction {
-            _ if !(0.0 < newtons && newtons <= 1e6) => Err(LoadError::Force(newtons)),
-            Direction::InPlane(angle, _) if !angle.is_finite() => Err(LoadError::Direction(angle)),
-            _ => Ok(Self { newtons, direction }),
+        if !(0.0 < newtons && newtons <= MOST) {
+            return Err(LoadError::Force(newtons));
         }
+        Ok(Self { newtons, direction, ..Self::PAPER })
+    }
+
+    /// The same, where the force may point anywhere in a cone of this half angle, rad, about its direction.
+    ///
+    /// # Errors
+    /// Where it is not between 0 and a quarter turn.
+    pub fn with_cone(self, half_angle: f64) -> Result<Self, LoadError> {
+        if (0.0..=FRAC_PI_2).contains(&half_angle) {
+            Ok(Self { cone: half_angle, ..self })
+        } else {
+            Err(LoadError::Cone(half_angle))
+        }
+    }
+
+    /// The same, where this part of the displacement counts.
+    #[must_use]
+    pub const fn counting(self, component: Component) -> Self {
+        Self { component, ..self }
     }
 
     /// Its size, N.
@@ -77,6 +184,55 @@ impl Load {
     /// Which way it pushes.
     pub const fn direction(self) -> Direction {
         self.direction
+    }
+
+    /// How far off that it may point, rad.
+    pub const fn cone(self) -> f64 {
+        self.cone
+    }
+
+    /// What part of the displacement counts.
+    pub const fn component(self) -> Component {
+        self.component
+    }
+
+    /// What counts is the largest displacement of all directions: the largest eigenvalue of the compliance. (Along the softest
+    /// direction, force and displacement are parallel.)
+    pub fn is_worst(self) -> bool {
+        self.direction == Direction::Worst && self.component != Component::Normal
+    }
+
+    /// It is fixed to the base, and not alike about the joint-1 axis.
+    pub(crate) fn breaks_symmetry(self) -> bool {
+        match self.direction {
+            Direction::Worst | Direction::Tool { .. } => false,
+            Direction::InPlane(_) => true,
+            Direction::Base([x, y, _]) => x != 0.0 || y != 0.0,
+        }
+    }
+
+    /// The unit forces that may act, in base axes, where the columns of `work` are the first side of the zone, its second side and the
+    /// direction away from the work.
+    ///
+    /// A cone about a direction is a band of angles off it. Where the feed may go any way, only the angle to the tool axis is
+    /// known, and that is a band of angles off that axis.
+    pub(crate) fn forces(self, work: &Matrix3<f64>) -> Forces {
+        let away: Vector3<f64> = work.column(2).into();
+        let about = |axis: Vector3<f64>| (axis.normalize(), [0.0, self.cone]);
+        let (axis, [from, to]) = match self.direction {
+            Direction::Worst => (away, [0.0, PI]),
+            Direction::InPlane(angle) => about(Vector3::new(angle.cos(), 0.0, angle.sin())),
+            Direction::Base(force) => about(force.into()),
+            Direction::Tool { force: [f, c, a], feed: Some(feed) } => {
+                let (s, cos) = feed.sin_cos();
+                about(work * Vector3::new(f * cos - c * s, f * s + c * cos, a))
+            }
+            Direction::Tool { force: [f, c, a], feed: None } => {
+                let off = f.hypot(c).atan2(a);
+                (away, [(off - self.cone).max(0.0), (off + self.cone).min(PI)])
+            }
+        };
+        Forces::band(axis, [from, to], away, self.component)
     }
 }
 
@@ -90,6 +246,36 @@ mod tests {
             assert!(matches!(Load::worst(nonsense), Err(LoadError::Force(_))), "{nonsense}");
         }
         assert!(matches!(Load::in_plane(1.0, f64::NAN, Component::Total), Err(LoadError::Direction(_))));
+        assert!(matches!(Load::along_tool([1.0; 3], Some(f64::NAN)), Err(LoadError::Direction(_))));
+        assert!(matches!(Load::along_base([0.0; 3]), Err(LoadError::Force(_))));
+        assert!(matches!(Load::along_base([0.0, f64::NAN, 1.0]), Err(LoadError::Force(_))));
+        for cone in [-0.1, 2.0, f64::NAN] {
+            assert!(matches!(Load::PAPER.with_cone(cone), Err(LoadError::Cone(_))), "{cone}");
+        }
         assert_eq!(Load::worst(1000.0), Ok(Load::PAPER));
+        assert!((Load::along_base([300.0, 0.0, -400.0]).unwrap().newtons() - 500.0).abs() < 1e-12);
+    }
+
+    /// On a table the spindle stands above the work; the first side points ahead, the second to the left.
+    #[test]
+    fn feed_across_and_axial_point_where_a_machinist_says() {
+        let work = Matrix3::identity();
+        let axis = |force, feed_deg: f64| {
+            Load::along_tool(force, Some(feed_deg.to_radians())).unwrap().forces(&work).axis()
+        };
+        let close = |a: Vector3<f64>, b: [f64; 3]| assert!((a - Vector3::from(b)).norm() < 1e-12, "{a} is not {b:?}");
+        close(axis([5.0, 0.0, 0.0], 0.0), [1.0, 0.0, 0.0]);
+        close(axis([0.0, 5.0, 0.0], 0.0), [0.0, 1.0, 0.0]);
+        close(axis([0.0, 0.0, 5.0], 77.0), [0.0, 0.0, 1.0]);
+        // Fed to the left, what is left of the feed lies back.
+        close(axis([5.0, 0.0, 0.0], 90.0), [0.0, 1.0, 0.0]);
+        close(axis([0.0, 5.0, 0.0], 90.0), [-1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn only_a_force_along_the_base_that_points_aside_tells_one_bearing_from_another() {
+        assert!(!Load::PAPER.breaks_symmetry() && !Load::along_tool([1.0, 2.0, 3.0], None).unwrap().breaks_symmetry());
+        assert!(!Load::along_base([0.0, 0.0, -9.0]).unwrap().breaks_symmetry());
+        assert!(Load::along_base([0.0, 1.0, -9.0]).unwrap().breaks_symmetry());
     }
 }

@@ -1,5 +1,6 @@
 //! Verb 2: how far is the tool pushed off, everywhere the arm reaches?
 
+mod directed;
 mod planar;
 mod rolls;
 mod section;
@@ -7,7 +8,7 @@ mod spans;
 
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::load::{Direction, Load};
+use crate::load::{Load, NotInPlane};
 use crate::model::{ArmPosture, Model, ModelError, PlanarModel, SpatialModel};
 use crate::plane::{Elbow, InvalidArm, PlanarArm};
 
@@ -94,7 +95,7 @@ pub enum Extent {
 pub struct MapOptions {
     /// Where its points stand.
     pub extent: Extent,
-    /// The force; of one direction in the planar model only.
+    /// The force; the planar model takes one in the arm plane.
     pub load: Load,
     /// One elbow side, or the stiffer of those that reach a point; planar model only.
     pub elbow: Option<Elbow>,
@@ -181,6 +182,9 @@ pub enum MapError {
         /// The model that knows it.
         model: &'static str,
     },
+    /// A force of which the planar model knows nothing.
+    #[error(transparent)]
+    Load(#[from] NotInPlane),
     /// Too many cells, or none.
     #[error(
         "a map of {columns} x {rows} cells; expected at least 2 x 2 and at most {most} cells: choose a larger step"
@@ -255,7 +259,7 @@ impl Map {
             (Model::Spatial(model), Some(margins)) => {
                 let held = options.held();
                 let point = [self.deflection.x.at(i), self.deflection.z.at(j)];
-                ArmPosture::Joints(section::joints(model, &held, margins.at(i, j)?, point)?)
+                ArmPosture::Joints(section::joints(model, (options.load, &held), margins.at(i, j)?, point)?)
             }
             (Model::Planar(_), Some(_)) | (Model::Spatial(_), None) => return None, // another model's map
         };
@@ -279,7 +283,9 @@ impl Margins {
 /// Maps the deflection over a grid: in the arm plane (\[paper\], Fig. 2 and 3), or over the section through the joint-1 axis that
 /// points straight ahead, at the best configuration and roll of every point.
 ///
-/// In space the points stand for all places about the robot: joint 1 turns there, and its limits are left aside.
+/// In space the points stand for all places about the robot: joint 1 turns there, and its limits are left aside. Under a force along
+/// base axes that points aside they stand for themselves alone, and joint 1 keeps its limits. The first side of the work, from which
+/// the direction of the feed counts, points ahead; on work that leans, upwards.
 ///
 /// ```
 /// use stiffarm::catalogue::find;
@@ -358,9 +364,6 @@ fn check_grid(x: Axis, z: Axis, most: usize) -> Result<(), MapError> {
 }
 
 fn in_space(model: &SpatialModel, options: &MapOptions) -> Result<Map, MapError> {
-    if options.load.direction() != Direction::Worst {
-        return Err(MapError::Inapplicable { what: "a force of one direction", model: "planar" });
-    }
     if options.elbow.is_some() {
         return Err(MapError::Inapplicable { what: "one elbow side", model: "planar" });
     }
@@ -372,12 +375,12 @@ fn in_space(model: &SpatialModel, options: &MapOptions) -> Result<Map, MapError>
     }
     let [x, z] = match options.extent {
         Extent::Reached(spacing) => {
-            spacing.cover(section::reached_box(model.arm(), &held)?.ok_or(MapError::NothingReached)?)
+            spacing.cover(section::reached_box(model.arm(), options.load, &held)?.ok_or(MapError::NothingReached)?)
         }
         Extent::Grid { x, z } => [x, z],
     };
     check_grid(x, z, MOST_CELLS_IN_SPACE)?;
-    Ok(section::section(model.arm(), x, z, options.load.newtons(), &held))
+    Ok(section::section(model.arm(), x, z, options.load, &held))
 }
 
 /// The upright box, m from the joint-2 axis, outside which two links reach nothing: forwards, upwards.

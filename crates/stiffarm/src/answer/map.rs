@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::place::{PlaceAnswer, cell};
 use super::stiffness::{self, stiffness};
 use super::words::{self, tool_mm};
-use super::{Cell, Record, Rows, Table, Unit, columns_of, field, line, schema};
+use super::{Cell, Record, Rows, Table, Unit, columns_of, field, force, line, schema};
 use crate::load::Direction;
 use crate::map::{Grid, Held, Map, MapOptions, Margins, ROLL_TOLERANCE};
 use crate::model::{ArmPosture, Model, ModelKind};
@@ -56,10 +56,7 @@ impl Layer<'_> {
 impl MapAnswer {
     /// The layers of numbers, the deflection first.
     pub fn layers(&self) -> Vec<Layer<'_>> {
-        let key = match self.options.load.direction() {
-            Direction::Worst => field::WORST,
-            Direction::InPlane(..) => field::DIRECTED,
-        };
+        let key = if self.options.load.is_worst() { field::WORST } else { field::DIRECTED };
         let mut layers = vec![Layer { field: key, grid: &self.map.deflection }];
         if let Some(margins) = &self.map.space {
             layers.push(Layer { field: field::LIMIT_MARGIN, grid: &margins.limits });
@@ -93,8 +90,8 @@ impl MapAnswer {
     /// What is said once, besides the axes.
     fn head(&self) -> Record {
         let direction = match self.options.load.direction() {
-            Direction::Worst => None,
-            Direction::InPlane(angle, _) => Some(words::asked_degrees(angle)),
+            Direction::InPlane(angle) => Some(words::asked_degrees(angle)),
+            Direction::Worst | Direction::Base(_) | Direction::Tool { .. } => None,
         };
         let tool = match self.model.kind() {
             ModelKind::Planar => None,
@@ -110,9 +107,9 @@ impl MapAnswer {
             .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
             .put(field::STATUS, robot.status.name());
         stiffness::put(&mut record, robot);
+        record.put(field::MODEL, self.model.kind().name());
+        force::put(&mut record, self.options.load);
         record
-            .put(field::MODEL, self.model.kind().name())
-            .put(field::FORCE, self.options.load.newtons())
             .put(field::DIRECTION, direction)
             .put(field::TOOL, tool.as_ref().map(tool_mm))
             .put(field::TOOL_DIRECTION, tool.map(|_| words::asked_degrees(self.held().elevation)))
@@ -206,7 +203,7 @@ impl MapAnswer {
             }
         }
         // In one direction a posture may give way less than in its worst: down to nothing.
-        if self.options.load.direction() == Direction::Worst
+        if self.options.load.is_worst()
             && let Some(floor) = self.model.floor()
         {
             let floor = floor * self.options.load.newtons() * 1e3;

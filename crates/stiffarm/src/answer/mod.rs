@@ -7,6 +7,7 @@
 
 pub mod compliance;
 pub mod field;
+mod force;
 pub mod ledger;
 pub mod map;
 mod margins;

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::stiffness::{self, stiffness};
 use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm};
-use super::{Datum, Line, Record, Rows, Table, field, line, margins, with_schema, words};
+use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, with_schema, words};
 use crate::interval::Interval;
 use crate::map::{Held, MapOptions, Spacing};
 use crate::model::{Model, ModelKind};
@@ -326,7 +326,8 @@ pub(super) fn cell(
         .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
         .put(field::STATUS, robot.status.name());
     stiffness::put(&mut record, robot);
-    record.put(field::TASK, &task.label).put(field::MODEL, model.name()).put(field::FORCE, options.load.newtons());
+    record.put(field::TASK, &task.label).put(field::MODEL, model.name());
+    force::put(&mut record, options.load);
     asked(&mut record, robot, model, options);
     outcome(&mut record, placed);
     record

@@ -1,9 +1,10 @@
 //! Numbers and choices as people read them.
 
+pub use super::force::{component, force, mapped};
 use super::{Line, line};
 use crate::clearance::{Clearance, Obstacle};
 use crate::interval::Interval;
-use crate::load::{Component, Direction, Load};
+use crate::load::Load;
 use crate::model::ModelKind;
 use crate::place::Within;
 use crate::robot::{Arm, Robot, Status};
@@ -89,29 +90,6 @@ pub fn percentages(shares: &[f64; 6]) -> String {
 /// A force and the model under which it acts.
 pub fn load(load: Load, model: &ModelKind) -> String {
     format!("{}, {} model", force(load), model.name())
-}
-
-/// A force and its direction.
-pub fn force(load: Load) -> String {
-    match load.direction() {
-        Direction::Worst => format!("{} N in its worst direction", load.newtons()),
-        Direction::InPlane(angle, _) => format!("{} N at {:.0} deg", load.newtons(), angle.to_degrees()),
-    }
-}
-
-/// What a map shows.
-pub fn mapped(load: Load) -> String {
-    let newtons = load.newtons();
-    match load.direction() {
-        Direction::Worst => format!("worst deflection under {newtons} N"),
-        Direction::InPlane(angle, component) => {
-            let part = match component {
-                Component::Total => "deflection",
-                Component::Along => "deflection along the force",
-            };
-            format!("{part} under {newtons} N at {:.0} deg", angle.to_degrees())
-        }
-    }
 }
 
 /// The tool axis, by its angle above the horizontal, rad.

@@ -2,6 +2,7 @@
 
 use pulp::Simd;
 
+use super::counted::Counted;
 use super::lanes::Lanes;
 use super::posture::PostureLanes;
 use super::vectors::Triple;
@@ -12,7 +13,7 @@ use crate::tolerances::{RIM, SINGULAR, SINGULAR_SQUARE};
 /// One configuration at every pose, one pose a lane.
 #[derive(Clone, Copy)]
 pub(super) struct BranchLanes<S: Simd> {
-    /// The largest translation per force, m/N, whatever the limits; NaN where nothing holds joint 2.
+    /// What counts of the translation per force, m/N, whatever the limits; NaN where nothing holds joint 2.
     pub(super) worst: Lanes<S>,
     /// Negative where a limit or a length forbids the posture.
     pub(super) slack: Lanes<S>,
@@ -34,10 +35,11 @@ impl<S: Simd> BranchLanes<S> {
 impl SpatialArm {
     /// Every configuration of a pose, at its index.
     #[inline(always)]
-    pub(super) fn configurations<S: Simd>(
+    pub(super) fn configurations<S: Simd, C: Counted>(
         &self,
         flange: &FlangePoses<S>,
         same_branch: &SameBranch,
+        counted: C,
     ) -> [BranchLanes<S>; Configuration::COUNT] {
         let (px, py, pz) = flange.point.parts();
         let (ux, uy, uz) = flange.wrist_to_tool.parts();
@@ -66,6 +68,8 @@ impl SpatialArm {
                 wrist_to_tool: flange.wrist_to_tool.seen_turned(s1, c1),
                 x: forwards - self.geometry.a1,
                 z: wz - self.geometry.c1,
+                counted,
+                seen: counted.seen(s1, c1),
             };
             self.elbows(&seen, [reached, turned], same_branch, Shoulder::ALL[shoulder], &mut found);
         }
@@ -74,9 +78,9 @@ impl SpatialArm {
 
     /// Elbow up and down, each with both wrists, of one shoulder.
     #[inline(always)]
-    fn elbows<S: Simd>(
+    fn elbows<S: Simd, C: Counted>(
         &self,
-        seen: &FlangeInArmAxes<S>,
+        seen: &FlangeInArmAxes<S, C>,
         [reached, turned]: [Lanes<S>; 2],
         same_branch: &SameBranch,
         shoulder: Shoulder,
@@ -117,9 +121,9 @@ impl SpatialArm {
 
     /// Both wrists of one shoulder and elbow.
     #[inline(always)]
-    fn wrists<S: Simd>(
+    fn wrists<S: Simd, C: Counted>(
         &self,
-        seen: &FlangeInArmAxes<S>,
+        seen: &FlangeInArmAxes<S, C>,
         [s2, c2, s23, c23]: [Lanes<S>; 4],
         [links, turned]: [Lanes<S>; 2],
         same_branch: &SameBranch,
@@ -140,13 +144,16 @@ impl SpatialArm {
         let [.., fourth, fifth, sixth] = self.angular_limits.joints;
         let (axis_6, wrist_to_tool) = (seen.axis_6, seen.wrist_to_tool);
         let posture = PostureLanes { s2, c2, s23, c23, axis_5, axis_6, wrist_to_tool };
-        let worst = self.translation(&posture).largest();
+        let worst = seen.counted.of(&seen.seen, &self.translation(&posture));
         let straight = same_branch.clearance.sin();
         let any_split = s2.all(if self.angular_limits.any_wrist_split { 1.0 } else { -1.0 });
         let flipped = match self.coupling {
             // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
             Coupling::Serial | Coupling::QuasiSerial => worst,
-            Coupling::Any(_) => self.translation(&PostureLanes { axis_5: axis_5 * -1.0, ..posture }).largest(),
+            Coupling::Any(_) => {
+                let flipped = self.translation(&PostureLanes { axis_5: axis_5 * -1.0, ..posture });
+                seen.counted.of(&seen.seen, &flipped)
+            }
         };
         let worst = [worst, flipped];
         for wrist in 0..2 {
@@ -178,10 +185,13 @@ pub(super) struct FlangePoses<S: Simd> {
 }
 
 /// The same in the axes of the arm, joint 1 turned; the wrist centre `x` forwards and `z` above the joint-2 axis.
-struct FlangeInArmAxes<S: Simd> {
+struct FlangeInArmAxes<S: Simd, C: Counted> {
     pub(super) axis_6: Triple<S>,
     pub(super) flange_x: Triple<S>,
     pub(super) wrist_to_tool: Triple<S>,
     x: Lanes<S>,
     z: Lanes<S>,
+    /// What counts, and its directions in the same axes.
+    counted: C,
+    seen: C::Seen<S>,
 }

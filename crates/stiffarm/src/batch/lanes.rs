@@ -98,6 +98,17 @@ impl<S: Simd> Lanes<S> {
         Self { simd: self.simd, value: self.simd.min_f64s(self.value, self.simd.splat_f64s(other)) }
     }
 
+    #[inline(always)]
+    pub(crate) fn abs(self) -> Self {
+        Self { simd: self.simd, value: self.simd.abs_f64s(self.value) }
+    }
+
+    /// The larger one; `self` where either is NaN.
+    #[inline(always)]
+    pub(crate) fn or_more(self, other: Self) -> Self {
+        self.not_above(other).select(other, self)
+    }
+
     /// The smaller one; `other` where either is NaN.
     #[inline(always)]
     pub(crate) fn or_less(self, other: Self) -> Self {

@@ -14,6 +14,7 @@
 mod angular_interval;
 mod angular_limits;
 mod branches;
+mod counted;
 mod joints;
 mod lanes;
 mod orientation;

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::SpatialArm;
+use crate::load::Forces;
 
 /// The vectors that poses of the tool with one orientation share, base axes.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +14,8 @@ pub(crate) struct ToolOrientation {
     pub(super) flange_x: Vector3<f64>,
     /// From the wrist centre to the tool point, m.
     pub(super) wrist_to_tool: Vector3<f64>,
+    /// The forces that may act; any where `None`.
+    pub(super) forces: Option<Forces>,
 }
 
 /// The same vectors for every roll of the tool about its axis: each is `still + cos * cos(roll) + sin * sin(roll)`.
@@ -21,6 +24,24 @@ pub(crate) struct RolledTool {
     pub(super) still: ToolOrientation,
     pub(super) cos: ToolOrientation,
     pub(super) sin: ToolOrientation,
+    /// The forces that may act, whatever the roll; any where `None`.
+    pub(super) forces: Option<Forces>,
+}
+
+impl ToolOrientation {
+    /// The same under some forces only.
+    #[must_use]
+    pub(crate) fn under(self, forces: Option<Forces>) -> Self {
+        Self { forces, ..self }
+    }
+}
+
+impl RolledTool {
+    /// The same under some forces only.
+    #[must_use]
+    pub(crate) fn under(self, forces: Option<Forces>) -> Self {
+        Self { forces, ..self }
+    }
 }
 
 impl SpatialArm {
@@ -32,6 +53,7 @@ impl SpatialArm {
             axis_6: flange * Vector3::z(),
             flange_x: flange * Vector3::x(),
             wrist_to_tool: flange * point,
+            forces: None,
         }
     }
 
@@ -48,7 +70,8 @@ impl SpatialArm {
             axis_6: axis_6[i],
             flange_x: flange_x[i],
             wrist_to_tool: wrist_to_tool[i],
+            forces: None,
         });
-        RolledTool { still, cos, sin }
+        RolledTool { still, cos, sin, forces: None }
     }
 }

@@ -5,6 +5,7 @@ use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::branches::{BranchLanes, FlangePoses};
+use super::counted::{AnyDirection, Counted};
 use super::lanes::Lanes;
 use super::orientation::{RolledTool, ToolOrientation};
 use super::vectors::Triple;
@@ -30,7 +31,7 @@ pub struct Best {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AtRoll {
     pub(crate) roll: f64,
-    /// The largest translation per force, m/N, whatever the limits; NaN where nothing holds joint 2.
+    /// What counts of the translation per force, m/N, whatever the limits; NaN where nothing holds joint 2.
     pub(crate) worst: [f64; Configuration::COUNT],
     /// Negative where a limit or a length forbids the posture.
     pub(crate) slack: [f64; Configuration::COUNT],
@@ -55,7 +56,7 @@ impl SpatialArm {
         found
     }
 
-    /// The largest translation per force, m/N, of every configuration at points of one orientation; infinite where a limit
+    /// What counts of the translation per force, m/N, of every configuration at points of one orientation; infinite where a limit
     /// or the `same_branch` forbids it, or nothing holds joint 2. `configurations` by [`Configuration::index`].
     pub(crate) fn configurations_at(
         &self,
@@ -64,7 +65,20 @@ impl SpatialArm {
         points: [&[f64]; 3],
         configurations: [&mut [f64]; Configuration::COUNT],
     ) {
-        Arch::new().dispatch(ConfigurationsAt { arm: self, orientation, same_branch, points, configurations });
+        let arch = Arch::new();
+        match orientation.forces {
+            None => arch.dispatch(ConfigurationsAt {
+                arm: self,
+                counted: AnyDirection,
+                orientation,
+                same_branch,
+                points,
+                configurations,
+            }),
+            Some(counted) => {
+                arch.dispatch(ConfigurationsAt { arm: self, counted, orientation, same_branch, points, configurations });
+            }
+        }
     }
 
     /// Appends every configuration at a point, m, base axes, at these rolls, rad.
@@ -75,24 +89,29 @@ impl SpatialArm {
         rolls: &[f64],
         found: &mut Vec<AtRoll>,
     ) {
-        Arch::new().dispatch(AtRolls { arm: self, rolled_tool, point, rolls, found });
+        let arch = Arch::new();
+        match rolled_tool.forces {
+            None => arch.dispatch(AtRolls { arm: self, counted: AnyDirection, rolled_tool, point, rolls, found }),
+            Some(counted) => arch.dispatch(AtRolls { arm: self, counted, rolled_tool, point, rolls, found }),
+        }
     }
 }
 
-struct ConfigurationsAt<'a> {
+struct ConfigurationsAt<'a, C> {
     arm: &'a SpatialArm,
+    counted: C,
     orientation: &'a ToolOrientation,
     same_branch: &'a SameBranch,
     points: [&'a [f64]; 3],
     configurations: [&'a mut [f64]; Configuration::COUNT],
 }
 
-impl WithSimd for ConfigurationsAt<'_> {
+impl<C: Counted> WithSimd for ConfigurationsAt<'_, C> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let ToolOrientation { axis_6, flange_x, wrist_to_tool } = self.orientation;
+        let ToolOrientation { axis_6, flange_x, wrist_to_tool, .. } = self.orientation;
         let count = self.points[0].len();
         for from in (0..count).step_by(S::F64_LANES) {
             let to = count.min(from + S::F64_LANES);
@@ -102,7 +121,7 @@ impl WithSimd for ConfigurationsAt<'_> {
                 flange_x: Triple::splat(simd, flange_x),
                 wrist_to_tool: Triple::splat(simd, wrist_to_tool),
             };
-            let configurations = self.arm.configurations(&flange, self.same_branch);
+            let configurations = self.arm.configurations(&flange, self.same_branch, self.counted);
             for index in 0..Configuration::COUNT {
                 configurations[index].allowed().store(&mut self.configurations[index][from..to]);
             }
@@ -110,20 +129,21 @@ impl WithSimd for ConfigurationsAt<'_> {
     }
 }
 
-struct AtRolls<'a> {
+struct AtRolls<'a, C> {
     arm: &'a SpatialArm,
+    counted: C,
     rolled_tool: &'a RolledTool,
     point: &'a Vector3<f64>,
     rolls: &'a [f64],
     found: &'a mut Vec<AtRoll>,
 }
 
-impl WithSimd for AtRolls<'_> {
+impl<C: Counted> WithSimd for AtRolls<'_, C> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let RolledTool { still, cos, sin } = self.rolled_tool;
+        let RolledTool { still, cos, sin, .. } = self.rolled_tool;
         for rolls in self.rolls.chunks(S::F64_LANES) {
             let (s, c) = Lanes::load(simd, rolls).sin_cos();
             let turned = [
@@ -138,7 +158,7 @@ impl WithSimd for AtRolls<'_> {
             }
             let [axis_6, flange_x, wrist_to_tool] = vectors;
             let flange = FlangePoses { point: Triple::splat(simd, self.point), axis_6, flange_x, wrist_to_tool };
-            let branches = self.arm.configurations(&flange, &SameBranch::default());
+            let branches = self.arm.configurations(&flange, &SameBranch::default(), self.counted);
             let mut parts = [[[0.0; WIDEST]; Configuration::COUNT]; 5];
             for index in 0..Configuration::COUNT {
                 let BranchLanes { worst, slack, links, bent: [forwards, across] } = branches[index];
@@ -182,7 +202,7 @@ impl WithSimd for BestOf<'_> {
             let mut parts = [[[0.0; WIDEST]; 3]; 4];
             for (lane, pose) in poses.iter().enumerate() {
                 let rotation = pose.rotation.to_rotation_matrix();
-                let ToolOrientation { axis_6, flange_x, wrist_to_tool } = self.arm.orientation(rotation.matrix());
+                let ToolOrientation { axis_6, flange_x, wrist_to_tool, .. } = self.arm.orientation(rotation.matrix());
                 for (triple, vector) in [pose.translation.vector, axis_6, flange_x, wrist_to_tool].iter().enumerate() {
                     for axis in 0..3 {
                         parts[triple][axis][lane] = vector[axis];
@@ -196,7 +216,7 @@ impl WithSimd for BestOf<'_> {
                 flange_x: Triple::load(simd, flange_x.each_ref().map(|part| &part[..S::F64_LANES])),
                 wrist_to_tool: Triple::load(simd, wrist_to_tool.each_ref().map(|part| &part[..S::F64_LANES])),
             };
-            let lanes = self.arm.configurations(&flange, &SameBranch::default());
+            let lanes = self.arm.configurations(&flange, &SameBranch::default(), AnyDirection);
             let mut configurations = [[0.0; WIDEST]; Configuration::COUNT];
             for index in 0..Configuration::COUNT {
                 lanes[index].allowed().store(&mut configurations[index][..S::F64_LANES]);

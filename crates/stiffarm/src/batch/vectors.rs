@@ -48,6 +48,11 @@ impl<S: Simd> Triple<S> {
     }
 
     #[inline(always)]
+    pub(super) fn length(self) -> Lanes<S> {
+        self.dot(self).sqrt()
+    }
+
+    #[inline(always)]
     pub(super) fn cross(self, other: Self) -> Self {
         Self(cross(self.0, other.0))
     }
@@ -99,6 +104,21 @@ impl<S: Simd> Symmetric<S> {
         for i in 0..6 {
             self.0[i] = self.0[i] + added[i];
         }
+    }
+
+    /// Its product with a vector.
+    #[inline(always)]
+    pub(super) fn times(&self, v: Triple<S>) -> Triple<S> {
+        let [xx, yy, zz, xy, yz, xz] = self.0;
+        Triple([dot([xx, xy, xz], v.0), dot([xy, yy, yz], v.0), dot([xz, yz, zz], v.0)])
+    }
+
+    /// Its product with itself.
+    #[inline(always)]
+    pub(super) fn squared(&self) -> Self {
+        let [xx, yy, zz, xy, yz, xz] = self.0;
+        let (x, y, z) = ([xx, xy, xz], [xy, yy, yz], [xz, yz, zz]);
+        Self([dot(x, x), dot(y, y), dot(z, z), dot(x, y), dot(y, z), dot(x, z)])
     }
 
     /// The same in axes of which x and y are turned back by an angle, given by sine and cosine, about z.

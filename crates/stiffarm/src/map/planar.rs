@@ -1,14 +1,14 @@
 //! Deflections over a grid of the arm plane, row by row within the circles that bound what is reached.
 
-use nalgebra::Vector2;
 use rayon::prelude::*;
 
+use super::directed::DirectedRows;
 use super::spans::{RowSpans, Scratch};
 use super::{Axis, Grid, MapError, MapOptions, PlaneGrid, Spacing};
 use crate::interval::Interval;
-use crate::load::{Component, Direction, Load};
+use crate::load::Load;
 use crate::model::PlanarModel;
-use crate::plane::{Elbow, ElbowSide, PlanarArm, RadialCompliance};
+use crate::plane::{Elbow, ElbowSide, RadialCompliance};
 
 /// Shoulder and elbow angle, rad, at a point from the joint-2 axis, with the one elbow side or the first that reaches it.
 pub(super) fn posture(model: &PlanarModel, elbow: Option<Elbow>, point: [f64; 2]) -> Option<[f64; 2]> {
@@ -62,17 +62,14 @@ pub(super) fn fill(
         }
     }
     let (arm, force) = (&model.arm, options.load.newtons());
+    let directed = options.load.sector()?.map(|sector| DirectedRows::new(arm, sector, force));
     let spans = RowSpans::new(&sides, grid.x);
     let block = (16_384 / columns).max(1);
     let fill = |(number, block_cells): (usize, &mut [f64])| {
         let first = number * block;
-        match options.load.direction() {
-            Direction::Worst => worst_rows(&arm.radial(), &spans, (grid, force), first, block_cells),
-            Direction::InPlane(angle, component) => {
-                for (j, row) in block_cells.chunks_mut(columns).enumerate() {
-                    directed_row(arm, &sides, &spans, (grid, force), (angle, component), first + j, row);
-                }
-            }
+        match &directed {
+            None => worst_rows(&arm.radial(), &spans, (grid, force), first, block_cells),
+            Some(directed) => directed.fill(&spans, grid, first, block_cells),
         }
     };
     cells.par_chunks_mut(block * columns).enumerate().for_each(fill);
@@ -111,37 +108,4 @@ fn worst_rows(
             row[blank_from..].fill(f64::NAN);
         }
     });
-}
-
-/// One row for a given direction: the smaller deflection of the sides that reach a point.
-fn directed_row(
-    arm: &PlanarArm,
-    sides: &[ElbowSide],
-    spans: &RowSpans,
-    (grid, newtons): (&PlaneGrid, f64),
-    (angle, component): (f64, Component),
-    j: usize,
-    row: &mut [f64],
-) {
-    let force = newtons * Vector2::new(angle.cos(), angle.sin());
-    let z = grid.z.at(j);
-    row.fill(f64::NAN);
-    let mut scratch = Scratch::default();
-    for (i, side) in sides.iter().enumerate() {
-        spans.reached_by(i, z, &mut scratch);
-        for span in &scratch.spans {
-            for column in span.clone() {
-                let p = Vector2::new(grid.x.at(column), z);
-                let Some(upper) = side.upper_arm(p) else {
-                    continue;
-                };
-                let moved = arm.compliance_of_links(upper, p - upper) * force;
-                let deflection = match component {
-                    Component::Total => moved.norm(),
-                    Component::Along => moved.dot(&force) / newtons,
-                };
-                row[column] = row[column].min(deflection);
-            }
-        }
-    }
 }

@@ -31,7 +31,7 @@ const MOST: usize = 4;
 /// One way to hold a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Hold {
-    /// The largest translation per force, m/N.
+    /// What counts of the translation per force, m/N.
     pub(super) worst: f64,
     pub(super) configuration: Configuration,
     /// Of the tool about its axis, rad.
@@ -250,7 +250,7 @@ mod tests {
             let Model::Spatial(model) = &self.model else { unreachable!("asked for") };
             let grid = &self.map.deflection;
             let way = self.map.space.as_ref().unwrap().at(i, j)?;
-            crate::map::section::joints(model, &held, way, [grid.x.at(i), grid.z.at(j)])
+            crate::map::section::joints(model, (self.options.load, &held), way, [grid.x.at(i), grid.z.at(j)])
         }
     }
 

@@ -11,6 +11,7 @@ use crate::batch::{SameBranch, SpatialArm};
 use crate::interval::Interval;
 use crate::inverse::{Configuration, postures, within_limits};
 use crate::limits::Limits;
+use crate::load::{Forces, Load};
 use crate::model::SpatialModel;
 use crate::tolerances;
 use crate::work::{WorkPlacement, WorkPlane};
@@ -25,28 +26,28 @@ const EQUAL: f64 = 1e-12;
 struct SectionOptions<'a> {
     x: Axis,
     z: Axis,
-    force: f64,
+    load: Load,
     held: &'a Held,
 }
 
 /// Joint angles as reported, rad, at a point held in a configuration and at a roll.
 pub(super) fn joints(
     model: &SpatialModel,
-    held: &Held,
+    (load, held): (Load, &Held),
     (configuration, roll): (Configuration, f64),
     [x, z]: [f64; 2],
 ) -> Option<[f64; 6]> {
     let arm = model.arm();
     let work = WorkPlacement { x, y: 0.0, z, yaw: held.yaw, angle: 0.0, roll };
     let theta = of_configuration(&at_centre(arm, &WorkPlane::of(held.elevation, &work), &work), configuration)?;
-    let q = within_limits(&arm.geometry, &freed(arm, held).limits, &theta);
+    let q = within_limits(&arm.geometry, &freed(arm, load, held).limits, &theta);
     Some(q.unwrap_or_else(|| arm.geometry.reported(&theta, arm.limits.third_axis)))
 }
 
-/// The worst deflection over a section, all six drives compliant, at the best configuration and roll of every point.
-pub(super) fn section(arm: &SpatialArm, x: Axis, z: Axis, force: f64, held: &Held) -> Map {
-    let options = SectionOptions { x, z, force, held };
-    let freed = freed(arm, held);
+/// The deflection over a section, all six drives compliant, at the best configuration and roll of every point.
+pub(super) fn section(arm: &SpatialArm, x: Axis, z: Axis, load: Load, held: &Held) -> Map {
+    let options = SectionOptions { x, z, load, held };
+    let freed = freed(arm, load, held);
     let scan = Scan::new(&freed, &options);
     let cells: Vec<Cell> = (0..z.count).into_par_iter().flat_map_iter(|j| scan.row(j)).collect();
     let layer = |value: fn(&Cell) -> f64| Grid { x, z, cells: cells.iter().map(value).collect() };
@@ -61,12 +62,12 @@ pub(super) fn section(arm: &SpatialArm, x: Axis, z: Axis, force: f64, held: &Hel
 /// The upright box, m from the base, outside which the tool reaches nothing in this direction: ahead, upwards.
 ///
 /// Found on a 96 x 192 grid and widened by one step; `None` where nothing is reached.
-pub(super) fn reached_box(arm: &SpatialArm, held: &Held) -> Result<Option<[Interval; 2]>, MapError> {
+pub(super) fn reached_box(arm: &SpatialArm, load: Load, held: &Held) -> Result<Option<[Interval; 2]>, MapError> {
     let [ahead, up] = arm.reach();
     let x = Axis::between(0.0, ahead.max(), 96);
     let z = Axis::between(up.min(), up.max(), 192);
     check_grid(x, z, MOST_CELLS_IN_SPACE)?;
-    let found = section(arm, x, z, 1.0, held).deflection;
+    let found = section(arm, x, z, load, held).deflection;
     let reached = |i: usize, j: usize| found.get(i, j).is_some();
     let columns: Vec<usize> = (0..x.count).filter(|&i| (0..z.count).any(|j| reached(i, j))).collect();
     let rows: Vec<usize> = (0..z.count).filter(|&j| (0..x.count).any(|i| reached(i, j))).collect();
@@ -87,10 +88,11 @@ struct Cell {
     posture: Option<(Configuration, f64)>,
 }
 
-/// The arm without the limits that are left aside.
-fn freed(arm: &SpatialArm, held: &Held) -> SpatialArm {
+/// The arm without the limits that are left aside. Under a force that tells one bearing from another, the section stands for itself
+/// alone, and joint 1 keeps its own.
+fn freed(arm: &SpatialArm, load: Load, held: &Held) -> SpatialArm {
     let roll_is_free = held.roll.is_none() && arm.tool_turns_about_axis_6();
-    arm.without_limit_on(0, true).without_limit_on(5, roll_is_free)
+    arm.without_limit_on(0, !load.breaks_symmetry()).without_limit_on(5, roll_is_free)
 }
 
 /// All postures at the centre of a zone.
@@ -121,6 +123,8 @@ struct Scan<'a> {
     roll: Roll<'a>,
     /// Those that are asked for.
     configurations: Vec<Configuration>,
+    /// That may act, whatever the roll; any where `None`.
+    forces: Option<Forces>,
 }
 
 impl<'a> Scan<'a> {
@@ -129,6 +133,7 @@ impl<'a> Scan<'a> {
             .into_iter()
             .filter(|configuration| options.held.configuration.is_none_or(|only| only == *configuration))
             .collect();
+        let forces = Self::plane(options, &Self::work(options, 0.0, 0.0, 0.0)).forces(options.load);
         let roll = match options.held.roll {
             Some(roll) => Roll::One(roll),
             None if freed.tool_turns_about_axis_6() => Roll::One(0.0),
@@ -137,12 +142,12 @@ impl<'a> Scan<'a> {
                     [0.0, FRAC_PI_2, PI].map(|roll| Self::plane(options, &Self::work(options, 0.0, 0.0, roll)));
                 Roll::Any(Rolls::new(
                     freed,
-                    freed.rolled_tool(planes.each_ref().map(WorkPlane::tool)),
+                    freed.rolled_tool(planes.each_ref().map(WorkPlane::tool)).under(forces),
                     configurations.clone(),
                 ))
             }
         };
-        Self { options, freed, roll, configurations }
+        Self { options, freed, roll, configurations, forces }
     }
 
     fn work(options: &SectionOptions, x: f64, z: f64, roll: f64) -> WorkPlacement {
@@ -169,7 +174,8 @@ impl<'a> Scan<'a> {
         let mut rows = values.iter_mut().map(Vec::as_mut_slice);
         let into = std::array::from_fn(|_| rows.next().expect("one row per configuration"));
         let plane = Self::plane(self.options, &Self::work(self.options, 0.0, 0.0, roll));
-        self.freed.configurations_at(&self.freed.orientation(plane.tool()), &SameBranch::default(), [x, &y, &z], into);
+        let orientation = self.freed.orientation(plane.tool()).under(self.forces);
+        self.freed.configurations_at(&orientation, &SameBranch::default(), [x, &y, &z], into);
         let at = |i: usize| {
             let holds = self.configurations.iter().map(|&configuration| Hold {
                 worst: values[configuration.index()][i],
@@ -205,7 +211,7 @@ impl<'a> Scan<'a> {
             Some(rooms.fold(enclosed, f64::min).max(0.0))
         });
         Cell {
-            worst: hold.worst * self.options.force,
+            worst: hold.worst * self.options.load.newtons(),
             limit_margin: limit_margin.unwrap_or(0.0),
             singular_margin: theta.map_or(0.0, |theta| self.freed.geometry.singular_margin(&theta)),
             posture: Some((hold.configuration, hold.roll)),
@@ -219,6 +225,7 @@ mod tests {
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
     use crate::inverse::reached;
+    use crate::load::Component;
     use crate::model::Model;
     use crate::robot::Robot;
     use crate::spatial::Pose;
@@ -236,7 +243,7 @@ mod tests {
             let (x, z) = (Axis::between(0.4, 2.6, 8), Axis::between(0.2, 2.2, 7));
             let held = Held { elevation: [-FRAC_PI_2, 0.0][n / 2], yaw: 0.2, roll: Some(0.3), configuration: None };
             let model = spatial(robot, &tool);
-            let map = section(model.arm(), x, z, 1000.0, &held);
+            let map = section(model.arm(), x, z, Load::PAPER, &held);
             let found = map.space.as_ref().unwrap();
             for j in 0..7 {
                 for i in 0..8 {
@@ -250,7 +257,7 @@ mod tests {
                             assert!((worst - expected).abs() <= 1e-7 * expected, "{} {work:?}", robot.name);
                             let (configuration, roll) = found.at(i, j).unwrap();
                             assert!(ways.iter().any(|way| way.0 == configuration) && roll == 0.3, "{configuration}");
-                            let q = joints(&model, &held, (configuration, roll), [work.x, work.z]).unwrap();
+                            let q = joints(&model, (Load::PAPER, &held), (configuration, roll), [work.x, work.z]).unwrap();
                             let at = compliance(robot, &q, &tool).unwrap().tool;
                             assert!((at.inverse() * pose).translation.vector.norm() < 1e-9, "{} {q:?}", robot.name);
                         }
@@ -262,12 +269,53 @@ mod tests {
     }
 
     #[test]
+    fn under_a_force_of_known_direction_every_cell_is_what_single_postures_give() {
+        let feed = Some(0.7);
+        let tool_force = Load::along_tool([300.0, -100.0, 50.0], feed).unwrap();
+        let any_feed = Load::along_tool([300.0, -100.0, 50.0], None).unwrap();
+        let base = Load::along_base([30.0, 40.0, -120.0]).unwrap();
+        let loads = [
+            tool_force,
+            tool_force.with_cone(0.4).unwrap().counting(Component::Normal),
+            any_feed,
+            any_feed.with_cone(0.3).unwrap().counting(Component::Along),
+            base.with_cone(0.2).unwrap(),
+            Load::worst(500.0).unwrap().counting(Component::Normal),
+        ];
+        let (robot, tool) = (&paper_robots()[4], Pose::translation(0.15, 0.0, 0.1));
+        let (x, z) = (Axis::between(0.4, 2.6, 7), Axis::between(0.2, 2.2, 6));
+        let mut told = 0;
+        for (n, load) in loads.into_iter().enumerate() {
+            let held = Held { elevation: -FRAC_PI_2 + 0.4 * n as f64, yaw: 0.2, roll: Some(0.3), configuration: None };
+            let map = section(spatial(robot, &tool).arm(), x, z, load, &held).deflection;
+            for (i, j) in (0..42).map(|cell| (cell % 7, cell / 7)) {
+                let work = WorkPlacement { x: x.at(i), z: z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
+                let plane = WorkPlane::of(held.elevation, &work);
+                let flange = plane.pose(&work, [0.0; 2]) * tool.inverse();
+                let columns = [plane.first, plane.second, -Vector3::from(plane.tool().column(2))];
+                let forces = load.forces(&nalgebra::Matrix3::from_columns(&columns));
+                let values = reached(robot, &flange).into_iter().map(|(_, q)| {
+                    let posture = compliance(robot, &q, &tool).unwrap();
+                    forces.largest(&posture.compliance.translation()).value * load.newtons()
+                });
+                let expected = values.reduce(f64::min);
+                assert_eq!(map.get(i, j).is_some(), expected.is_some(), "{load:?} {work:?}");
+                if let (Some(found), Some(expected)) = (map.get(i, j), expected) {
+                    told += 1;
+                    assert!((found - expected).abs() <= 1e-6 * expected, "{load:?} {work:?}: {found} {expected}");
+                }
+            }
+        }
+        assert!(60 < told, "{told}");
+    }
+
+    #[test]
     fn the_roll_of_a_flange_changes_nothing_and_the_best_roll_of_a_tool_aside_is_no_worse_than_any() {
         let robot = &paper_robots()[4];
         let (x, z) = (Axis::between(0.8, 2.4, 9), Axis::between(0.3, 2.0, 9));
         let mapped = |tool: Pose, roll: Option<f64>| {
             let held = Held { elevation: 0.0, roll, ..Held::TOOL_DOWN };
-            section(spatial(robot, &tool).arm(), x, z, 1.0, &held).deflection
+            section(spatial(robot, &tool).arm(), x, z, Load::UNIT, &held).deflection
         };
         let (best, rolled) = (mapped(Pose::identity(), None), mapped(Pose::identity(), Some(1.0)));
         let aside = Pose::translation(0.2, 0.0, 0.1);

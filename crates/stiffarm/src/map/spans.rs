@@ -7,7 +7,7 @@ use nalgebra::Vector2;
 
 use super::Axis;
 use crate::interval::Interval;
-use crate::plane::ElbowSide;
+use crate::plane::{Elbow, ElbowSide};
 
 /// The part of a step within which a column counts as standing on the edge.
 const EDGE: f64 = 1e-9;
@@ -18,7 +18,9 @@ const EDGE: f64 = 1e-9;
 /// so between two crossings one question settles every cell.
 pub(super) struct RowSpans<'a> {
     x: Axis,
-    /// The square of every column's x.
+    /// Every column's x.
+    pub(super) points: Vec<f64>,
+    /// Their squares.
     pub(super) squares: Vec<f64>,
     gates: Vec<Gate<'a>>,
 }
@@ -34,7 +36,9 @@ pub(super) struct Scratch {
 
 impl<'a> RowSpans<'a> {
     pub(super) fn new(sides: &'a [ElbowSide], x: Axis) -> Self {
-        Self { x, squares: x.points().iter().map(|x| x * x).collect(), gates: sides.iter().map(Gate::new).collect() }
+        let points = x.points();
+        let squares = points.iter().map(|x| x * x).collect();
+        Self { x, points, squares, gates: sides.iter().map(Gate::new).collect() }
     }
 
     /// Finds the columns of the row at height `z` that some side reaches.
@@ -49,11 +53,27 @@ impl<'a> RowSpans<'a> {
         }
     }
 
-    /// Finds the columns of the row at height `z` that side `i` reaches.
-    pub(super) fn reached_by(&self, i: usize, z: f64, scratch: &mut Scratch) {
-        self.append(&self.gates[i], z, scratch);
-        scratch.spans.clear();
-        scratch.spans.append(&mut scratch.of_side);
+    /// Finds the columns of the row at height `z` that are reached, and whether with the elbow up, with the elbow down.
+    pub(super) fn by_elbow(&self, z: f64, scratch: &mut Scratch, pieces: &mut Vec<(Span<usize>, [bool; 2])>) {
+        let [up, down] = [Elbow::Up, Elbow::Down].map(|elbow| {
+            scratch.spans.clear();
+            for gate in self.gates.iter().filter(|gate| gate.side.elbow == elbow) {
+                self.append(gate, z, scratch);
+                scratch.spans.append(&mut scratch.of_side);
+            }
+            merge(&mut scratch.spans);
+            std::mem::take(&mut scratch.spans)
+        });
+        pieces.clear();
+        let ends = |spans: &[Span<usize>]| spans.iter().flat_map(|span| [span.start, span.end]).collect::<Vec<_>>();
+        let mut cuts = [ends(&up), ends(&down)].concat();
+        cuts.sort_unstable();
+        cuts.dedup();
+        let holds = |spans: &[Span<usize>], at: usize| spans.iter().any(|span| span.contains(&at));
+        pieces.extend(cuts.windows(2).filter_map(|pair| {
+            let by = [holds(&up, pair[0]), holds(&down, pair[0])];
+            (by != [false; 2]).then_some((pair[0]..pair[1], by))
+        }));
     }
 
     fn append(&self, gate: &Gate, z: f64, scratch: &mut Scratch) {

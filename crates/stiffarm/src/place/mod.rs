@@ -14,7 +14,7 @@ pub use spatial::{Resolution, ZonePoint};
 use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::load::{Direction, Load};
+use crate::load::Load;
 use crate::model::{ArmPosture, Model, ModelError, ModelKind};
 use crate::part::{Face, Part};
 use crate::plane::Elbow;
@@ -551,7 +551,7 @@ pub fn deflection_field(
 }
 
 fn check(zone: Zone, options: &PlaceOptions) -> Result<(), PlaceError> {
-    if options.load.direction() != Direction::Worst {
+    if !options.load.is_worst() {
         return Err(PlaceError::Directed);
     }
     if let Orientation::Fixed(angle) = options.orientation

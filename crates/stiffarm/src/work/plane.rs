@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
+use crate::load::{Forces, Load};
 use crate::root::root;
 use crate::spatial::Pose;
 use crate::task::Zone;
@@ -55,6 +56,12 @@ impl WorkPlane {
     /// The tool's axes in those of the base.
     pub(crate) fn tool(&self) -> &Matrix3<f64> {
         &self.tool
+    }
+
+    /// The forces that may act at its points, base axes; any where `None`.
+    pub(crate) fn forces(&self, load: Load) -> Option<Forces> {
+        let away = -self.tool.column(2);
+        (!load.is_worst()).then(|| load.forces(&Matrix3::from_columns(&[self.first, self.second, away])))
     }
 
     /// A point of the plane, m from the zone's centre along its sides; base axes.
