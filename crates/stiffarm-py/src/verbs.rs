@@ -1,6 +1,5 @@
 //! The verbs, with the options of the command line.
 
-use nalgebra::Vector3;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -68,9 +67,8 @@ fn json_of(cell: &Cell) -> Value {
 pub(crate) fn posture<'py>(py: Python<'py>, robot: &Robot, joints_deg: [f64; 6], asked: Asked) -> Answer<'py> {
     let asked = asked.of(Verb::Compliance)?;
     let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
-    let force = asked.force_along().map(Vector3::from);
     let posture = compliance(robot, &joints_deg.map(f64::to_radians), &asked.held().tool()).map_err(of(robot))?;
-    let answer = ComplianceAnswer { robot: robot.clone(), joints_deg, posture, force };
+    let answer = ComplianceAnswer { robot: robot.clone(), joints_deg, posture, load: asked.posture_load() };
     to_python(py, &answer.json())
 }
 

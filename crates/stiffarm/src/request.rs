@@ -4,6 +4,7 @@
 //! same in the same words, in their own spelling.
 
 pub mod job;
+mod forces;
 mod kind;
 mod notation;
 mod options;
@@ -12,7 +13,9 @@ mod settings;
 mod wishes;
 
 pub use kind::{Count, Kind};
-pub use notation::{Angle, degrees, elevation, number, open_range, shape, spindle, tool, within, yaw};
+pub use notation::{
+    Angle, Force, degrees, elevation, force, number, open_range, shape, spindle, tool, within, yaw,
+};
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};
 pub use settings::{Absent, Of, SETTINGS, Setting, Verb};
@@ -79,6 +82,7 @@ impl Request {
         }
         request.check_long_side()?;
         request.check_parts()?;
+        request.check_force()?;
         Ok(request)
     }
 

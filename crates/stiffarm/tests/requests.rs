@@ -111,7 +111,7 @@ fn told(request: &Request) -> String {
         }
         Verb::Compliance => {
             let (robot, joints) = (request.robot().ok(), request.joints_deg().ok());
-            format!("{robot:?} {joints:?} {:?} {:?}", request.force_along(), request.held())
+            format!("{robot:?} {joints:?} {:?} {:?}", request.posture_load(), request.held())
         }
         Verb::Study => format!("{:?}", request.study()),
     });
@@ -197,7 +197,13 @@ fn what_makes_no_sense_is_refused_with_option_value_and_what_is_expected() {
         (Verb::Place, &[("force-n", "1"), ("force-n", "2")], "--force-n is given twice; expected one value"),
         (Verb::Place, &[("force-n", "nan")], "invalid value 'nan' for '--force-n <N>': expected a number from 0.001"),
         (Verb::Map, &[("size", "9"), ("step-m", "0.1")], "--size and --step-m exclude each other; give one of them"),
-        (Verb::Map, &[("component", "along")], "--component needs --direction-deg"),
+        (Verb::Map, &[("force-cone-deg", "9")], "--force-cone-deg needs --force-n"),
+        (Verb::Map, &[("force-cone-deg", "9"), ("force-n", "4")], "--force-cone-deg is the doubt about where a force points"),
+        (Verb::Map, &[("component", "normal")], "--component normal to the face is a matter of the spatial model"),
+        (Verb::Place, &[("force-n", "3,-4,5")], "--force-n pushes with -4 N across the arm plane"),
+        (Verb::Rank, &[("force-n", "3,0,5"), ("direction-deg", "9")], "--direction-deg is the direction of a force that"),
+        (Verb::Place, &[("force-n", "3,4")], "invalid value '3,4' for '--force-n <N>': expected a number from 0.001 to 1000000 N, or three"),
+        (Verb::Compliance, &[("force-n", "3,4,5"), ("force-axes", "base"), ("feed-deg", "9")], "--feed-deg turns nothing"),
         (Verb::Map, &[("elbow", "left")], "invalid value 'left' for '--elbow <ELBOW>': expected up or down"),
         (Verb::Compliance, &[("joints-deg", "1,2")], "--joints-deg has 2 angles; expected six, separated by commas"),
         (Verb::Study, &[("k2", "1,2,3")], "--k2 has 3 values; expected one for both architectures, or two"),
@@ -302,7 +308,7 @@ fn a_fault_of_a_job_names_file_line_key_value_and_what_was_expected() {
         ),
         ("verb = 'rank'\ntask = 1", "job.toml:2: invalid value '1' for 'task': expected a text in quotes"),
         ("verb = 'rank'\nforce-n = true", "job.toml:2: invalid value 'true' for 'force-n': expected a number"),
-        ("verb = 'rank'\nforce-n = [1, 2]", "job.toml:2: invalid value 'a list' for 'force-n': expected one value"),
+        ("verb = 'rank'\nforce-n = [1, 2]", "job.toml:2: invalid value '1,2' for 'force-n': expected a number from"),
         ("verb = 'rank'\ntask = []", "job.toml:2: invalid value 'a list' for 'task': expected at least one value"),
         ("verb = 'rank'\nforce-n = nan", "job.toml:2: invalid value 'nan' for 'force-n': expected a number from"),
         ("verb = 'rank'\nforce-n = 0x10", "job.toml:2: invalid value '10' for 'force-n': expected a number"),

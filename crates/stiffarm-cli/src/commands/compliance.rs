@@ -26,14 +26,14 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let robot = asked.equipped(selection::robot(&name, common)?)?;
     let q = asked.joints_deg()?;
     let tool = asked.held().tool();
-    let force = asked.force_along().map(Vector3::from);
+    let load = asked.posture_load();
     let radians = q.map(f64::to_radians);
     let posture =
         compliance(&robot, &radians, &tool).map_err(|error| Failure::Posture { robot: robot.name.clone(), error })?;
     if !common.quiet {
         remarks(&robot, &q, &radians);
     }
-    let answer = ComplianceAnswer { robot, joints_deg: q, posture, force };
+    let answer = ComplianceAnswer { robot, joints_deg: q, posture, load };
     outputs.deliver(&ComplianceOutput { answer, tool })
 }
 

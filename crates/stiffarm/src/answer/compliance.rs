@@ -5,9 +5,10 @@ use serde_json::Value;
 
 use super::stiffness::{self, stiffness};
 use super::words::{self, fixed, percentages};
-use super::{Cell, Column, ColumnKind, Datum, Record, Rows, Table, columns_of, field, line, with_schema};
+use super::{Cell, Column, ColumnKind, Datum, Record, Rows, Table, columns_of, field, force, line, with_schema};
 use crate::batch::{RowError, Units, matrices_of_rows, worst_of_rows};
 use crate::compliance::Posture;
+use crate::load::{Direction, Largest, Load};
 use crate::robot::Robot;
 use crate::spatial::{Pose, Wrench};
 
@@ -23,25 +24,40 @@ pub struct ComplianceAnswer {
     pub joints_deg: [f64; 6],
     /// What was found.
     pub posture: Posture,
-    /// A force at the tool point, base axes, N.
-    pub force: Option<Vector3<f64>>,
+    /// A force at the tool point.
+    pub load: Option<Load>,
 }
 
 impl ComplianceAnswer {
-    /// Translation, m, and rotation, rad, under the force.
+    /// What the force does at most.
+    fn largest(&self) -> Option<Largest> {
+        self.load.map(|load| self.posture.under(load))
+    }
+
+    /// The force, base axes, N: as it was given, or of those that it may be the one that does most.
+    pub fn force(&self) -> Option<Vector3<f64>> {
+        let load = self.load?;
+        match load.direction() {
+            Direction::Base(force) if load.cone() == 0.0 => Some(force.into()),
+            _ => self.largest().map(|largest| largest.force * load.newtons()),
+        }
+    }
+
+    /// Translation, m, and rotation, rad, under that force.
     pub fn deflection(&self) -> Option<(Vector3<f64>, Vector3<f64>)> {
-        self.force.map(|force| self.posture.compliance.deflection(&Wrench::force(force)))
+        self.force().map(|force| self.posture.compliance.deflection(&Wrench::force(force)))
     }
 
     /// Every field.
     pub fn record(&self) -> Record {
-        let Self { robot, joints_deg, posture, force } = self;
+        let Self { robot, joints_deg, posture, load } = self;
         let (translation, whole) = (posture.compliance.translation(), posture.compliance.0);
         let (_, worst) = posture.compliance.worst();
         let by_rows = |size: usize, at: &dyn Fn(usize, usize) -> f64| {
             Datum::Numbers((0..size * size).map(|n| Some(at(n / size, n % size))).collect())
         };
-        let moved = self.deflection();
+        let (force, moved) = (self.force(), self.deflection());
+        let counted = load.zip(self.largest()).map(|(load, largest)| largest.value * load.newtons());
         let mut record = Record::new();
         record
             .put(field::ROBOT, &robot.name)
@@ -61,7 +77,9 @@ impl ComplianceAnswer {
             .put(field::WORST_SHARES, posture.shares(&worst))
             .put(field::FORCE_VECTOR, force.as_ref().map(Vector3::as_slice))
             .put(field::MOVED, moved.as_ref().map(|moved| moved.0.as_slice()))
-            .put(field::TURNED, moved.as_ref().map(|moved| moved.1.as_slice()));
+            .put(field::TURNED, moved.as_ref().map(|moved| moved.1.as_slice()))
+            .put(field::COUNTED, counted);
+        force::put_direction(&mut record, *load);
         record
     }
 
@@ -86,7 +104,7 @@ impl ComplianceAnswer {
 
     /// For people.
     pub fn table(&self) -> Table {
-        let Self { robot, joints_deg, posture, .. } = self;
+        let Self { robot, joints_deg, posture, load } = self;
         let mut lines = vec![
             line("robot", words::robot(robot)),
             line("stiffness", stiffness(robot)),
@@ -104,15 +122,21 @@ impl ComplianceAnswer {
             let row = posture.compliance.translation().row(i).map(|x| fixed(x * 1e6, 4));
             lines.push(line(name, format!("{} um/N", row.iter().cloned().collect::<Vec<_>>().join(", "))));
         }
-        if let (Some(force), Some((moved, turned))) = (self.force, self.deflection()) {
-            lines.push(line("force", format!("{} N", vector(&force, 1))));
+        if let (Some(load), Some(force), Some((moved, turned))) = (load, self.force(), self.deflection()) {
+            if matches!(load.direction(), Direction::Base(_)) && load.cone() == 0.0 {
+                lines.push(line("force", format!("{} N", vector(&force, 1))));
+            } else {
+                lines.push(line("force", words::force(*load)));
+                lines.push(line("of these the one that does most", format!("{} N", vector(&force, 1))));
+            }
             let whole = moved.norm() * 1e3;
             lines.push(line("deflection", format!("{} mm, {whole:.4} mm in all", vector(&(moved * 1e3), 4))));
-            lines.push(line("rotation", format!("{} mrad", vector(&(turned * 1e3), 4))));
-            if 0.0 < force.norm() {
-                let shares = percentages(&posture.shares(&force.normalize()));
-                lines.push(line("share of drives 1-6 along the force", shares));
+            if let (false, Some(largest)) = (words::component(*load).is_empty(), self.largest()) {
+                lines.push(line(words::component(*load), format!("{:.4} mm", largest.value * load.newtons() * 1e3)));
             }
+            lines.push(line("rotation", format!("{} mrad", vector(&(turned * 1e3), 4))));
+            let shares = percentages(&posture.shares(&force.normalize()));
+            lines.push(line("share of drives 1-6 along the force", shares));
         }
         Table::of_lines(lines)
     }

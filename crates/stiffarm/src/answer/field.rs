@@ -191,9 +191,10 @@ fields! {
     COMPLIANCE_6X6: "compliance_6x6_si", Kind::Numbers { unit: Unit::One, columns: &[], nested: 6 }, "From wrench to translation and rotation, base axes, SI.";
     PRINCIPAL: "principal_um_per_n", numbers(Unit::MicrometrePerNewton, &[]), "Principal compliances, ascending.";
     WORST_DIRECTION: "worst_direction", numbers(Unit::One, &[]), "The unit direction of the last of them.";
-    FORCE_VECTOR: "force_n", numbers(Unit::Newton, &["fx_n", "fy_n", "fz_n"]), "The force at the tool point, base axes.";
+    FORCE_VECTOR: "force_n", numbers(Unit::Newton, &["fx_n", "fy_n", "fz_n"]), "The force at the tool point, base axes: as given, or of those that it may be the one that does most.";
     MOVED: "deflection_mm", numbers(Unit::Millimetre, &["dx_mm", "dy_mm", "dz_mm"]), "The translation under it.";
     TURNED: "rotation_mrad", numbers(Unit::Milliradian, &["rx_mrad", "ry_mrad", "rz_mrad"]), "The rotation under it.";
+    COUNTED: "largest_mm", Kind::Number(Unit::Millimetre), "What counts of the translation, the largest that the force may cause.";
     SIZE: "d", Kind::Number(Unit::One), "The size over l2 + l3.";
     MU: "mu_l3_over_l2", Kind::Number(Unit::One), "The link ratio; null where every contender has its best.";
     IS_BEST: "best", Kind::Truth, "The link ratio is the best.";

@@ -6,19 +6,25 @@ use crate::load::{Component, Direction, Load};
 
 /// Every field of a load.
 pub(super) fn put(record: &mut Record, load: Load) {
-    let (axes, along, feed) = match load.direction() {
-        Direction::Worst => (None, None, None),
-        Direction::InPlane(angle) => (Some("base"), Some([angle.cos(), 0.0, angle.sin()]), None),
-        Direction::Base(force) => (Some("base"), Some(force.map(|part| part / load.newtons())), None),
-        Direction::Tool { force, feed } => (Some("tool"), Some(force.map(|part| part / load.newtons())), feed),
+    record.put(field::FORCE, load.newtons());
+    put_direction(record, Some(load));
+}
+
+/// The fields that say which way a load points, and what counts.
+pub(super) fn put_direction(record: &mut Record, load: Option<Load>) {
+    let unit = |load: Load, force: [f64; 3]| Some(force.map(|part| part / load.newtons()));
+    let (axes, along, feed) = match load.map(|load| (load, load.direction())) {
+        None | Some((_, Direction::Worst)) => (None, None, None),
+        Some((_, Direction::InPlane(angle))) => (Some("base"), Some([angle.cos(), 0.0, angle.sin()]), None),
+        Some((load, Direction::Base(force))) => (Some("base"), unit(load, force), None),
+        Some((load, Direction::Tool { force, feed })) => (Some("tool"), unit(load, force), feed),
     };
     record
-        .put(field::FORCE, load.newtons())
         .put(field::FORCE_AXES, axes)
         .put(field::FORCE_DIRECTION, along)
-        .put(field::FORCE_CONE, axes.map(|_| asked_degrees(load.cone())))
+        .put(field::FORCE_CONE, axes.and(load).map(|load| asked_degrees(load.cone())))
         .put(field::FEED, feed.map(asked_degrees))
-        .put(field::COMPONENT, load.component().name());
+        .put(field::COMPONENT, load.map(|load| load.component().name()));
 }
 
 /// A force and its direction.

@@ -168,6 +168,7 @@ fn texts(setting: Option<&Setting>, value: &DeValue) -> Result<Vec<String>, Stri
     let several = |kind| items.iter().map(|item| scalar(kind, item.get_ref())).collect::<Result<Vec<_>, _>>();
     match kind {
         Some(Kind::Tool) => several(Some(Kind::Elevation)).map(|parts| vec![parts.join(",")]),
+        Some(Kind::Force) => several(kind).map(|parts| vec![parts.join(",")]),
         Some(Kind::Within) => several(Some(Kind::Text)).map(|parts| vec![parts.join(",")]),
         Some(Kind::Range { .. }) => several(Some(Kind::Elevation)).map(|ends| vec![ends.join("..")]),
         // An option that has no row is refused by its name, whatever its value.
@@ -231,8 +232,8 @@ fn literal(kind: Kind, text: &str, folder: &Path) -> String {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite()).map(|x| x.to_string());
     match kind {
         Kind::Robot => quoted(&seen_from(folder, text.trim())),
-        Kind::Tool => {
-            let parts: Vec<String> = text.split(',').map(|part| number(part).expect("a tool is numbers")).collect();
+        Kind::Tool | Kind::Force if text.contains(',') => {
+            let parts: Vec<String> = text.split(',').map(|part| number(part).expect("all are numbers")).collect();
             format!("[{}]", parts.join(", "))
         }
         kind if kind.may_be_number() => number(text).unwrap_or_else(|| quoted(text)),

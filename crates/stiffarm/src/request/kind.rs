@@ -1,6 +1,6 @@
 //! What does an option take, and which value does a text stand for?
 
-use super::notation::{Angle, elevation, number, open_range, shape, spindle, tool, within, yaw};
+use super::notation::{Angle, Force, elevation, force, number, open_range, shape, spindle, tool, within, yaw};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::place::Within;
@@ -34,6 +34,8 @@ pub enum Kind {
         /// The largest.
         max: usize,
     },
+    /// N: a size, or three numbers along axes.
+    Force,
     /// `a..b`.
     Range {
         /// Neither end may be left open.
@@ -107,6 +109,7 @@ pub(super) enum Value {
     Word(&'static str),
     Number(f64),
     Whole(usize),
+    Force(Force),
     Interval(Interval),
     Within(Within),
     Angle(Angle),
@@ -139,9 +142,9 @@ impl Kind {
         )
     }
 
-    /// A job file has it as a number, never as a text.
+    /// A job file has it as a number (or as a list of some), never as a text.
     pub(super) fn is_number(self) -> bool {
-        matches!(self, Self::Number { .. } | Self::Whole { .. })
+        matches!(self, Self::Number { .. } | Self::Whole { .. } | Self::Force)
     }
 
     /// A job file may have it as a number.
@@ -163,6 +166,7 @@ impl Kind {
                 let whole = text.trim().parse().ok().filter(|whole| (min..=max).contains(whole));
                 whole.map(Value::Whole).ok_or_else(|| format!("expected a whole number from {min} to {max}"))
             }
+            Self::Force => force(text).map(Value::Force),
             Self::Range { is_bounded } => match open_range(text)? {
                 range if is_bounded && !range.is_bounded() => Err("it takes both ends, e.g. 0.5..1.5".into()),
                 range => Ok(Value::Interval(range)),

@@ -75,6 +75,35 @@ pub fn degrees(text: &str) -> Result<f64, String> {
     number(text, -360.0, 360.0, "degrees")
 }
 
+/// A force as people give it, N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Force {
+    /// Its size alone.
+    Size(f64),
+    /// Along three axes.
+    Along([f64; 3]),
+}
+
+/// A size, or `x,y,z`, N.
+///
+/// # Errors
+/// What was expected.
+pub fn force(text: &str) -> Result<Force, String> {
+    const LEAST: f64 = 1e-3;
+    const MOST: f64 = 1e6;
+    if !text.contains(',') {
+        let several = |why| format!("{why}, or three along its axes, separated by commas");
+        return number(text, LEAST, MOST, "N").map(Force::Size).map_err(several);
+    }
+    let expected =
+        || format!("expected a number from {LEAST} to {MOST} N, or three along its axes that together are as much");
+    let parts: Vec<f64> =
+        text.split(',').map(|part| number(part, -MOST, MOST, "")).collect::<Result<_, _>>().map_err(|_| expected())?;
+    let force: [f64; 3] = parts.try_into().map_err(|_| expected())?;
+    let size = force.iter().map(|part| part * part).sum::<f64>().sqrt();
+    if (LEAST..=MOST).contains(&size) { Ok(Force::Along(force)) } else { Err(expected()) }
+}
+
 /// A tool that is shorter than this, mm, was given in metres.
 const SHORTEST_TOOL: f64 = 5.0;
 
@@ -219,6 +248,15 @@ mod tests {
         assert_eq!(within("1..").unwrap().z, Interval::ALL);
         for bad in ["", "1", "2..1,..", "a..b,..", "1..2,..,3", "nan..1,..", "1..inf,.."] {
             assert!(within(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn a_force_is_one_number_or_three() {
+        assert_eq!(force("400"), Ok(Force::Size(400.0)));
+        assert_eq!(force(" 300, 0,-50.5"), Ok(Force::Along([300.0, 0.0, -50.5])));
+        for bad in ["", "-1", "0", "1,2", "1,2,3,4", "0,0,0", "1e6,1e6,0", "1,nan,0", "a", "1,2,inf", "1e-4,0,0"] {
+            assert!(force(bad).is_err(), "{bad}");
         }
     }
 

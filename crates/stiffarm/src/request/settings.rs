@@ -167,6 +167,11 @@ const ROW: Setting = Setting {
     example: "",
     is_positional: false,
 };
+/// Those along which a force of three numbers points.
+const AXES: Kind = Kind::Word(&[
+    ("base", "Those of the base: ahead, to the left, up"),
+    ("tool", "Those of the work: along the feed, across it (left of the feed, seen from the spindle), axial (away from the work)"),
+]);
 /// Of the drives' compliances in a study.
 const RELATIVE: Setting = Setting {
     verbs: STUDY,
@@ -272,30 +277,6 @@ pub static SETTINGS: &[Setting] = &[
         ..ROW
     },
     Setting {
-        name: "direction-deg",
-        verbs: MAP,
-        of: Of::Planar,
-        kind: degrees_of(360.0, "degrees"),
-        unit: "deg",
-        value: "DEG",
-        absent: Absent::Means("the worst in every point"),
-        help: "Direction of the force, counter-clockwise from straight ahead",
-        example: "30",
-        ..ROW
-    },
-    Setting {
-        name: "component",
-        verbs: MAP,
-        of: Of::Planar,
-        kind: Kind::Word(&[("total", ""), ("along", "")]),
-        value: "COMPONENT",
-        absent: Absent::Means("total"),
-        needs: &[(Verb::Map, "direction-deg")],
-        help: "The whole displacement, or its part along the force",
-        example: "along",
-        ..ROW
-    },
-    Setting {
         name: "elbow",
         verbs: MAP,
         of: Of::Planar,
@@ -367,12 +348,81 @@ pub static SETTINGS: &[Setting] = &[
     Setting {
         name: "force-n",
         verbs: PLACING,
-        kind: number_of(1e-3, 1e6, "N"),
+        kind: Kind::Force,
         unit: "N",
         value: "N",
         absent: Absent::Default("1000"),
-        help: "Cutting force",
-        example: "500",
+        help: "Cutting force: its size, in its worst direction; or three numbers along the feed, across it and axial (away from the work), in the planar model ahead,0,up",
+        example: "300,0,100",
+        ..ROW
+    },
+    Setting {
+        name: "force-axes",
+        verbs: PLACING,
+        of: Of::Spatial,
+        kind: AXES,
+        value: "AXES",
+        absent: Absent::Means("tool"),
+        needs: &[(Verb::Rank, "force-n"), (Verb::Place, "force-n"), (Verb::Map, "force-n")],
+        help: "Along which axes a force of three numbers points",
+        example: "base",
+        ..ROW
+    },
+    Setting {
+        name: "feed-deg",
+        verbs: PLACING,
+        of: Of::Spatial,
+        kind: degrees_of(360.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Means("the worst of all directions"),
+        needs: &[(Verb::Rank, "force-n"), (Verb::Place, "force-n"), (Verb::Map, "force-n")],
+        help: "Direction of the feed in the face, from the first side of the zone towards the second; of a circle and of a map from straight ahead, on a wall from upright",
+        example: "30",
+        ..ROW
+    },
+    Setting {
+        name: "direction-deg",
+        verbs: PLACING,
+        of: Of::Planar,
+        kind: degrees_of(360.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Means("the worst in every point"),
+        help: "Direction of the force in the arm plane, counter-clockwise from straight ahead",
+        example: "30",
+        ..ROW
+    },
+    Setting {
+        name: "force-cone-deg",
+        verbs: BENDING,
+        kind: number_of(0.0, 90.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Means("0"),
+        needs: &[
+            (Verb::Rank, "force-n"),
+            (Verb::Place, "force-n"),
+            (Verb::Map, "force-n"),
+            (Verb::Compliance, "force-n"),
+        ],
+        help: "Half angle of a cone about its direction in which the force may point: the largest deflection over it",
+        example: "20",
+        ..ROW
+    },
+    Setting {
+        name: "component",
+        verbs: BENDING,
+        kind: Kind::Word(&[
+            ("total", "All of the displacement"),
+            ("normal", "Its part along the tool axis, normal to the face"),
+            ("along", "Its part along the force"),
+        ]),
+        value: "COMPONENT",
+        absent: Absent::Default("total"),
+        needs: &[(Verb::Compliance, "force-n")],
+        help: "What of the displacement counts",
+        example: "along",
         ..ROW
     },
     Setting {
@@ -466,12 +516,34 @@ pub static SETTINGS: &[Setting] = &[
     Setting {
         name: "force-n",
         verbs: COMPLIANCE,
-        kind: number_of(-1e6, 1e6, "N along each of x, y, z"),
-        count: count(3, "numbers", "three: x,y,z in N"),
+        kind: Kind::Force,
         unit: "N",
         value: "X,Y,Z",
-        help: "Force at the tool point: x,y,z in base axes",
+        help: "Force at the tool point: x,y,z in base axes, or its size, in its worst direction",
         example: "0,1000,0",
+        ..ROW
+    },
+    Setting {
+        name: "force-axes",
+        verbs: COMPLIANCE,
+        kind: AXES,
+        value: "AXES",
+        absent: Absent::Means("base"),
+        needs: &[(Verb::Compliance, "force-n")],
+        help: "Along which axes a force of three numbers points",
+        example: "tool",
+        ..ROW
+    },
+    Setting {
+        name: "feed-deg",
+        verbs: COMPLIANCE,
+        kind: degrees_of(360.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Means("the worst of all directions"),
+        needs: &[(Verb::Compliance, "force-axes"), (Verb::Compliance, "force-n")],
+        help: "Direction of the feed of a force along tool axes, from the tool's x axis, counter-clockwise seen from the spindle",
+        example: "30",
         ..ROW
     },
     Setting {

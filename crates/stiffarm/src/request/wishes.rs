@@ -7,7 +7,7 @@ use crate::catalogue::{Filter, with_compliance};
 use crate::drive::Architecture;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::load::{Component, Load};
+use crate::load::Load;
 use crate::map::{Extent, Held as HeldTool, MapOptions, Spacing};
 use crate::model::ModelKind;
 use crate::place::{Column, Margins, PlaceOptions, Within};
@@ -106,25 +106,6 @@ impl Request {
             let why = faults.faults.first().map_or_else(String::new, |fault| fault.message.clone());
             self.refused(name, format!("makes no sense of {}: {why}", robot.name))
         })
-    }
-
-    /// The cutting force.
-    ///
-    /// # Panics
-    /// Of a verb that has no such option.
-    fn load(&self) -> Load {
-        let newtons = self.number("force-n").expect("the row has a default");
-        let component = if self.word("component") == Some("along") { Component::Along } else { Component::Total };
-        let load = match self.number("direction-deg") {
-            None => Load::worst(newtons),
-            Some(degrees) => Load::in_plane(newtons, degrees.to_radians(), component),
-        };
-        load.expect("the row's range is that of a load")
-    }
-
-    /// Force at the tool point of one posture, N.
-    pub fn force_along(&self) -> Option<[f64; 3]> {
-        self.all("force-n", number).try_into().ok()
     }
 
     /// The joint angles of one posture, deg.
@@ -305,7 +286,7 @@ impl Request {
         self.words(name).into_iter().filter_map(named).collect()
     }
 
-    fn number(&self, name: &str) -> Option<f64> {
+    pub(super) fn number(&self, name: &str) -> Option<f64> {
         self.one(name, number)
     }
 
@@ -313,7 +294,7 @@ impl Request {
         self.all(name, |value| if let Value::Word(word) = value { Some(word) } else { None })
     }
 
-    fn word(&self, name: &str) -> Option<&'static str> {
+    pub(super) fn word(&self, name: &str) -> Option<&'static str> {
         self.words(name).pop()
     }
 
@@ -321,7 +302,7 @@ impl Request {
         self.all(name, |value| if let Value::Text(text) = value { Some(text) } else { None })
     }
 
-    fn one<T>(&self, name: &str, pick: impl FnMut(Value) -> Option<T>) -> Option<T> {
+    pub(super) fn one<T>(&self, name: &str, pick: impl FnMut(Value) -> Option<T>) -> Option<T> {
         self.all(name, pick).pop()
     }
 

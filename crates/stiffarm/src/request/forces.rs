@@ -1,0 +1,97 @@
+//! What force does a request mean? Its size, its axes, its cone and the feed, checked against each other.
+
+use super::kind::Value;
+use super::notation::Force;
+use super::{Refusal, Request, Verb};
+use crate::load::{Component, Load};
+
+/// An option that does not go with the others, and why; the name begins the sentence.
+type Odd = (&'static str, String);
+
+impl Request {
+    /// The force of a posture, where one is given.
+    pub fn posture_load(&self) -> Option<Load> {
+        self.asked_load().expect("checked when it was read")
+    }
+
+    /// The cutting force.
+    ///
+    /// # Panics
+    /// Of a verb that has no such option.
+    pub(super) fn load(&self) -> Load {
+        self.posture_load().expect("the row has a default")
+    }
+
+    /// Checks that what is said of the force goes together.
+    pub(super) fn check_force(&self) -> Result<(), Refusal> {
+        self.asked_load().map(|_| ()).map_err(|(name, why)| {
+            let at = self.find(name).map_or(&self.reader, |given| &given.at).clone();
+            let name = self.verb.setting(name).map_or_else(|| at.bare(name), |setting| at.name(setting));
+            Refusal::Unanswered { at, name, why }
+        })
+    }
+
+    fn asked_load(&self) -> Result<Option<Load>, Odd> {
+        let force = |value| if let Value::Force(force) = value { Some(force) } else { None };
+        let Some(force) = self.one("force-n", force) else { return Ok(None) };
+        let load = self.directed(force)?;
+        let component = match self.word("component") {
+            Some("along") => Component::Along,
+            Some("normal") if self.is_of_the_plane() => {
+                return Err(("component", "normal to the face is a matter of the spatial model: a zone in the arm plane has no face".into()));
+            }
+            Some("normal") => Component::Normal,
+            _ => Component::Total,
+        };
+        let cone = self.number("force-cone-deg").unwrap_or(0.0);
+        let load = load.with_cone(cone.to_radians()).expect("the row's range is that of a cone");
+        Ok(Some(load.counting(component)))
+    }
+
+    /// The force with its direction.
+    fn directed(&self, force: Force) -> Result<Load, Odd> {
+        let direction = self.number("direction-deg");
+        let load = match (force, direction) {
+            (Force::Size(newtons), Some(degrees)) => Load::in_plane(newtons, degrees.to_radians(), Component::Total),
+            (Force::Size(newtons), None) => {
+                let three = "a force of one number points in its worst direction; give three";
+                for (name, says) in [
+                    ("force-axes", "says along which axes a force points"),
+                    ("feed-deg", "says where the feed goes along which a force points"),
+                    ("force-cone-deg", "is the doubt about where a force points"),
+                ] {
+                    if self.is_given(name) {
+                        return Err((name, format!("{says}; {three}")));
+                    }
+                }
+                Load::worst(newtons)
+            }
+            (Force::Along(_), Some(_)) => {
+                return Err(("direction-deg", "is the direction of a force that is given by its size; three numbers have one".into()));
+            }
+            (Force::Along([_, y, _]), None) if self.is_of_the_plane() && y != 0.0 => {
+                let why = format!("pushes with {y} N across the arm plane, of which the planar model knows nothing; it takes ahead,0,up, the spatial model any");
+                return Err(("force-n", why));
+            }
+            (Force::Along(force), None) if self.is_along_base() => {
+                if self.is_given("feed-deg") {
+                    return Err(("feed-deg", "turns nothing: the force is given along the axes of the base".into()));
+                }
+                Load::along_base(force)
+            }
+            (Force::Along(force), None) => Load::along_tool(force, self.number("feed-deg").map(f64::to_radians)),
+        };
+        Ok(load.expect("the notation takes what a load takes"))
+    }
+
+    /// The paper's model, which knows the arm plane alone.
+    fn is_of_the_plane(&self) -> bool {
+        self.verb.setting("model").is_some() && !self.is_spatial()
+    }
+
+    /// Three numbers count along the axes of the base.
+    fn is_along_base(&self) -> bool {
+        let usual = if self.is_of_the_plane() || self.verb == Verb::Compliance { "base" } else { "tool" };
+        self.word("force-axes").unwrap_or(usual) == "base"
+    }
+}
