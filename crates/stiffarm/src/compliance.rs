@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
-use crate::load::{Largest, Load};
+use crate::load::{Forces, Largest, Load};
 use crate::robot::{Arm, Robot, Unheld};
 use crate::spatial::{Compliance, Pose};
 
@@ -28,13 +28,29 @@ impl Posture {
         load.forces(&Matrix3::from_columns(&[x, -y, -z])).largest(&self.compliance.translation())
     }
 
+    /// What some forces do at most; any where `None`.
+    pub(crate) fn most(&self, forces: Option<&Forces>) -> Largest {
+        if let Some(forces) = forces {
+            return forces.largest(&self.compliance.translation());
+        }
+        let (value, direction) = self.compliance.worst();
+        Largest { value, force: direction, counted: direction }
+    }
+
+    /// How much of what counts comes from each drive; adds up to 1, and a drive that works against the others has less than nothing.
+    ///
+    /// All zero where nothing gives way.
+    pub fn shares_of(&self, most: &Largest) -> [f64; 6] {
+        let counted = |compliance: &Compliance| most.counted.dot(&(compliance.translation() * most.force));
+        let whole = counted(&self.compliance);
+        self.by_drive.map(|part| if 0.0 < whole { counted(&part) / whole } else { 0.0 })
+    }
+
     /// How much of the translation per force along `direction` comes from each drive; adds up to 1.
     ///
     /// All zero where nothing gives way in that direction.
     pub fn shares(&self, direction: &Vector3<f64>) -> [f64; 6] {
-        let along = |compliance: &Compliance| direction.dot(&(compliance.translation() * direction));
-        let whole = along(&self.compliance);
-        self.by_drive.map(|part| if 0.0 < whole { along(&part) / whole } else { 0.0 })
+        self.shares_of(&Largest { value: 0.0, force: *direction, counted: *direction })
     }
 }
 

@@ -176,6 +176,12 @@ impl Load {
         Self { component, ..self }
     }
 
+    /// A force of the same size in its worst direction, where all of the displacement counts.
+    #[must_use]
+    pub const fn in_worst_direction(self) -> Self {
+        Self { newtons: self.newtons, ..Self::PAPER }
+    }
+
     /// Its size, N.
     pub const fn newtons(self) -> f64 {
         self.newtons

@@ -205,7 +205,8 @@ pub fn rank(
     let in_plane = match kind {
         ModelKind::Planar => None,
         ModelKind::Spatial(_) => {
-            let usual = PlaceOptions::under(options.load);
+            // What points along feed, across and axial has no direction in the arm plane.
+            let usual = PlaceOptions::under(options.load.in_worst_direction());
             Some(Box::new(ranked(robots, tasks, &ModelKind::Planar, &usual, || ())?))
         }
     };
@@ -253,7 +254,12 @@ fn ranked(
             rank: None,
             cells: cells.by_ref().take(tasks.len()).collect(),
             mean_ratio: None,
-            floor: model.as_ref().ok().and_then(Model::floor).map(|floor| floor * options.load.newtons()),
+            floor: model
+                .as_ref()
+                .ok()
+                .and_then(Model::floor)
+                .filter(|_| options.load.is_worst())
+                .map(|floor| floor * options.load.newtons()),
         })
         .collect();
     let contestants: Vec<Contestant> = rows

@@ -118,9 +118,9 @@ impl RankOutput<'_> {
         } else {
             format!("; the first {MOST_CURVES} of {} robots", rows.len())
         };
-        let newtons = load.newtons();
+        let newtons = words::loaded(*load);
         let springs = stiffnesses(rows.iter().map(|row| &row.robot));
-        let title = format!("Worst deflection at the best place under {newtons} N, planar model; {springs}{chosen}");
+        let title = format!("Worst deflection at the best place under {newtons}, planar model; {springs}{chosen}");
         ranking::svg(&title, &panels).map_err(figure)
     }
 
@@ -142,7 +142,7 @@ impl RankOutput<'_> {
                 .collect(),
         });
         BarsFigure {
-            title: format!("Worst deflection inside each flat zone at its best place, {} N{first}", load.newtons()),
+            title: format!("Worst deflection inside each flat zone at its best place, {}{first}", words::loaded(*load)),
             subtitle: format!(
                 "{}; {}",
                 stiffnesses(self.answer.ranking.rows.iter().map(|row| &row.robot)),

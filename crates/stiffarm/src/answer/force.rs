@@ -55,6 +55,23 @@ pub fn force(load: Load) -> String {
     }
 }
 
+/// A force as it stands in a sentence, with what of the displacement counts.
+pub fn acting(load: Load) -> String {
+    if load.is_worst() {
+        return format!("{} N in the worst direction", load.newtons());
+    }
+    let counts = match component(load) {
+        "" => String::new(),
+        part => format!("; the deflection {part} counts"),
+    };
+    format!("{}{counts}", force(load))
+}
+
+/// The same without a word about the worst direction, for a title.
+pub fn loaded(load: Load) -> String {
+    if load.is_worst() { format!("{} N", load.newtons()) } else { acting(load) }
+}
+
 /// What of the displacement counts, where it is not all of it.
 pub fn component(load: Load) -> &'static str {
     match load.component() {

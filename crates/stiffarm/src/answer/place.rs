@@ -88,6 +88,12 @@ impl PlaceAnswer {
             }
         }
         lines.push(line("force", words::load(options.load, model)));
+        if !words::component(options.load).is_empty() {
+            lines.push(line("what counts", format!("the deflection {}", words::component(options.load))));
+        }
+        if *model != ModelKind::Planar && options.load.breaks_symmetry() {
+            lines.push(line("fixed to the base", "its centre straight ahead, and nowhere else about the joint-1 axis"));
+        }
         let allowed = words::window(&margins::window(options, model, robot), words::origin(robot));
         lines.push(line("allowed place", allowed));
         lines.extend(margins::column(&options.margins, robot).map(|kept| line("", kept)));

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::place::{Verdict, cell};
 use super::words::{self, COLUMN, fixed};
-use super::{Record, Rows, Table, columns_of, field, margins, stiffness, stiffnesses, with_schema};
+use super::{Record, Rows, Table, columns_of, field, force, margins, stiffness, stiffnesses, with_schema};
 use crate::drive::Architecture;
 use crate::model::ModelKind;
 use crate::place::{Column, Margins, PlaceError, PlaceOptions, Placement};
@@ -32,9 +32,9 @@ impl RankAnswer {
     pub fn record(&self) -> Record {
         let Ranking { tasks, load, model, .. } = &self.ranking;
         let mut record = Record::new();
+        record.put(field::TASKS, json!(tasks.iter().map(|task| &task.label).collect::<Vec<_>>()));
+        force::put(&mut record, *load);
         record
-            .put(field::TASKS, json!(tasks.iter().map(|task| &task.label).collect::<Vec<_>>()))
-            .put(field::FORCE, load.newtons())
             .put(field::MODEL, model.name())
             .put(field::ROWS, self.rows_json())
             .put(field::WINNERS, self.winners())
@@ -181,19 +181,19 @@ impl RankAnswer {
 
     /// What stands above the table.
     pub fn heading(&self) -> String {
-        let newtons = self.ranking.load.newtons();
+        let acting = words::acting(self.ranking.load);
         let springs = stiffnesses(self.ranking.rows.iter().map(|row| &row.robot));
         match &self.ranking.model {
             ModelKind::Planar => {
                 let gap = self.options.gap();
                 format!(
-                    "Worst deflection [mm] inside each zone at its best place, {newtons} N in the worst direction\nplanar model; {springs}; proved to {gap}\n{}\n{}\n",
+                    "Worst deflection [mm] inside each zone at its best place, {acting}\nplanar model; {springs}; proved to {gap}\n{}\n{}\n",
                     self.stance(),
                     self.kept()
                 )
             }
             ModelKind::Spatial(_) => format!(
-                "Worst deflection [mm] inside each flat zone at its best place, {newtons} N in the worst direction\nspatial model; {springs}\n{}\n{}\n",
+                "Worst deflection [mm] inside each flat zone at its best place, {acting}\nspatial model; {springs}\n{}\n{}\n",
                 self.stance(),
                 self.kept()
             ),
@@ -239,7 +239,11 @@ impl RankAnswer {
             Some(_) => "; - no place was found (`stiffarm place --model spatial` says why)\n",
         };
         if in_plane.is_some() {
-            notes += "planar #: rank in the planar ranking of the same robots and tasks (zones in the arm plane, anywhere)\n";
+            let worst = if self.ranking.load.is_worst() { "" } else { ", the force in its worst direction" };
+            let _ = writeln!(
+                notes,
+                "planar #: rank in the planar ranking of the same robots and tasks (zones in the arm plane, anywhere{worst})"
+            );
         }
         if in_plane.is_some() && tasks.iter().any(|task| task.part.is_some()) {
             let _ = writeln!(notes, "n/a in the plane: {}", PlaceError::PartInPlane);
@@ -258,7 +262,7 @@ impl RankAnswer {
         notes += &self.below_base();
         notes += &self.in_column();
         notes += words::assumed_architecture(rows.iter().map(|row| &row.robot));
-        if in_plane.is_none() {
+        if in_plane.is_none() && self.ranking.load.is_worst() {
             notes += "bound: deflection at the stiffest posture of the links; no placement of any task has less\n";
         }
         notes += &words::statuses(rows.iter().map(|row| &row.robot));
@@ -406,12 +410,12 @@ impl RankAnswer {
             |row: &Row, task: usize| row.placement(task).is_some_and(|best| best.space().is_some() && best.collides());
         if winners.iter().any(|(row, tasks)| tasks.iter().any(|&task| collides(row, task))) {
             return format!(
-                "Under {} N in the worst direction the least deflection is that of {}; but an arm collides there, so no robot is advised.",
-                ranking.load.newtons(),
+                "Under {} the least deflection is that of {}; but an arm collides there, so no robot is advised.",
+                words::acting(ranking.load),
                 list.join("; ")
             );
         }
-        format!("Under {} N in the worst direction take {}.", ranking.load.newtons(), list.join("; "))
+        format!("Under {} take {}.", words::acting(ranking.load), list.join("; "))
     }
 
     /// Where the planar model alone would have chosen another robot.

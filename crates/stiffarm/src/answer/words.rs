@@ -1,6 +1,6 @@
 //! Numbers and choices as people read them.
 
-pub use super::force::{component, force, mapped};
+pub use super::force::{acting, component, force, loaded, mapped};
 use super::{Line, line};
 use crate::clearance::{Clearance, Obstacle};
 use crate::interval::Interval;

@@ -9,7 +9,8 @@ use super::prepared::ArmEnclosure;
 use crate::batch::{Coupling, arm_columns};
 use crate::interval::Interval;
 use crate::inverse::{ArmBranch, Shoulder};
-use crate::real::cross;
+use crate::load::{Component, Direction};
+use crate::real::{cross, dot};
 
 /// The second softest direction is looked at as well where its compliance is this part of the largest.
 const SECOND: f64 = 0.6;
@@ -24,7 +25,8 @@ impl ArmEnclosure {
         bounds: &mut NodeBounds<N>,
     ) {
         let (geometry, k) = (&self.arm.geometry, self.arm.k);
-        if matches!(self.arm.coupling, Coupling::Any(_)) {
+        // A force of known direction need not turn any of these joints.
+        if matches!(self.arm.coupling, Coupling::Any(_)) || !self.load.is_worst() {
             return;
         }
         let [x, y, z] = view.point;
@@ -57,7 +59,8 @@ impl ArmEnclosure {
         }
     }
 
-    /// Adds lower bounds by all drives together: their compliance along the softest directions in the middle of the node.
+    /// Adds lower bounds by all drives together: what they give under the force that does most in the middle of the node, along the
+    /// direction that counts there.
     pub(super) fn add_compliance_bounds<const N: usize>(
         &self,
         view: &ArmView<N>,
@@ -65,6 +68,20 @@ impl ArmEnclosure {
         axis_5: Option<Vector<N>>,
         bounds: &mut NodeBounds<N>,
     ) {
+        let drives = self.drives(view, links, axis_5);
+        match view.work {
+            None => add_worst_bounds(&drives, bounds),
+            Some(work) => self.add_directed_bounds(view, &work, &drives, bounds),
+        }
+    }
+
+    /// The compliance of each drive, and what turning it by 1 rad moves the tool point by, in the axes of the arm.
+    fn drives<const N: usize>(
+        &self,
+        view: &ArmView<N>,
+        links: &Links<N>,
+        axis_5: Option<Vector<N>>,
+    ) -> [(Affine<N>, Vector<N>); 6] {
         let geometry = &self.arm.geometry;
         let zero = Affine::point(0.0);
         let [ux, uy, uz] = view.wrist_to_tool;
@@ -94,33 +111,56 @@ impl ArmEnclosure {
             }
         }
         let k = self.drive_compliances(links);
-        // A drive of which nothing is known may be rigid: zero is a lower bound.
-        let parts: Vec<(Affine<N>, &Vector<N>)> = k
-            .into_iter()
-            .zip(&columns)
-            .filter(|(k, column)| !k.is_unknown() && !column.iter().any(Affine::is_unknown))
-            .collect();
-        let mut sum = Matrix3::zeros();
-        for (k, column) in &parts {
-            let v = Vector3::from(column.map(|part| part.centre));
-            sum += v * v.transpose() * k.centre;
+        std::array::from_fn(|drive| (k[drive], columns[drive]))
+    }
+
+    /// Under a force of known direction: for any force `f` that may act, and any `d` that may count, `d . C f` is a lower bound.
+    fn add_directed_bounds<const N: usize>(
+        &self,
+        view: &ArmView<N>,
+        work: &[Vector<N>; 3],
+        drives: &[(Affine<N>, Vector<N>); 6],
+        bounds: &mut NodeBounds<N>,
+    ) {
+        let parts = known(drives);
+        // The axes in which the force is given, and the normal of the face: all of them turn with the arm.
+        let is_base = matches!(self.load.direction(), Direction::Base(_) | Direction::InPlane(_));
+        let [c1, s1] = view.first;
+        let (zero, one) = (Affine::point(0.0), Affine::point(1.0));
+        let axes = if is_base { [[c1, -s1, zero], [s1, c1, zero], [zero, zero, one]] } else { *work };
+        let middle = |v: &Vector<N>| Vector3::from(v.map(|part| part.centre));
+        let frame = Matrix3::from_columns(&axes.each_ref().map(middle));
+        let normal = work[2];
+        let across = Matrix3::from_columns(&[Vector3::zeros(), Vector3::zeros(), frame.transpose() * middle(&normal)]);
+        let forces = self.load.forces(&if is_base { across } else { Matrix3::identity() });
+        let most = forces.largest(&(frame.transpose() * at_middle(&parts) * frame));
+        let force = combined(&axes, &most.force);
+        let along: Vec<_> = parts.iter().map(|(k, column)| (*k, dot(**column, force))).collect();
+        // What the force moves along itself is no more than all that it moves; each part of it is not negative.
+        if self.load.component() != Component::Normal {
+            add_squares(&along, bounds);
         }
-        let eigen = SymmetricEigen::new(sum);
-        let largest = eigen.eigenvalues.max();
-        for (value, direction) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
-            if *value < SECOND * largest {
-                continue;
+        let counted = match self.load.component() {
+            Component::Along => return,
+            Component::Normal => {
+                let sign = if 0.0 <= most.counted.dot(&(frame.transpose() * middle(&normal))) { 1.0 } else { -1.0 };
+                normal.map(|part| part * sign)
             }
-            let moved = parts.iter().map(|(k, column)| {
-                (*k, column[0] * direction[0] + column[1] * direction[1] + column[2] * direction[2])
-            });
-            let moved: Vec<(Affine<N>, Affine<N>)> = moved.collect();
-            // A square lies above its tangents: that in the middle, and the one that is greatest at the worse end.
-            bounds.values.push(squares(&moved, |x| x.centre));
-            bounds
-                .values
-                .push(squares(&moved, |x: &Affine<N>| (x.centre.abs() - x.radius()).max(0.0).copysign(x.centre)));
+            // Fixed in the axes of the arm, and of length one whatever rounding and enclosure made of the frame.
+            Component::Total => match (frame * most.counted).try_normalize(0.0) {
+                Some(direction) => <[f64; 3]>::from(direction).map(Affine::point),
+                None => return,
+            },
+        };
+        // A product may be negative: of a drive of which nothing is known it says nothing of the sum.
+        if parts.len() < drives.len() {
+            return;
         }
+        let products = along.iter().zip(&parts).map(|((k, x), (_, column))| {
+            let product = *x * dot(**column, counted);
+            if k.radius() == 0.0 { product * k.centre } else { product * *k }
+        });
+        bounds.values.push(products.fold(zero, |sum, product| sum + product));
     }
 
     /// The compliance of each drive, with the compensator's part; NaN where nothing is known of it.
@@ -145,6 +185,49 @@ impl ArmEnclosure {
         }
         k
     }
+}
+
+/// The drives of which something is known: any other may be rigid, and gives no less than nothing along the direction of the force.
+fn known<const N: usize>(drives: &[(Affine<N>, Vector<N>); 6]) -> Vec<(Affine<N>, &Vector<N>)> {
+    let is_known = |(k, column): &&(Affine<N>, Vector<N>)| !k.is_unknown() && !column.iter().any(Affine::is_unknown);
+    drives.iter().filter(is_known).map(|(k, column)| (*k, column)).collect()
+}
+
+/// The compliance in the middle of the node.
+fn at_middle<const N: usize>(parts: &[(Affine<N>, &Vector<N>)]) -> Matrix3<f64> {
+    let mut sum = Matrix3::zeros();
+    for (k, column) in parts {
+        let v = Vector3::from(column.map(|part| part.centre));
+        sum += v * v.transpose() * k.centre;
+    }
+    sum
+}
+
+/// Adds lower bounds for a force in its worst direction: the compliance along the softest directions in the middle of the node.
+fn add_worst_bounds<const N: usize>(drives: &[(Affine<N>, Vector<N>); 6], bounds: &mut NodeBounds<N>) {
+    let parts = known(drives);
+    let eigen = SymmetricEigen::new(at_middle(&parts));
+    let largest = eigen.eigenvalues.max();
+    for (value, direction) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+        if *value < SECOND * largest {
+            continue;
+        }
+        let moved = parts
+            .iter()
+            .map(|(k, column)| (*k, column[0] * direction[0] + column[1] * direction[1] + column[2] * direction[2]));
+        add_squares(&moved.collect::<Vec<_>>(), bounds);
+    }
+}
+
+/// Adds the sum of `k x^2`. A square lies above its tangents: that in the middle, and the one that is greatest at the worse end.
+fn add_squares<const N: usize>(moved: &[(Affine<N>, Affine<N>)], bounds: &mut NodeBounds<N>) {
+    bounds.values.push(squares(moved, |x| x.centre));
+    bounds.values.push(squares(moved, |x: &Affine<N>| (x.centre.abs() - x.radius()).max(0.0).copysign(x.centre)));
+}
+
+/// What has these parts along three vectors.
+fn combined<const N: usize>(axes: &[Vector<N>; 3], parts: &Vector3<f64>) -> Vector<N> {
+    std::array::from_fn(|i| axes[0][i] * parts.x + axes[1][i] * parts.y + axes[2][i] * parts.z)
 }
 
 /// A lower bound on the sum of `k x^2` over drives of compliance `k`: each square is replaced by its tangent.

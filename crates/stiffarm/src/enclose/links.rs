@@ -29,6 +29,9 @@ pub(super) struct ArmView<const N: usize> {
     pub(super) axis_6: Vector<N>,
     pub(super) flange_x: Vector<N>,
     pub(super) wrist_to_tool: Vector<N>,
+    /// The axes of the work; see [`WorkPlaneEnclosure::work`](super::node::WorkPlaneEnclosure::work). Under a force in its worst
+    /// direction nobody asks for them.
+    pub(super) work: Option<[Vector<N>; 3]>,
 }
 
 /// Directions of the links, unit vectors in the arm plane: sine and cosine of the angle from upright.
@@ -48,6 +51,7 @@ impl ArmEnclosure {
     ) -> Option<ArmView<N>> {
         let geometry = &self.arm.geometry;
         let point = tool_frame.plane.point(at);
+        let work = (!self.load.is_worst()).then(|| tool_frame.plane.work());
         let [wx, wy, wz]: Vector<N> = std::array::from_fn(|i| point[i] - tool_frame.wrist_to_tool[i]);
         let square = wx.square() + wy.square();
         let b2 = geometry.b * geometry.b;
@@ -64,7 +68,8 @@ impl ArmEnclosure {
             let seen = |[x, y, z]: Vector<N>| [any(most(x).hypot(most(y))), any(most(x).hypot(most(y))), z];
             let (axis_6, flange_x, wrist_to_tool) =
                 (seen(tool_frame.axis_6), seen(tool_frame.flange_x), seen(tool_frame.wrist_to_tool));
-            return Some(ArmView { point, wrist, first: [any(1.0); 2], axis_6, flange_x, wrist_to_tool });
+            let work = work.map(|axes| axes.map(|axis| seen(axis).map(unit)));
+            return Some(ArmView { point, wrist, first: [any(1.0); 2], axis_6, flange_x, wrist_to_tool, work });
         }
         let inverse = square.inverse(Interval::spanning(least, f64::INFINITY))?;
         // sqrt(square - b^2)/square, concave in 1/square.
@@ -76,7 +81,8 @@ impl ArmEnclosure {
         let (c1, s1) = (unit(wx * part + wy * aside), unit(wy * part - wx * aside));
         let [axis_6, flange_x, wrist_to_tool] =
             [tool_frame.axis_6, tool_frame.flange_x, tool_frame.wrist_to_tool].map(|v| seen_turned(v, s1, c1));
-        Some(ArmView { point, wrist, first: [c1, s1], axis_6, flange_x, wrist_to_tool })
+        let work = work.map(|axes| axes.map(|axis| seen_turned(axis, s1, c1).map(unit)));
+        Some(ArmView { point, wrist, first: [c1, s1], axis_6, flange_x, wrist_to_tool, work })
     }
 
     /// The links that put the wrist centre at `[x, z]`. `None` where they cannot; inner `None` where they could point anywhere.

@@ -71,6 +71,11 @@ impl<const N: usize> WorkPlaneEnclosure<N> {
         sum(&self.centre, &sum(&scaled(&self.first, u), &scaled(&self.second, v)))
     }
 
+    /// The axes of the work, base axes: its first side, its second side, and away from it.
+    pub(crate) fn work(&self) -> [Vector<N>; 3] {
+        [self.first, self.second, self.tool[2].map(|part| -part)]
+    }
+
     /// A vector that the tool carries, base axes.
     pub(crate) fn carried(&self, [x, y, z]: [f64; 3]) -> Vector<N> {
         let across = sum(&scaled(&self.tool[0], x), &scaled(&self.tool[1], y));
@@ -101,8 +106,11 @@ mod tests {
             let plane = WorkPlane::of(elevation, &work);
             let all = WorkPlaneEnclosure::<5>::of(elevation, &node);
             let (at, carried) = ([part(-1.0, 1.0), part(-1.0, 1.0)], [part(-1.0, 1.0), part(-1.0, 1.0), 0.3]);
-            let expected = [plane.point(&work, at), plane.tool() * Vector3::from(carried)];
-            for (found, expected) in [all.point(at), all.carried(carried)].iter().zip(expected) {
+            let away = -Vector3::from(plane.tool().column(2));
+            let expected =
+                [plane.point(&work, at), plane.tool() * Vector3::from(carried), plane.first, plane.second, away];
+            let [first, second, third] = all.work();
+            for (found, expected) in [all.point(at), all.carried(carried), first, second, third].iter().zip(expected) {
                 for (found, expected) in found.iter().zip(&expected) {
                     assert!(found.min() - 1e-12 <= *expected && *expected <= found.max() + 1e-12);
                     assert!(found.remainder < 2.0 * width, "{found:?}");

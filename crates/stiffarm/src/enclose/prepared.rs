@@ -10,6 +10,7 @@ use crate::batch::SpatialArm;
 use crate::interval::Interval;
 use crate::inverse::{ArmBranch, Shoulder};
 use crate::limits::{Limits, ThirdAxis};
+use crate::load::Load;
 use crate::tolerances;
 use crate::work::WorkPlane;
 
@@ -30,6 +31,8 @@ pub(crate) struct ToolFrameEnclosure<const N: usize> {
 #[derive(Clone, Debug)]
 pub(crate) struct ArmEnclosure {
     pub(super) arm: SpatialArm,
+    /// Under which it gives way.
+    pub(super) load: Load,
     /// From the wrist centre to the tool point (m), the flange's z and its x, in the axes of the tool.
     pub(super) wrist_to_tool: [f64; 3],
     pub(super) axis_6: [f64; 3],
@@ -53,7 +56,13 @@ impl ArmEnclosure {
         let seen = |v: Vector3<f64>| (tool_from_flange * v).into();
         let (wrist_to_tool, axis_6, flange_x) = (seen(point), seen(Vector3::z()), seen(Vector3::x()));
         let distance_rings = [1.0, -1.0].map(|sign| distance_ring(&arm, sign));
-        Self { arm, wrist_to_tool, axis_6, flange_x, distance_rings, turns, ranges }
+        Self { arm, load: Load::UNIT, wrist_to_tool, axis_6, flange_x, distance_rings, turns, ranges }
+    }
+
+    /// The same arm under a load, instead of one in its worst direction.
+    #[must_use]
+    pub(crate) fn under(self, load: Load) -> Self {
+        Self { load, ..self }
     }
 
     /// How far the wrist centre lies from the axis of the tool, m.

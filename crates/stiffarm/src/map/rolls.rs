@@ -48,9 +48,9 @@ pub(super) struct Rolls<'a> {
 }
 
 impl<'a> Rolls<'a> {
-    pub(super) fn new(arm: &'a SpatialArm, rolled_tool: RolledTool, configurations: Vec<Configuration>) -> Self {
+    pub(super) fn new(arm: &'a SpatialArm, rolled_tool: &RolledTool, configurations: Vec<Configuration>) -> Self {
         let scan = (0..SCAN).map(|i| TAU * i as f64 / SCAN as f64).collect();
-        Self { arm, rolled_tool, configurations, scan }
+        Self { arm, rolled_tool: *rolled_tool, configurations, scan }
     }
 
     /// The best ways to hold a point, all equally good; none where no roll reaches it within the limits.

@@ -142,7 +142,7 @@ impl<'a> Scan<'a> {
                     [0.0, FRAC_PI_2, PI].map(|roll| Self::plane(options, &Self::work(options, 0.0, 0.0, roll)));
                 Roll::Any(Rolls::new(
                     freed,
-                    freed.rolled_tool(planes.each_ref().map(WorkPlane::tool)).under(forces),
+                    &freed.rolled_tool(planes.each_ref().map(WorkPlane::tool)).under(forces),
                     configurations.clone(),
                 ))
             }

@@ -14,7 +14,7 @@ pub use spatial::{Resolution, ZonePoint};
 use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::load::Load;
+use crate::load::{Load, NotInPlane};
 use crate::model::{ArmPosture, Model, ModelError, ModelKind};
 use crate::part::{Face, Part};
 use crate::plane::Elbow;
@@ -95,7 +95,7 @@ impl Stance {
 /// What is asked for besides model and zone. What a model does not know is refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaceOptions {
-    /// The cutting force, in its worst direction at every point.
+    /// The cutting force; in the arm plane in its worst direction at every point.
     pub load: Load,
     /// Which angles are tried.
     pub orientation: Orientation,
@@ -214,7 +214,7 @@ pub struct SpaceHold {
     pub configuration: Configuration,
     /// Joint angles at the worst point as the robot reports them, rad.
     pub joints: [f64; 6],
-    /// Deflection there along the worst direction by drive, adding up to 1.
+    /// What each drive gives of the deflection there, adding up to 1.
     pub shares: [f64; 6],
     /// The smallest distance of any joint to its limits anywhere in the zone, rad, proved, and that joint from 1; 0 is the angle
     /// between the links.
@@ -373,9 +373,12 @@ pub enum PlaceError {
         /// The model that knows it.
         model: &'static str,
     },
-    /// A force of one direction.
-    #[error("a force of one direction; a place is sought for the worst direction at every point")]
+    /// A force of known direction.
+    #[error("a force of known direction; in the arm plane a place is sought for the worst direction at every point")]
     Directed,
+    /// A force of which the planar model knows nothing.
+    #[error(transparent)]
+    Load(#[from] NotInPlane),
     /// Gap outside `1e-9..=0.5`.
     #[error("a gap of {0}; expected 1e-9 to 0.5 (relative)")]
     Gap(f64),
@@ -551,9 +554,6 @@ pub fn deflection_field(
 }
 
 fn check(zone: Zone, options: &PlaceOptions) -> Result<(), PlaceError> {
-    if !options.load.is_worst() {
-        return Err(PlaceError::Directed);
-    }
     if let Orientation::Fixed(angle) = options.orientation
         && !(angle.abs() <= 1e3)
     {

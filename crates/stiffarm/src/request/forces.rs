@@ -10,6 +10,9 @@ type Odd = (&'static str, String);
 
 impl Request {
     /// The force of a posture, where one is given.
+    ///
+    /// # Panics
+    /// Never: a request is read with a force that makes sense, or refused.
     pub fn posture_load(&self) -> Option<Load> {
         self.asked_load().expect("checked when it was read")
     }
@@ -24,11 +27,7 @@ impl Request {
 
     /// Checks that what is said of the force goes together.
     pub(super) fn check_force(&self) -> Result<(), Refusal> {
-        self.asked_load().map(|_| ()).map_err(|(name, why)| {
-            let at = self.find(name).map_or(&self.reader, |given| &given.at).clone();
-            let name = self.verb.setting(name).map_or_else(|| at.bare(name), |setting| at.name(setting));
-            Refusal::Unanswered { at, name, why }
-        })
+        self.asked_load().map(|_| ()).map_err(|(name, why)| self.refused(name, why))
     }
 
     fn asked_load(&self) -> Result<Option<Load>, Odd> {

@@ -133,8 +133,9 @@ impl Request {
         if self.is_the_papers() {
             return Wanted { load: Load::PAPER, within: None, margins: Margins::NONE, angle: Angle::Axes, gap: None };
         }
-        // A zone on a map is placed for the worst direction, whatever is mapped.
-        let load = Load::worst(self.load().newtons()).expect("checked");
+        // A zone on a map of the arm plane is placed for the worst direction, whatever is mapped.
+        let load = self.load();
+        let load = if self.verb == Verb::Map { load.in_worst_direction() } else { load };
         let within_or_anywhere = Some(within.unwrap_or(Within::ANYWHERE));
         let margins = self.margins(within);
         Wanted { load, within: within_or_anywhere, margins, angle: self.angle(), gap: self.number("gap") }
@@ -204,7 +205,7 @@ impl Request {
     }
 
     /// What an option means has no answer.
-    fn refused(&self, name: &str, why: String) -> Refusal {
+    pub(super) fn refused(&self, name: &str, why: String) -> Refusal {
         let at = self.find(name).map_or(&self.reader, |given| &given.at).clone();
         let name = self.verb.setting(name).map_or_else(|| at.bare(name), |setting| at.name(setting));
         Refusal::Unanswered { at, name, why }

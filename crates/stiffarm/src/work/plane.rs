@@ -1,6 +1,6 @@
 //! Where does the work lie, and how does the tool stand on it?
 
-use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3, Rotation3, Vector2, Vector3};
 
 use crate::load::{Forces, Load};
 use crate::root::root;
@@ -60,8 +60,14 @@ impl WorkPlane {
 
     /// The forces that may act at its points, base axes; any where `None`.
     pub(crate) fn forces(&self, load: Load) -> Option<Forces> {
+        self.forces_at(load, 0.0)
+    }
+
+    /// The same, where it is turned about the joint-1 axis by a bearing, rad.
+    pub(crate) fn forces_at(&self, load: Load, bearing: f64) -> Option<Forces> {
         let away = -self.tool.column(2);
-        (!load.is_worst()).then(|| load.forces(&Matrix3::from_columns(&[self.first, self.second, away])))
+        let turned = *Rotation3::from_axis_angle(&Vector3::z_axis(), bearing).matrix();
+        (!load.is_worst()).then(|| load.forces(&(turned * Matrix3::from_columns(&[self.first, self.second, away]))))
     }
 
     /// A point of the plane, m from the zone's centre along its sides; base axes.

@@ -88,6 +88,9 @@ impl<'a> Allowed<'a> {
         if options.stance.is_some() {
             return Err(PlaceError::Inapplicable { what: "a direction of the tool", model: "spatial" });
         }
+        if options.load.sector()?.is_some() {
+            return Err(PlaceError::Directed);
+        }
         let gap = options.gap();
         if !(1e-9..=0.5).contains(&gap) {
             return Err(PlaceError::Gap(gap));

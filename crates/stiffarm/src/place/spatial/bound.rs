@@ -113,13 +113,14 @@ impl<'a> BranchAndBound<'a> {
         let half = first.hypot(second) / 2.0;
         let tool = arm.flange_from_tool.translation.vector;
         let long = tool.z.abs() + arm.geometry.c4.abs() + tool.xy().norm();
-        let enclosure = ArmEnclosure::new(arm, [true, false, false, false, false, roll_is_free]);
+        let turned = !options.load.breaks_symmetry();
+        let enclosure = ArmEnclosure::new(arm, [turned, false, false, false, false, roll_is_free]).under(options.load);
         let lever = [1.0, 1.0, half + long, half, enclosure.beside_the_tool_axis() + 0.1];
         Self {
             options,
             enclosure,
             bare: arm.without_limits(),
-            freed: arm.without_limit_on(0, true).without_limit_on(5, roll_is_free),
+            freed: arm.without_limit_on(0, turned).without_limit_on(5, roll_is_free),
             wrists_are_alike: arm.wrists_are_alike(),
             coarse: COARSE * arm.geometry.c2,
             samples: Grid::of(zone, if matches!(zone, Zone::Circle { .. }) { 8 } else { 4 }).points,

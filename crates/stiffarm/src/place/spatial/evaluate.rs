@@ -64,9 +64,14 @@ impl Search<'_> {
         loop {
             let grid = Grid::of(self.zone, cells);
             let found = score(&grid)?;
-            let halving = (found - before) / before;
+            // Under a force of known direction a zone may not give way at all.
+            let halving = (found - before) / before.max(f64::MIN_POSITIVE);
             if halving.abs() < HALVING || CELLS[3] <= cells {
                 let followed = self.placed(work, configuration).follow(&grid)?;
+                // Turned about the joint-1 axis, the zone would stand otherwise to a force that is fixed to the base.
+                if self.options.load.breaks_symmetry() && followed.bearing != 0.0 {
+                    return Err(NotFollowed::Impossible);
+                }
                 let placement = self.placement(work, configuration, &grid, &followed, coarse, halving);
                 return placement.ok_or(NotFollowed::Impossible);
             }
@@ -104,9 +109,10 @@ impl Search<'_> {
         let tool = &self.arm.flange_from_tool;
         let evaluated = followed.joints.iter().map(|q| compliance(self.robot, q, tool).ok());
         let evaluated: Vec<_> = evaluated.collect::<Option<_>>()?;
-        let worst = evaluated.iter().map(|posture| posture.compliance.worst());
-        let (at, (value, direction)) = worst.enumerate().max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
         let plane = WorkPlane::of(self.options.elevation, work);
+        let forces = plane.forces_at(self.options.load, followed.bearing);
+        let most = evaluated.iter().map(|posture| posture.most(forces.as_ref()));
+        let (at, most) = most.enumerate().max_by(|a, b| a.1.value.total_cmp(&b.1.value))?;
         let points = || grid.points.iter().map(|&at| plane.point(work, at));
         let worst_point =
             Rotation3::from_axis_angle(&Vector3::z_axis(), followed.bearing) * plane.point(work, grid.points[at]);
@@ -114,7 +120,7 @@ impl Search<'_> {
         let reaches = |axis: usize| points().any(|point| point[axis] < -tolerances::OUTSIDE);
         let half_turn = |angle: f64| angle.rem_euclid(PI);
         Some(Solution {
-            deflection: value * self.options.force,
+            deflection: most.value * self.options.force,
             lower_bound: 0.0,
             centre: [work.x, work.z],
             bearing: followed.bearing,
@@ -126,7 +132,7 @@ impl Search<'_> {
             from_axis_1,
             outside: Outside { below: reaches(2), behind: reaches(0) },
             worst_joints: followed.joints[at],
-            worst_shares: evaluated[at].shares(&direction),
+            worst_shares: evaluated[at].shares_of(&most),
             // The arm's limits are narrower by the margin that was asked for.
             limit_margin: (followed.limit_margin.0 + self.options.margins.limit, followed.limit_margin.1),
             singular_margin: followed.singular_margin,

@@ -13,7 +13,7 @@ use crate::work::{WorkPlacement, WorkPlane};
 pub struct ZonePoint {
     /// Ahead, left, up, m from the base; at bearing zero.
     pub at: [f64; 3],
-    /// In the worst direction, m; absent where the posture of the zone does not lead there.
+    /// Under the load, m; absent where the posture of the zone does not lead there.
     pub deflection: Option<f64>,
 }
 
@@ -29,6 +29,7 @@ pub(in crate::place) fn deflection_field(
     let [x, z] = placement.centre;
     let work = WorkPlacement { x, y: 0.0, z, yaw: hold.yaw, angle: placement.angle, roll: hold.roll };
     let plane = WorkPlane::of(options.stance().elevation, &work);
+    let forces = plane.forces(options.load);
     let tool_from_flange = arm.flange_from_tool.inverse();
     let evaluated = |at: Point2<f64>| {
         let pose = plane.pose(&work, at.into());
@@ -37,7 +38,7 @@ pub(in crate::place) fn deflection_field(
         let deflection = held.map(|(_, theta)| {
             let q = arm.geometry.reported(&theta, arm.limits.third_axis);
             let posture = compliance(robot, &q, &arm.flange_from_tool)?;
-            Ok::<_, PostureError>(posture.compliance.worst().0 * options.load.newtons())
+            Ok::<_, PostureError>(posture.most(forces.as_ref()).value * options.load.newtons())
         });
         let deflection = deflection.transpose().map_err(ModelError::from)?;
         Ok(ZonePoint { at: pose.translation.vector.into(), deflection })

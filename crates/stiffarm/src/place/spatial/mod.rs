@@ -20,6 +20,7 @@ use super::{
 use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
+use crate::load::Load;
 use crate::model::{ModelKind, SpatialModel};
 use crate::task::Zone;
 
@@ -28,6 +29,8 @@ use crate::task::Zone;
 struct Question {
     /// N.
     force: f64,
+    /// The same with its direction.
+    load: Load,
     /// As [`Stance::elevation`].
     elevation: f64,
     /// As [`Stance::yaw`].
@@ -60,6 +63,7 @@ impl Question {
         let within = options.within(&ModelKind::Spatial(*model.flange_from_tool()));
         Ok(margins.part_of(within, model.robot()).map(|within| Self {
             force: options.load.newtons(),
+            load: options.load,
             elevation,
             yaw,
             orientation: options.orientation,

@@ -37,7 +37,8 @@ impl BranchAndBound<'_> {
             let mut rows = configurations.chunks_exact_mut(points.len());
             let into = std::array::from_fn(|_| rows.next().expect("one row per configuration"));
             let columns = columns.each_ref().map(Vec::as_slice);
-            arm.configurations_at(&arm.orientation(plane.tool()), same_branch, columns, into);
+            let orientation = arm.orientation(plane.tool()).under(plane.forces(self.options.load));
+            arm.configurations_at(&orientation, same_branch, columns, into);
             Wrist::ALL.map(|wrist| {
                 let from = held.branch.with(wrist).index() * points.len();
                 configurations[from..from + points.len()].to_vec()

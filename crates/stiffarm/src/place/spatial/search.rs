@@ -141,7 +141,7 @@ impl<'a> Search<'a> {
         Self {
             robot,
             arm,
-            freed: arm.without_limit_on(0, true).without_limit_on(5, roll_is_free),
+            freed: arm.without_limit_on(0, !options.load.breaks_symmetry()).without_limit_on(5, roll_is_free),
             zone,
             options,
             roll_is_free,
@@ -283,7 +283,7 @@ impl<'a> Search<'a> {
     fn centres(&self, works: &[WorkPlacement], of_one_turn: usize) -> Vec<(f64, usize)> {
         let one_turn = |(turn, works): (usize, &[WorkPlacement])| {
             let plane = WorkPlane::of(self.options.elevation, &works[0]);
-            let orientation = self.freed.orientation(plane.tool());
+            let orientation = self.freed.orientation(plane.tool()).under(plane.forces(self.options.load));
             let column = |part: fn(&WorkPlacement) -> f64| works.iter().map(part).collect::<Vec<f64>>();
             let (x, y, z) = (column(|work| work.x), vec![0.0; works.len()], column(|work| work.z));
             let mut configurations = vec![vec![0.0; works.len()]; Configuration::COUNT];
@@ -361,7 +361,7 @@ impl<'a> Search<'a> {
             (x[i], y[i], z[i]) = (point.x, point.y, point.z);
         }
         let mut configurations = vec![0.0; Configuration::COUNT * count];
-        let orientation = self.freed.orientation(plane.tool());
+        let orientation = self.freed.orientation(plane.tool()).under(plane.forces(self.options.load));
         let mut best = [Score::NONE; Configuration::COUNT];
         for same_branch in self.freed.same_branches(&plane.pose(work, [0.0; 2])) {
             let mut rows = configurations.chunks_exact_mut(count);
