@@ -71,6 +71,10 @@ def test_maps(program):
             {"size": 41, "direction_deg": 30, "component": "along"},
         ),
         (
+            ["--size", "20", "--model", "spatial", "--force-n=300,100,-50", "--force-cone-deg", "10", "--component", "normal"],
+            {"size": 20, "model": "spatial", "force_n": (300, 100, -50), "force_cone_deg": 10, "component": "normal"},
+        ),
+        (
             ["--size", "30", "--model", "spatial", "--tool-direction", "forward", "--roll-deg", "10"],
             {"size": 30, "model": "spatial", "tool_direction": "forward", "roll_deg": 10},
         ),
@@ -88,6 +92,11 @@ def test_postures(program):
             ([], {}),
             (["--tool-mm", "0,50,200,0,10,0"], {"tool_mm": tool}),
             (["--tool-mm", "0,50,200,0,10,0", "--force-n=100,-50,20"], {"tool_mm": tool, "force_n": force}),
+            (["--force-n", "400"], {"force_n": 400}),
+            (
+                ["--force-n=100,-50,20", "--force-axes", "tool", "--feed-deg", "30", "--component", "along"],
+                {"force_n": force, "force_axes": "tool", "feed_deg": 30, "component": "along"},
+            ),
         ]:
             found = stiffarm.compliance(robot, joints_deg=joints, **options)
             assert found.to_dict() == program("compliance", robot, "--joints-deg=10,-80,85,20,-30,5", *words)

@@ -89,6 +89,7 @@ fn python_type(setting: &Setting) -> String {
         (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture, true) => "str | Iterable[str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),
+        (Kind::Force, _) => "float | npt.ArrayLike".into(),
         (Kind::Angle | Kind::Elevation | Kind::Floor | Kind::Yaw, _) => "str | float".into(),
         _ => "npt.ArrayLike".into(),
     };

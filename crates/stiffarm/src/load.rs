@@ -266,9 +266,8 @@ mod tests {
     #[test]
     fn feed_across_and_axial_point_where_a_machinist_says() {
         let work = Matrix3::identity();
-        let axis = |force, feed_deg: f64| {
-            Load::along_tool(force, Some(feed_deg.to_radians())).unwrap().forces(&work).axis()
-        };
+        let axis =
+            |force, feed_deg: f64| Load::along_tool(force, Some(feed_deg.to_radians())).unwrap().forces(&work).axis();
         let close = |a: Vector3<f64>, b: [f64; 3]| assert!((a - Vector3::from(b)).norm() < 1e-12, "{a} is not {b:?}");
         close(axis([5.0, 0.0, 0.0], 0.0), [1.0, 0.0, 0.0]);
         close(axis([0.0, 5.0, 0.0], 0.0), [0.0, 1.0, 0.0]);

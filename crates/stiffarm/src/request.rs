@@ -3,8 +3,8 @@
 //! The command line, Python and job files are readers of [`SETTINGS`]: each hands over names and texts, and all refuse the
 //! same in the same words, in their own spelling.
 
-pub mod job;
 mod forces;
+pub mod job;
 mod kind;
 mod notation;
 mod options;

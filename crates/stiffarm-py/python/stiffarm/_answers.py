@@ -135,8 +135,18 @@ class Compliance(Answer):
     worst_direction: Array
     #: (6,) what each drive gives of it; adds up to 1.
     worst_shares: Array
-    #: (3,) the force, where one was given.
+    #: (3,) the force along base axes, where one was given; of those that it may be the one that does most.
     force_n: Array | None
+    #: Along which axes it was given: ``"base"`` or ``"tool"`` (feed, across, axial); None for its worst direction.
+    force_axes: str | None
+    #: Its unit direction along these.
+    force_direction: list[float] | None
+    force_cone_deg: float | None
+    feed_deg: float | None
+    #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
+    component: str | None
+    #: What counts of the translation, the largest that the force may cause.
+    largest_mm: float | None
     #: (3,) the translation under it.
     deflection_mm: Array | None
     #: (3,) the rotation under it.
@@ -178,6 +188,14 @@ class Placement(_Table):
     task: str
     model: str
     force_n: float
+    #: ``"base"`` (ahead, left, up) or ``"tool"`` (feed, across, axial); None for the worst direction of the force.
+    force_axes: str | None
+    force_direction: list[float] | None
+    force_cone_deg: float | None
+    #: None where the feed may go any way.
+    feed_deg: float | None
+    #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
+    component: str
     #: None where it is not known: the search did not end, or the planar model does not hold.
     feasible: bool | None
     #: Why there is no place.
@@ -244,6 +262,14 @@ class Ranking(_Table):
     tasks: list[str]
     model: str
     force_n: float
+    #: ``"base"`` (ahead, left, up) or ``"tool"`` (feed, across, axial); None for the worst direction of the force.
+    force_axes: str | None
+    force_direction: list[float] | None
+    force_cone_deg: float | None
+    #: None where the feed may go any way.
+    feed_deg: float | None
+    #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
+    component: str
     #: One per robot: names, status, ``rank`` (None for an estimated robot), ``mean_ratio``, and ``cells`` with one placement per task.
     rows: list[dict[str, Any]]
     #: Who is best at each task.
@@ -298,6 +324,14 @@ class Map(_Table):
     robot: str
     model: str
     force_n: float
+    #: ``"base"`` (ahead, left, up) or ``"tool"`` (feed, across, axial); None for the worst direction of the force.
+    force_axes: str | None
+    force_direction: list[float] | None
+    force_cone_deg: float | None
+    #: None where the feed may go any way.
+    feed_deg: float | None
+    #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
+    component: str
     #: (nx,) forwards.
     x_m: Array
     #: (nz,) upwards.

@@ -34,7 +34,7 @@ class Option(NamedTuple):
         if self.default is None:
             return None
         parts = self.default.split(",") if self.is_list else [self.default]
-        values = [float(part) if self.kind == "number" else int(part) if self.kind == "whole" else part for part in parts]
+        values = [float(part) if self.kind in ("number", "force") else int(part) if self.kind == "whole" else part for part in parts]
         return values[0] if len(values) == 1 else tuple(values)
 
 

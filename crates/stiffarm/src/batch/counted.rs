@@ -168,7 +168,12 @@ impl<S: Simd> RimForm<S> {
             d = d + more / (a / d + b / (d + apart)).max(TINY * TINY);
             step += 1;
         }
-        self.axis * (h * h) + (self.across[0] + self.across[1]) * (0.5 * s * s) + radius + d + q1 * (q1 / d) + q2 * (q2 / (d + apart))
+        self.axis * (h * h)
+            + (self.across[0] + self.across[1]) * (0.5 * s * s)
+            + radius
+            + d
+            + q1 * (q1 / d)
+            + q2 * (q2 / (d + apart))
     }
 }
 

@@ -76,7 +76,14 @@ impl SpatialArm {
                 configurations,
             }),
             Some(counted) => {
-                arch.dispatch(ConfigurationsAt { arm: self, counted, orientation, same_branch, points, configurations });
+                arch.dispatch(ConfigurationsAt {
+                    arm: self,
+                    counted,
+                    orientation,
+                    same_branch,
+                    points,
+                    configurations,
+                });
             }
         }
     }

@@ -44,13 +44,9 @@ pub struct Largest {
 
 impl Forces {
     /// At angles, rad, between `from` and `to` off a unit axis; the normal of the face has length one.
-    pub(super) fn band(
-        axis: Vector3<f64>,
-        [from, to]: [f64; 2],
-        normal: Vector3<f64>,
-        component: Component,
-    ) -> Self {
-        let ends = [from, to].map(|angle: f64| [angle.cos(), if angle == std::f64::consts::PI { 0.0 } else { angle.sin() }]);
+    pub(super) fn band(axis: Vector3<f64>, [from, to]: [f64; 2], normal: Vector3<f64>, component: Component) -> Self {
+        let ends =
+            [from, to].map(|angle: f64| [angle.cos(), if angle == std::f64::consts::PI { 0.0 } else { angle.sin() }]);
         Self { axis, from: ends[0], to: ends[1], normal, component }
     }
 

@@ -257,7 +257,8 @@ mod tests {
                             assert!((worst - expected).abs() <= 1e-7 * expected, "{} {work:?}", robot.name);
                             let (configuration, roll) = found.at(i, j).unwrap();
                             assert!(ways.iter().any(|way| way.0 == configuration) && roll == 0.3, "{configuration}");
-                            let q = joints(&model, (Load::PAPER, &held), (configuration, roll), [work.x, work.z]).unwrap();
+                            let q =
+                                joints(&model, (Load::PAPER, &held), (configuration, roll), [work.x, work.z]).unwrap();
                             let at = compliance(robot, &q, &tool).unwrap().tool;
                             assert!((at.inverse() * pose).translation.vector.norm() < 1e-9, "{} {q:?}", robot.name);
                         }

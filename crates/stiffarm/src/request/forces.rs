@@ -37,7 +37,10 @@ impl Request {
         let component = match self.word("component") {
             Some("along") => Component::Along,
             Some("normal") if self.is_of_the_plane() => {
-                return Err(("component", "normal to the face is a matter of the spatial model: a zone in the arm plane has no face".into()));
+                return Err((
+                    "component",
+                    "normal to the face is a matter of the spatial model: a zone in the arm plane has no face".into(),
+                ));
             }
             Some("normal") => Component::Normal,
             _ => Component::Total,
@@ -66,10 +69,15 @@ impl Request {
                 Load::worst(newtons)
             }
             (Force::Along(_), Some(_)) => {
-                return Err(("direction-deg", "is the direction of a force that is given by its size; three numbers have one".into()));
+                return Err((
+                    "direction-deg",
+                    "is the direction of a force that is given by its size; three numbers have one".into(),
+                ));
             }
             (Force::Along([_, y, _]), None) if self.is_of_the_plane() && y != 0.0 => {
-                let why = format!("pushes with {y} N across the arm plane, of which the planar model knows nothing; it takes ahead,0,up, the spatial model any");
+                let why = format!(
+                    "pushes with {y} N across the arm plane, of which the planar model knows nothing; it takes ahead,0,up, the spatial model any"
+                );
                 return Err(("force-n", why));
             }
             (Force::Along(force), None) if self.is_along_base() => {

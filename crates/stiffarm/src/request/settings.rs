@@ -170,7 +170,10 @@ const ROW: Setting = Setting {
 /// Those along which a force of three numbers points.
 const AXES: Kind = Kind::Word(&[
     ("base", "Those of the base: ahead, to the left, up"),
-    ("tool", "Those of the work: along the feed, across it (left of the feed, seen from the spindle), axial (away from the work)"),
+    (
+        "tool",
+        "Those of the work: along the feed, across it (left of the feed, seen from the spindle), axial (away from the work)",
+    ),
 ]);
 /// Of the drives' compliances in a study.
 const RELATIVE: Setting = Setting {
