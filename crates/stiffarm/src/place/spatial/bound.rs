@@ -333,11 +333,13 @@ mod tests {
     use super::*;
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
-    use crate::load::Load;
+    use crate::inverse::Configuration;
+    use crate::load::{Component, Load};
     use crate::model::Model;
     use crate::place::spatial::search::region;
-    use crate::place::{Orientation, PlaceOptions, Placed, Stance, place};
+    use crate::place::{Orientation, PlaceOptions, Placed, Stance, deflection_field, place};
     use crate::spatial::Pose;
+    use crate::work::WorkPlane;
 
     /// Zones, tools and what else is asked.
     fn typical() -> Vec<(Zone, Pose, PlaceOptions)> {
@@ -388,6 +390,57 @@ mod tests {
                 let (worst, _) = compliance(robot, &hold.joints, &tool).unwrap().compliance.worst();
                 let proof = branch_and_bound.prove(1.5 * best.deflection);
                 assert!(0.5 * worst < proof.lower && proof.lower <= worst, "{}: {proof:?} {worst}", robot.name);
+            }
+        }
+    }
+
+    /// Forces of known direction: what is told is what the postures there have, and no other place lies under the bound.
+    #[test]
+    fn places_under_known_forces_are_proved_too() {
+        let milling = Load::along_tool([300.0, 100.0, 50.0], None).unwrap();
+        let fed = Load::along_tool([300.0, 100.0, 50.0], Some(0.3)).unwrap();
+        let loads = [
+            (milling, 0.1),
+            (milling.counting(Component::Normal).with_cone(0.2).unwrap(), 0.4),
+            (fed.with_cone(0.3).unwrap().counting(Component::Along), 0.1),
+            (Load::along_base([0.0, 0.0, -500.0]).unwrap(), 0.1),
+        ];
+        let (zone, tool) = (Zone::Rectangle { width: 0.3, height: 0.2 }, Pose::translation(0.0, 0.0, 0.2));
+        for (robot, (load, most)) in paper_robots().iter().step_by(2).zip(loads) {
+            let model = Model::spatial(robot, &tool).unwrap();
+            let options = PlaceOptions { stance: Some(Stance::tool_down()), ..PlaceOptions::under(load) };
+            let best = place(&model, zone, &options).unwrap().feasible().cloned().unwrap();
+            let hold = best.space().unwrap();
+            let gap = 1.0 - best.lower_bound / best.deflection;
+            assert!((0.0..most).contains(&gap), "{} under {load:?}: {gap}", robot.name);
+            assert!((hold.shares.iter().sum::<f64>() - 1.0).abs() < 1e-9, "{hold:?}");
+            let side = |i: usize| i as f64 / 10.0 - 1.0;
+            let points = (0..441).map(|i| zone.at([side(i % 21), side(i / 21)]));
+            let field = deflection_field(&model, &options, &best, points).unwrap();
+            let largest = field.iter().map(|point| point.deflection.unwrap()).fold(0.0, f64::max);
+            assert!((largest - best.deflection).abs() <= 2e-3 * largest, "{}: {largest} {best:?}", robot.name);
+            // Other places, held as any posture may: never under the bound.
+            let mut rng = fastrand::Rng::with_seed(9);
+            for _ in 0..300 {
+                let (x, z, angle) = (0.6 + 2.0 * rng.f64(), 1.5 * rng.f64(), [0.0, FRAC_PI_2][rng.usize(..2)]);
+                let work = WorkPlacement { x, z, yaw: 0.0, angle, roll: 0.0 };
+                let plane = WorkPlane::of(-FRAC_PI_2, &work);
+                let forces = plane.forces(load).unwrap();
+                let mut by_configuration = [Some(0.0_f64); Configuration::COUNT];
+                for at in [[0.0, 0.0], [0.15, 0.1], [0.15, -0.1], [-0.15, 0.1], [-0.15, -0.1]] {
+                    let held = crate::inverse::reached(robot, &(plane.pose(&work, at) * tool.inverse()));
+                    for configuration in Configuration::ALL {
+                        let found = held.iter().find(|(other, _)| *other == configuration).map(|(_, q)| {
+                            let posture = compliance(robot, q, &tool).unwrap();
+                            forces.largest(&posture.compliance.translation()).value * load.newtons()
+                        });
+                        let known = &mut by_configuration[configuration.index()];
+                        *known = known.zip(found).map(|(known, found)| known.max(found));
+                    }
+                }
+                for value in by_configuration.into_iter().flatten() {
+                    assert!(best.lower_bound <= value, "{}: {} at {work:?}", robot.name, value);
+                }
             }
         }
     }
