@@ -169,7 +169,7 @@ mod tests {
         let known = [Load::along_tool(force, feed), Load::along_base(force)][n / 8 % 2].clone().unwrap();
         let known = [known, Load::UNIT][usize::from(n % 32 == 5)];
         let component = [Component::Total, Component::Normal, Component::Along][n / 5 % 3];
-        if n % 2 == 0 {
+        if n.is_multiple_of(2) {
             Load::UNIT
         } else {
             known.with_cone(rng.f64() * f64::from(n as u32 % 7 / 4)).unwrap().counting(component)
