@@ -13,9 +13,7 @@ mod settings;
 mod wishes;
 
 pub use kind::{Count, Kind};
-pub use notation::{
-    Angle, Force, degrees, elevation, force, number, open_range, shape, spindle, tool, within, yaw,
-};
+pub use notation::{Angle, Force, degrees, elevation, force, number, open_range, shape, spindle, tool, within, yaw};
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};
 pub use settings::{Absent, Of, SETTINGS, Setting, Verb};

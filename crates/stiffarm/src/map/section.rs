@@ -290,7 +290,7 @@ mod tests {
             let held = Held { elevation: -FRAC_PI_2 + 0.4 * n as f64, yaw: 0.2, roll: Some(0.3), configuration: None };
             let map = section(spatial(robot, &tool).arm(), x, z, load, &held).deflection;
             for (i, j) in (0..42).map(|cell| (cell % 7, cell / 7)) {
-                let work = WorkPlacement { x: x.at(i), z: z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
+                let work = WorkPlacement { x: x.at(i), y: 0.0, z: z.at(j), yaw: 0.2, angle: 0.0, roll: 0.3 };
                 let plane = WorkPlane::of(held.elevation, &work);
                 let flange = plane.pose(&work, [0.0; 2]) * tool.inverse();
                 let columns = [plane.first, plane.second, -Vector3::from(plane.tool().column(2))];

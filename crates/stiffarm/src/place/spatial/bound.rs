@@ -423,7 +423,7 @@ mod tests {
             let mut rng = fastrand::Rng::with_seed(9);
             for _ in 0..300 {
                 let (x, z, angle) = (0.6 + 2.0 * rng.f64(), 1.5 * rng.f64(), [0.0, FRAC_PI_2][rng.usize(..2)]);
-                let work = WorkPlacement { x, z, yaw: 0.0, angle, roll: 0.0 };
+                let work = WorkPlacement { x, y: 0.0, z, yaw: 0.0, angle, roll: 0.0 };
                 let plane = WorkPlane::of(-FRAC_PI_2, &work);
                 let forces = plane.forces(load).unwrap();
                 let mut by_configuration = [Some(0.0_f64); Configuration::COUNT];

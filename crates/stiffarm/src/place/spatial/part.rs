@@ -261,7 +261,7 @@ impl<'a> PartSearch<'a> {
         for roll in self.rolls(face) {
             let works: Vec<WorkPlacement> = stands.iter().map(|stand| placed(&self.faces[face], stand, roll)).collect();
             let plane = WorkPlane::of(search.options.elevation, &works[0]);
-            let orientation = search.freed.orientation(plane.tool());
+            let orientation = search.freed.orientation(plane.tool()).under(plane.forces(search.options.load));
             let column = |part: fn(&WorkPlacement) -> f64| works.iter().map(part).collect::<Vec<f64>>();
             let (x, y, z) = (column(|work| work.x), column(|work| work.y), column(|work| work.z));
             let mut values = vec![0.0; Configuration::COUNT * works.len()];
