@@ -85,9 +85,12 @@ fn python_type(setting: &Setting) -> String {
         (Kind::Whole { .. }, false) => "int".into(),
         (Kind::Word(known), false) => words(known),
         (Kind::Word(known), true) => format!("str | Iterable[{}]", words(known)),
-        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Spindle, false) => "str".into(),
+        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Spindle | Kind::Mount, false) => {
+            "str".into()
+        }
         (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture, true) => "str | Iterable[str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
+        (Kind::Block, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),
         (Kind::Force, _) => "float | npt.ArrayLike".into(),
         (Kind::Angle | Kind::Elevation | Kind::Floor | Kind::Yaw, _) => "str | float".into(),

@@ -3,6 +3,7 @@
 //! The command line, Python and job files are readers of [`SETTINGS`]: each hands over names and texts, and all refuse the
 //! same in the same words, in their own spelling.
 
+mod cell;
 mod forces;
 pub mod job;
 mod kind;
@@ -13,7 +14,9 @@ mod settings;
 mod wishes;
 
 pub use kind::{Count, Kind};
-pub use notation::{Angle, Force, degrees, elevation, force, number, open_range, shape, spindle, tool, within, yaw};
+pub use notation::{
+    Angle, Force, block, degrees, elevation, force, mount, number, open_range, shape, spindle, tool, window, within, yaw,
+};
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};
 pub use settings::{Absent, Of, SETTINGS, Setting, Verb};
@@ -241,7 +244,8 @@ fn setting_of(verb: Verb, pair: &Pair) -> Result<&'static Setting, Refusal> {
 
 /// The texts of one value each.
 fn parts<'a>(setting: &Setting, text: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
-    if setting.is_list() { Box::new(text.split(',')) } else { Box::new(std::iter::once(text)) }
+    let between = if matches!(setting.kind, Kind::Within | Kind::Block) { ';' } else { ',' };
+    if setting.is_list() { Box::new(text.split(between)) } else { Box::new(std::iter::once(text)) }
 }
 
 fn read_values(setting: &Setting, pair: &Pair) -> Result<(Vec<String>, Vec<Value>), Refusal> {

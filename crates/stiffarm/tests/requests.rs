@@ -330,7 +330,7 @@ fn a_fault_of_a_job_names_file_line_key_value_and_what_was_expected() {
         ("verb = 'rank'\nforce-n = 0x10", "job.toml:2: invalid value '10' for 'force-n': expected a number"),
         ("verb = 'rank'\nforce-n = 1\nforce_n = 1", "job.toml:3: force-n is given twice"),
         ("verb = 'rank'\ntool-mm = [0,0,100]\n[tool]\nmm = [0,0,2]", "job.toml:2: tool-mm is given twice"),
-        ("verb = 'rank'\n[cell]\nfloor-m = 0", "job.toml:3: cell-floor-m is no option of rank"),
+        ("verb = 'rank'\n[cell]\nfloor-m = 0", "job.toml:3: floor-m is no option of rank"),
         ("verb = 'study'\n[tool]\nmm = [0,0,2]", "job.toml:3: tool-mm does not go with study"),
         ("verb = 'rank'\ntool-mm = [0,0,100]", "job.toml:2: tool-mm needs model = \"spatial\""),
         ("verb = 'rank'\n\"a\\nb\" = 1", "job.toml:2: a\\nb is no option of rank"),

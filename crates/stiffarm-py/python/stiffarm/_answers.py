@@ -231,6 +231,10 @@ class Placement(_Table):
     limit_margin_deg: float | None
     limit_margin_joint: int | None
     singular_margin_deg: float | None
+    #: The cell as it was asked for: mount, windows, what is kept free.
+    cell: dict[str, Any] | None
+    #: The centre of the zone in the axes of the cell.
+    cell_m: list[float] | None
     #: The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap.
     clearance_mm: float | None
     #: Which link to what.

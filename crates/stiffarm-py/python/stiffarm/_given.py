@@ -109,14 +109,32 @@ def between(name: str, value: RangeLike | None) -> str | None:
 
 
 def within(value: str | Sequence[RangeLike | None] | None) -> str | None:
-    """The ranges of x and z, as the command line spells them."""
+    """The ranges of x and z, or of x, y and z, or several windows as texts, as the command line spells them."""
     if value is None or isinstance(value, str):
         return value
     try:
-        x, z = value
-    except (TypeError, ValueError):
-        raise StiffarmError(f"within_m={_short(value)}; expected two ranges, ((x0, x1), (z0, z1))") from None
-    return ",".join(between("within_m", part) or ".." for part in (x, z))
+        parts = list(value)
+    except TypeError:
+        parts = []
+    if parts and all(isinstance(part, str) and "," in part for part in parts):
+        return ";".join(str(part) for part in parts)
+    if len(parts) not in (2, 3):
+        raise StiffarmError(f"within_m={_short(value)}; expected two ranges, ((x0, x1), (z0, z1)), or three with y")
+    return ",".join(between("within_m", part) or ".." for part in parts)
+
+
+def blocks(name: str, value: str | Iterable[str | Sequence[RangeLike | None]]) -> str:
+    """Boxes of three ranges each, as the command line spells them."""
+    if isinstance(value, str):
+        return value
+    expected = f"{name}={_short(value)}; expected boxes, [((x0, x1), (y0, y1), (z0, z1)), ...]"
+    try:
+        boxes = [box if isinstance(box, str) else list(box) for box in value]
+    except TypeError:
+        raise StiffarmError(expected) from None
+    if any(not isinstance(box, str) and len(box) != 3 for box in boxes):
+        raise StiffarmError(expected)
+    return ";".join(box if isinstance(box, str) else ",".join(between(name, part) or ".." for part in box) for box in boxes)
 
 
 def robot(value: RobotLike) -> Robot:

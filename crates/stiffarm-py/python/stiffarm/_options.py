@@ -64,7 +64,10 @@ def _text(option: Option, value: object) -> str | None:
     if kind == "within":
         ranges: Any = value
         return _given.within(ranges)
-    if kind in ("text", "word", "robot", "task", "shape", "posture"):
+    if kind == "block":
+        boxes: Any = value
+        return _given.blocks(name, boxes)
+    if kind in ("text", "word", "robot", "task", "shape", "posture", "mount"):
         return _given.listed(name, value) if option.is_list else _given.text(name, value)
     if isinstance(value, str):
         return value

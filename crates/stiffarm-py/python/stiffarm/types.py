@@ -68,7 +68,8 @@ class PlaceOptions(TypedDict, total=False):
     """Cutting force [N]."""
 
     within_m: str | Sequence[RangeLike | None] | None
-    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
+    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
     [default: in front of the joint-1 axis, above the floor]."""
 
     limit_margin_deg: float | None
@@ -118,6 +119,30 @@ class PlaceOptions(TypedDict, total=False):
 
     roll_deg: float | None
     """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+
+    mount: str | None
+    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
+    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
+
+    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
+    times."""
+
+    clearance_mm: float | None
+    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
+    [default: told, not asked]."""
+
+    mount: str | None
+    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
+    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
+
+    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
+    times."""
+
+    clearance_mm: float | None
+    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
+    [default: told, not asked]."""
 
 
 class RankOptions(TypedDict, total=False):
@@ -134,7 +159,8 @@ class RankOptions(TypedDict, total=False):
     """Cutting force [N]."""
 
     within_m: str | Sequence[RangeLike | None] | None
-    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
+    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
     [default: in front of the joint-1 axis, above the floor]."""
 
     limit_margin_deg: float | None
@@ -184,6 +210,30 @@ class RankOptions(TypedDict, total=False):
 
     roll_deg: float | None
     """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+
+    mount: str | None
+    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
+    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
+
+    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
+    times."""
+
+    clearance_mm: float | None
+    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
+    [default: told, not asked]."""
+
+    mount: str | None
+    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
+    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
+
+    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
+    times."""
+
+    clearance_mm: float | None
+    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
+    [default: told, not asked]."""
 
     vendor: str | Iterable[str] | None
     """Only robots of these makers, separated by commas."""
@@ -230,7 +280,8 @@ class MapOptions(TypedDict, total=False):
     """Cutting force [N]."""
 
     within_m: str | Sequence[RangeLike | None] | None
-    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
+    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
     [default: in front of the joint-1 axis, above the floor]."""
 
     limit_margin_deg: float | None
@@ -315,7 +366,8 @@ class SweepOptions(TypedDict, total=False):
     """Largest deflection that is acceptable [mm]: adds pass or fail."""
 
     within_m: str | Sequence[RangeLike | None] | None
-    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
+    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
     [default: in front of the joint-1 axis, above the floor]."""
 
     limit_margin_deg: float | None

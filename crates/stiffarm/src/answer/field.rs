@@ -157,6 +157,8 @@ fields! {
     CLEARANCE: "clearance_mm", Kind::Number(Unit::Millimetre), "The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap.";
     CLEARANCE_OF: "clearance_of", Kind::Text, "Which link to what.";
     CLEARANCE_ESTIMATED: "clearance_estimated", Kind::Truth, "A radius in it is estimated.";
+    ROBOT_CELL: "cell", Kind::Nested, "The cell as it was asked for: mount, windows, what is kept free; null where there is none.";
+    CELL_CENTRE: "cell_m", numbers(Unit::Metre, &["cell_x_m", "cell_y_m", "cell_z_m"]), "The centre of the zone in the axes of the cell, its floor at 0.";
     FACES: "faces", Kind::Nested, "Every face of a part; null of one flat zone.";
     FACE: "face", Kind::Text, "Which face of a part.";
     FACE_CENTRE: "centre_m", numbers(Unit::Metre, &["centre_x_m", "centre_y_m", "centre_z_m"]), "Its centre.";

@@ -2,9 +2,11 @@
 
 use serde_json::Value;
 
+use super::cell as told_cell;
 use super::stiffness::{self, stiffness};
 use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm};
 use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, with_schema, words};
+use crate::cell::Cell;
 use crate::interval::Interval;
 use crate::map::{Held, MapOptions, Spacing};
 use crate::model::{Model, ModelKind};
@@ -83,7 +85,7 @@ impl PlaceAnswer {
             }
             ModelKind::Planar => lines.push(line("task", zone)),
             ModelKind::Spatial(flange_from_tool) => {
-                lines.push(line("task", format!("{zone}, {}", direction(self.elevation()))));
+                lines.push(line("task", format!("{zone}, {}", direction(told_cell::elevation(&self.options)))));
                 lines.push(line("tool", tool(flange_from_tool)));
             }
         }
@@ -94,8 +96,13 @@ impl PlaceAnswer {
         if *model != ModelKind::Planar && options.load.breaks_symmetry() {
             lines.push(line("fixed to the base", "its centre straight ahead, and nowhere else about the joint-1 axis"));
         }
-        let allowed = words::window(&margins::window(options, model, robot), words::origin(robot));
-        lines.push(line("allowed place", allowed));
+        match options.cell {
+            None => {
+                let allowed = words::window(&margins::window(options, model, robot), words::origin(robot));
+                lines.push(line("allowed place", allowed));
+            }
+            Some(cell) => lines.extend(told_cell::lines(&cell, &options.within(model))),
+        }
         lines.extend(margins::column(&options.margins, robot).map(|kept| line("", kept)));
         lines.push(line("places keep", margins::angles(&options.margins)));
         match placed {
@@ -147,14 +154,16 @@ impl PlaceAnswer {
         let notes = match self.model {
             ModelKind::Planar => "",
             ModelKind::Spatial(_) => {
-                "all six drives compliant, everything else rigid\nclearance: links as capsules, coarse, at the poses of the answer; nothing is known of tables and fixtures\n"
+                "all six drives compliant, everything else rigid\nclearance: links as capsules, coarse, at the poses of the answer; "
             }
         };
-        format!("{}{notes}", words::assumed_architecture([&self.robot]))
-    }
-
-    fn elevation(&self) -> f64 {
-        self.options.stance().elevation
+        let has_boxes = self.options.cell.is_some_and(|cell| cell.keep_out().next().is_some());
+        let around = match self.model {
+            ModelKind::Planar => "",
+            ModelKind::Spatial(_) if has_boxes => "of tables and fixtures only the keep-outs are known\n",
+            ModelKind::Spatial(_) => "nothing is known of tables and fixtures\n",
+        };
+        format!("{}{notes}{around}", words::assumed_architecture([&self.robot]))
     }
 
     fn lines(&self, best: &Placement) -> Vec<Line> {
@@ -166,7 +175,13 @@ impl PlaceAnswer {
             line("no place has less than", proof(best)),
             line(format!("{centre} from {}", words::origin(&self.robot)), format!("x {x:.4} m, z {z:.4} m")),
         ];
-        lines.extend(outside(best).map(|note| line("note", note)));
+        match self.options.cell {
+            None => lines.extend(outside(best).map(|note| line("note", note))),
+            Some(cell) => {
+                let [x, y, z] = best.in_cell(&cell).map(|part| fixed(part, 4));
+                lines.push(line("centre in the cell", format!("x {x} m, y {y} m, z {z} m")));
+            }
+        }
         match best.space() {
             None => {
                 lines.push(line("angle of the first side", degrees(best.angle)));
@@ -195,7 +210,8 @@ impl PlaceAnswer {
     fn stance_lines(&self, best: &Placement, hold: &SpaceHold) -> Vec<Line> {
         let mut lines = Vec::new();
         if hold.bearing != 0.0 {
-            let turned = format!("{} about the joint-1 axis, where its limits allow the zone", degrees(hold.bearing));
+            let turned =
+                format!("{} about the joint-1 axis, where limits and cell allow the zone", degrees(hold.bearing));
             lines.push(line("turned", turned));
         }
         if !self.options.stance().is_vertical() {
@@ -341,7 +357,7 @@ pub(super) fn cell(
         .put(field::LOWER_BOUND, best.map(|best| best.lower_bound))
         .put(field::X, best.map(|best| best.centre[0]))
         .put(field::Z, best.map(|best| best.centre[1]));
-    held(&mut record, best);
+    held(&mut record, best, options.cell.as_ref());
     record
         .put(field::TOLERANCE, tolerance_mm)
         .put(
@@ -364,13 +380,14 @@ fn asked(record: &mut Record, robot: &Robot, model: &ModelKind, options: &PlaceO
         ModelKind::Planar => None,
         ModelKind::Spatial(flange_from_tool) => Some(flange_from_tool),
     };
-    let stance = options.stance();
+    let in_cell = options.cell.is_some_and(|cell| cell.windows().next().is_some());
     let Within { x, z } = margins::window(options, model, robot);
     let ends = |range: Interval| [range.min(), range.max()].map(|end| end.is_finite().then_some(end));
     record
         .put(field::TOOL, flange_from_tool.map(tool_mm))
-        .put(field::TOOL_DIRECTION, flange_from_tool.map(|_| words::asked_degrees(stance.elevation)))
-        .put(field::WITHIN, Datum::Numbers([ends(x), ends(z)].concat()));
+        .put(field::TOOL_DIRECTION, flange_from_tool.map(|_| words::asked_degrees(told_cell::elevation(options))))
+        .put(field::WITHIN, if in_cell { Datum::Absent } else { Datum::Numbers([ends(x), ends(z)].concat()) })
+        .put(field::ROBOT_CELL, options.cell.map(|cell| told_cell::record(&cell)));
     margins::put(record, options, robot);
 }
 
@@ -391,7 +408,7 @@ fn outcome(record: &mut Record, placed: Result<&Placed, &PlaceError>) {
 }
 
 /// How the zone stands and what holds it.
-fn held(record: &mut Record, best: Option<&Placement>) {
+fn held(record: &mut Record, best: Option<&Placement>, cell: Option<&Cell>) {
     let hold = best.and_then(Placement::space);
     let of = |value: fn(&SpaceHold) -> f64| hold.map(value);
     let clearance = best.and_then(|best| best.clearance);
@@ -415,6 +432,7 @@ fn held(record: &mut Record, best: Option<&Placement>) {
         .put(field::CLEARANCE, clearance.map(|clearance| clearance.distance))
         .put(field::CLEARANCE_OF, clearance.map(|clearance| words::clearance_of(&clearance)))
         .put(field::CLEARANCE_ESTIMATED, clearance.map(|clearance| clearance.is_estimated))
+        .put(field::CELL_CENTRE, best.zip(cell).map(|(best, cell)| best.in_cell(cell)))
         .put(field::RESOLUTION, hold.map(|hold| resolution(&hold.resolution)))
         .put(field::FACES, faces(best));
 }

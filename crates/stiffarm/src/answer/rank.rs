@@ -221,7 +221,12 @@ impl RankAnswer {
         match &self.ranking.model {
             ModelKind::Planar => format!("zones {within}"),
             ModelKind::Spatial(tool) => {
-                let elevation = self.options.stance().elevation;
+                let elevation = super::cell::elevation(&self.options);
+                if let Some(cell) = &self.options.cell {
+                    let told = super::cell::lines(cell, &self.options.within(&self.ranking.model));
+                    let told: Vec<String> = told.iter().map(|[name, says]| format!("{name}: {says}")).collect();
+                    return format!("{}, tool {}; {}", words::direction(elevation), words::tool(tool), told.join("; "));
+                }
                 format!("{}, tool {}; zones within {within}", words::direction(elevation), words::tool(tool))
             }
         }

@@ -158,6 +158,7 @@ pub fn clearance_of(clearance: &Clearance) -> String {
     let estimated = if clearance.is_estimated { " (estimated radius)" } else { "" };
     let to = match clearance.to {
         Obstacle::Floor => "floor".into(),
+        Obstacle::Mounting => "wall or ceiling".into(),
         Obstacle::Work => "work".into(),
         Obstacle::KeepOut(number) => format!("keep-out {number}"),
         Obstacle::Link(link) => link.name().into(),

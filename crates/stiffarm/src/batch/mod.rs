@@ -139,6 +139,14 @@ impl SpatialArm {
         arm
     }
 
+    /// The same arm seen from a base that is turned to the left about the joint-1 axis, rad: joint 1 counts from there.
+    pub(crate) fn with_base_turned(&self, angle: f64) -> Self {
+        let mut arm = self.clone();
+        arm.limits.joints[0] = arm.limits.joints[0].affine(1.0, -arm.geometry.sign[0] * angle);
+        arm.angular_limits = AngularLimits::new(&arm.geometry, &arm.limits);
+        arm
+    }
+
     /// The same arm with every limit narrowed by `by`, rad, at either end, and with the distance from singular postures widened
     /// by it; `None` where nothing of a limit would be left.
     pub(crate) fn narrowed(&self, by: f64) -> Option<Self> {

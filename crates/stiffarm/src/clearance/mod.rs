@@ -6,6 +6,7 @@ mod solid;
 use nalgebra::Vector3;
 
 use crate::body::Body;
+use crate::cell::{Cell, MountKind};
 use crate::geometry::Geometry;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
@@ -38,6 +39,8 @@ pub enum Link {
 pub enum Obstacle {
     /// The floor.
     Floor,
+    /// The wall or ceiling on which the robot is mounted.
+    Mounting,
     /// What is machined.
     Work,
     /// A box that was asked to be kept free, by its number from 1.
@@ -68,6 +71,10 @@ pub struct Clearance {
 pub(crate) struct Surroundings {
     /// A point of the floor and the unit normal that leads away from it; `None` where there is none.
     pub(crate) floor: Option<[Vector3<f64>; 2]>,
+    /// The same of the wall or ceiling that carries the base.
+    pub(crate) mounting: Option<[Vector3<f64>; 2]>,
+    /// So far the column reaches down below the base, m.
+    pub(crate) pedestal: f64,
     /// What is machined.
     pub(crate) work: Option<Solid>,
     /// Boxes that must be kept free.
@@ -89,6 +96,27 @@ impl Surroundings {
     /// Nothing but the floor on which the base stands.
     pub(crate) fn on_the_floor() -> Self {
         Self { floor: Some([Vector3::zeros(), Vector3::z()]), ..Self::default() }
+    }
+
+    /// What a cell says; only a floor so high above the base, m, where there is none.
+    pub(crate) fn of(cell: Option<&Cell>, floor: f64) -> Self {
+        let Some(cell) = cell else {
+            return Self { floor: Some([Vector3::new(0.0, 0.0, floor), Vector3::z()]), ..Self::default() };
+        };
+        let (mount, base_from_cell) = (cell.mount, cell.mount.cell_from_base.inverse());
+        let base = mount.cell_from_base.translation.vector;
+        let solid = |block: crate::cell::Block| {
+            let [middle, half] = block.near(&base);
+            Solid::Box { pose: base_from_cell * Pose::translation(middle.x, middle.y, middle.z), half: half.into() }
+        };
+        let carries = matches!(mount.kind, MountKind::Wall | MountKind::Ceiling);
+        Self {
+            floor: Some([base_from_cell.translation.vector, base_from_cell.rotation * Vector3::z()]),
+            mounting: carries.then(|| [Vector3::zeros(), Vector3::z()]),
+            pedestal: if mount.kind == MountKind::Pedestal { base.z.max(0.0) } else { 0.0 },
+            work: None,
+            keep_out: cell.keep_out().map(solid).collect(),
+        }
     }
 }
 
@@ -152,7 +180,7 @@ impl<'a> ThickArm<'a> {
 
     /// Every pair that may meet in one posture.
     fn distances(&self, theta: &[f64; 6], about: &Surroundings) -> Vec<(Link, Obstacle, f64)> {
-        let links: Vec<(Link, Capsule)> = links(self.geometry, &self.body, theta, self.tool)
+        let links: Vec<(Link, Capsule)> = links(self.geometry, &self.body, about.pedestal, theta, self.tool)
             .into_iter()
             .filter(|(link, _)| !(self.ends_at_wrist && *link == Link::Wrist))
             .collect();
@@ -169,6 +197,9 @@ impl<'a> ThickArm<'a> {
             };
             if let Some([through, up]) = about.floor.filter(|_| link != Link::Column) {
                 found.push((link, Obstacle::Floor, capsule.above(&through, &up)));
+            }
+            if let Some([through, up]) = about.mounting.filter(|_| link != Link::Column) {
+                found.push((link, Obstacle::Mounting, capsule.above(&through, &up)));
             }
             let kept_out = about.keep_out.iter().enumerate();
             found.extend(kept_out.map(|(i, solid)| (link, Obstacle::KeepOut(i + 1), capsule.apart_from_solid(solid))));

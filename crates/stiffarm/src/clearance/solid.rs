@@ -2,7 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
-use parry3d_f64::query::{contact, details::distance_segment_segment};
+use parry3d_f64::query::{contact, details::distance_segment_segment, intersection_test};
 use parry3d_f64::shape::{Cuboid, Cylinder, Segment, Shape};
 
 use crate::spatial::Pose;
@@ -49,15 +49,8 @@ impl Capsule {
 
     /// To a solid, m; negative where they overlap: so far one would have to move.
     pub(crate) fn apart_from_solid(&self, solid: &Solid) -> f64 {
-        let (pose, shape): (ParryPose, &dyn Shape) = match solid {
-            Solid::Box { pose, half } => (parry(pose), &Cuboid::new(Vector::from(*half))),
-            Solid::Disc { pose, radius, half_thickness } => {
-                // A cylinder of parry stands along y.
-                let standing = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::FRAC_PI_2);
-                (parry(&(pose * standing)), &Cylinder::new(*half_thickness, *radius))
-            }
-        };
-        let apart = contact(&ParryPose::identity(), &self.segment(), &pose, shape, FAR);
+        let segment = self.segment();
+        let apart = solid.with_shape(|pose, shape| contact(&ParryPose::identity(), &segment, pose, shape, FAR));
         // Convex shapes are supported, so nothing within reach means that it is far.
         let apart = apart.ok().flatten().map_or(FAR, |contact| contact.dist);
         apart - self.radius
@@ -70,6 +63,28 @@ impl Capsule {
         }
         let [from, to] = [from, to].map(|end| Vector::from(<[f64; 3]>::from(end)));
         Segment::new(from, to)
+    }
+}
+
+impl Solid {
+    /// They share a point.
+    pub(crate) fn touches(&self, other: &Self) -> bool {
+        let shared = self.with_shape(|pose, shape| {
+            other.with_shape(|other_pose, other| intersection_test(pose, shape, other_pose, other))
+        });
+        // Convex shapes are supported: there is no error.
+        shared.is_ok_and(|shared| shared.intersecting)
+    }
+
+    fn with_shape<R>(&self, ask: impl FnOnce(&ParryPose, &dyn Shape) -> R) -> R {
+        match self {
+            Self::Box { pose, half } => ask(&parry(pose), &Cuboid::new(Vector::from(*half))),
+            Self::Disc { pose, radius, half_thickness } => {
+                // A cylinder of parry stands along y.
+                let standing = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::FRAC_PI_2);
+                ask(&parry(&(pose * standing)), &Cylinder::new(*half_thickness, *radius))
+            }
+        }
     }
 }
 

@@ -11,6 +11,7 @@ pub(crate) use planar::best_near;
 pub use planar::{best_without_limits, largest_scale_without_limits};
 pub use spatial::{Resolution, ZonePoint};
 
+use crate::cell::Cell;
 use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
@@ -109,13 +110,17 @@ pub struct PlaceOptions {
     pub stance: Option<Stance>,
     /// What every place keeps from limits, straight postures, the robot's column and the floor.
     pub margins: Margins,
+    /// How the robot stands in its cell, and what else stands there; spatial model only. Its windows replace `within`. Alone on the floor
+    /// where `None`.
+    pub cell: Option<Cell>,
 }
 
 impl PlaceOptions {
     /// The paper's question under a load: horizontal or vertical, wherever the model usually looks, up to the very limits of the joints,
     /// to its usual certificate.
     pub const fn under(load: Load) -> Self {
-        Self { load, orientation: Orientation::Axes, within: None, gap: None, stance: None, margins: Margins::NONE }
+        let margins = Margins::NONE;
+        Self { load, orientation: Orientation::Axes, within: None, gap: None, stance: None, margins, cell: None }
     }
 
     /// What an engineer would ask of a cell: in front of the robot and above the floor, clear of its column, of joint limits and of straight
@@ -241,6 +246,13 @@ impl Placement {
         self.clearance.is_some_and(|clearance| clearance.distance < 0.0)
     }
 
+    /// The centre of the zone in a cell, m.
+    pub fn in_cell(&self, cell: &Cell) -> [f64; 3] {
+        let ([x, z], bearing) = (self.centre, self.space().map_or(0.0, |hold| hold.bearing));
+        let at = nalgebra::Point3::new(x * bearing.cos(), x * bearing.sin(), z);
+        (cell.mount.cell_from_base * at).into()
+    }
+
     /// The arm at the worst point.
     pub fn posture(&self) -> ArmPosture {
         match &self.hold {
@@ -299,6 +311,11 @@ pub enum Misfit {
         /// The coarsest step of the search for one, m.
         step: f64,
     },
+    /// Places are reached, but at the best of them the arm comes nearer than was asked.
+    Clearance {
+        /// m.
+        asked: f64,
+    },
     /// The zone is reached, but a joint would have to turn by more than it can on the way through it.
     Turning,
 }
@@ -325,6 +342,9 @@ impl std::fmt::Display for Misfit {
                 "no place was found (places {:.0} mm apart, then refined) where the whole zone is reached in one posture",
                 step * 1e3
             ),
+            Self::Clearance { asked } => {
+                write!(f, "no place was found where the arm keeps {:.0} mm from everything", asked * 1e3)
+            }
             Self::Turning => f.write_str(
                 "the zone is reached, but not in one go: within it a joint passes a singular posture or the end of its range",
             ),
@@ -373,6 +393,11 @@ pub enum PlaceError {
         /// The model that knows it.
         model: &'static str,
     },
+    /// What a cell is not asked for yet.
+    #[error(
+        "a part with several faces; mounts, windows with y, keep-outs and a clearance that is asked for are known of one flat zone"
+    )]
+    PartInCell,
     /// A force of known direction.
     #[error("a force of known direction; in the arm plane a place is sought for the worst direction at every point")]
     Directed,

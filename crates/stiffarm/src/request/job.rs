@@ -9,6 +9,9 @@
 //! [tool]                              # a table puts its name before its keys: tool-mm, tool-direction
 //! mm = [0, 0, 200]
 //! direction = "down"
+//! [cell]                              # but of this one: mount, within, keep-out, clearance-mm
+//! mount = "pedestal:0.5"
+//! keep-out = ["1.0..2.0,-3.0..-1.5,..1.2"]
 //! ```
 
 use std::fmt::Write as _;
@@ -108,6 +111,8 @@ impl Reader<'_> {
             let place = key.span().start;
             let name = format!("{before}{}", key.get_ref().replace('_', "-"));
             match value.get_ref() {
+                // What is known of the cell is called the same outside of its table.
+                DeValue::Table(inner) if before.is_empty() && name == "cell" => self.collect(inner, "", entries)?,
                 DeValue::Table(inner) if before.is_empty() => self.collect(inner, &format!("{name}-"), entries)?,
                 _ if entries.iter().any(|(known, ..)| *known == name) => {
                     return Err(self.fault(place, format!("{} is given twice; expected it once", on_one_line(&name))));
@@ -169,7 +174,9 @@ fn texts(setting: Option<&Setting>, value: &DeValue) -> Result<Vec<String>, Stri
     match kind {
         Some(Kind::Tool) => several(Some(Kind::Elevation)).map(|parts| vec![parts.join(",")]),
         Some(Kind::Force) => several(kind).map(|parts| vec![parts.join(",")]),
-        Some(Kind::Within) => several(Some(Kind::Text)).map(|parts| vec![parts.join(",")]),
+        // Ranges of one window, or whole windows.
+        Some(Kind::Within) => several(Some(Kind::Text))
+            .map(|parts| if parts.iter().any(|part| part.contains(',')) { parts } else { vec![parts.join(",")] }),
         Some(Kind::Range { .. }) => several(Some(Kind::Elevation)).map(|ends| vec![ends.join("..")]),
         // An option that has no row is refused by its name, whatever its value.
         None => Ok(items.iter().map(|item| scalar(None, item.get_ref()).unwrap_or_default()).collect()),

@@ -1,9 +1,11 @@
 //! What does an option take, and which value does a text stand for?
 
-use super::notation::{Angle, Force, elevation, force, number, open_range, shape, spindle, tool, within, yaw};
+use super::notation::{
+    Angle, Force, block, elevation, force, mount, number, open_range, shape, spindle, tool, window, yaw,
+};
+use crate::cell::{Block, Mount, Window};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::place::Within;
 use crate::spatial::Pose;
 use crate::task::Task;
 
@@ -41,8 +43,12 @@ pub enum Kind {
         /// Neither end may be left open.
         is_bounded: bool,
     },
-    /// `x0..x1,z0..z1` in m.
+    /// `x0..x1,z0..z1` or `x0..x1,y0..y1,z0..z1` in m; several with `;` between.
     Within,
+    /// `x0..x1,y0..y1,z0..z1` in m; several with `;` between.
+    Block,
+    /// How the base is mounted.
+    Mount,
     /// Of a rectangle: a word, or degrees.
     Angle,
     /// Of the tool axis: a word, or degrees.
@@ -111,7 +117,9 @@ pub(super) enum Value {
     Whole(usize),
     Force(Force),
     Interval(Interval),
-    Within(Within),
+    Window(Window),
+    Block(Block),
+    Mount(Mount),
     Angle(Angle),
     Floor(Option<f64>),
     Tool(Pose),
@@ -138,7 +146,14 @@ impl Kind {
     pub fn may_be_negative(self) -> bool {
         !matches!(
             self,
-            Self::Text | Self::Robot | Self::Word(_) | Self::Task | Self::Shape | Self::Posture | Self::Spindle
+            Self::Text
+                | Self::Robot
+                | Self::Word(_)
+                | Self::Task
+                | Self::Shape
+                | Self::Posture
+                | Self::Spindle
+                | Self::Mount
         )
     }
 
@@ -171,7 +186,9 @@ impl Kind {
                 range if is_bounded && !range.is_bounded() => Err("it takes both ends, e.g. 0.5..1.5".into()),
                 range => Ok(Value::Interval(range)),
             },
-            Self::Within => within(text).map(Value::Within),
+            Self::Within => window(text).map(Value::Window),
+            Self::Block => block(text).map(Value::Block),
+            Self::Mount => mount(text).map(Value::Mount),
             Self::Angle => text.parse().map(Value::Angle),
             Self::Elevation => elevation(text).map(Value::Number),
             Self::Yaw => yaw(text).map(Value::Interval),

@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use nalgebra::{Rotation3, Translation3};
 
+use crate::cell::{Block, Mount, MountKind, Window};
 use crate::interval::Interval;
 use crate::place::{Orientation, Within};
 use crate::spatial::Pose;
@@ -235,6 +236,62 @@ pub fn within(text: &str) -> Result<Within, String> {
     Ok(Within { x: open_range(x)?, z: open_range(z)? })
 }
 
+/// `x0..x1,y0..y1,z0..z1` in m.
+///
+/// # Errors
+/// What was expected.
+pub fn block(text: &str) -> Result<Block, String> {
+    let expected = || "expected x0..x1,y0..y1,z0..z1 in m; each range may be left open at either end".to_owned();
+    let ranges: Vec<&str> = text.split(',').collect();
+    let &[x, y, z] = ranges.as_slice() else { return Err(expected()) };
+    Ok(Block { x: open_range(x)?, y: open_range(y)?, z: open_range(z)? })
+}
+
+/// A place for work: as [`within`], or with y as a block of the cell.
+///
+/// # Errors
+/// What was expected.
+pub fn window(text: &str) -> Result<Window, String> {
+    if text.matches(',').count() == 2 {
+        return block(text).map(Window::Block);
+    }
+    let Within { x, z } = within(text)?;
+    Ok(Window::Ring { ahead: x, z })
+}
+
+/// `floor`, `pedestal:H`, `wall:H`, `ceiling:H` or `pose:x,y,z,rx,ry,rz` in m and degrees; `@DEG` behind it turns it to the left about the
+/// vertical.
+///
+/// # Errors
+/// What was expected.
+pub fn mount(text: &str) -> Result<Mount, String> {
+    let expected = || {
+        "expected floor, pedestal:H, wall:H or ceiling:H with a height in m, or pose:x,y,z,rx,ry,rz in m and degrees; \
+         @DEG behind it turns it about the vertical"
+            .to_owned()
+    };
+    let (what, turn) = text.split_once('@').map_or((text, Ok(0.0)), |(what, turn)| (what, degrees(turn)));
+    let turn = turn.map_err(|_| expected())?.to_radians();
+    let height = |text: &str| number(text, -20.0, 50.0, "m").map_err(|_| expected());
+    let (name, value) = what.split_once(':').unwrap_or((what, ""));
+    let mount = match name.trim() {
+        "floor" if value.is_empty() => Mount::pedestal(0.0),
+        "pedestal" => Mount::pedestal(height(value)?),
+        "wall" => Mount::wall(height(value)?),
+        "ceiling" => Mount::ceiling(height(value)?),
+        "pose" => {
+            let numbers = value.split(',').map(|part| number(part, -360.0, 360.0, "").map_err(|_| expected()));
+            let numbers: Vec<f64> = numbers.collect::<Result<_, _>>()?;
+            let &[x, y, z, rx, ry, rz] = numbers.as_slice() else { return Err(expected()) };
+            let [rx, ry, rz] = [rx, ry, rz].map(f64::to_radians);
+            let turned = Rotation3::from_euler_angles(rx, ry, rz);
+            Mount { kind: MountKind::Pose, cell_from_base: Pose::from_parts(Translation3::new(x, y, z), turned.into()) }
+        }
+        _ => return Err(expected()),
+    };
+    Ok(mount.turned(turn))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -284,6 +341,26 @@ mod tests {
             "spindle:-1",
         ] {
             assert!(spindle(bad).unwrap_err().starts_with("expected spindle:LENGTH"), "{bad}");
+        }
+    }
+
+    #[test]
+    fn windows_have_two_or_three_ranges_and_mounts_a_height() {
+        let Ok(Window::Block(found)) = window("1..2,-0.5..,..0.8") else { panic!("a block") };
+        assert_eq!((found.x.max(), found.y.min(), found.y.max(), found.z.max()), (2.0, -0.5, f64::INFINITY, 0.8));
+        assert_eq!(
+            window("1..,..0.8"),
+            Ok(Window::Ring { ahead: open_range("1..").unwrap(), z: open_range("..0.8").unwrap() })
+        );
+        assert!(block("1..2,0..1").is_err() && window("1..2,3..4,5..6,7..8").is_err());
+        assert_eq!(mount("floor"), Ok(Mount::pedestal(0.0)));
+        assert_eq!(mount("wall:2.5@90"), Ok(Mount::wall(2.5).turned(90_f64.to_radians())));
+        let posed = mount("pose:1,0.5,3,180,0,0").unwrap();
+        assert!((posed.cell_from_base.inverse() * Mount::ceiling(3.0).cell_from_base).rotation.angle() < 1e-12);
+        for bad in
+            ["", "pedestal", "pedestal:x", "wall:1@x", "pose:1,2,3", "floor:1", "shelf:1", "wall:nan", "ceiling:1e9"]
+        {
+            assert!(mount(bad).is_err(), "{bad}");
         }
     }
 

@@ -47,6 +47,17 @@ pub enum Unasked {
     /// A vertical tool has no yaw.
     #[error("turns nothing where the tool points straight down or up; the angle of the zone does")]
     Yaw,
+    /// A cell has three dimensions.
+    #[error("with y, or several of them, is a matter of the spatial model")]
+    CellInPlane,
+    /// A cell has a floor.
+    #[error(
+        "counts from the base; with --mount, windows with y, --keep-out or --clearance-mm the floor is that of the cell"
+    )]
+    Floor,
+    /// On a wall only the vertical has one direction.
+    #[error("on a mount that leans the tool points down or up")]
+    Leaning,
 }
 
 impl Unasked {
@@ -55,6 +66,9 @@ impl Unasked {
         match self {
             Self::LongSide => "angle",
             Self::Yaw => "yaw-deg",
+            Self::CellInPlane => "within",
+            Self::Leaning => "tool-direction",
+            Self::Floor => "floor",
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Which options are there? One row each, from which every face builds its parser, its help and its refusals.
 
 use super::kind::{ANY, Count, Kind, count, count_of, degrees_of, number_of, one_or};
+use crate::cell::MOST_BLOCKS;
 
 /// What can be asked of the library, as a command, a function or the `verb` of a job file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -208,6 +209,8 @@ const SPINDLE: Setting = Setting {
     example: "spindle:250@90+30",
     ..TOOL
 };
+/// Of the place where the robot works.
+const CELL: Setting = Setting { verbs: &[Verb::Rank, Verb::Place], of: Of::Spatial, heading: "Cell", ..ROW };
 /// Of the catalogue.
 const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: FILTERS, ..ROW };
 
@@ -435,8 +438,9 @@ pub static SETTINGS: &[Setting] = &[
         kind: Kind::Within,
         value: "RANGES",
         absent: Absent::Means("in front of the joint-1 axis, above the floor"),
+        count: count_of(1, MOST_BLOCKS, "windows", "at most eight"),
         needs: A_ZONE,
-        help: "Where the zone may stand, in m from the robot's base: x0..x1,z0..z1; either range may be left open",
+        help: "Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor",
         example: "1.0..,0.5..2",
         ..ROW
     },
@@ -698,6 +702,35 @@ pub static SETTINGS: &[Setting] = &[
         help: "Rotation about the tool axis; 0 has the tool's x axis ahead, on a wall upright",
         example: "45",
         ..TOOL
+    },
+    Setting {
+        name: "mount",
+        kind: Kind::Mount,
+        value: "MOUNT",
+        absent: Absent::Means("floor"),
+        help: "How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical",
+        example: "pedestal:0.5",
+        ..CELL
+    },
+    Setting {
+        name: "keep-out",
+        kind: Kind::Block,
+        count: count_of(1, MOST_BLOCKS, "boxes", "at most eight"),
+        unit: "m",
+        value: "BOX",
+        help: "What must be kept free: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several times",
+        example: "1.0..2.0,-3.0..-1.5,..1.2",
+        ..CELL
+    },
+    Setting {
+        name: "clearance-mm",
+        kind: number_of(0.0, 5e3, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Means("told, not asked"),
+        help: "Smallest distance of the arm, links as capsules, from floor, work, itself and what is kept free",
+        example: "50",
+        ..CELL
     },
     Setting {
         name: "vendor",

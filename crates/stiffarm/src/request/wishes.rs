@@ -1,9 +1,11 @@
 //! What does a request ask? Its values by what they mean, in SI, with the default where nothing was given.
 
+use super::cell::CellWish;
 use super::kind::Value;
 use super::settings::FILTERS;
 use super::{Angle, Held, Refusal, Request, Spelling, Unasked, Verb, Wanted, default_of};
 use crate::catalogue::{Filter, with_compliance};
+use crate::cell::Window;
 use crate::drive::Architecture;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
@@ -128,8 +130,10 @@ impl Request {
     }
 
     fn wanted(&self) -> Wanted {
-        let within = |value| if let Value::Within(within) = value { Some(within) } else { None };
-        let within = self.one("within", within);
+        let within = match self.windows().as_slice() {
+            [Window::Ring { ahead, z }] => Some(Within { x: *ahead, z: *z }),
+            _ => None,
+        };
         if self.is_the_papers() {
             return Wanted { load: Load::PAPER, within: None, margins: Margins::NONE, angle: Angle::Axes, gap: None };
         }
@@ -171,7 +175,24 @@ impl Request {
     /// # Panics
     /// Of a verb that places nothing.
     pub fn place_options(&self, zone: Option<Zone>) -> Result<PlaceOptions, Refusal> {
-        self.wanted().options(&self.model(), &self.held(), zone).map_err(|unasked| self.unanswered(unasked))
+        let options = self.wanted().options(&self.model(), &self.held(), zone);
+        let options = options.and_then(|options| self.cell().of(&options, self.is_spatial()));
+        options.map_err(|unasked| self.unanswered(unasked))
+    }
+
+    fn windows(&self) -> Vec<Window> {
+        self.all("within", |value| if let Value::Window(window) = value { Some(window) } else { None })
+    }
+
+    /// What is asked of the cell.
+    fn cell(&self) -> CellWish {
+        CellWish {
+            mount: self.one("mount", |value| if let Value::Mount(mount) = value { Some(mount) } else { None }),
+            windows: self.windows(),
+            keep_out: self.all("keep-out", |value| if let Value::Block(block) = value { Some(block) } else { None }),
+            clearance: self.number("clearance-mm").map(|mm| mm / 1e3),
+            has_floor: self.is_given("floor"),
+        }
     }
 
     /// What is asked of a map.

@@ -91,6 +91,9 @@ impl<'a> Allowed<'a> {
         if options.load.sector()?.is_some() {
             return Err(PlaceError::Directed);
         }
+        if options.cell.is_some() {
+            return Err(PlaceError::Inapplicable { what: "a cell", model: "spatial" });
+        }
         let gap = options.gap();
         if !(1e-9..=0.5).contains(&gap) {
             return Err(PlaceError::Gap(gap));

@@ -4,9 +4,11 @@ mod bound;
 mod clearance;
 mod evaluate;
 mod field;
+mod in_cell;
 mod order;
 mod part;
 mod search;
+mod site;
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -17,6 +19,7 @@ pub(super) use part::place as place_part;
 use super::{
     Hold, Margins, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, SpaceHold, Stance, Within,
 };
+use crate::cell::Cell;
 use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
@@ -43,6 +46,8 @@ struct Question {
     /// Radius about the joint-1 axis that the zone keeps free, m.
     column: f64,
     margins: Margins,
+    /// What is known of the place where the robot works.
+    cell: Option<Cell>,
 }
 
 impl Question {
@@ -71,6 +76,7 @@ impl Question {
             within,
             column: margins.radius(model.robot()),
             margins,
+            cell: options.cell,
         }))
     }
 
@@ -163,6 +169,9 @@ pub(super) fn place(model: &SpatialModel, zone: Zone, options: &PlaceOptions) ->
     let Some(question) = Question::of(model, options)? else { return Ok(nothing_left()) };
     let Margins { limit, singular, .. } = question.margins;
     let Some(arm) = model.arm.with_margins(limit, singular) else { return Ok(nothing_left()) };
+    if let Some(cell) = question.cell.filter(Cell::decides_the_search) {
+        return Ok(in_cell::search(model.robot(), &arm, zone, &question, &cell));
+    }
     let placed = search::search(model.robot(), &arm, zone, &question);
     let bare = PlaceOptions { margins: Margins::NONE, ..*options };
     match (placed, Question::of(model, &bare)?) {

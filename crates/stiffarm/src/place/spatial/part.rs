@@ -53,6 +53,9 @@ struct PartSearch<'a> {
 
 /// The best place of a part with what could be proved of it, or why none was found.
 pub(in crate::place) fn place(model: &SpatialModel, part: &Part, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+    if options.cell.is_some() {
+        return Err(PlaceError::PartInCell);
+    }
     let nothing_left = || Placed::Infeasible { reason: Misfit::Margins, is_proved: true, largest_scale: None };
     let Some(questions) = questions(model, part, options)? else { return Ok(nothing_left()) };
     let Margins { limit, singular, .. } = options.margins;

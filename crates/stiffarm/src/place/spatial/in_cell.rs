@@ -1,0 +1,246 @@
+//! Where must a zone stand in a cell? Sought in the axes of the cell; the arm that meets a place is the robot turned there.
+//!
+//! Turning about the joint-1 axis changes no deflection. It changes what limits joint 1 leaves, which windows hold the zone and
+//! what the arm comes near to. The lower bound leaves these aside: it holds for every place about the robot that is as far from its
+//! joint-1 axis and as high as some point of a window, and so for the fewer that the cell allows.
+
+use std::f64::consts::PI;
+
+use nalgebra::{Point3, Rotation3, Vector3};
+use rayon::prelude::*;
+
+use super::bound::BranchAndBound;
+use super::search::{CELLS, Candidate, FINE, Score, Search};
+use super::site::{Ground, Site};
+use super::{Misfit, Placed, Question, Resolution, Solution};
+use crate::angle::wrapped;
+use crate::batch::SpatialArm;
+use crate::cell::Cell;
+use crate::interval::Interval;
+use crate::inverse::{Configuration, postures};
+use crate::place::Orientation;
+use crate::robot::Robot;
+use crate::task::Zone;
+use crate::work::{Grid, WorkPlane};
+
+/// Places that are evaluated in the coarse search, about.
+const PLACES: f64 = 40_000.0;
+/// Places that are refined, and once more with the samples of the answer.
+const STARTS: [usize; 2] = [24, 6];
+
+/// So far, m, a place may move until every limit is kept between its samples.
+const NEAR: f64 = 0.05;
+
+/// A site with its score.
+#[derive(Clone, Copy, Debug)]
+struct Scored {
+    site: Site,
+    score: Score,
+}
+
+/// Finds the best place that a coarse search of the cell and its refinement see, with a lower bound that holds about the robot.
+pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question, cell: &Cell) -> Placed {
+    let ground = Ground::new(arm, zone, options, cell);
+    let search = CellSearch { robot, arm, zone, roll_is_free: ground.roll_is_free, ground };
+    let found = search.find();
+    let (relaxed, region) = search.ground.relaxed();
+    let bound = BranchAndBound::new(arm, zone, &relaxed, region, search.roll_is_free);
+    let value = found.as_ref().map_or(f64::INFINITY, |solution| solution.deflection / options.force);
+    let proof = bound.prove(value);
+    match found {
+        Ok(solution) => Placed::Feasible(
+            Solution {
+                lower_bound: proof.lower * options.force,
+                resolution: Resolution { boxes: proof.boxes, ..solution.resolution },
+                ..solution
+            }
+            .into(),
+        ),
+        Err(reason) => {
+            // With every angle that is asked for; what turns with its bearing is not sure of its extent.
+            let is_narrow = reason == Misfit::WindowTooNarrow && options.orientation != Orientation::Free;
+            Placed::Infeasible { reason, is_proved: is_narrow || proof.unfathomed.is_empty(), largest_scale: None }
+        }
+    }
+}
+
+struct CellSearch<'a> {
+    robot: &'a Robot,
+    arm: &'a SpatialArm,
+    zone: Zone,
+    roll_is_free: bool,
+    ground: Ground<'a>,
+}
+
+impl CellSearch<'_> {
+    fn find(&self) -> Result<Solution, Misfit> {
+        let (sites, step) = self.ground.sites(PLACES);
+        let grid = Grid::of(self.zone, CELLS[0]);
+        if sites.is_empty() {
+            return Err(if self.ground.has_room() { Misfit::NothingReached } else { Misfit::WindowTooNarrow });
+        }
+        let mut seen: Vec<Scored> = sites.par_iter().map(|site| self.scored(site, &grid)).collect();
+        seen.retain(|scored| scored.score.unreached < usize::MAX);
+        seen.sort_by(|a, b| a.score.total_cmp(&b.score));
+        if seen.is_empty() {
+            return Err(Misfit::Within);
+        }
+        let coarse = seen[0].score;
+        let starts = apart(&seen, step);
+        let mut rough = self.refined(&starts, CELLS[1], step / 2.0);
+        rough.truncate(STARTS[1]);
+        let refined = self.refined(&rough, CELLS[2], step / 8.0);
+        if refined.is_empty() {
+            return Err(Misfit::NowhereWhole { step });
+        }
+        let mut touching = None;
+        for found in &refined {
+            let Some(solution) = self.evaluated(found, coarse, step) else { continue };
+            match self.ground.cell.clearance {
+                Some(asked) if !solution.clearance.is_some_and(|clearance| asked <= clearance.distance) => {
+                    touching = Some(Misfit::Clearance { asked });
+                }
+                _ => return Ok(solution),
+            }
+        }
+        Err(touching.unwrap_or(Misfit::Turning))
+    }
+
+    /// Every start refined, the best first.
+    fn refined(&self, starts: &[Scored], cells: usize, step: f64) -> Vec<Scored> {
+        let grid = Grid::of(self.zone, cells);
+        let mut refined: Vec<Scored> = starts.par_iter().map(|start| self.descend(start, &grid, step)).collect();
+        refined.sort_by(|a, b| a.score.total_cmp(&b.score));
+        refined.retain(|scored| scored.score.is_feasible());
+        refined
+    }
+
+    /// Steps in every direction of what is free, halved where none is better.
+    fn descend(&self, start: &Scored, grid: &Grid, first_step: f64) -> Scored {
+        let directions = self.ground.directions();
+        let mut best = self.scored(&start.site, grid);
+        let (mut step, mut turn) = (first_step, 0.15);
+        while FINE.0 < step {
+            let moved =
+                directions.iter().map(|direction| self.scored(&start_from(&best.site, direction, step, turn), grid));
+            match moved.min_by(|a, b| a.score.total_cmp(&b.score)) {
+                Some(found) if found.score.total_cmp(&best.score).is_lt() => best = found,
+                _ => {
+                    step /= 2.0;
+                    turn /= 2.0;
+                }
+            }
+        }
+        best
+    }
+
+    /// The score of the best configuration that keeps the clearance asked for; where none keeps it, how far it is from that.
+    fn scored(&self, site: &Site, grid: &Grid) -> Scored {
+        if !self.ground.allows(site) {
+            return Scored { site: *site, score: Score::NONE };
+        }
+        let score = self.at(site, |search, work| {
+            let mut scores: Vec<(Score, Configuration)> =
+                search.scores(work, grid).into_iter().zip(Configuration::ALL).collect();
+            scores.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let Some(asked) = self.ground.cell.clearance else { return scores[0].0 };
+            let mut nearest = scores[0].0;
+            for (score, configuration) in scores.into_iter().filter(|(score, _)| score.is_feasible()) {
+                match search.rough_clearance(work, configuration) {
+                    Some(clearance) if clearance < asked => nearest = Score { unreached: 1, worst: asked - clearance },
+                    _ => return score,
+                }
+            }
+            nearest
+        });
+        Scored { site: *site, score }
+    }
+
+    /// The answer at a refined site; `None` where it is not followed there, or where following it leads out of what is allowed.
+    fn evaluated(&self, found: &Scored, coarse: Score, step: f64) -> Option<Solution> {
+        let (bearing, _) = self.ground.local(&found.site);
+        let solution = self.at(&found.site, |search, work| {
+            let grid = Grid::of(self.zone, CELLS[2]);
+            let candidate: Candidate = search.candidate(*work, &grid);
+            search.evaluate(&candidate, coarse)
+        })?;
+        // Joint 1 would have to turn on.
+        if 1e-9 < solution.bearing.abs() {
+            return None;
+        }
+        let site = self.ground.site(bearing, &solution);
+        if !self.ground.allows(&site) {
+            return None;
+        }
+        let turned = Rotation3::from_axis_angle(&Vector3::z_axis(), bearing);
+        let mut worst_joints = solution.worst_joints;
+        worst_joints[0] += self.arm.geometry.sign[0] * bearing;
+        Some(Solution {
+            bearing: wrapped(bearing),
+            worst_point: (turned * Point3::from(solution.worst_point)).into(),
+            worst_joints,
+            resolution: Resolution { coarse_step: step, ..solution.resolution },
+            ..solution
+        })
+    }
+
+    /// Asks the search of the robot turned to a site: straight ahead the zone lies there.
+    fn at<R>(&self, site: &Site, ask: impl FnOnce(&Search, &crate::work::WorkPlacement) -> R) -> R {
+        let (bearing, work) = self.ground.local(site);
+        let arm = self.arm.with_base_turned(bearing);
+        let question = self.ground.seen_from(bearing);
+        let search = Search {
+            robot: self.robot,
+            arm: &arm,
+            freed: arm.without_limit_on(5, self.roll_is_free),
+            zone: self.zone,
+            options: &question,
+            roll_is_free: self.roll_is_free,
+            region: [work.x, work.z].map(|at| Interval::spanning(at - NEAR, at + NEAR)),
+            step: 0.1,
+        };
+        ask(&search, &work)
+    }
+}
+
+impl Search<'_> {
+    /// The nearest at some poses of one configuration, m.
+    fn rough_clearance(&self, work: &crate::work::WorkPlacement, configuration: Configuration) -> Option<f64> {
+        let plane = WorkPlane::of(self.options.elevation, work);
+        let tool_from_flange = self.arm.flange_from_tool.inverse();
+        let held = Grid::of(self.zone, 2).points.into_iter().filter_map(|at| {
+            let found = postures(&self.arm.geometry, &(plane.pose(work, at) * tool_from_flange)).found;
+            found.into_iter().find(|(found, _)| *found == configuration).map(|(_, theta)| theta)
+        });
+        Some(self.clearance_over(work, 0.0, &held.collect::<Vec<_>>())?.distance)
+    }
+}
+
+fn start_from(site: &Site, direction: &[f64; 6], step: f64, turn: f64) -> Site {
+    let [x, y, z, yaw, angle, roll] = *direction;
+    Site {
+        at: site.at + Vector3::new(x, y, z) * step,
+        yaw: site.yaw + yaw * turn,
+        angle: site.angle + angle * turn,
+        roll: site.roll + roll * turn,
+    }
+}
+
+/// The first of a sorted list that are two steps or another turn apart.
+fn apart(sorted: &[Scored], step: f64) -> Vec<Scored> {
+    let mut chosen: Vec<Scored> = Vec::new();
+    for scored in sorted {
+        let near = |other: &Scored| {
+            let (a, b) = (&scored.site, &other.site);
+            let turned = [a.yaw - b.yaw, a.angle - b.angle, a.roll - b.roll].map(|turn| wrapped(turn).abs());
+            (a.at - b.at).norm() < 2.0 * step && turned.into_iter().sum::<f64>() < PI / 4.0
+        };
+        if !chosen.iter().any(near) {
+            chosen.push(*scored);
+        }
+        if chosen.len() == STARTS[0] {
+            break;
+        }
+    }
+    chosen
+}
