@@ -267,6 +267,21 @@ impl Map {
     }
 }
 
+/// Points in space between those of a map: where it ends, and where one way to hold them gives way to another.
+pub struct PointsBetween(section::Points);
+
+impl PointsBetween {
+    /// Of a map with these options.
+    pub fn of(model: &SpatialModel, options: &MapOptions) -> Self {
+        Self(section::Points::new(model.arm(), options.load, &options.held()))
+    }
+
+    /// Configuration and roll, rad, that a map tells of a point, m from the base; `None` where nothing reaches it.
+    pub fn held(&self, point: [f64; 2]) -> Option<(Configuration, f64)> {
+        self.0.at(point)
+    }
+}
+
 impl Margins {
     /// Configuration and roll, rad, at column `i` and row `j`.
     pub fn at(&self, i: usize, j: usize) -> Option<(Configuration, f64)> {

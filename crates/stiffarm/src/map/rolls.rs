@@ -20,9 +20,12 @@ const PARTS: usize = 5;
 const DEPTH: usize = 5;
 /// Cosine of what joints 1 and 4 may turn in a gap, 25 degrees, before nothing is smooth there.
 const SMOOTH: f64 = 0.9;
-/// A better value by less than this, relative, is not looked for. With what second differences miss, the value found is the
-/// least of all rolls to `ROLL_TOLERANCE`.
+/// A better value by less than this, relative, is not looked for. With what second differences miss, and with [`ROOM`], the value told
+/// is the least of all rolls to `ROLL_TOLERANCE`.
 const WORTH: f64 = 3e-4;
+/// So much more than the least, relative, is taken for as much room to the limits as there can be, and less for less: where nearly all
+/// rolls are equally good, the one told would else be a matter of rounding, and neighbours would tell others.
+const ROOM: f64 = 4e-4;
 /// Values that agree so well, relative, are equal: where two eigenvalues nearly agree, no more digits are known.
 const EQUAL: f64 = 1e-7;
 /// Most ways to hold a point that are told apart: mirrored postures are two.
@@ -72,8 +75,8 @@ struct Search<'a> {
     rolls: &'a Rolls<'a>,
     point: &'a Vector3<f64>,
     best: f64,
-    /// Allowed ones that were nearly as good as the best when they were found.
-    holds: Vec<Hold>,
+    /// Allowed ones that were nearly as good as the best when they were found, and what they cost.
+    holds: Vec<(Hold, f64)>,
 }
 
 impl Search<'_> {
@@ -83,7 +86,8 @@ impl Search<'_> {
                 let index = configuration.index();
                 if 0.0 <= at.slack[index] && at.worst[index] <= self.best * (1.0 + 2.0 * WORTH) {
                     self.best = self.best.min(at.worst[index]);
-                    self.holds.push(Hold { worst: at.worst[index], configuration, roll: at.roll });
+                    let hold = Hold { worst: at.worst[index], configuration, roll: at.roll };
+                    self.holds.push((hold, cost(at, index)));
                 }
             }
         }
@@ -142,9 +146,10 @@ impl Search<'_> {
 
     /// The equally good ones, after local descent from each valley over the rolls.
     fn descended(mut self) -> Vec<Hold> {
-        self.holds.sort_by(|one, other| one.worst.total_cmp(&other.worst));
+        self.holds.retain(|(hold, _)| hold.worst <= self.best * (1.0 + 2.0 * WORTH));
+        self.holds.sort_by(|one, other| one.1.total_cmp(&other.1));
         let mut valleys: Vec<Hold> = Vec::new();
-        for hold in self.holds.iter().take_while(|hold| hold.worst <= self.best * (1.0 + 2.0 * WORTH)) {
+        for (hold, _) in &self.holds {
             let apart = |other: &Hold| ((one_turn(hold.roll - other.roll)).abs() * SCAN as f64) / TAU;
             if valleys.len() < MOST && valleys.iter().all(|known| 1.5 < apart(known)) {
                 valleys.push(*hold);
@@ -152,17 +157,20 @@ impl Search<'_> {
         }
         let ends: Vec<AtRoll> = valleys.into_iter().map(|hold| self.bottom(hold)).collect();
         self.keep(&ends);
-        let mut holds: Vec<Hold> = Vec::new();
+        let mut holds: Vec<(Hold, f64)> = Vec::new();
         for at in &ends {
             let allowed = self.rolls.configurations.iter().filter(|it| 0.0 <= at.slack[it.index()]);
-            holds.extend(allowed.map(|&configuration| Hold {
+            let hold = |&configuration: &Configuration| Hold {
                 worst: at.worst[configuration.index()],
                 configuration,
                 roll: one_turn(at.roll),
-            }));
+            };
+            holds.extend(allowed.map(|it| (hold(it), cost(at, it.index()))));
         }
-        holds.retain(|hold| hold.worst <= self.best * (1.0 + EQUAL));
-        holds
+        holds.retain(|(hold, _)| hold.worst <= self.best * (1.0 + ROOM + EQUAL));
+        let least = holds.iter().map(|(_, cost)| *cost).fold(f64::INFINITY, f64::min);
+        holds.retain(|(_, cost)| *cost <= least * (1.0 + EQUAL));
+        holds.into_iter().map(|(hold, _)| hold).collect()
     }
 
     /// The best allowed roll in the valley of a hold, to 1e-4 rad.
@@ -171,20 +179,34 @@ impl Search<'_> {
         let mut half = TAU / (SCAN * PARTS) as f64;
         let mut near = Vec::with_capacity(ROLLS);
         let (index, mut middle) = (hold.configuration.index(), hold.roll);
-        loop {
+        // A flat valley may be wide; once round is the end.
+        for _ in 0..2 * SCAN * PARTS {
             near.clear();
             let rolls: [f64; ROLLS] =
                 std::array::from_fn(|n| middle + half * (n as f64 * 2.0 / (ROLLS - 1) as f64 - 1.0));
             self.rolls.arm.at_rolls(&self.rolls.rolled_tool, self.point, &rolls, &mut near);
-            let value = |at: &AtRoll| if 0.0 <= at.slack[index] { at.worst[index] } else { f64::INFINITY };
-            let best = near.iter().min_by(|one, other| value(one).total_cmp(&value(other))).expect("seven rolls");
+            let cost = |n: usize| cost(&near[n], index);
+            let least = (0..ROLLS).min_by(|a, b| cost(*a).total_cmp(&cost(*b))).expect("seven rolls");
+            // On level ground nothing is gained by walking.
+            let best = if cost(least) < cost(ROLLS / 2) * (1.0 - 1e-12) { least } else { ROLLS / 2 };
             if half < 1e-4 {
-                return *best;
+                return near[best];
             }
-            middle = best.roll;
-            half *= 2.0 / (ROLLS - 1) as f64;
+            middle = near[best].roll;
+            if 0 < best && best < ROLLS - 1 {
+                half *= 2.0 / (ROLLS - 1) as f64;
+            }
         }
+        near[ROLLS / 2]
     }
+}
+
+/// What is least at the roll that is told: the deflection, and a little for what is missing of the most room; infinite where the limits forbid
+/// it.
+fn cost(at: &AtRoll, index: usize) -> f64 {
+    // Room is told as differences of cosines, at most 2.
+    let room = 0.5 * at.slack[index].min(2.0);
+    if 0.0 <= room { at.worst[index] * (1.0 + ROOM * (1.0 - room)) } else { f64::INFINITY }
 }
 
 /// The same angle between a half turn back and a half turn on.

@@ -21,6 +21,9 @@ pub const ROLL_TOLERANCE: f64 = 1e-3;
 /// Values that agree so well, relative, are equal, and the posture with more room to its limits is told.
 const EQUAL: f64 = 1e-12;
 
+/// Room to limits that agrees so well, rad, is equal: of mirrored ways always the same one is told, not now one and now the other by rounding.
+const MIRRORED: f64 = 1e-4;
+
 /// What is mapped: tool poses in the plane through the joint-1 axis that points straight ahead.
 #[derive(Clone, Copy, Debug)]
 struct SectionOptions<'a> {
@@ -59,6 +62,26 @@ pub(super) fn section(arm: &SpatialArm, x: Axis, z: Axis, load: Load, held: &Hel
     Map { deflection: layer(|cell| cell.worst), space: Some(margins), from_axis_2: [x, z] }
 }
 
+/// Which way one point after another is held.
+pub(super) struct Points {
+    freed: SpatialArm,
+    load: Load,
+    held: Held,
+}
+
+impl Points {
+    pub(super) fn new(arm: &SpatialArm, load: Load, held: &Held) -> Self {
+        Self { freed: freed(arm, load, held), load, held: *held }
+    }
+
+    /// As the cell of a map tells it.
+    pub(super) fn at(&self, [x, z]: [f64; 2]) -> Option<(Configuration, f64)> {
+        let only = |at: f64| Axis { start: at, step: 1.0, count: 1 };
+        let options = SectionOptions { x: only(x), z: only(z), load: self.load, held: &self.held };
+        Scan::new(&self.freed, &options).row(0).first().and_then(|cell| cell.posture)
+    }
+}
+
 /// The upright box, m from the base, outside which the tool reaches nothing in this direction: ahead, upwards.
 ///
 /// Found on a 96 x 192 grid and widened by one step; `None` where nothing is reached.
@@ -86,6 +109,13 @@ struct Cell {
     limit_margin: f64,
     singular_margin: f64,
     posture: Option<(Configuration, f64)>,
+}
+
+impl Cell {
+    /// Which of two mirrored ways is told: the roll to the left, then the configuration that counts first.
+    fn side(&self) -> (bool, usize) {
+        self.posture.map_or((true, usize::MAX), |(configuration, roll)| (roll < 0.0, configuration.index()))
+    }
 }
 
 /// The arm without the limits that are left aside. Under a force that tells one bearing from another, the section stands for itself
@@ -198,7 +228,12 @@ impl<'a> Scan<'a> {
             holds.iter().map(move |hold| self.told(hold, of_configuration(&found, hold.configuration)))
         });
         // A margin of NaN is that of no way at all.
-        cells.fold(none, |best, other| if other.limit_margin <= best.limit_margin { best } else { other })
+        cells.fold(none, |best, other| {
+            let is_mirrored = (other.limit_margin - best.limit_margin).abs() <= MIRRORED;
+            let is_worse =
+                if is_mirrored { best.side() <= other.side() } else { other.limit_margin <= best.limit_margin };
+            if is_worse { best } else { other }
+        })
     }
 
     /// The cell that one way to hold a point gives, from its model angles.
@@ -308,6 +343,27 @@ mod tests {
             }
         }
         assert!(60 < told, "{told}");
+    }
+
+    #[test]
+    fn neighbours_tell_rolls_to_the_same_side() {
+        // All limits of this arm are the same on both sides of its plane, so every posture has a mirrored one.
+        let mut robot = paper_robots().swap_remove(4);
+        let crate::robot::Arm::SixAxis { limits, .. } = &mut robot.arm else { unreachable!("six axes") };
+        for joint in [3, 5] {
+            limits.joints[joint] = Interval::spanning(-6.0, 6.0);
+        }
+        let tool = Pose::translation(0.25, 0.0, 0.1);
+        let (x, z) = (Axis::between(0.9, 1.9, 21), Axis::between(0.3, 1.3, 21));
+        let map = section(spatial(&robot, &tool).arm(), x, z, Load::UNIT, &Held::TOOL_DOWN);
+        let rolls: Vec<f64> = (0..21)
+            .flat_map(|j| map.space.as_ref().unwrap().row(j).flatten().collect::<Vec<_>>())
+            .map(|held| held.1)
+            .collect();
+        let left = rolls.iter().filter(|roll| 0.0 <= **roll).count();
+        // The best roll may be straight ahead or straight back, told as -180 degrees.
+        let straight = rolls.iter().filter(|roll| **roll < -PI + 1e-3).count();
+        assert!(300 < rolls.len() && left + straight == rolls.len(), "{left} + {straight} of {}", rolls.len());
     }
 
     #[test]
