@@ -28,12 +28,25 @@ colours! {
     SERIAL, "serial" = "#e8893a";
     /// A quasi-serial robot among bars: cool.
     QUASI_SERIAL, "quasi_serial" = "#2c6fbb";
+    /// Robots that are not told apart beside the best.
+    OTHERS, "others" = "#bdbdbd";
     /// What fills the marks of a robot whose numbers are estimated.
     ESTIMATED, "estimated" = PAPER;
     /// The line of what the work allows.
     TOLERANCE, "tolerance" = INK;
     /// The line below which no place is: what is proved.
     LIMIT, "limit" = INK;
+
+    /// Below the range of the colours that was asked for.
+    UNDER, "under" = "#fffbd5";
+    /// Above it.
+    OVER, "over" = "#33003d";
+    /// Where the work may stand.
+    WINDOW, "window" = "#0a7d3c";
+    /// Where nothing may be.
+    KEEP_OUT, "keep_out" = "#7a1010";
+    /// The force on the tool.
+    FORCE, "force" = "#a3148f";
 
     /// The rim of a zone.
     ZONE, "zone" = ALARM;
@@ -52,6 +65,8 @@ colours! {
     FLOOR, "floor" = "#b5b5b5";
     /// Links in space, where no outline keeps them apart from the floor.
     ARM_IN_SPACE, "arm_in_space" = "#5f6b76";
+    /// Joints in space.
+    JOINT_IN_SPACE, "joint_in_space" = "#d7dade";
     /// The tool and its axis in space.
     TOOL, "tool" = "#d98200";
     /// The arrow of the worst direction.
@@ -92,15 +107,34 @@ const SCALE: [[u8; 3]; 10] = [
     [72, 36, 117],
 ];
 
+/// The colour scale of margins, from near a limit to far from it: wine red to pale sand, nowhere a colour of the deflections. Dark is near,
+/// and lightness alone carries it in a grey print.
+const MARGINS: [[u8; 3]; 6] =
+    [[122, 24, 52], [176, 62, 60], [214, 108, 74], [236, 157, 104], [246, 202, 152], [250, 238, 214]];
+
+/// The colour of a margin that lies so far from the smallest to the largest, 0 to 1; beyond, that of the nearer end.
+pub fn on_margin_scale(share: f64) -> String {
+    mixed(&MARGINS, share)
+}
+
+/// The colours between which the scale of margins is drawn straight, at equal steps from near to far.
+pub fn margin_scale() -> Vec<String> {
+    MARGINS.into_iter().map(hex).collect()
+}
+
 /// The colour of a value that lies so far from the smallest to the largest, 0 to 1; beyond, that of the nearer end.
 pub fn on_scale(share: f64) -> String {
-    let at = share.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64;
-    let below = (at as usize).min(SCALE.len() - 2);
-    let mixed = |part: usize| {
-        let [from, to] = [below, below + 1].map(|i| f64::from(SCALE[i][part]));
+    mixed(&SCALE, share)
+}
+
+fn mixed(scale: &[[u8; 3]], share: f64) -> String {
+    let at = share.clamp(0.0, 1.0) * (scale.len() - 1) as f64;
+    let below = (at as usize).min(scale.len() - 2);
+    let part = |part: usize| {
+        let [from, to] = [below, below + 1].map(|i| f64::from(scale[i][part]));
         (from + (at - below as f64) * (to - from)).round() as u8
     };
-    hex([0, 1, 2].map(mixed))
+    hex([0, 1, 2].map(part))
 }
 
 /// The colours between which the scale is drawn straight, at equal steps from small to large values.
@@ -126,6 +160,19 @@ mod tests {
     fn lighter_is_smaller_throughout() {
         let greys: Vec<f64> = (0..=100).map(|i| lightness(&on_scale(f64::from(i) / 100.0))).collect();
         assert!(greys.windows(2).all(|pair| pair[1] < pair[0]), "{greys:?}");
+    }
+
+    #[test]
+    fn margins_are_darker_the_nearer_and_share_no_colour_with_deflections() {
+        let greys: Vec<f64> = (0..=100).map(|i| lightness(&on_margin_scale(f64::from(i) / 100.0))).collect();
+        assert!(greys.windows(2).all(|pair| pair[0] < pair[1]), "{greys:?}");
+        let parts = |colour: &str| [1, 3, 5].map(|at| i32::from_str_radix(&colour[at..at + 2], 16).unwrap());
+        for margin in margin_scale() {
+            for deflection in scale() {
+                let apart: i32 = parts(&margin).iter().zip(parts(&deflection)).map(|(a, b)| (a - b).abs()).sum();
+                assert!(60 < apart, "{margin} {deflection}");
+            }
+        }
     }
 
     #[test]

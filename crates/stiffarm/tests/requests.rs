@@ -103,11 +103,13 @@ fn told(request: &Request) -> String {
         told.push(format!("{:?} {:?}", request.place_options(Some(zone)).ok(), request.place_options(None).ok()));
     }
     told.push(format!("{:?}", request.equipped(paper_robots().swap_remove(0))));
+    told.push(format!("{:?} {:?}", request.scale().ok(), request.width_mm()));
     told.push(match verb {
         Verb::Rank | Verb::List => format!("{:?} {:?}", request.filter(Vec::new()), request.tolerance_mm()),
         Verb::Place => format!("{:?} {:?} {:?}", request.robot().ok(), request.task().ok(), request.tolerance_mm()),
         Verb::Map => {
-            format!("{:?} {:?} {:?} {:?}", request.robot().ok(), request.map_options(), request.layer(), request.zone())
+            let (robot, tolerance) = (request.robot().ok(), request.tolerance_mm());
+            format!("{robot:?} {tolerance:?} {:?} {:?} {:?}", request.map_options(), request.layer(), request.zone())
         }
         Verb::Compliance => {
             let (robot, joints) = (request.robot().ok(), request.joints_deg().ok());

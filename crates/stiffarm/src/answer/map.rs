@@ -223,12 +223,12 @@ impl MapAnswer {
         let notes = match self.model {
             Model::Spatial(_) if self.options.load.breaks_symmetry() => {
                 "the section points straight ahead and stands for itself alone: the force is fixed to the base; the best posture of each point and its best roll, to 0.1 %\n\
-                 -o map.svg, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
+                 -o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
             }
-            Model::Planar(_) => "-o map.svg, .png, .html, .csv, .parquet or .json writes the map\n",
+            Model::Planar(_) => "-o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map\n",
             Model::Spatial(_) => {
                 "the section points straight ahead and stands for every direction about the joint-1 axis; the best posture of each point and its best roll, to 0.1 %\n\
-                 -o map.svg, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
+                 -o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
             }
         };
         format!("{}{notes}", words::assumed_architecture([self.model.robot()]))

@@ -43,6 +43,11 @@ pub fn paper_robots() -> Vec<Robot> {
     PAPER.iter().map(|stem| Entry::at(&format!("paper/{stem}.toml")).expect("compiled in").robot()).collect()
 }
 
+/// The names of the paper's robots, in its order; no file is read whole.
+pub(crate) fn paper_names() -> Vec<&'static str> {
+    PAPER.iter().filter_map(|stem| Entry::at(&format!("paper/{stem}.toml"))).map(|entry| entry.name).collect()
+}
+
 /// Every robot that comes with the program, by maker and name.
 pub fn robots() -> Vec<Robot> {
     entries().iter().map(Entry::robot).collect()

@@ -58,6 +58,9 @@ pub enum Unasked {
     /// On a wall only the vertical has one direction.
     #[error("on a mount that leans the tool points down or up")]
     Leaning,
+    /// A figure needs a range with a width.
+    #[error("both ends are the same; expected such as 0..5")]
+    Scale,
 }
 
 impl Unasked {
@@ -69,6 +72,7 @@ impl Unasked {
             Self::CellInPlane => "within",
             Self::Leaning => "tool-direction",
             Self::Floor => "floor",
+            Self::Scale => "scale",
         }
     }
 }

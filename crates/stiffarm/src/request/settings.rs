@@ -114,6 +114,11 @@ impl Setting {
         1 < self.count.most
     }
 
+    /// It changes the figures of the program, and no number.
+    pub fn is_of_figures(&self) -> bool {
+        self.heading == DRAWN
+    }
+
     /// Its keyword in Python.
     pub fn keyword(&self) -> String {
         if self.keyword.is_empty() { self.name.replace('-', "_") } else { self.keyword.into() }
@@ -211,6 +216,10 @@ const SPINDLE: Setting = Setting {
 };
 /// Of the place where the robot works.
 const CELL: Setting = Setting { verbs: &[Verb::Rank, Verb::Place], of: Of::Spatial, heading: "Cell", ..ROW };
+/// The heading of what matters to the program's figures alone.
+const DRAWN: &str = "Figure";
+/// Of the figure alone.
+const FIGURE: Setting = Setting { verbs: PLACING, heading: DRAWN, ..ROW };
 /// Of the catalogue.
 const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: FILTERS, ..ROW };
 
@@ -274,11 +283,11 @@ pub static SETTINGS: &[Setting] = &[
     },
     Setting {
         name: "tolerance-mm",
-        verbs: &[Verb::Rank, Verb::Place],
+        verbs: PLACING,
         kind: number_of(1e-6, 1e3, "mm"),
         unit: "mm",
         value: "MM",
-        help: "Largest deflection that is acceptable: adds pass or fail",
+        help: "Largest deflection that is acceptable: adds pass or fail; in figures a line",
         example: "2",
         ..ROW
     },
@@ -316,6 +325,7 @@ pub static SETTINGS: &[Setting] = &[
         value: "LAYER",
         absent: Absent::Default("deflection"),
         help: "What the figure shows, with --model spatial; the tables have all of it",
+        heading: DRAWN,
         example: "limit-margin",
         ..ROW
     },
@@ -731,6 +741,27 @@ pub static SETTINGS: &[Setting] = &[
         help: "Smallest distance of the arm, links as capsules, from floor, work, itself and what is kept free",
         example: "50",
         ..CELL
+    },
+    Setting {
+        name: "scale",
+        kind: Kind::Range { is_bounded: true },
+        unit: "mm, deg of margins",
+        value: "RANGE",
+        absent: Absent::Means("what is found"),
+        help: "From where to where the figure goes: A..B; the same for figures that are to be compared",
+        example: "0..5",
+        ..FIGURE
+    },
+    Setting {
+        name: "width-mm",
+        verbs: &[Verb::Rank, Verb::Place, Verb::Map, Verb::Study],
+        kind: number_of(40.0, 2000.0, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Means("1000 px"),
+        help: "Width of the figure on paper, for svg, pdf and png at 300 dpi",
+        example: "170",
+        ..FIGURE
     },
     Setting {
         name: "vendor",

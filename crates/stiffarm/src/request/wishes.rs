@@ -261,6 +261,23 @@ impl Request {
         }
     }
 
+    /// From where to where colours and bars of the figure go, in the unit of what is drawn.
+    ///
+    /// # Errors
+    /// Where both ends are the same.
+    pub fn scale(&self) -> Result<Option<Interval>, Refusal> {
+        let scale = self.one("scale", interval);
+        match scale.filter(|scale| scale.width() == 0.0) {
+            None => Ok(scale),
+            Some(_) => Err(self.unanswered(Unasked::Scale)),
+        }
+    }
+
+    /// How wide the figure is on paper, mm.
+    pub fn width_mm(&self) -> Option<f64> {
+        self.number("width-mm")
+    }
+
     /// Which robots of the catalogue are wanted.
     pub fn filter(&self, words: Vec<String>) -> Filter {
         let named = |word: &str| Status::ALL.into_iter().find(|status| status.name() == word);
