@@ -10,4 +10,4 @@ ranking = stiffarm.rank(robots, tasks=["A:0.5", "B:0.5"], force_n=1000, toleranc
 print("\n".join(ranking.summary))
 print(ranking.to_pandas()[["rank", "robot", "task", "deflection_mm", "pass"]].head(8).to_string(index=False))
 
-plot.ranking(ranking, most=8).figure.savefig("01_rank.png", dpi=120)
+plot.ranking(ranking, task="B:0.5", most=8).figure.savefig("01_rank.png", dpi=120)

@@ -32,12 +32,12 @@ impl Asked {
 /// is typed, whether it must be given, and a line of help.
 type Told = (String, String, Option<(usize, usize)>, bool, Option<&'static str>, bool, String);
 
-/// The options of a verb, in the order of help.
+/// The options of a verb, in the order of help, but for those of the program's figures.
 #[pyfunction]
 pub(crate) fn options(verb: &str) -> PyResult<Vec<Told>> {
     let verb = Verb::ALL.into_iter().find(|known| known.name() == verb);
     let verb = verb.ok_or_else(|| refused("no such verb"))?;
-    let told = verb.settings().map(|setting| {
+    let told = verb.settings().filter(|setting| !setting.is_of_figures()).map(|setting| {
         let bounds = if let Kind::Whole { min, max } = setting.kind { Some((min, max)) } else { None };
         let default = if let Absent::Default(text) = setting.absent { Some(text) } else { None };
         let is_required = setting.absent == Absent::Required;

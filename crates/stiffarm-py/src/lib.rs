@@ -12,6 +12,7 @@
 
 mod asked;
 mod batch;
+mod drawn;
 mod json;
 mod numbers;
 mod palette;
@@ -42,7 +43,9 @@ mod _stiffarm {
     #[pymodule_export]
     use super::batch::{matrices, worst};
     #[pymodule_export]
-    use super::palette::colours;
+    use super::drawn::drawn_place;
+    #[pymodule_export]
+    use super::palette::{colours, looks};
     #[pymodule_export]
     use super::pool::set_threads;
     #[pymodule_export]

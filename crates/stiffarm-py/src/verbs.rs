@@ -29,7 +29,7 @@ type WithColumns<'py> = PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>)>;
 type Stood = (usize, Option<usize>, Option<f64>);
 
 /// Names the robot before what is wrong.
-fn of<E: ToString>(robot: &Arms) -> impl Fn(E) -> PyErr {
+pub(crate) fn of<E: ToString>(robot: &Arms) -> impl Fn(E) -> PyErr {
     move |error| refused(format!("{}: {}", robot.name, error.to_string()))
 }
 

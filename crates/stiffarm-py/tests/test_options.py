@@ -17,8 +17,6 @@ def test_every_option_of_the_program_is_a_keyword_with_its_default_and_its_help(
     function = VERBS[verb]
     keywords = inspect.signature(function).parameters
     for option in _options.table(verb).values():
-        if option.keyword == "layer":  # what a figure of the program shows
-            continue
         assert option.keyword in keywords and option.keyword in function.__doc__, option
         if not option.is_required and option.keyword not in ("robots", "tasks"):
             assert keywords[option.keyword].default == option.value, option

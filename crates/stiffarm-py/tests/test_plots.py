@@ -26,17 +26,80 @@ def test_maps():
         assert "[mm]" in ax.figure.axes[1].get_ylabel() and "1000 N" in ax.figure.axes[1].get_ylabel()
 
 
-def test_rankings_and_studies():
-    ax = picture(plot.ranking(stiffarm.rank(tasks=["A:0.1", "A:1.0", "A:9"], tolerance_mm=2)))
-    assert len(ax.lines) == 11 and "[mm]" in ax.get_ylabel()
-    assert np.isnan(ax.lines[0].get_ydata()[2])
-    assert len(plot.ranking(stiffarm.rank(tasks="A:0.1"), most=3).lines) == 3
+def bars(ax):
+    """Lengths of the filled bars, from top to bottom."""
+    filled = [patch for patch in ax.patches if patch.get_facecolor()[3] > 0]
+    return [patch.get_width() for patch in sorted(filled, key=lambda patch: patch.get_y())]
+
+
+def test_rankings():
+    drawn = stiffarm.rank(tasks=["A:0.1", "A:1.0", "A:9"], tolerance_mm=2)
+    axes = plot.ranking(drawn)
+    assert len(axes) == 3
+    picture(axes[0])
+    for task, ax in enumerate(axes[:2]):
+        assert bars(ax) == pytest.approx([row["cells"][task]["deflection_mm"] for row in drawn.rows])
+        assert drawn.tasks[task] in ax.get_title(loc="left") and "[mm]" in ax.get_title(loc="left")
+    assert [text.get_text() for text in axes[2].texts] == ["does not fit"] * 10 and not axes[2].patches
+    assert axes[0].get_yticklabels()[0].get_text() == f"{drawn.rows[0]['robot']} ~"
+    # One task, some of the robots, a scale: what lies beyond is told.
+    ax = picture(plot.ranking(stiffarm.rank(tasks="A:0.1"), most=6, scale=(0, 1.5)))
+    assert len(bars(ax)) == 6 and max(bars(ax)) == 1.5
+    assert ax.texts[-1].get_text().startswith("» ") and len(ax.get_yticks()) == 6
+    proved = [line for line in ax.lines if len(set(line.get_xdata())) == 1 and len(line.get_xdata()) == 2]
+    assert len(proved) == sum(row["cells"][0]["lower_bound_mm"] <= 1.5 for row in stiffarm.rank(tasks="A:0.1").rows[:6])
+    with pytest.raises(KeyError):
+        plot.ranking(drawn, task="A:0.2")
+    with pytest.raises(ValueError, match="3 tasks"):
+        plot.ranking(drawn, ax=plt.subplots()[1])
+    plt.close("all")
+
+
+def test_studies():
     study = stiffarm.study()
     for task in (None, "C"):
         ax = picture(plot.study(study, task=task))
         assert len(ax.get_legend_handles_labels()[0]) == 8 and "Task" in ax.get_title(loc="left")
     with pytest.raises(KeyError):
         plot.study(study, task="Z")
+
+
+def test_places():
+    for options in ({"within_m": "0.5..,0..", "tolerance_mm": 2.5}, {"model": "spatial", "tool_mm": (0, 0, 200)}):
+        found = stiffarm.place("KR 210 R2700 extra", task="rect:0.6x0.4", **options)
+        ax = picture(plot.place(found, size=60))
+        names = ax.get_legend_handles_labels()[1]
+        assert f"rect:0.6x0.4: {found.deflection_mm:.3f} mm at worst" in names
+        assert ("where the zone may stand" in names) == ("tolerance 2.5 mm" in names) == ("tolerance_mm" in options)
+        # The rim is as wide as the zone from the side, about its centre.
+        rim = next(line for line in ax.lines if "at worst" in line.get_label())
+        x, z = rim.get_xdata(), rim.get_ydata()
+        assert ((x.min() + x.max()) / 2, (z.min() + z.max()) / 2) == pytest.approx((found.x_m, found.z_m), abs=1e-6)
+        assert max(np.ptp(x), np.ptp(z)) <= 0.6 + 1e-9
+    with pytest.raises(ValueError, match="no place"):
+        plot.place(stiffarm.place("KR 210 R2700 extra", task="circle:9"))
+    with pytest.raises(ValueError, match="stiffarm.place"):
+        plot.place(stiffarm.rank(tasks="A:0.1").cell("BT200L", "A:0.1"))
+
+
+def test_compliances():
+    found = stiffarm.compliance("KR 210 R2700 extra", joints_deg=(0, -90, 90, 0, 45, 0), tool_mm=(0, 0, 150))
+    ax = picture(plot.compliance(found))
+    # What the drives give adds up to the whole.
+    assert sum(patch.get_width() for patch in ax.patches) == pytest.approx(found.principal_um_per_n[2])
+    assert "µm/N" in ax.get_xlabel() and len(ax.texts) == 6
+
+
+def test_maps_of_one_scale_with_tolerance_force_and_margins():
+    directed = stiffarm.map("BT200L", size=40, direction_deg=30)
+    ax = picture(plot.map(directed, scale=(0, 5), tolerance_mm=2))
+    assert ax.collections[0].get_clim() == (0, 5)
+    assert {"tolerance 2 mm", "force of 1000 N"} <= set(ax.get_legend_handles_labels()[1])
+    space = stiffarm.map("BT200L", size=30, model="spatial")
+    ax = picture(plot.map(space, layer="limit_margin"))
+    assert "[deg]" in ax.figure.axes[1].get_ylabel()
+    with pytest.raises(ValueError, match="no limit_margin"):
+        plot.map(directed, layer="limit_margin")
 
 
 def test_a_figure_is_drawn_where_it_is_wanted():
@@ -53,11 +116,17 @@ def test_colours_are_those_of_the_program():
         return [line.get_color() for line in ax.lines]
 
     single, series = (dict(part) for part in stiffarm._stiffarm.palette())
-    drawn = stiffarm.rank(tasks=["A:0.1", "A:0.2"], tolerance_mm=2)
-    warm, cool = iter(series["serial_curves"]), iter(series["quasi_serial_curves"])
-    expected = [next(warm if row["architecture"] == "serial" else cool) for row in drawn.rows]
+    drawn = stiffarm.rank(tasks="A:0.1", tolerance_mm=2)
+    looks = stiffarm._stiffarm.looks([(row["robot"], row["architecture"]) for row in drawn.rows])
+    for row, (colour, mark) in zip(drawn.rows, looks):
+        assert colour in series[f"{row['architecture'].replace('-', '_')}_curves"] and 0 <= mark < 6
+    assert len(set(looks)) == 10
     ax = plot.ranking(drawn)
-    assert shown(ax) == [*expected, single["tolerance"]]
+    named = {patch.get_label(): patch for patch in ax.patches if not patch.get_label().startswith("_")}
+    for row, (colour, _) in zip(drawn.rows, looks):
+        name = row["robot"] + (" ~" if row["status"] == "estimated" else "")
+        assert same_color(named[name].get_facecolor()[:3], colour)
+    assert single["tolerance"] in shown(ax)
     ax = plot.map(stiffarm.map("KR 210 R2700 extra", size=20, zone="B:0.5"))
     assert same_color(ax.patches[0].get_edgecolor(), single["zone"])
     assert [line.get_color() for line in ax.lines if line.get_marker() == "x"] == [single["worst_point"]]

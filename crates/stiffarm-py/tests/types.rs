@@ -7,8 +7,8 @@ use std::path::Path;
 
 use stiffarm::request::{Absent, Kind, Setting, Verb};
 
-/// What is an argument of its own in Python, or drawn there.
-const NOT_KEYWORDS: [&str; 4] = ["robot", "robots", "joints-deg", "layer"];
+/// What is an argument of its own in Python.
+const NOT_KEYWORDS: [&str; 3] = ["robot", "robots", "joints-deg"];
 const NONE: &[&str] = &[];
 const HEAD: &str = r#""""What goes in, for type checkers: the options of every verb.
 
@@ -52,7 +52,7 @@ fn written() -> String {
         writeln!(text, "\n\nclass {name}Options(TypedDict, total=False):").unwrap();
         writeln!(text, "    \"\"\"Keywords of `stiffarm.{function}`.\"\"\"").unwrap();
         let is_keyword = |name: &str| !NOT_KEYWORDS.contains(&name) && !own.contains(&name);
-        for setting in verb.settings().filter(|setting| is_keyword(setting.name)) {
+        for setting in verb.settings().filter(|setting| is_keyword(setting.name) && !setting.is_of_figures()) {
             writeln!(text, "\n    {}: {}", setting.keyword(), python_type(setting)).unwrap();
             writeln!(text, "    \"\"\"{}\"\"\"", wrapped(&format!("{}.", setting.described()))).unwrap();
         }

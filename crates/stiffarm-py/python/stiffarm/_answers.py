@@ -245,6 +245,18 @@ class Placement(_Table):
     tolerance_mm: float | None
     margin_mm: float | None
 
+    #: Robot, task and options, from which a figure is drawn; of a ranking None.
+    _asked: tuple[Any, str, dict[str, str]] | None
+
+    def __init__(
+        self,
+        data: dict[str, Any],
+        columns: dict[str, Any] | None = None,
+        asked: tuple[Any, str, dict[str, str]] | None = None,
+    ) -> None:
+        super().__init__(data, columns)
+        self._asked = asked
+
     @property
     def passes(self) -> bool | None:
         """The key ``pass``: whether the tolerance is kept; None where none was given."""

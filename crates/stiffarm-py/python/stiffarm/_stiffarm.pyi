@@ -13,11 +13,13 @@ __all__ = [
     "__sources__",
     "__version__",
     "distinct",
+    "drawn_place",
     "map",
     "matrices",
     "options",
-    "palette",
+    "looks",
     "order",
+    "palette",
     "place",
     "posture",
     "rank",
@@ -82,6 +84,10 @@ class Robot:
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, tuple[str]]: ...
 
+def drawn_place(
+    robot: Robot, wanted_task: str, asked: dict[str, str], size: int
+) -> tuple[dict[str, Any], npt.NDArray[np.float64]]: ...
+def looks(robots: list[tuple[str, str]]) -> list[tuple[str, int] | None]: ...
 def palette() -> tuple[list[tuple[str, str]], list[tuple[str, list[str]]]]: ...
 def options(verb: str) -> list[tuple[str, str, tuple[int, int] | None, bool, str | None, bool, str]]: ...
 def set_threads(threads: int | None) -> None: ...

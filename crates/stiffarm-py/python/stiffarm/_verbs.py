@@ -117,8 +117,8 @@ def place(robot: RobotLike, *, task: str, **options: Unpack[PlaceOptions]) -> Pl
     StiffarmError
         Where an argument makes no sense.
     """
-    asked = _options.spelt("place", options)
-    return Placement(*_stiffarm.place(_given.robot(robot), _given.text("task", task), asked))
+    asked = (_given.robot(robot), _given.text("task", task), _options.spelt("place", options))
+    return Placement(*_stiffarm.place(*asked), asked)
 
 
 def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> dict[str, object]:
