@@ -20,6 +20,9 @@ use crate::output::{say, write_text};
 const ABOUT: &str =
     "Which robot is stiff enough for machining, where must the work stand, and how far is the tool pushed off?";
 
+/// What `paper` does.
+const PAPER: &str = "Make every table and figure of the paper under its number, in the folder given with -o";
+
 /// The verbs of the library, with a line of help each.
 const VERBS: [(Verb, &str); 5] = [
     (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
@@ -72,6 +75,7 @@ fn command_with(hidden: bool) -> Command {
     program
         .subcommands(VERBS.map(|(verb, about)| with_help(subcommand(verb, about, hidden), verb.name())))
         .subcommand(robots)
+        .subcommand(with_help(PaperArgs::augment_args(Command::new("paper").about(PAPER)), "paper"))
         .subcommand(with_help(validate, "validate"))
         .subcommand(with_help(completions, "completions"))
         .subcommand(without_common(man))
@@ -92,6 +96,8 @@ pub(crate) enum Task {
     Completions(Shell),
     /// Manual pages, to a folder where one is named.
     Man(Option<PathBuf>),
+    /// The published tables and figures.
+    Paper(PaperArgs),
 }
 
 /// What is to be done, and how the program behaves meanwhile.
@@ -114,6 +120,10 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
     }
     if name == "man" {
         return Ok((Task::Man(inner.get_one::<PathBuf>("folder").cloned()), common(inner)?));
+    }
+    if name == "paper" {
+        let args = PaperArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
+        return Ok((Task::Paper(args), common(inner)?));
     }
     let list = |pairs: &[Pair]| Request::read(Verb::List, pairs, Spelling::Typed);
     match inner.subcommand() {
@@ -196,8 +206,8 @@ pub(crate) struct Common {
     /// Format of what goes to standard output
     #[arg(long, value_enum, default_value_t = Format::Table, global = true, display_order = 900)]
     pub(crate) format: Format,
-    /// Write to a file; its ending chooses the format: .csv, .parquet, .json, .md, .txt, a figure as .svg or .png, or a view
-    /// in space as .html. May be given several times
+    /// Write to a file; its ending chooses the format: .csv, .parquet, .json, .md, .txt, a figure as .svg, .png or .pdf, or
+    /// a view in space as .html. May be given several times
     #[arg(short, long = "output", value_name = "FILE", global = true, display_order = 901)]
     pub(crate) output: Vec<PathBuf>,
     /// Number of threads [default: all cores]
@@ -215,6 +225,11 @@ pub(crate) struct Common {
 }
 
 impl Common {
+    /// Nothing of what was asked but the threads.
+    pub(crate) fn bare(&self) -> Self {
+        Self { format: Format::Table, output: Vec::new(), threads: self.threads, quiet: false, check: false, job: None }
+    }
+
     /// Takes what a job file says of the program, where nothing else was typed.
     fn take(&mut self, pairs: &[Pair], typed: &ArgMatches) -> Result<(), Failure> {
         let is_typed = |name: &str| name != CHECK && typed.value_source(name) == Some(ValueSource::CommandLine);
@@ -266,12 +281,43 @@ pub(crate) enum Format {
     Md,
 }
 
+#[derive(Debug, Args)]
+pub(crate) struct PaperArgs {
+    /// Format of the figures
+    #[arg(long, value_enum, value_name = "FORMAT", default_value_t = Pictures::Svg)]
+    pub(crate) pictures: Pictures,
+    /// Width of the figures on paper [mm] [default: 1000 px]
+    #[arg(long, value_name = "MM", value_parser = width)]
+    pub(crate) width_mm: Option<f64>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Pictures {
+    Svg,
+    Pdf,
+    Png,
+}
+
+impl Pictures {
+    /// The ending of its files.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Svg => "svg",
+            Self::Pdf => "pdf",
+            Self::Png => "png",
+        }
+    }
+}
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum RobotsAction {
     /// Geometry, limits and sources of one robot; -o draws what it reaches
     Show {
         /// A robot's name, or the path of a robot file
         robot: String,
+        /// Width of the figure on paper [mm], for svg, pdf and png at 300 dpi [default: 1000 px]
+        #[arg(long, value_name = "MM", value_parser = width)]
+        width_mm: Option<f64>,
     },
     /// Check robot files: every fault at once
     Check {
@@ -315,6 +361,10 @@ pub(crate) struct ImportArgs {
 
 fn payload(text: &str) -> Result<f64, String> {
     number(text, 0.1, 1e4, "kg")
+}
+
+fn width(text: &str) -> Result<f64, String> {
+    number(text, 40.0, 2000.0, "mm")
 }
 
 fn reach(text: &str) -> Result<f64, String> {

@@ -30,7 +30,7 @@ const ABOUT: [About; 12] = [
     About {
         name: "rank",
         files: "the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
-                (spatial) as .svg or .png",
+                (spatial) as .svg, .pdf or .png",
         is_long: true,
         examples: &[
             ("stiffarm rank", "the paper's ten robots on its six tasks"),
@@ -47,7 +47,7 @@ const ABOUT: [About; 12] = [
     },
     About {
         name: "place",
-        files: "the placement as .csv, .parquet, .json, .md or .txt, the arm, the zone and a map as .svg or .png, a view in space that \
+        files: "the placement as .csv, .parquet, .json, .md or .txt, the arm, the zone and a map as .svg, .pdf or .png, a view in space that \
                 can be turned as .html",
         is_long: true,
         examples: &[
@@ -65,7 +65,7 @@ const ABOUT: [About; 12] = [
     },
     About {
         name: "map",
-        files: "the cells as .csv, .parquet or .json, the answer as .md or .txt, the map as .svg or .png, a view in space that can be \
+        files: "the cells as .csv, .parquet or .json, the answer as .md or .txt, the map as .svg, .pdf or .png, a view in space that can be \
                 turned as .html",
         is_long: true,
         examples: &[
@@ -91,7 +91,7 @@ const ABOUT: [About; 12] = [
     },
     About {
         name: "study",
-        files: "every accuracy as .csv, .parquet, .json, .md or .txt, the paper's Fig. 4 to 9 as .svg or .png",
+        files: "every accuracy as .csv, .parquet, .json, .md or .txt, the paper's Fig. 4 to 9 as .svg, .pdf or .png",
         is_long: true,
         examples: &[
             ("stiffarm study --tasks A,rect:1x3 --sizes 0.1,0.5", "two shapes"),
@@ -112,7 +112,7 @@ const ABOUT: [About; 12] = [
     },
     About {
         name: "robots show",
-        files: "what is known as .csv, .parquet, .json, .md or .txt, the robot file as .toml, what it reaches as .svg or .png",
+        files: "what is known as .csv, .parquet, .json, .md or .txt, the robot file as .toml, what it reaches as .svg, .pdf or .png",
         is_long: false,
         examples: &[
             ("stiffarm robots show BT200L", "lengths, limits, stiffness and sources"),
@@ -130,6 +130,15 @@ const ABOUT: [About; 12] = [
         files: "the robot file as .toml, what was understood as .csv, .parquet, .json, .md or .txt",
         is_long: false,
         examples: &[("stiffarm robots import arm.urdf --payload-kg 210 -o arm.toml", "a robot file from a URDF")],
+    },
+    About {
+        name: "paper",
+        files: "a folder, which is made, with a file for every table and figure, and an index.md",
+        is_long: true,
+        examples: &[
+            ("stiffarm paper -o paper", "every table and figure of the paper, with the command of each"),
+            ("stiffarm paper -o paper --pictures pdf --width-mm 170", "for print, texts 8 pt high"),
+        ],
     },
     About {
         name: "validate",

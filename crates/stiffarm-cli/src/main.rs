@@ -53,6 +53,7 @@ fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
         },
         Task::List(words, asked) => commands::robots::listed(words, asked, common),
         Task::Robots(action) => commands::robots::run(action, common),
+        Task::Paper(args) => commands::paper::run(args, common),
         Task::Validate => commands::validate::run(common),
         Task::Completions(shell) => output::print_text(&commands::shell::completions(*shell)),
         Task::Man(folder) => commands::shell::man(folder.as_deref(), common),

@@ -14,7 +14,7 @@ use crate::args::{Common, Format};
 use crate::columns::write_parquet;
 use crate::commands::waiting;
 use crate::failure::Failure;
-use crate::figures::view3d::View;
+use crate::figures::{self, Plate, view3d::View};
 use crate::look::Look;
 use crate::table::write_csv;
 
@@ -22,7 +22,7 @@ use crate::table::write_csv;
 pub(crate) trait Answer {
     /// The command's name, for errors.
     const COMMAND: &'static str;
-    /// Endings of the files it can be written to besides those of tables: svg and png, html, toml.
+    /// Endings of the files it can be written to besides those of tables: svg, png and pdf, html, toml.
     const FURTHER: &'static [&'static str] = &[];
     /// For people.
     fn text(&self, look: Look) -> String;
@@ -37,6 +37,10 @@ pub(crate) trait Answer {
     /// A figure as SVG, where the command has one.
     fn svg(&self) -> Option<Result<String, Failure>> {
         None
+    }
+    /// What was asked of the figure alone.
+    fn plate(&self) -> Plate {
+        Plate::default()
     }
     /// What can be turned in space, where the command has that.
     fn view(&self) -> Option<Result<View, Failure>> {
@@ -195,7 +199,8 @@ impl<'a, A: Answer> Body<'a, A> {
             "parquet" => Self::Parquet(answer.rows(), A::COMMAND),
             "toml" => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
             "svg" => Self::Bytes(picture(answer.svg())?.into()),
-            "png" => Self::Bytes(crate::figures::png(&picture(answer.svg())?, 2.0).map_err(figure)?),
+            "png" => Self::Bytes(figures::png(&picture(answer.svg())?, answer.plate().pixels()).map_err(figure)?),
+            "pdf" => Self::Bytes(figures::pdf(&picture(answer.svg())?).map_err(figure)?),
             "html" => Self::Bytes(picture(answer.view())?.html().into()),
             _ => Self::of_format(answer, Format::Table),
         })
@@ -230,7 +235,7 @@ fn picture<T>(made: Option<Result<T, Failure>>) -> Result<T, Failure> {
 }
 
 fn is_picture(path: &Path) -> bool {
-    matches!(ending(path).as_str(), "svg" | "png" | "html")
+    matches!(ending(path).as_str(), "svg" | "png" | "pdf" | "html")
 }
 
 fn ending(path: &Path) -> String {

@@ -269,9 +269,9 @@ fn every_kind_of_file_is_written() {
         (
             "rank",
             &["rank", "--task", "B:0.5,A:0.2", "--tolerance-mm", "2"],
-            &["svg", "png", "json", "csv", "md", "txt"],
+            &["svg", "png", "pdf", "json", "csv", "md", "txt"],
         ),
-        ("map", &["map", "IRB 6650S-200", "--size", "60", "--zone", "B:0.5"], &["svg", "png", "json", "csv"]),
+        ("map", &["map", "IRB 6650S-200", "--size", "60", "--zone", "B:0.5"], &["svg", "png", "pdf", "json", "csv"]),
         ("directed", &["map", "ZX200U", "--size", "60", "--direction-deg", "30"], &["svg", "png", "json"]),
         ("place", &["place", "KR 210 R2700 extra", "--task", "C:0.1"], &["svg", "png", "json", "csv", "md"]),
         ("study", &["study", "--tasks", "A", "--sizes", "0.1,0.5"], &["svg", "png", "json", "csv"]),
@@ -284,12 +284,38 @@ fn every_kind_of_file_is_written() {
             let bytes = fs::read(file).unwrap();
             match *ending {
                 "png" => assert_eq!(&bytes[1..4], b"PNG", "{file}"),
+                "pdf" => assert!(bytes.starts_with(b"%PDF-1.") && bytes.trim_ascii_end().ends_with(b"%%EOF"), "{file}"),
                 "svg" => assert!(bytes.starts_with(b"<svg") && bytes.ends_with(b"</svg>\n"), "{file}"),
                 "json" => drop(serde_json::from_slice::<Value>(&bytes).expect("JSON")),
                 _ => assert!(1 < String::from_utf8(bytes).unwrap().lines().count(), "{file}"),
             }
         }
     }
+}
+
+#[test]
+fn figures_are_as_wide_as_asked_and_of_one_scale() {
+    let folder = TempDir::new().unwrap();
+    let file = path(&folder, "map.svg");
+    let drawn = |more: &[&str]| {
+        run(&[&["map", "BT200L", "--size", "60", "-q", "-o", &file][..], more].concat());
+        fs::read_to_string(&file).unwrap()
+    };
+    let narrow = drawn(&["--width-mm", "170", "--scale", "0.7..3.3", "--tolerance-mm", "2", "--direction-deg", "30"]);
+    assert!(narrow.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"170.000mm\""), "{}", &narrow[..200]);
+    for text in [">0.7</text>", ">3.3</text>", ">tolerance 2 mm</text>", ">force of 1000 N at 30 deg</text>"] {
+        assert!(narrow.contains(text), "{text}");
+    }
+    assert!(drawn(&["--elbow", "down"]).contains("only with the elbow down"));
+    let (code, errors) = refused(&["map", "BT200L", "--scale", "3..3"]);
+    assert_eq!(code, 2, "{errors}");
+    assert!(errors.contains("--scale") && errors.contains("0..5"), "{errors}");
+}
+
+#[test]
+fn the_papers_figures_go_into_a_folder() {
+    let (code, errors) = refused(&["paper"]);
+    assert!(code == 2 && errors.contains("-o DIR"), "{errors}");
 }
 
 #[test]

@@ -8,6 +8,7 @@ use stiffarm::answer::compliance::vector;
 use stiffarm::answer::words::class;
 use stiffarm::answer::{ComplianceAnswer, Rows, Unit, stiffness};
 use stiffarm::compliance::{beyond_limits, compliance};
+use stiffarm::palette::{DEFLECTION, FORCE, WORST_DIRECTION};
 use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
@@ -48,6 +49,9 @@ fn remarks(robot: &Robot, q: &[f64; 6], radians: &[f64; 6]) {
     }
 }
 
+/// How long a force is drawn, m.
+const FORCE_DRAWN: f64 = 0.4;
+
 struct ComplianceOutput {
     answer: ComplianceAnswer,
     tool: Pose,
@@ -63,14 +67,21 @@ impl ComplianceOutput {
         let worst = worst * 1e3 * direction;
         let moved = self.answer.deflection().map(|(moved, _)| moved);
         let times = magnified(worst.norm().max(moved.map_or(0.0, |moved| moved.norm())));
-        let arrow = |what: &str, moved: Vector3<f64>, unit: &str| Arrow {
+        let arrow = |what: &str, moved: Vector3<f64>, unit: &str, colour: &'static str| Arrow {
+            colour,
             label: format!("{what}: {:.4} {unit}, drawn {times} times as long", Unit::Millimetre.told(moved.norm())),
             at,
             along: (times * moved).into(),
         };
-        let worst = Some(worst).map(|moved| arrow("worst direction", moved, "mm per kN"));
-        let moved = moved.map(|moved| arrow("deflection", moved, "mm under the force"));
-        worst.into_iter().chain(moved).filter(|arrow| arrow.along != [0.0; 3]).collect()
+        let worst = Some(worst).map(|moved| arrow("worst direction", moved, "mm per kN", WORST_DIRECTION));
+        let moved = moved.map(|moved| arrow("deflection", moved, "mm under the force", DEFLECTION));
+        // The force ends at the tool point, which it pushes.
+        let force = self.answer.force.filter(|force| 0.0 < force.norm()).map(|force| {
+            let along = FORCE_DRAWN * force.normalize();
+            let at = (Vector3::from(at) - along).into();
+            Arrow { label: format!("force of {:.0} N", force.norm()), at, along: along.into(), colour: FORCE }
+        });
+        worst.into_iter().chain(moved).chain(force).filter(|arrow| arrow.along != [0.0; 3]).collect()
     }
 }
 

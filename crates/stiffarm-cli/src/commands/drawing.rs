@@ -1,9 +1,11 @@
 //! The robot, the zone and the map of an answer, ready to be drawn.
 
+use stiffarm::answer::Unit;
+use stiffarm::load::{Direction, Load};
 use stiffarm::model::{ArmPosture, Model};
 use stiffarm::robot::{Arm, Robot};
 
-use crate::figures::scene::{Scene, ZoneMark};
+use crate::figures::scene::{ForceMark, Scene, ZoneMark};
 use crate::figures::view3d::ArmMark;
 
 /// The arm in a posture, seen from its right side, on its base; lengths from the base.
@@ -16,7 +18,20 @@ pub(super) fn scene(model: &Model, posture: Option<ArmPosture>, zone: Option<Zon
         link: link(robot),
         base: model.knows_base().then_some([0.0; 2]),
         zone,
+        windows: Vec::new(),
+        keep_outs: Vec::new(),
+        force: None,
     }
+}
+
+/// The force of a map as an arrow, where its direction is known.
+pub(super) fn force(load: Load) -> Option<ForceMark> {
+    let Direction::InPlane(angle, _) = load.direction() else { return None };
+    let (s, c) = angle.sin_cos();
+    Some(ForceMark {
+        towards: [c, s],
+        label: format!("force of {} N at {:.0} deg", load.newtons(), Unit::Degree.told(angle)),
+    })
 }
 
 /// The joint-2 axis and what follows it, forwards and up.

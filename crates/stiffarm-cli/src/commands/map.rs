@@ -5,19 +5,23 @@ use std::path::Path;
 
 use stiffarm::answer::words::{class, direction, mapped, origin, tool, window};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
-use stiffarm::map::{MapError, map};
+use stiffarm::map::{Grid, MapError, PointsBetween, map};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
+use stiffarm::palette::FORCE;
 use stiffarm::place::{Placement, place};
 use stiffarm::request::{Layer, Request};
 
-use super::drawing::{arm, scene};
+use super::drawing::{arm, force, scene};
 use super::waiting;
 use crate::args::Common;
 use crate::failure::Failure;
+use crate::figures::Plate;
+use crate::figures::bands::Colours;
 use crate::figures::face::FaceFigure;
 use crate::figures::map::MapFigure;
 use crate::figures::scene::{ZoneMark, rim};
-use crate::figures::view3d::{Cell, Sheet, View, Zone};
+use crate::figures::sheets::Ways;
+use crate::figures::view3d::{Arrow, Cell, Sheet, View, Zone};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, figure, pretty, say};
 use crate::selection;
@@ -25,6 +29,7 @@ use crate::table::{prose, shown};
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let (name, kind, options) = (asked.robot()?, asked.model(), asked.map_options());
+    let (plate, tolerance_mm) = (Plate::of(asked)?, asked.tolerance_mm());
     let robot = asked.equipped(selection::robot(&name, common)?)?;
     let outputs = Outputs::open::<MapOutput>(common, &[Path::new(&name)])?;
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
@@ -46,16 +51,33 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
                 say(&format!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label));
             }
             let robot = robot.clone();
-            Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None })
+            Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm })
         }
     };
-    outputs.deliver(&MapOutput { layer: asked.layer(), answer: MapAnswer { model, options, map, zone } })
+    outputs.deliver(&MapOutput {
+        layer: asked.layer(),
+        answer: MapAnswer { model, options, map, zone },
+        plate,
+        tolerance_mm,
+    })
 }
+
+/// How long a force is drawn in space, m.
+const FORCE_DRAWN: f64 = 0.4;
 
 struct MapOutput {
     answer: MapAnswer,
     /// What the figure shows.
     layer: Layer,
+    plate: Plate,
+    tolerance_mm: Option<f64>,
+}
+
+impl MapOutput {
+    fn drawn(&self) -> Drawn<'_> {
+        let Self { layer, plate, tolerance_mm, .. } = *self;
+        Drawn { layer, plate, tolerance_mm, ..Drawn::of_zone(&self.answer) }
+    }
 }
 
 /// A map as it is drawn.
@@ -67,6 +89,10 @@ pub(super) struct Drawn<'a> {
     pub(super) posture: Option<ArmPosture>,
     pub(super) mark: Option<ZoneMark>,
     pub(super) face: Option<FaceFigure>,
+    /// What was asked of the figure.
+    pub(super) plate: Plate,
+    /// What the work allows.
+    pub(super) tolerance_mm: Option<f64>,
 }
 
 impl<'a> Drawn<'a> {
@@ -74,8 +100,18 @@ impl<'a> Drawn<'a> {
     pub(super) fn of_zone(answer: &'a MapAnswer) -> Self {
         let best = answer.zone.as_ref().and_then(|zone| zone.placed.feasible());
         let posture = answer.posture();
+        let tolerance_mm = answer.zone.as_ref().and_then(|zone| zone.tolerance_mm);
         let mark = answer.zone.as_ref().zip(best).map(|(zone, best)| mark(zone, best));
-        Self { answer, layer: Layer::Deflection, subtitle: subtitle(answer), posture, mark, face: None }
+        Self {
+            answer,
+            layer: Layer::Deflection,
+            subtitle: subtitle(answer),
+            posture,
+            mark,
+            face: None,
+            plate: Plate::default(),
+            tolerance_mm,
+        }
     }
 
     pub(super) fn colour_label(&self) -> String {
@@ -90,26 +126,47 @@ impl<'a> Drawn<'a> {
         origin(self.answer.model.robot())
     }
 
+    /// The numbers that are shown, their unit, and what their colours stand for.
+    fn shown(&self) -> (&'a Grid, Unit, Colours) {
+        let map = &self.answer.map;
+        match (self.layer, &map.space) {
+            (Layer::LimitMargin, Some(margins)) => (&margins.limits, Unit::Degree, Colours::Margins),
+            (Layer::SingularMargin, Some(margins)) => (&margins.singular, Unit::Degree, Colours::Margins),
+            _ => (&map.deflection, Unit::Millimetre, Colours::Deflections),
+        }
+    }
+
     pub(super) fn svg(self) -> Result<String, Failure> {
-        let MapAnswer { model, map, .. } = self.answer;
-        let (grid, unit, ends) = match (self.layer, &map.space) {
-            (Layer::LimitMargin, Some(margins)) => (&margins.limits, Unit::Degree, ["near", "far"]),
-            (Layer::SingularMargin, Some(margins)) => (&margins.singular, Unit::Degree, ["near", "far"]),
-            _ => (&map.deflection, Unit::Millimetre, ["stiff", "soft"]),
-        };
+        let model = &self.answer.model;
+        let (grid, unit, colours) = self.shown();
+        let placed = self.answer.zone.as_ref();
+        let (colour_label, origin) = (self.colour_label(), self.origin());
+        let mut scene = scene(model, self.posture, self.mark);
+        scene.windows.extend(placed.and_then(|zone| zone.options.within).map(|within| [within.x, within.z]));
+        scene.force = force(self.answer.options.load);
         let edge = match model {
             Model::Planar(model) => Some((model.arm(), model.axis_from_base())),
             Model::Spatial(_) => None,
+        };
+        let ways = match (model, &self.answer.map.space) {
+            (Model::Spatial(model), Some(margins)) => Some(Ways {
+                at: Box::new(|i, j| margins.at(i, j)),
+                between: PointsBetween::of(model, &self.answer.options),
+            }),
+            _ => None,
         };
         let drawn = MapFigure {
             title: model.robot().full_name(),
             map: grid,
             unit,
-            ends,
+            colours,
+            tolerance: self.tolerance_mm.filter(|_| colours == Colours::Deflections),
+            plate: self.plate,
             edge,
-            colour_label: self.colour_label(),
-            origin: self.origin(),
-            scene: scene(model, self.posture, self.mark),
+            ways,
+            colour_label,
+            origin,
+            scene,
             subtitle: self.subtitle,
             face: self.face,
         };
@@ -118,7 +175,8 @@ impl<'a> Drawn<'a> {
 
     /// The map, the arm and the zone in their plane, which stands beside the joint-1 axis where the arm does.
     pub(super) fn view(self) -> View {
-        let MapAnswer { model, map, zone, .. } = self.answer;
+        let MapAnswer { model, zone, .. } = self.answer;
+        let (grid, unit, colours) = self.shown();
         let (y, note) = match model {
             Model::Planar(model) => (model.aside(), format!("section in the arm plane, m from {}", self.origin())),
             Model::Spatial(_) => (0.0, "the section stands for every direction about the joint-1 axis".to_owned()),
@@ -131,13 +189,22 @@ impl<'a> Drawn<'a> {
             label: mark.label,
             sheet: None,
         });
+        let arm = arm(model, self.posture, None);
+        let at = arm.as_ref().and_then(|arm| arm.points.last()).map(|(at, _)| *at);
+        let arrows = force(self.answer.options.load).zip(at).map(|(force, at)| {
+            let [x, z] = force.towards.map(|part| FORCE_DRAWN * part);
+            Arrow { label: force.label, at, along: [x, 0.0, z], colour: FORCE }
+        });
         View {
             title: model.robot().full_name(),
             notes: vec![self.subtitle, note],
-            arm: arm(model, self.posture, None),
+            arm,
             zone,
-            section: Some(Sheet::of_map(&map.deflection, y)),
+            section: Some(Sheet::of_map(grid, unit, y)),
             colour_label,
+            colours,
+            scale: self.plate.ends(),
+            arrows: arrows.into_iter().collect(),
             floor: model.knows_base(),
             ..View::default()
         }
@@ -152,12 +219,24 @@ fn subtitle(answer: &MapAnswer) -> String {
             let within = zone.as_ref().and_then(|zone| zone.placed.feasible().and(zone.options.within));
             let within = within
                 .map_or_else(String::new, |within| format!("; zone within {}", window(&within, origin(model.robot()))));
-            format!("{start}; {}, planar model{within}", mapped(options.load))
+            let side = match options.elbow {
+                Some(elbow) => format!("only with the elbow {}", elbow.name()),
+                None => "with the stiffer elbow side at each point".into(),
+            };
+            format!("{start}; {}, planar model, {side}{within}", mapped(options.load))
         }
         ModelKind::Spatial(flange_from_tool) => {
-            let towards = direction(options.held().elevation);
-            let tool = tool(&flange_from_tool);
-            format!("{start}; all six drives, {towards}, tool: {tool}; drawn at the stiffest point")
+            let held = options.held();
+            let (towards, tool) = (direction(held.elevation), tool(&flange_from_tool));
+            let posture = match held.configuration {
+                Some(configuration) => format!("only {configuration}"),
+                None => "in the stiffest posture of each point".into(),
+            };
+            let roll = held.roll.map_or_else(
+                || ", at its best roll".into(),
+                |roll| format!(", rolled by {} deg", (Unit::Degree.told(roll) * 1e6).round() / 1e6),
+            );
+            format!("{start}; all six drives, {towards}, tool: {tool}; {posture}{roll}")
         }
     }
 }
@@ -175,7 +254,7 @@ fn mark(zone: &PlaceAnswer, best: &Placement) -> ZoneMark {
 
 impl Answer for MapOutput {
     const COMMAND: &'static str = "map";
-    const FURTHER: &'static [&'static str] = &["svg", "png", "html"];
+    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf", "html"];
 
     fn text(&self, look: Look) -> String {
         format!("{}\n{}", shown(&self.answer.table(), look), prose(&self.answer.notes(), look))
@@ -190,10 +269,14 @@ impl Answer for MapOutput {
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {
-        Some(Drawn { layer: self.layer, ..Drawn::of_zone(&self.answer) }.svg())
+        Some(self.drawn().svg())
     }
 
     fn view(&self) -> Option<Result<View, Failure>> {
-        Some(Ok(Drawn::of_zone(&self.answer).view()))
+        Some(Ok(self.drawn().view()))
+    }
+
+    fn plate(&self) -> Plate {
+        self.plate
     }
 }

@@ -5,6 +5,7 @@ pub(crate) mod compliance;
 mod drawing;
 pub(crate) mod import;
 pub(crate) mod map;
+pub(crate) mod paper;
 pub(crate) mod place;
 pub(crate) mod rank;
 pub(crate) mod robots;

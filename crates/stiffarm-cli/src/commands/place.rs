@@ -14,6 +14,7 @@ use super::map::Drawn;
 use super::waiting;
 use crate::args::Common;
 use crate::failure::Failure;
+use crate::figures::Plate;
 use crate::figures::face::FaceFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
@@ -31,20 +32,21 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let (name, task, kind) = (asked.robot()?, asked.task()?, asked.model());
     let robot = asked.equipped(selection::robot(&name, common)?)?;
     let outputs = Outputs::open::<PlaceOutput>(common, &[Path::new(&name)])?;
-    let options = asked.place_options(Some(task.zone))?;
+    let (options, plate) = (asked.place_options(Some(task.zone))?, Plate::of(asked)?);
     let failure = |error| Failure::Place { robot: robot.name.clone(), error };
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
     let placed = waiting("searching places", common, || place_task(&model, &task, &options)).map_err(failure)?;
     let tolerance_mm = asked.tolerance_mm();
     let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
     let shortfall = answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&PlaceOutput { model, answer })?;
+    outputs.deliver(&PlaceOutput { model, answer, plate })?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
 }
 
 struct PlaceOutput {
     model: Model,
     answer: PlaceAnswer,
+    plate: Plate,
 }
 
 impl PlaceOutput {
@@ -74,7 +76,7 @@ impl PlaceOutput {
 
     /// The map of what is reached, held as the zone is.
     fn mapped(&self) -> Result<MapAnswer, Failure> {
-        let Self { model, answer } = self;
+        let Self { model, answer, .. } = self;
         let size = if answer.model == ModelKind::Planar { FIGURE_SIZE[0] } else { FIGURE_SIZE[1] };
         let options = answer.map_options(model, Spacing::Points(size));
         let map = map(model, &options).map_err(|error| Failure::Map { robot: answer.robot.name.clone(), error })?;
@@ -112,11 +114,15 @@ impl PlaceOutput {
         Ok(self.field(rim(self.answer.task.zone, [0.0; 2], 0.0))?.iter().map(|point| point.at).collect())
     }
 
+    fn drawn<'a>(&self, map: &'a MapAnswer) -> Drawn<'a> {
+        Drawn { plate: self.plate, ..Drawn::of_zone(map) }
+    }
+
     /// The zone on the section that points straight ahead, and what is seen along the tool axis.
     fn figure(&self) -> Result<String, Failure> {
         let (best, hold) = self.feasible()?;
         let map = self.mapped()?;
-        let Model::Spatial(_) = self.model else { return Drawn::of_zone(&map).svg() };
+        let Model::Spatial(_) = self.model else { return self.drawn(&map).svg() };
         let bearing = hold.map_or(0.0, |hold| hold.bearing);
         // Turned back: the section points straight ahead.
         let ((s, c), [wx, wy, wz]) = (bearing.sin_cos(), best.worst_point);
@@ -147,7 +153,7 @@ impl PlaceOutput {
             posture: hold.map(|hold| ArmPosture::Joints(self.straight_ahead(hold))),
             mark: Some(mark),
             face: Some(face),
-            ..Drawn::of_zone(&map)
+            ..self.drawn(&map)
         }
         .svg()
     }
@@ -168,7 +174,7 @@ impl PlaceOutput {
     fn in_space(&self) -> Result<View, Failure> {
         let (best, hold) = self.feasible()?;
         let map = self.mapped()?;
-        let Model::Spatial(_) = self.model else { return Ok(Drawn::of_zone(&map).view()) };
+        let Model::Spatial(_) = self.model else { return Ok(self.drawn(&map).view()) };
         let (s, c) = hold.map_or(0.0, |hold| hold.bearing).sin_cos();
         let turned = |[x, y, z]: Point| [c * x - s * y, s * x + c * y, z];
         let cell = |point: &ZonePoint| Cell {
@@ -182,7 +188,7 @@ impl PlaceOutput {
             sheet: Some(Sheet { rows: face.chunks(FACE_SIZE).map(<[Cell]>::to_vec).collect() }),
             worst: Some(Cell { at: best.worst_point, mm: Some(Unit::Millimetre.told(best.deflection)) }),
         };
-        let mut section = Sheet::of_map(&map.map.deflection, 0.0);
+        let mut section = Sheet::of_map(&map.map.deflection, Unit::Millimetre, 0.0);
         section.rows.iter_mut().flatten().for_each(|cell| cell.at = turned(cell.at));
         let posture = hold.map(|hold| ArmPosture::Joints(hold.joints));
         Ok(View {
@@ -192,6 +198,7 @@ impl PlaceOutput {
             zone: Some(zone),
             section: Some(section),
             colour_label: Drawn::of_zone(&map).colour_label(),
+            scale: self.plate.ends(),
             floor: true,
             ..View::default()
         })
@@ -200,7 +207,7 @@ impl PlaceOutput {
 
 impl Answer for PlaceOutput {
     const COMMAND: &'static str = "place";
-    const FURTHER: &'static [&'static str] = &["svg", "png", "html"];
+    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf", "html"];
 
     fn text(&self, look: Look) -> String {
         let notes = self.answer.notes();
@@ -222,5 +229,9 @@ impl Answer for PlaceOutput {
 
     fn view(&self) -> Option<Result<View, Failure>> {
         Some(self.in_space())
+    }
+
+    fn plate(&self) -> Plate {
+        self.plate
     }
 }

@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::{RankAnswer, Rows, Unit, stiffnesses, words};
+use stiffarm::answer::{self, RankAnswer, Rows, Unit, looks, stiffnesses, words};
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
 use stiffarm::place::PlaceOptions;
@@ -16,6 +16,7 @@ use stiffarm::task::{Task, Zone};
 use super::progress;
 use crate::args::Common;
 use crate::failure::Failure;
+use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::figures::ranking::{self, Curve, Panel};
 use crate::look::Look;
@@ -41,13 +42,13 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     }
     let outputs = Outputs::open::<RankOutput>(common, &inputs(&names))?;
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
-    let options = asked.place_options(only)?;
+    let (options, plate) = (asked.place_options(only)?, Plate::of(asked)?);
     let bar = progress(robots.len() * tasks.len(), "placing zones", common);
     let ranking = rank(&robots, &tasks, &kind, &options, || bar.inc(1))?;
     bar.finish_and_clear();
     let answer = RankAnswer { ranking, options, tolerance_mm: asked.tolerance_mm() };
     let shortfall = answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&RankOutput { answer, common, svg: OnceCell::new() })?;
+    outputs.deliver(&RankOutput { answer, common, plate, svg: OnceCell::new() })?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
 }
 
@@ -70,6 +71,7 @@ fn widened(failure: Failure, robots: &[String]) -> Failure {
 struct RankOutput<'a> {
     answer: RankAnswer,
     common: &'a Common,
+    plate: Plate,
     svg: OnceCell<String>,
 }
 
@@ -85,7 +87,7 @@ impl RankOutput<'_> {
     fn curves(&self) -> Result<String, Failure> {
         let RankAnswer { ranking: Ranking { tasks, rows, load, model, .. }, options, tolerance_mm } = &self.answer;
         let robots: Vec<Robot> = rows.iter().take(MOST_CURVES).map(|row| row.robot.clone()).collect();
-        let shapes = shapes(tasks);
+        let (shapes, looks) = (shapes(tasks), self.looks());
         let bar = progress(shapes.len() * robots.len() * CURVE_POINTS, "drawing curves", self.common);
         let mut panels = Vec::new();
         for (shape, marks) in shapes {
@@ -93,10 +95,11 @@ impl RankOutput<'_> {
             let scales: Vec<f64> = (1..=CURVE_POINTS).map(|i| largest * i as f64 / CURVE_POINTS as f64).collect();
             let options = PlaceOptions { gap: Some(options.gap.unwrap_or(0.0).max(1e-3)), ..*options };
             let values = curves(&robots, &shape, &scales, (model, &options), || bar.inc(1))?;
-            let curves = robots.iter().zip(values).map(|(robot, curve)| Curve {
+            let curves = robots.iter().zip(&looks).zip(values).map(|((robot, look), curve)| Curve {
                 robot: robot.name.clone(),
                 serial: robot.architecture == Architecture::Serial,
                 estimated: robot.status == Status::Estimated,
+                look: *look,
                 points: curve
                     .points
                     .into_iter()
@@ -121,7 +124,7 @@ impl RankOutput<'_> {
         let newtons = words::loaded(*load);
         let springs = stiffnesses(rows.iter().map(|row| &row.robot));
         let title = format!("Worst deflection at the best place under {newtons}, planar model; {springs}{chosen}");
-        ranking::svg(&title, &panels).map_err(figure)
+        ranking::svg(&title, &panels, &self.plate).map_err(figure)
     }
 
     /// A bar per robot and task, with what is proved.
@@ -129,10 +132,11 @@ impl RankOutput<'_> {
         let RankAnswer { ranking: Ranking { tasks, rows, load, .. }, tolerance_mm, .. } = &self.answer;
         let left_out = rows.len().saturating_sub(MOST_BARS);
         let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
-        let drawn = rows.iter().take(MOST_BARS).map(|row| BarRow {
+        let drawn = rows.iter().zip(self.looks()).take(MOST_BARS).map(|(row, look)| BarRow {
             robot: words::marked(&row.robot),
             serial: row.robot.architecture == Architecture::Serial,
             estimated: row.robot.status == Status::Estimated,
+            look,
             values: (0..tasks.len())
                 .map(|task| {
                     row.placement(task).map(|best| {
@@ -151,8 +155,15 @@ impl RankOutput<'_> {
             tasks: tasks.iter().map(|task| task.label.clone()).collect(),
             rows: drawn.collect(),
             tolerance_mm: *tolerance_mm,
+            plate: self.plate,
         }
         .svg()
+    }
+
+    /// By row, the best first.
+    fn looks(&self) -> Vec<Option<answer::Look>> {
+        let robots = self.answer.ranking.rows.iter().map(|row| &row.robot);
+        looks(&robots.map(|robot| (robot.name.as_str(), robot.architecture)).collect::<Vec<_>>())
     }
 }
 
@@ -190,7 +201,7 @@ fn largest_scale(robots: &[Robot], zone: Zone) -> f64 {
 
 impl Answer for RankOutput<'_> {
     const COMMAND: &'static str = "rank";
-    const FURTHER: &'static [&'static str] = &["svg", "png"];
+    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf"];
 
     fn text(&self, look: Look) -> String {
         let answer = &self.answer;
@@ -216,5 +227,9 @@ impl Answer for RankOutput<'_> {
             return Some(Ok(svg.clone()));
         }
         Some(self.figure().map(|svg| self.svg.get_or_init(|| svg).clone()))
+    }
+
+    fn plate(&self) -> Plate {
+        self.plate
     }
 }

@@ -13,6 +13,7 @@ use stiffarm::robot::Robot;
 use super::sheet::Sheet;
 use crate::args::{Common, RobotsAction};
 use crate::failure::Failure;
+use crate::figures::Plate;
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
@@ -20,7 +21,7 @@ use crate::table::{prose, shown};
 
 pub(crate) fn run(action: &RobotsAction, common: &Common) -> Result<(), Failure> {
     match action {
-        RobotsAction::Show { robot } => show(robot, common),
+        RobotsAction::Show { robot, width_mm } => show(robot, *width_mm, common),
         RobotsAction::Check { files } => super::check::run(files, common),
         RobotsAction::Import(args) => super::import::run(args, common),
     }
@@ -31,9 +32,9 @@ pub(crate) fn listed(words: &[String], asked: &Request, common: &Common) -> Resu
     outputs.deliver(&List(selection::keep(catalogue::robots(), asked, words)?))
 }
 
-fn show(robot: &str, common: &Common) -> Result<(), Failure> {
+fn show(robot: &str, width_mm: Option<f64>, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<Sheet>(common, &[Path::new(robot)])?;
-    outputs.deliver(&Sheet(selection::robot(robot, common)?))
+    outputs.deliver(&Sheet(selection::robot(robot, common)?, Plate { width_mm, scale: None }))
 }
 
 struct List(Vec<Robot>);

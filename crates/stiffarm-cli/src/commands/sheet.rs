@@ -15,12 +15,13 @@ use stiffarm::plane::PlanarArm;
 use stiffarm::robot::{Arm, ArmPlane, Robot};
 
 use crate::failure::Failure;
+use crate::figures::Plate;
 use crate::figures::reach::ReachFigure;
 use crate::look::Look;
 use crate::output::{Answer, figure, pretty};
 use crate::table::{prose, shown};
 
-pub(super) struct Sheet(pub(super) Robot);
+pub(super) struct Sheet(pub(super) Robot, pub(super) Plate);
 
 /// `-40.0 to 160.0`, in degrees.
 fn degrees(range: Interval) -> String {
@@ -80,6 +81,7 @@ impl Sheet {
             subtitle: format!("{}; what the wrist centre reaches in the arm plane", class(robot)),
             arm: &plane.arm,
             base,
+            plate: self.1,
         };
         drawn.svg().map_err(figure)
     }
@@ -155,7 +157,7 @@ fn plane_rows(arm: &PlanarArm) -> Lines {
 
 impl Answer for Sheet {
     const COMMAND: &'static str = "robots show";
-    const FURTHER: &'static [&'static str] = &["svg", "png", "toml"];
+    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf", "toml"];
 
     fn text(&self, look: Look) -> String {
         let mut table = Table::new(["", ""]);
@@ -164,7 +166,7 @@ impl Answer for Sheet {
         }
         let notes = assumed_architecture([&self.0]).to_owned()
             + "angles of the arm plane: counter-clockwise, 0 straight ahead; negative elbow: bent forwards and down\n\
-               -o reach.svg or .png draws what it reaches, -o robot.toml writes the robot file\n";
+               -o reach.svg, .png or .pdf draws what it reaches, -o robot.toml writes the robot file\n";
         shown(&table, look) + &prose(&notes, look)
     }
 
@@ -184,5 +186,9 @@ impl Answer for Sheet {
 
     fn svg(&self) -> Option<Result<String, Failure>> {
         Some(self.figure())
+    }
+
+    fn plate(&self) -> Plate {
+        self.1
     }
 }

@@ -9,6 +9,7 @@ use stiffarm::study::{StudyOptions, study};
 use super::waiting;
 use crate::args::Common;
 use crate::failure::Failure;
+use crate::figures::Plate;
 use crate::figures::study::{self as figure_of, StudyCurve, StudyPanel};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, figure, pretty};
@@ -20,19 +21,19 @@ const FIGURE_SIZES: usize = 48;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<StudyOutput>(common, &[])?;
-    let options = asked.study()?;
+    let (options, plate) = (asked.study()?, Plate::of(asked)?);
     let found = waiting("studying", common, || study(&options))?;
-    outputs.deliver(&StudyOutput(StudyAnswer(found)))
+    outputs.deliver(&StudyOutput(StudyAnswer(found), plate))
 }
 
-struct StudyOutput(StudyAnswer);
+struct StudyOutput(StudyAnswer, Plate);
 
 impl StudyOutput {
     fn figure(&self) -> Result<String, Failure> {
         let options = &self.0.0.options;
         let panels: Result<Vec<StudyPanel>, Failure> = (0..options.tasks.len()).map(|task| self.panel(task)).collect();
         let title = "Link ratio and task size";
-        figure_of::svg(title, &panels?).map_err(figure)
+        figure_of::svg(title, &panels?, &self.1).map_err(figure)
     }
 
     fn panel(&self, task: usize) -> Result<StudyPanel, Failure> {
@@ -104,7 +105,7 @@ impl StudyOutput {
 
 impl Answer for StudyOutput {
     const COMMAND: &'static str = "study";
-    const FURTHER: &'static [&'static str] = &["svg", "png"];
+    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf"];
 
     fn text(&self, look: Look) -> String {
         format!(
@@ -125,5 +126,9 @@ impl Answer for StudyOutput {
 
     fn svg(&self) -> Option<Result<String, Failure>> {
         Some(self.figure())
+    }
+
+    fn plate(&self) -> Plate {
+        self.1
     }
 }

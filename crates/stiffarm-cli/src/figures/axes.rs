@@ -146,7 +146,7 @@ pub(super) fn heading(canvas: &mut Canvas, title: &str, subtitle: &str) -> f64 {
     let mut y = 14.0;
     let (large, small) = (Font::new(19.0).bold(), Font::new(13.0).colour(GREY));
     for (text, font, line) in [(title, large, 25.0), (subtitle, small, 19.0)] {
-        for text in font.wrapped(text, room, 2) {
+        for text in font.wrapped(text, room, 3) {
             canvas.text([20.0, y + line / 2.0], &text, font);
             y += line;
         }

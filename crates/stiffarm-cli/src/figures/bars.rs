@@ -1,16 +1,21 @@
 //! Robots in order as bars, one column per task: the deflection found, what is proved, the tolerance.
 
-use stiffarm::palette::{FAINT, GREY, INK, LIMIT, QUASI_SERIAL, SERIAL, TOLERANCE};
+use stiffarm::answer::Look;
+use stiffarm::palette::{
+    ESTIMATED, FAINT, GREY, INK, LIMIT, QUASI_SERIAL, QUASI_SERIAL_CURVES, SERIAL, SERIAL_CURVES, TOLERANCE,
+};
 
-use super::WIDTH;
 use super::axes::{Axis, heading, label};
-use super::canvas::{Canvas, Font};
+use super::bands::TOLERANCE_LINE;
+use super::canvas::{Canvas, Font, path};
 use super::legend::{Entry, Legend};
+use super::{Plate, marks};
 
 /// Height of a row and of its bar, px.
 const ROW: f64 = 24.0;
 const BAR: f64 = 14.0;
-const TOLERANCE_LINE: &str = r#"fill="none" stroke-width="1.4" stroke-dasharray="10 3 2 3""#;
+/// Below this, numbers behind the bars leave no room for bars, px.
+const LEAST_COLUMN: f64 = 130.0;
 
 /// One robot.
 pub(crate) struct BarRow {
@@ -20,6 +25,8 @@ pub(crate) struct BarRow {
     pub serial: bool,
     /// Its geometry or limits are assumed.
     pub estimated: bool,
+    /// Its colour and mark in every figure, where it is told apart.
+    pub look: Option<Look>,
     /// By task: deflection and its proved lower bound, mm; absent where the task does not fit.
     pub values: Vec<Option<(f64, f64)>>,
 }
@@ -36,26 +43,47 @@ pub(crate) struct BarsFigure {
     pub rows: Vec<BarRow>,
     /// What the work allows, mm.
     pub tolerance_mm: Option<f64>,
+    /// What was asked of the figure.
+    pub plate: Plate,
+}
+
+impl BarRow {
+    fn colour(&self) -> &'static str {
+        let usual = if self.serial { SERIAL } else { QUASI_SERIAL };
+        self.look.map_or(usual, |look| look.colour)
+    }
 }
 
 impl BarsFigure {
     /// The figure as SVG text.
     pub(crate) fn svg(&self) -> String {
-        let mut canvas = Canvas::new(WIDTH, 0.0);
-        let top = heading(&mut canvas, &self.title, &self.subtitle) + 40.0;
-        let bottom = top + ROW * self.rows.len() as f64;
+        let mut canvas = Canvas::of(&self.plate);
+        let top = heading(&mut canvas, &self.title, &self.subtitle) + 24.0;
         let font = Font::new(12.5);
-        let widest = self.rows.iter().map(|row| font.width(&row.robot)).fold(60.0, f64::max).min(280.0);
-        for (row, y) in self.rows.iter().zip(lines(top)) {
-            canvas.text([20.0 + widest, y], &font.cut(&row.robot, widest), font.end());
+        let widest = self.rows.iter().map(|row| font.width(&row.robot)).fold(60.0, f64::max).min(0.28 * canvas.width);
+        let first = 48.0 + widest;
+        let room = canvas.width - 20.0 - first;
+        // As many columns side by side as find room for their numbers; the others below.
+        let across = ((room / LEAST_COLUMN) as usize).clamp(1, self.tasks.len().max(1));
+        let column = room / across as f64;
+        let mut bottom = top;
+        for (tasks, start) in self.tasks.chunks(across).zip((0..).step_by(across)) {
+            let top = bottom + if start == 0 { 16.0 } else { 62.0 };
+            bottom = top + ROW * self.rows.len() as f64;
+            for (row, y) in self.rows.iter().zip(lines(top)) {
+                canvas.text([20.0 + widest, y], &font.cut(&row.robot, widest), font.end());
+                if let Some(look) = row.look {
+                    let fill = if row.estimated { ESTIMATED } else { look.colour };
+                    let drawn = format!(r#"fill="{fill}" stroke="{}" stroke-width="1.2""#, look.colour);
+                    marks::mark(&mut canvas, [33.0 + widest, y], look.mark, &drawn);
+                }
+            }
+            for (i, name) in tasks.iter().enumerate() {
+                let left = first + column * i as f64;
+                self.draw_task(&mut canvas, start + i, name, [left, left + column - 16.0], [top, bottom]);
+            }
         }
-        let first = 34.0 + widest;
-        let column = (WIDTH - 20.0 - first) / self.tasks.len().max(1) as f64;
-        for (task, name) in self.tasks.iter().enumerate() {
-            let left = first + column * task as f64;
-            self.draw_task(&mut canvas, task, name, [left, left + column - 16.0], [top, bottom]);
-        }
-        let legend = Legend::new(self.entries(), WIDTH - 80.0, 4);
+        let legend = Legend::new(self.entries(), canvas.width - 80.0, 4);
         legend.draw(&mut canvas, [40.0, bottom + 48.0]);
         canvas.height = bottom + 62.0 + legend.height();
         canvas.finish()
@@ -77,7 +105,10 @@ impl BarsFigure {
         // Numbers stand behind the bars.
         let room = Font::new(12.0).width("00.000") + 8.0;
         let end = (right - room).max(left + 20.0);
-        let axis = Axis::new(0.0, most.max(tolerance.unwrap_or(most)).max(f64::MIN_POSITIVE), [left, end]);
+        let found = [0.0, most.max(tolerance.unwrap_or(most)).max(f64::MIN_POSITIVE)];
+        let [from, to] = self.plate.ends().unwrap_or(found);
+        let axis = Axis::new(from, to, [left, end]);
+        let tolerance = tolerance.filter(|tolerance| axis.contains(*tolerance));
         let (ticks, step) = axis.ticks(48.0);
         for tick in ticks {
             let x = axis.at(tick);
@@ -90,10 +121,21 @@ impl BarsFigure {
                 canvas.text([left + 4.0, y], "does not fit", Font::new(12.0).colour(GREY));
                 continue;
             };
-            let (x, colour) = (axis.at(found), if row.serial { SERIAL } else { QUASI_SERIAL });
-            canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &look(colour, row.estimated));
-            let proved = axis.at(bound.clamp(0.0, found));
-            canvas.line([proved, y - BAR / 2.0], [proved, y + BAR / 2.0], &bound_look());
+            let x = axis.at(found).clamp(left, end);
+            canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &look(row.colour(), row.estimated));
+            let bound = bound.clamp(0.0, found);
+            if axis.contains(bound) {
+                let proved = axis.at(bound);
+                canvas.line([proved, y - BAR / 2.0], [proved, y + BAR / 2.0], &bound_look());
+            }
+            if axis.to < found {
+                // The bar goes on.
+                canvas.path(
+                    &path(&[[x - 1.0, y - BAR / 2.0], [x + 6.0, y], [x - 1.0, y + BAR / 2.0]], true),
+                    &format!(r#"fill="{}""#, row.colour()),
+                );
+            }
+            let x = if axis.to < found { x + 4.0 } else { x };
             numbers.push(([x + 5.0, y], format!("{found:.3}")));
         }
         if let Some(tolerance) = tolerance {
@@ -109,16 +151,28 @@ impl BarsFigure {
     }
 
     fn entries(&self) -> Vec<Entry> {
-        let bar = |text: &str, colour: &'static str, estimated: bool| {
+        let told_apart = self.rows.iter().any(|row| row.look.is_some());
+        let bar = |text: &str, colours: Vec<&'static str>, estimated: bool| {
             Entry::new(text, move |canvas, [x, y]| {
-                canvas.rect([x - 15.0, y - 6.0], [x + 15.0, y + 6.0], &look(colour, estimated));
+                let width = 30.0 / colours.len() as f64;
+                for (i, colour) in colours.iter().enumerate() {
+                    let left = x - 15.0 + width * i as f64;
+                    canvas.rect([left, y - 6.0], [left + width, y + 6.0], &look(colour, estimated));
+                }
             })
         };
         let mut entries = Vec::new();
-        for (serial, name, colour) in [(true, "serial", SERIAL), (false, "quasi-serial", QUASI_SERIAL)] {
+        for (serial, name, colour, curves) in
+            [(true, "serial", SERIAL, SERIAL_CURVES), (false, "quasi-serial", QUASI_SERIAL, QUASI_SERIAL_CURVES)]
+        {
             for (estimated, suffix) in [(false, ""), (true, ", estimated")] {
                 if self.rows.iter().any(|row| row.serial == serial && row.estimated == estimated) {
-                    entries.push(bar(&format!("{name}{suffix}"), colour, estimated));
+                    let (warm, colours) = if told_apart {
+                        (if serial { " (warm)" } else { " (cool)" }, curves[..3].to_vec())
+                    } else {
+                        ("", vec![colour])
+                    };
+                    entries.push(bar(&format!("{name}{warm}{suffix}"), colours, estimated));
                 }
             }
         }
@@ -160,6 +214,7 @@ mod tests {
             robot: robot.into(),
             serial: robot.len().is_multiple_of(2),
             estimated: false,
+            look: (robot == "one").then_some(Look { colour: "#123456", mark: 3 }),
             values,
         };
         let figure = |rows: Vec<BarRow>, tolerance_mm| BarsFigure {
@@ -168,6 +223,7 @@ mod tests {
             tasks: vec!["A:0.5".into(), "B:0.5".into()],
             rows,
             tolerance_mm,
+            plate: Plate::default(),
         };
         let rows = vec![
             row("one", vec![Some((1.0, 0.5)), None]),

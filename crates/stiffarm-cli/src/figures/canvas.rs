@@ -6,6 +6,8 @@ use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, MetadataProvider};
 use stiffarm::palette::{INK, PAPER};
 
+use super::Plate;
+
 /// The font that comes with the program, and by which widths are measured.
 pub(super) const FONT: &str = "DejaVu Sans";
 
@@ -127,13 +129,20 @@ impl<'a> Font<'a> {
 pub(super) struct Canvas {
     pub width: f64,
     pub height: f64,
+    /// Its width on paper.
+    mm: Option<f64>,
     body: String,
     clips: usize,
 }
 
 impl Canvas {
     pub(super) fn new(width: f64, height: f64) -> Self {
-        Self { width, height, body: String::new(), clips: 0 }
+        Self { width, height, mm: None, body: String::new(), clips: 0 }
+    }
+
+    /// A sheet as it was asked for; its height is to come.
+    pub(super) fn of(plate: &Plate) -> Self {
+        Self { mm: plate.width_mm, ..Self::new(plate.width(), 0.0) }
     }
 
     /// Straight lines through `points`; `look` are SVG attributes.
@@ -210,8 +219,10 @@ impl Canvas {
     /// The SVG text.
     pub(super) fn finish(self) -> String {
         let [width, height] = [self.width, self.height].map(number);
+        let on_paper = |px: f64| self.mm.map_or_else(|| px.to_string(), |mm| format!("{:.3}mm", px * mm / self.width));
+        let [across, down] = [width, height].map(on_paper);
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{across}\" height=\"{down}\" \
              viewBox=\"0 0 {width} {height}\" font-family=\"{FONT}, Helvetica, Arial, sans-serif\">\n\
              <rect width=\"{width}\" height=\"{height}\" fill=\"{PAPER}\"/>\n{}</svg>\n",
             self.body

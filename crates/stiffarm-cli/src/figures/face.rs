@@ -3,7 +3,7 @@
 use stiffarm::task::Zone;
 
 use super::axes::{Axis, Frame};
-use super::bands::{Bands, Field};
+use super::bands::{Bands, Colours, Field};
 use super::canvas::{Canvas, Font, Px};
 use super::contour::{Grid, Node};
 use super::labels::Spots;
@@ -31,8 +31,8 @@ pub(crate) struct FaceFigure {
 }
 
 impl FaceFigure {
-    /// Draws it below `top`; returns where it ends.
-    pub(super) fn draw(&self, canvas: &mut Canvas, top: f64) -> f64 {
+    /// Draws it below `top` in colours over the range that was asked for; returns where it ends.
+    pub(super) fn draw(&self, canvas: &mut Canvas, top: f64, scale: Option<[f64; 2]>) -> f64 {
         let top = top + 26.0;
         let frame = self.frame(canvas.width, top);
         let [[_, bottom], [right, _]] = frame.corners();
@@ -46,21 +46,19 @@ impl FaceFigure {
         };
         let at = |at: Node| on_page(self.zone.at(node(at)));
         if let Some(extremes) = grid.extremes() {
-            let bands = Bands::of(extremes);
+            let bands = Bands::within(scale, extremes, Colours::Deflections);
             let region = [border(self.per_side)];
             let mut spots = Spots::default();
             let worst = at(self.worst());
             spots.take(&[worst; 2], 12.0);
-            Field { grid: &grid, region: &region, bands, at: &at }.draw(canvas, Font::new(12.0), &mut spots);
+            Field { grid: &grid, region: &region, bands, tolerance: None, at: &at }.draw(
+                canvas,
+                Font::new(12.0),
+                &mut spots,
+            );
             draw_rim(canvas, &rim(self.zone, [0.0; 2], 0.0).into_iter().map(on_page).collect::<Vec<Px>>());
             worst_mark(canvas, worst);
-            bands.bar(
-                canvas,
-                [right + 28.0, bottom - 12.0],
-                [right + 50.0, top + 12.0],
-                &self.colour_label,
-                ["stiff", "soft"],
-            );
+            bands.bar(canvas, [right + 28.0, bottom - 12.0], [right + 50.0, top + 12.0], &self.colour_label);
         }
         frame.draw(canvas, "to the right of its centre [m]", &format!("{} [m]", self.up));
         bottom + 56.0
@@ -87,7 +85,7 @@ impl FaceFigure {
         let room = ROOM * far[0].max(far[1]);
         // A slender zone still gets a frame with room for titles.
         let half = far.map(|half| (half + room).max(0.5 * far[0].max(far[1])));
-        let scale = SIDE / (2.0 * half[0].max(half[1]));
+        let scale = SIDE.min(width - 300.0) / (2.0 * half[0].max(half[1]));
         let [wide, high] = half.map(|half| scale * 2.0 * half);
         let left = (width - wide) / 2.0;
         Frame {

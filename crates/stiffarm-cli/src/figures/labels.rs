@@ -1,5 +1,7 @@
 //! Where may a label stand on its line without covering another?
 
+use stiffarm::palette::GREY;
+
 use super::canvas::{Canvas, Font, Px};
 
 /// A line and what is written on it.
@@ -52,6 +54,28 @@ impl Spots {
             canvas.text(best.at, &line.text, font.middle().turned(best.angle).halo());
             self.taken.extend(best.discs.iter().map(|&disc| (disc, 0.7 * font.size)));
         }
+    }
+
+    /// Writes a text as near to a point as there is room inside `region`, with a thin line to it where it stands apart.
+    pub(super) fn beside(&mut self, canvas: &mut Canvas, at: Px, text: &str, font: Font, region: &[Vec<Px>]) {
+        const DIRECTIONS: u32 = 16;
+        let around = (2..=14).flat_map(|ring| {
+            let radius = 0.5 * font.size * f64::from(ring);
+            (0..DIRECTIONS).map(move |i| {
+                // To the right first, then alternately up and down.
+                let turn = f64::from(i.div_ceil(2)) * if i % 2 == 0 { 1.0 } else { -1.0 };
+                let (s, c) = (turn / f64::from(DIRECTIONS) * std::f64::consts::TAU).sin_cos();
+                (radius, [at[0] + radius * c, at[1] + radius * s])
+            })
+        });
+        let mut free = around.filter(|(_, spot)| self.is_free(*spot, font.size) && holds(region, *spot));
+        let Some((radius, spot)) = free.next() else { return };
+        if 1.2 * font.size < radius {
+            let share = 1.0 - 0.55 * font.size / radius;
+            canvas.line(at, between(at, spot, share), &format!(r#"stroke="{GREY}" stroke-width="0.8""#));
+        }
+        canvas.text(spot, text, font.middle().halo());
+        self.taken.push((spot, 0.6 * font.size));
     }
 
     fn is_free(&self, at: Px, size: f64) -> bool {

@@ -2,17 +2,19 @@
 
 use stiffarm::answer::Unit;
 use stiffarm::map::Grid as Mapped;
+use stiffarm::palette::TOLERANCE;
 use stiffarm::plane::{ElbowSide, PlanarArm};
 
 use super::axes::{Frame, heading};
-use super::bands::{Bands, Field};
-use super::canvas::{Canvas, Font, rect_path};
+use super::bands::{Bands, Colours, Field, TOLERANCE_LINE};
+use super::canvas::{Canvas, Font, Px, rect_path};
 use super::contour::{Grid, Line, Node, area};
 use super::face::FaceFigure;
 use super::labels::Spots;
-use super::legend::Legend;
+use super::legend::{Entry, Legend};
 use super::scene::Scene;
-use super::{FigureError, WIDTH};
+use super::sheets::{Part, Ways, parts};
+use super::{FigureError, Plate};
 
 /// No more grid points per side are drawn: finer than the pixels of a large print.
 const MOST_POINTS: usize = 800;
@@ -30,10 +32,16 @@ pub(crate) struct MapFigure<'a> {
     pub map: &'a Mapped,
     /// The unit in which its values are told.
     pub unit: Unit,
-    /// What its smallest and its largest values are called.
-    pub ends: [&'static str; 2],
+    /// What its colours stand for.
+    pub colours: Colours,
+    /// What the work allows, in that unit: a line.
+    pub tolerance: Option<f64>,
+    /// What was asked of the figure.
+    pub plate: Plate,
     /// The arm whose plane was mapped, with its joint-2 axis, where it says exactly where the mapped area ends.
     pub edge: Option<(&'a PlanarArm, [f64; 2])>,
+    /// In space how every point is held.
+    pub ways: Option<Ways<'a>>,
     /// Arm, base and zone in the axes of the map.
     pub scene: Scene,
     /// What the colours mean, with the unit.
@@ -49,28 +57,39 @@ impl MapFigure<'_> {
     #[expect(clippy::unnecessary_wraps, reason = "all figures are called alike")]
     pub(crate) fn svg(&self) -> Result<String, FigureError> {
         let scene = &self.scene;
-        let legend = Legend::new(scene.entries(), WIDTH - 80.0, 4);
-        let mut canvas = Canvas::new(WIDTH, 0.0);
-        let top = heading(&mut canvas, &self.title, &self.subtitle) + 16.0;
-        let frame = scene.frame(self.reached().to_vec(), top);
+        let mut canvas = Canvas::of(&self.plate);
+        let legend = Legend::new(self.entries(), canvas.width - 80.0, 4);
+        let top = heading(&mut canvas, &self.title, &self.subtitle) + 26.0;
+        let frame = scene.frame(self.reached().to_vec(), canvas.width, top);
         let [[left, bottom], [right, _]] = frame.corners();
         let inside = rect_path([left, bottom], [right, top]);
         canvas.clipped(&inside, |canvas| scene.floor(canvas, &frame));
         self.draw_field(&mut canvas, &frame);
         canvas.clipped(&inside, |canvas| {
             scene.draw_base(canvas, &frame);
+            scene.draw_cell(canvas, &frame);
             scene.draw_zone(canvas, &frame);
             scene.draw_arm(canvas, &frame);
             scene.draw_worst_point(canvas, &frame);
+            scene.draw_force(canvas, &frame);
         });
         frame.draw(&mut canvas, &format!("x from {} [m]", self.origin), &format!("z from {} [m]", self.origin));
         legend.draw(&mut canvas, [40.0, bottom + 52.0]);
         canvas.height = bottom + 66.0 + legend.height();
         if let Some(face) = &self.face {
             let top = canvas.height + 10.0;
-            canvas.height = face.draw(&mut canvas, top);
+            canvas.height = face.draw(&mut canvas, top, self.plate.ends());
         }
         Ok(canvas.finish())
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let mut entries = self.scene.entries();
+        if let Some(tolerance) = self.tolerance {
+            let look = format!(r#"{TOLERANCE_LINE} stroke="{TOLERANCE}""#);
+            entries.insert(0, Entry::line(format!("tolerance {tolerance} mm"), look));
+        }
+        entries
     }
 
     /// Left bottom and right top of what is mapped, with a margin, m; of the whole grid where nothing is reached.
@@ -117,13 +136,25 @@ impl MapFigure<'_> {
             let [x, z] = metres(node);
             frame.at(x, z)
         };
-        let bands = Bands::of(extremes);
-        let region = self.edge.map_or_else(|| grid.smooth_outline(), |edge| region(&grid, edge, &metres));
+        let bands = Bands::within(self.plate.ends(), extremes, self.colours);
+        let parts = match (&self.ways, self.edge) {
+            (Some(ways), _) => {
+                let held = |i, j| (ways.at)(index(i, x.count), index(j, z.count));
+                parts(&grid, 0.5 * bands.step, &held, &|node| ways.between.held(metres(node)))
+            }
+            (None, Some(edge)) => vec![Part { region: region(&grid, edge, &metres), grid }],
+            (None, None) => vec![Part { region: grid.smooth_outline(), grid }],
+        };
         let mut spots = Spots::default();
         for line in self.scene.covered(frame) {
             spots.take(&line, 9.0);
         }
-        Field { grid: &grid, region: &region, bands, at: &at }.draw(canvas, Font::new(12.0), &mut spots);
+        // All of the field lies below its parts, so that no gap shows between them.
+        let mut lines = self.field(&parts[0], bands, &at).fill(canvas);
+        if 1 < parts.len() {
+            lines = parts[1..].iter().flat_map(|part| self.field(part, bands, &at).fill(canvas)).collect();
+        }
+        self.field(&parts[0], bands, &at).label(canvas, &lines, Font::new(12.0), &mut spots);
         let height = (bottom - top).min(520.0);
         let middle = f64::midpoint(bottom, top);
         bands.bar(
@@ -131,8 +162,13 @@ impl MapFigure<'_> {
             [right + 28.0, middle + height / 2.0],
             [right + 50.0, middle - height / 2.0],
             &self.colour_label,
-            self.ends,
         );
+    }
+}
+
+impl MapFigure<'_> {
+    fn field<'p>(&self, part: &'p Part, bands: Bands, at: &'p dyn Fn(Node) -> Px) -> Field<'p> {
+        Field { grid: &part.grid, region: &part.region, bands, tolerance: self.tolerance, at }
     }
 }
 
@@ -212,7 +248,16 @@ mod tests {
     }
 
     fn scene(arm: &PlanarArm) -> Scene {
-        Scene { axis: [0.0; 2], links: Vec::new(), link: f64::midpoint(arm.l2, arm.l3), base: None, zone: None }
+        Scene {
+            axis: [0.0; 2],
+            links: Vec::new(),
+            link: f64::midpoint(arm.l2, arm.l3),
+            base: None,
+            zone: None,
+            windows: Vec::new(),
+            keep_outs: Vec::new(),
+            force: None,
+        }
     }
 
     fn figure<'a>(map: &'a Mapped, arm: &'a PlanarArm) -> MapFigure<'a> {
@@ -222,8 +267,11 @@ mod tests {
             subtitle,
             map,
             unit: Unit::Millimetre,
-            ends: ["stiff", "soft"],
+            colours: Colours::Deflections,
+            tolerance: Some(1.5),
+            plate: Plate::default(),
             edge: Some((arm, [0.0; 2])),
+            ways: None,
             scene: scene(arm),
             colour_label: "worst [mm]".into(),
             origin: "the joint-2 axis",

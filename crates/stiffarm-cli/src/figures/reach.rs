@@ -11,7 +11,7 @@ use super::contour::Node;
 use super::legend::{Entry, Legend};
 use super::map::edge;
 use super::scene::{Scene, links};
-use super::{FigureError, WIDTH};
+use super::{FigureError, Plate};
 
 /// The edge is sought on so many points along the longer side.
 const POINTS: usize = 240;
@@ -38,6 +38,8 @@ pub(crate) struct ReachFigure<'a> {
     pub arm: &'a PlanarArm,
     /// The joint-2 axis from the base, m; without it lengths count from that axis.
     pub base: Option<[f64; 2]>,
+    /// What was asked of the figure.
+    pub plate: Plate,
 }
 
 impl ReachFigure<'_> {
@@ -52,12 +54,15 @@ impl ReachFigure<'_> {
             link: f64::midpoint(self.arm.l2, self.arm.l3),
             base: self.base.map(|axis| axis.map(|part| -part)),
             zone: None,
+            windows: Vec::new(),
+            keep_outs: Vec::new(),
+            force: None,
         };
-        let mut canvas = Canvas::new(WIDTH, 0.0);
+        let mut canvas = Canvas::of(&self.plate);
         let top = heading(&mut canvas, &self.title, &self.subtitle) + 16.0;
         let margin = 0.04 * x.width().max(z.width());
         let corners = vec![[x.min() - margin, z.min() - margin], [x.max() + margin, z.max() + margin]];
-        let frame = scene.frame(corners, top);
+        let frame = scene.frame(corners, canvas.width, top);
         let [[left, bottom], [right, _]] = frame.corners();
         let own = self.counted_from_base(frame);
         own.grid(&mut canvas);
@@ -81,7 +86,7 @@ impl ReachFigure<'_> {
         let from = if self.base.is_some() { "the base" } else { "the joint-2 axis" };
         own.draw(&mut canvas, &format!("x from {from} [m]"), &format!("z from {from} [m]"));
         entries.extend(scene.entries());
-        let legend = Legend::new(entries, WIDTH - 80.0, 4);
+        let legend = Legend::new(entries, canvas.width - 80.0, 4);
         legend.draw(&mut canvas, [40.0, bottom + 52.0]);
         canvas.height = bottom + 66.0 + legend.height();
         Ok(canvas.finish())
@@ -185,7 +190,13 @@ mod tests {
     fn a_figure_says_what_it_shows_and_can_be_drawn() {
         let robot = &robots()[0];
         let plane = robot.arm_plane().unwrap();
-        let figure = |base| ReachFigure { title: robot.full_name(), subtitle: String::new(), arm: &plane.arm, base };
+        let figure = |base| ReachFigure {
+            title: robot.full_name(),
+            subtitle: String::new(),
+            arm: &plane.arm,
+            base,
+            plate: Plate::default(),
+        };
         let svg = figure(Some(plane.axis_from_base)).svg().unwrap();
         for text in ["reached with the elbow up", "x from the base [m]", &robot.name] {
             assert!(svg.contains(text), "{text}");

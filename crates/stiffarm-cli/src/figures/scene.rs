@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use stiffarm::palette::{ARM, BASE, GROUND, INK, PAPER, WORST_POINT, ZONE};
+use stiffarm::interval::Interval;
+use stiffarm::palette::{ARM, BASE, FORCE, GROUND, INK, KEEP_OUT, PAPER, WINDOW, WORST_POINT, ZONE};
 use stiffarm::plane::PlanarArm;
 use stiffarm::task::Zone;
 
@@ -25,6 +26,21 @@ pub(crate) struct Scene {
     pub base: Option<[f64; 2]>,
     /// Where the work stands.
     pub zone: Option<ZoneMark>,
+    /// Where it may stand; an end may be open.
+    pub windows: Vec<[Interval; 2]>,
+    /// Where nothing may be.
+    pub keep_outs: Vec<[Interval; 2]>,
+    /// The force on the tool.
+    pub force: Option<ForceMark>,
+}
+
+/// A force of a direction that is known.
+#[derive(Clone, Debug)]
+pub(crate) struct ForceMark {
+    /// Where it points: ahead and up, of length 1 or less where it leaves the plane.
+    pub towards: [f64; 2],
+    /// Its entry in the legend.
+    pub label: String,
 }
 
 /// A zone at its place, as it is seen in a diagram.
@@ -45,8 +61,9 @@ pub(crate) fn links(arm: &PlanarArm, (shoulder, elbow): (f64, f64)) -> Vec<[f64;
 }
 
 impl Scene {
-    /// A frame below `top` px with equal scales on both axes, around `shown` (m) and everything of the scene.
-    pub(super) fn frame(&self, mut shown: Vec<[f64; 2]>, top: f64) -> Frame {
+    /// A frame on a sheet `width` px wide, below `top` px, with equal scales on both axes, around `shown` (m) and everything of
+    /// the scene.
+    pub(super) fn frame(&self, mut shown: Vec<[f64; 2]>, width: f64, top: f64) -> Frame {
         let room = 0.24 * self.link;
         shown.extend(self.joints().into_iter().flat_map(|[x, z]| [[x - room, z - room], [x + room, z + room]]));
         if let Some([x, z]) = self.standing() {
@@ -54,6 +71,8 @@ impl Scene {
             shown.extend([[x - 0.45 * size, z - 0.15 * size], [x + 0.45 * size, self.axis[1] + room]]);
         }
         shown.extend(self.zone.iter().flat_map(|mark| mark.rim.iter().copied()));
+        let beyond = |[from, to]: [[f64; 2]; 2]| [0, 1].map(|k| to[k] + 0.1 * (to[k] - from[k]));
+        shown.extend(self.force.iter().map(|force| beyond(self.force_ends(force))));
         shown.retain(|point| point.iter().all(|x| x.is_finite()));
         let ends = |k: usize| {
             let values = shown.iter().map(|point| point[k]);
@@ -65,7 +84,8 @@ impl Scene {
             (axis.from, axis.to)
         };
         let (x, z) = (ends(0), ends(1));
-        let scale = (750.0 / (x.1 - x.0)).min(780.0 / (z.1 - z.0));
+        let room = width - 250.0;
+        let scale = (room / (x.1 - x.0)).min(0.78 * width / (z.1 - z.0));
         // A sliver of a map still gets a frame in which axis titles have room.
         let widened = |(from, to): (f64, f64)| {
             let missing = (300.0 / scale - (to - from)).max(0.0) / 2.0;
@@ -73,7 +93,7 @@ impl Scene {
         };
         let (x, z) = (widened(x), widened(z));
         let (width, height) = (scale * (x.1 - x.0), scale * (z.1 - z.0));
-        let left = 85.0 + (750.0 - width) / 2.0;
+        let left = 85.0 + (room - width) / 2.0;
         Frame { x: Axis::new(x.0, x.1, [left, left + width]), y: Axis::new(z.0, z.1, [top + height, top]) }
     }
 
@@ -143,6 +163,43 @@ impl Scene {
         canvas.path(&path(&placed, true), &look);
     }
 
+    /// Windows in which the work may stand, and what must stay free.
+    pub(super) fn draw_cell(&self, canvas: &mut Canvas, frame: &Frame) {
+        let [[left, bottom], [right, top]] = frame.corners();
+        // An open end lies outside the frame.
+        let within = |[x, z]: &[Interval; 2]| {
+            let across = [x.min(), x.max()].map(|x| frame.x.at(x).clamp(left - 9.0, right + 9.0));
+            let up = [z.min(), z.max()].map(|z| frame.y.at(z).clamp(top - 9.0, bottom + 9.0));
+            [[across[0], up[0]], [across[1], up[1]]]
+        };
+        for range in &self.keep_outs {
+            let [one, other] = within(range);
+            keep_out(canvas, one, other);
+        }
+        for range in &self.windows {
+            let [one, other] = within(range);
+            canvas.rect(
+                one,
+                other,
+                &format!(r#"fill="none" stroke="{PAPER}" stroke-opacity="0.8" stroke-width="4.5""#),
+            );
+            canvas.rect(one, other, &window_look());
+        }
+    }
+
+    /// The force at the tool point, or at the joint-2 axis where no arm is drawn.
+    pub(super) fn draw_force(&self, canvas: &mut Canvas, frame: &Frame) {
+        let Some(force) = &self.force else { return };
+        let [from, to] = self.force_ends(force);
+        arrow(canvas, frame.at(from[0], from[1]), frame.at(to[0], to[1]));
+    }
+
+    /// It starts at the tool point: ending there, it would lie on the arm.
+    fn force_ends(&self, force: &ForceMark) -> [[f64; 2]; 2] {
+        let at = self.links.last().copied().unwrap_or(self.axis);
+        [at, [0, 1].map(|k| at[k] + 0.35 * self.link * force.towards[k])]
+    }
+
     pub(super) fn draw_zone(&self, canvas: &mut Canvas, frame: &Frame) {
         if let Some(mark) = &self.zone {
             draw_rim(canvas, &mark.rim.iter().map(|[x, z]| frame.at(*x, *z)).collect::<Vec<_>>());
@@ -185,6 +242,19 @@ impl Scene {
             }));
             entries.push(Entry::new("worst point of the zone", worst_mark));
         }
+        if !self.windows.is_empty() {
+            entries.push(Entry::new("where the zone may stand", |canvas, [x, y]| {
+                canvas.rect([x - 15.0, y - 6.5], [x + 15.0, y + 6.5], &window_look());
+            }));
+        }
+        if !self.keep_outs.is_empty() {
+            let sample = |canvas: &mut Canvas, [x, y]: Px| keep_out(canvas, [x - 15.0, y - 6.5], [x + 15.0, y + 6.5]);
+            entries.push(Entry::new("kept free", sample));
+        }
+        if let Some(force) = &self.force {
+            let sample = |canvas: &mut Canvas, [x, y]: Px| arrow(canvas, [x - 17.0, y], [x + 17.0, y]);
+            entries.push(Entry::new(force.label.clone(), sample));
+        }
         if !self.links.is_empty() {
             let text =
                 if self.links.len() == 2 { "upper arm and forearm" } else { "the arm, seen from its right side" };
@@ -201,6 +271,46 @@ impl Scene {
         }));
         entries
     }
+}
+
+fn window_look() -> String {
+    format!(r#"fill="none" stroke="{WINDOW}" stroke-width="2" stroke-dasharray="8 4""#)
+}
+
+/// A hatched rectangle.
+fn keep_out(canvas: &mut Canvas, [x0, y0]: Px, [x1, y1]: Px) {
+    let [left, right, top, bottom] = [x0.min(x1), x0.max(x1), y0.min(y1), y0.max(y1)];
+    canvas.rect([left, top], [right, bottom], &format!(r#"fill="{KEEP_OUT}" fill-opacity="0.14""#));
+    let thin = format!(r#"stroke="{KEEP_OUT}" stroke-width="1""#);
+    let (width, height) = (right - left, bottom - top);
+    // Lines down to the left, each cut to the rectangle.
+    for i in 1..((width + height) / 9.0).min(600.0) as usize {
+        let sum = 9.0 * i as f64;
+        let (from, to) = (
+            [left + sum.min(width), top + (sum - width).max(0.0)],
+            [left + (sum - height).max(0.0), top + sum.min(height)],
+        );
+        canvas.line(from, to, &thin);
+    }
+    canvas.rect([left, top], [right, bottom], &format!(r#"fill="none" stroke="{KEEP_OUT}" stroke-width="1.8""#));
+}
+
+/// An arrow with a white rim.
+fn arrow(canvas: &mut Canvas, from: Px, to: Px) {
+    let along = [to[0] - from[0], to[1] - from[1]];
+    let length = along[0].hypot(along[1]);
+    if !(1.0 <= length) {
+        return;
+    }
+    let unit = along.map(|part| part / length);
+    let head = 13.0_f64.min(0.5 * length);
+    let neck = [0, 1].map(|k| to[k] - head * unit[k]);
+    let side = |s: f64| [neck[0] - s * 0.5 * head * unit[1], neck[1] + s * 0.5 * head * unit[0]];
+    let tip = path(&[to, side(1.0), side(-1.0)], true);
+    canvas.line(from, neck, &format!(r#"stroke="{PAPER}" stroke-width="7.5" stroke-linecap="round""#));
+    canvas.path(&tip, &format!(r#"fill="{PAPER}" stroke="{PAPER}" stroke-width="4" stroke-linejoin="round""#));
+    canvas.line(from, neck, &format!(r#"stroke="{FORCE}" stroke-width="3.5" stroke-linecap="round""#));
+    canvas.path(&tip, &format!(r#"fill="{FORCE}""#));
 }
 
 /// The rim of a zone, px.

@@ -3,12 +3,12 @@
 use stiffarm::palette::{BEST_RATIO, GREY, INK, PAPER, RATIOS};
 
 use super::axes::{Axis, Frame, heading};
-use super::bands::{Bands, Field};
+use super::bands::{Bands, Colours, Field};
 use super::canvas::{Canvas, Font, Px, path, rect_path};
 use super::contour::{Grid, Node};
 use super::labels::Spots;
 use super::legend::{Entry, Legend};
-use super::{FigureError, WIDTH};
+use super::{FigureError, Plate};
 
 const DASH: &str = r#"stroke-dasharray="7 4""#;
 const BOUNDARY: &str = r#"stroke-width="1.2" stroke-dasharray="2 3""#;
@@ -46,6 +46,8 @@ pub(crate) struct StudyCurve {
     pub is_best: bool,
 }
 
+/// Three diagrams in a row need so many px; on narrow paper they get smaller.
+const WIDTH: f64 = 1000.0;
 /// Where the three diagrams of a row stand, px.
 const COLUMNS: [(f64, f64); 3] = [(66.0, 298.0), (368.0, 600.0), (742.0, 984.0)];
 const HEIGHT: f64 = 250.0;
@@ -54,8 +56,9 @@ const HEIGHT: f64 = 250.0;
 ///
 /// # Errors
 /// Where a panel's accuracies do not fit its ratios and sizes.
-pub(crate) fn svg(title: &str, panels: &[StudyPanel]) -> Result<String, FigureError> {
-    let mut canvas = Canvas::new(WIDTH, 0.0);
+pub(crate) fn svg(title: &str, panels: &[StudyPanel], plate: &Plate) -> Result<String, FigureError> {
+    let mut canvas = Canvas::of(plate);
+    canvas.width = WIDTH;
     let subtitle = "normalised accuracy ε/(kF), lengths over l₂+l₃: the worst deflection of the best-placed task, without joint limits";
     let mut y = heading(&mut canvas, title, subtitle) + 14.0;
     if panels.is_empty() {
@@ -110,17 +113,21 @@ fn draw_row(canvas: &mut Canvas, panel: &StudyPanel, labels: &[&str], top: f64) 
         let (left, right) = COLUMNS[contender];
         let frame =
             Frame { x: scale(panel.mus.iter().copied(), [left, right]), y: scale(fitting.clone(), [bottom, top]) };
-        draw_contours(canvas, panel, &panel.best[contender], &frame, (&grids[contender], range.map(Bands::of)));
+        draw_contours(canvas, panel, &panel.best[contender], &frame, (&grids[contender], range.map(bands)));
         draw_best(canvas, &frame, &panel.best[contender]);
         frame.draw(canvas, "link ratio μ = l₃/l₂", SIZE);
         frame.headline(canvas, &panel.contenders[contender]);
     }
     if let Some(range) = range {
         let right = COLUMNS[1].1;
-        Bands::of(range).bar(canvas, [right + 14.0, bottom], [right + 30.0, top], "accuracy ε/(kF)", ["stiff", "soft"]);
+        bands(range).bar(canvas, [right + 14.0, bottom], [right + 30.0, top], "accuracy ε/(kF)");
     }
     draw_curves(canvas, panel, labels, top);
     Ok(())
+}
+
+fn bands(range: [f64; 2]) -> Bands {
+    Bands::of(range, Colours::Deflections)
 }
 
 fn scale(values: impl Iterator<Item = f64>, px: [f64; 2]) -> Axis {
@@ -152,7 +159,7 @@ fn draw_contours(
     let mut spots = Spots::default();
     spots.take(&[[left, bottom], [right, bottom], [right, top], [left, top], [left, bottom]], 5.0);
     spots.take(&placed(frame, best.iter().map(|&(size, mu)| (mu, size))), 5.0);
-    Field { grid, region: &region, bands, at: &at }.draw(canvas, Font::new(11.5), &mut spots);
+    Field { grid, region: &region, bands, tolerance: None, at: &at }.draw(canvas, Font::new(11.5), &mut spots);
 }
 
 /// The best ratio over size.
@@ -258,14 +265,14 @@ mod tests {
             (2, 9, Some(2.0)),
         ];
         let panels = panels.map(|(mus, sizes, accuracy)| panel(mus, sizes, accuracy));
-        assert!(png(&svg("", &[]).unwrap(), 0.5).is_ok());
-        assert!(png(&svg("all", &panels).unwrap(), 0.5).is_ok());
+        assert!(png(&svg("", &[], &Plate::default()).unwrap(), 0.5).is_ok());
+        assert!(png(&svg("all", &panels, &Plate::default()).unwrap(), 0.5).is_ok());
     }
 
     #[test]
     fn accuracies_that_do_not_fit_the_grid_are_refused() {
         let short = StudyPanel { mus: vec![1.0], ..panel(3, 3, None) };
-        let message = svg("", &[short]).unwrap_err().to_string();
+        let message = svg("", &[short], &Plate::default()).unwrap_err().to_string();
         assert_eq!(message, "a figure of sizes x ratios: 9 values; expected 3");
     }
 }

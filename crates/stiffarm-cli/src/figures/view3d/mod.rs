@@ -3,6 +3,7 @@
 //! The drawing is done in the browser by plotly.js, which lies inside the file; the page forbids itself to load anything.
 
 mod arm;
+mod solids;
 mod traces;
 
 pub(crate) use arm::ArmMark;
@@ -11,6 +12,8 @@ use serde_json::Value;
 use stiffarm::answer::Unit;
 use stiffarm::map::Grid;
 use stiffarm::palette::{INK, PAPER, PROSE};
+
+use super::bands::Colours;
 
 /// No more points per side of a map are drawn: a browser turns some ten thousand smoothly.
 const MOST_POINTS: usize = 240;
@@ -33,8 +36,12 @@ pub(crate) struct View {
     pub section: Option<Sheet>,
     /// What pushes, and where to.
     pub arrows: Vec<Arrow>,
-    /// What the colours mean, with the unit mm.
+    /// What the colours mean, with the unit.
     pub colour_label: String,
+    /// What they stand for.
+    pub colours: Colours,
+    /// From where to where they go, where that was asked for.
+    pub scale: Option<[f64; 2]>,
     /// Whether the floor is known to lie at height zero.
     pub floor: bool,
 }
@@ -44,7 +51,7 @@ pub(crate) struct View {
 pub(crate) struct Cell {
     /// Where.
     pub at: Point,
-    /// Deflection, mm; absent where the arm does not reach.
+    /// Deflection, mm, or a margin, deg; absent where the arm does not reach.
     pub mm: Option<f64>,
 }
 
@@ -77,17 +84,19 @@ pub(crate) struct Arrow {
     pub at: Point,
     /// Where it points and how long it is drawn, m.
     pub along: Point,
+    /// Of the palette.
+    pub colour: &'static str,
 }
 
 impl Sheet {
-    /// Deflections, m, over the plane of x and z at `y` m to the left.
-    pub(crate) fn of_map(map: &Grid, y: f64) -> Self {
+    /// A map over the plane of x and z at `y` m to the left, told in a unit.
+    pub(crate) fn of_map(map: &Grid, unit: Unit, y: f64) -> Self {
         let stride = map.x.count.max(map.z.count).div_ceil(MOST_POINTS).max(1);
         // The last point is always kept, so that the map does not shrink.
         let kept = |count: usize| (0..count).filter(move |i| i % stride == 0 || i + 1 == count);
         let cell = |i: usize, j: usize| Cell {
             at: [map.x.at(i), y, map.z.at(j)],
-            mm: map.get(i, j).map(|metres| Unit::Millimetre.told(metres)),
+            mm: map.get(i, j).map(|value| unit.told(value)),
         };
         Self { rows: kept(map.z.count).map(|j| kept(map.x.count).map(|i| cell(i, j)).collect()).collect() }
     }
@@ -104,6 +113,7 @@ impl View {
         let notes: String = self.notes.iter().map(|note| format!("<p>{}</p>", escaped(note))).collect();
         let figure = in_script(&self.figure());
         let script = script();
+        let unit = if self.colours == Colours::Margins { "deg" } else { "mm" };
         format!(
             r#"<!doctype html>
 <html lang="en">
@@ -128,7 +138,7 @@ p {{ font-size: 14px; margin: 0 0 2px; color: {PROSE}; }}
 <script>
 const figure = {figure};
 for (const trace of figure.data.filter(trace => trace.type === "surface")) {{
-  trace.text = trace.surfacecolor.map(row => row.map(mm => mm === null ? "" : mm.toPrecision(5) + " mm"));
+  trace.text = trace.surfacecolor.map(row => row.map(value => value === null ? "" : value.toPrecision(5) + " {unit}"));
 }}
 Plotly.newPlot("view", figure.data, figure.layout, figure.config);
 </script>
@@ -180,7 +190,7 @@ mod tests {
             sheet: Some(sheet.clone()),
             worst: Some(cell(2, 2)),
         };
-        let arrow = Arrow { label: "<b>worst</b>".into(), at: [1.0; 3], along: [0.0, 0.0, f64::NAN] };
+        let arrow = Arrow { label: "<b>worst</b>".into(), at: [1.0; 3], along: [0.0, 0.0, f64::NAN], colour: INK };
         View {
             title: "<script>alert(\"&\")</script>".into(),
             notes: vec!["1 < 2".into()],
@@ -190,6 +200,7 @@ mod tests {
             arrows: vec![arrow],
             colour_label: "worst deflection [mm]".into(),
             floor: true,
+            ..View::default()
         }
     }
 
@@ -269,7 +280,7 @@ mod tests {
         let extent = Extent::Grid { x: axis, z: axis };
         let options = MapOptions { extent, load: Load::PAPER, elbow: None, held: None };
         let found = map(&Model::of_links(&arm).unwrap(), &options).unwrap();
-        let sheet = Sheet::of_map(&found.deflection, 0.1);
+        let sheet = Sheet::of_map(&found.deflection, Unit::Millimetre, 0.1);
         assert!(sheet.rows.len() <= MOST_POINTS + 1 && sheet.rows.iter().all(|row| row.len() == sheet.rows.len()));
         let (first, last) = (sheet.rows[0][0].at, sheet.rows.last().unwrap().last().unwrap().at);
         for (found, expected) in first.iter().chain(&last).zip([-2.0, 0.1, -2.0, 2.0, 0.1, 2.0]) {

@@ -2,13 +2,18 @@
 
 use nalgebra::Vector3;
 use serde_json::{Value, json};
-use stiffarm::palette::{ARM_IN_SPACE, DEFLECTION, FAINT, FLOOR, GREY, INK, PAPER, TOOL, WORST_DIRECTION, ZONE};
+use stiffarm::palette::{ARM_IN_SPACE, BASE, FAINT, FLOOR, GREY, INK, JOINT_IN_SPACE, TOOL, ZONE};
 
 use super::super::bands::Bands;
+use super::solids::Solid;
 use super::{Point, Sheet, View, escaped};
 
-/// In the order in which arrows are given.
-const ARROWS: [&str; 2] = [WORST_DIRECTION, DEFLECTION];
+/// Radii of base, upper arm, forearm, hand and tool at their beginning, over the length of a link; each tapers to the next.
+const RADII: [f64; 6] = [0.17, 0.105, 0.085, 0.06, 0.04, 0.022];
+/// Radius of the shaft of an arrow, m: it stands out on both faces of a section.
+const SHAFT: f64 = 0.016;
+/// Ticks along the longest axis.
+const MOST_TICKS: f64 = 6.0;
 /// Squares of the floor, m.
 const TILE: f64 = 0.5;
 /// How far links and rims, and above them marks, are drawn from a section they lie in, m.
@@ -25,8 +30,7 @@ impl View {
         let mut traces = Vec::new();
         let bands = self.bands();
         let zone_sheet = self.zone.as_ref().and_then(|zone| zone.sheet.as_ref());
-        let label = format!("zone: {}", self.colour_label);
-        let sheets = [(&*self.colour_label, self.section.as_ref(), 0.75), (&*label, zone_sheet, 1.0)];
+        let sheets = [("section", self.section.as_ref(), 0.75), ("inside the zone", zone_sheet, 1.0)];
         for (name, sheet, opacity) in sheets {
             if let (Some(sheet), Some(bands)) = (sheet, bands) {
                 let with_bar = traces.is_empty();
@@ -48,25 +52,44 @@ impl View {
         let known = self.section.iter().chain(zone).flat_map(Sheet::cells).filter_map(|cell| cell.mm);
         let known = known.filter(|mm| mm.is_finite());
         let [low, high] = known.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], mm| [low.min(mm), high.max(mm)]);
-        (low <= high).then(|| Bands::of([low, high]))
+        (low <= high).then(|| Bands::within(self.scale, [low, high], self.colours))
     }
 
     fn draw_arm(&self, traces: &mut Vec<Value>) {
         let Some(arm) = &self.arm else { return };
         let points: Vec<Point> = arm.points.iter().map(|(at, _)| *at).collect();
-        let mut links = lines("robot", &self.on_both_faces(&points, LINKS_APART), ARM_IN_SPACE, 14.0);
-        links["hoverinfo"] = json!("skip");
-        links["legendgroup"] = json!("robot");
-        traces.push(links);
-        let texts =
-            arm.points.iter().map(|(at, text)| escaped(&format!("{text}\n{}", place(at))).replace('\n', "<br>"));
-        let texts: Vec<String> = texts.collect();
-        let faces = self.on_both_faces(&points, LINKS_APART);
-        let mut joints = markers("joints", &faces.concat(), &vec![texts; faces.len()].concat());
-        joints["marker"] = json!({ "size": 5, "color": PAPER, "line": { "color": INK, "width": 2 } });
-        joints["legendgroup"] = json!("robot");
-        joints["showlegend"] = json!(false);
-        traces.push(joints);
+        // The first point is the base where one is known: the joint-2 axis stands above the floor.
+        let stands = self.floor && points.first().is_some_and(|at| at[2] == 0.0);
+        let skipped = usize::from(!stands);
+        let links = points.windows(2).map(|link| (Vector3::from(link[1]) - Vector3::from(link[0])).norm());
+        let size = links.fold(0.1, f64::max).clamp(0.1, 1.2);
+        let radius = |i: usize| size * RADII[(i + skipped).min(RADII.len() - 1)];
+        let mut bodies: Vec<Solid> = Vec::new();
+        for (i, link) in points.windows(2).enumerate() {
+            if i == 0 && stands {
+                // A column about the joint-1 axis, and from its head to the joint-2 axis.
+                let head = [0.0, 0.0, 0.7 * link[1][2]];
+                bodies.push(Solid::capsule([0.0; 3], head, [1.35 * radius(0), radius(0)]));
+                bodies.push(Solid::capsule(head, link[1], [radius(0), 1.2 * radius(1)]));
+            } else {
+                bodies.push(Solid::capsule(link[0], link[1], [radius(i), radius(i + 1)]));
+            }
+        }
+        for (i, body) in bodies.iter().enumerate() {
+            let colour = if stands && i < 2 { BASE } else { ARM_IN_SPACE };
+            let mut trace = body.trace("robot", colour);
+            trace["legendgroup"] = json!("robot");
+            trace["showlegend"] = json!(i + 1 == bodies.len());
+            traces.push(trace);
+        }
+        for (i, (at, text)) in arm.points.iter().enumerate().skip(usize::from(stands)) {
+            let text = escaped(&format!("{text}\n{}", place(at))).replace('\n', "<br>");
+            let mut joint = Solid::capsule(*at, *at, [1.18 * radius(i); 2]).trace("joints", JOINT_IN_SPACE);
+            joint["hoverinfo"] = json!("text");
+            joint["hovertext"] = json!(text);
+            joint["legendgroup"] = json!("robot");
+            traces.push(joint);
+        }
         if let Some(axis) = arm.tool {
             let mut line = lines("tool axis", &[axis.to_vec()], TOOL, 6.0);
             line["hoverinfo"] = json!("skip");
@@ -90,12 +113,14 @@ impl View {
     }
 
     fn draw_arrows(&self, traces: &mut Vec<Value>) {
-        for (arrow, colour) in self.arrows.iter().zip(ARROWS.into_iter().cycle()) {
+        for arrow in &self.arrows {
+            let colour = arrow.colour;
             let tip: Point = std::array::from_fn(|k| arrow.at[k] + arrow.along[k]);
             let neck: Point = std::array::from_fn(|k| arrow.at[k] + 0.8 * arrow.along[k]);
-            let mut shaft = lines(&arrow.label, &[vec![arrow.at, neck]], colour, 7.0);
+            let mut shaft = Solid::capsule(arrow.at, neck, [SHAFT; 2]).trace(&escaped(&arrow.label), colour);
             shaft["hoverinfo"] = json!("name");
             shaft["legendgroup"] = json!(arrow.label);
+            shaft["showlegend"] = json!(true);
             traces.push(shaft);
             let [[x], [y], [z]] = [0, 1, 2].map(|k| [length(tip[k])]);
             let [[u], [v], [w]] = [0, 1, 2].map(|k| [0.2 * arrow.along[k]]);
@@ -142,29 +167,39 @@ impl View {
     fn layout(&self) -> Value {
         let room = self.room();
         let sides = room.map(|[from, to]| to - from);
-        // A metre is as long on every axis, and the whole fits the window from every side.
-        let scale = 1.9 / sides.iter().map(|side| side * side).sum::<f64>().sqrt();
+        // A metre is as long on every axis, and the whole fits a window that is wider than high from every side.
+        let scale = 1.95 / sides.iter().map(|side| side * side).sum::<f64>().sqrt();
         let [x, y, z] = sides.map(|side| side * scale);
-        let axis = |title: &str, range: [f64; 2]| {
+        // The same step on every axis; none at the corners, where the labels of two axes meet.
+        let longest = sides.into_iter().fold(TILE, f64::max);
+        let step =
+            [1.0, 2.0, 4.0, 10.0].map(|tiles| tiles * TILE).into_iter().find(|step| longest <= MOST_TICKS * step);
+        let step = step.unwrap_or(longest);
+        let axis = |title: &str, [from, to]: [f64; 2]| {
+            let ticks = ((from / step).ceil() as i64..=(to / step).floor() as i64).map(|i| i as f64 * step);
+            let ticks: Vec<f64> = ticks.filter(|at| from + 0.3 * step < *at && *at < to - 0.3 * step).collect();
+            let texts: Vec<String> = ticks.iter().map(|at| at.to_string()).collect();
             json!({
-                "title": { "text": title, "font": { "size": 14 } }, "tickfont": { "size": 12 }, "dtick": TILE,
-                "gridcolor": FAINT, "zeroline": false, "showbackground": false, "color": INK, "showspikes": false, "hoverformat": ".3f",
-                "range": range,
+                "title": { "text": title, "font": { "size": 14 } }, "tickfont": { "size": 12 }, "tickvals": ticks, "ticktext": texts,
+                "tickangle": 0, "gridcolor": FAINT, "zeroline": false, "showbackground": false, "color": INK, "showspikes": false,
+                "hoverformat": ".3f", "range": [from, to],
             })
         };
         json!({
             "font": { "family": "DejaVu Sans, Verdana, sans-serif", "color": INK },
             "margin": { "l": 0, "r": 0, "t": 0, "b": 0 },
-            "legend": { "orientation": "h", "x": 0.01, "y": 1, "yanchor": "top", "font": { "size": 13 } },
+            "legend": {
+                "orientation": "h", "x": 0.01, "y": 1, "yanchor": "top", "font": { "size": 13 }, "itemsizing": "constant",
+            },
             "modebar": { "orientation": "v" },
             "hoverlabel": { "align": "left", "font": { "size": 13 } },
             "scene": {
-                "domain": { "x": [0, 1], "y": [0, 0.93] },
+                "domain": { "x": [0, 0.9], "y": [0, 0.94] },
                 "aspectmode": "manual", "aspectratio": { "x": x, "y": y, "z": z },
                 "xaxis": axis("x ahead [m]", room[0]), "yaxis": axis("y left [m]", room[1]),
                 "zaxis": axis("z up [m]", room[2]),
                 // From the right of the robot, a little above: ahead is to the right, as in the flat figures.
-                "camera": { "eye": { "x": 0.65, "y": -1.7, "z": 0.65 }, "center": { "x": 0, "y": 0, "z": -0.05 } },
+                "camera": { "eye": { "x": 0.55, "y": -1.75, "z": 0.6 }, "center": { "x": 0, "y": 0, "z": -0.08 } },
             },
         })
     }
@@ -210,7 +245,7 @@ fn surface(name: &str, sheet: &Sheet, opacity: f64, bands: Bands, bar: Option<&s
         let limits: Vec<f64> = (0..=bands.count).map(|i| digits(bands.limit(i))).collect();
         let texts: Vec<String> = (0..=bands.count).map(|i| bands.text(i)).collect();
         surface["colorbar"] = json!({
-            "title": { "text": escaped(title), "side": "right", "font": { "size": 14 } }, "len": 0.8, "thickness": 22, "x": 0.93,
+            "title": { "text": escaped(title), "side": "right", "font": { "size": 14 } }, "len": 0.8, "thickness": 22, "x": 0.89,
             "tickvals": limits, "ticktext": texts, "tickfont": { "size": 13 }, "outlinecolor": GREY,
         });
     }
@@ -243,7 +278,7 @@ fn place([x, y, z]: &Point) -> String {
 }
 
 /// To a hundredth of a millimetre, m: nobody sees more, and the file stays small.
-fn length(m: f64) -> f64 {
+pub(super) fn length(m: f64) -> f64 {
     (m * 1e5).round() / 1e5 + 0.0
 }
 
