@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 12] = [
+const ABOUT: [About; 13] = [
     About {
         name: "rank",
         files: "the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \

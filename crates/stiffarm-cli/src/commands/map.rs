@@ -206,7 +206,6 @@ impl<'a> Drawn<'a> {
             scale: self.plate.ends(),
             arrows: arrows.into_iter().collect(),
             floor: model.knows_base(),
-            ..View::default()
         }
     }
 }

@@ -143,9 +143,9 @@ fn items(ending: &str) -> Vec<Item> {
 impl Item {
     /// Runs its command.
     fn make(&self, folder: &Path, args: &PaperArgs, common: &Common) -> Result<(), Failure> {
-        let mut pairs: Vec<Pair> = self.options.iter().map(|(name, text)| self.pair(name, text, folder)).collect();
+        let mut pairs: Vec<Pair> = self.options.iter().map(|(name, text)| pair(name, text, folder)).collect();
         if let Some(width) = args.width_mm {
-            pairs.push(self.pair("width-mm", &width.to_string(), folder));
+            pairs.push(pair("width-mm", &width.to_string(), folder));
         }
         let asked = Request::read(self.verb, &pairs, Spelling::Typed)?;
         let common = Common { output: vec![folder.join(&self.file)], quiet: true, ..common.bare() };
@@ -154,13 +154,6 @@ impl Item {
             Verb::Study => super::study::run(&asked, &common),
             _ => super::rank::run(&asked, &common),
         }
-    }
-
-    /// A file of the folder is named as it is seen from here.
-    fn pair(&self, name: &str, text: &str, folder: &Path) -> Pair {
-        let is_file = name == "robot" && ARMS.iter().any(|(_, file)| *file == text);
-        let text = if is_file { folder.join(text).to_string_lossy().into_owned() } else { text.into() };
-        Pair { name: name.into(), text, at: Spelling::Typed }
     }
 
     /// As it is typed within the folder.
@@ -173,6 +166,13 @@ impl Item {
         }
         command + &format!(" -o {}", self.file)
     }
+}
+
+/// A file of the folder is named as it is seen from here.
+fn pair(name: &str, text: &str, folder: &Path) -> Pair {
+    let is_file = name == "robot" && ARMS.iter().any(|(_, file)| *file == text);
+    let text = if is_file { folder.join(text).to_string_lossy().into_owned() } else { text.into() };
+    Pair { name: name.into(), text, at: Spelling::Typed }
 }
 
 /// Writes a table of the paper, printed beside computed, as CSV and Markdown; returns its line of the index.
@@ -243,8 +243,7 @@ mod tests {
         }
         for (i, item) in items.iter().enumerate() {
             assert!(items[..i].iter().all(|other| other.file != item.file), "{} twice", item.file);
-            let pairs: Vec<Pair> =
-                item.options.iter().map(|(name, text)| item.pair(name, text, Path::new(""))).collect();
+            let pairs: Vec<Pair> = item.options.iter().map(|(name, text)| pair(name, text, Path::new(""))).collect();
             Request::read(item.verb, &pairs, Spelling::Typed).unwrap();
         }
     }

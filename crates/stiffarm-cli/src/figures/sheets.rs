@@ -93,7 +93,9 @@ fn numbered(grid: &Grid, jump: f64, held: &dyn Fn(usize, usize) -> Option<Held>)
             continue;
         }
         let joined = |group: usize| if group == other { one } else { group };
-        groups.iter_mut().for_each(|group| *group = joined(*group));
+        for group in &mut groups {
+            *group = joined(*group);
+        }
         apart = apart.into_iter().map(|(a, b)| (joined(a), joined(b))).map(|(a, b)| (a.min(b), a.max(b))).collect();
     }
     let mut kept: Vec<usize> = groups.clone();
@@ -102,6 +104,9 @@ fn numbered(grid: &Grid, jump: f64, held: &dyn Fn(usize, usize) -> Option<Held>)
     let renumbered = |number: usize| kept.binary_search(&groups[number]).ok();
     (numbers.into_iter().map(|number| number.and_then(renumbered)).collect(), kept.len())
 }
+
+/// Parts by their numbers, the smaller one first.
+type Pairs = BTreeSet<(usize, usize)>;
 
 /// Points that hang together, neighbour by neighbour, whatever the field.
 fn slowly_turning(columns: usize, ways: &[Option<Held>]) -> (Vec<Option<usize>>, usize) {
@@ -129,12 +134,7 @@ fn slowly_turning(columns: usize, ways: &[Option<Held>]) -> (Vec<Option<usize>>,
 
 /// Pairs of numbers that are neighbours with the arm held alike: those between which the field does not jump at some point, and those between
 /// which it does.
-fn borders(
-    grid: &Grid,
-    jump: f64,
-    ways: &[Option<Held>],
-    numbers: &[Option<usize>],
-) -> (BTreeSet<(usize, usize)>, BTreeSet<(usize, usize)>) {
+fn borders(grid: &Grid, jump: f64, ways: &[Option<Held>], numbers: &[Option<usize>]) -> (Pairs, Pairs) {
     let value = |cell: usize| grid.get((cell % grid.columns) as i64, (cell / grid.columns) as i64);
     let (mut level, mut cliffs) = (BTreeSet::new(), BTreeSet::new());
     for from in 0..ways.len() {

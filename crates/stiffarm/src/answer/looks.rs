@@ -86,8 +86,8 @@ mod tests {
             }
             for architecture in Architecture::ALL {
                 let members = chunk.iter().filter(|(_, of)| *of == architecture).count();
-                let with =
-                    looks(chunk).iter().zip(chunk).filter(|(look, (_, of))| look.is_some() && *of == architecture);
+                let given = looks(chunk);
+                let with = given.iter().zip(chunk).filter(|(look, (_, of))| look.is_some() && *of == architecture);
                 assert_eq!(with.count(), members.min(LOOKS));
             }
         }

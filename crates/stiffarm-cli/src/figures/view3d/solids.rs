@@ -41,7 +41,7 @@ impl Solid {
                 }
             }
         }
-        for ring in 0..2 * RINGS + 1 {
+        for ring in 0..=2 * RINGS {
             for side in 0..SIDES {
                 let at = |ring: usize, side: usize| ring * SIDES + side % SIDES;
                 let [a, b, c, d] = [at(ring, side), at(ring, side + 1), at(ring + 1, side + 1), at(ring + 1, side)];

@@ -178,7 +178,7 @@ impl View {
         let axis = |title: &str, [from, to]: [f64; 2]| {
             let ticks = ((from / step).ceil() as i64..=(to / step).floor() as i64).map(|i| i as f64 * step);
             let ticks: Vec<f64> = ticks.filter(|at| from + 0.3 * step < *at && *at < to - 0.3 * step).collect();
-            let texts: Vec<String> = ticks.iter().map(|at| at.to_string()).collect();
+            let texts: Vec<String> = ticks.iter().map(f64::to_string).collect();
             json!({
                 "title": { "text": title, "font": { "size": 14 } }, "tickfont": { "size": 12 }, "tickvals": ticks, "ticktext": texts,
                 "tickangle": 0, "gridcolor": FAINT, "zeroline": false, "showbackground": false, "color": INK, "showspikes": false,
