@@ -229,7 +229,7 @@ impl Question {
     }
 
     /// The nearest of many points of the zone to the joint-1 axis, m, and how far from one of them another may lie.
-    fn from_axis_1(&self, stand: &Stand) -> (f64, f64) {
+    fn distance_from_axis_1(&self, stand: &Stand) -> (f64, f64) {
         let side = |i: i32| f64::from(i) / 20.0 - 1.0;
         let points = (0..=40).flat_map(|i| (0..=40).map(move |j| self.zone.at([side(i), side(j)])));
         let distance = |at| stand.pose(self.options.elevation, at).translation.vector.xy().norm();
@@ -244,7 +244,8 @@ impl Question {
             return None;
         }
         // Clear of the column for certain.
-        let (nearest, spacing) = if self.column() == 0.0 { (f64::INFINITY, 0.0) } else { self.from_axis_1(stand) };
+        let (nearest, spacing) =
+            if self.column() == 0.0 { (f64::INFINITY, 0.0) } else { self.distance_from_axis_1(stand) };
         if nearest - spacing < self.column() {
             return None;
         }
@@ -345,7 +346,7 @@ impl Question {
         assert!(asked.limit <= hold.limit_margin.0 + SLACK, "{}", case());
         assert!(asked.singular <= hold.singular_margin + SLACK, "{}", case());
         assert!(self.stands_within(&stand), "{}", case());
-        assert!(self.column() <= self.from_axis_1(&stand).0 + SLACK, "{}", case());
+        assert!(self.column() <= self.distance_from_axis_1(&stand).0 + SLACK, "{}", case());
         let same = |a: f64, b: f64, period: f64| (a - b - ((a - b) / period).round() * period).abs() < 1e-9;
         let is_vertical = FRAC_PI_2 - options.elevation.abs() < 1e-9;
         let yaw = room(options.yaw, Interval::point(stand.yaw));

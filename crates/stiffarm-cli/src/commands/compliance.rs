@@ -76,7 +76,7 @@ impl ComplianceOutput {
         let worst = Some(worst).map(|moved| arrow("worst direction", moved, "mm per kN", WORST_DIRECTION));
         let moved = moved.map(|moved| arrow("deflection", moved, "mm under the force", DEFLECTION));
         // The force ends at the tool point, which it pushes.
-        let force = self.answer.force.filter(|force| 0.0 < force.norm()).map(|force| {
+        let force = self.answer.force().filter(|force| 0.0 < force.norm()).map(|force| {
             let along = FORCE_DRAWN * force.normalize();
             let at = (Vector3::from(at) - along).into();
             Arrow { label: format!("force of {:.0} N", force.norm()), at, along: along.into(), colour: FORCE }

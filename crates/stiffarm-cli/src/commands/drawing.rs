@@ -26,11 +26,19 @@ pub(super) fn scene(model: &Model, posture: Option<ArmPosture>, zone: Option<Zon
 
 /// The force of a map as an arrow, where its direction is known.
 pub(super) fn force(load: Load) -> Option<ForceMark> {
-    let Direction::InPlane(angle, _) = load.direction() else { return None };
-    let (s, c) = angle.sin_cos();
+    let (towards, which) = match load.direction() {
+        Direction::InPlane(angle) => {
+            let (s, c) = angle.sin_cos();
+            ([c, s], format!(" at {:.0} deg", Unit::Degree.told(angle)))
+        }
+        // Only what of it lies in the section is seen.
+        Direction::Base([x, 0.0, z]) => ([x, z], String::new()),
+        Direction::Base(_) | Direction::Worst | Direction::Tool { .. } => return None,
+    };
+    let length = towards[0].hypot(towards[1]);
     Some(ForceMark {
-        towards: [c, s],
-        label: format!("force of {} N at {:.0} deg", load.newtons(), Unit::Degree.told(angle)),
+        towards: towards.map(|part| part / length),
+        label: format!("force of {} N{which}", load.newtons()),
     })
 }
 

@@ -398,6 +398,11 @@ pub enum PlaceError {
         "a part with several faces; mounts, windows with y, keep-outs and a clearance that is asked for are known of one flat zone"
     )]
     PartInCell,
+    /// A force along the axes of the base, and a cell in which the work may stand all around it.
+    #[error(
+        "a force fixed to the base points another way wherever the work stands about it; in a cell give it in axes of the tool"
+    )]
+    ForceInCell,
     /// A force of known direction.
     #[error("a force of known direction; in the arm plane a place is sought for the worst direction at every point")]
     Directed,
@@ -585,6 +590,9 @@ fn check(zone: Zone, options: &PlaceOptions) -> Result<(), PlaceError> {
         return Err(PlaceError::Angle(angle));
     }
     options.margins.check()?;
+    if options.cell.is_some() && options.load.breaks_symmetry() {
+        return Err(PlaceError::ForceInCell);
+    }
     check_zone(zone)
 }
 
