@@ -58,7 +58,7 @@ fn the_best_place_in_a_window_is_no_worse_than_many_others_in_it_and_bounded() {
     assert!(found.lower_bound <= found.deflection);
     let bearing = found.space().unwrap().bearing;
     assert!((bearing - y.atan2(x)).abs() < 1e-9);
-    let mut least = f64::INFINITY;
+    let (mut least, mut compared) = (f64::INFINITY, 0);
     for x in [1.45, 1.6, 1.95] {
         for y in [0.35, 0.7] {
             for z in [0.7, 0.9] {
@@ -66,12 +66,16 @@ fn the_best_place_in_a_window_is_no_worse_than_many_others_in_it_and_bounded() {
                 let (ahead, height) = (f64::hypot(x, y), Interval::point(z));
                 let within = Within { x: Interval::spanning(ahead - 0.15, ahead + 0.15), z: height };
                 let there = PlaceOptions { within: Some(within), ..PlaceOptions::under(Load::PAPER) };
-                let there = best(CIRCLE, &there).deflection;
+                // Some are out of reach.
+                let placed = place(&model(), CIRCLE, &there).unwrap();
+                let Some(there) = placed.feasible().map(|placement| placement.deflection) else { continue };
                 assert!(found.lower_bound <= there, "{x} {y} {z}");
                 least = least.min(there);
+                compared += 1;
             }
         }
     }
+    assert!(2 <= compared, "{compared} places compared");
     assert!(found.deflection <= least * 1.001, "{} is worse than {least}", found.deflection);
 }
 

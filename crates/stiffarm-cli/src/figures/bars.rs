@@ -214,7 +214,7 @@ mod tests {
             robot: robot.into(),
             serial: robot.len().is_multiple_of(2),
             estimated: false,
-            look: (robot == "one").then_some(Look { colour: "#123456", mark: 3 }),
+            look: (robot == "one").then_some(Look { colour: stiffarm::palette::RATIOS[0], mark: 3 }),
             values,
         };
         let figure = |rows: Vec<BarRow>, tolerance_mm| BarsFigure {

@@ -219,8 +219,9 @@ impl Canvas {
     /// The SVG text.
     pub(super) fn finish(self) -> String {
         let [width, height] = [self.width, self.height].map(number);
-        let on_paper = |px: f64| self.mm.map_or_else(|| px.to_string(), |mm| format!("{:.3}mm", px * mm / self.width));
-        let [across, down] = [width, height].map(on_paper);
+        let on_paper =
+            |px: f64| self.mm.map_or_else(|| number(px).to_string(), |mm| format!("{:.3}mm", px * mm / self.width));
+        let [across, down] = [self.width, self.height].map(on_paper);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{across}\" height=\"{down}\" \
              viewBox=\"0 0 {width} {height}\" font-family=\"{FONT}, Helvetica, Arial, sans-serif\">\n\

@@ -279,7 +279,11 @@ mod tests {
             robot: robot.into(),
             serial: robot.len().is_multiple_of(2),
             estimated: true,
-            look: robot.len().checked_rem(3).filter(|mark| *mark != 0).map(|mark| Look { colour: "#123456", mark }),
+            look: robot
+                .len()
+                .checked_rem(3)
+                .filter(|mark| *mark != 0)
+                .map(|mark| Look { colour: stiffarm::palette::RATIOS[0], mark }),
             points: points.to_vec(),
             is_complete: robot == "short",
         }

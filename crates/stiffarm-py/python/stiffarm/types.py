@@ -35,8 +35,22 @@ class RobotsOptions(TypedDict, total=False):
 class ComplianceOptions(TypedDict, total=False):
     """Keywords of `stiffarm.compliance`."""
 
-    force_n: npt.ArrayLike | None
-    """Force at the tool point [N]: x,y,z in base axes."""
+    force_cone_deg: float | None
+    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
+    it [default: 0]."""
+
+    component: Literal["total", "normal", "along"]
+    """What of the displacement counts."""
+
+    force_n: float | npt.ArrayLike | None
+    """Force at the tool point [N]: x,y,z in base axes, or its size, in its worst direction."""
+
+    force_axes: Literal["base", "tool"] | None
+    """Along which axes a force of three numbers points [default: base]."""
+
+    feed_deg: float | None
+    """Direction of the feed of a force along tool axes [deg], from the tool's x axis, counter-clockwise seen
+    from the spindle [default: the worst of all directions]."""
 
     tool_mm: npt.ArrayLike | None
     """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
@@ -62,10 +76,29 @@ class PlaceOptions(TypedDict, total=False):
     turned [default: all: of a box top, front, left, back, right]."""
 
     tolerance_mm: float | None
-    """Largest deflection that is acceptable [mm]: adds pass or fail."""
+    """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
-    force_n: float
-    """Cutting force [N]."""
+    force_n: float | npt.ArrayLike
+    """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
+    (away from the work), in the planar model ahead,0,up."""
+
+    force_axes: Literal["base", "tool"] | None
+    """Along which axes a force of three numbers points [default: tool]."""
+
+    feed_deg: float | None
+    """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
+    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+
+    direction_deg: float | None
+    """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
+    in every point] [planar model only]."""
+
+    force_cone_deg: float | None
+    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
+    it [default: 0]."""
+
+    component: Literal["total", "normal", "along"]
+    """What of the displacement counts."""
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
@@ -119,18 +152,6 @@ class PlaceOptions(TypedDict, total=False):
 
     roll_deg: float | None
     """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
-
-    mount: str | None
-    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
-    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
-
-    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
-    times."""
-
-    clearance_mm: float | None
-    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: told, not asked]."""
 
     mount: str | None
     """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
@@ -153,10 +174,29 @@ class RankOptions(TypedDict, total=False):
     turned [default: all: of a box top, front, left, back, right]."""
 
     tolerance_mm: float | None
-    """Largest deflection that is acceptable [mm]: adds pass or fail."""
+    """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
-    force_n: float
-    """Cutting force [N]."""
+    force_n: float | npt.ArrayLike
+    """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
+    (away from the work), in the planar model ahead,0,up."""
+
+    force_axes: Literal["base", "tool"] | None
+    """Along which axes a force of three numbers points [default: tool]."""
+
+    feed_deg: float | None
+    """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
+    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+
+    direction_deg: float | None
+    """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
+    in every point] [planar model only]."""
+
+    force_cone_deg: float | None
+    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
+    it [default: 0]."""
+
+    component: Literal["total", "normal", "along"]
+    """What of the displacement counts."""
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
@@ -210,18 +250,6 @@ class RankOptions(TypedDict, total=False):
 
     roll_deg: float | None
     """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
-
-    mount: str | None
-    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
-    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
-
-    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
-    times."""
-
-    clearance_mm: float | None
-    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: told, not asked]."""
 
     mount: str | None
     """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
@@ -254,12 +282,8 @@ class RankOptions(TypedDict, total=False):
 class MapOptions(TypedDict, total=False):
     """Keywords of `stiffarm.map`."""
 
-    direction_deg: float | None
-    """Direction of the force [deg], counter-clockwise from straight ahead [default: the worst in every point]
-    [planar model only]."""
-
-    component: Literal["total", "along"] | None
-    """The whole displacement, or its part along the force [default: total] [planar model only]."""
+    tolerance_mm: float | None
+    """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
     elbow: Literal["up", "down"] | None
     """Only one elbow side [default: the stiffer that reaches a point] [planar model only]."""
@@ -276,8 +300,27 @@ class MapOptions(TypedDict, total=False):
     size: int
     """Points along the longer side."""
 
-    force_n: float
-    """Cutting force [N]."""
+    force_n: float | npt.ArrayLike
+    """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
+    (away from the work), in the planar model ahead,0,up."""
+
+    force_axes: Literal["base", "tool"] | None
+    """Along which axes a force of three numbers points [default: tool]."""
+
+    feed_deg: float | None
+    """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
+    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+
+    direction_deg: float | None
+    """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
+    in every point] [planar model only]."""
+
+    force_cone_deg: float | None
+    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
+    it [default: 0]."""
+
+    component: Literal["total", "normal", "along"]
+    """What of the displacement counts."""
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
@@ -363,7 +406,25 @@ class SweepOptions(TypedDict, total=False):
     turned [default: all: of a box top, front, left, back, right]."""
 
     tolerance_mm: float | None
-    """Largest deflection that is acceptable [mm]: adds pass or fail."""
+    """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
+
+    force_axes: Literal["base", "tool"] | None
+    """Along which axes a force of three numbers points [default: tool]."""
+
+    feed_deg: float | None
+    """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
+    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+
+    direction_deg: float | None
+    """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
+    in every point] [planar model only]."""
+
+    force_cone_deg: float | None
+    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
+    it [default: 0]."""
+
+    component: Literal["total", "normal", "along"]
+    """What of the displacement counts."""
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
@@ -417,3 +478,15 @@ class SweepOptions(TypedDict, total=False):
 
     roll_deg: float | None
     """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+
+    mount: str | None
+    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
+    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
+
+    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
+    times."""
+
+    clearance_mm: float | None
+    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
+    [default: told, not asked]."""

@@ -1,6 +1,6 @@
 //! How is a force told?
 
-use super::words::asked_degrees;
+use super::angles::asked_degrees;
 use super::{Record, field};
 use crate::load::{Component, Direction, Load};
 

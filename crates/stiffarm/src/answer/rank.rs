@@ -420,6 +420,17 @@ impl RankAnswer {
                 list.join("; ")
             );
         }
+        let fails = |row: &Row, task: usize| {
+            let told = self.tolerance_mm.zip(row.deflection(task));
+            told.is_some_and(|(tolerance, deflection)| !Verdict::of(deflection, tolerance).passes)
+        };
+        if winners.iter().any(|(row, tasks)| tasks.iter().any(|&task| fails(row, task))) {
+            return format!(
+                "Under {} the least deflection is that of {}; it does not keep the tolerance everywhere, so no robot is advised.",
+                words::acting(ranking.load),
+                list.join("; ")
+            );
+        }
         format!("Under {} take {}.", words::acting(ranking.load), list.join("; "))
     }
 

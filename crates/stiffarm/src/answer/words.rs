@@ -1,5 +1,6 @@
 //! Numbers and choices as people read them.
 
+pub(super) use super::angles::asked_degrees;
 pub use super::force::{acting, component, force, loaded, mapped};
 use super::{Line, line};
 use crate::clearance::{Clearance, Obstacle};
@@ -25,11 +26,6 @@ pub fn fixed(value: f64, digits: usize) -> String {
 /// Degrees of an angle, rad, to a tenth.
 pub fn degrees(angle: f64) -> String {
     format!("{} deg", fixed(angle.to_degrees(), 1))
-}
-
-/// Degrees as they were typed, of an angle that was asked, rad: not as they come out of radians.
-pub(super) fn asked_degrees(angle: f64) -> f64 {
-    (angle.to_degrees() * 1e9).round() / 1e9 + 0.0
 }
 
 /// Maker, name, architecture and status.

@@ -28,6 +28,8 @@ const PLACES: f64 = 40_000.0;
 /// Places that are refined, and once more with the samples of the answer.
 const STARTS: [usize; 2] = [24, 6];
 
+/// How often a place is sought anew with more clearance than was asked for.
+const TOUCHES: usize = 3;
 /// So far, m, a place may move until every limit is kept between its samples.
 const NEAR: f64 = 0.05;
 
@@ -41,8 +43,15 @@ struct Scored {
 /// Finds the best place that a coarse search of the cell and its refinement see, with a lower bound that holds about the robot.
 pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question, cell: &Cell) -> Placed {
     let ground = Ground::new(arm, zone, options, cell);
-    let search = CellSearch { robot, arm, zone, roll_is_free: ground.roll_is_free, ground };
-    let found = search.find();
+    let mut search = CellSearch { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, reserve: 0.0 };
+    let mut found = search.find();
+    // The search looks at few poses of a zone, the answer at many: what they come nearer by is asked for besides.
+    for _ in 0..TOUCHES {
+        let Err(Untaken { short: Some(short), .. }) = found else { break };
+        search.reserve += short + FINE.0;
+        found = search.find();
+    }
+    let found = found.map_err(|untaken| untaken.reason);
     let (relaxed, region) = search.ground.relaxed();
     let bound = BranchAndBound::new(arm, zone, &relaxed, region, search.roll_is_free);
     let value = found.as_ref().map_or(f64::INFINITY, |solution| solution.deflection / options.force);
@@ -64,7 +73,21 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
     }
 }
 
+/// Why no place was taken, and by how much, m, the least touching of them missed the clearance that was asked for.
+struct Untaken {
+    reason: Misfit,
+    short: Option<f64>,
+}
+
+impl From<Misfit> for Untaken {
+    fn from(reason: Misfit) -> Self {
+        Self { reason, short: None }
+    }
+}
+
 struct CellSearch<'a> {
+    /// Added to the clearance that is asked for, m.
+    reserve: f64,
     robot: &'a Robot,
     arm: &'a SpatialArm,
     zone: Zone,
@@ -73,17 +96,17 @@ struct CellSearch<'a> {
 }
 
 impl CellSearch<'_> {
-    fn find(&self) -> Result<Solution, Misfit> {
+    fn find(&self) -> Result<Solution, Untaken> {
         let (sites, step) = self.ground.sites(PLACES);
         let grid = Grid::of(self.zone, CELLS[0]);
         if sites.is_empty() {
-            return Err(if self.ground.has_room() { Misfit::NothingReached } else { Misfit::WindowTooNarrow });
+            return Err(if self.ground.has_room() { Misfit::NothingReached } else { Misfit::WindowTooNarrow }.into());
         }
         let mut seen: Vec<Scored> = sites.par_iter().map(|site| self.scored(site, &grid)).collect();
         seen.retain(|scored| scored.score.unreached < usize::MAX);
         seen.sort_by(|a, b| a.score.total_cmp(&b.score));
         if seen.is_empty() {
-            return Err(Misfit::Within);
+            return Err(Misfit::Within.into());
         }
         let coarse = seen[0].score;
         let starts = apart(&seen, step);
@@ -91,19 +114,22 @@ impl CellSearch<'_> {
         rough.truncate(STARTS[1]);
         let refined = self.refined(&rough, CELLS[2], step / 8.0);
         if refined.is_empty() {
-            return Err(Misfit::NowhereWhole { step });
+            return Err(Misfit::NowhereWhole { step }.into());
         }
-        let mut touching = None;
+        let mut touching: Option<Untaken> = None;
         for found in &refined {
             let Some(solution) = self.evaluated(found, coarse, step) else { continue };
             match self.ground.cell.clearance {
                 Some(asked) if !solution.clearance.is_some_and(|clearance| asked <= clearance.distance) => {
-                    touching = Some(Misfit::Clearance { asked });
+                    let missed = solution.clearance.map(|clearance| asked - clearance.distance);
+                    let short = [missed, touching.and_then(|touching| touching.short)];
+                    let short = short.into_iter().flatten().min_by(f64::total_cmp);
+                    touching = Some(Untaken { reason: Misfit::Clearance { asked }, short });
                 }
                 _ => return Ok(solution),
             }
         }
-        Err(touching.unwrap_or(Misfit::Turning))
+        Err(touching.unwrap_or(Misfit::Turning.into()))
     }
 
     /// Every start refined, the best first.
@@ -147,7 +173,9 @@ impl CellSearch<'_> {
             let mut nearest = scores[0].0;
             for (score, configuration) in scores.into_iter().filter(|(score, _)| score.is_feasible()) {
                 match search.rough_clearance(work, configuration) {
-                    Some(clearance) if clearance < asked => nearest = Score { unreached: 1, worst: asked - clearance },
+                    Some(clearance) if clearance < asked + self.reserve => {
+                        nearest = Score { unreached: 1, worst: asked - clearance };
+                    }
                     _ => return score,
                 }
             }

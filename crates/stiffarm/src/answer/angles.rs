@@ -1,0 +1,6 @@
+//! How is an angle told that was asked for?
+
+/// Degrees as they were typed, of an angle that was asked, rad: not as they come out of radians.
+pub(super) fn asked_degrees(angle: f64) -> f64 {
+    (angle.to_degrees() * 1e9).round() / 1e9 + 0.0
+}
