@@ -82,7 +82,7 @@ def test_numbers_out_of_range_are_named():
     refused("size", stiffarm.map, ROBOT, size=1)
     refused("zone", stiffarm.map, ROBOT, within_m="0..")
     refused("space", stiffarm.map, ROBOT, model="spatial", zone="A:0.3")
-    refused("component", stiffarm.map, ROBOT, component="along")
+    refused("normal", stiffarm.map, ROBOT, component="normal")
     refused("expected", stiffarm.study, sizes=[-1])
     refused("two", stiffarm.study, compare=("serial",))
     refused("both ends", stiffarm.study, range=(0.5, np.inf))

@@ -14,7 +14,7 @@ from ._answers import Compliance, Map, Placement, Ranking, Study
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.colors import LinearSegmentedColormap
+    from matplotlib.colors import Colormap
 
 __all__ = ["compliance", "map", "place", "ranking", "study"]
 
@@ -42,19 +42,18 @@ def _axes(ax: Axes | None, **size: Any) -> Axes:
         from matplotlib import pyplot
     except ImportError as error:
         raise ImportError("stiffarm.plot needs matplotlib: pip install matplotlib") from error
-    _, made = pyplot.subplots(layout="constrained", **size)
+    made: Axes = pyplot.subplots(layout="constrained", **size)[1]
     return made
 
 
-def _colours(which: str = "scale") -> LinearSegmentedColormap:
+def _colours(which: str = "scale") -> Colormap:
     from matplotlib.colors import LinearSegmentedColormap
 
     scale = LinearSegmentedColormap.from_list("stiffarm", _COLOURS[which])
-    beyond = (_COLOUR["under"], _COLOUR["over"])
-    under, over = beyond if which == "scale" else beyond[::-1]
-    scale.set_under(under)
-    scale.set_over(over)
-    return scale
+    under, over = str(_COLOUR["under"]), str(_COLOUR["over"])
+    if which != "scale":
+        under, over = over, under
+    return scale.with_extremes(under=under, over=over)
 
 
 def map(
