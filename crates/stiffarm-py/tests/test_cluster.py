@@ -115,7 +115,7 @@ def test_the_order_is_that_of_rank(client, tmp_path):
         for task in tasks:
             assert row[task] == expected.cell(row["robot"], task).deflection_mm
         assert (row["rank"] is None) == (row["status"] == "estimated")
-    assert len(found.to_pandas()) == len(found) == 10 and "best IRB 6650S-200" in repr(found)
+    assert len(found.to_pandas()) == len(found) == 10 and "best KR 210 R2700 extra" in repr(found)
 
 
 def test_space(client, tmp_path):
@@ -398,7 +398,7 @@ def test_questions_that_make_no_sense(tmp_path):
     for match, options in (
         ("no robot", {"robots": []}), ("no task", {"tasks": []}), ("no force", {"force_n": []}),
         ("did you mean", {"robots": "KR 210 R2700 extr"}), ("task|circle", {"tasks": "Q:1"}), ("force_n", {"force_n": [1, np.nan]}),
-        ("force_n", {"force_n": -1}), ("gap", {"gap": 0}), ("model", {"model": "flat"}), ("tool_mm needs", {"tool_mm": (0, 0, 1)}),
+        ("force_n", {"force_n": -1}), ("gap", {"gap": 0}), ("model", {"model": "flat"}), ("tool_mm needs", {"tool_mm": (0, 0, 100)}),
         ("shape \\(3, 5\\)", {"scenarios": np.ones((3, 5))}), ("shape \\(6,\\)", {"scenarios": np.ones(6)}),
         ("shape \\(0, 6\\)", {"scenarios": np.ones((0, 6))}), ("shape \\(2, 3, 6\\)", {"scenarios": np.ones((2, 3, 6))}),
         ("scenarios of type", {"scenarios": [["a"] * 6]}), ("no six factors", {"scenarios": np.full((2, 6), np.nan)}),
