@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use stiffarm::task::{Task, Zone};
+use stiffarm::task::{Task, TaskError, Zone};
 
 fuzz_target!(|text: &str| {
     match text.parse::<Task>() {
@@ -16,6 +16,8 @@ fuzz_target!(|text: &str| {
             assert_eq!(again.zone, task.zone);
             assert!(!task.zone.describe().is_empty());
         }
-        Err(error) => assert!(error.to_string().contains(text)),
+        Err(TaskError::Zone(error)) => assert!(error.to_string().contains(text)),
+        // Of a part the face or the size that is wrong is named.
+        Err(TaskError::Part(error)) => assert!(!error.to_string().is_empty()),
     }
 });
