@@ -134,10 +134,22 @@ fn items(ending: &str) -> Vec<Item> {
             format!("figure_{number}_tasks"),
             format!("deflection of {} at the best place over the size of each task", robot.full_name()),
             Verb::Rank,
-            vec![("robots", robot.name.clone()), ("scale", SCALES[1].into())],
+            [("robots", robot.name.clone()), ("scale", SCALES[1].into())].into_iter().chain(conventions()).collect(),
         );
     }
     items
+}
+
+/// What makes a ranking that of the paper where robots are named: zones anywhere in the arm plane, joints up to their limits.
+fn conventions() -> impl Iterator<Item = (&'static str, String)> {
+    let given_up = [
+        ("limit-margin-deg", "0"),
+        ("singular-margin-deg", "0"),
+        ("clear-of-base-m", "0"),
+        ("floor", "none"),
+        ("within", ".."),
+    ];
+    given_up.into_iter().map(|(name, text)| (name, text.to_owned()))
 }
 
 impl Item {
@@ -222,6 +234,7 @@ fn index(tables: &[[String; 3]], items: &[Item]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use stiffarm::model::ModelKind;
     use stiffarm::plane::PlanarArm;
 
     use super::*;
@@ -245,6 +258,21 @@ mod tests {
             assert!(items[..i].iter().all(|other| other.file != item.file), "{} twice", item.file);
             let pairs: Vec<Pair> = item.options.iter().map(|(name, text)| pair(name, text, Path::new(""))).collect();
             Request::read(item.verb, &pairs, Spelling::Typed).unwrap();
+        }
+    }
+
+    /// Where nothing is said, a ranking is the paper's; where a robot is named, the figures ask for the same.
+    #[test]
+    fn figures_of_the_paper_keep_its_conventions() {
+        let asked = |options: &[(&'static str, String)]| {
+            let pairs: Vec<Pair> = options.iter().map(|(name, text)| pair(name, text, Path::new(""))).collect();
+            Request::read(Verb::Rank, &pairs, Spelling::Typed).unwrap().place_options(None).unwrap()
+        };
+        let paper = asked(&[]);
+        for item in items("svg").iter().filter(|item| item.verb == Verb::Rank) {
+            let found = asked(&item.options);
+            assert_eq!(found.margins, paper.margins, "{}", item.file);
+            assert_eq!(found.within(&ModelKind::Planar), paper.within(&ModelKind::Planar), "{}", item.file);
         }
     }
 
