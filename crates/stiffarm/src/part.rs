@@ -97,8 +97,8 @@ impl Part {
     pub fn with_faces(&self, names: &[String]) -> Result<Self, PartError> {
         let mut faces: Vec<Face> = Vec::new();
         for name in names {
-            let known = || self.faces.iter().map(|face| face.name.as_str()).collect::<Vec<_>>().join(", ");
             let face = self.faces.iter().find(|face| face.name == *name);
+            let known = || self.face_names().join(", ");
             let face = face.ok_or_else(|| PartError::Unknown { name: name.clone(), known: known() })?;
             if faces.contains(face) {
                 return Err(PartError::Twice(name.clone()));

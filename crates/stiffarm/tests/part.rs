@@ -13,7 +13,7 @@ use stiffarm::load::Load;
 use stiffarm::model::Model;
 use stiffarm::part::{Face, Part};
 use stiffarm::place::{
-    Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within, place, place_part,
+    Hold, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within, place, place_part,
 };
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
@@ -149,6 +149,45 @@ fn a_part_of_one_face_is_a_flat_zone() {
         assert!(apart < 0.01, "{}: {} {}", robot.name, alone.deflection, flat.deflection);
         assert!(alone.lower_bound <= flat.deflection && flat.lower_bound <= alone.deflection, "{}", robot.name);
     }
+}
+
+/// Of a tool whose roll is given, and that points down, the roll counts from the part, which turns: no turn of it lies under the bound.
+#[test]
+fn a_roll_that_is_given_turns_with_the_part() {
+    let part = Part::of_box([0.5, 0.2, 0.1]).with_faces(&["top".into()]).unwrap();
+    let robot = &paper_robots()[2];
+    let model = Model::spatial(robot, &spindle()).unwrap();
+    for roll in [0.4, 2.0] {
+        let stance = Some(Stance { roll: Some(roll), ..Stance::tool_down() });
+        let placed = |orientation: Orientation| {
+            place_part(&model, &part, &PlaceOptions { stance, ..asked(orientation) }).unwrap()
+        };
+        let free = placed(Orientation::Free);
+        let bound = free.feasible().unwrap().lower_bound;
+        let turned = (0..12).map(|i| placed(Orientation::Fixed(TAU * f64::from(i) / 12.0)));
+        let found: Vec<f64> = turned.filter_map(|placed| Some(placed.feasible()?.deflection)).collect();
+        assert!(3 < found.len(), "{found:?}");
+        assert!(found.iter().all(|deflection| bound <= *deflection), "{bound}: {found:?}");
+        // The same zone flat on the table, with the roll that this turn of the part gives the tool.
+        let Placement { hold: Hold::Space(hold), centre, .. } = free.feasible().unwrap() else { panic!("in space") };
+        let at = compliance(robot, &hold.joints, &spindle()).unwrap().tool;
+        let x = at.rotation * Vector3::x();
+        let seen = x.y.atan2(x.x);
+        let turn = free.feasible().unwrap().angle;
+        // Seen from above a tool that points down rolls the other way.
+        let apart = (seen - (turn - roll) + PI).rem_euclid(TAU) - PI;
+        assert!(apart.abs() < 1e-9, "{seen} {turn} {roll} {centre:?}");
+    }
+}
+
+#[test]
+fn a_force_fixed_to_the_base_proves_nothing_of_a_part() {
+    let part = Part::of_box([0.3, 0.2, 0.1]).with_faces(&["top".into(), "front".into()]).unwrap();
+    let model = Model::spatial(&paper_robots()[2], &spindle()).unwrap();
+    let load = Load::along_base([100.0, 50.0, -20.0]).unwrap();
+    let placed = place_part(&model, &part, &PlaceOptions::under(load)).unwrap();
+    let best = placed.feasible().unwrap();
+    assert!(best.lower_bound == 0.0 && 0.0 < best.deflection, "{best:?}");
 }
 
 #[test]

@@ -10,6 +10,7 @@ use nalgebra::{Point3, Rotation3, Vector3};
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
+use super::descent::descend;
 use super::search::{CELLS, Candidate, FINE, Score, Search};
 use super::site::{Ground, Site};
 use super::{Misfit, Placed, Question, Resolution, Solution};
@@ -144,20 +145,14 @@ impl CellSearch<'_> {
     /// Steps in every direction of what is free, halved where none is better.
     fn descend(&self, start: &Scored, grid: &Grid, first_step: f64) -> Scored {
         let directions = self.ground.directions();
-        let mut best = self.scored(&start.site, grid);
-        let (mut step, mut turn) = (first_step, 0.15);
-        while FINE.0 < step {
-            let moved =
-                directions.iter().map(|direction| self.scored(&start_from(&best.site, direction, step, turn), grid));
-            match moved.min_by(|a, b| a.score.total_cmp(&b.score)) {
-                Some(found) if found.score.total_cmp(&best.score).is_lt() => best = found,
-                _ => {
-                    step /= 2.0;
-                    turn /= 2.0;
-                }
-            }
-        }
-        best
+        descend(
+            self.scored(&start.site, grid),
+            [first_step, 0.15],
+            |scored| scored.score,
+            |best, [step, turn]| {
+                directions.iter().map(|way| self.scored(&start_from(&best.site, way, step, turn), grid)).collect()
+            },
+        )
     }
 
     /// The score of the best configuration that keeps the clearance asked for; where none keeps it, how far it is from that.

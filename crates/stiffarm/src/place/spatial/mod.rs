@@ -2,6 +2,7 @@
 
 mod bound;
 mod clearance;
+mod descent;
 mod evaluate;
 mod field;
 mod in_cell;

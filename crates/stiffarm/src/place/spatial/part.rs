@@ -5,7 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
-use super::search::{CELLS, FINALISTS, FINE, STARTS, Score, Search, region};
+use super::descent::descend;
+use super::search::{CELLS, FINALISTS, STARTS, Score, Search, region};
 use super::{Outside, Question, Resolution, Solution};
 use crate::batch::{SameBranch, SpatialArm};
 use crate::follow::NotFollowed;
@@ -84,10 +85,13 @@ fn questions(model: &SpatialModel, part: &Part, options: &PlaceOptions) -> Resul
     part.faces.iter().map(of).collect()
 }
 
-/// A lower bound on the largest compliance of each face, m/N, wherever the part stands: the face is let go from the others.
-///
-/// `upper` is what is known of the part; the first face that is proved to have no better place of its own is enough.
+/// A lower bound on the largest compliance of each face, m/N, wherever the part stands, and the boxes behind it: the face is let go from the
+/// others. `upper` is what is known of the part: no bound need be larger.
 fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> Vec<(f64, usize)> {
+    // A face that is let go turns about the joint-1 axis, and a force fixed to the base does not turn with it.
+    if questions[0].load.breaks_symmetry() {
+        return vec![(0.0, 0); part.faces.len()];
+    }
     let one = |(face, question): (&Face, &Question)| {
         let alone = alone(part, face, question);
         let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
@@ -123,7 +127,9 @@ fn alone(part: &Part, face: &Face, question: &Question) -> Question {
     // Turned into the arm plane a point keeps its distance from the axis alone.
     let column = question.column.max(if x.min().is_finite() { x.min() } else { 0.0 });
     let yaw = Interval::spanning(-PI, PI);
-    Question { orientation, yaw, within: Within { x: Interval::ALL, z }, column, ..*question }
+    // Of a vertical tool the roll counts from the part's axes, which turn.
+    let roll = question.roll.filter(|_| !is_vertical);
+    Question { orientation, yaw, roll, within: Within { x: Interval::ALL, z }, column, ..*question }
 }
 
 /// Where a face lies when its part stands somewhere.
@@ -335,29 +341,20 @@ impl<'a> PartSearch<'a> {
     /// Steps in every direction of what is free, halved where none is better.
     fn descend(&self, start: &Candidate, grids: &[Grid], first_step: f64) -> Candidate {
         let turns: &[f64] = if self.orientation == Orientation::Free { &[0.0, 1.0, -1.0] } else { &[0.0] };
-        let (mut step, mut turn) = (first_step, 0.3 * first_step / self.step);
-        let mut best = self.candidate(start.stand, &start.rolls, turn, grids);
-        while FINE.0 < step {
-            let moves = turns.iter().flat_map(|t| {
+        let steps = [first_step, 0.3 * first_step / self.step];
+        let moved = |best: &Candidate, [step, turn]: [f64; 2]| {
+            let ways = turns.iter().flat_map(|t| {
                 [0.0, 1.0, -1.0].into_iter().flat_map(move |x| [0.0, 1.0, -1.0].map(move |z| [x, z, *t]))
             });
-            let moved = moves.map(|[x, z, t]| {
-                let stand = Stand {
-                    x: self.region[0].clamp(best.stand.x + step * x),
-                    z: self.region[1].clamp(best.stand.z + step * z),
-                    turn: best.stand.turn + turn * t,
-                };
-                self.candidate(stand, &best.rolls, turn, grids)
+            let stands = ways.map(|[x, z, t]| Stand {
+                x: self.region[0].clamp(best.stand.x + step * x),
+                z: self.region[1].clamp(best.stand.z + step * z),
+                turn: best.stand.turn + turn * t,
             });
-            let found = moved.min_by(|a, b| a.score.total_cmp(&b.score)).expect("directions");
-            if found.score.total_cmp(&best.score).is_lt() {
-                best = found;
-            } else {
-                step /= 2.0;
-                turn /= 2.0;
-            }
-        }
-        best
+            stands.map(|stand| self.candidate(stand, &best.rolls, turn, grids)).collect()
+        };
+        let start = self.candidate(start.stand, &start.rolls, steps[1], grids);
+        descend(start, steps, |candidate| candidate.score, moved)
     }
 
     /// The answer of every face at a refined place; where one oversteps a limit between samples, at the place next to it that was refined

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
+use super::descent::descend;
 use super::{Misfit, Placed, Question, Resolution, Solution};
 use crate::angle::wrapped;
 use crate::batch::{SameBranch, SpatialArm};
@@ -382,21 +383,15 @@ impl<'a> Search<'a> {
     /// Steps in every direction of what is free, halved where none is better.
     fn descend(&self, start: &Candidate, grid: &Grid, first_step: f64) -> Candidate {
         let directions = directions(self.free());
-        let mut best = self.candidate(start.work, grid);
-        let (mut step, mut turn) = (first_step, 0.3 * first_step / self.step);
-        while FINE.0 < step {
-            let moved = directions
-                .iter()
-                .map(|direction| self.candidate(self.moved(&best.work, direction, [step, turn]), grid));
-            let found = moved.min_by(|a, b| a.score.total_cmp(&b.score)).expect("directions");
-            if found.score.total_cmp(&best.score).is_lt() {
-                best = found;
-            } else {
-                step /= 2.0;
-                turn /= 2.0;
-            }
-        }
-        best
+        let steps = [first_step, 0.3 * first_step / self.step];
+        descend(
+            self.candidate(start.work, grid),
+            steps,
+            |candidate| candidate.score,
+            |best, steps| {
+                directions.iter().map(|way| self.candidate(self.moved(&best.work, way, steps), grid)).collect()
+            },
+        )
     }
 }
 
