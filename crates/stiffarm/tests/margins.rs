@@ -5,6 +5,7 @@ mod links;
 use std::f64::consts::PI;
 
 use stiffarm::catalogue::paper_robots;
+use stiffarm::clearance::Obstacle;
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
 use stiffarm::load::Load;
@@ -114,6 +115,9 @@ fn the_column_is_the_one_its_formula_gives() {
     let robot = robots.iter().find(|robot| robot.name == "KR 210 R2700 extra").expect("a robot of the paper");
     let l3 = 0.041_f64.hypot(1.2);
     assert!((column_radius(robot).unwrap() - (0.35 + 0.15 * (1.15 + l3))).abs() < 1e-12);
+    // Where the file says how thick the column is: a1 and that.
+    let measured = Robot { body: Some([0.25, 0.1, 0.1, 0.1].into()), ..robot.clone() };
+    assert!((column_radius(&measured).unwrap() - 0.6).abs() < 1e-12);
     // Of two links alone nobody knows where the base stands.
     let links = Robot::of_links(PlanarArm::free(1.0, 1.0, 1e-6, 1e-6, Architecture::Serial));
     assert_eq!((column_radius(&links), Margins::usual().radius(&links)), (None, 0.0));
@@ -165,6 +169,24 @@ fn what_a_careful_engineer_asks_is_kept_in_both_models() {
             let free = place(PlaceOptions { within: Some(Within::ANYWHERE), ..PlaceOptions::under(Load::PAPER) });
             assert!(free.feasible().unwrap().lower_bound <= found.deflection, "{case}");
         }
+    }
+}
+
+/// With no floor nothing is near to it; with one high up the arm is in it.
+#[test]
+fn the_floor_that_is_asked_for_is_the_one_that_the_arm_comes_near_to() {
+    let robot = &paper_robots()[0];
+    for model in [Model::planar(robot).unwrap(), Model::spatial(robot, &Pose::translation(0.0, 0.0, 0.25)).unwrap()] {
+        let nearest = |floor: Option<f64>| {
+            let within = Some(Within { x: Interval::spanning(1.0, 2.5), z: Interval::spanning(1.0, 1.4) });
+            let options = PlaceOptions { within, ..asked(Margins { floor, ..Margins::NONE }) };
+            place(&model, Zone::Circle { diameter: 0.2 }, &options).unwrap().feasible().unwrap().clearance.unwrap()
+        };
+        let [none, low, high] = [None, Some(-2.0), Some(0.999)].map(nearest);
+        let case = model.kind().name();
+        assert!(none.to != Obstacle::Floor && none.distance == low.distance, "{case}: {none:?} {low:?}");
+        assert!(high.distance <= none.distance, "{case}: {high:?} {none:?}");
+        assert!(high.to == Obstacle::Floor || none.distance < 0.1, "{case}: {high:?}");
     }
 }
 

@@ -140,7 +140,7 @@ impl Question {
     fn column(&self) -> f64 {
         match self.options.margins.column {
             Column::Radius(radius) => radius,
-            Column::Estimated => unreachable!("the questions give a radius"),
+            Column::Own => unreachable!("the questions give a radius"),
         }
     }
 

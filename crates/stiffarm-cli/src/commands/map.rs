@@ -8,7 +8,7 @@ use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::map::{Grid, MapError, PointsBetween, map};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::palette::FORCE;
-use stiffarm::place::{Placement, place};
+use stiffarm::place::{Placement, Within, place};
 use stiffarm::request::{Layer, Request};
 
 use super::drawing::{arm, force, scene};
@@ -142,7 +142,7 @@ impl<'a> Drawn<'a> {
         let placed = self.answer.zone.as_ref();
         let (colour_label, origin) = (self.colour_label(), self.origin());
         let mut scene = scene(model, self.posture, self.mark);
-        scene.windows.extend(placed.and_then(|zone| zone.options.within).map(|within| [within.x, within.z]));
+        scene.windows.extend(placed.iter().flat_map(|zone| zone.windows()).map(|within| [within.x, within.z]));
         scene.force = force(self.answer.options.load);
         let edge = match model {
             Model::Planar(model) => Some((model.arm(), model.axis_from_base())),
@@ -215,9 +215,10 @@ fn subtitle(answer: &MapAnswer) -> String {
     let start = format!("{}; {}", class(model.robot()), stiffness(model.robot()));
     match model.kind() {
         ModelKind::Planar => {
-            let within = zone.as_ref().and_then(|zone| zone.placed.feasible().and(zone.options.within));
-            let within = within
-                .map_or_else(String::new, |within| format!("; zone within {}", window(&within, origin(model.robot()))));
+            let told = |within: &Within| window(within, origin(model.robot()));
+            let windows: Vec<String> = zone.iter().flat_map(PlaceAnswer::windows).map(|within| told(&within)).collect();
+            let within =
+                if windows.is_empty() { String::new() } else { format!("; zone within {}", windows.join(" or ")) };
             let side = match options.elbow {
                 Some(elbow) => format!("only with the elbow {}", elbow.name()),
                 None => "with the stiffer elbow side at each point".into(),

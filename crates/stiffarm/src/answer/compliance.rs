@@ -59,13 +59,7 @@ impl ComplianceAnswer {
         let (force, moved) = (self.force(), self.deflection());
         let counted = load.zip(self.largest()).map(|(load, largest)| largest.value * load.newtons());
         let mut record = Record::new();
-        record
-            .put(field::ROBOT, &robot.name)
-            .put(field::VENDOR, &robot.vendor)
-            .put(field::ARCHITECTURE, robot.architecture.name())
-            .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
-            .put(field::STATUS, robot.status.name());
-        stiffness::put(&mut record, robot);
+        stiffness::put_robot(&mut record, robot);
         record
             .put(field::MODEL, "spatial")
             .put(field::JOINTS, *joints_deg)

@@ -100,13 +100,7 @@ impl MapAnswer {
         let searched = tool.is_some() && self.held().roll.is_none();
         let mut record = Record::new();
         let robot = self.model.robot();
-        record
-            .put(field::ROBOT, &robot.name)
-            .put(field::VENDOR, &robot.vendor)
-            .put(field::ARCHITECTURE, robot.architecture.name())
-            .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
-            .put(field::STATUS, robot.status.name());
-        stiffness::put(&mut record, robot);
+        stiffness::put_robot(&mut record, robot);
         record.put(field::MODEL, self.model.kind().name());
         force::put(&mut record, self.options.load);
         record

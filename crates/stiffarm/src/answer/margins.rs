@@ -1,16 +1,28 @@
 //! How is told what every place keeps?
 
-use super::words::degrees_short;
+use super::angles::degrees;
 use super::{Record, field};
 use crate::model::ModelKind;
 use crate::place::{Column, Margins, PlaceOptions, Within};
-use crate::robot::Robot;
+use crate::robot::{Arm, Robot};
 
 /// Where a zone of one robot may stand.
 pub(super) fn window(options: &PlaceOptions, model: &ModelKind, robot: &Robot) -> Within {
     let within = options.within(model);
     // Where nothing is left, what was asked for is told, and why there is no place.
     options.margins.part_of(within, robot).unwrap_or(within)
+}
+
+/// The same as a picture of the plane straight ahead shows it, the column left out; nothing where it may stand anywhere, or where a cell has
+/// windows of its own.
+pub(super) fn windows(options: &PlaceOptions, model: &ModelKind, robot: &Robot) -> Vec<Within> {
+    let aside = match (model, &robot.arm) {
+        (ModelKind::Planar, Arm::SixAxis { geometry, .. }) => geometry.b,
+        _ => 0.0,
+    };
+    let mut windows = options.margins.windows(options.within(model), robot, aside);
+    windows.retain(|within| *within != Within::ANYWHERE && options.cell.is_none());
+    windows
 }
 
 /// Adds what was asked for.
@@ -29,10 +41,10 @@ pub(super) fn angles(margins: &Margins) -> String {
     let Margins { limit, singular, .. } = *margins;
     match (limit == 0.0, singular == 0.0) {
         (true, true) => "nothing: up to the very limits of the joints, and to straight postures".into(),
-        (false, true) => format!("{} from joint limits, nothing from straight postures", degrees_short(limit)),
-        (true, false) => format!("nothing from joint limits, {} from a straight wrist or arm", degrees_short(singular)),
+        (false, true) => format!("{} from joint limits, nothing from straight postures", degrees(limit)),
+        (true, false) => format!("nothing from joint limits, {} from a straight wrist or arm", degrees(singular)),
         (false, false) => {
-            let (limit, singular) = (degrees_short(limit), degrees_short(singular));
+            let (limit, singular) = (degrees(limit), degrees(singular));
             if limit == singular {
                 format!("{limit} from joint limits and from a straight wrist or arm")
             } else {
@@ -46,7 +58,8 @@ pub(super) fn angles(margins: &Margins) -> String {
 pub(super) fn column(margins: &Margins, robot: &Robot) -> Option<String> {
     let radius = margins.radius(robot);
     let why = match margins.column {
-        Column::Estimated => "the robot's own column, estimated from its lengths",
+        Column::Own if robot.body.is_some() => "the robot's own column, from its file",
+        Column::Own => "the robot's own column, estimated from its lengths",
         Column::Radius(_) => "as asked",
     };
     (0.0 < radius).then(|| format!("{radius:.2} m clear of the joint-1 axis ({why})"))
@@ -57,7 +70,7 @@ pub(super) fn columns(margins: &Margins) -> Option<String> {
     match margins.column {
         Column::Radius(0.0) => None,
         Column::Radius(radius) => Some(format!("{radius} m clear of the joint-1 axis")),
-        Column::Estimated => Some("clear of each robot's own column (estimated from its lengths)".into()),
+        Column::Own => Some("clear of each robot's own column (by its file, or estimated from its lengths)".into()),
     }
 }
 

@@ -130,6 +130,11 @@ impl PlaceAnswer {
         }
     }
 
+    /// Where a picture of the plane straight ahead shows that the zone may stand, m from the base.
+    pub fn windows(&self) -> Vec<Within> {
+        margins::windows(&self.options, &self.model, &self.robot)
+    }
+
     /// A map of what is reached, held as the zone is.
     pub fn map_options(&self, model: &Model, spacing: Spacing) -> MapOptions {
         let stance = self.options.stance();
@@ -341,13 +346,7 @@ pub(super) fn cell(
 ) -> Record {
     let best = placed.ok().and_then(Placed::feasible);
     let mut record = Record::new();
-    record
-        .put(field::ROBOT, &robot.name)
-        .put(field::VENDOR, &robot.vendor)
-        .put(field::ARCHITECTURE, robot.architecture.name())
-        .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
-        .put(field::STATUS, robot.status.name());
-    stiffness::put(&mut record, robot);
+    stiffness::put_robot(&mut record, robot);
     record.put(field::TASK, &task.label).put(field::MODEL, model.name());
     force::put(&mut record, options.load);
     asked(&mut record, robot, model, options);

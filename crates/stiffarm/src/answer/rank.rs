@@ -51,13 +51,7 @@ impl RankAnswer {
         let told = self.ranking.rows.iter().map(|row| {
             let cells: Value = self.cells(row).map(|cell| cell.json()).collect();
             let mut record = Record::new();
-            record
-                .put(field::ROBOT, &row.robot.name)
-                .put(field::VENDOR, &row.robot.vendor)
-                .put(field::ARCHITECTURE, row.robot.architecture.name())
-                .put(field::ARCHITECTURE_ASSUMED, row.robot.architecture_is_assumed)
-                .put(field::STATUS, row.robot.status.name());
-            stiffness::put(&mut record, &row.robot);
+            stiffness::put_robot(&mut record, &row.robot);
             record.extend(self.standing(row)).put(field::CELLS, cells);
             record.json()
         });

@@ -70,6 +70,17 @@ fn listed(numbers: &[f64]) -> String {
     numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
 }
 
+/// Every field that says which robot it is, how well it is known, and how stiff its drives are.
+pub(super) fn put_robot(record: &mut Record, robot: &Robot) {
+    record
+        .put(field::ROBOT, &robot.name)
+        .put(field::VENDOR, &robot.vendor)
+        .put(field::ARCHITECTURE, robot.architecture.name())
+        .put(field::ARCHITECTURE_ASSUMED, robot.architecture_is_assumed)
+        .put(field::STATUS, robot.status.name());
+    put(record, robot);
+}
+
 /// The same as fields.
 pub(super) fn put(record: &mut Record, robot: &Robot) {
     record

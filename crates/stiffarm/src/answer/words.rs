@@ -174,11 +174,6 @@ pub fn clearance(clearance: &Clearance) -> Line {
     line("clearance", format!("{} mm, {of}, at {poses} poses{tool}", fixed(distance, 0)))
 }
 
-/// An angle that was asked for, rad, without digits that say nothing.
-pub(super) fn degrees_short(angle: f64) -> String {
-    format!("{} deg", asked_degrees(angle))
-}
-
 /// Where a zone may stand, and what that counts from.
 pub fn window(within: &Within, origin: &str) -> String {
     let range = |range: Interval| {

@@ -93,16 +93,14 @@ pub(crate) struct ThickArm<'a> {
 }
 
 impl Surroundings {
-    /// Nothing but the floor on which the base stands.
-    pub(crate) fn on_the_floor() -> Self {
-        Self { floor: Some([Vector3::zeros(), Vector3::z()]), ..Self::default() }
+    /// Nothing but a floor, so high above the base, m; not even that where `None`.
+    pub(crate) fn above(floor: Option<f64>) -> Self {
+        Self { floor: floor.map(|height| [Vector3::new(0.0, 0.0, height), Vector3::z()]), ..Self::default() }
     }
 
-    /// What a cell says; only a floor so high above the base, m, where there is none.
-    pub(crate) fn of(cell: Option<&Cell>, floor: f64) -> Self {
-        let Some(cell) = cell else {
-            return Self { floor: Some([Vector3::new(0.0, 0.0, floor), Vector3::z()]), ..Self::default() };
-        };
+    /// What a cell says; only a floor, so high above the base, m, where there is no cell.
+    pub(crate) fn of(cell: Option<&Cell>, floor: Option<f64>) -> Self {
+        let Some(cell) = cell else { return Self::above(floor) };
         let (mount, base_from_cell) = (cell.mount, cell.mount.cell_from_base.inverse());
         let base = mount.cell_from_base.translation.vector;
         let solid = |block: crate::cell::Block| {
@@ -254,7 +252,7 @@ mod tests {
 
     #[test]
     fn the_nearest_of_all_links_is_that_of_a_hand_calculation() {
-        let (robot, floor) = (robot(), Surroundings::on_the_floor());
+        let (robot, floor) = (robot(), Surroundings::above(Some(0.0)));
         // The joint-2 axis stands 0.7 m high, and the upper arm is 0.2 m thick there.
         assert_eq!(nearest(&robot, None, LEVEL, &floor), (0.5, Link::UpperArm, Obstacle::Floor));
         let far = Solid::Box { pose: Pose::translation(9.0, 0.0, 0.0), half: [0.1; 3] };
@@ -289,7 +287,7 @@ mod tests {
         let thick = ThickArm::to_wrist(&robot).unwrap();
         // Upper arm level forwards at 0.7 m, forearm straight down to -0.3 m, and 0.15 m of it are left out.
         let theta = [0.0, FRAC_PI_2, FRAC_PI_2, 0.0, 0.0, 0.0];
-        let found = thick.clearance(&[theta], &Surroundings::on_the_floor()).unwrap();
+        let found = thick.clearance(&[theta], &Surroundings::above(Some(0.0))).unwrap();
         assert!((found.distance + 0.3).abs() < 1e-12 && found.link == Link::Forearm && !found.knows_tool, "{found:?}");
     }
 }

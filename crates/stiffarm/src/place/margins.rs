@@ -4,7 +4,6 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::{PlaceError, Within};
 use crate::interval::Interval;
-use crate::model::PlanarModel;
 use crate::robot::{Arm, Robot};
 
 /// The column of a robot as a part of the length of its links, beside the distance of the joint-2 axis from that of joint 1.
@@ -28,8 +27,8 @@ pub struct Margins {
 /// The upright cylinder about the joint-1 axis, of any height, that a zone leaves to the robot itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Column {
-    /// Of a radius estimated from the robot's lengths: [`column_radius`].
-    Estimated,
+    /// The robot's own, by its file or estimated from its lengths: [`column_radius`].
+    Own,
     /// Of this radius, m; zero leaves the zone free to stand anywhere.
     Radius(f64),
 }
@@ -41,7 +40,7 @@ impl Margins {
     /// What an engineer keeps: 5 deg from limits and straight postures, in front of the robot, clear of its column, above the base.
     pub fn usual() -> Self {
         let margin = 5.0_f64.to_radians();
-        Self { limit: margin, singular: margin, column: Column::Estimated, front: true, floor: Some(0.0) }
+        Self { limit: margin, singular: margin, column: Column::Own, front: true, floor: Some(0.0) }
     }
 
     pub(super) fn check(&self) -> Result<(), PlaceError> {
@@ -64,7 +63,7 @@ impl Margins {
     pub fn radius(&self, robot: &Robot) -> f64 {
         match (column_radius(robot), self.column) {
             (None, _) => 0.0,
-            (Some(estimated), Column::Estimated) => estimated,
+            (Some(own), Column::Own) => own,
             (Some(_), Column::Radius(radius)) => radius,
         }
     }
@@ -79,29 +78,32 @@ impl Margins {
         let above = self.floor.map_or(Interval::ALL, |floor| Interval::spanning(floor, f64::INFINITY));
         Some(Within { x, z: within.z.intersect(above)? })
     }
+
+    /// The windows that are left of one in an upright plane that passes the joint-1 axis at a distance `aside`, m: before the column, and
+    /// behind it; m from the base.
+    pub fn windows(&self, within: Within, robot: &Robot, aside: f64) -> Vec<Within> {
+        let Some(part) = self.part_of(within, robot) else { return Vec::new() };
+        let radius = self.radius(robot);
+        let half = (radius * radius - aside * aside).max(0.0).sqrt();
+        if half == 0.0 {
+            return vec![part];
+        }
+        let sides = [Interval::spanning(half, f64::INFINITY), Interval::spanning(f64::NEG_INFINITY, -half)];
+        sides.into_iter().filter_map(|side| Some(Within { x: part.x.intersect(side)?, ..part })).collect()
+    }
 }
 
-/// What a robot itself takes up about its joint-1 axis: a radius estimated from its lengths, `|a1| + 0.15 (c2 + l3)`, m. `None` where only
-/// two links are known.
+/// What a robot itself takes up about its joint-1 axis, m: `|a1|` and the radius of its column, where its file says that; else a radius
+/// estimated from its lengths, `|a1| + 0.15 (c2 + l3)`. `None` where only two links are known.
 ///
-/// An estimate, no data-sheet value: the turning column carries joint 2 at `a1`, with a motor, a gear and the lower end of the upper arm about
+/// The latter is an estimate, no data-sheet value: the turning column carries joint 2 at `a1`, with a motor, a gear and the lower end of the upper arm about
 /// it, whose size grows with the arm.
 pub fn column_radius(robot: &Robot) -> Option<f64> {
     match &robot.arm {
-        Arm::SixAxis { geometry, .. } => Some(geometry.a1.abs() + COLUMN * (geometry.c2 + geometry.l3())),
+        Arm::SixAxis { geometry, .. } => {
+            let column = robot.body.map_or(COLUMN * (geometry.c2 + geometry.l3()), |body| body.column);
+            Some(geometry.a1.abs() + column)
+        }
         Arm::Planar(_) => None,
     }
-}
-
-/// The windows that a zone in the arm plane may stand in: before the column or behind it; m from the base.
-pub(super) fn windows_in_plane(margins: &Margins, within: Within, model: &PlanarModel) -> Vec<Within> {
-    let Some(part) = margins.part_of(within, model.robot()) else { return Vec::new() };
-    let radius = margins.radius(model.robot());
-    // The arm plane passes the joint-1 axis at a distance.
-    let half = (radius * radius - model.aside() * model.aside()).max(0.0).sqrt();
-    if half == 0.0 {
-        return vec![part];
-    }
-    let sides = [Interval::spanning(half, f64::INFINITY), Interval::spanning(f64::NEG_INFINITY, -half)];
-    sides.into_iter().filter_map(|side| Some(Within { x: part.x.intersect(side)?, ..part })).collect()
 }

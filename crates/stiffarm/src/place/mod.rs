@@ -1,11 +1,13 @@
 //! Verb 3: where must the zone stand, how far is the tool pushed off there, and who proves that no place is better?
 
+mod fault;
 mod margins;
 mod planar;
 mod spatial;
 
 use nalgebra::Vector2;
 
+pub use fault::{Misfit, PlaceError};
 pub use margins::{Column, Margins, column_radius};
 pub(crate) use planar::best_near;
 pub use planar::{best_without_limits, largest_scale_without_limits};
@@ -15,11 +17,10 @@ use crate::cell::Cell;
 use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::load::{Load, NotInPlane};
-use crate::model::{ArmPosture, Model, ModelError, ModelKind};
+use crate::load::Load;
+use crate::model::{ArmPosture, Model, ModelKind};
 use crate::part::{Face, Part};
 use crate::plane::Elbow;
-use crate::robot::NoArmPlane;
 use crate::task::{Task, Zone};
 use crate::tolerances;
 
@@ -169,7 +170,7 @@ pub struct Placement {
     /// What of the zone is reached but rarely meant; `None` where it is not known where the base stands.
     pub outside: Option<Outside>,
     /// The nearest that the arm comes to the floor, the work and itself, in the poses of the answer; `None` where it is not known where the base
-    /// stands.
+    /// stands, and of [`find`] in the plane.
     pub clearance: Option<Clearance>,
     /// How the arm holds it; of a part its worst face.
     pub hold: Hold,
@@ -286,72 +287,6 @@ impl Outside {
     }
 }
 
-/// Why a zone has no place.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Misfit {
-    /// No orientation fits between the nearest and the farthest point the arm reaches.
-    TooLarge {
-        /// Those two, m, of the widest elbow side.
-        ring: [f64; 2],
-    },
-    /// It fits the ring, but the joint limits leave no place for it with one elbow side.
-    Limits,
-    /// It fits the arm, but not where it may stand.
-    Within,
-    /// It fits, but no place keeps the margins.
-    Margins,
-    /// This face of a part has no place, even without the others.
-    Face(String),
-    /// The window is narrower than the zone.
-    WindowTooNarrow,
-    /// No single point with this direction of the tool.
-    NothingReached,
-    /// Points are reached, but nowhere the whole zone in one posture.
-    NowhereWhole {
-        /// The coarsest step of the search for one, m.
-        step: f64,
-    },
-    /// Places are reached, but at the best of them the arm comes nearer than was asked.
-    Clearance {
-        /// m.
-        asked: f64,
-    },
-    /// The zone is reached, but a joint would have to turn by more than it can on the way through it.
-    Turning,
-}
-
-impl std::fmt::Display for Misfit {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        match self {
-            Self::TooLarge { ring: [near, far] } => write!(
-                f,
-                "does not fit the reachable set: too long for any orientation between the nearest ({near:.3} m) and the farthest ({far:.3} m) distance from the joint-2 axis"
-            ),
-            Self::Limits => f.write_str(
-                "does not fit the reachable set: the joint limits leave no place for it without a change of posture",
-            ),
-            Self::Within => f.write_str("does not fit where it may stand: no allowed place is reachable as a whole"),
-            Self::Margins => f.write_str(
-                "has a place only nearer to a joint limit, to a straight posture, to the robot's column or to the floor than the margins allow",
-            ),
-            Self::Face(name) => write!(f, "its face {name} has no place, even without the others"),
-            Self::WindowTooNarrow => f.write_str("the allowed place is narrower than the zone"),
-            Self::NothingReached => f.write_str("no point of the allowed place is reached with this direction of the tool"),
-            Self::NowhereWhole { step } => write!(
-                f,
-                "no place was found (places {:.0} mm apart, then refined) where the whole zone is reached in one posture",
-                step * 1e3
-            ),
-            Self::Clearance { asked } => {
-                write!(f, "no place was found where the arm keeps {:.0} mm from everything", asked * 1e3)
-            }
-            Self::Turning => f.write_str(
-                "the zone is reached, but not in one go: within it a joint passes a singular posture or the end of its range",
-            ),
-        }
-    }
-}
-
 /// The answer of [`place`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Placed {
@@ -376,88 +311,6 @@ impl Placed {
             Self::Feasible(placement) => Some(placement),
             Self::Infeasible { .. } => None,
         }
-    }
-}
-
-/// A question that has no answer.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum PlaceError {
-    /// The model does not hold for the robot.
-    #[error(transparent)]
-    Model(#[from] ModelError),
-    /// What another model knows.
-    #[error("{what} is a matter of the {model} model")]
-    Inapplicable {
-        /// What was asked for.
-        what: &'static str,
-        /// The model that knows it.
-        model: &'static str,
-    },
-    /// What a cell is not asked for yet.
-    #[error(
-        "a part with several faces; mounts, windows with y, keep-outs and a clearance that is asked for are known of one flat zone"
-    )]
-    PartInCell,
-    /// A force along the axes of the base, and a cell in which the work may stand all around it.
-    #[error(
-        "a force fixed to the base points another way wherever the work stands about it; in a cell give it in axes of the tool"
-    )]
-    ForceInCell,
-    /// A force of known direction.
-    #[error("a force of known direction; in the arm plane a place is sought for the worst direction at every point")]
-    Directed,
-    /// A force of which the planar model knows nothing.
-    #[error(transparent)]
-    Load(#[from] NotInPlane),
-    /// Gap outside `1e-9..=0.5`.
-    #[error("a gap of {0}; expected 1e-9 to 0.5 (relative)")]
-    Gap(f64),
-    /// An angle that is not a sensible number.
-    #[error("an angle of {0} rad; expected a number from -1000 to 1000")]
-    Angle(f64),
-    /// Faces that look all ways have no place in one plane.
-    #[error("a part with several faces is a matter of the spatial model")]
-    PartInPlane,
-    /// A part without faces.
-    #[error("a part without faces; expected at least one")]
-    NoFace,
-    /// A margin that is not a sensible number.
-    #[error("a {what} of {value}; expected 0 to {most}")]
-    Margin {
-        /// Which.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-        /// The largest that makes sense.
-        most: f64,
-    },
-    /// A floor that is not a sensible number.
-    #[error("a floor at {0} m; expected -100 to 100 m from the base")]
-    Floor(f64),
-    /// A tool axis steeper than straight up or down.
-    #[error("a tool axis {0} rad above the horizontal; expected -pi/2 (down) to pi/2 (up)")]
-    Elevation(f64),
-    /// A side of the zone that is not a sensible number.
-    #[error("a zone with a side of {0} m; expected 1e-9 to 1000 m")]
-    Side(f64),
-    /// The search grew too large.
-    #[error("the search stopped after {nodes} boxes: the best place lies between {:.4} and {:.4} mm; ask for a larger gap", lower * 1e3, upper * 1e3)]
-    Unfinished {
-        /// Boxes looked at.
-        nodes: usize,
-        /// Bound reached, m.
-        lower: f64,
-        /// Best value found, m (infinite where no place was found).
-        upper: f64,
-    },
-}
-
-impl PlaceError {
-    /// The robot is sound, but the planar model does not hold for it: a compensator, an unusual coupling, or rigid drives 2
-    /// and 3; or it does not hold for the work.
-    pub fn is_not_of_the_plane(&self) -> bool {
-        *self == Self::PartInPlane
-            || matches!(self, Self::Model(ModelError::NoArmPlane(error)) if *error != NoArmPlane::Limits)
     }
 }
 
@@ -550,7 +403,8 @@ pub fn place_task(model: &Model, task: &Task, options: &PlaceOptions) -> Result<
     }
 }
 
-/// [`place`] without a word about why a zone has no place, which in the plane costs more than finding out that it has none.
+/// [`place`] without a word about why a zone has no place, or how near the arm comes to anything there: in the plane both cost more than the
+/// place itself.
 ///
 /// # Errors
 /// As [`place`].

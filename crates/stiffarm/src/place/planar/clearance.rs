@@ -15,7 +15,7 @@ use crate::work::Grid;
 const CELLS: usize = 8;
 
 /// The nearest over poses that cover the zone; what is machined lies in the arm plane and is compared with the column alone.
-pub(super) fn of(model: &PlanarModel, zone: Zone, found: &Solution) -> Option<Clearance> {
+pub(super) fn of(model: &PlanarModel, zone: Zone, found: &Solution, floor: Option<f64>) -> Option<Clearance> {
     let thick = ThickArm::to_wrist(model.robot())?;
     let Arm::SixAxis { geometry, .. } = &model.robot().arm else { return None };
     let side = |p: Vector2<f64>| {
@@ -31,6 +31,6 @@ pub(super) fn of(model: &PlanarModel, zone: Zone, found: &Solution) -> Option<Cl
     let middle = Vector3::new(centre.x + ahead, model.aside(), centre.y + up);
     let first = Vector3::new(found.angle.cos(), 0.0, found.angle.sin());
     let about =
-        Surroundings { work: Some(Solid::sheet(zone, middle, first, Vector3::y())), ..Surroundings::on_the_floor() };
+        Surroundings { work: Some(Solid::sheet(zone, middle, first, Vector3::y())), ..Surroundings::above(floor) };
     thick.clearance(&postures.collect::<Vec<_>>(), &about)
 }

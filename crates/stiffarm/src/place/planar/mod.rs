@@ -13,7 +13,6 @@ pub(crate) use exact::best_near;
 
 use search::Search;
 
-use super::margins::windows_in_plane;
 use super::{
     Hold, Margins, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, Within, ZonePoint,
     check_zone,
@@ -48,12 +47,15 @@ struct Solution {
 pub(super) fn place(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
     let allowed = Allowed::of(model, options)?;
     Ok(match allowed.best(zone)? {
-        Some(solution) => Placed::Feasible(solution.into_placement(model, zone)),
+        Some(solution) => {
+            let clearance = clearance::of(model, zone, &solution, options.margins.floor);
+            Placed::Feasible(Placement { clearance, ..solution.into_placement(model, zone) })
+        }
         None => allowed.infeasible(zone, options),
     })
 }
 
-/// The same without a word about why there is none.
+/// The same without a word about why there is none, or about clearance.
 pub(super) fn find(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
     let best = Allowed::of(model, options)?.best(zone)?;
     Ok(best.map(|solution| solution.into_placement(model, zone)))
@@ -107,7 +109,7 @@ impl<'a> Allowed<'a> {
             within: within.seen_from(model.axis_from_base),
             gap,
         };
-        let windows = windows_in_plane(&options.margins, options.within(&ModelKind::Planar), model);
+        let windows = options.margins.windows(options.within(&ModelKind::Planar), model.robot(), model.aside());
         Ok(Self { model, sides, questions: windows.into_iter().map(question).collect() })
     }
 
@@ -200,7 +202,7 @@ impl Solution {
             worst_point: [wx + ahead, model.aside(), wz + up],
             from_axis_1: model.knows_base().then(|| (centre[0].abs() - half.x).max(0.0).hypot(model.aside())),
             outside: model.knows_base().then(|| Outside::of(centre, half)),
-            clearance: clearance::of(model, zone, &self),
+            clearance: None,
             hold: Hold::Plane { posture: self.worst_posture },
             faces: Vec::new(),
         }

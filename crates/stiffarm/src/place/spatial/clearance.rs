@@ -30,7 +30,7 @@ impl Search<'_> {
             [plane.point(work, [0.0; 2]), plane.first, plane.tool().column(2).into()].map(|vector| turned * vector);
         let about = Surroundings {
             work: Some(Solid::sheet(self.zone, centre, first, along_tool)),
-            ..Surroundings::of(self.options.cell.as_ref(), self.options.margins.floor.unwrap_or(0.0))
+            ..Surroundings::of(self.options.cell.as_ref(), self.options.margins.floor)
         };
         thick.clearance(postures, &about)
     }
