@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
-use stiffarm::load::Load;
+use stiffarm::load::{Component, Direction, Load};
 use stiffarm::place::{Orientation, PlaceOptions, Placed, Within};
 use stiffarm::plane::{InvalidArm, PlanarArm};
 use stiffarm::task::Zone;
@@ -21,6 +21,8 @@ const CASES: u64 = 2_400;
 const FORCE: f64 = 1000.0;
 /// Points along each edge, or a quarter of a circle.
 const SAMPLES: usize = 24;
+/// A zone grown by twice the spacing of the samples: where all samples pass, the zone itself fits.
+const GROWN: f64 = 1.0 + PI / SAMPLES as f64;
 
 #[derive(Clone, Copy, Debug)]
 struct Trial {
@@ -60,8 +62,8 @@ fn outline(zone: Zone, trial: Trial, grown: f64) -> Vec<[f64; 2]> {
     points
 }
 
-/// Largest eigenvalue of the compliance at a posture, from joint coordinates.
-fn worst(arm: &PlanarArm, shoulder: f64, elbow: f64) -> f64 {
+/// The compliance at a posture, from joint coordinates: ahead, up, and mixed.
+fn compliance(arm: &PlanarArm, shoulder: f64, elbow: f64) -> [f64; 3] {
     let forearm = shoulder + elbow;
     // d p / d shoulder, d p / d elbow
     let jx = [-arm.l2 * shoulder.sin() - arm.l3 * forearm.sin(), -arm.l3 * forearm.sin()];
@@ -73,12 +75,24 @@ fn worst(arm: &PlanarArm, shoulder: f64, elbow: f64) -> f64 {
     };
     let form =
         |a: [f64; 2], b: [f64; 2]| (0..2).map(|i| (0..2).map(|j| a[i] * k[i][j] * b[j]).sum::<f64>()).sum::<f64>();
-    let (xx, zz, xz) = (form(jx, jx), form(jz, jz), form(jx, jz));
+    [form(jx, jx), form(jz, jz), form(jx, jz)]
+}
+
+/// Its largest eigenvalue.
+fn worst(arm: &PlanarArm, shoulder: f64, elbow: f64) -> f64 {
+    let [xx, zz, xz] = compliance(arm, shoulder, elbow);
     f64::midpoint(xx, zz) + ((xx - zz) / 2.0).hypot(xz)
 }
 
 /// The largest compliance over the outline, where some elbow side and some whole turns keep every point in the limits.
 fn brute(arm: &PlanarArm, points: &[[f64; 2]], slack: f64) -> Option<f64> {
+    let held = held(arm, points, slack).into_iter().next()?;
+    Some(held.into_iter().map(|(shoulder, elbow)| worst(arm, shoulder, elbow)).fold(0.0, f64::max))
+}
+
+/// Shoulder and elbow angle at every point of the outline, on each elbow side that reaches all of it within the limits.
+fn held(arm: &PlanarArm, points: &[[f64; 2]], slack: f64) -> Vec<Vec<(f64, f64)>> {
+    let mut found = Vec::new();
     let free_turns = |range: Interval| if range.is_all() { 0..=0 } else { -3_i32..=3 };
     for side in [-1.0, 1.0] {
         let mut postures = Vec::new();
@@ -110,21 +124,18 @@ fn brute(arm: &PlanarArm, points: &[[f64; 2]], slack: f64) -> Option<f64> {
         let turns = |range: Interval| {
             if arm.forearm.is_all() { free_turns(range) } else { -3..=3 }
         };
-        for i in turns(arm.shoulder) {
-            for j in turns(arm.elbow) {
-                let ok = postures.iter().all(|&(shoulder, elbow)| {
-                    arm.shoulder.contains(shoulder + turn(i), slack)
-                        && arm.elbow.contains(elbow + turn(j), slack)
-                        && arm.forearm.contains(shoulder + elbow + turn(i + j), slack)
-                });
-                if ok {
-                    let values = postures.iter().map(|&(shoulder, elbow)| worst(arm, shoulder, elbow));
-                    return Some(values.fold(0.0, f64::max));
-                }
-            }
+        let fits = |(i, j): (i32, i32)| {
+            postures.iter().all(|&(shoulder, elbow)| {
+                arm.shoulder.contains(shoulder + turn(i), slack)
+                    && arm.elbow.contains(elbow + turn(j), slack)
+                    && arm.forearm.contains(shoulder + elbow + turn(i + j), slack)
+            })
+        };
+        if turns(arm.shoulder).any(|i| turns(arm.elbow).any(|j| fits((i, j)))) {
+            found.push(postures);
         }
     }
-    None
+    found
 }
 
 fn random_range(rng: &mut fastrand::Rng, probability: f64, centre: f64, spread: f64) -> Interval {
@@ -202,6 +213,117 @@ fn random_angle(rng: &mut fastrand::Rng, orientation: Orientation) -> f64 {
     }
 }
 
+/// A place near another.
+fn nudged(rng: &mut fastrand::Rng, best: Trial, reach: f64, orientation: Orientation) -> Trial {
+    let step = reach * 0.3 * 10_f64.powf(-5.0 * rng.f64());
+    let mut nudge = || step * (2.0 * rng.f64() - 1.0);
+    let centre = [best.centre[0] + nudge(), best.centre[1] + nudge()];
+    let angle = if orientation == Orientation::Free { best.angle + nudge() } else { best.angle };
+    Trial { centre, angle }
+}
+
+/// A force of known direction, one in two within a cone.
+fn random_load(rng: &mut fastrand::Rng) -> Load {
+    let component = if rng.bool() { Component::Total } else { Component::Along };
+    let cone = if rng.bool() { FRAC_PI_2 * rng.f64().powi(2) } else { 0.0 };
+    Load::in_plane(FORCE, 2.0 * PI * rng.f64(), component).unwrap().with_cone(cone).unwrap()
+}
+
+/// What counts at a posture under forces at even steps of the cone, m/N.
+fn directed(arm: &PlanarArm, load: Load, (shoulder, elbow): (f64, f64)) -> f64 {
+    let Direction::InPlane(middle) = load.direction() else { unreachable!("a force in the plane") };
+    let [xx, zz, xz] = compliance(arm, shoulder, elbow);
+    let steps = if load.cone() == 0.0 { 0 } else { 60 };
+    let of = |i: i32| {
+        let (s, c) = (middle + load.cone() * f64::from(i) / f64::from(steps.max(1))).sin_cos();
+        let moved = [xx * c + xz * s, xz * c + zz * s];
+        if load.component() == Component::Along { moved[0] * c + moved[1] * s } else { moved[0].hypot(moved[1]) }
+    };
+    (-steps..=steps).map(of).fold(0.0, f64::max)
+}
+
+/// The same for forces of known direction, of which the worst point may lie anywhere in the zone.
+#[test]
+fn no_placement_beats_the_answer_under_a_known_force() {
+    let (mut feasible, mut compared, mut inside, mut loose) = (0, 0, 0, 0);
+    for seed in 0..200 {
+        let mut rng = fastrand::Rng::with_seed(7_000 + seed);
+        let arm = random_arm(&mut rng);
+        let reach = arm.l2 + arm.l3;
+        let zone = random_zone(&mut rng, reach);
+        let options = PlaceOptions { load: random_load(&mut rng), ..options(&mut rng, reach, 2e-3) };
+        let case = format!("seed {seed}: {arm:?} {zone:?} {options:?}");
+        let answer = match place(&arm, zone, &options) {
+            Ok(answer) => answer,
+            Err(error) => {
+                assert_eq!(error.to_string(), InvalidArm::NothingReachable.to_string(), "{case}");
+                continue;
+            }
+        };
+        let best = answer.feasible();
+        if let Some(best) = best {
+            feasible += 1;
+            let gap = best.deflection - best.lower_bound;
+            assert!(0.0 <= gap && 0.0 < best.lower_bound, "{case}: {best:?}");
+            loose += usize::from(1e-2 * best.deflection < gap);
+            if 2e-3 * best.deflection < gap {
+                println!(
+                    "LOOSE {seed} {:.4} {:.5} {:?} cone {:.2} {:?} {zone:?} whole {}",
+                    gap / best.deflection,
+                    best.deflection,
+                    options.orientation,
+                    options.load.cone(),
+                    options.load.component(),
+                    arm.shoulder.is_all() && arm.elbow.is_all()
+                );
+            }
+            let trial = Trial { centre: best.centre, angle: best.angle };
+            // Rings of the zone from its rim to its middle: none is worse than the answer, and one is nearly as bad.
+            let rings = (0..40).map(|i| (1.0 - 1e-6) * f64::from(40 - i) / 40.0);
+            let side = if best.elbow.name() == "up" { -1.0 } else { 1.0 };
+            let rings: Vec<f64> = rings
+                .map(|grown| {
+                    let held = held(&arm, &outline(zone, trial, grown), 1e-6);
+                    let of_side = |held: &&Vec<(f64, f64)>| held[0].1.sin() * side >= -1e-6;
+                    let postures = held.iter().find(of_side).unwrap_or_else(|| panic!("{case}: unreachable: {best:?}"));
+                    postures.iter().map(|&posture| directed(&arm, options.load, posture)).fold(0.0, f64::max)
+                })
+                .collect();
+            let most = rings.iter().copied().fold(0.0, f64::max) * FORCE;
+            inside += usize::from(rings[0] * FORCE < most * (1.0 - 1e-6));
+            assert!(most <= best.deflection * (1.0 + 1e-6), "{case}: {most} {best:?}");
+            // Steps of a few degrees around the zone and of a degree across the cone.
+            assert!(best.deflection * 0.985 <= most, "{case}: {most} {best:?}");
+        }
+        let floor = best.map_or(f64::INFINITY, |best| best.lower_bound);
+        for i in 0..120 {
+            let trial = match best {
+                Some(best) if i % 2 == 0 => {
+                    nudged(&mut rng, Trial { centre: best.centre, angle: best.angle }, reach, options.orientation)
+                }
+                _ => random_trial(&mut rng, reach, options.orientation),
+            };
+            let fits = stands_within(zone, trial, options.within.unwrap())
+                && brute(&arm, &outline(zone, trial, GROWN), 0.0).is_some();
+            if !fits {
+                continue;
+            }
+            compared += 1;
+            for postures in held(&arm, &outline(zone, trial, 1.0), 1e-12) {
+                let value = postures.iter().map(|&posture| directed(&arm, options.load, posture)).fold(0.0, f64::max);
+                // The witness sees points of the rim and steps of the cone alone, and may miss the worst by that much.
+                assert!(floor <= value * FORCE * 1.015, "{case}: {trial:?} has {value}, floor {floor}");
+            }
+        }
+    }
+    println!(
+        "{feasible} feasible ({loose} with a loose bound), {inside} with their worst point inside, {compared} placements compared"
+    );
+    assert!(100 <= feasible && 2_500 <= compared, "too few cases: {feasible}, {compared}");
+    // Arms folded onto their base or stretched, where small steps of the work turn them by much, and small zones at any angle.
+    assert!(loose <= feasible / 20, "{loose} of {feasible} are not proved");
+}
+
 #[test]
 fn no_placement_beats_the_answer_or_lies_under_its_bound() {
     let (mut feasible, mut infeasible, mut nothing, mut searched, mut compared) = (0, 0, 0, 0, 0);
@@ -220,26 +342,17 @@ fn no_placement_beats_the_answer_or_lies_under_its_bound() {
                 continue;
             }
         };
-        // A zone grown by twice the spacing of the samples: where all samples pass, the zone itself fits.
-        let grown = 1.0 + 2.0 * PI / SAMPLES as f64 * 0.5;
         let mut try_all = |floor: f64, around: Option<Trial>| {
             for i in 0..160 {
                 let trial = match around {
-                    Some(best) if i % 2 == 0 => {
-                        let step = reach * 0.3 * 10_f64.powf(-5.0 * rng.f64());
-                        let mut nudge = || step * (2.0 * rng.f64() - 1.0);
-                        let centre = [best.centre[0] + nudge(), best.centre[1] + nudge()];
-                        let angle =
-                            if options.orientation == Orientation::Free { best.angle + nudge() } else { best.angle };
-                        Trial { centre, angle }
-                    }
+                    Some(best) if i % 2 == 0 => nudged(&mut rng, best, reach, options.orientation),
                     _ => random_trial(&mut rng, reach, options.orientation),
                 };
                 if !stands_within(zone, trial, options.within.unwrap()) {
                     continue;
                 }
                 // Small zones are sampled as they are: their outline leaves the limits only at a corner or a sample.
-                if brute(&arm, &outline(zone, trial, grown), 0.0).is_some() {
+                if brute(&arm, &outline(zone, trial, GROWN), 0.0).is_some() {
                     let value = brute(&arm, &outline(zone, trial, 1.0), 1e-12);
                     compared += 1;
                     let value =

@@ -220,7 +220,7 @@ fn add_worst_bounds<const N: usize>(drives: &[(Affine<N>, Vector<N>); 6], bounds
 }
 
 /// Adds the sum of `k x^2`. A square lies above its tangents: that in the middle, and the one that is greatest at the worse end.
-fn add_squares<const N: usize>(moved: &[(Affine<N>, Affine<N>)], bounds: &mut NodeBounds<N>) {
+pub(crate) fn add_squares<const N: usize>(moved: &[(Affine<N>, Affine<N>)], bounds: &mut NodeBounds<N>) {
     bounds.values.push(squares(moved, |x| x.centre));
     bounds.values.push(squares(moved, |x: &Affine<N>| (x.centre.abs() - x.radius()).max(0.0).copysign(x.centre)));
 }

@@ -94,9 +94,6 @@ pub enum PlaceError {
         "a force fixed to the base points another way wherever the work stands about it; in a cell give it in axes of the tool"
     )]
     ForceInCell,
-    /// A force of known direction.
-    #[error("a force of known direction; in the arm plane a place is sought for the worst direction at every point")]
-    Directed,
     /// A force of which the planar model knows nothing.
     #[error(transparent)]
     Load(#[from] NotInPlane),

@@ -35,9 +35,10 @@ impl PartialOrd for Node {
     }
 }
 impl Ord for Node {
-    /// The heap hands out the greatest first: the least lower bound, of those the smallest box.
+    /// The heap hands out the greatest first: the least lower bound, of those the smallest box, or the largest where nothing is known.
     fn cmp(&self, other: &Self) -> Ordering {
-        other.lower.total_cmp(&self.lower).then(other.u.width().total_cmp(&self.u.width()))
+        let by_size = other.u.width().total_cmp(&self.u.width());
+        other.lower.total_cmp(&self.lower).then(if self.lower == 0.0 { by_size.reverse() } else { by_size })
     }
 }
 

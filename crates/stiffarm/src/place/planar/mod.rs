@@ -4,13 +4,16 @@
 
 mod boxes;
 mod clearance;
+mod directed;
 mod exact;
+mod objective;
 mod search;
 
 use nalgebra::Vector2;
 
 pub(crate) use exact::best_near;
 
+use objective::Objective;
 use search::Search;
 
 use super::{
@@ -18,6 +21,7 @@ use super::{
     check_zone,
 };
 use crate::interval::Interval;
+use crate::load::Sector;
 use crate::model::{ModelKind, PlanarModel};
 use crate::plane::{Elbow, ElbowSide, PlanarArm};
 use crate::task::Zone;
@@ -26,6 +30,8 @@ use crate::task::Zone;
 #[derive(Clone, Copy, Debug)]
 struct Question {
     force: f64,
+    /// Which way it may push; the worst at every point where `None`.
+    sector: Option<Sector>,
     orientation: Orientation,
     within: Within,
     gap: f64,
@@ -68,12 +74,14 @@ pub(super) fn deflection_field(
     placement: &Placement,
     points: impl IntoIterator<Item = [f64; 2]>,
 ) -> Vec<ZonePoint> {
-    let ([x, z], [ahead, up], sigma) = (placement.centre, model.axis_from_base, model.arm.radial());
+    let ([x, z], [ahead, up]) = (placement.centre, model.axis_from_base);
+    let sector = options.load.sector().expect("a load under which the zone has its place");
+    let objective = Objective::new(&model.arm, sector);
     let at = |point: [f64; 2]| {
         let moved = turned(point.into(), placement.angle);
         let at = [x + moved.x, model.aside(), z + moved.y];
-        let from_axis_2 = (at[0] - ahead).hypot(at[2] - up);
-        ZonePoint { at, deflection: Some(sigma.at(from_axis_2) * options.load.newtons()) }
+        let from_axis_2 = Vector2::new(at[0] - ahead, at[2] - up);
+        ZonePoint { at, deflection: Some(objective.at(placement.elbow, from_axis_2) * options.load.newtons()) }
     };
     points.into_iter().map(at).collect()
 }
@@ -90,9 +98,7 @@ impl<'a> Allowed<'a> {
         if options.stance.is_some() {
             return Err(PlaceError::Inapplicable { what: "a direction of the tool", model: "spatial" });
         }
-        if options.load.sector()?.is_some() {
-            return Err(PlaceError::Directed);
-        }
+        let sector = options.load.sector()?;
         if options.cell.is_some() {
             return Err(PlaceError::Inapplicable { what: "a cell", model: "spatial" });
         }
@@ -105,6 +111,7 @@ impl<'a> Allowed<'a> {
         let sides = if is_narrower { model.arm.sides_clear(limit, singular) } else { model.sides.clone() };
         let question = |within: Within| Question {
             force: options.load.newtons(),
+            sector,
             orientation: options.orientation,
             within: within.seen_from(model.axis_from_base),
             gap,

@@ -12,19 +12,27 @@ use nalgebra::Vector2;
 use super::boxes::{
     BOX_SLACK, Node, core, corners, cosine_over, hull, least_half_extents, least_span, meets, product, split,
 };
+use super::directed::Effort;
+use super::objective::{Distances, Objective, Spot, Worst};
 use super::{Orientation, PlaceError, Question, Solution, Within, exact, turned};
 use crate::interval::Interval;
-use crate::plane::{ElbowSide, PlanarArm, RadialCompliance, SLACK, Shape};
+use crate::plane::{ElbowSide, PlanarArm, SLACK, Shape};
 use crate::task::Zone;
 
 /// Boxes after which a search gives up.
 const MOST_BOXES: usize = 1_000_000;
+/// The same under a known force, where each box costs more; the answer then tells the bound that was reached.
+const MOST_BOXES_DIRECTED: usize = 50_000;
 /// The same where only the largest scale is sought: so near to what fits a proof costs most and matters least.
 const MOST_BOXES_FOR_SCALE: usize = 50_000;
 /// Relative allowance for the rounding of a bound.
 const ROUNDING: f64 = 1e-12;
+/// Places along each side of a box that are tried before a search under a known force.
+const GRID: usize = 15;
 /// Steps from a place towards one that keeps the limits.
 const MOST_STEPS: usize = 5;
+/// Worst points of the last best places that are kept for comparing others.
+const MOST_WORST: usize = 12;
 /// Sides below which a box is a point.
 const POINT: f64 = 1e-15;
 
@@ -32,9 +40,8 @@ const POINT: f64 = 1e-15;
 #[derive(Clone, Copy, Debug)]
 struct Found {
     compliance: f64,
-    side: usize,
-    centre: Vector2<f64>,
-    turn: f64,
+    worst: Vector2<f64>,
+    spot: Spot,
 }
 
 impl Found {
@@ -46,7 +53,7 @@ impl Found {
 
     /// How far the centre lies from straight ahead, rad.
     fn bearing(&self) -> f64 {
-        let centre = turned(self.centre, self.turn);
+        let centre = turned(self.spot.centre, self.spot.turn);
         centre.y.atan2(centre.x).abs()
     }
 }
@@ -56,12 +63,13 @@ pub(super) struct Search<'a> {
     arm: &'a PlanarArm,
     sides: &'a [ElbowSide],
     options: &'a Question,
-    sigma: RadialCompliance,
+    objective: Objective,
 }
 
 impl<'a> Search<'a> {
     pub(super) fn new(arm: &'a PlanarArm, sides: &'a [ElbowSide], options: &'a Question) -> Self {
-        Self { arm, sides, options, sigma: arm.radial() }
+        let objective = Objective::new(arm, options.sector);
+        Self { arm, sides, options, objective }
     }
 
     /// The best place to the gap asked for; `None` is a proof that there is no place.
@@ -84,15 +92,20 @@ impl<'a> Search<'a> {
                 return Some(true);
             }
             if POINT <= node.u.width().max(node.v.width()) {
-                queue.extend(split(node).into_iter().filter(|half| self.bound(zone, half, f64::INFINITY).is_some()));
+                queue.extend(
+                    split(node).into_iter().filter(|half| self.bound(zone, half, f64::INFINITY, &[]).is_some()),
+                );
             }
         }
         None
     }
 
-    /// The best place and a lower bound, `gap` apart at most.
+    /// The best place and a lower bound, `gap` apart at most; under a known force as near as so many boxes prove.
     fn run(&self, zone: Zone, gap: f64) -> Result<Option<(Found, f64)>, PlaceError> {
         let (mut best, mut queue) = self.seeds(zone);
+        // Points at which places are compared: some of the zone, the worst of the places that were the best so far, and one of each box.
+        let mut samples = self.objective.samples(zone);
+        let evenly = samples.len();
         let mut boxes = 0;
         while let Some(node) = queue.pop() {
             let upper = best.map_or(f64::INFINITY, |found| found.compliance);
@@ -101,30 +114,51 @@ impl<'a> Search<'a> {
                 return Ok(best.map(|found| (found, lower)));
             }
             boxes += 1;
+            if let Some(found) = best
+                && !self.objective.is_radial()
+                && MOST_BOXES_DIRECTED < boxes
+            {
+                return Ok(Some((found, node.lower)));
+            }
             if MOST_BOXES < boxes {
                 let force = self.options.force;
                 return Err(PlaceError::Unfinished { nodes: boxes, lower: node.lower * force, upper: upper * force });
             }
             // Once a place is known, sets of turns have too many boxes for more than a look at the middle.
-            let found = if best.is_none() || node.turn.width() == 0.0 {
+            let spot = if best.is_none() || node.turn.width() == 0.0 {
                 self.near_middle(zone, &node)
             } else {
-                self.judge(zone, node.side, Vector2::new(node.u.middle(), node.v.middle()), node.turn)
+                self.stands(zone, node.side, Vector2::new(node.u.middle(), node.v.middle()), node.turn)
             };
-            if let Some(found) = found
-                && found.compliance < upper
-            {
-                best = Some(self.polish(zone, found, node));
+            if let Some(found) = spot.and_then(|spot| self.judge(zone, spot, upper)) {
+                let found = self.polish(zone, found, node);
+                samples.push(found.worst - found.spot.centre);
+                if evenly + MOST_WORST < samples.len() {
+                    samples.remove(evenly);
+                }
+                best = Some(found);
             }
             let upper = best.map_or(f64::INFINITY, |found| found.compliance);
             if node.u.width().max(node.v.width()) < POINT {
                 continue;
             }
+            let evenly_and_worst = samples.len();
+            if !self.objective.is_radial() {
+                let centre = Vector2::new(node.u.middle(), node.v.middle());
+                let (Ok(bad) | Err(bad)) = self.worst(
+                    zone,
+                    &Spot { side: node.side, centre, turn: node.turn.middle() },
+                    upper,
+                    Effort::SEARCH,
+                );
+                samples.push(bad.point - centre);
+            }
             for half in split(node) {
-                if let Some(lower) = self.bound(zone, &half, upper) {
+                if let Some(lower) = self.bound(zone, &half, upper, &samples) {
                     queue.push(Node { lower: lower.max(node.lower), ..half });
                 }
             }
+            samples.truncate(evenly_and_worst);
         }
         Ok(best.map(|found| (found, found.compliance)))
     }
@@ -133,21 +167,30 @@ impl<'a> Search<'a> {
     fn seeds(&self, zone: Zone) -> (Option<Found>, BinaryHeap<Node>) {
         let mut best: Option<Found> = None;
         let mut queue = BinaryHeap::new();
+        let sigma = self.arm.radial();
         for (i, side) in self.sides.iter().enumerate() {
-            let stances = exact::stances(&self.sigma, side.ring, zone);
+            let stances = exact::stances(&sigma, side.ring, zone);
             let Some(first) = stances.first() else {
                 continue;
             };
-            for node in self.roots(zone, i, first.compliance * (1.0 - ROUNDING)) {
+            let lower = if self.objective.is_radial() { first.compliance * (1.0 - ROUNDING) } else { 0.0 };
+            for node in self.roots(zone, i, lower) {
                 for stance in &stances {
                     let unit = if stance.across { Vector2::y() } else { Vector2::x() };
                     for sign in [1.0, -1.0] {
-                        if let Some(found) = self.judge(zone, i, sign * stance.distance * unit, node.turn)
+                        let spot = self.stands(zone, i, sign * stance.distance * unit, node.turn);
+                        let found = spot.and_then(|spot| self.judge(zone, spot, f64::INFINITY));
+                        if let Some(found) = found
                             && best.is_none_or(|best| found.beats(&best))
                         {
                             best = Some(found);
                         }
                     }
+                }
+                if let Some(found) = self.best_of_grid(zone, &node)
+                    && best.is_none_or(|best| found.beats(&best))
+                {
+                    best = Some(found);
                 }
                 queue.push(node);
             }
@@ -155,12 +198,36 @@ impl<'a> Search<'a> {
         (best, queue)
     }
 
+    /// The best of places at even steps through a box, under a known force, of which boxes tell little while they are large.
+    fn best_of_grid(&self, zone: Zone, node: &Node) -> Option<Found> {
+        let steps = |range: Interval| {
+            let count = if range.width() == 0.0 { 1 } else { GRID };
+            (0..count).map(move |i| range.min() + range.width() * (i as f64 + 0.5) / count as f64)
+        };
+        if self.objective.is_radial() {
+            return None;
+        }
+        let mut best: Option<Found> = None;
+        for turn in steps(node.turn) {
+            for u in steps(node.u) {
+                for v in steps(node.v) {
+                    let upper = best.map_or(f64::INFINITY, |found| found.compliance);
+                    let spot = self.stands(zone, node.side, Vector2::new(u, v), Interval::point(turn));
+                    best = spot.and_then(|spot| self.judge(zone, spot, upper)).or(best);
+                }
+            }
+        }
+        let step = Interval::spanning(0.0, node.u.width() / GRID as f64);
+        best.map(|found| self.polish(zone, found, Node { u: step, ..*node }))
+    }
+
     /// Boxes that hold every place worth looking at on one side.
     fn roots(&self, zone: Zone, side: usize, lower: f64) -> Vec<Node> {
         let far = self.sides[side].ring.max();
         let across = Interval::spanning(-far, far);
         let half = Interval::spanning(0.0, far);
-        let free = self.options.within == Within::ANYWHERE;
+        // A known force tells one bearing from another.
+        let free = self.options.within == Within::ANYWHERE && self.objective.is_radial();
         let turns = |first: f64, last: f64| Interval::spanning(first, last);
         let boxes: Vec<(Interval, Interval, Interval)> = match (zone, self.options.orientation) {
             (Zone::Circle { .. }, _) if free => {
@@ -204,11 +271,13 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Judges one place with the best of the turns it may take; `None` where the zone does not fit there.
-    fn judge(&self, zone: Zone, side: usize, centre: Vector2<f64>, turns: Interval) -> Option<Found> {
+    /// A place with the best of the turns it may take; `None` where the zone does not fit there.
+    fn stands(&self, zone: Zone, side: usize, centre: Vector2<f64>, turns: Interval) -> Option<Spot> {
         let shape = zone.shape(centre);
-        let compliance = self.fits_ring(side, &shape)?;
         let side_limits = &self.sides[side];
+        if !self.fits_ring(side_limits, &shape) {
+            return None;
+        }
         let allowed = if side_limits.is_whole_ring() {
             Interval::ALL
         } else {
@@ -222,20 +291,30 @@ impl<'a> Search<'a> {
             // Any turn: the zone stands as nearly straight ahead as the limits allow.
             straight_ahead(allowed, -centre.y.atan2(centre.x))
         };
-        self.stands_within(zone, centre, turn).then_some(Found { compliance, side, centre, turn })
+        self.stands_within(zone, centre, turn).then_some(Spot { side, centre, turn })
+    }
+
+    /// The largest compliance inside a zone that stands somewhere; `None` where it is not below `upper`.
+    fn judge(&self, zone: Zone, spot: Spot, upper: f64) -> Option<Found> {
+        let Worst { compliance, point } = self.worst(zone, &spot, upper, Effort::SEARCH).ok()?;
+        Some(Found { compliance, worst: point, spot })
+    }
+
+    fn worst(&self, zone: Zone, spot: &Spot, upper: f64, effort: Effort) -> Result<Worst, Worst> {
+        self.objective.worst(self.sides[spot.side].elbow, zone, spot, upper, effort)
     }
 
     /// The place in the middle of a box, or, where that misses a limit, one near it that keeps all of them.
     ///
     /// Limits that leave a sliver are rarely met by chance.
-    fn near_middle(&self, zone: Zone, node: &Node) -> Option<Found> {
+    fn near_middle(&self, zone: Zone, node: &Node) -> Option<Spot> {
         let middle = Vector2::new(node.u.middle(), node.v.middle());
         let mut centre = middle;
         for _ in 0..MOST_STEPS {
-            let found = self.judge(zone, node.side, centre, node.turn);
+            let spot = self.stands(zone, node.side, centre, node.turn);
             // Of many turns the limits choose the best themselves; farther away another box has its middle.
-            if found.is_some() || PI <= node.turn.width() {
-                return found;
+            if spot.is_some() || PI <= node.turn.width() {
+                return spot;
             }
             centre = self.towards_limits(zone, node, centre)?;
             if 2.0 * node.u.width().max(node.v.width()) < (centre - middle).norm() {
@@ -271,13 +350,11 @@ impl<'a> Search<'a> {
         Some(centre + self.arm.l3 * missing_forearm * across(shoulder + elbow))
     }
 
-    /// The largest compliance over a figure, where it lies in the ring of the side and leaves the axis outside.
-    fn fits_ring(&self, side: usize, shape: &Shape) -> Option<f64> {
-        let ring = self.sides[side].ring;
+    /// The figure lies in the ring of the side and leaves the axis outside.
+    fn fits_ring(&self, side: &ElbowSide, shape: &Shape) -> bool {
         let (near, far) = (shape.nearest().norm(), shape.farthest().norm());
         let slack = SLACK * self.arm.l2;
-        (ring.min() - slack <= near && far <= ring.max() + slack && !shape.covers_origin(slack))
-            .then(|| self.sigma.at(near).max(self.sigma.at(far)))
+        side.ring.min() - slack <= near && far <= side.ring.max() + slack && !shape.covers_origin(slack)
     }
 
     fn stands_within(&self, zone: Zone, centre: Vector2<f64>, turn: f64) -> bool {
@@ -288,8 +365,9 @@ impl<'a> Search<'a> {
         inside(x, centre.x, half.x) && inside(z, centre.y, half.y)
     }
 
-    /// A lower bound on the compliance of every place in a box; `None` where none of them is allowed or beats `upper`.
-    fn bound(&self, zone: Zone, node: &Node, upper: f64) -> Option<f64> {
+    /// A lower bound on the compliance of every place in a box, under a known force by comparing places at some points of the zone; `None`
+    /// where none of them is allowed or beats `upper`.
+    fn bound(&self, zone: Zone, node: &Node, upper: f64, samples: &[Vector2<f64>]) -> Option<f64> {
         let side = &self.sides[node.side];
         let slack = BOX_SLACK * self.arm.l2;
         // Nearest and farthest distance grow with |u| and |v|.
@@ -300,17 +378,18 @@ impl<'a> Search<'a> {
         if near_max < side.ring.min() - slack || side.ring.max() + slack < far_min || last.covers_origin(slack) {
             return None;
         }
-        let near = self.sigma.least(near_min.max(side.ring.min()), near_max);
-        let far = self.sigma.least(far_min, far_max.min(side.ring.max()));
-        let lower = near.max(far) * (1.0 - ROUNDING);
-        if upper <= lower
+        let distances =
+            Distances { near: [near_min.max(side.ring.min()), near_max], far: [far_min, far_max.min(side.ring.max())] };
+        let by_distance = self.objective.least_by_distance(&distances);
+        if upper <= by_distance
             || !self.may_stand_within(zone, node)
             || !self.may_turn(zone, node, side)
             || !self.may_be_so_wide(zone, node, side)
         {
             return None;
         }
-        Some(lower)
+        let lower = self.objective.least(by_distance, side.elbow, node, samples);
+        (lower < upper).then_some(lower)
     }
 
     /// Can the absolute angles stay within their limits for any place in the box?
@@ -382,21 +461,28 @@ impl<'a> Search<'a> {
         may(x, centre_x, half.x) && may(z, centre_z, half.y)
     }
 
-    /// Walks downhill from a place along the axes and diagonals with ever shorter steps.
+    /// Walks downhill from a place along the axes and diagonals, and under a known force along what turns are left, with ever shorter steps.
     fn polish(&self, zone: Zone, start: Found, node: Node) -> Found {
         let mut best = start;
         let mut step = node.u.width().max(node.v.width()) / 2.0;
+        let may_turn = !self.objective.is_radial() && 0.0 < node.turn.width();
         let turns = if node.turn.width() < PI { Interval::point(node.turn.middle()) } else { node.turn };
         while self.options.gap * 1e-2 * self.arm.l2 < step {
             let before = best.compliance;
+            let try_at = |best: &mut Found, centre: Vector2<f64>, turns: Interval| {
+                let spot = self.stands(zone, start.spot.side, centre, turns);
+                *best = spot.and_then(|spot| self.judge(zone, spot, best.compliance)).unwrap_or(*best);
+            };
             for (du, dv) in [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1)] {
-                let moved = best.centre + step * Vector2::new(f64::from(du), f64::from(dv));
+                let moved = best.spot.centre + step * Vector2::new(f64::from(du), f64::from(dv));
                 let moved = if node.v == Interval::point(0.0) { Vector2::new(moved.x, 0.0) } else { moved };
-                if let Some(found) = self.judge(zone, start.side, moved, turns)
-                    && found.compliance < best.compliance
-                {
-                    best = found;
-                }
+                let turns = if may_turn { Interval::point(best.spot.turn) } else { turns };
+                try_at(&mut best, moved, turns);
+            }
+            for by in [step, -step].into_iter().filter(|_| may_turn).map(|step| step / self.arm.l2) {
+                // The zone turns about its centre, which in its own axes goes the other way.
+                let (centre, turn) = (turned(best.spot.centre, -by), best.spot.turn + by);
+                try_at(&mut best, centre, Interval::point(turn));
             }
             if best.compliance == before {
                 step /= 2.0;
@@ -406,18 +492,18 @@ impl<'a> Search<'a> {
     }
 
     fn report(&self, zone: Zone, found: Found, lower: f64) -> Solution {
-        let shape = zone.shape(found.centre);
-        let (near, far) = (shape.nearest(), shape.farthest());
-        let worst = if self.sigma.at(near.norm()) <= self.sigma.at(far.norm()) { far } else { near };
-        let side = &self.sides[found.side];
+        let (Ok(found_well) | Err(found_well)) = self.worst(zone, &found.spot, f64::INFINITY, Effort::ANSWER);
+        let found = Found { compliance: found_well.compliance, worst: found_well.point, ..found };
+        let Spot { side, centre, turn } = found.spot;
+        let side = &self.sides[side];
         // A quarter turn leaves a trace of rounding in what is zero.
         let clean = |v: Vector2<f64>| v.map(|x| if x.abs() < 1e-12 { 0.0 } else { x });
-        let worst = clean(turned(worst, found.turn));
+        let worst = clean(turned(found.worst, turn));
         let (shoulder, elbow) = side.posture(worst).unwrap_or_else(|| side.posture_near(worst));
-        let centre = clean(turned(found.centre, found.turn));
+        let centre = clean(turned(centre, turn));
         let angle = match zone {
             Zone::Circle { .. } => 0.0,
-            Zone::Rectangle { .. } => found.turn.rem_euclid(PI),
+            Zone::Rectangle { .. } => turn.rem_euclid(PI),
         };
         Solution {
             deflection: found.compliance * self.options.force,
