@@ -12,7 +12,7 @@ from ._answers import Compliance, Compliances, Map, Placement, Ranking, Study
 from ._given import RobotLike
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
-from .types import ComplianceOptions, MapOptions, PlaceOptions, RankOptions, RobotsOptions, StudyOptions
+from .types import ComplianceOptions, MapOptions, PlaceOptions, PlacementDict, RankOptions, RobotsOptions, StudyOptions
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -135,7 +135,7 @@ def place(robot: RobotLike, *, task: str, progress: ProgressLike = None, **optio
         return Placement(*_stiffarm.place(*asked, tell), asked)
 
 
-def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> dict[str, object]:
+def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> PlacementDict:
     """One placement as a plain dict: what a worker on another machine computes and sends back.
 
     Robots, options and the answer can all be pickled.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import cycle
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -15,6 +15,8 @@ from ._answers import Compliance, Map, Placement, Ranking, Study
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.colors import Colormap
+
+    from .types import RankingRow, StudyRow
 
 __all__ = ["compliance", "map", "place", "ranking", "study"]
 
@@ -164,7 +166,7 @@ def _draw_base(ax: Axes, arm: list[list[float]]) -> None:
     ax.plot([0, 0, x], [0, z, z], color=_COLOUR["base"], linewidth=8, solid_joinstyle="round", zorder=3)
 
 
-def _draw_zone(ax: Axes, zone: dict[str, Any], shown: dict[str, Any]) -> None:
+def _draw_zone(ax: Axes, zone: Mapping[str, Any], shown: dict[str, Any]) -> None:
     from matplotlib.patches import Circle, Rectangle
 
     (width, height), (x, z) = shown["zone_sides_m"], (zone["x_m"], zone["z_m"])
@@ -354,7 +356,7 @@ def ranking(
     return axes[0] if len(axes) == 1 else np.asarray(axes, dtype=object)
 
 
-def _named(row: dict[str, Any]) -> str:
+def _named(row: RankingRow) -> str:
     return f"{row['robot']}" + (" ~" if row["status"] == "estimated" else "")
 
 
@@ -362,17 +364,17 @@ def _looks(result: Ranking) -> list[tuple[str, int] | None]:
     return _stiffarm.looks([(row["robot"], row["architecture"]) for row in result.rows])
 
 
-def _bars(ax: Axes, rows: list[dict[str, Any]], looks: list[Any], task: int, scale: Scale | None) -> None:
+def _bars(ax: Axes, rows: list[RankingRow], looks: list[Any], task: int, scale: Scale | None) -> None:
     found = [row["cells"][task] for row in rows]
-    known = [cell["deflection_mm"] for cell in found if cell.get("deflection_mm") is not None]
-    tolerance = next((cell["tolerance_mm"] for cell in found if cell.get("tolerance_mm") is not None), None)
+    known = [cell["deflection_mm"] for cell in found if cell["deflection_mm"] is not None]
+    tolerance = next((cell["tolerance_mm"] for cell in found if cell["tolerance_mm"] is not None), None)
     most = max(known, default=1.0)
     # A tolerance far above all bars would press them flat.
     seen = tolerance if tolerance is not None and tolerance <= 2 * most else None
     low, high = scale or (0.0, max(most, seen or 0.0))
     room = 0.24 * (high - low)
     for number, (row, look, cell) in enumerate(zip(rows, looks, found)):
-        value = cell.get("deflection_mm")
+        value = cell["deflection_mm"]
         if value is None:
             ax.text(low + 0.02 * room, number, "does not fit", va="center", fontsize="small", color=_COLOUR["grey"])
             continue
@@ -380,7 +382,7 @@ def _bars(ax: Axes, rows: list[dict[str, Any]], looks: list[Any], task: int, sca
         alpha = 0.3 if row["status"] == "estimated" else 1.0
         ax.barh(number, min(value, high) - low, left=low, height=0.6, color=colour, alpha=alpha, label=_named(row))
         ax.barh(number, min(value, high) - low, left=low, height=0.6, facecolor="none", edgecolor=colour, linewidth=1)
-        bound = cell.get("lower_bound_mm")
+        bound = cell["lower_bound_mm"]
         if bound is not None and low <= bound <= high:
             ax.plot([bound, bound], [number - 0.3, number + 0.3], color=_COLOUR["limit"], linewidth=2)
         if look is not None:
@@ -416,7 +418,7 @@ def study(result: Study, *, task: str | None = None, ax: Axes | None = None) -> 
     rows = [row for row in result.rows if row["task"] == task]
     if not rows:
         raise KeyError(task)
-    lines: dict[tuple[tuple[Any, ...], float | None], list[dict[str, Any]]] = {}
+    lines: dict[tuple[tuple[Any, ...], float | None], list[StudyRow]] = {}
     for row in rows:
         who = (row["architecture"], row["k2"], row["k3"])
         lines.setdefault((who, None if row["best"] else row["mu_l3_over_l2"]), []).append(row)
