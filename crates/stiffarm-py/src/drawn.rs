@@ -3,7 +3,7 @@
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use serde_json::json;
-use stiffarm::answer::{MapAnswer, PlaceAnswer};
+use stiffarm::answer::{MapAnswer, PlaceAnswer, stiffness, words};
 use stiffarm::map::{Spacing, map_watched};
 use stiffarm::model::{ArmPosture, Model};
 use stiffarm::place::{Placement, deflection_field, place_task_watched};
@@ -28,7 +28,8 @@ pub(crate) fn drawn_place<'py>(
     asked: Asked,
     size: usize,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyArray2<f64>>)> {
-    let (robot, asked) = (&robot.0, asked.with(Verb::Place, &[("task", wanted_task)])?);
+    let asked = asked.with(Verb::Place, &[("task", wanted_task)])?;
+    let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
     let (task, kind) = (asked.task().map_err(refused)?, asked.model());
     let options = asked.place_options(Some(task.zone)).map_err(refused)?;
     let (shown, drawn) = detached(py, &None, |watch| {
@@ -45,7 +46,7 @@ pub(crate) fn drawn_place<'py>(
         let drawn = MapAnswer { model, options, map, zone: None };
         let shown = json!({
             "title": robot.full_name(),
-            "subtitle": format!("{}, {}; {} model", robot.architecture, robot.status, drawn.model.kind().name()),
+            "subtitle": format!("{}; {}, {} model", words::class(robot), stiffness(robot), drawn.model.kind().name()),
             "arm_m": points.into_iter().map(|[x, _, z]| [x, z]).collect::<Vec<_>>(),
             "knows_base": drawn.model.knows_base(),
             "rim_m": rim.iter().map(|point| [point.at[0], point.at[2]]).collect::<Vec<_>>(),

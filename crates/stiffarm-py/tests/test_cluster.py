@@ -706,6 +706,9 @@ def test_an_estimated_robot_wins_nowhere_unmarked(done):
     names = [label.get_text() for label in ax.get_yticklabels()]
     assert "ABB IRB 6400 2.4-200~" in names and "KUKA KR 210 R2700 extra" in names and "[mm]" in ax.get_xlabel()
     plt.close(ax.figure)
+    ax = done.plot(most=2)
+    assert len(ax.get_yticks()) == 2 and "the first 2 of 4 robots" in ax.get_title(loc="left")
+    plt.close(ax.figure)
     with pytest.raises(KeyError):
         done.plot(task="B:7")
 

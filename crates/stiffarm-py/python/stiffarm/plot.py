@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.colors import Colormap
 
-    from .types import RankingRow, StudyRow
+    from .types import ComplianceDict, Placed, RankingRow, StudyRow
 
 __all__ = ["compliance", "map", "place", "ranking", "study"]
 
@@ -251,6 +251,8 @@ def place(
         raise ValueError("plot.place draws what stiffarm.place has returned; of a ranking, place the robot once more")
     if not result.feasible:
         raise ValueError(f"{result.robot}: no place for {result.task} to draw: {result.reason}")
+    if result.faces:
+        raise ValueError(f"{result.robot}: pictures show one flat zone; faces= takes one face of {result.task}")
     shown, cells = _stiffarm.drawn_place(*asked, size)
     ax = _axes(ax)
     x, z = np.asarray(shown["x_m"]), np.asarray(shown["z_m"])
@@ -292,7 +294,8 @@ def compliance(result: Compliance, *, ax: Axes | None = None) -> Axes:
     ax.set_xlabel(f"part of {worst:.3f} µm/N in the worst direction ({direction}) [µm/N]")
     angles = ", ".join(f"{angle:g}" for angle in result.joints_deg)
     tool = ", ".join(f"{length:.3f}" for length in result.tcp_m)
-    ax.set_title(f"{result.robot}\njoints as reported {angles} deg; tool point {tool} m", fontsize="medium", loc="left")
+    told = f"{result.robot}; {_stiffness([result.to_dict()])}\njoints as reported {angles} deg; tool point {tool} m"
+    ax.set_title(told, fontsize="medium", loc="left")
     return ax
 
 
@@ -347,13 +350,23 @@ def ranking(
         if number == 0 or ax is not None:
             one.set_yticks(range(len(rows)), [_named(row) for row in rows])
         one.set_ylim(len(rows) - 0.4, -0.6)
-    title = f"Worst deflection at the best place, {result.force_n:g} N, {result.model} model"
+    title = f"Worst deflection at the best place, {result.force_n:g} N, {result.model} model; {_stiffness(rows)}"
     chosen = "" if len(rows) == len(result.rows) else f"; the first {len(rows)} of {len(result.rows)} robots"
     if ax is None:
         axes[0].figure.suptitle(title + chosen, fontsize="medium", x=0.01, ha="left")
     told = "proved: no place has less than at the black tick; ~ and pale: estimated"
     axes[-1].set_xlabel(told, fontsize="x-small", loc="right")
     return axes[0] if len(axes) == 1 else np.asarray(axes, dtype=object)
+
+
+def _stiffness(rows: Sequence[RankingRow | Placed | ComplianceDict]) -> str:
+    """Who says how stiff the drives are: what every deflection rests on."""
+    assumed = sum(row["stiffness_source"] == "assumed" for row in rows)
+    if assumed == len(rows):
+        return "stiffness of the drives assumed"
+    if assumed:
+        return f"stiffness of the drives assumed of {assumed} of {len(rows)} robots"
+    return "stiffness of the drives: " + " and ".join(sorted({row["stiffness_source"] for row in rows}))
 
 
 def _named(row: RankingRow) -> str:
@@ -365,6 +378,8 @@ def _looks(result: Ranking) -> list[tuple[str, int] | None]:
 
 
 def _bars(ax: Axes, rows: list[RankingRow], looks: list[Any], task: int, scale: Scale | None) -> None:
+    from matplotlib.patheffects import withStroke
+
     found = [row["cells"][task] for row in rows]
     known = [cell["deflection_mm"] for cell in found if cell["deflection_mm"] is not None]
     tolerance = next((cell["tolerance_mm"] for cell in found if cell["tolerance_mm"] is not None), None)
@@ -390,7 +405,9 @@ def _bars(ax: Axes, rows: list[RankingRow], looks: list[Any], task: int, scale: 
             rim = colour if fill != colour else _COLOUR["paper"]
             ax.plot(low + 0.08 * room, number, _MARKS[look[1]], markersize=5, color=fill, markeredgecolor=rim)
         beyond = "» " if value > high else ""
-        ax.text(min(value, high) + 0.06 * room, number, f"{beyond}{value:.3f}", va="center", fontsize="small")
+        words = ax.text(min(value, high) + 0.06 * room, number, f"{beyond}{value:.3f}", va="center", fontsize="small")
+        # It is read where the line of the tolerance runs through it, too.
+        words.set_path_effects([withStroke(linewidth=3, foreground=str(_COLOUR["paper"]))])
     if seen is not None and low <= seen <= high:
         ax.axvline(seen, color=_COLOUR["tolerance"], linestyle="-.", linewidth=1.4, label=f"tolerance {seen:g} mm")
     ax.set_xlim(low, high + room)

@@ -327,7 +327,9 @@ class Sweep:
         model = self._question.options["model"]
         return Order({"tasks": labels, "model": model, "force_n": self._question.forces_n[0], "rows": rows})
 
-    def plot(self, *, task: str | None = None, force_n: float | None = None, ax: Axes | None = None) -> Axes:
+    def plot(
+        self, *, task: str | None = None, force_n: float | None = None, ax: Axes | None = None, most: int = 24
+    ) -> Axes:
         """How often each robot wins one task, beside the 5 to 95 % of its deflection; estimated robots ~ and pale.
 
         Parameters
@@ -338,6 +340,8 @@ class Sweep:
             One of the forces [N]; the first without it.
         ax : matplotlib Axes, optional
             Where to draw; a new figure without it.
+        most : int
+            So many robots are drawn, the first ones.
         """
         from ..plot import _COLOUR, _axes
 
@@ -346,7 +350,9 @@ class Sweep:
         rows = [row for row in self.wins().rows if (row["task"], row["force_n"]) == (task, force_n)]
         if not rows:
             raise KeyError((task, force_n))
-        ax = _axes(ax)
+        left_out = len(rows) - max(most, 1)
+        rows = rows[: max(most, 1)]
+        ax = _axes(ax, figsize=(6.8, 1.6 + 0.27 * len(rows)))
         names = []
         for y, row in enumerate(rows):
             names.append(_name(row))
@@ -364,6 +370,7 @@ class Sweep:
         ax.margins(x=0.15)
         ax.set_xlabel("worst deflection at the best place [mm]: median, 5 to 95 %")
         about = f"%: the stiffest of {rows[0]['scenarios']} scenarios" + ("; ~ estimated" if "~" in "".join(names) else "")
+        about += f"; the first {len(rows)} of {len(rows) + left_out} robots" if 0 < left_out else ""
         ax.set_title(f"Task {task} under {force_n:g} N\n{about}", fontsize="medium", loc="left")
         return ax
 
