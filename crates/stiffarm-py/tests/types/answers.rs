@@ -1,5 +1,6 @@
 //! What comes out, as the type checker sees it: the keys of answers of every kind, and what stands under them.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use serde_json::Value;
@@ -8,11 +9,8 @@ use stiffarm::answer::field::{self, Field, Kind};
 /// What was seen under one key, in any answer.
 #[derive(Default)]
 pub(crate) struct Seen {
-    is_null: bool,
-    is_text: bool,
-    is_truth: bool,
-    is_count: bool,
-    is_number: bool,
+    /// Plain values by their types in Python, but for float and int: a number is an int where no other was seen.
+    plain: BTreeSet<&'static str>,
     items: Option<Box<Seen>>,
     fields: Option<Fields>,
 }
@@ -50,34 +48,34 @@ impl Fields {
 
 impl Seen {
     fn see(&mut self, value: &Value) {
-        match value {
-            Value::Null => self.is_null = true,
-            Value::Bool(_) => self.is_truth = true,
-            Value::String(_) => self.is_text = true,
-            Value::Number(number) if number.is_f64() => self.is_number = true,
-            Value::Number(_) => self.is_count = true,
+        let plain = match value {
+            Value::Null => "None",
+            Value::Bool(_) => "bool",
+            Value::String(_) => "str",
+            Value::Number(number) if number.is_f64() => "float",
+            Value::Number(_) => "int",
             Value::Array(items) => {
                 let seen = self.items.get_or_insert_default();
-                items.iter().for_each(|item| seen.see(item));
+                for item in items {
+                    seen.see(item);
+                }
+                return;
             }
-            Value::Object(_) => self.fields.get_or_insert_default().see(value),
-        }
+            Value::Object(_) => return self.fields.get_or_insert_default().see(value),
+        };
+        self.plain.insert(plain);
     }
 
     /// As Python writes it; objects by the name that `named` gives them.
     fn python(&self, named: &str) -> String {
-        let mut kinds: Vec<String> = Vec::new();
-        let mut add = |is: bool, kind: &str| kinds.extend(is.then(|| kind.to_owned()));
-        add(self.is_text, "str");
-        add(self.is_truth, "bool");
-        add(self.is_count && !self.is_number, "int");
-        add(self.is_number, "float");
-        add(self.fields.is_some(), named);
-        if let Some(items) = &self.items {
-            add(true, &format!("list[{}]", items.python(named)));
-        }
-        add(self.is_null, "None");
-        kinds.join(" | ")
+        let has = |kind: &&str| self.plain.contains(kind);
+        let plain = ["str", "bool", "int", "float"].into_iter().filter(has);
+        // What is told as 1 in one answer and as 0.5 in another is a number.
+        let plain = plain.filter(|kind| *kind != "int" || !has(&"float")).map(str::to_owned);
+        let object = self.fields.as_ref().map(|_| named.to_owned());
+        let list = self.items.as_ref().map(|items| format!("list[{}]", items.python(named)));
+        let none = has(&"None").then(|| "None".to_owned());
+        plain.chain(object).chain(list).chain(none).collect::<Vec<_>>().join(" | ")
     }
 
     /// What the objects in it hold.
@@ -88,10 +86,10 @@ impl Seen {
     /// Of the fields of one key the one that is of this kind.
     fn field(&self, key: &str) -> Option<&'static Field> {
         let fits = |field: &&&Field| match field.kind {
-            Kind::Text => self.is_text,
-            Kind::Truth => self.is_truth,
-            Kind::Count => self.is_count,
-            Kind::Number(_) => self.is_number || self.is_null && self.items.is_none(),
+            Kind::Text => self.plain.contains("str"),
+            Kind::Truth => self.plain.contains("bool"),
+            Kind::Count => self.plain.contains("int"),
+            Kind::Number(_) => self.plain.contains("float") || self.plain.contains("None") && self.items.is_none(),
             Kind::Numbers { .. } => self.items.as_ref().is_some_and(|items| items.fields.is_none()),
             Kind::Nested => self.objects().is_some() || self.items.is_some(),
         };
