@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use nalgebra::{Rotation3, Vector3};
 
-use super::search::{CELLS, Candidate, FINE, HALVING, Score, Search};
+use super::descent::{FINE, Score};
+use super::search::{CELLS, Candidate, HALVING, Search};
 use super::{Outside, Resolution, Solution};
 use crate::angle::wrapped;
 use crate::compliance::compliance;

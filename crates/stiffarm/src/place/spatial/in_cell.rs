@@ -10,8 +10,8 @@ use nalgebra::{Point3, Rotation3, Vector3};
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
-use super::descent::descend;
-use super::search::{CELLS, Candidate, FINE, Score, Search};
+use super::descent::{FINE, Score, descend};
+use super::search::{CELLS, Candidate, Search};
 use super::site::{Ground, Site};
 use super::{Misfit, Placed, Question, Resolution, Solution};
 use crate::angle::wrapped;

@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
-use super::descent::descend;
-use super::search::{CELLS, FINALISTS, STARTS, Score, Search, region};
+use super::descent::{Score, descend};
+use super::search::{CELLS, FINALISTS, STARTS, Search, region};
 use super::{Outside, Question, Resolution, Solution};
 use crate::batch::{SameBranch, SpatialArm};
 use crate::follow::NotFollowed;

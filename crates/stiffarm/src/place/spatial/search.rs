@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
-use super::descent::descend;
+use super::descent::{Score, descend};
 use super::{Misfit, Placed, Question, Resolution, Solution};
 use crate::angle::wrapped;
 use crate::batch::{SameBranch, SpatialArm};
@@ -28,8 +28,6 @@ const LOOSE: f64 = 0.02;
 pub(super) const FINALISTS: usize = 5;
 /// Zones that are evaluated before the best value so far is compared again.
 const BLOCK: usize = 256;
-/// The refinement ends at steps of this length, m, and this angle, rad.
-pub(super) const FINE: (f64, f64) = (5e-5, 5e-5);
 /// Halving the distance between samples must change less than this.
 pub(super) const HALVING: f64 = 1e-3;
 /// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
@@ -93,25 +91,6 @@ pub(super) fn region(arm: &SpatialArm, within: Within) -> [Interval; 2] {
     let both = Interval::spanning(-ahead.max(), ahead.max());
     // Where both share nothing, one place far away says so.
     [within.x.intersect(both), within.z.intersect(up)].map(|range| range.unwrap_or(Interval::point(1e9)))
-}
-
-/// How good a place is: first how many poses no single posture reaches, then the largest compliance, m/N.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Score {
-    pub(super) unreached: usize,
-    pub(super) worst: f64,
-}
-
-impl Score {
-    pub(super) const NONE: Self = Self { unreached: usize::MAX, worst: f64::INFINITY };
-
-    pub(super) fn is_feasible(&self) -> bool {
-        self.unreached == 0
-    }
-
-    pub(super) fn total_cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.unreached.cmp(&other.unreached).then(self.worst.total_cmp(&other.worst))
-    }
 }
 
 #[derive(Clone, Copy, Debug)]
