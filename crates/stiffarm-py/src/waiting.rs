@@ -33,11 +33,12 @@ impl Told {
         self.total.store(total.unwrap_or(0), Ordering::Relaxed);
     }
 
-    /// Runs the handlers of signals that have come, and calls what wants to be told; an exception stops the work.
-    fn pass_on(&self, py: Python, progress: &Progress) -> PyResult<()> {
+    /// Runs the handlers of signals that have come, and calls what wants to be told, once there is something to tell or nothing more to
+    /// come; an exception stops the work.
+    fn pass_on(&self, py: Python, progress: &Progress, is_last: bool) -> PyResult<()> {
         let passed = py.check_signals().and_then(|()| {
-            let Some(progress) = progress else { return Ok(()) };
             let (done, total) = (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed));
+            let Some(progress) = progress.as_ref().filter(|_| is_last || 0 < done) else { return Ok(()) };
             progress.call1(py, (done, (total != 0).then_some(total))).map(drop)
         });
         if passed.is_err() {
@@ -80,14 +81,14 @@ pub(crate) fn on_pool<T: Send>(
                     Err(RecvTimeoutError::Disconnected) => break passed.map(|()| None),
                     Err(RecvTimeoutError::Timeout) => {
                         if passed.is_ok() {
-                            passed = Python::attach(|py| told.pass_on(py, progress));
+                            passed = Python::attach(|py| told.pass_on(py, progress, false));
                         }
                     }
                 }
             }
         })
     })?;
-    told.pass_on(py, progress)?;
+    told.pass_on(py, progress, true)?;
     Ok(waited.expect("a panic has ended the scope"))
 }
 
@@ -109,7 +110,7 @@ impl Waiting for Alone<'_> {
         if looked.0.elapsed() < EVERY {
             return true;
         }
-        let passed = Python::attach(|py| self.told.pass_on(py, self.progress));
+        let passed = Python::attach(|py| self.told.pass_on(py, self.progress, false));
         *looked = (Instant::now(), passed.err());
         looked.1.is_none()
     }
@@ -129,6 +130,6 @@ pub(crate) fn alone<T: Send>(
     let found = py.detach(|| run(Watch::of(&alone)));
     match alone.looked.into_inner().unwrap_or_else(PoisonError::into_inner).1 {
         Some(exception) => Err(exception),
-        None => alone.told.pass_on(py, progress).and(found),
+        None => alone.told.pass_on(py, progress, true).and(found),
     }
 }
