@@ -12,7 +12,7 @@ use stiffarm::plain::on_its_lines;
 
 use crate::args::{Common, Format};
 use crate::columns::write_parquet;
-use crate::commands::waiting;
+use crate::commands::watched;
 use crate::failure::Failure;
 use crate::figures::{self, Plate, view3d::View};
 use crate::look::Look;
@@ -94,7 +94,7 @@ impl<'a> Outputs<'a> {
         let mut written = Vec::new();
         let mut failed: Vec<(&Path, Failure)> = Vec::new();
         for (path, sink) in files {
-            match waiting("writing", common, || write(answer, path, sink)) {
+            match watched("writing", common, |_| write(answer, path, sink)) {
                 Ok(()) => written.push(path),
                 Err(failure) => failed.push((path, failure)),
             }

@@ -3,10 +3,10 @@
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use serde_json::json;
-use stiffarm::answer::{MapAnswer, PlaceAnswer};
-use stiffarm::map::{Spacing, map};
+use stiffarm::answer::{MapAnswer, PlaceAnswer, stiffness, words};
+use stiffarm::map::{Spacing, map_watched};
 use stiffarm::model::{ArmPosture, Model};
-use stiffarm::place::{Placement, deflection_field, place};
+use stiffarm::place::{Placement, deflection_field, place_task_watched};
 use stiffarm::request::Verb;
 
 use crate::asked::Asked;
@@ -28,16 +28,17 @@ pub(crate) fn drawn_place<'py>(
     asked: Asked,
     size: usize,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyArray2<f64>>)> {
-    let (robot, asked) = (&robot.0, asked.with(Verb::Place, &[("task", wanted_task)])?);
+    let asked = asked.with(Verb::Place, &[("task", wanted_task)])?;
+    let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
     let (task, kind) = (asked.task().map_err(refused)?, asked.model());
     let options = asked.place_options(Some(task.zone)).map_err(refused)?;
-    let (shown, drawn) = detached(py, || {
+    let (shown, drawn) = detached(py, &None, |watch| {
         let model = kind.of(robot).map_err(of(robot))?;
-        let placed = place(&model, task.zone, &options).map_err(of(robot))?;
+        let placed = place_task_watched(&model, &task.zone.into(), &options, watch).map_err(of(robot))?;
         let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm: None };
         let best = answer.placed.feasible().cloned().ok_or_else(|| refused("no place to draw"))?;
         let options = answer.map_options(&model, Spacing::Points(size.clamp(2, 2000)));
-        let map = map(&model, &options).map_err(of(robot))?;
+        let map = map_watched(&model, &options, watch).map_err(of(robot))?;
         let rim = deflection_field(&model, &answer.options, &best, rim(&answer)).map_err(of(robot))?;
         let (bearing, posture) = straight_ahead(&model, &best);
         let ((s, c), [x, y, z]) = (bearing.sin_cos(), best.worst_point);
@@ -45,7 +46,7 @@ pub(crate) fn drawn_place<'py>(
         let drawn = MapAnswer { model, options, map, zone: None };
         let shown = json!({
             "title": robot.full_name(),
-            "subtitle": format!("{}, {}; {} model", robot.architecture, robot.status, drawn.model.kind().name()),
+            "subtitle": format!("{}; {}, {} model", words::class(robot), stiffness(robot), drawn.model.kind().name()),
             "arm_m": points.into_iter().map(|[x, _, z]| [x, z]).collect::<Vec<_>>(),
             "knows_base": drawn.model.knows_base(),
             "rim_m": rim.iter().map(|point| [point.at[0], point.at[2]]).collect::<Vec<_>>(),

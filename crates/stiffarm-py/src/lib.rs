@@ -19,6 +19,7 @@ mod palette;
 mod pool;
 mod robot;
 mod verbs;
+mod waiting;
 
 use pyo3::prelude::*;
 

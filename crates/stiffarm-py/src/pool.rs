@@ -6,8 +6,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use stiffarm::watch::Watch;
+
 use crate::numbers::kind;
 use crate::refused;
+use crate::waiting::{self, Progress};
 
 /// The process that made the pool, the number of threads asked for (0: all cores), and the pool once it is needed.
 ///
@@ -40,12 +43,13 @@ fn pool() -> PyResult<Option<Arc<ThreadPool>>> {
     Ok(Some(pool))
 }
 
-/// Runs the library without the interpreter's lock.
-pub(crate) fn detached<T: Send>(py: Python, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+/// Runs the library without the interpreter's lock. Some times a second signals are looked for, and `progress` is called; where either
+/// raises an exception, the work is stopped, and that is its end.
+pub(crate) fn detached<T: Send>(py: Python, progress: &Progress, work: impl FnOnce(Watch) -> T + Send) -> PyResult<T> {
     // Fetched under the interpreter's lock, so that no fork comes upon a locked pool.
     match pool()? {
-        Some(pool) => Ok(py.detach(|| pool.install(work))),
-        None => py.detach(|| alone(work)),
+        Some(pool) => waiting::on_pool(py, &pool, progress, work),
+        None => waiting::alone(py, progress, |watch| alone(|| work(watch))),
     }
 }
 

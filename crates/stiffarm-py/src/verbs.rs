@@ -9,17 +9,21 @@ use stiffarm::answer::{
 };
 use stiffarm::catalogue::paper_robots;
 use stiffarm::compliance::compliance;
+use stiffarm::map::map_watched;
+use stiffarm::place::place_task_watched;
 use stiffarm::rank::{Contestant, Standing};
 use stiffarm::request::{self, Verb};
 use stiffarm::robot::Robot as Arms;
-use stiffarm::study::study as studied;
+use stiffarm::study::study_watched;
 use stiffarm::task::{Task, Zone};
+use stiffarm::watch::Watch;
 
 use crate::asked::{Asked, task};
 use crate::json::to_python;
 use crate::pool::detached;
 use crate::refused;
 use crate::robot::{Robot, kept};
+use crate::waiting::Progress;
 
 type Answer<'py> = PyResult<Bound<'py, PyAny>>;
 /// An answer, and its rows as columns for data frames.
@@ -74,12 +78,20 @@ pub(crate) fn posture<'py>(py: Python<'py>, robot: &Robot, joints_deg: [f64; 6],
 
 /// The best place of one zone.
 #[pyfunction]
-pub(crate) fn place<'py>(py: Python<'py>, robot: &Robot, wanted_task: &str, asked: Asked) -> WithColumns<'py> {
+#[pyo3(signature = (robot, wanted_task, asked, progress=None))]
+pub(crate) fn place<'py>(
+    py: Python<'py>,
+    robot: &Robot,
+    wanted_task: &str,
+    asked: Asked,
+    progress: Progress,
+) -> WithColumns<'py> {
     let asked = asked.with(Verb::Place, &[("task", wanted_task)])?;
     let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
     let (task, kind, tolerance_mm) = (asked.task().map_err(refused)?, asked.model(), asked.tolerance_mm());
     let options = asked.place_options(Some(task.zone)).map_err(refused)?;
-    let placed = detached(py, || stiffarm::place::place_task(&kind.of(robot)?, &task, &options))?.map_err(of(robot))?;
+    let search = |watch: Watch| place_task_watched(&kind.of(robot)?, &task, &options, watch);
+    let placed = detached(py, &progress, search)?.map_err(of(robot))?;
     let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
@@ -93,11 +105,13 @@ pub(crate) fn distinct(tasks: Vec<String>) -> PyResult<Vec<String>> {
 
 /// Robots in order.
 #[pyfunction]
+#[pyo3(signature = (robots, tasks, asked, progress=None))]
 pub(crate) fn rank<'py>(
     py: Python<'py>,
     robots: Vec<PyRef<'py, Robot>>,
     tasks: Vec<String>,
     asked: Asked,
+    progress: Progress,
 ) -> WithColumns<'py> {
     let robots: Vec<Arms> = robots.iter().map(|robot| robot.0.clone()).collect();
     let tasks = tasks.iter().map(|text| ("tasks", text.as_str()));
@@ -113,7 +127,8 @@ pub(crate) fn rank<'py>(
     }
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
     let options = asked.place_options(only).map_err(refused)?;
-    let ranking = detached(py, || stiffarm::rank::rank(&robots, &tasks, &kind, &options, || ()))?;
+    let place = |watch: Watch| stiffarm::rank::rank(&robots, &tasks, &kind, &options, watch);
+    let ranking = detached(py, &progress, place)?;
     let answer = RankAnswer { ranking: ranking.map_err(refused)?, options, tolerance_mm };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
@@ -144,22 +159,24 @@ pub(crate) fn order(
 
 /// A map: its head, its layers by key, and what a figure shows besides.
 #[pyfunction]
+#[pyo3(signature = (robot, asked, progress=None))]
 pub(crate) fn map<'py>(
     py: Python<'py>,
     robot: &Robot,
     asked: Asked,
+    progress: Progress,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>, Bound<'py, PyAny>)> {
     let asked = asked.of(Verb::Map)?;
     let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
     let (kind, zone, options) = (asked.model(), asked.zone(), asked.map_options());
     let placing = zone.as_ref().map(|task| asked.place_options(Some(task.zone)).map_err(refused)).transpose()?;
-    let answer = detached(py, || {
+    let answer = detached(py, &progress, |watch| {
         let model = kind.of(robot).map_err(of(robot))?;
-        let map = stiffarm::map::map(&model, &options).map_err(of(robot))?;
+        let map = map_watched(&model, &options, watch).map_err(of(robot))?;
         let zone = match zone.zip(placing) {
             None => None,
             Some((task, options)) => {
-                let placed = stiffarm::place::place(&model, task.zone, &options).map_err(of(robot))?;
+                let placed = place_task_watched(&model, &task.zone.into(), &options, watch).map_err(of(robot))?;
                 let robot = robot.clone();
                 Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None })
             }
@@ -201,8 +218,9 @@ fn handed_over<'py>(
 
 /// Architecture against link ratio and size.
 #[pyfunction]
-pub(crate) fn study(py: Python<'_>, asked: Asked) -> WithColumns<'_> {
+#[pyo3(signature = (asked, progress=None))]
+pub(crate) fn study(py: Python<'_>, asked: Asked, progress: Progress) -> WithColumns<'_> {
     let options = asked.of(Verb::Study)?.study().map_err(refused)?;
-    let answer = StudyAnswer(detached(py, || studied(&options))?.map_err(refused)?);
+    let answer = StudyAnswer(detached(py, &progress, |watch| study_watched(&options, watch))?.map_err(refused)?);
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }

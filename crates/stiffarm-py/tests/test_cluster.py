@@ -85,6 +85,7 @@ def test_every_row_is_what_place_says(done):
         assert (row["scenario"], row["task"], row["force_n"], row["robot"]) == (s, task, force, ROBOTS[r])
         for key in ("feasible", "deflection_mm", "lower_bound_mm", "x_m", "z_m", "angle_deg", "elbow", "reason"):
             assert row[key] == cell.get(key)
+        assert [row[f"compliance_factor_{drive}"] for drive in range(1, 7)] == ASKED["scenarios"][s, r].tolist()
         assert row["error"] is None and (row["deflection_mm"] is None) == (task == "A:9")
 
 
@@ -526,6 +527,41 @@ def test_folders_of_the_first_format_are_read_with_a_warning(small, tmp_path):
         found.wins()
 
 
+def test_folders_of_the_second_format_are_read_without_factors(small, client, tmp_path):
+    """Made here as that format wrote them: no factors in the rows."""
+    import pyarrow as pa
+
+    folder = tmp_path / "o"
+    shutil.copytree(small[0], folder)
+    asked = json.loads((folder / "_question.json").read_text())
+    del asked["fingerprint"]
+    asked["format"] = 2
+    fingerprint = hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()[:16]
+    text = json.dumps({**asked, "fingerprint": fingerprint})
+    (folder / "_question.json").write_text(text)
+    sums = [(hashlib.sha256(text.encode()).hexdigest(), "_question.json")]
+    if (folder / "_scenarios.npy").exists():
+        sums.append((hashlib.sha256((folder / "_scenarios.npy").read_bytes()).hexdigest(), "_scenarios.npy"))
+    for path in sorted(folder.glob("part-*")):
+        table = pq.read_table(path)
+        older = path.with_name(f"{path.name[:15]}{fingerprint}.parquet")
+        path.unlink()
+        pq.write_table(table.drop_columns([name for name in table.column_names if name.startswith("compliance_factor")]), older)
+        sums.append((hashlib.sha256(older.read_bytes()).hexdigest(), older.name))
+    (folder / "_sha256sums").write_text("".join(f"{digest}  {name}\n" for digest, name in sums))
+    found = cluster.load(folder)
+    assert found.is_proved and isinstance(found.to_arrow(), pa.Table)
+    assert found.wins() == cluster.load(small[0]).wins()
+    assert not any(name.startswith("compliance_factor") for name in found.to_arrow().column_names)
+    # It is read, and not written on: its parts would differ from the others.
+    with pytest.raises(StiffarmError, match="was begun by"):
+        cluster.sweep(ROBOTS, folder=folder, client=client, **ASKED)
+    later = json.loads((folder / "_question.json").read_text())
+    (folder / "_question.json").write_text(json.dumps({**later, "format": 4}))
+    with pytest.raises(StiffarmError, match="a later one; install that to read it"):
+        cluster.load(folder)
+
+
 def test_workers_that_do_not_see_the_folder(tmp_path):
     with pytest.raises(StiffarmError, match="does not see .* share"):
         _question.answer_chunk(str(tmp_path / "elsewhere"), "0" * 16, 0, os.getpid())
@@ -670,6 +706,9 @@ def test_an_estimated_robot_wins_nowhere_unmarked(done):
     names = [label.get_text() for label in ax.get_yticklabels()]
     assert "ABB IRB 6400 2.4-200~" in names and "KUKA KR 210 R2700 extra" in names and "[mm]" in ax.get_xlabel()
     plt.close(ax.figure)
+    ax = done.plot(most=2)
+    assert len(ax.get_yticks()) == 2 and "the first 2 of 4 robots" in ax.get_title(loc="left")
+    plt.close(ax.figure)
     with pytest.raises(KeyError):
         done.plot(task="B:7")
 
@@ -690,6 +729,42 @@ def test_a_scenario_that_fails_for_one_robot_counts_for_none(client, tmp_path):
     found = cluster.sweep(names, tasks="A:0.3", scenarios=scenarios, client=client, folder=tmp_path / "f").wins()
     told = {row["robot"]: (row["scenarios"], row["errors"], row["share"]) for row in found.rows}
     assert told == {names[0]: (4, 2, 1.0), names[1]: (4, 0, 0.0)}
+
+
+def test_who_holds_the_tolerance_how_often(client, tmp_path):
+    """From the rows alone; the ends of the interval are the roots of (p - share)^2 = z^2 p (1 - p) / n."""
+    asked = {"tasks": ["A:0.3", "A:9"], "force_n": [700, 1000], "scenarios": cluster.spread(40, robots=4, seed=7), "tolerance_mm": 1.2}
+    found = cluster.sweep(ROBOTS, folder=tmp_path / "h", client=client, **asked)
+    rows, wins = found.to_arrow().to_pylist(), found.wins()
+    shares = set()
+    for row in wins.rows:
+        key = (row["task"], row["force_n"], row["robot"])
+        mine = [one["deflection_mm"] for one in rows if (one["task"], one["force_n"], one["robot"]) == key]
+        share = sum(value is not None and value <= 1.2 for value in mine) / 40
+        assert row["held_share"] == share and row["scenarios"] == 40
+        z2 = 1.959963984540054**2
+        low, high = np.sort(np.roots([1 + z2 / 40, -2 * share - z2 / 40, share**2]).real)
+        assert np.allclose((row["held_share_low"], row["held_share_high"]), (low, high), rtol=0, atol=1e-12)
+        shares.add(share)
+    assert 0.0 in shares and any(0 < share < 1 for share in shares)
+    told = [line for line in wins.summary if "holds 1.2 mm in" in line]
+    assert told and all("% of them (95 % confidence" in line for line in told)
+    assert {"held_share", "held_share_low", "held_share_high"} <= set(wins.to_pandas().columns)
+    assert cluster.load(found.folder).wins() == wins
+
+
+def test_without_a_tolerance_nobody_holds_one(done):
+    assert all(row["held_share"] is None and row["held_share_low"] is None for row in done.wins().rows)
+    assert not any("holds" in line for line in done.wins().summary)
+
+
+def test_the_interval_of_a_share_by_hand():
+    """Half of four: (2 + 1.96^2 / 2 -+ 1.96 sqrt(2 * 2 / 4 + 1.96^2 / 4)) / (4 + 1.96^2), with 1.96 for 1.959964."""
+    from stiffarm.cluster._answer import wilson
+
+    z2 = 3.8416
+    half = 1.96 * math.sqrt(1 + z2 / 4)
+    assert np.allclose(wilson(2, 4), ((2 + z2 / 2 - half) / (4 + z2), (2 + z2 / 2 + half) / (4 + z2)), rtol=0, atol=1e-5)
 
 
 def test_wilson_against_published_values():

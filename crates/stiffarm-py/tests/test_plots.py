@@ -42,6 +42,10 @@ def test_rankings():
         assert drawn.tasks[task] in ax.get_title(loc="left") and "[mm]" in ax.get_title(loc="left")
     assert [text.get_text() for text in axes[2].texts] == ["does not fit"] * 10 and not axes[2].patches
     assert axes[0].get_yticklabels()[0].get_text() == f"{drawn.rows[0]['robot']} ~"
+    assert axes[0].figure.get_suptitle().endswith("stiffness of the drives assumed")
+    plt.close("all")
+    given = stiffarm.rank(tasks=["A:0.1"], drive_urad_per_nm=2)
+    assert plot.ranking(given).figure.get_suptitle().endswith("stiffness of the drives: given")
     # One task, some of the robots, a scale: what lies beyond is told.
     ax = picture(plot.ranking(stiffarm.rank(tasks="A:0.1"), most=6, scale=(0, 1.5)))
     assert len(bars(ax)) == 6 and max(bars(ax)) == 1.5
@@ -77,10 +81,23 @@ def test_places():
         x, z = rim.get_xdata(), rim.get_ydata()
         assert ((x.min() + x.max()) / 2, (z.min() + z.max()) / 2) == pytest.approx((found.x_m, found.z_m), abs=1e-6)
         assert max(np.ptp(x), np.ptp(z)) <= 0.6 + 1e-9
+        assert "assumed" in ax.get_title(loc="left")
+    with pytest.raises(ValueError, match="one flat zone"):
+        part = {"faces": "top", "angle": 0, "model": "spatial"}
+        plot.place(stiffarm.place("KR 210 R2700 extra", task="box:0.3x0.2x0.1", **part))
     with pytest.raises(ValueError, match="no place"):
         plot.place(stiffarm.place("KR 210 R2700 extra", task="circle:9"))
     with pytest.raises(ValueError, match="stiffarm.place"):
         plot.place(stiffarm.rank(tasks="A:0.1").cell("BT200L", "A:0.1"))
+
+
+def test_a_place_is_drawn_with_the_stiffness_that_was_asked_for():
+    asked = {"within_m": "0.5..,0.."}
+    (_, usual), (shown, softer) = (
+        stiffarm._stiffarm.drawn_place(stiffarm.Robot("BT200L"), "A:0.3", {**asked, **more}, 40)
+        for more in ({}, {"drive_urad_per_nm": "2"})
+    )
+    assert np.allclose(softer, 2 * usual, rtol=1e-12, equal_nan=True) and "2 urad/(N m)" in shown["subtitle"]
 
 
 def test_compliances():
@@ -89,6 +106,7 @@ def test_compliances():
     # What the drives give adds up to the whole.
     assert sum(patch.get_width() for patch in ax.patches) == pytest.approx(found.principal_um_per_n[2])
     assert "µm/N" in ax.get_xlabel() and len(ax.texts) == 6
+    assert "stiffness of the drives assumed" in ax.get_title(loc="left")
 
 
 def test_maps_of_one_scale_with_tolerance_force_and_margins():

@@ -13,6 +13,7 @@ use stiffarm::rank::rank;
 use stiffarm::robot::Robot;
 use stiffarm::study::{StudyOptions, study};
 use stiffarm::task::Task;
+use stiffarm::watch::Watch;
 
 const SIDE: usize = 1000;
 
@@ -66,7 +67,7 @@ fn tables(c: &mut Criterion) {
     let tasks = tasks(&["A:0.1", "A:1.0", "B:0.1", "B:0.5", "C:0.05", "C:0.15"]);
     let options = PlaceOptions::under(Load::PAPER);
     c.bench_function("rank_ten_robots_six_tasks", |b| {
-        b.iter(|| rank(black_box(&robots), &tasks, &ModelKind::Planar, &options, || ()));
+        b.iter(|| rank(black_box(&robots), &tasks, &ModelKind::Planar, &options, Watch::nobody()));
     });
     let paper = StudyOptions::paper();
     let mut group = c.benchmark_group("table_1");

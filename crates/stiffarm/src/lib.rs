@@ -16,7 +16,7 @@
 //! the borders: [`catalogue`] reads robot files, [`request`] what people ask, [`answer`] tells what was found.
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
-//! The modules in reading order: [`plain`], [`palette`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
+//! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
 //! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`inverse`], [`compliance`], [`batch`], [`zone`], [`part`], [`task`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
@@ -64,5 +64,6 @@ pub mod spatial;
 pub mod study;
 pub mod task;
 mod tolerances;
+pub mod watch;
 mod work;
 pub mod zone;

@@ -11,6 +11,7 @@ use crate::inverse::Configuration;
 use crate::load::{Load, NotInPlane};
 use crate::model::{ArmPosture, Model, ModelError, PlanarModel, SpatialModel};
 use crate::plane::{Elbow, InvalidArm, PlanarArm};
+use crate::watch::{Stopped, Watch};
 
 pub use section::ROLL_TOLERANCE;
 
@@ -214,6 +215,9 @@ pub enum MapError {
     /// No point at all.
     #[error("no point is reached with this direction of the tool")]
     NothingReached,
+    /// No longer wanted.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
 }
 
 impl From<InvalidArm> for MapError {
@@ -319,17 +323,25 @@ impl Margins {
 /// # Errors
 /// Where an argument makes no sense or belongs to another model; a map that is too large is refused before memory is taken.
 pub fn map(model: &Model, options: &MapOptions) -> Result<Map, MapError> {
+    map_watched(model, options, Watch::nobody())
+}
+
+/// [`map`] that somebody waits for. Its parts are rows, or some of them at once.
+///
+/// # Errors
+/// As [`map`], and [`MapError::Stopped`] where the work is no longer wanted.
+pub fn map_watched(model: &Model, options: &MapOptions, watch: Watch) -> Result<Map, MapError> {
     match model {
         Model::Planar(model) => {
             let grid = PlaneGrid::of(model, options)?;
             let mut cells = vec![0.0; grid.x.count * grid.z.count];
-            planar::fill(model, options, &grid, &mut cells)?;
+            planar::fill(model, options, &grid, &mut cells, watch)?;
             let [ahead, up] = model.axis_from_base;
             let from_base = |axis: Axis, by: f64| Axis { start: axis.start + by, ..axis };
             let deflection = Grid { x: from_base(grid.x, ahead), z: from_base(grid.z, up), cells };
             Ok(Map { deflection, space: None, from_axis_2: [grid.x, grid.z] })
         }
-        Model::Spatial(model) => in_space(model, options),
+        Model::Spatial(model) => in_space(model, options, watch),
     }
 }
 
@@ -341,7 +353,7 @@ pub fn map(model: &Model, options: &MapOptions) -> Result<Map, MapError> {
 /// # Panics
 /// Where `cells` is not as long as the grid has points.
 pub fn map_into(model: &PlanarModel, options: &MapOptions, cells: &mut [f64]) -> Result<(), MapError> {
-    planar::fill(model, options, &PlaneGrid::of(model, options)?, cells)
+    planar::fill(model, options, &PlaneGrid::of(model, options)?, cells, Watch::nobody())
 }
 
 /// A grid as the arm sees it: from the joint-2 axis.
@@ -378,7 +390,7 @@ fn check_grid(x: Axis, z: Axis, most: usize) -> Result<(), MapError> {
     }
 }
 
-fn in_space(model: &SpatialModel, options: &MapOptions) -> Result<Map, MapError> {
+fn in_space(model: &SpatialModel, options: &MapOptions, watch: Watch) -> Result<Map, MapError> {
     if options.elbow.is_some() {
         return Err(MapError::Inapplicable { what: "one elbow side", model: "planar" });
     }
@@ -390,12 +402,13 @@ fn in_space(model: &SpatialModel, options: &MapOptions) -> Result<Map, MapError>
     }
     let [x, z] = match options.extent {
         Extent::Reached(spacing) => {
-            spacing.cover(section::reached_box(model.arm(), options.load, &held)?.ok_or(MapError::NothingReached)?)
+            let reached = section::reached_box(model.arm(), options.load, &held, watch.of_part())?;
+            spacing.cover(reached.ok_or(MapError::NothingReached)?)
         }
         Extent::Grid { x, z } => [x, z],
     };
     check_grid(x, z, MOST_CELLS_IN_SPACE)?;
-    Ok(section::section(model.arm(), x, z, options.load, &held))
+    Ok(section::section(model.arm(), [x, z], (options.load, &held), watch)?)
 }
 
 /// The upright box, m from the joint-2 axis, outside which two links reach nothing: forwards, upwards.

@@ -4,9 +4,10 @@ use rayon::prelude::*;
 
 use crate::load::Load;
 use crate::model::{Model, ModelKind};
-use crate::place::{NOTHING, PlaceError, PlaceOptions, Placed, Placement, find, place_task};
+use crate::place::{NOTHING, PlaceError, PlaceOptions, Placed, Placement, find, place_task_watched};
 use crate::robot::{Robot, Status};
 use crate::task::Task;
+use crate::watch::Watch;
 
 /// What a ranking knows of one robot and one task: an error where the search did not end ([`PlaceError::Unfinished`]), or the
 /// planar model does not hold for the robot ([`PlaceError::is_not_of_the_plane`]).
@@ -115,10 +116,12 @@ pub fn curves(
     shape: &Task,
     scales: &[f64],
     (kind, options): (&ModelKind, &PlaceOptions),
-    done: impl Fn() + Sync,
+    watch: Watch,
 ) -> Result<Vec<Curve>, RankError> {
+    let parts = watch.parts(Some(robots.len() * scales.len()));
     // The outer `None`: not known; the inner: it does not fit.
-    let deflection = |robot: &Robot, model: &Model, scale: f64| match find(model, shape.zone.scaled(scale), options) {
+    let found = |model: &Model, scale: f64| find(model, shape.zone.scaled(scale), options, watch.of_part());
+    let deflection = |robot: &Robot, model: &Model, scale: f64| match found(model, scale) {
         Ok(placement) => Ok(Some(placement.map(|placement| placement.deflection))),
         Err(PlaceError::Unfinished { .. }) => Ok(None),
         Err(error) => Err(failed(robot, shape, error)),
@@ -127,13 +130,13 @@ pub fn curves(
         let mut curve = Curve { points: Vec::new(), is_complete: false };
         let model = match kind.of(robot).map_err(PlaceError::from) {
             Err(error) if error.is_not_of_the_plane() => {
-                (0..scales.len()).for_each(|_| done());
-                return Ok(curve);
+                let told = scales.iter().try_for_each(|_| parts.one_more());
+                return told.map(|()| curve).map_err(|error| failed(robot, shape, error.into()));
             }
             model => model.map_err(|error| failed(robot, shape, error))?,
         };
         for &scale in scales {
-            done();
+            parts.one_more().map_err(|error| failed(robot, shape, error.into()))?;
             if curve.is_complete {
                 continue;
             }
@@ -166,7 +169,7 @@ pub fn curves(
 
 /// Places every task on every robot (\[paper\], section IV) and puts the robots in order.
 ///
-/// `done` is called once per cell, from any thread. The order does not depend on the order of `robots`: ties go by name.
+/// The parts of the work are the cells. The order does not depend on the order of `robots`: ties go by name.
 ///
 /// Robots that are not of the plane are rows without values in a planar ranking, and say why.
 ///
@@ -177,9 +180,10 @@ pub fn curves(
 /// use stiffarm::place::PlaceOptions;
 /// use stiffarm::rank::rank;
 /// use stiffarm::task::Task;
+/// use stiffarm::watch::Watch;
 ///
 /// let task: Task = "B:0.5".parse()?;
-/// let ranking = rank(&paper_robots(), &[task], &ModelKind::Planar, &PlaceOptions::under(Load::PAPER), || ())?;
+/// let ranking = rank(&paper_robots(), &[task], &ModelKind::Planar, &PlaceOptions::under(Load::PAPER), Watch::nobody())?;
 /// let best = ranking.best_published(0).ok_or("some robot holds it")?;
 /// assert_eq!(best.robot.name, "KR 210 R2700 extra");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -187,15 +191,15 @@ pub fn curves(
 ///
 /// # Errors
 /// The first robot (in the order given) that makes no sense, and in space one of which only two links are known; the first one
-/// where none is of the plane.
+/// where none is of the plane; [`PlaceError::Stopped`] where the work is no longer wanted.
 pub fn rank(
     robots: &[Robot],
     tasks: &[Task],
     kind: &ModelKind,
     options: &PlaceOptions,
-    done: impl Fn() + Sync,
+    watch: Watch,
 ) -> Result<Ranking, RankError> {
-    let ranking = ranked(robots, tasks, kind, options, done)?;
+    let ranking = ranked(robots, tasks, kind, options, watch)?;
     match ranking.rows.first().and_then(Row::why_not_of_the_plane) {
         Some(error) if ranking.rows.iter().all(|row| row.why_not_of_the_plane().is_some()) => {
             return Err(failed(&ranking.rows[0].robot, &tasks[0], error.clone()));
@@ -207,7 +211,7 @@ pub fn rank(
         ModelKind::Spatial(_) => {
             // What points along feed, across and axial has no direction in the arm plane.
             let usual = PlaceOptions::under(options.load.in_worst_direction());
-            Some(Box::new(ranked(robots, tasks, &ModelKind::Planar, &usual, || ())?))
+            Some(Box::new(ranked(robots, tasks, &ModelKind::Planar, &usual, watch.of_part())?))
         }
     };
     Ok(Ranking { in_plane, ..ranking })
@@ -228,15 +232,17 @@ fn ranked(
     tasks: &[Task],
     kind: &ModelKind,
     options: &PlaceOptions,
-    done: impl Fn() + Sync,
+    watch: Watch,
 ) -> Result<Ranking, RankError> {
     let models: Vec<Result<Model, PlaceError>> =
         robots.iter().map(|robot| kind.of(robot).map_err(PlaceError::from)).collect();
     let pairs: Vec<(usize, &Task)> =
         (0..robots.len()).flat_map(|robot| tasks.iter().map(move |task| (robot, task))).collect();
+    let parts = watch.parts(Some(pairs.len()));
     let judge = |(robot, task): &(usize, &Task)| {
-        let placed = models[*robot].as_ref().map_err(Clone::clone).and_then(|model| place_task(model, task, options));
-        done();
+        let model = models[*robot].as_ref().map_err(Clone::clone);
+        let placed = model.and_then(|model| place_task_watched(model, task, options, watch.of_part()));
+        parts.one_more().map_err(|error| failed(&robots[*robot], task, error.into()))?;
         match placed {
             Err(error) if !error.is_not_of_the_plane() && !matches!(error, PlaceError::Unfinished { .. }) => {
                 Err(failed(&robots[*robot], task, error))

@@ -10,6 +10,7 @@ use crate::drive::Architecture;
 use crate::interval::Interval;
 use crate::root::root;
 use crate::task::{Task, Zone};
+use crate::watch::{Parts, Stopped, Watch};
 
 /// An architecture with its joint compliances, in units of a reference compliance `k`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -184,6 +185,9 @@ pub enum StudyError {
     /// Too many rows.
     #[error("{0} rows; expected at most 1000000")]
     Size(usize),
+    /// No longer wanted.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
 }
 
 /// Compares two architectures over link ratio and task size (\[paper\], Fig. 4-9 and Table I), without joint limits.
@@ -200,6 +204,14 @@ pub enum StudyError {
 /// # Errors
 /// Where a ratio, size or compliance is out of range.
 pub fn study(options: &StudyOptions) -> Result<Study, StudyError> {
+    study_watched(options, Watch::nobody())
+}
+
+/// [`study`] that somebody waits for. Its parts are the rows, and what is looked at in search of boundaries.
+///
+/// # Errors
+/// As [`study`], and [`StudyError::Stopped`] where the work is no longer wanted.
+pub fn study_watched(options: &StudyOptions, watch: Watch) -> Result<Study, StudyError> {
     check(options)?;
     let ratios: Vec<Option<f64>> = options.ratios.iter().copied().map(Some).chain([None]).collect();
     let mut keys = Vec::new();
@@ -210,20 +222,24 @@ pub fn study(options: &StudyOptions) -> Result<Study, StudyError> {
             }
         }
     }
-    let rows = keys
-        .into_par_iter()
-        .map(|(task, mu, size, contender)| {
-            let zone = options.tasks[task].zone.scaled(size);
-            let found = value(options, contender, zone, mu);
-            let ratio = found.map(|(mu, _)| mu).or(mu).map(|chosen| Ratio { mu: chosen, is_best: mu.is_none() });
-            Row { task, size, contender, ratio, accuracy: found.map(|(_, accuracy)| accuracy) }
-        })
-        .collect();
     let pairs: Vec<(usize, Option<f64>)> =
         (0..options.tasks.len()).flat_map(|task| ratios.iter().map(move |&mu| (task, mu))).collect();
-    let boundaries = pairs.into_par_iter().flat_map_iter(|(task, mu)| boundaries(options, task, mu)).collect();
-    Ok(Study { options: options.clone(), rows, boundaries })
+    let parts = watch.parts(Some(keys.len() + SCAN * pairs.len()));
+    let row = |(task, mu, size, contender): (usize, Option<f64>, f64, usize)| {
+        parts.one_more()?;
+        let zone = options.tasks[task].zone.scaled(size);
+        let found = value(options, contender, zone, mu);
+        let ratio = found.map(|(mu, _)| mu).or(mu).map(|chosen| Ratio { mu: chosen, is_best: mu.is_none() });
+        Ok(Row { task, size, contender, ratio, accuracy: found.map(|(_, accuracy)| accuracy) })
+    };
+    let rows = keys.into_par_iter().map(row).collect::<Result<_, Stopped>>()?;
+    let found = pairs.into_par_iter().map(|(task, mu)| boundaries(options, task, mu, &parts));
+    let boundaries: Vec<Vec<Boundary>> = found.collect::<Result<_, _>>()?;
+    Ok(Study { options: options.clone(), rows, boundaries: boundaries.into_iter().flatten().collect() })
 }
+
+/// Sizes at which boundaries are looked for, up to the largest that fits.
+const SCAN: usize = 50;
 
 /// `(mu, accuracy)` at a ratio, or at the best one.
 fn value(options: &StudyOptions, contender: usize, zone: Zone, mu: Option<f64>) -> Option<(f64, f64)> {
@@ -235,8 +251,7 @@ fn value(options: &StudyOptions, contender: usize, zone: Zone, mu: Option<f64>) 
 }
 
 /// The sizes at which the order changes, by root finding between the steps of a scan, as long as both fit.
-fn boundaries(options: &StudyOptions, task: usize, mu: Option<f64>) -> Vec<Boundary> {
-    const STEPS: usize = 50;
+fn boundaries(options: &StudyOptions, task: usize, mu: Option<f64>, parts: &Parts) -> Result<Vec<Boundary>, Stopped> {
     // Nothing larger than the circle that the stretched arm sweeps has a place.
     let shape = options.tasks[task].zone;
     let largest = shape.largest_size();
@@ -244,8 +259,9 @@ fn boundaries(options: &StudyOptions, task: usize, mu: Option<f64>) -> Vec<Bound
         let accuracy = |contender| value(options, contender, shape.scaled(size), mu).map(|(_, accuracy)| accuracy);
         Some(accuracy(0)? - accuracy(1)?)
     };
-    let size = |i: usize| largest * i as f64 / STEPS as f64;
-    let scan: Vec<Option<f64>> = (1..=STEPS).map(|i| difference(size(i))).collect();
+    let size = |i: usize| largest * i as f64 / SCAN as f64;
+    let seen = |i: usize| parts.one_more().map(|()| difference(size(i)));
+    let scan: Vec<Option<f64>> = (1..=SCAN).map(seen).collect::<Result<_, _>>()?;
     let mut found = Vec::new();
     for (i, pair) in scan.windows(2).enumerate() {
         let (Some(before), Some(after)) = (pair[0], pair[1]) else {
@@ -258,7 +274,7 @@ fn boundaries(options: &StudyOptions, task: usize, mu: Option<f64>) -> Vec<Bound
             found.push(Boundary { task, mu, size, below: usize::from(0.0 < before) });
         }
     }
-    found
+    Ok(found)
 }
 
 fn check(options: &StudyOptions) -> Result<(), StudyError> {

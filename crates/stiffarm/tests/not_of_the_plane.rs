@@ -10,6 +10,7 @@ use stiffarm::rank::rank;
 use stiffarm::robot::{Arm, NoArmPlane, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::{Task, Zone};
+use stiffarm::watch::Watch;
 
 const DOCS: &str = include_str!("../../../docs/robot_file.md");
 
@@ -101,9 +102,9 @@ fn the_planar_verbs_refuse_a_compensator_and_a_ranking_goes_on_without_it() {
     let kind = ModelKind::Planar;
     let mut robots = paper_robots();
     robots.truncate(2);
-    let alone = rank(&robots, std::slice::from_ref(&task), &kind, &options, || ()).unwrap();
+    let alone = rank(&robots, std::slice::from_ref(&task), &kind, &options, Watch::nobody()).unwrap();
     robots.push(robot.clone());
-    let ranking = rank(&robots, std::slice::from_ref(&task), &kind, &options, || ()).unwrap();
+    let ranking = rank(&robots, std::slice::from_ref(&task), &kind, &options, Watch::nobody()).unwrap();
     assert_eq!(ranking.rows.len(), 3);
     for (row, other) in ranking.rows.iter().zip(&alone.rows) {
         assert_eq!(
@@ -116,9 +117,10 @@ fn the_planar_verbs_refuse_a_compensator_and_a_ranking_goes_on_without_it() {
     assert!(last.why_not_of_the_plane().unwrap().to_string().contains("gravity compensator"));
     assert_eq!(ranking.rank_of(&robot), None);
     // Alone there is nothing to rank; beside a ranking in space there need not be.
-    let refused = rank(std::slice::from_ref(&robot), std::slice::from_ref(&task), &kind, &options, || ()).unwrap_err();
+    let refused =
+        rank(std::slice::from_ref(&robot), std::slice::from_ref(&task), &kind, &options, Watch::nobody()).unwrap_err();
     assert!(refused.to_string().contains("gravity compensator"), "{refused}");
-    let in_space = rank(&[robot], &[task], &ModelKind::Spatial(Pose::identity()), &options, || ()).unwrap();
+    let in_space = rank(&[robot], &[task], &ModelKind::Spatial(Pose::identity()), &options, Watch::nobody()).unwrap();
     assert!(in_space.in_plane.unwrap().rows[0].why_not_of_the_plane().is_some());
 }
 
@@ -133,7 +135,7 @@ fn rigid_drives_are_taken_and_two_that_do_not_give_way_are_as_good_as_each_other
     let twin = Robot { name: "twin".into(), ..still.clone() };
     let task: Task = Zone::Circle { diameter: 0.1 }.into();
     let (kind, options) = (ModelKind::Spatial(Pose::identity()), PlaceOptions::under(Load::PAPER));
-    let ranking = rank(&[still.clone(), twin], std::slice::from_ref(&task), &kind, &options, || ()).unwrap();
+    let ranking = rank(&[still.clone(), twin], std::slice::from_ref(&task), &kind, &options, Watch::nobody()).unwrap();
     for row in &ranking.rows {
         // Rounding of sines and cosines, squared.
         assert!(row.deflection(0).unwrap() < 1e-30 && row.mean_ratio == Some(1.0), "{row:?}");

@@ -16,6 +16,7 @@ use stiffarm::place::{Orientation, PlaceOptions, Placed, Placement, Within};
 use stiffarm::plane::{Elbow, PlanarArm};
 use stiffarm::rank::rank;
 use stiffarm::task::{Task, Zone};
+use stiffarm::watch::Watch;
 
 use links::{map, over, place};
 
@@ -297,7 +298,7 @@ proptest! {
         let given: Vec<_> = robots.into_iter().chain([twin]).collect();
         let tasks: Vec<Task> = ["A:0.1", "B:0.5", "C:0.15"].map(|text| text.parse().unwrap()).to_vec();
         let rows = |robots: &[_]| -> Vec<(String, Option<f64>, Vec<Option<f64>>)> {
-            let ranking = rank(robots, &tasks, &ModelKind::Planar, &asked(Within::ANYWHERE), || ()).unwrap();
+            let ranking = rank(robots, &tasks, &ModelKind::Planar, &asked(Within::ANYWHERE), Watch::nobody()).unwrap();
             let cells = |row: &stiffarm::rank::Row| (0..tasks.len()).map(|task| row.deflection(task)).collect();
             ranking.rows.iter().map(|row| (row.robot.name.clone(), row.mean_ratio, cells(row))).collect()
         };

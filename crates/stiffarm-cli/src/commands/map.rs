@@ -5,14 +5,15 @@ use std::path::Path;
 
 use stiffarm::answer::words::{class, direction, mapped, origin, tool, window};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
-use stiffarm::map::{Grid, MapError, PointsBetween, map};
+use stiffarm::map::{Grid, MapError, PointsBetween, map_watched};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::palette::FORCE;
-use stiffarm::place::{Placement, Within, place};
+use stiffarm::place::{Placement, Within, place_task_watched};
 use stiffarm::request::{Layer, Request};
+use stiffarm::watch::Watch;
 
 use super::drawing::{arm, force, scene};
-use super::waiting;
+use super::watched;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -34,18 +35,20 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<MapOutput>(common, &[Path::new(&name)])?;
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
-    let map = waiting("mapping", common, || map(&model, &options)).map_err(|error| match error {
-        MapError::NothingReached => {
-            let towards = direction(asked.held().elevation());
-            Failure::Usage(format!("{}: no point is reached with the {towards}", robot.name))
-        }
-        error => failure(error),
-    })?;
+    let map =
+        watched("mapping", common, |watch| map_watched(&model, &options, watch)).map_err(|error| match error {
+            MapError::NothingReached => {
+                let towards = direction(asked.held().elevation());
+                Failure::Usage(format!("{}: no point is reached with the {towards}", robot.name))
+            }
+            error => failure(error),
+        })?;
     let zone = match asked.zone() {
         None => None,
         Some(task) => {
             let options = asked.place_options(Some(task.zone))?;
-            let placed = waiting("searching places", common, || place(&model, task.zone, &options))
+            let search = |watch: Watch| place_task_watched(&model, &task.zone.into(), &options, watch);
+            let placed = watched("searching places", common, search)
                 .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
             if placed.feasible().is_none() && !common.quiet {
                 say(&format!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label));

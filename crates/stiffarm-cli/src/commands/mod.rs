@@ -14,32 +14,39 @@ pub(crate) mod shell;
 pub(crate) mod study;
 pub(crate) mod validate;
 
+use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use stiffarm::watch::{Waiting, Watch};
 
 use crate::args::Common;
 
 /// A progress bar on stderr: nothing where stderr is no terminal, or quiet is asked for.
-pub(crate) fn progress(length: usize, doing: &'static str, common: &Common) -> ProgressBar {
+fn progress(length: usize, doing: &'static str, common: &Common) -> ProgressBar {
     if common.quiet {
         return ProgressBar::hidden();
     }
     let bar = ProgressBar::with_draw_target(Some(length as u64), ProgressDrawTarget::stderr_with_hz(10));
-    let style = ProgressStyle::with_template("{msg} {bar:32} {pos}/{len} {eta}").expect("a fixed template");
-    bar.with_style(style).with_message(doing)
+    bar.with_style(style("{msg} {bar:32} {pos}/{len} {eta}")).with_message(doing)
 }
 
-/// Shows on stderr for how long a work has been going on that does not say how much of it is left; nothing where stderr
-/// is no terminal, or quiet is asked for.
-pub(crate) fn waiting<T>(doing: &'static str, common: &Common, work: impl FnOnce() -> T) -> T {
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).expect("a fixed template")
+}
+
+/// Shows on stderr how much of a work is done, or, where it does not say how much of it is left, for how long it has been going on;
+/// nothing where stderr is no terminal, or quiet is asked for. A signal ends the program: the work is never stopped.
+pub(crate) fn watched<T>(doing: &'static str, common: &Common, work: impl FnOnce(Watch) -> T) -> T {
     let bar = progress(1, doing, common);
     if bar.is_hidden() {
-        return work();
+        return work(Watch::nobody());
     }
-    let bar = bar.with_style(ProgressStyle::with_template("{spinner} {msg} {elapsed}").expect("a fixed template"));
+    let known = bar.style();
+    let bar = bar.with_style(style("{spinner} {msg} {elapsed}"));
+    let shown = Shown { bar: &bar, known, is_known: Once::new() };
     let ended = AtomicBool::new(false);
     thread::scope(|scope| {
         let tick = || {
@@ -52,13 +59,37 @@ pub(crate) fn waiting<T>(doing: &'static str, common: &Common, work: impl FnOnce
         // Where the system gives no further thread, there is an answer without progress.
         let ticking = thread::Builder::new().spawn_scoped(scope, tick);
         let end = Ended(&ended);
-        let found = work();
+        let found = work(Watch::of(&shown));
         drop(end);
         if let Ok(ticking) = ticking {
             ticking.thread().unpark();
         }
         found
     })
+}
+
+/// Puts on a bar what is told.
+struct Shown<'a> {
+    bar: &'a ProgressBar,
+    /// How it looks once it is known how much there is to do.
+    known: ProgressStyle,
+    is_known: Once,
+}
+
+impl Waiting for Shown<'_> {
+    fn is_wanted(&self) -> bool {
+        true
+    }
+
+    fn told(&self, done: usize, total: Option<usize>) {
+        if let Some(total) = total {
+            self.is_known.call_once(|| {
+                self.bar.set_length(total as u64);
+                self.bar.set_style(self.known.clone());
+            });
+            self.bar.update(|state| state.set_pos(state.pos().max(done as u64)));
+        }
+    }
 }
 
 /// Ends the progress of a work, also of one that panics.

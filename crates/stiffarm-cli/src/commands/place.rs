@@ -7,11 +7,12 @@ use stiffarm::answer::words::{class, direction, tool};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::map::{Spacing, map};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
-use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place_task};
+use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place_task_watched};
 use stiffarm::request::Request;
+use stiffarm::watch::Watch;
 
 use super::map::Drawn;
-use super::waiting;
+use super::watched;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -35,7 +36,8 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let (options, plate) = (asked.place_options(Some(task.zone))?, Plate::of(asked)?);
     let failure = |error| Failure::Place { robot: robot.name.clone(), error };
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
-    let placed = waiting("searching places", common, || place_task(&model, &task, &options)).map_err(failure)?;
+    let search = |watch: Watch| place_task_watched(&model, &task, &options, watch);
+    let placed = watched("searching places", common, search).map_err(failure)?;
     let tolerance_mm = asked.tolerance_mm();
     let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
     let shortfall = answer.shortfall().filter(|_| common.check);

@@ -13,7 +13,7 @@ use stiffarm::request::{Request, distinct};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
 
-use super::progress;
+use super::watched;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -43,9 +43,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<RankOutput>(common, &inputs(&names))?;
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
     let (options, plate) = (asked.place_options(only)?, Plate::of(asked)?);
-    let bar = progress(robots.len() * tasks.len(), "placing zones", common);
-    let ranking = rank(&robots, &tasks, &kind, &options, || bar.inc(1))?;
-    bar.finish_and_clear();
+    let ranking = watched("placing zones", common, |watch| rank(&robots, &tasks, &kind, &options, watch))?;
     let answer = RankAnswer { ranking, options, tolerance_mm: asked.tolerance_mm() };
     let shortfall = answer.shortfall().filter(|_| common.check);
     outputs.deliver(&RankOutput { answer, common, plate, svg: OnceCell::new() })?;
@@ -88,13 +86,14 @@ impl RankOutput<'_> {
         let RankAnswer { ranking: Ranking { tasks, rows, load, model, .. }, options, tolerance_mm } = &self.answer;
         let robots: Vec<Robot> = rows.iter().take(MOST_CURVES).map(|row| row.robot.clone()).collect();
         let (shapes, looks) = (shapes(tasks), self.looks());
-        let bar = progress(shapes.len() * robots.len() * CURVE_POINTS, "drawing curves", self.common);
         let mut panels = Vec::new();
         for (shape, marks) in shapes {
             let largest = 1.01 * largest_scale(&robots, shape.zone);
             let scales: Vec<f64> = (1..=CURVE_POINTS).map(|i| largest * i as f64 / CURVE_POINTS as f64).collect();
             let options = PlaceOptions { gap: Some(options.gap.unwrap_or(0.0).max(1e-3)), ..*options };
-            let values = curves(&robots, &shape, &scales, (model, &options), || bar.inc(1))?;
+            let asked = (model, &options);
+            let values =
+                watched("drawing curves", self.common, |watch| curves(&robots, &shape, &scales, asked, watch))?;
             let curves = robots.iter().zip(&looks).zip(values).map(|((robot, look), curve)| Curve {
                 robot: robot.name.clone(),
                 serial: robot.architecture == Architecture::Serial,
@@ -115,7 +114,6 @@ impl RankOutput<'_> {
                 tolerance_mm: *tolerance_mm,
             });
         }
-        bar.finish_and_clear();
         let chosen = if rows.len() == robots.len() {
             String::new()
         } else {

@@ -4,9 +4,9 @@ use std::io::{self, Write};
 
 use stiffarm::answer::{Rows, StudyAnswer};
 use stiffarm::request::Request;
-use stiffarm::study::{StudyOptions, study};
+use stiffarm::study::{StudyOptions, study, study_watched};
 
-use super::waiting;
+use super::watched;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -22,7 +22,7 @@ const FIGURE_SIZES: usize = 48;
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<StudyOutput>(common, &[])?;
     let (options, plate) = (asked.study()?, Plate::of(asked)?);
-    let found = waiting("studying", common, || study(&options))?;
+    let found = watched("studying", common, |watch| study_watched(&options, watch))?;
     outputs.deliver(&StudyOutput(StudyAnswer(found), plate))
 }
 

@@ -15,7 +15,8 @@ the last bit. What is not reached is ``nan`` in arrays and None elsewhere. Whate
 
 `stiffarm.plot` draws the answers; `stiffarm.cluster` asks many machines how sure a ranking is.
 
-Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl-C takes effect when the call returns.
+Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl-C ends them within a second, and
+``progress=True`` says how far they are.
 """
 
 from ._answers import Answer, Compliance, Compliances, Map, Placement, Ranking, Study

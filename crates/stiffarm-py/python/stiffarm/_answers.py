@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import copy
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, TypedDict, TypeVar
 
 import numpy as np
-import numpy.typing as npt
 
+from ._given import Array
 from ._stiffarm import StiffarmError
+from .types import (
+    Boundary, CellDict, ComplianceDict, FaceDict, MapDict, Placed, PlacementDict, RankingDict, RankingRow, Resolution, Schema, StudyDict,
+    StudyRow, Winner,
+)  # fmt: skip
 
 if TYPE_CHECKING:
     import pandas
     import polars
 
-Array = npt.NDArray[np.float64]
+#: The keys of an answer.
+D = TypeVar("D")
 
 
 def _plain(value: Any) -> Any:
@@ -32,7 +37,7 @@ def _same(one: Any, other: Any) -> bool:
     return bool(one == other)
 
 
-class Answer:
+class Answer(Generic[D]):
     """An answer; its attributes are the keys of the program's JSON. Absent keys are None."""
 
     _arrays: tuple[str, ...] = ()
@@ -42,21 +47,25 @@ class Answer:
         arrays = {key: np.asarray(data[key], dtype=np.float64) for key in self._arrays if data.get(key) is not None}
         self._data = {**data, **arrays}
 
-    def __getattr__(self, key: str) -> Any:
-        if key.startswith("_"):
-            raise AttributeError(key)
-        if key in self._data:
-            return self._data[key]
-        if any(key in kind.__dict__.get("__annotations__", ()) for kind in type(self).__mro__):
-            return None
-        raise AttributeError(f"{type(self).__name__} has no attribute {key!r}; it has {', '.join(self._data)}")
+    if not TYPE_CHECKING:  # which knows the keys, and takes no others
+
+        def __getattr__(self, key: str) -> Any:
+            if key.startswith("_"):
+                raise AttributeError(key)
+            if key in self._data:
+                return self._data[key]
+            if any(key in kind.__dict__.get("__annotations__", ()) for kind in type(self).__mro__):
+                return None
+            raise AttributeError(f"{type(self).__name__} has no attribute {key!r}; it has {', '.join(self._data)}")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._data]
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> D:
         """The JSON of the program, as `json.loads` reads it."""
-        return {key: _plain(value) for key, value in self._data.items()}
+        plain: Any = {key: _plain(value) for key, value in self._data.items()}
+        told: D = plain
+        return told
 
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other) or not isinstance(other, Answer):
@@ -73,7 +82,7 @@ class Answer:
         return f"<stiffarm.{type(self).__name__} {self._words()}>"
 
 
-class _Table(Answer):
+class _Table(Answer[D]):
     """An answer that has rows; its columns are those of the program's CSV, typed whatever they hold."""
 
     _rows: dict[str, Any]
@@ -102,7 +111,7 @@ class _Table(Answer):
         return polars.DataFrame(self._columns(), nan_to_null=True, strict=False)
 
 
-class Compliance(Answer):
+class Compliance(Answer[ComplianceDict]):
     """One posture. Base axes: x forward, y left, z up."""
 
     _arrays = (
@@ -118,8 +127,18 @@ class Compliance(Answer):
         "rotation_mrad",
     )
 
-    schema: dict[str, Any]
+    schema: Schema
     robot: str
+    vendor: str
+    architecture: str
+    #: Nothing says that it is of this architecture.
+    architecture_assumed: bool
+    #: How well the robot's numbers are known.
+    status: str
+    #: Who says how stiff the drives are: ``"assumed"``, ``"robot file"`` or ``"given"``.
+    stiffness_source: str
+    #: The compliance of each drive.
+    drive_urad_per_nm: list[float]
     model: str
     #: (6,) as the robot reports them.
     joints_deg: Array
@@ -157,7 +176,15 @@ class Compliance(Answer):
         return f"{self.robot}: worst {worst:.4f} um/N along {np.round(self.worst_direction, 3).tolist()}"
 
 
-class Compliances(_Table):
+class CompliancesDict(TypedDict):
+    """`stiffarm.Compliances.to_dict`; the matrices are None where they were not asked for."""
+
+    robot: str
+    worst_um_per_n: list[float]
+    compliance_um_per_n: list[list[list[float]]] | None
+
+
+class Compliances(_Table[CompliancesDict]):
     """Many postures."""
 
     robot: str
@@ -176,15 +203,22 @@ class Compliances(_Table):
         return f"{self.robot}: {len(self)} postures"
 
 
-class Placement(_Table):
+class Placement(_Table[PlacementDict]):
     """The best place of one zone; what only one model knows is None in the other. Positions count from the robot's base."""
 
     #: Version of the keys, and what positions count from.
-    schema: dict[str, Any]
+    schema: Schema
     robot: str
     vendor: str
     architecture: str
+    #: Nothing says that it is of this architecture.
+    architecture_assumed: bool
+    #: How well the robot's numbers are known.
     status: str
+    #: Who says how stiff the drives are: ``"assumed"``, ``"robot file"`` or ``"given"``.
+    stiffness_source: str
+    #: The compliance of each drive; None where a robot of two links has none.
+    drive_urad_per_nm: list[float | None]
     task: str
     model: str
     force_n: float
@@ -232,7 +266,7 @@ class Placement(_Table):
     limit_margin_joint: int | None
     singular_margin_deg: float | None
     #: The cell as it was asked for: mount, windows, what is kept free.
-    cell: dict[str, Any] | None
+    cell: CellDict | None
     #: The centre of the zone in the axes of the cell.
     cell_m: list[float] | None
     #: The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap.
@@ -241,7 +275,9 @@ class Placement(_Table):
     clearance_of: str | None
     #: A radius in it is estimated.
     clearance_estimated: bool | None
-    resolution: dict[str, Any] | None
+    resolution: Resolution | None
+    #: Every face of a part; None of one flat zone.
+    faces: list[FaceDict] | None
     tolerance_mm: float | None
     margin_mm: float | None
 
@@ -271,10 +307,10 @@ class Placement(_Table):
         return f"{self.robot}, {self.task}: {place}, {self.force_n:g} N, {self.model} model"
 
 
-class Ranking(_Table):
+class Ranking(_Table[RankingDict]):
     """Robots in order, the best first."""
 
-    schema: dict[str, Any]
+    schema: Schema
     tasks: list[str]
     model: str
     force_n: float
@@ -287,9 +323,9 @@ class Ranking(_Table):
     #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
     component: str
     #: One per robot: names, status, ``rank`` (None for an estimated robot), ``mean_ratio``, and ``cells`` with one placement per task.
-    rows: list[dict[str, Any]]
+    rows: list[RankingRow]
     #: Who is best at each task.
-    winners: list[dict[str, Any]]
+    winners: list[Winner]
     #: What a manager would read.
     summary: list[str]
 
@@ -313,14 +349,14 @@ class Ranking(_Table):
         return f"{len(self)} robots, {len(self.tasks)} tasks, {self.force_n:g} N, {self.model} model{best}"
 
 
-class Study(_Table):
+class Study(_Table[StudyDict]):
     """Accuracies over link ratio and size, normalised as Table I of the paper."""
 
-    schema: dict[str, Any]
+    schema: Schema
     #: ``task, d, mu_l3_over_l2, best, architecture, k2, k3, accuracy``.
-    rows: list[dict[str, Any]]
+    rows: list[StudyRow]
     #: Sizes at which the better architecture changes.
-    boundaries: list[dict[str, Any]]
+    boundaries: list[Boundary]
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -329,15 +365,25 @@ class Study(_Table):
         return f"{len(self)} rows, {len(self.boundaries)} boundaries"
 
 
-class Map(_Table):
+class Map(_Table[MapDict]):
     """Deflections over a grid: nan where nothing is reached. Points count from the robot's base."""
 
     _arrays = ("x_m", "z_m")
     _layers: tuple[str, ...]
     _shown: dict[str, Any]
 
-    schema: dict[str, Any]
+    schema: Schema
     robot: str
+    vendor: str
+    architecture: str
+    #: Nothing says that it is of this architecture.
+    architecture_assumed: bool
+    #: How well the robot's numbers are known.
+    status: str
+    #: Who says how stiff the drives are: ``"assumed"``, ``"robot file"`` or ``"given"``.
+    stiffness_source: str
+    #: The compliance of each drive; None where a robot of two links has none.
+    drive_urad_per_nm: list[float | None]
     model: str
     force_n: float
     #: ``"base"`` (ahead, left, up) or ``"tool"`` (feed, across, axial); None for the worst direction of the force.
@@ -370,7 +416,7 @@ class Map(_Table):
     #: (nz, nx) to the nearest singular posture; spatial model.
     singular_margin_deg: Array | None
     #: The best placement of the task that was given.
-    zone: dict[str, Any] | None
+    zone: Placed | None
 
     def __init__(self, data: dict[str, Any], layers: dict[str, Array], shown: dict[str, Any]) -> None:
         super().__init__({key: layers.get(key, value) for key, value in data.items()})

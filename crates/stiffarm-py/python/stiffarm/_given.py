@@ -9,10 +9,12 @@ from pathlib import Path
 from typing import Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _stiffarm
-from ._answers import Array
 from ._stiffarm import Robot, StiffarmError
+
+Array = npt.NDArray[np.float64]
 
 #: A robot, its name in the catalogue, or the path of its file.
 RobotLike = Union[Robot, str, "os.PathLike[str]"]

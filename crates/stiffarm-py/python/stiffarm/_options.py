@@ -80,6 +80,16 @@ def _text(option: Option, value: object) -> str | None:
     return repr(_given.number(name, value))
 
 
+class _Type:
+    """A type as it is written: evaluated, such as an array_like would fill lines of help."""
+
+    def __init__(self, written: str) -> None:
+        self._written = written
+
+    def __repr__(self) -> str:
+        return self._written
+
+
 def takes(verb: str, options: type) -> Callable[[F], F]:
     """Gives a function that takes ``**options`` of a verb their names, types and defaults, for all to see.
 
@@ -92,7 +102,7 @@ def takes(verb: str, options: type) -> Callable[[F], F]:
         types = {keyword: kind.__forward_arg__ for keyword, kind in options.__annotations__.items()}
         rows = [row for keyword, row in table(verb).items() if keyword in types]
         keywords = [
-            inspect.Parameter(row.keyword, inspect.Parameter.KEYWORD_ONLY, default=row.value, annotation=types[row.keyword])
+            inspect.Parameter(row.keyword, inspect.Parameter.KEYWORD_ONLY, default=row.value, annotation=_Type(types[row.keyword]))
             for row in rows
         ]
         last = [one for one in own if one.name == "progress"]

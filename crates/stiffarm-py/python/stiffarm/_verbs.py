@@ -10,8 +10,9 @@ import numpy.typing as npt
 from . import _given, _options, _stiffarm
 from ._answers import Compliance, Compliances, Map, Placement, Ranking, Study
 from ._given import RobotLike
+from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
-from .types import ComplianceOptions, MapOptions, PlaceOptions, RankOptions, RobotsOptions, StudyOptions
+from .types import ComplianceOptions, MapOptions, PlaceOptions, PlacementDict, RankOptions, RobotsOptions, StudyOptions
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -44,15 +45,20 @@ def robots(
 
 @overload
 def compliance(
-    robot: RobotLike, *, joints_deg: Sequence[float], full: bool = ..., **options: Unpack[ComplianceOptions]
+    robot: RobotLike, *, joints_deg: Sequence[float], full: bool = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
 ) -> Compliance: ...
 @overload
 def compliance(
-    robot: RobotLike, *, joints_deg: npt.ArrayLike, full: bool = ..., **options: Unpack[ComplianceOptions]
+    robot: RobotLike, *, joints_deg: npt.ArrayLike, full: bool = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
 ) -> Compliance | Compliances: ...
 @_options.takes("compliance", ComplianceOptions)
 def compliance(
-    robot: RobotLike, *, joints_deg: npt.ArrayLike, full: bool = False, **options: Unpack[ComplianceOptions]
+    robot: RobotLike,
+    *,
+    joints_deg: npt.ArrayLike,
+    full: bool = False,
+    progress: ProgressLike = None,
+    **options: Unpack[ComplianceOptions],
 ) -> Compliance | Compliances:
     """Six-axis compliance at one posture, or at many.
 
@@ -67,6 +73,9 @@ def compliance(
     full : bool
         Of many postures, the (n, 3, 3) matrices too.
     {options}
+    progress : bool or callable, optional
+        True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
+        parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
 
     Returns
     -------
@@ -89,14 +98,15 @@ def compliance(
         raise StiffarmError(f"joints_deg of shape {joints.shape}; expected (6,) or (n, 6), in degrees")
     if "force_n" in asked:
         raise StiffarmError("force_n is for one posture; of many, full=True gives the matrices")
-    data: dict[str, object] = {"robot": robot.name, "worst_um_per_n": _stiffarm.worst(robot, joints, asked)}
-    if full:
-        data["compliance_um_per_n"] = _stiffarm.matrices(robot, joints, asked)
+    with told("compliances", progress) as tell:
+        data: dict[str, object] = {"robot": robot.name, "worst_um_per_n": _stiffarm.worst(robot, joints, asked, tell)}
+        if full:
+            data["compliance_um_per_n"] = _stiffarm.matrices(robot, joints, asked, tell)
     return Compliances(data)
 
 
 @_options.takes("place", PlaceOptions)
-def place(robot: RobotLike, *, task: str, **options: Unpack[PlaceOptions]) -> Placement:
+def place(robot: RobotLike, *, task: str, progress: ProgressLike = None, **options: Unpack[PlaceOptions]) -> Placement:
     """The best place of one zone.
 
     Parameters
@@ -106,6 +116,9 @@ def place(robot: RobotLike, *, task: str, **options: Unpack[PlaceOptions]) -> Pl
     task : str
         ``circle:D``, ``rect:AxB`` in m, or the paper's ``A:d``, ``B:d``, ``C:d``.
     {options}
+    progress : bool or callable, optional
+        True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
+        parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
 
     Returns
     -------
@@ -118,10 +131,11 @@ def place(robot: RobotLike, *, task: str, **options: Unpack[PlaceOptions]) -> Pl
         Where an argument makes no sense.
     """
     asked = (_given.robot(robot), _given.text("task", task), _options.spelt("place", options))
-    return Placement(*_stiffarm.place(*asked), asked)
+    with told("searching places", progress) as tell:
+        return Placement(*_stiffarm.place(*asked, tell), asked)
 
 
-def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> dict[str, object]:
+def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> PlacementDict:
     """One placement as a plain dict: what a worker on another machine computes and sends back.
 
     Robots, options and the answer can all be pickled.
@@ -143,6 +157,7 @@ def rank(
     robots: RobotLike | Iterable[RobotLike] | None = None,
     *,
     tasks: str | Iterable[str] = PAPER_TASKS,
+    progress: ProgressLike = None,
     **options: Unpack[RankOptions],
 ) -> Ranking:
     """Robots in order, for several tasks.
@@ -155,6 +170,9 @@ def rank(
     tasks : str or list of str
         As the task of `place`; without it the six of the paper.
     {options}
+    progress : bool or callable, optional
+        True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
+        parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
 
     Returns
     -------
@@ -169,11 +187,12 @@ def rank(
     asked = _options.spelt("rank", options)
     if robots is None:
         robots = "all" if asked.keys() & _options.table("robots list").keys() else "paper"
-    return Ranking(*_stiffarm.rank(_given.robots(robots), _given.tasks(tasks), asked))
+    with told("placing zones", progress) as tell:
+        return Ranking(*_stiffarm.rank(_given.robots(robots), _given.tasks(tasks), asked, tell))
 
 
 @_options.takes("map", MapOptions)
-def map(robot: RobotLike, **options: Unpack[MapOptions]) -> Map:
+def map(robot: RobotLike, *, progress: ProgressLike = None, **options: Unpack[MapOptions]) -> Map:
     """The deflection over everything a robot reaches.
 
     Parameters
@@ -181,6 +200,9 @@ def map(robot: RobotLike, **options: Unpack[MapOptions]) -> Map:
     robot : Robot or str
         Which.
     {options}
+    progress : bool or callable, optional
+        True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
+        parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
 
     Returns
     -------
@@ -192,16 +214,20 @@ def map(robot: RobotLike, **options: Unpack[MapOptions]) -> Map:
     StiffarmError
         Where an argument makes no sense; too many points are refused before memory is taken.
     """
-    return Map(*_stiffarm.map(_given.robot(robot), _options.spelt("map", options)))
+    with told("mapping", progress) as tell:
+        return Map(*_stiffarm.map(_given.robot(robot), _options.spelt("map", options), tell))
 
 
 @_options.takes("study", StudyOptions)
-def study(**options: Unpack[StudyOptions]) -> Study:
+def study(*, progress: ProgressLike = None, **options: Unpack[StudyOptions]) -> Study:
     """Two architectures against link ratio and task size, without joint limits.
 
     Parameters
     ----------
     {options}
+    progress : bool or callable, optional
+        True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
+        parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
 
     Returns
     -------
@@ -213,4 +239,5 @@ def study(**options: Unpack[StudyOptions]) -> Study:
     StiffarmError
         Where an argument makes no sense.
     """
-    return Study(*_stiffarm.study(_options.spelt("study", options)))
+    with told("studying", progress) as tell:
+        return Study(*_stiffarm.study(_options.spelt("study", options), tell))

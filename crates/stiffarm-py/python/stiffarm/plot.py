@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import cycle
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -15,6 +15,8 @@ from ._answers import Compliance, Map, Placement, Ranking, Study
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.colors import Colormap
+
+    from .types import ComplianceDict, Placed, RankingRow, StudyRow
 
 __all__ = ["compliance", "map", "place", "ranking", "study"]
 
@@ -164,7 +166,7 @@ def _draw_base(ax: Axes, arm: list[list[float]]) -> None:
     ax.plot([0, 0, x], [0, z, z], color=_COLOUR["base"], linewidth=8, solid_joinstyle="round", zorder=3)
 
 
-def _draw_zone(ax: Axes, zone: dict[str, Any], shown: dict[str, Any]) -> None:
+def _draw_zone(ax: Axes, zone: Mapping[str, Any], shown: dict[str, Any]) -> None:
     from matplotlib.patches import Circle, Rectangle
 
     (width, height), (x, z) = shown["zone_sides_m"], (zone["x_m"], zone["z_m"])
@@ -249,6 +251,8 @@ def place(
         raise ValueError("plot.place draws what stiffarm.place has returned; of a ranking, place the robot once more")
     if not result.feasible:
         raise ValueError(f"{result.robot}: no place for {result.task} to draw: {result.reason}")
+    if result.faces:
+        raise ValueError(f"{result.robot}: pictures show one flat zone; faces= takes one face of {result.task}")
     shown, cells = _stiffarm.drawn_place(*asked, size)
     ax = _axes(ax)
     x, z = np.asarray(shown["x_m"]), np.asarray(shown["z_m"])
@@ -290,7 +294,8 @@ def compliance(result: Compliance, *, ax: Axes | None = None) -> Axes:
     ax.set_xlabel(f"part of {worst:.3f} µm/N in the worst direction ({direction}) [µm/N]")
     angles = ", ".join(f"{angle:g}" for angle in result.joints_deg)
     tool = ", ".join(f"{length:.3f}" for length in result.tcp_m)
-    ax.set_title(f"{result.robot}\njoints as reported {angles} deg; tool point {tool} m", fontsize="medium", loc="left")
+    told = f"{result.robot}; {_stiffness([result.to_dict()])}\njoints as reported {angles} deg; tool point {tool} m"
+    ax.set_title(told, fontsize="medium", loc="left")
     return ax
 
 
@@ -345,7 +350,7 @@ def ranking(
         if number == 0 or ax is not None:
             one.set_yticks(range(len(rows)), [_named(row) for row in rows])
         one.set_ylim(len(rows) - 0.4, -0.6)
-    title = f"Worst deflection at the best place, {result.force_n:g} N, {result.model} model"
+    title = f"Worst deflection at the best place, {result.force_n:g} N, {result.model} model; {_stiffness(rows)}"
     chosen = "" if len(rows) == len(result.rows) else f"; the first {len(rows)} of {len(result.rows)} robots"
     if ax is None:
         axes[0].figure.suptitle(title + chosen, fontsize="medium", x=0.01, ha="left")
@@ -354,7 +359,17 @@ def ranking(
     return axes[0] if len(axes) == 1 else np.asarray(axes, dtype=object)
 
 
-def _named(row: dict[str, Any]) -> str:
+def _stiffness(rows: Sequence[RankingRow | Placed | ComplianceDict]) -> str:
+    """Who says how stiff the drives are: what every deflection rests on."""
+    assumed = sum(row["stiffness_source"] == "assumed" for row in rows)
+    if assumed == len(rows):
+        return "stiffness of the drives assumed"
+    if assumed:
+        return f"stiffness of the drives assumed of {assumed} of {len(rows)} robots"
+    return "stiffness of the drives: " + " and ".join(sorted({row["stiffness_source"] for row in rows}))
+
+
+def _named(row: RankingRow) -> str:
     return f"{row['robot']}" + (" ~" if row["status"] == "estimated" else "")
 
 
@@ -362,17 +377,19 @@ def _looks(result: Ranking) -> list[tuple[str, int] | None]:
     return _stiffarm.looks([(row["robot"], row["architecture"]) for row in result.rows])
 
 
-def _bars(ax: Axes, rows: list[dict[str, Any]], looks: list[Any], task: int, scale: Scale | None) -> None:
+def _bars(ax: Axes, rows: list[RankingRow], looks: list[Any], task: int, scale: Scale | None) -> None:
+    from matplotlib.patheffects import withStroke
+
     found = [row["cells"][task] for row in rows]
-    known = [cell["deflection_mm"] for cell in found if cell.get("deflection_mm") is not None]
-    tolerance = next((cell["tolerance_mm"] for cell in found if cell.get("tolerance_mm") is not None), None)
+    known = [cell["deflection_mm"] for cell in found if cell["deflection_mm"] is not None]
+    tolerance = next((cell["tolerance_mm"] for cell in found if cell["tolerance_mm"] is not None), None)
     most = max(known, default=1.0)
     # A tolerance far above all bars would press them flat.
     seen = tolerance if tolerance is not None and tolerance <= 2 * most else None
     low, high = scale or (0.0, max(most, seen or 0.0))
     room = 0.24 * (high - low)
     for number, (row, look, cell) in enumerate(zip(rows, looks, found)):
-        value = cell.get("deflection_mm")
+        value = cell["deflection_mm"]
         if value is None:
             ax.text(low + 0.02 * room, number, "does not fit", va="center", fontsize="small", color=_COLOUR["grey"])
             continue
@@ -380,7 +397,7 @@ def _bars(ax: Axes, rows: list[dict[str, Any]], looks: list[Any], task: int, sca
         alpha = 0.3 if row["status"] == "estimated" else 1.0
         ax.barh(number, min(value, high) - low, left=low, height=0.6, color=colour, alpha=alpha, label=_named(row))
         ax.barh(number, min(value, high) - low, left=low, height=0.6, facecolor="none", edgecolor=colour, linewidth=1)
-        bound = cell.get("lower_bound_mm")
+        bound = cell["lower_bound_mm"]
         if bound is not None and low <= bound <= high:
             ax.plot([bound, bound], [number - 0.3, number + 0.3], color=_COLOUR["limit"], linewidth=2)
         if look is not None:
@@ -388,7 +405,9 @@ def _bars(ax: Axes, rows: list[dict[str, Any]], looks: list[Any], task: int, sca
             rim = colour if fill != colour else _COLOUR["paper"]
             ax.plot(low + 0.08 * room, number, _MARKS[look[1]], markersize=5, color=fill, markeredgecolor=rim)
         beyond = "» " if value > high else ""
-        ax.text(min(value, high) + 0.06 * room, number, f"{beyond}{value:.3f}", va="center", fontsize="small")
+        words = ax.text(min(value, high) + 0.06 * room, number, f"{beyond}{value:.3f}", va="center", fontsize="small")
+        # It is read where the line of the tolerance runs through it, too.
+        words.set_path_effects([withStroke(linewidth=3, foreground=str(_COLOUR["paper"]))])
     if seen is not None and low <= seen <= high:
         ax.axvline(seen, color=_COLOUR["tolerance"], linestyle="-.", linewidth=1.4, label=f"tolerance {seen:g} mm")
     ax.set_xlim(low, high + room)
@@ -416,7 +435,7 @@ def study(result: Study, *, task: str | None = None, ax: Axes | None = None) -> 
     rows = [row for row in result.rows if row["task"] == task]
     if not rows:
         raise KeyError(task)
-    lines: dict[tuple[tuple[Any, ...], float | None], list[dict[str, Any]]] = {}
+    lines: dict[tuple[tuple[Any, ...], float | None], list[StudyRow]] = {}
     for row in rows:
         who = (row["architecture"], row["k2"], row["k3"])
         lines.setdefault((who, None if row["best"] else row["mu_l3_over_l2"]), []).append(row)

@@ -1,4 +1,4 @@
-"""What goes in, for type checkers: the options of every verb.
+"""What goes in and what comes out, for type checkers: the options of every verb, and the keys of every answer.
 
 Written by ``STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types`` from the tables of the library; not to be edited.
 """
@@ -490,3 +490,623 @@ class SweepOptions(TypedDict, total=False):
     clearance_mm: float | None
     """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
     [default: told, not asked]."""
+
+
+class Schema(TypedDict):
+    """What a program must know to read an answer."""
+
+    version: int
+
+    verb: str
+
+    origin: str
+
+    axes: str
+
+    units: str
+
+
+class CellDict(TypedDict):
+    """A cell as it was asked for."""
+
+    mount: str
+
+    base_m: list[float]
+
+    base_deg: list[float]
+
+    within_m: list[list[list[float | None]]]
+    """Where the zone may stand; null where it is open."""
+
+    keep_out_m: list[list[list[float | None]]]
+
+    clearance_mm: float | None
+    """The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap."""
+
+
+class Resolution(TypedDict):
+    """How finely a place was looked for."""
+
+    coarse_step_m: float
+    """Distance between the places of the coarse search."""
+
+    coarse_mm: float | None
+    """The best value of the coarse search."""
+
+    fine_step_m: float
+    """The last step of the refinement."""
+
+    fine_turn_deg: float
+    """The last turn of the refinement."""
+
+    sample_step_m: float
+    """Distance between the poses in the zone."""
+
+    samples: int
+    """How many they are."""
+
+    halving: float
+    """By how much the value grew when that distance was halved last, relative."""
+
+    boxes: int
+    """Boxes of places behind the lower bound."""
+
+
+class FaceDict(TypedDict):
+    """One face of a part."""
+
+    face: str
+    """Which face of a part."""
+
+    centre_m: list[float]
+    """Its centre."""
+
+    tool_direction_deg: float
+    """The tool axis above the horizontal."""
+
+    yaw_deg: float
+    """Of the zone's plane about the vertical."""
+
+    roll_deg: float
+    """About the tool axis."""
+
+    deflection_mm: float
+    """The worst deflection in the zone at its best place."""
+
+    lower_bound_mm: float
+    """No allowed place has less."""
+
+    shoulder: str
+    """front or back."""
+
+    elbow: str
+    """up or down."""
+
+    wrist: str
+    """no flip or flip."""
+
+    worst_point_m: list[float]
+    """Where in the zone the deflection is largest."""
+
+    worst_joints_deg: list[float]
+    """Joint angles at the worst point as the robot reports them."""
+
+    worst_shares: list[float]
+    """What each drive gives of the worst deflection; adds up to 1."""
+
+    limit_margin_deg: float
+    """The smallest distance of any joint to its limits in the zone."""
+
+    limit_margin_joint: int
+    """That joint; 0 is the angle between the links."""
+
+    singular_margin_deg: float
+    """The smallest angle to a singular posture in the zone."""
+
+
+_Pass = TypedDict("_Pass", {"pass": "bool | None"})
+
+
+class Placed(_Pass):
+    """One placement, of rankings and maps; `pass` says whether the tolerance is kept."""
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, robot file or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    model: str
+    """planar or spatial."""
+
+    force_n: float
+    """The cutting force."""
+
+    force_axes: str | None
+    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
+    worst."""
+
+    force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
+    force_cone_deg: float | None
+    """By how much it may point aside."""
+
+    feed_deg: float | None
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
+    component: str
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""
+
+    tool_mm: list[float] | None
+    """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
+
+    tool_direction_deg: float | None
+    """The tool axis above the horizontal."""
+
+    within_m: list[list[float | None]] | None
+    """Where the zone may stand; null where it is open."""
+
+    cell: CellDict | None
+    """The cell as it was asked for: mount, windows, what is kept free; null where there is none."""
+
+    asked_limit_margin_deg: float
+    """What every joint was to keep from its limits."""
+
+    asked_singular_margin_deg: float
+    """What wrist and arm were to keep from straight."""
+
+    clear_of_base_m: float | None
+    """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
+
+    floor_m: float | None
+    """Height of the floor above which the zone was to stand, from the base; null where there is none."""
+
+    feasible: bool | None
+    """There is a place; null where it is not known."""
+
+    reason: str | None
+    """Why there is no place, or it is not known."""
+
+    proved: bool | None
+    """That there is no place is proved."""
+
+    largest_feasible_scale: float | None
+    """The largest scale at which a zone of this shape has a place."""
+
+    deflection_mm: float | None
+    """The worst deflection in the zone at its best place."""
+
+    lower_bound_mm: float | None
+    """No allowed place has less."""
+
+    x_m: float | None
+    """Ahead, from the base."""
+
+    z_m: float | None
+    """Up, from the base."""
+
+    bearing_deg: float | None
+    """Where about the joint-1 axis the zone stands."""
+
+    yaw_deg: float | None
+    """Of the zone's plane about the vertical."""
+
+    angle_deg: float | None
+    """Of the first side of a rectangle."""
+
+    roll_deg: float | None
+    """About the tool axis."""
+
+    shoulder: str | None
+    """front or back."""
+
+    elbow: str | None
+    """up or down."""
+
+    wrist: str | None
+    """no flip or flip."""
+
+    worst_point_m: list[float] | None
+    """Where in the zone the deflection is largest."""
+
+    from_axis_1_m: float | None
+    """Distance of the zone's nearest point from the joint-1 axis."""
+
+    below_base: bool | None
+    """Part of the zone lies below the base."""
+
+    behind_axis_1: bool | None
+    """Part of the zone lies behind the joint-1 axis."""
+
+    worst_joints_deg: list[float] | None
+    """Joint angles at the worst point as the robot reports them."""
+
+    worst_shares: list[float] | None
+    """What each drive gives of the worst deflection; adds up to 1."""
+
+    limit_margin_deg: float | None
+    """The smallest distance of any joint to its limits in the zone."""
+
+    limit_margin_joint: int | None
+    """That joint; 0 is the angle between the links."""
+
+    singular_margin_deg: float | None
+    """The smallest angle to a singular posture in the zone."""
+
+    clearance_mm: float | None
+    """The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap."""
+
+    clearance_of: str | None
+    """Which link to what."""
+
+    clearance_estimated: bool | None
+    """A radius in it is estimated."""
+
+    cell_m: list[float] | None
+    """The centre of the zone in the axes of the cell, its floor at 0."""
+
+    resolution: Resolution | None
+    """How finely a place was looked for."""
+
+    faces: list[FaceDict] | None
+    """Every face of a part; null of one flat zone."""
+
+    tolerance_mm: float | None
+    """The largest deflection that is acceptable."""
+
+    margin_mm: float | None
+    """What is left of the tolerance."""
+
+
+class PlacementDict(Placed):
+    """`stiffarm.Placement.to_dict`."""
+
+    schema: Schema
+
+
+class RankingRow(TypedDict):
+    """One robot of a ranking."""
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, robot file or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    rank: int | None
+    """From 1; none for a robot that is estimated, or of which nothing is known."""
+
+    planar_rank: int | None
+    """The rank in the planar ranking of the same robots and tasks."""
+
+    bound_mm: float | None
+    """Deflection at the stiffest posture of the links."""
+
+    mean_ratio: float | None
+    """How much worse than the best of each task, geometric mean."""
+
+    cells: list[Placed]
+    """One placement per task."""
+
+
+class Winner(TypedDict):
+    """Who is best at a task."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    best: str | None
+    """The best robot whose geometry and limits are published."""
+
+    best_with_estimated: str | None
+    """The best robot of all."""
+
+    best_serial: str | None
+    """The best serial robot."""
+
+    best_quasi_serial: str | None
+    """The best quasi-serial robot."""
+
+
+class RankingDict(TypedDict):
+    """`stiffarm.Ranking.to_dict`."""
+
+    schema: Schema
+
+    tasks: list[str]
+    """The tasks as they were asked for."""
+
+    force_n: float
+    """The cutting force."""
+
+    force_axes: str | None
+    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
+    worst."""
+
+    force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
+    force_cone_deg: float | None
+    """By how much it may point aside."""
+
+    feed_deg: float | None
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
+    component: str
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""
+
+    model: str
+    """planar or spatial."""
+
+    rows: list[RankingRow]
+    """One entry per row."""
+
+    winners: list[Winner]
+    """Who is best at each task."""
+
+    summary: list[str]
+    """What a manager would read."""
+
+
+class StudyRow(TypedDict):
+    """One contender at one size."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    d: float
+    """The size over l2 + l3."""
+
+    mu_l3_over_l2: float | None
+    """The link ratio; null where every contender has its best."""
+
+    best: bool
+    """The link ratio is the best."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    k2: float
+    """Compliance of drive 2 over the reference."""
+
+    k3: float
+    """Compliance of drive 3 over the reference."""
+
+    accuracy: float | None
+    """The worst deflection over k F (l2 + l3)^2; null where the zone does not fit."""
+
+
+class Boundary(TypedDict):
+    """A size at which the better one changes."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    mu_l3_over_l2: float | None
+    """The link ratio; null where every contender has its best."""
+
+    d: float
+    """The size over l2 + l3."""
+
+    better_below: str
+    """The better contender for smaller tasks."""
+
+    better_above: str
+    """The better contender for larger tasks."""
+
+
+class StudyDict(TypedDict):
+    """`stiffarm.Study.to_dict`."""
+
+    schema: Schema
+
+    rows: list[StudyRow]
+    """One entry per row."""
+
+    boundaries: list[Boundary]
+    """Sizes at which the better architecture changes."""
+
+
+class _MapDict(TypedDict):
+    """`stiffarm.Map.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, robot file or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    model: str
+    """planar or spatial."""
+
+    force_n: float
+    """The cutting force."""
+
+    force_axes: str | None
+    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
+    worst."""
+
+    force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
+    force_cone_deg: float | None
+    """By how much it may point aside."""
+
+    feed_deg: float | None
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
+    component: str
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""
+
+    direction_deg: float | None
+    """Of the force in the arm plane, from straight ahead."""
+
+    tool_mm: list[float] | None
+    """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
+
+    tool_direction_deg: float | None
+    """The tool axis above the horizontal."""
+
+    roll_tolerance: float | None
+    """How much more than at the best roll a point may tell, relative."""
+
+    zone: Placed | None
+    """The best placement of the task that was given."""
+
+    x_m: list[float]
+    """Ahead, from the base."""
+
+    z_m: list[float]
+    """Up, from the base."""
+
+    limit_margin_deg: list[list[float | None]] | None
+    """The smallest distance of any joint to its limits in the zone."""
+
+    singular_margin_deg: list[list[float | None]] | None
+    """The smallest angle to a singular posture in the zone."""
+
+    posture: list[list[str | None]] | None
+    """The configuration that holds a point."""
+
+    roll_deg: list[list[float | None]] | None
+    """About the tool axis."""
+
+
+class MapDict(_MapDict, total=False):
+    """`stiffarm.Map.to_dict`."""
+
+    worst_mm: list[list[float | None]]
+    """Deflection under the force in its worst direction."""
+
+    deflection_mm: list[list[float | None]]
+    """The translation under it."""
+
+
+class ComplianceDict(TypedDict):
+    """`stiffarm.Compliance.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, robot file or given."""
+
+    drive_urad_per_nm: list[float]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    model: str
+    """planar or spatial."""
+
+    joints_deg: list[float]
+    """Joint angles as the robot reports them, deg."""
+
+    tcp_m: list[float]
+    """The tool point."""
+
+    compliance_um_per_n: list[list[float]]
+    """From force to translation, base axes."""
+
+    compliance_6x6_si: list[list[float]]
+    """From wrench to translation and rotation, base axes, SI."""
+
+    principal_um_per_n: list[float]
+    """Principal compliances, ascending."""
+
+    worst_direction: list[float]
+    """The unit direction of the last of them."""
+
+    worst_shares: list[float]
+    """What each drive gives of the worst deflection; adds up to 1."""
+
+    force_n: list[float] | None
+    """The force at the tool point, base axes: as given, or of those that it may be the one that does most."""
+
+    deflection_mm: list[float] | None
+    """The translation under it."""
+
+    rotation_mrad: list[float] | None
+    """The rotation under it."""
+
+    largest_mm: float | None
+    """What counts of the translation, the largest that the force may cause."""
+
+    force_axes: str | None
+    """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the
+    worst."""
+
+    force_direction: list[float] | None
+    """Its unit direction along these axes."""
+
+    force_cone_deg: float | None
+    """By how much it may point aside."""
+
+    feed_deg: float | None
+    """Direction of the feed from the first side of the zone; null where it may go any way."""
+
+    component: str | None
+    """What of the displacement counts: total, normal (to the face) or along (the force)."""

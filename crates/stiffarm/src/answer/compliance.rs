@@ -6,11 +6,12 @@ use serde_json::Value;
 use super::stiffness::{self, stiffness};
 use super::words::{self, fixed, percentages};
 use super::{Cell, Column, ColumnKind, Datum, Record, Rows, Table, columns_of, field, force, line, with_schema};
-use crate::batch::{RowError, Units, matrices_of_rows, worst_of_rows};
+use crate::batch::{RowsError, Units, matrices_of_rows, worst_of_rows};
 use crate::compliance::Posture;
 use crate::load::{Direction, Largest, Load};
 use crate::robot::Robot;
 use crate::spatial::{Pose, Wrench};
+use crate::watch::Watch;
 
 /// In which many postures are told: joint angles in degrees, compliances in um/N.
 const TOLD: Units = Units { angle: std::f64::consts::PI / 180.0, compliance: 1e-6 };
@@ -151,7 +152,7 @@ pub fn vector(v: &Vector3<f64>, digits: usize) -> String {
 /// reports, deg; see [`worst_of_rows`].
 ///
 /// # Errors
-/// The first posture that cannot be evaluated. Joint limits are not checked here.
+/// As [`worst_of_rows`].
 ///
 /// # Panics
 /// Where there are not as many answers as postures.
@@ -160,8 +161,9 @@ pub fn worst_um_per_n(
     flange_from_tool: &Pose,
     joints_deg: &[[f64; 6]],
     found: &mut [f64],
-) -> Result<(), RowError> {
-    worst_of_rows(robot, flange_from_tool, joints_deg, TOLD, found)
+    watch: Watch,
+) -> Result<(), RowsError> {
+    worst_of_rows(robot, flange_from_tool, joints_deg, TOLD, found, watch)
 }
 
 /// The block from force to translation, um/N, base axes, at many postures; see [`matrices_of_rows`].
@@ -176,6 +178,7 @@ pub fn matrices_um_per_n(
     flange_from_tool: &Pose,
     joints_deg: &[[f64; 6]],
     found: &mut [[f64; 9]],
-) -> Result<(), RowError> {
-    matrices_of_rows(robot, flange_from_tool, joints_deg, TOLD, found)
+    watch: Watch,
+) -> Result<(), RowsError> {
+    matrices_of_rows(robot, flange_from_tool, joints_deg, TOLD, found, watch)
 }

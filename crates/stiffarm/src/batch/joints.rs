@@ -97,17 +97,23 @@ fn check(joints: &[&[f64]; 6], count: usize) -> Result<(), PostureError> {
     assert!(joints.iter().all(|q| q.len() == count), "six slices of joint angles, as long as the answer");
     for (joint, q) in joints.iter().enumerate() {
         // One pass without a way out early goes through registers of several numbers.
-        if !q.iter().fold(true, |fine, angle| fine & (angle.abs() <= 1080_f64.to_radians())) {
+        if !q.iter().fold(true, |fine, angle| fine & makes_sense(*angle)) {
             q.iter().try_for_each(|angle| check_joint(joint, *angle))?;
         }
     }
     Ok(())
 }
 
-struct Worst<'a> {
-    arm: &'a SpatialArm,
-    joints: [&'a [f64]; 6],
-    found: &'a mut [f64],
+/// Whether a joint angle, rad, is one of which anything can be told; [`check_joint`] says what is wrong with others.
+#[inline(always)]
+pub(super) fn makes_sense(angle: f64) -> bool {
+    angle.abs() <= 1080_f64.to_radians()
+}
+
+pub(super) struct Worst<'a> {
+    pub(super) arm: &'a SpatialArm,
+    pub(super) joints: [&'a [f64]; 6],
+    pub(super) found: &'a mut [f64],
 }
 
 impl WithSimd for Worst<'_> {
@@ -124,10 +130,10 @@ impl WithSimd for Worst<'_> {
     }
 }
 
-struct Translations<'a> {
-    arm: &'a SpatialArm,
-    joints: [&'a [f64]; 6],
-    entries: [&'a mut [f64]; 6],
+pub(super) struct Translations<'a> {
+    pub(super) arm: &'a SpatialArm,
+    pub(super) joints: [&'a [f64]; 6],
+    pub(super) entries: [&'a mut [f64]; 6],
 }
 
 impl WithSimd for Translations<'_> {

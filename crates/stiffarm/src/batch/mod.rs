@@ -41,7 +41,7 @@ pub(crate) use orientation::RolledTool;
 pub(crate) use poses::AtRoll;
 pub use poses::Best;
 pub(crate) use posture::arm_columns;
-pub use rows::{RowError, Units, matrices_of_rows, worst_of_rows};
+pub use rows::{RowError, RowsError, Units, matrices_of_rows, worst_of_rows};
 pub(crate) use same_branch::SameBranch;
 
 /// A six-axis robot with a tool, ready to be evaluated in bulk.

@@ -1,14 +1,19 @@
 //! How compliant are many postures, given as rows of six joint angles in the units of whoever asks?
 
+use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::SpatialArm;
+use super::joints::{Translations, Worst, makes_sense};
 use crate::compliance::{PostureError, compliance};
 use crate::robot::Robot;
 use crate::spatial::Pose;
+use crate::watch::{Stopped, Watch};
 
 /// Postures of which the angles are turned into radians at a time: they stay in the nearest cache.
 const BLOCK: usize = 256;
+/// Postures that one thread takes at a time.
+const CHUNK: usize = 16 * BLOCK;
 
 /// The units of rows, each in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,11 +34,22 @@ pub struct RowError {
     pub error: PostureError,
 }
 
+/// Why many postures have no answer.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RowsError {
+    /// One of them has none.
+    #[error(transparent)]
+    Row(#[from] RowError),
+    /// No longer wanted.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+}
+
 /// The largest translation per force in any direction at many postures, given by the joint angles that the robot reports. On
-/// all cores; as exact as [`SpatialArm::worst`].
+/// all cores; as exact as [`SpatialArm::worst`]. The parts of the work are blocks of rows.
 ///
 /// # Errors
-/// The first posture that cannot be evaluated. Joint limits are not checked here.
+/// The first posture that cannot be evaluated, or that the work is no longer wanted. Joint limits are not checked here.
 ///
 /// # Panics
 /// Where there are not as many answers as postures.
@@ -43,19 +59,21 @@ pub fn worst_of_rows(
     rows: &[[f64; 6]],
     units: Units,
     found: &mut [f64],
-) -> Result<(), RowError> {
-    let arm = SpatialArm::new(robot, flange_from_tool).map_err(|error| RowError { row: 0, error })?;
+    watch: Watch,
+) -> Result<(), RowsError> {
+    let arm = &SpatialArm::new(robot, flange_from_tool).map_err(|error| RowError { row: 0, error })?;
     assert_eq!(rows.len(), found.len(), "one answer per posture");
-    let block = |(rows, found): (&[[f64; 6]], &mut [f64])| {
-        let mut columns = [[0.0; BLOCK]; 6];
-        arm.worst(radians(rows, units, &mut columns), found)?;
-        for value in &mut *found {
-            *value *= 1.0 / units.compliance;
-        }
-        check_held(robot, found.iter().copied())
+    let parts = watch.parts(Some(rows.len().div_ceil(CHUNK)));
+    let chunk = |(rows, found): (&[[f64; 6]], &mut [f64])| {
+        parts.one_more()?;
+        let blocks = rows.chunks(BLOCK).zip(found.chunks_mut(BLOCK));
+        let fine = blocks.map(|(rows, found)| Arch::new().dispatch(WorstOfRows { arm, rows, units, found }));
+        Ok(fine.fold(true, |all, one| all & one))
     };
-    let done = rows.par_chunks(BLOCK).zip(found.par_chunks_mut(BLOCK)).try_for_each(block);
-    done.map_err(|error| first_row(robot, flange_from_tool, rows, units, error))
+    if all_fine(rows.par_chunks(CHUNK).zip(found.par_chunks_mut(CHUNK)).map(chunk))? {
+        return Ok(());
+    }
+    refuse_first(robot, flange_from_tool, rows, units, found.iter().position(|value| value.is_nan()))
 }
 
 /// The block from force to translation, base axes, row by row, at many postures; else as [`worst_of_rows`].
@@ -71,45 +89,117 @@ pub fn matrices_of_rows(
     rows: &[[f64; 6]],
     units: Units,
     found: &mut [[f64; 9]],
-) -> Result<(), RowError> {
-    let arm = SpatialArm::new(robot, flange_from_tool).map_err(|error| RowError { row: 0, error })?;
+    watch: Watch,
+) -> Result<(), RowsError> {
+    let arm = &SpatialArm::new(robot, flange_from_tool).map_err(|error| RowError { row: 0, error })?;
     assert_eq!(rows.len(), found.len(), "one answer per posture");
-    let block = |(rows, found): (&[[f64; 6]], &mut [[f64; 9]])| {
-        let (mut columns, mut entries) = ([[0.0; BLOCK]; 6], [[0.0; BLOCK]; 6]);
-        let joints = radians(rows, units, &mut columns);
-        arm.translations(joints, entries.each_mut().map(|entry| &mut entry[..rows.len()]))?;
-        for (n, matrix) in found.iter_mut().enumerate() {
-            let [xx, yy, zz, xy, yz, xz] = entries.each_ref().map(|entry| entry[n] * (1.0 / units.compliance));
-            *matrix = [xx, xy, xz, xy, yy, yz, xz, yz, zz];
-        }
-        check_held(robot, found.iter().map(|matrix| matrix[0]))
+    let parts = watch.parts(Some(rows.len().div_ceil(CHUNK)));
+    let chunk = |(rows, found): (&[[f64; 6]], &mut [[f64; 9]])| {
+        parts.one_more()?;
+        let blocks = rows.chunks(BLOCK).zip(found.chunks_mut(BLOCK));
+        let fine = blocks.map(|(rows, found)| Arch::new().dispatch(MatricesOfRows { arm, rows, units, found }));
+        Ok(fine.fold(true, |all, one| all & one))
     };
-    let done = rows.par_chunks(BLOCK).zip(found.par_chunks_mut(BLOCK)).try_for_each(block);
-    done.map_err(|error| first_row(robot, flange_from_tool, rows, units, error))
+    if all_fine(rows.par_chunks(CHUNK).zip(found.par_chunks_mut(CHUNK)).map(chunk))? {
+        return Ok(());
+    }
+    refuse_first(robot, flange_from_tool, rows, units, found.iter().position(|matrix| matrix[0].is_nan()))
 }
 
-/// One slice per joint, in radians.
-fn radians<'a>(rows: &[[f64; 6]], units: Units, columns: &'a mut [[f64; BLOCK]; 6]) -> [&'a [f64]; 6] {
-    for (joint, column) in columns.iter_mut().enumerate() {
-        for (angle, row) in column.iter_mut().zip(rows) {
-            *angle = row[joint] * units.angle;
+/// Whether all chunks are fine.
+fn all_fine(chunks: impl ParallelIterator<Item = Result<bool, Stopped>>) -> Result<bool, Stopped> {
+    chunks.try_reduce(|| true, |one, other| Ok(one & other))
+}
+
+/// One block of rows; false where a row of it may have no answer.
+struct WorstOfRows<'a> {
+    arm: &'a SpatialArm,
+    rows: &'a [[f64; 6]],
+    units: Units,
+    found: &'a mut [f64],
+}
+
+impl WithSimd for WorstOfRows<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        let Self { arm, rows, units, found } = self;
+        let mut columns = [[0.0; BLOCK]; 6];
+        let mut fine = radians(rows, units, &mut columns);
+        let joints = [0, 1, 2, 3, 4, 5].map(|joint| &columns[joint][..rows.len()]);
+        Worst { arm, joints, found: &mut *found }.with_simd(simd);
+        let scale = 1.0 / units.compliance;
+        for value in found {
+            *value *= scale;
+            // The kernels answer NaN where nothing holds joint 2.
+            fine &= !value.is_nan();
+        }
+        fine
+    }
+}
+
+/// As [`WorstOfRows`].
+struct MatricesOfRows<'a> {
+    arm: &'a SpatialArm,
+    rows: &'a [[f64; 6]],
+    units: Units,
+    found: &'a mut [[f64; 9]],
+}
+
+impl WithSimd for MatricesOfRows<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        let Self { arm, rows, units, found } = self;
+        let (mut columns, mut entries) = ([[0.0; BLOCK]; 6], [[0.0; BLOCK]; 6]);
+        let mut fine = radians(rows, units, &mut columns);
+        let joints = [0, 1, 2, 3, 4, 5].map(|joint| &columns[joint][..rows.len()]);
+        let into = entries.each_mut().map(|entry| &mut entry[..rows.len()]);
+        Translations { arm, joints, entries: into }.with_simd(simd);
+        let scale = 1.0 / units.compliance;
+        for n in 0..found.len() {
+            let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|entry| entries[entry][n] * scale);
+            found[n] = [xx, xy, xz, xy, yy, yz, xz, yz, zz];
+            fine &= !xx.is_nan();
+        }
+        fine
+    }
+}
+
+/// Rows as columns, in radians; whether every angle makes sense. Inlined, so that it is compiled with the wide instructions.
+#[inline(always)]
+fn radians(rows: &[[f64; 6]], units: Units, columns: &mut [[f64; BLOCK]; 6]) -> bool {
+    let mut fine = true;
+    for n in 0..rows.len().min(BLOCK) {
+        for joint in 0..6 {
+            let angle = rows[n][joint] * units.angle;
+            columns[joint][n] = angle;
+            fine &= makes_sense(angle);
         }
     }
-    columns.each_ref().map(|column| &column[..rows.len()])
+    fine
 }
 
-/// The kernels answer NaN where nothing holds joint 2.
-fn check_held(robot: &Robot, mut values: impl Iterator<Item = f64>) -> Result<(), PostureError> {
-    if values.any(f64::is_nan) { Err(PostureError::Unstable(robot.name.clone())) } else { Ok(()) }
-}
-
-/// The first posture that cannot be evaluated, whichever thread came upon one.
-fn first_row(robot: &Robot, flange_from_tool: &Pose, rows: &[[f64; 6]], units: Units, error: PostureError) -> RowError {
+/// Refuses the first posture that cannot be evaluated, whichever thread came upon one; where one at a time all can be, that which
+/// many at once have no number for.
+fn refuse_first(
+    robot: &Robot,
+    flange_from_tool: &Pose,
+    rows: &[[f64; 6]],
+    units: Units,
+    without_number: Option<usize>,
+) -> Result<(), RowsError> {
     let evaluate = |(row, q): (usize, &[f64; 6])| {
         let evaluated = compliance(robot, &q.map(|angle| angle * units.angle), flange_from_tool);
         evaluated.err().map(|error| RowError { row, error })
     };
-    rows.par_iter().enumerate().find_map_first(evaluate).unwrap_or(RowError { row: 0, error })
+    let unstable = |row| RowError { row, error: PostureError::Unstable(robot.name.clone()) };
+    match rows.par_iter().enumerate().find_map_first(evaluate).or(without_number.map(unstable)) {
+        Some(error) => Err(error.into()),
+        None => Ok(()),
+    }
 }
 
 #[cfg(test)]
@@ -126,6 +216,20 @@ mod tests {
         (0..3 * BLOCK + 7).map(|_| std::array::from_fn(|_| 340.0 * (rng.f64() - 0.5))).collect()
     }
 
+    /// The row that both kinds of answers refuse.
+    fn refusal(robot: &Robot, joints: &[[f64; 6]]) -> Option<RowError> {
+        let (tool, watch) = (Pose::identity(), Watch::nobody());
+        let refused = |done| match done {
+            Ok(()) => None,
+            Err(RowsError::Row(error)) => Some(error),
+            Err(RowsError::Stopped(error)) => panic!("{error}"),
+        };
+        let worst = refused(worst_of_rows(robot, &tool, joints, UNITS, &mut vec![0.0; joints.len()], watch));
+        let mut matrices = vec![[0.0; 9]; joints.len()];
+        assert_eq!(refused(matrices_of_rows(robot, &tool, joints, UNITS, &mut matrices, watch)), worst);
+        worst
+    }
+
     #[test]
     fn many_postures_in_degrees_are_what_single_ones_are() {
         let tool = Pose::translation(0.1, -0.05, 0.2);
@@ -133,8 +237,8 @@ mod tests {
             let joints = postures();
             let mut worst = vec![0.0; joints.len()];
             let mut matrices = vec![[0.0; 9]; joints.len()];
-            worst_of_rows(&robot, &tool, &joints, UNITS, &mut worst).unwrap();
-            matrices_of_rows(&robot, &tool, &joints, UNITS, &mut matrices).unwrap();
+            worst_of_rows(&robot, &tool, &joints, UNITS, &mut worst, Watch::nobody()).unwrap();
+            matrices_of_rows(&robot, &tool, &joints, UNITS, &mut matrices, Watch::nobody()).unwrap();
             for ((q, worst), matrix) in joints.iter().zip(worst).zip(matrices) {
                 let c = compliance(&robot, &q.map(f64::to_radians), &tool).unwrap().compliance;
                 let largest = c.worst().0 * 1e6;
@@ -154,7 +258,7 @@ mod tests {
         let mut joints = postures();
         joints[2 * BLOCK + 3][4] = f64::NAN;
         joints[BLOCK + 3][1] = 1081.0;
-        let error = worst_of_rows(&robot, &Pose::identity(), &joints, UNITS, &mut vec![0.0; joints.len()]).unwrap_err();
+        let error = refusal(&robot, &joints).unwrap();
         assert_eq!(error.row, BLOCK + 3);
         assert!(error.to_string().starts_with(&format!("posture {}: joint 2: 1081", BLOCK + 3)), "{error}");
 
@@ -165,9 +269,9 @@ mod tests {
         let joints = postures();
         let judged = |q: &[f64; 6]| compliance(&robot, &q.map(f64::to_radians), &Pose::identity());
         let row = joints.iter().position(|q| judged(q).is_err()).expect("some lean that nothing holds");
-        let error = worst_of_rows(&robot, &Pose::identity(), &joints, UNITS, &mut vec![0.0; joints.len()]).unwrap_err();
+        let error = refusal(&robot, &joints).unwrap();
         assert_eq!((error.row, error.error), (row, PostureError::Unstable(robot.name.clone())));
         let held: Vec<[f64; 6]> = joints.into_iter().filter(|q| judged(q).is_ok()).collect();
-        assert_eq!(worst_of_rows(&robot, &Pose::identity(), &held, UNITS, &mut vec![0.0; held.len()]), Ok(()));
+        assert_eq!(refusal(&robot, &held), None);
     }
 }

@@ -9,6 +9,7 @@ use crate::interval::Interval;
 use crate::load::Load;
 use crate::model::PlanarModel;
 use crate::plane::{Elbow, ElbowSide, RadialCompliance};
+use crate::watch::Watch;
 
 /// Shoulder and elbow angle, rad, at a point from the joint-2 axis, with the one elbow side or the first that reaches it.
 pub(super) fn posture(model: &PlanarModel, elbow: Option<Elbow>, point: [f64; 2]) -> Option<[f64; 2]> {
@@ -28,7 +29,7 @@ pub(super) fn reached_box(model: &PlanarModel) -> Result<[Interval; 2], MapError
     let axis = Axis::between(-far, far, CELLS);
     let grid = PlaneGrid { x: axis, z: axis };
     let mut cells = vec![0.0; CELLS * CELLS];
-    fill(model, &MapOptions::over(Spacing::Points(CELLS), Load::UNIT), &grid, &mut cells)?;
+    fill(model, &MapOptions::over(Spacing::Points(CELLS), Load::UNIT), &grid, &mut cells, Watch::nobody())?;
     let map = Grid { x: axis, z: axis, cells };
     let reached: Vec<(usize, usize)> = (0..CELLS)
         .flat_map(|j| {
@@ -51,6 +52,7 @@ pub(super) fn fill(
     options: &MapOptions,
     grid: &PlaneGrid,
     cells: &mut [f64],
+    watch: Watch,
 ) -> Result<(), MapError> {
     let columns = grid.x.count;
     assert_eq!(cells.len(), columns * grid.z.count, "one cell per grid point");
@@ -65,15 +67,16 @@ pub(super) fn fill(
     let directed = options.load.sector()?.map(|sector| DirectedRows::new(arm, sector, force));
     let spans = RowSpans::new(&sides, grid.x);
     let block = (16_384 / columns).max(1);
+    let parts = watch.parts(Some(grid.z.count.div_ceil(block)));
     let fill = |(number, block_cells): (usize, &mut [f64])| {
         let first = number * block;
         match &directed {
             None => worst_rows(&arm.radial(), &spans, (grid, force), first, block_cells),
             Some(directed) => directed.fill(&spans, grid, first, block_cells),
         }
+        parts.one_more()
     };
-    cells.par_chunks_mut(block * columns).enumerate().for_each(fill);
-    Ok(())
+    Ok(cells.par_chunks_mut(block * columns).enumerate().try_for_each(fill)?)
 }
 
 /// Rows from `first` on: sigma(r) over the reached spans, blank elsewhere. Vectorised with what the machine has.

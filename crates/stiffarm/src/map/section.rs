@@ -14,6 +14,7 @@ use crate::limits::Limits;
 use crate::load::{Forces, Load};
 use crate::model::SpatialModel;
 use crate::tolerances;
+use crate::watch::{Parts, Stopped, Watch};
 use crate::work::{WorkPlacement, WorkPlane};
 
 /// Where any roll will do and they differ, the deflection told is at most so much, relative, above that of the best roll.
@@ -48,18 +49,29 @@ pub(super) fn joints(
 }
 
 /// The deflection over a section, all six drives compliant, at the best configuration and roll of every point.
-pub(super) fn section(arm: &SpatialArm, x: Axis, z: Axis, load: Load, held: &Held) -> Map {
+pub(super) fn section(
+    arm: &SpatialArm,
+    [x, z]: [Axis; 2],
+    (load, held): (Load, &Held),
+    watch: Watch,
+) -> Result<Map, Stopped> {
     let options = SectionOptions { x, z, load, held };
     let freed = freed(arm, load, held);
     let scan = Scan::new(&freed, &options);
-    let cells: Vec<Cell> = (0..z.count).into_par_iter().flat_map_iter(|j| scan.row(j)).collect();
+    let mut cells = vec![Cell::NONE; x.count * z.count];
+    let parts = watch.parts(Some(z.count));
+    let fill = |(j, cells): (usize, &mut [Cell])| {
+        cells.copy_from_slice(&scan.row(j, &parts)?);
+        parts.one_more()
+    };
+    cells.par_chunks_mut(x.count).enumerate().try_for_each(fill)?;
     let layer = |value: fn(&Cell) -> f64| Grid { x, z, cells: cells.iter().map(value).collect() };
     let margins = Margins {
         limits: layer(|cell| cell.limit_margin),
         singular: layer(|cell| cell.singular_margin),
         held: cells.iter().map(|cell| cell.posture).collect(),
     };
-    Map { deflection: layer(|cell| cell.worst), space: Some(margins), from_axis_2: [x, z] }
+    Ok(Map { deflection: layer(|cell| cell.worst), space: Some(margins), from_axis_2: [x, z] })
 }
 
 /// Which way one point after another is held.
@@ -78,19 +90,25 @@ impl Points {
     pub(super) fn at(&self, [x, z]: [f64; 2]) -> Option<(Configuration, f64)> {
         let only = |at: f64| Axis { start: at, step: 1.0, count: 1 };
         let options = SectionOptions { x: only(x), z: only(z), load: self.load, held: &self.held };
-        Scan::new(&self.freed, &options).row(0).first().and_then(|cell| cell.posture)
+        let row = Scan::new(&self.freed, &options).row(0, &Watch::nobody().parts(None));
+        row.expect("nobody stops it").first().and_then(|cell| cell.posture)
     }
 }
 
 /// The upright box, m from the base, outside which the tool reaches nothing in this direction: ahead, upwards.
 ///
 /// Found on a 96 x 192 grid and widened by one step; `None` where nothing is reached.
-pub(super) fn reached_box(arm: &SpatialArm, load: Load, held: &Held) -> Result<Option<[Interval; 2]>, MapError> {
+pub(super) fn reached_box(
+    arm: &SpatialArm,
+    load: Load,
+    held: &Held,
+    watch: Watch,
+) -> Result<Option<[Interval; 2]>, MapError> {
     let [ahead, up] = arm.reach();
     let x = Axis::between(0.0, ahead.max(), 96);
     let z = Axis::between(up.min(), up.max(), 192);
     check_grid(x, z, MOST_CELLS_IN_SPACE)?;
-    let found = section(arm, x, z, load, held).deflection;
+    let found = section(arm, [x, z], (load, held), watch)?.deflection;
     let reached = |i: usize, j: usize| found.get(i, j).is_some();
     let columns: Vec<usize> = (0..x.count).filter(|&i| (0..z.count).any(|j| reached(i, j))).collect();
     let rows: Vec<usize> = (0..z.count).filter(|&j| (0..x.count).any(|i| reached(i, j))).collect();
@@ -112,6 +130,8 @@ struct Cell {
 }
 
 impl Cell {
+    const NONE: Self = Self { worst: f64::NAN, limit_margin: f64::NAN, singular_margin: f64::NAN, posture: None };
+
     /// Which of two mirrored ways is told: the roll to the left, then the configuration that counts first.
     fn side(&self) -> (bool, usize) {
         self.posture.map_or((true, usize::MAX), |(configuration, roll)| (roll < 0.0, configuration.index()))
@@ -188,13 +208,14 @@ impl<'a> Scan<'a> {
         WorkPlane::of(options.held.elevation, work)
     }
 
-    fn row(&self, j: usize) -> Vec<Cell> {
+    fn row(&self, j: usize, parts: &Parts) -> Result<Vec<Cell>, Stopped> {
         let (x, z) = (self.options.x.points(), self.options.z.at(j));
+        let best = |rolls: &Rolls, x: f64| parts.go_on().map(|()| rolls.best(&Vector3::new(x, 0.0, z)));
         let holds: Vec<Vec<Hold>> = match &self.roll {
             Roll::One(roll) => self.at_one_roll(&x, z, *roll),
-            Roll::Any(rolls) => x.iter().map(|x| rolls.best(&Vector3::new(*x, 0.0, z))).collect(),
+            Roll::Any(rolls) => x.iter().map(|x| best(rolls, *x)).collect::<Result<_, _>>()?,
         };
-        x.into_iter().zip(holds).map(|(x, holds)| self.cell(&holds, x, z)).collect()
+        x.into_iter().zip(holds).map(|(x, holds)| parts.go_on().map(|()| self.cell(&holds, x, z))).collect()
     }
 
     /// The best ways to hold every point of a row at one roll.
@@ -220,7 +241,7 @@ impl<'a> Scan<'a> {
 
     /// Of equally good ways to hold a point the one with most room to its limits, so that neighbours tell the same posture.
     fn cell(&self, holds: &[Hold], x: f64, z: f64) -> Cell {
-        let none = Cell { worst: f64::NAN, limit_margin: f64::NAN, singular_margin: f64::NAN, posture: None };
+        let none = Cell::NONE;
         let of_one_roll = holds.chunk_by(|one, other| one.roll == other.roll);
         let cells = of_one_roll.flat_map(|holds| {
             let work = Self::work(self.options, x, z, holds[0].roll);
@@ -268,6 +289,10 @@ mod tests {
     fn spatial(robot: &Robot, tool: &Pose) -> SpatialModel {
         let Model::Spatial(model) = Model::spatial(robot, tool).unwrap() else { unreachable!("asked for") };
         model
+    }
+
+    fn section(arm: &SpatialArm, x: Axis, z: Axis, load: Load, held: &Held) -> Map {
+        super::section(arm, [x, z], (load, held), Watch::nobody()).unwrap()
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::load::NotInPlane;
 use crate::model::ModelError;
 use crate::robot::NoArmPlane;
+use crate::watch::Stopped;
 
 /// Why a zone has no place.
 #[derive(Clone, Debug, PartialEq)]
@@ -138,6 +139,9 @@ pub enum PlaceError {
         /// Best value found, m (infinite where no place was found).
         upper: f64,
     },
+    /// No longer wanted.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
 }
 
 impl PlaceError {

@@ -23,6 +23,7 @@ use crate::part::{Face, Part};
 use crate::plane::Elbow;
 use crate::task::{Task, Zone};
 use crate::tolerances;
+use crate::watch::Watch;
 
 /// Deflections below this, m, are rounding: nothing gives way.
 pub(crate) const NOTHING: f64 = 1e-15;
@@ -349,10 +350,14 @@ impl Placed {
 /// # Errors
 /// Where an argument makes no sense or belongs to another model, or the search does not end.
 pub fn place(model: &Model, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+    place_watched(model, zone, options, Watch::nobody())
+}
+
+fn place_watched(model: &Model, zone: Zone, options: &PlaceOptions, watch: Watch) -> Result<Placed, PlaceError> {
     check(zone, options)?;
     match model {
-        Model::Planar(model) => planar::place(model, zone, options),
-        Model::Spatial(model) => spatial::place(model, zone, options),
+        Model::Planar(model) => planar::place(model, zone, options, watch),
+        Model::Spatial(model) => spatial::place(model, zone, options, watch),
     }
 }
 
@@ -382,13 +387,17 @@ pub fn place(model: &Model, zone: Zone, options: &PlaceOptions) -> Result<Placed
 /// # Errors
 /// Where an argument makes no sense, or the model is planar.
 pub fn place_part(model: &Model, part: &Part, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+    place_part_watched(model, part, options, Watch::nobody())
+}
+
+fn place_part_watched(model: &Model, part: &Part, options: &PlaceOptions, watch: Watch) -> Result<Placed, PlaceError> {
     for face in &part.faces {
         check(face.zone, options)?;
     }
     match model {
         Model::Planar(_) => Err(PlaceError::PartInPlane),
         Model::Spatial(_) if part.faces.is_empty() => Err(PlaceError::NoFace),
-        Model::Spatial(model) => spatial::place_part(model, part, options),
+        Model::Spatial(model) => spatial::place_part(model, part, options, watch),
     }
 }
 
@@ -397,9 +406,22 @@ pub fn place_part(model: &Model, part: &Part, options: &PlaceOptions) -> Result<
 /// # Errors
 /// As those.
 pub fn place_task(model: &Model, task: &Task, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+    place_task_watched(model, task, options, Watch::nobody())
+}
+
+/// [`place_task`] that somebody waits for. Its parts are what the search looks at; how many there will be is not known.
+///
+/// # Errors
+/// As [`place_task`], and [`PlaceError::Stopped`] where the work is no longer wanted.
+pub fn place_task_watched(
+    model: &Model,
+    task: &Task,
+    options: &PlaceOptions,
+    watch: Watch,
+) -> Result<Placed, PlaceError> {
     match &task.part {
-        None => place(model, task.zone, options),
-        Some(part) => place_part(model, part, options),
+        None => place_watched(model, task.zone, options, watch),
+        Some(part) => place_part_watched(model, part, options, watch),
     }
 }
 
@@ -407,12 +429,12 @@ pub fn place_task(model: &Model, task: &Task, options: &PlaceOptions) -> Result<
 /// place itself.
 ///
 /// # Errors
-/// As [`place`].
-pub fn find(model: &Model, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
+/// As [`place_task_watched`].
+pub fn find(model: &Model, zone: Zone, options: &PlaceOptions, watch: Watch) -> Result<Option<Placement>, PlaceError> {
     check(zone, options)?;
     match model {
-        Model::Planar(model) => planar::find(model, zone, options),
-        Model::Spatial(model) => Ok(spatial::place(model, zone, options)?.feasible().cloned()),
+        Model::Planar(model) => planar::find(model, zone, options, watch),
+        Model::Spatial(model) => Ok(spatial::place(model, zone, options, watch)?.feasible().cloned()),
     }
 }
 

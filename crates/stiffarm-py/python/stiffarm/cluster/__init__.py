@@ -24,8 +24,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import _given, _options, _stiffarm
-from .._answers import Array
-from .._given import RobotLike
+from .._given import Array, RobotLike
 from .._stiffarm import Robot, StiffarmError
 from .._verbs import PAPER_TASKS
 from ..types import SweepOptions

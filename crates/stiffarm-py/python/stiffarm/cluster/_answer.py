@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 import numpy.typing as npt
 
 from .. import _stiffarm
-from .._answers import Array, _Table
+from .._answers import _Table
+from .._given import Array
 from .._stiffarm import StiffarmError
 from ._folder import ASKED, SCENARIOS, SUMS, check, read_sums, read_whole
 from ._question import read_question
@@ -39,20 +41,58 @@ def wilson(wins: float, of: int) -> tuple[float, float]:
 
 
 
-def _columns_of(rows: list[dict[str, Any]]) -> dict[str, list[Any]]:
+def _columns_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:
     """Rows as columns; what is no single number or word is left out."""
     keys = {key: None for row in rows for key, value in row.items() if not isinstance(value, (list, dict))}
     return {key: [row.get(key) for row in rows] for key in keys}
 
-class Wins(_Table):
-    """Who is the stiffest how often, task by task, the most frequent winner first.
+class WinsRow(TypedDict):
+    """One robot at one task and force. Every share has its 95 % confidence interval (Wilson's score interval) beside it."""
+
+    task: str
+    force_n: float
+    robot: str | None
+    vendor: str | None
+    status: str | None
+    #: It cannot win.
+    estimated: bool
+    #: In which all robots have an answer.
+    scenarios: int
+    errors: int
+    #: In which the zone has a place; None where nothing is known of the robot.
+    feasible_share: float | None
+    #: In which it is the stiffest of those that are not estimated.
+    share: float | None
+    share_low: float | None
+    share_high: float | None
+    #: In which it is the stiffest of all.
+    share_with_estimated: float | None
+    share_with_estimated_low: float | None
+    share_with_estimated_high: float | None
+    #: In which it holds the tolerance; None where none was asked for.
+    held_share: float | None
+    held_share_low: float | None
+    held_share_high: float | None
+    #: Of the deflection, where the zone has a place.
+    p05_mm: float | None
+    median_mm: float | None
+    p95_mm: float | None
+
+
+class WinsDict(TypedDict):
+    """`Wins.to_dict`."""
+
+    rows: list[WinsRow]
+    summary: list[str]
+
+
+class Wins(_Table[WinsDict]):
+    """Who is the stiffest how often, task by task, the most frequent winner first; and who holds the tolerance how often.
 
     An estimated robot (``~``) cannot win: ``share`` is counted among the others, ``share_with_estimated`` among all.
     """
 
-    #: ``task, force_n, robot, vendor, status, estimated, scenarios, errors, feasible_share``, ``share`` with its 95 % confidence
-    #: ``share_low, share_high``, the same of ``share_with_estimated``, ``p05_mm, median_mm, p95_mm`` of the deflection.
-    rows: list[dict[str, Any]]
+    rows: list[WinsRow]
     #: What a manager would read.
     summary: list[str]
 
@@ -66,7 +106,16 @@ class Wins(_Table):
         return f"{len(self)} rows; {self.summary[0] if self.summary else 'nothing to compare'}"
 
 
-class Order(_Table):
+class OrderDict(TypedDict):
+    """`Order.to_dict`; a row has a key for every task."""
+
+    tasks: list[str]
+    model: str
+    force_n: float
+    rows: list[dict[str, Any]]
+
+
+class Order(_Table[OrderDict]):
     """Robots in order, the best first, as `stiffarm.rank` puts them."""
 
     tasks: list[str]
@@ -182,43 +231,53 @@ class Sweep:
         assert isinstance(frame, polars.DataFrame)
         return frame
 
-    def _deflections(self) -> tuple[Array, Flags]:
-        """Deflections [mm], nan where there is none, and whether there is an answer at all; both of `shape`."""
+    def _deflections(self) -> tuple[Array, Flags, Flags | None]:
+        """Deflections [mm], nan where there is none, whether there is an answer at all, and whether it holds the tolerance, where one was
+        asked for; all of `shape`.
+        """
         values, answered = np.full(len(self), np.nan), np.zeros(len(self), dtype=bool)
+        held = np.zeros(len(self), dtype=bool) if "tolerance_mm" in self._question.options else None
+        columns = ["deflection_mm", "feasible", *([] if held is None else ["pass"])]
         first = 0
         for chunk in range(self._question.chunks):
-            part = self._part(chunk, ["deflection_mm", "feasible"])
+            part = self._part(chunk, columns)
             last = first + len(part)
             values[first:last] = part["deflection_mm"].to_numpy()
             answered[first:last] = part["feasible"].is_valid().to_numpy()
+            if held is not None:
+                held[first:last] = part["pass"].fill_null(False).to_numpy()
             first = last
-        return values.reshape(self.shape), answered.reshape(self.shape)
+        shape = self.shape
+        return values.reshape(shape), answered.reshape(shape), None if held is None else held.reshape(shape)
 
     def wins(self) -> Wins:
-        """How often is each robot the stiffest, and how far is the tool pushed off?
+        """How often is each robot the stiffest, how often does it hold the tolerance, and how far is the tool pushed off?
 
         A scenario counts where all robots have an answer, apart from those that have none in any scenario. Robots that
-        agree to the last bit share a win. Takes nine bytes of memory a row, and some copies of one task's.
+        agree to the last bit share a win. A zone without a place holds no tolerance. A share of so many scenarios is that of all that
+        might have been drawn to within its 95 % confidence interval (Wilson's score interval, which holds for shares of 0 and 1, too).
+        Takes ten bytes of memory a row, and some copies of one task's.
 
         Returns
         -------
         Wins
             One row per task, force and robot.
         """
-        values, answered = self._deflections()
+        values, answered, held = self._deflections()
         who = self._question.robots
         known: Flags = np.array([robot["status"] != "estimated" for robot in who])
         sound: Flags = np.asarray(answered.any(axis=(0, 1, 2)))
-        rows: list[dict[str, Any]] = []
+        rows: list[WinsRow] = []
         summary: list[str] = []
         for t, task in enumerate(self._question.labels):
             for f, force_n in enumerate(self._question.forces_n):
                 counted: Flags = np.asarray(answered[:, t, f][:, sound].all(axis=1) & sound.any())
                 found, of = values[counted, t, f], int(counted.sum())
                 among_all, among_known = _shares(found, sound), _shares(found, sound & known)
-                group = []
+                counts_held = None if held is None else held[counted, t, f].sum(axis=0).tolist()
+                group: list[WinsRow] = []
                 for r, robot in enumerate(who):
-                    row: dict[str, Any] = {
+                    row: Any = {
                         "task": task, "force_n": force_n, **_who(robot), "estimated": not known[r], "scenarios": of,
                         "errors": int((~answered[:, t, f, r]).sum()),
                     }  # fmt: skip
@@ -228,12 +287,15 @@ class Sweep:
                         counts = bool(of and sound[r] and may)
                         low, high = wilson(shares[r], of) if counts else (None, None)
                         row.update({name: shares[r] / of if counts else None, f"{name}_low": low, f"{name}_high": high})
+                    times = counts_held[r] if counts_held is not None and of and sound[r] else None
+                    low, high = (None, None) if times is None else wilson(times, of)
+                    row.update(held_share=None if times is None else times / of, held_share_low=low, held_share_high=high)
                     quantiles = np.percentile(reached, [5, 50, 95]).tolist() if len(reached) else [None] * 3
                     row.update(zip(("p05_mm", "median_mm", "p95_mm"), quantiles))
                     group.append(row)
                 group.sort(key=_frequency)
                 rows += group
-                summary += _told(group, task, force_n, of)
+                summary += _told(group, task, force_n, of, self._question.options.get("tolerance_mm"))
         return Wins({"rows": rows, "summary": summary})
 
     def order(self) -> Order:
@@ -244,7 +306,7 @@ class Sweep:
         scenarios, _, forces, _ = self.shape
         if (scenarios, forces) != (1, 1):
             raise StiffarmError(f"{scenarios} scenarios and {forces} forces have no one order; wins() compares them")
-        values, answered = self._deflections()
+        values, answered, _ = self._deflections()
         values, answered = values[0, :, 0], answered[0, :, 0]
         judged: Flags = np.asarray(answered.any(axis=0))
         errors = self.to_arrow(["error"])["error"].to_pylist()
@@ -265,7 +327,9 @@ class Sweep:
         model = self._question.options["model"]
         return Order({"tasks": labels, "model": model, "force_n": self._question.forces_n[0], "rows": rows})
 
-    def plot(self, *, task: str | None = None, force_n: float | None = None, ax: Axes | None = None) -> Axes:
+    def plot(
+        self, *, task: str | None = None, force_n: float | None = None, ax: Axes | None = None, most: int = 24
+    ) -> Axes:
         """How often each robot wins one task, beside the 5 to 95 % of its deflection; estimated robots ~ and pale.
 
         Parameters
@@ -276,6 +340,8 @@ class Sweep:
             One of the forces [N]; the first without it.
         ax : matplotlib Axes, optional
             Where to draw; a new figure without it.
+        most : int
+            So many robots are drawn, the first ones.
         """
         from ..plot import _COLOUR, _axes
 
@@ -284,23 +350,27 @@ class Sweep:
         rows = [row for row in self.wins().rows if (row["task"], row["force_n"]) == (task, force_n)]
         if not rows:
             raise KeyError((task, force_n))
-        ax = _axes(ax)
+        left_out = len(rows) - max(most, 1)
+        rows = rows[: max(most, 1)]
+        ax = _axes(ax, figsize=(6.8, 1.6 + 0.27 * len(rows)))
         names = []
         for y, row in enumerate(rows):
             names.append(_name(row))
-            if row["median_mm"] is None:
+            low, middle, high = row["p05_mm"], row["median_mm"], row["p95_mm"]
+            if low is None or middle is None or high is None:
                 continue
-            span = [[row["median_mm"] - row["p05_mm"]], [row["p95_mm"] - row["median_mm"]]]
+            span = [[middle - low], [high - middle]]
             alpha, colour = (0.4, _COLOUR["grey"]) if row["estimated"] else (1.0, _COLOUR["ink"])
-            ax.errorbar(row["median_mm"], y, xerr=span, fmt="o", capsize=3, color=colour, alpha=alpha)
+            ax.errorbar(middle, y, xerr=span, fmt="o", capsize=3, color=colour, alpha=alpha)
             if row["share_with_estimated"] is not None:
-                where = (row["p95_mm"], y)
+                where = (high, y)
                 ax.annotate(f" {row['share_with_estimated']:.0%}", where, (6, 0), textcoords="offset points", va="center")
         ax.set_yticks(range(len(names)), names)
         ax.invert_yaxis()
         ax.margins(x=0.15)
         ax.set_xlabel("worst deflection at the best place [mm]: median, 5 to 95 %")
         about = f"%: the stiffest of {rows[0]['scenarios']} scenarios" + ("; ~ estimated" if "~" in "".join(names) else "")
+        about += f"; the first {len(rows)} of {len(rows) + left_out} robots" if 0 < left_out else ""
         ax.set_title(f"Task {task} under {force_n:g} N\n{about}", fontsize="medium", loc="left")
         return ax
 
@@ -309,12 +379,12 @@ def _who(robot: dict[str, str | None]) -> dict[str, str | None]:
     return {key: robot[key] for key in ("robot", "vendor", "status")}
 
 
-def _name(row: dict[str, Any]) -> str:
+def _name(row: WinsRow) -> str:
     """Maker and name, estimated robots marked."""
     return f"{row['vendor'] or ''} {row['robot']}".strip() + ("~" if row["status"] == "estimated" else "")
 
 
-def _frequency(row: dict[str, Any]) -> tuple[float, float]:
+def _frequency(row: WinsRow) -> tuple[float, float]:
     share, median = row["share_with_estimated"], row["median_mm"]
     return (math.inf if share is None else -share), (math.inf if median is None else median)
 
@@ -328,10 +398,10 @@ def _shares(values: Array, may: Flags) -> list[float]:
     return shares
 
 
-def _told(group: list[dict[str, Any]], task: str, force_n: float, of: int) -> list[str]:
+def _told(group: list[WinsRow], task: str, force_n: float, of: int, tolerance_mm: str | None) -> list[str]:
     """The winner of a task in words; an estimated robot is named as such, and takes no win."""
     name = f"{task} under {force_n:g} N"
-    winner = max((row for row in group if row["share"]), key=lambda row: float(row["share"]), default=None)
+    winner = max((row for row in group if row["share"]), key=lambda row: row["share"] or 0.0, default=None)
     if winner is None:
         told = [f"{name}: no robot whose lengths are known can do it in any of {of} scenarios."]
     else:
@@ -339,6 +409,11 @@ def _told(group: list[dict[str, Any]], task: str, force_n: float, of: int) -> li
             f"{name}: {_name(winner)} is the stiffest in {winner['share']:.0%} of {of} scenarios "
             f"(95 % confidence {winner['share_low']:.0%} to {winner['share_high']:.0%})."
         ]
+        if tolerance_mm is not None and winner["held_share"] is not None:
+            told.append(
+                f"{name}: it holds {float(tolerance_mm):g} mm in {winner['held_share']:.0%} of them "
+                f"(95 % confidence {winner['held_share_low']:.0%} to {winner['held_share_high']:.0%})."
+            )
     rivals = [row for row in group if row["estimated"] and row["share_with_estimated"]]
     if rivals:
         words = ", ".join(f"{_name(row)} in {row['share_with_estimated']:.0%}" for row in rivals)

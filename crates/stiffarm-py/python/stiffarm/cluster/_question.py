@@ -16,15 +16,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _stiffarm
-from .._answers import Array
+from .._given import Array
 from .._stiffarm import Robot, StiffarmError
 from ._folder import ASKED, SCENARIOS, SUMS, listed, part_name, write_whole
 
 if TYPE_CHECKING:
     import pyarrow
 
-#: What a folder looks like; a change of it makes another question. 1: without a manifest, and without the sources.
-FORMAT = 2
+#: What a folder looks like; a change of it makes another question. 1: without a manifest, and without the sources. 2: without the
+#: factors of the scenarios in its rows. All are read.
+FORMAT = 3
+#: On the compliance of each drive.
+FACTORS = tuple(f"compliance_factor_{drive}" for drive in range(1, 7))
 #: Rows that are Python's own values at once: those take ten times the memory of columns.
 _PIECE = 10_000
 
@@ -119,6 +122,8 @@ class Question:
             ]  # fmt: skip
         if "tolerance_mm" in self.options:
             columns.append(("pass", pa.bool_()))
+        if self.scenarios is not None:
+            columns += [(name, number) for name in FACTORS]
         return pa.schema([*columns, ("reason", text), ("error", text)], {"stiffarm": self.fingerprint})
 
     def answer(self, first: int, last: int) -> list[dict[str, Any]]:
@@ -140,6 +145,9 @@ class Question:
             who = self.robots[robot]
             row: dict[str, Any] = {"scenario": scenario, "task": self.labels[task], "force_n": force_n}
             row.update((name, who[name]) for name in ("robot", "vendor", "status"))
+            factors = self._factors(scenario, robot)
+            if factors is not None:
+                row.update(zip(FACTORS, factors.tolist()))
             if isinstance(arm, str):
                 rows.append({**row, "error": arm})
                 continue
@@ -157,15 +165,22 @@ class Question:
             rows.append({**known, **row})
         return rows
 
+    def _factors(self, scenario: int, robot: int) -> Array | None:
+        """On the compliances of one robot's drives."""
+        if self.scenarios is None:
+            return None
+        found: Array = self.scenarios[scenario] if self.scenarios.ndim == 2 else self.scenarios[scenario, robot]
+        return found
+
     def _robot(self, scenario: int, robot: int) -> Robot | str:
         """One robot of one scenario, or why there is none."""
         toml = self.robots[robot]["toml"]
         if toml is None:
             return self.robots[robot]["error"] or "no robot"
         nominal = _nominal(toml)
-        if self.scenarios is None:
+        factors = self._factors(scenario, robot)
+        if factors is None:
             return nominal
-        factors = self.scenarios[scenario] if self.scenarios.ndim == 2 else self.scenarios[scenario, robot]
         good = np.isfinite(factors) & (factors > 0)
         if not good.all():
             drive = int(np.argmin(good))
@@ -248,7 +263,7 @@ def read_question(folder: Path) -> Question:
     try:
         held = json.loads(path.read_text(encoding="utf-8"))
         made_by = {key: held[key] for key in ("format", "stiffarm", "sources") if key in held}
-        if made_by["format"] not in (1, FORMAT):
+        if made_by["format"] not in range(1, FORMAT + 1):
             raise StiffarmError(f"{folder} was made by {_named(made_by)}, a later one; install that to read it")
         path = folder / (SCENARIOS if held["scenarios"] else ASKED)
         scenarios = np.load(path, mmap_mode="r", allow_pickle=False) if held["scenarios"] else None

@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .._progress import bar
 from .._stiffarm import StiffarmError
 from ._folder import (
     ASKED, LOCK, SCENARIOS, SUMS, append, changed, clear_halves, digest_of, holds_something_else, listed, part_name, read_sums,
@@ -234,9 +235,8 @@ def _told(question: Question, chunks: int, progress: bool | None) -> Iterator[An
         done, rows, errors = done + 1, rows + more, errors + wrong
         if shown:
             took = time.monotonic() - start
-            bar = "#" * (30 * done // chunks)
             words = f"{done}/{chunks} chunks, {rows / took:.3g} rows/s, {took * (chunks - done) / done:.0f} s left"
-            print(f"\r[{bar:30}] {words}{f', {errors} errors' if errors else ''}   ", end="", file=sys.stderr, flush=True)
+            print(f"\r{bar(done, chunks)} {words}{f', {errors} errors' if errors else ''}   ", end="", file=sys.stderr, flush=True)
 
     try:
         yield tell

@@ -25,6 +25,7 @@ use crate::load::Sector;
 use crate::model::{ModelKind, PlanarModel};
 use crate::plane::{Elbow, ElbowSide, PlanarArm};
 use crate::task::Zone;
+use crate::watch::{Parts, Stopped, Watch};
 
 /// What is asked, in the frame of the arm plane.
 #[derive(Clone, Copy, Debug)]
@@ -50,20 +51,31 @@ struct Solution {
 }
 
 /// The best place with its certificate, or why there is none.
-pub(super) fn place(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
-    let allowed = Allowed::of(model, options)?;
+pub(super) fn place(
+    model: &PlanarModel,
+    zone: Zone,
+    options: &PlaceOptions,
+    watch: Watch,
+) -> Result<Placed, PlaceError> {
+    let parts = watch.parts(None);
+    let allowed = Allowed::of(model, options, &parts)?;
     Ok(match allowed.best(zone)? {
         Some(solution) => {
             let clearance = clearance::of(model, zone, &solution, options.margins.floor);
             Placed::Feasible(Placement { clearance, ..solution.into_placement(model, zone) })
         }
-        None => allowed.infeasible(zone, options),
+        None => allowed.infeasible(zone, options)?,
     })
 }
 
 /// The same without a word about why there is none, or about clearance.
-pub(super) fn find(model: &PlanarModel, zone: Zone, options: &PlaceOptions) -> Result<Option<Placement>, PlaceError> {
-    let best = Allowed::of(model, options)?.best(zone)?;
+pub(super) fn find(
+    model: &PlanarModel,
+    zone: Zone,
+    options: &PlaceOptions,
+    watch: Watch,
+) -> Result<Option<Placement>, PlaceError> {
+    let best = Allowed::of(model, options, &watch.parts(None))?.best(zone)?;
     Ok(best.map(|solution| solution.into_placement(model, zone)))
 }
 
@@ -91,10 +103,11 @@ struct Allowed<'a> {
     model: &'a PlanarModel,
     sides: Vec<ElbowSide>,
     questions: Vec<Question>,
+    parts: &'a Parts<'a>,
 }
 
 impl<'a> Allowed<'a> {
-    fn of(model: &'a PlanarModel, options: &PlaceOptions) -> Result<Self, PlaceError> {
+    fn of(model: &'a PlanarModel, options: &PlaceOptions, parts: &'a Parts<'a>) -> Result<Self, PlaceError> {
         if options.stance.is_some() {
             return Err(PlaceError::Inapplicable { what: "a direction of the tool", model: "spatial" });
         }
@@ -117,11 +130,11 @@ impl<'a> Allowed<'a> {
             gap,
         };
         let windows = options.margins.windows(options.within(&ModelKind::Planar), model.robot(), model.aside());
-        Ok(Self { model, sides, questions: windows.into_iter().map(question).collect() })
+        Ok(Self { model, sides, questions: windows.into_iter().map(question).collect(), parts })
     }
 
     fn search<'b>(&'b self, question: &'b Question) -> Search<'b> {
-        Search::new(&self.model.arm, &self.sides, question)
+        Search::new(&self.model.arm, &self.sides, question, self.parts)
     }
 
     /// The best place of all windows; its bound holds for all of them.
@@ -142,54 +155,57 @@ impl<'a> Allowed<'a> {
     }
 
     /// A place in any of the windows? An open answer counts as no.
-    fn has_place(&self, zone: Zone) -> bool {
-        self.questions.iter().any(|question| self.search(question).has_place(zone) == Some(true))
+    fn has_place(&self, zone: Zone) -> Result<bool, Stopped> {
+        for question in &self.questions {
+            if self.search(question).has_place(zone)? == Some(true) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
-    fn infeasible(&self, zone: Zone, options: &PlaceOptions) -> Placed {
+    fn infeasible(&self, zone: Zone, options: &PlaceOptions) -> Result<Placed, Stopped> {
         let fits = self.sides.iter().map(|side| exact::largest_scale(side.ring, zone)).fold(0.0, f64::max);
-        let largest_scale = Some(self.largest_scale(zone, fits.min(1.0)));
-        Placed::Infeasible { reason: self.reason(zone, options), is_proved: true, largest_scale }
+        let largest_scale = Some(self.largest_scale(zone, fits.min(1.0))?);
+        Ok(Placed::Infeasible { reason: self.reason(zone, options)?, is_proved: true, largest_scale })
     }
 
     /// The first of what stands in the way: margins, lengths, the window, limits. Undecided so near to the limit of what fits, the limits are
     /// the likeliest reason.
-    fn reason(&self, zone: Zone, options: &PlaceOptions) -> Misfit {
-        let has_place =
-            |asked: PlaceOptions| Allowed::of(self.model, &asked).is_ok_and(|allowed| allowed.has_place(zone));
+    fn reason(&self, zone: Zone, options: &PlaceOptions) -> Result<Misfit, Stopped> {
+        let has_place = |asked: PlaceOptions| {
+            Allowed::of(self.model, &asked, self.parts).map_or(Ok(false), |allowed| allowed.has_place(zone))
+        };
         let bare = PlaceOptions { margins: Margins::NONE, ..*options };
-        if options.margins != Margins::NONE && has_place(bare) {
-            return Misfit::Margins;
+        if options.margins != Margins::NONE && has_place(bare)? {
+            return Ok(Misfit::Margins);
         }
         let rings = || self.model.sides.iter().map(|side| side.ring);
         if rings().all(|ring| exact::largest_scale(ring, zone) < 1.0) {
             let ring = rings().max_by(|a, b| a.width().total_cmp(&b.width())).expect("a side");
-            return Misfit::TooLarge { ring: [ring.min(), ring.max()] };
+            return Ok(Misfit::TooLarge { ring: [ring.min(), ring.max()] });
         }
         let anywhere = PlaceOptions { within: None, ..bare };
-        if options.within(&ModelKind::Planar) != Within::ANYWHERE && has_place(anywhere) {
-            Misfit::Within
-        } else {
-            Misfit::Limits
-        }
+        let is_window = options.within(&ModelKind::Planar) != Within::ANYWHERE && has_place(anywhere)?;
+        Ok(if is_window { Misfit::Within } else { Misfit::Limits })
     }
 
     /// The largest scale below `misfit` with a place, to 1e-4: zones of one shape nest about a common centre, so what fits is
     /// monotone in the scale. Zero where nothing of a hundredth of a millimetre fits.
-    fn largest_scale(&self, zone: Zone, mut misfit: f64) -> f64 {
+    fn largest_scale(&self, zone: Zone, mut misfit: f64) -> Result<f64, Stopped> {
         let [first, second] = zone.sides();
         let least = 1e-5 / first.max(second);
         let mut fit = 0.0;
         while least < misfit && 1e-4 * misfit < misfit - fit {
             let scale = f64::midpoint(fit, misfit);
             // The scale that is reported has a place for certain.
-            if self.has_place(zone.scaled(scale)) {
+            if self.has_place(zone.scaled(scale))? {
                 fit = scale;
             } else {
                 misfit = scale;
             }
         }
-        fit
+        Ok(fit)
     }
 }
 

@@ -18,6 +18,7 @@ use super::{Orientation, PlaceError, Question, Solution, Within, exact, turned};
 use crate::interval::Interval;
 use crate::plane::{ElbowSide, PlanarArm, SLACK, Shape};
 use crate::task::Zone;
+use crate::watch::{Parts, Stopped};
 
 /// Boxes after which a search gives up.
 const MOST_BOXES: usize = 1_000_000;
@@ -64,12 +65,13 @@ pub(super) struct Search<'a> {
     sides: &'a [ElbowSide],
     options: &'a Question,
     objective: Objective,
+    parts: &'a Parts<'a>,
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(arm: &'a PlanarArm, sides: &'a [ElbowSide], options: &'a Question) -> Self {
+    pub(super) fn new(arm: &'a PlanarArm, sides: &'a [ElbowSide], options: &'a Question, parts: &'a Parts<'a>) -> Self {
         let objective = Objective::new(arm, options.sector);
-        Self { arm, sides, options, objective }
+        Self { arm, sides, options, objective, parts }
     }
 
     /// The best place to the gap asked for; `None` is a proof that there is no place.
@@ -80,16 +82,17 @@ impl<'a> Search<'a> {
     /// Is there any place? `None` where so many boxes were looked at that the answer stays open.
     ///
     /// The largest boxes come first: where there is room, its middle is soon met.
-    pub(super) fn has_place(&self, zone: Zone) -> Option<bool> {
+    pub(super) fn has_place(&self, zone: Zone) -> Result<Option<bool>, Stopped> {
         let (found, queue) = self.seeds(zone);
         if found.is_some() {
-            return Some(true);
+            return Ok(Some(true));
         }
         let mut queue = VecDeque::from(queue.into_vec());
         for _ in 0..MOST_BOXES_FOR_SCALE {
-            let Some(node) = queue.pop_front() else { return Some(false) };
+            self.parts.one_more()?;
+            let Some(node) = queue.pop_front() else { return Ok(Some(false)) };
             if self.near_middle(zone, &node).is_some() {
-                return Some(true);
+                return Ok(Some(true));
             }
             if POINT <= node.u.width().max(node.v.width()) {
                 queue.extend(
@@ -97,7 +100,7 @@ impl<'a> Search<'a> {
                 );
             }
         }
-        None
+        Ok(None)
     }
 
     /// The best place and a lower bound, `gap` apart at most; under a known force as near as so many boxes prove.
@@ -114,6 +117,7 @@ impl<'a> Search<'a> {
                 return Ok(best.map(|found| (found, lower)));
             }
             boxes += 1;
+            self.parts.one_more()?;
             if let Some(found) = best
                 && !self.objective.is_radial()
                 && MOST_BOXES_DIRECTED < boxes

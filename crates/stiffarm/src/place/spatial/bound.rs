@@ -14,6 +14,7 @@ use crate::inverse::ArmBranch;
 use crate::place::{Orientation, Within};
 use crate::task::Zone;
 use crate::tolerances;
+use crate::watch::Stopped;
 use crate::work::{Grid, WorkPlacement};
 
 /// Relative distance between value and bound at which the proof is good enough: less than 1 % is told.
@@ -85,7 +86,7 @@ enum Bound {
 
 /// What stays the same from node to node.
 pub(super) struct BranchAndBound<'a> {
-    pub(super) options: &'a Question,
+    pub(super) options: &'a Question<'a>,
     pub(super) enclosure: ArmEnclosure,
     /// Without limits: tells which poses are soft.
     pub(super) bare: SpatialArm,
@@ -105,7 +106,7 @@ impl<'a> BranchAndBound<'a> {
     pub(super) fn new(
         arm: &SpatialArm,
         zone: Zone,
-        options: &'a Question,
+        options: &'a Question<'a>,
         region: [Interval; 2],
         roll_is_free: bool,
     ) -> Self {
@@ -130,7 +131,7 @@ impl<'a> BranchAndBound<'a> {
     }
 
     /// Proves a lower bound up to `upper`, the best value that is known, m/N.
-    pub(super) fn prove(&self, upper: f64) -> Proof {
+    pub(super) fn prove(&self, upper: f64) -> Result<Proof, Stopped> {
         match self.roots.iter().map(variables).max() {
             Some(2) => self.run::<2>(upper),
             Some(3) => self.run::<3>(upper),
@@ -139,7 +140,7 @@ impl<'a> BranchAndBound<'a> {
         }
     }
 
-    fn run<const N: usize>(&self, upper: f64) -> Proof {
+    fn run<const N: usize>(&self, upper: f64) -> Result<Proof, Stopped> {
         let enough = upper * (1.0 - GAP);
         let most = if upper.is_finite() { MOST_POSES } else { MOST_POSES_FOR_NONE };
         let (mut queue, mut boxes, mut poses) = (BinaryHeap::new(), 0, 0);
@@ -168,6 +169,7 @@ impl<'a> BranchAndBound<'a> {
             }
             let parts = if is_small { vec![held] } else { self.split(&held).to_vec() };
             for mut part in parts {
+                self.options.parts.one_more()?;
                 boxes += 1;
                 match self.bound::<N>(&mut part, enough, &mut poses) {
                     Bound::None => {}
@@ -180,7 +182,7 @@ impl<'a> BranchAndBound<'a> {
                 }
             }
         }
-        Proof { lower, boxes, unfathomed }
+        Ok(Proof { lower, boxes, unfathomed })
     }
 
     /// The middles of the lowest nodes that lie apart from one another.
@@ -339,6 +341,7 @@ mod tests {
     use crate::place::spatial::search::region;
     use crate::place::{Orientation, PlaceOptions, Placed, Stance, deflection_field, place};
     use crate::spatial::Pose;
+    use crate::watch::Watch;
     use crate::work::WorkPlane;
 
     /// Zones, tools and what else is asked.
@@ -379,7 +382,8 @@ mod tests {
         for (zone, tool, options) in typical() {
             for robot in paper_robots().iter().step_by(3) {
                 let Model::Spatial(model) = Model::spatial(robot, &tool).unwrap() else { unreachable!("spatial") };
-                let question = Question::of(&model, &options).unwrap().expect("all of the window is left");
+                let parts = Watch::nobody().parts(None);
+                let question = Question::of(&model, &options, &parts).unwrap().expect("all of the window is left");
                 let arm = SpatialArm::new(robot, &tool).unwrap();
                 let roll_is_free = arm.tool_turns_about_axis_6();
                 let region = region(&arm, question.within);
@@ -388,7 +392,7 @@ mod tests {
                 let Some(best) = placed.feasible() else { continue };
                 let hold = best.space().unwrap();
                 let (worst, _) = compliance(robot, &hold.joints, &tool).unwrap().compliance.worst();
-                let proof = branch_and_bound.prove(1.5 * best.deflection);
+                let proof = branch_and_bound.prove(1.5 * best.deflection).unwrap();
                 assert!(0.5 * worst < proof.lower && proof.lower <= worst, "{}: {proof:?} {worst}", robot.name);
             }
         }

@@ -1,16 +1,38 @@
 //! Downhill by steps that are halved where none of them leads on.
 
-use super::search::{FINE, Score};
+use crate::watch::{Parts, Stopped};
+
+/// The refinement ends at steps of this length, m, and this angle, rad.
+pub(super) const FINE: (f64, f64) = (5e-5, 5e-5);
+
+/// How good a place is: first how many poses no single posture reaches, then the largest compliance, m/N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Score {
+    pub(super) unreached: usize,
+    pub(super) worst: f64,
+}
+
+impl Score {
+    pub(super) const NONE: Self = Self { unreached: usize::MAX, worst: f64::INFINITY };
+
+    pub(super) fn is_feasible(&self) -> bool {
+        self.unreached == 0
+    }
+
+    pub(super) fn total_cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.unreached.cmp(&other.unreached).then(self.worst.total_cmp(&other.worst))
+    }
+}
 
 /// The best of a candidate and of all that steps, m, and turns, rad, lead to from there, down to the finest step of an answer.
 pub(super) fn descend<T>(
-    start: T,
-    [mut step, mut turn]: [f64; 2],
+    (start, [mut step, mut turn], parts): (T, [f64; 2], &Parts),
     score: impl Fn(&T) -> Score,
     moved: impl Fn(&T, [f64; 2]) -> Vec<T>,
-) -> T {
+) -> Result<T, Stopped> {
     let mut best = start;
     while FINE.0 < step {
+        parts.one_more()?;
         match moved(&best, [step, turn]).into_iter().min_by(|a, b| score(a).total_cmp(&score(b))) {
             Some(found) if score(&found).total_cmp(&score(&best)).is_lt() => best = found,
             _ => {
@@ -19,5 +41,5 @@ pub(super) fn descend<T>(
             }
         }
     }
-    best
+    Ok(best)
 }

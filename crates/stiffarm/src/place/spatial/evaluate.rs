@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use nalgebra::{Rotation3, Vector3};
 
-use super::search::{CELLS, Candidate, FINE, HALVING, Score, Search};
+use super::descent::{FINE, Score};
+use super::search::{CELLS, Candidate, HALVING, Search};
 use super::{Outside, Resolution, Solution};
 use crate::angle::wrapped;
 use crate::compliance::compliance;
@@ -12,6 +13,7 @@ use crate::follow::{Followed, NotFollowed, PlacedZone};
 use crate::inverse::Configuration;
 use crate::task::Zone;
 use crate::tolerances;
+use crate::watch::Stopped;
 use crate::work::{Grid, WorkPlacement, WorkPlane};
 
 /// How often a place is sought anew within narrower limits.
@@ -20,22 +22,24 @@ const NARROWINGS: usize = 5;
 impl Search<'_> {
     /// The answer at a refined place; where a limit is overstepped between samples, at the place next to it that was refined
     /// within limits so much narrower. `None` where no configuration follows the zone.
-    pub(super) fn evaluate(&self, candidate: &Candidate, coarse: Score) -> Option<Solution> {
+    pub(super) fn evaluate(&self, candidate: &Candidate, coarse: Score) -> Result<Option<Solution>, Stopped> {
         let mut narrower = 0.0;
         let mut work = candidate.work;
         for _ in 0..NARROWINGS {
             match self.evaluate_placement(&work, coarse) {
-                Ok(placement) => return Some(placement),
-                Err(NotFollowed::Impossible) => return None,
+                Ok(placement) => return Ok(Some(placement)),
+                Err(NotFollowed::Impossible) => return Ok(None),
                 Err(NotFollowed::Oversteps(by)) => narrower = 4.0 * narrower + 1.1 * by + 2.0 * tolerances::FOLLOWED,
             }
-            let within = Self { freed: self.freed.narrowed(narrower)?, ..self.clone() };
+            let Some(freed) = self.freed.narrowed(narrower) else { return Ok(None) };
+            let within = Self { freed, ..self.clone() };
             let start = within.candidate(work, &Grid::of(self.zone, CELLS[2]));
             // Far enough to leave what the narrower limits take away.
             let step = (self.step / 64.0).max(4.0 * narrower * self.robot.stretch());
-            work = within.refined(&[start], CELLS[2], step).first()?.work;
+            let Some(refined) = within.refined(&[start], CELLS[2], step)?.pop() else { return Ok(None) };
+            work = refined.work;
         }
-        None
+        Ok(None)
     }
 
     /// The answer at a placement, by the best configuration that follows the zone.

@@ -10,8 +10,8 @@ use nalgebra::{Point3, Rotation3, Vector3};
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
-use super::descent::descend;
-use super::search::{CELLS, Candidate, FINE, Score, Search};
+use super::descent::{FINE, Score, descend};
+use super::search::{CELLS, Candidate, Search};
 use super::site::{Ground, Site};
 use super::{Misfit, Placed, Question, Resolution, Solution};
 use crate::angle::wrapped;
@@ -22,6 +22,7 @@ use crate::inverse::{Configuration, postures};
 use crate::place::Orientation;
 use crate::robot::Robot;
 use crate::task::Zone;
+use crate::watch::{Parts, Stopped};
 use crate::work::{Grid, WorkPlane};
 
 /// Places that are evaluated in the coarse search, about.
@@ -42,22 +43,28 @@ struct Scored {
 }
 
 /// Finds the best place that a coarse search of the cell and its refinement see, with a lower bound that holds about the robot.
-pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question, cell: &Cell) -> Placed {
+pub(super) fn search(
+    robot: &Robot,
+    arm: &SpatialArm,
+    zone: Zone,
+    options: &Question,
+    cell: &Cell,
+) -> Result<Placed, Stopped> {
     let ground = Ground::new(arm, zone, options, cell);
     let mut search = CellSearch { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, reserve: 0.0 };
-    let mut found = search.find();
+    let mut found = search.find()?;
     // The search looks at few poses of a zone, the answer at many: what they come nearer by is asked for besides.
     for _ in 0..TOUCHES {
         let Err(Untaken { short: Some(short), .. }) = found else { break };
         search.reserve += short + FINE.0;
-        found = search.find();
+        found = search.find()?;
     }
     let found = found.map_err(|untaken| untaken.reason);
     let (relaxed, region) = search.ground.relaxed();
     let bound = BranchAndBound::new(arm, zone, &relaxed, region, search.roll_is_free);
     let value = found.as_ref().map_or(f64::INFINITY, |solution| solution.deflection / options.force);
-    let proof = bound.prove(value);
-    match found {
+    let proof = bound.prove(value)?;
+    Ok(match found {
         Ok(solution) => Placed::Feasible(
             Solution {
                 lower_bound: proof.lower * options.force,
@@ -71,7 +78,7 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
             let is_narrow = reason == Misfit::WindowTooNarrow && options.orientation != Orientation::Free;
             Placed::Infeasible { reason, is_proved: is_narrow || proof.unfathomed.is_empty(), largest_scale: None }
         }
-    }
+    })
 }
 
 /// Why no place was taken, and by how much, m, the least touching of them missed the clearance that was asked for.
@@ -97,29 +104,31 @@ struct CellSearch<'a> {
 }
 
 impl CellSearch<'_> {
-    fn find(&self) -> Result<Solution, Untaken> {
+    fn find(&self) -> Result<Result<Solution, Untaken>, Stopped> {
         let (sites, step) = self.ground.sites(PLACES);
         let grid = Grid::of(self.zone, CELLS[0]);
         if sites.is_empty() {
-            return Err(if self.ground.has_room() { Misfit::NothingReached } else { Misfit::WindowTooNarrow }.into());
+            let why = if self.ground.has_room() { Misfit::NothingReached } else { Misfit::WindowTooNarrow };
+            return Ok(Err(why.into()));
         }
-        let mut seen: Vec<Scored> = sites.par_iter().map(|site| self.scored(site, &grid)).collect();
+        let scored = |site: &Site| self.parts().one_more().map(|()| self.scored(site, &grid));
+        let mut seen: Vec<Scored> = sites.par_iter().map(scored).collect::<Result<_, _>>()?;
         seen.retain(|scored| scored.score.unreached < usize::MAX);
         seen.sort_by(|a, b| a.score.total_cmp(&b.score));
         if seen.is_empty() {
-            return Err(Misfit::Within.into());
+            return Ok(Err(Misfit::Within.into()));
         }
         let coarse = seen[0].score;
         let starts = apart(&seen, step);
-        let mut rough = self.refined(&starts, CELLS[1], step / 2.0);
+        let mut rough = self.refined(&starts, CELLS[1], step / 2.0)?;
         rough.truncate(STARTS[1]);
-        let refined = self.refined(&rough, CELLS[2], step / 8.0);
+        let refined = self.refined(&rough, CELLS[2], step / 8.0)?;
         if refined.is_empty() {
-            return Err(Misfit::NowhereWhole { step }.into());
+            return Ok(Err(Misfit::NowhereWhole { step }.into()));
         }
         let mut touching: Option<Untaken> = None;
         for found in &refined {
-            let Some(solution) = self.evaluated(found, coarse, step) else { continue };
+            let Some(solution) = self.evaluated(found, coarse, step)? else { continue };
             match self.ground.cell.clearance {
                 Some(asked) if !solution.clearance.is_some_and(|clearance| asked <= clearance.distance) => {
                     let missed = solution.clearance.map(|clearance| asked - clearance.distance);
@@ -127,27 +136,31 @@ impl CellSearch<'_> {
                     let short = short.into_iter().flatten().min_by(f64::total_cmp);
                     touching = Some(Untaken { reason: Misfit::Clearance { asked }, short });
                 }
-                _ => return Ok(solution),
+                _ => return Ok(Ok(solution)),
             }
         }
-        Err(touching.unwrap_or(Misfit::Turning.into()))
+        Ok(Err(touching.unwrap_or(Misfit::Turning.into())))
+    }
+
+    fn parts(&self) -> &Parts<'_> {
+        self.ground.options.parts
     }
 
     /// Every start refined, the best first.
-    fn refined(&self, starts: &[Scored], cells: usize, step: f64) -> Vec<Scored> {
+    fn refined(&self, starts: &[Scored], cells: usize, step: f64) -> Result<Vec<Scored>, Stopped> {
         let grid = Grid::of(self.zone, cells);
-        let mut refined: Vec<Scored> = starts.par_iter().map(|start| self.descend(start, &grid, step)).collect();
+        let refined = starts.par_iter().map(|start| self.descend(start, &grid, step));
+        let mut refined: Vec<Scored> = refined.collect::<Result<_, _>>()?;
         refined.sort_by(|a, b| a.score.total_cmp(&b.score));
         refined.retain(|scored| scored.score.is_feasible());
-        refined
+        Ok(refined)
     }
 
     /// Steps in every direction of what is free, halved where none is better.
-    fn descend(&self, start: &Scored, grid: &Grid, first_step: f64) -> Scored {
+    fn descend(&self, start: &Scored, grid: &Grid, first_step: f64) -> Result<Scored, Stopped> {
         let directions = self.ground.directions();
         descend(
-            self.scored(&start.site, grid),
-            [first_step, 0.15],
+            (self.scored(&start.site, grid), [first_step, 0.15], self.parts()),
             |scored| scored.score,
             |best, [step, turn]| {
                 directions.iter().map(|way| self.scored(&start_from(&best.site, way, step, turn), grid)).collect()
@@ -180,31 +193,32 @@ impl CellSearch<'_> {
     }
 
     /// The answer at a refined site; `None` where it is not followed there, or where following it leads out of what is allowed.
-    fn evaluated(&self, found: &Scored, coarse: Score, step: f64) -> Option<Solution> {
+    fn evaluated(&self, found: &Scored, coarse: Score, step: f64) -> Result<Option<Solution>, Stopped> {
         let (bearing, _) = self.ground.local(&found.site);
         let solution = self.at(&found.site, |search, work| {
             let grid = Grid::of(self.zone, CELLS[2]);
             let candidate: Candidate = search.candidate(*work, &grid);
             search.evaluate(&candidate, coarse)
         })?;
+        let Some(solution) = solution else { return Ok(None) };
         // Joint 1 would have to turn on.
         if 1e-9 < solution.bearing.abs() {
-            return None;
+            return Ok(None);
         }
         let site = self.ground.site(bearing, &solution);
         if !self.ground.allows(&site) {
-            return None;
+            return Ok(None);
         }
         let turned = Rotation3::from_axis_angle(&Vector3::z_axis(), bearing);
         let mut worst_joints = solution.worst_joints;
         worst_joints[0] += self.arm.geometry.sign[0] * bearing;
-        Some(Solution {
+        Ok(Some(Solution {
             bearing: wrapped(bearing),
             worst_point: (turned * Point3::from(solution.worst_point)).into(),
             worst_joints,
             resolution: Resolution { coarse_step: step, ..solution.resolution },
             ..solution
-        })
+        }))
     }
 
     /// Asks the search of the robot turned to a site: straight ahead the zone lies there.

@@ -27,10 +27,13 @@ use crate::inverse::Configuration;
 use crate::load::Load;
 use crate::model::{ModelKind, SpatialModel};
 use crate::task::Zone;
+use crate::watch::{Parts, Watch};
 
 /// What is asked, with nothing left open.
 #[derive(Clone, Copy, Debug)]
-struct Question {
+struct Question<'a> {
+    /// Who waits for the answer.
+    parts: &'a Parts<'a>,
     /// N.
     force: f64,
     /// The same with its direction.
@@ -51,9 +54,9 @@ struct Question {
     cell: Option<Cell>,
 }
 
-impl Question {
+impl<'a> Question<'a> {
     /// `None` where the floor leaves nothing of the window.
-    fn of(model: &SpatialModel, options: &PlaceOptions) -> Result<Option<Self>, PlaceError> {
+    fn of(model: &SpatialModel, options: &PlaceOptions, parts: &'a Parts<'a>) -> Result<Option<Self>, PlaceError> {
         if options.gap.is_some() {
             return Err(PlaceError::Inapplicable { what: "a gap", model: "planar" });
         }
@@ -68,6 +71,7 @@ impl Question {
         let margins = options.margins;
         let within = options.within(&ModelKind::Spatial(*model.flange_from_tool()));
         Ok(margins.part_of(within, model.robot()).map(|within| Self {
+            parts,
             force: options.load.newtons(),
             load: options.load,
             elevation,
@@ -165,19 +169,25 @@ impl Solution {
 }
 
 /// The best place with what could be proved of it, or why none was found.
-pub(super) fn place(model: &SpatialModel, zone: Zone, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+pub(super) fn place(
+    model: &SpatialModel,
+    zone: Zone,
+    options: &PlaceOptions,
+    watch: Watch,
+) -> Result<Placed, PlaceError> {
+    let parts = watch.parts(None);
     let nothing_left = || Placed::Infeasible { reason: Misfit::Margins, is_proved: true, largest_scale: None };
-    let Some(question) = Question::of(model, options)? else { return Ok(nothing_left()) };
+    let Some(question) = Question::of(model, options, &parts)? else { return Ok(nothing_left()) };
     let Margins { limit, singular, .. } = question.margins;
     let Some(arm) = model.arm.with_margins(limit, singular) else { return Ok(nothing_left()) };
     if let Some(cell) = question.cell.filter(Cell::decides_the_search) {
-        return Ok(in_cell::search(model.robot(), &arm, zone, &question, &cell));
+        return Ok(in_cell::search(model.robot(), &arm, zone, &question, &cell)?);
     }
-    let placed = search::search(model.robot(), &arm, zone, &question);
+    let placed = search::search(model.robot(), &arm, zone, &question)?;
     let bare = PlaceOptions { margins: Margins::NONE, ..*options };
-    match (placed, Question::of(model, &bare)?) {
+    match (placed, Question::of(model, &bare, &parts)?) {
         (Placed::Infeasible { is_proved, largest_scale, .. }, Some(bare))
-            if options.margins != Margins::NONE && search::has_place(model.robot(), &model.arm, zone, &bare) =>
+            if options.margins != Margins::NONE && search::has_place(model.robot(), &model.arm, zone, &bare)? =>
         {
             Ok(Placed::Infeasible { reason: Misfit::Margins, is_proved, largest_scale })
         }

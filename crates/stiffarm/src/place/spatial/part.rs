@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
-use super::descent::descend;
-use super::search::{CELLS, FINALISTS, STARTS, Score, Search, region};
+use super::descent::{Score, descend};
+use super::search::{CELLS, FINALISTS, STARTS, Search, region};
 use super::{Outside, Question, Resolution, Solution};
 use crate::batch::{SameBranch, SpatialArm};
 use crate::follow::NotFollowed;
@@ -18,6 +18,7 @@ use crate::place::{
     FacePlacement, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within,
 };
 use crate::tolerances;
+use crate::watch::{Parts, Stopped, Watch};
 use crate::work::{Grid, WorkPlacement, WorkPlane};
 
 /// Parts that are evaluated before the best value so far is compared again.
@@ -53,59 +54,70 @@ struct PartSearch<'a> {
 }
 
 /// The best place of a part with what could be proved of it, or why none was found.
-pub(in crate::place) fn place(model: &SpatialModel, part: &Part, options: &PlaceOptions) -> Result<Placed, PlaceError> {
+pub(in crate::place) fn place(
+    model: &SpatialModel,
+    part: &Part,
+    options: &PlaceOptions,
+    watch: Watch,
+) -> Result<Placed, PlaceError> {
     if options.cell.is_some() {
         return Err(PlaceError::PartInCell);
     }
     let nothing_left = || Placed::Infeasible { reason: Misfit::Margins, is_proved: true, largest_scale: None };
-    let Some(questions) = questions(model, part, options)? else { return Ok(nothing_left()) };
+    let parts = watch.parts(None);
+    let Some(questions) = questions(model, part, options, &parts)? else { return Ok(nothing_left()) };
     let Margins { limit, singular, .. } = options.margins;
     let Some(arm) = model.arm.with_margins(limit, singular) else { return Ok(nothing_left()) };
     let search = PartSearch::new(model, &arm, part, &questions);
-    match search.find() {
+    match search.find()? {
         Some((stand, found)) => {
             let worst = found.iter().map(|face| face.deflection).fold(0.0, f64::max);
-            let bounds = prove(&arm, part, &questions, worst / questions[0].force);
+            let bounds = prove(&arm, part, &questions, worst / questions[0].force)?;
             Ok(Placed::Feasible(search.told(stand, found, &bounds)))
         }
-        None => Ok(infeasible(model, &arm, (part, options), &questions)),
+        None => infeasible(model, &arm, (part, options), &questions),
     }
 }
 
 /// What is asked of each face; `None` where the floor leaves nothing of the window.
-fn questions(model: &SpatialModel, part: &Part, options: &PlaceOptions) -> Result<Option<Vec<Question>>, PlaceError> {
+fn questions<'a>(
+    model: &SpatialModel,
+    part: &Part,
+    options: &PlaceOptions,
+    parts: &'a Parts<'a>,
+) -> Result<Option<Vec<Question<'a>>>, PlaceError> {
     if options.stance.is_some_and(|stance| !stance.yaw.contains(0.0, 0.0)) {
         return Err(PlaceError::Inapplicable { what: "a yaw of the plane", model: "one flat zone" });
     }
     let of = |face: &Face| {
         let asked = options.stance();
         let stance = Stance { elevation: face.elevation, yaw: Interval::point(0.0), roll: asked.roll };
-        Question::of(model, &PlaceOptions { stance: Some(stance), ..*options })
+        Question::of(model, &PlaceOptions { stance: Some(stance), ..*options }, parts)
     };
     part.faces.iter().map(of).collect()
 }
 
 /// A lower bound on the largest compliance of each face, m/N, wherever the part stands, and the boxes behind it: the face is let go from the
 /// others. `upper` is what is known of the part: no bound need be larger.
-fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> Vec<(f64, usize)> {
+fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> Result<Vec<(f64, usize)>, Stopped> {
     // A face that is let go turns about the joint-1 axis, and a force fixed to the base does not turn with it.
     if questions[0].load.breaks_symmetry() {
-        return vec![(0.0, 0); part.faces.len()];
+        return Ok(vec![(0.0, 0); part.faces.len()]);
     }
     let one = |(face, question): (&Face, &Question)| {
         let alone = alone(part, face, question);
         let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
         let [x, z] = region(arm, alone.within);
         let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
-        let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(upper);
-        (proof.lower, proof.boxes)
+        let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(upper)?;
+        Ok((proof.lower, proof.boxes))
     };
     part.faces.par_iter().zip(questions).map(one).collect()
 }
 
 /// What is asked of a face that is let go from the others: its centre turns about the joint-1 axis into the arm plane, and with it whatever
 /// the part's turn leaves open.
-fn alone(part: &Part, face: &Face, question: &Question) -> Question {
+fn alone<'a>(part: &Part, face: &Face, question: &Question<'a>) -> Question<'a> {
     let is_vertical = FRAC_PI_2 - face.elevation.abs() < 1e-9;
     let is_central = face.centre[0] == 0.0 && face.centre[1] == 0.0;
     let orientation = match question.orientation {
@@ -152,12 +164,12 @@ fn infeasible(
     arm: &SpatialArm,
     (part, options): (&Part, &PlaceOptions),
     questions: &[Question],
-) -> Placed {
-    let told = |reason: Misfit, is_proved: bool| Placed::Infeasible { reason, is_proved, largest_scale: None };
+) -> Result<Placed, PlaceError> {
+    let told = |reason: Misfit, is_proved: bool| Ok(Placed::Infeasible { reason, is_proved, largest_scale: None });
     let bare = PlaceOptions { margins: Margins::NONE, ..*options };
     if options.margins != Margins::NONE
-        && let Ok(Some(bare)) = self::questions(model, part, &bare)
-        && PartSearch::new(model, &model.arm, part, &bare).find().is_some()
+        && let Some(bare) = self::questions(model, part, &bare, questions[0].parts)?
+        && PartSearch::new(model, &model.arm, part, &bare).find()?.is_some()
     {
         return told(Misfit::Margins, false);
     }
@@ -166,7 +178,7 @@ fn infeasible(
         let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
         let [x, z] = region(arm, alone.within);
         let ahead = x.intersect(Interval::POSITIVE).unwrap_or(x);
-        let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(f64::INFINITY);
+        let proof = BranchAndBound::new(arm, face.zone, &alone, [ahead, z], roll_is_free).prove(f64::INFINITY)?;
         if proof.unfathomed.is_empty() {
             return told(Misfit::Face(face.name.clone()), true);
         }
@@ -175,8 +187,8 @@ fn infeasible(
 }
 
 impl<'a> PartSearch<'a> {
-    fn new(model: &'a SpatialModel, arm: &'a SpatialArm, part: &'a Part, questions: &'a [Question]) -> Self {
-        let of = |(face, question): (&Face, &'a Question)| {
+    fn new(model: &'a SpatialModel, arm: &'a SpatialArm, part: &'a Part, questions: &'a [Question<'a>]) -> Self {
+        let of = |(face, question): (&Face, &'a Question<'a>)| {
             let mut search = Search::new(model.robot(), arm, face.zone, question);
             // The faces share one place: none of them is turned into the range of joint 1 on its own.
             search.freed = arm.without_limit_on(5, search.roll_is_free);
@@ -191,13 +203,18 @@ impl<'a> PartSearch<'a> {
     }
 
     /// The best place that is seen, face by face.
-    fn find(&self) -> Option<(Stand, Vec<Solution>)> {
-        let seen = self.coarse();
-        let mut rough = self.refined(&seen, CELLS[1], self.step / 2.0);
+    fn find(&self) -> Result<Option<(Stand, Vec<Solution>)>, Stopped> {
+        let seen = self.coarse()?;
+        let mut rough = self.refined(&seen, CELLS[1], self.step / 2.0)?;
         rough.truncate(FINALISTS);
-        let refined = self.refined(&rough, CELLS[2], self.step / 8.0);
+        let refined = self.refined(&rough, CELLS[2], self.step / 8.0)?;
         let coarse = seen.iter().map(|candidate| candidate.score).min_by(Score::total_cmp).unwrap_or(Score::NONE);
-        refined.iter().find_map(|candidate| self.evaluate(candidate, coarse))
+        for candidate in &refined {
+            if let Some(found) = self.evaluate(candidate, coarse)? {
+                return Ok(Some(found));
+            }
+        }
+        Ok(None)
     }
 
     fn turns(&self) -> Vec<f64> {
@@ -219,7 +236,7 @@ impl<'a> PartSearch<'a> {
     }
 
     /// The best places of a grid over the region and all turns, best first, far enough apart to be different.
-    fn coarse(&self) -> Vec<Candidate> {
+    fn coarse(&self) -> Result<Vec<Candidate>, Stopped> {
         let [columns, rows] = self.region.map(|range| (range.width() / self.step).ceil() as usize + 1);
         let at = |range: Interval, i: usize, count: usize| match count {
             1 => range.middle(),
@@ -236,15 +253,18 @@ impl<'a> PartSearch<'a> {
         };
         let of_turn = |turn: f64| {
             let stands = stands(turn);
-            let faces: Vec<Vec<(f64, f64)>> = (0..self.faces.len()).map(|face| self.centres(face, &stands)).collect();
+            let centres = (0..self.faces.len()).map(|face| self.centres(face, &stands));
+            let faces: Vec<Vec<(f64, f64)>> = centres.collect::<Result<_, _>>()?;
             let whole = move |i: usize| {
                 let worst = faces.iter().map(|face| face[i].0).fold(0.0, f64::max);
                 let rolls: Vec<f64> = faces.iter().map(|face| face[i].1).collect();
                 worst.is_finite().then_some((worst, stands[i], rolls))
             };
-            (0..rows * columns).filter_map(whole).collect::<Vec<_>>()
+            Ok((0..rows * columns).filter_map(whole).collect())
         };
-        let mut centres: Vec<(f64, Stand, Vec<f64>)> = self.turns().into_par_iter().flat_map_iter(of_turn).collect();
+        let of_turns: Vec<Vec<(f64, Stand, Vec<f64>)>> =
+            self.turns().into_par_iter().map(of_turn).collect::<Result<_, _>>()?;
+        let mut centres: Vec<_> = of_turns.into_iter().flatten().collect();
         centres.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (grids, mut seen, mut best) = (self.grids(CELLS[0]), Vec::new(), f64::INFINITY);
         for block in centres.chunks(BLOCK) {
@@ -252,6 +272,7 @@ impl<'a> PartSearch<'a> {
             if best < block[0].0 {
                 break;
             }
+            self.parts().one_more()?;
             let evaluated: Vec<Candidate> =
                 block.par_iter().map(|(_, stand, rolls)| self.candidate(*stand, rolls, PI / 12.0, &grids)).collect();
             let feasible = evaluated.iter().filter(|candidate| candidate.score.is_feasible());
@@ -259,15 +280,20 @@ impl<'a> PartSearch<'a> {
             seen.extend(evaluated);
         }
         seen.sort_by(|a, b| a.score.total_cmp(&b.score));
-        self.apart(seen)
+        Ok(self.apart(seen))
+    }
+
+    fn parts(&self) -> &Parts<'_> {
+        self.searches[0].options.parts
     }
 
     /// The compliance at the centre of a face at each stand, all of one turn, and the roll at which it is least; infinite where it is not
     /// reached.
-    fn centres(&self, face: usize, stands: &[Stand]) -> Vec<(f64, f64)> {
+    fn centres(&self, face: usize, stands: &[Stand]) -> Result<Vec<(f64, f64)>, Stopped> {
         let search = &self.searches[face];
         let mut best = vec![(f64::INFINITY, 0.0); stands.len()];
         for roll in self.rolls(face) {
+            self.parts().go_on()?;
             let works: Vec<WorkPlacement> = stands.iter().map(|stand| placed(&self.faces[face], stand, roll)).collect();
             let plane = WorkPlane::of(search.options.elevation, &works[0]);
             let orientation = search.freed.orientation(plane.tool()).under(plane.forces(search.options.load));
@@ -285,7 +311,7 @@ impl<'a> PartSearch<'a> {
                 }
             }
         }
-        best
+        Ok(best)
     }
 
     fn grids(&self, cells: usize) -> Vec<Grid> {
@@ -330,16 +356,17 @@ impl<'a> PartSearch<'a> {
     }
 
     /// Every start refined, the best first.
-    fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Vec<Candidate> {
+    fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Result<Vec<Candidate>, Stopped> {
         let grids = self.grids(cells);
-        let mut refined: Vec<Candidate> = starts.par_iter().map(|start| self.descend(start, &grids, step)).collect();
+        let refined = starts.par_iter().map(|start| self.descend(start, &grids, step));
+        let mut refined: Vec<Candidate> = refined.collect::<Result<_, _>>()?;
         refined.retain(|candidate| candidate.score.is_feasible());
         refined.sort_by(|a, b| a.score.total_cmp(&b.score));
-        refined
+        Ok(refined)
     }
 
     /// Steps in every direction of what is free, halved where none is better.
-    fn descend(&self, start: &Candidate, grids: &[Grid], first_step: f64) -> Candidate {
+    fn descend(&self, start: &Candidate, grids: &[Grid], first_step: f64) -> Result<Candidate, Stopped> {
         let turns: &[f64] = if self.orientation == Orientation::Free { &[0.0, 1.0, -1.0] } else { &[0.0] };
         let steps = [first_step, 0.3 * first_step / self.step];
         let moved = |best: &Candidate, [step, turn]: [f64; 2]| {
@@ -354,27 +381,31 @@ impl<'a> PartSearch<'a> {
             stands.map(|stand| self.candidate(stand, &best.rolls, turn, grids)).collect()
         };
         let start = self.candidate(start.stand, &start.rolls, steps[1], grids);
-        descend(start, steps, |candidate| candidate.score, moved)
+        descend((start, steps, self.parts()), |candidate| candidate.score, moved)
     }
 
     /// The answer of every face at a refined place; where one oversteps a limit between samples, at the place next to it that was refined
     /// within limits so much narrower. `None` where some face is not followed.
-    fn evaluate(&self, candidate: &Candidate, coarse: Score) -> Option<(Stand, Vec<Solution>)> {
+    fn evaluate(&self, candidate: &Candidate, coarse: Score) -> Result<Option<(Stand, Vec<Solution>)>, Stopped> {
         let (mut narrower, mut candidate) = (0.0, candidate.clone());
         for _ in 0..NARROWINGS {
             match self.evaluate_at(&candidate, coarse) {
-                Ok(found) => return Some((candidate.stand, found)),
-                Err(NotFollowed::Impossible) => return None,
+                Ok(found) => return Ok(Some((candidate.stand, found))),
+                Err(NotFollowed::Impossible) => return Ok(None),
                 Err(NotFollowed::Oversteps(by)) => narrower = 4.0 * narrower + 1.1 * by + 2.0 * tolerances::FOLLOWED,
             }
             let mut within = self.clone();
             for search in &mut within.searches {
-                search.freed = search.freed.narrowed(narrower)?;
+                let Some(freed) = search.freed.narrowed(narrower) else { return Ok(None) };
+                search.freed = freed;
             }
             let step = (self.step / 64.0).max(4.0 * narrower * self.searches[0].robot.stretch());
-            candidate = within.refined(&[candidate], CELLS[2], step).into_iter().next()?;
+            match within.refined(&[candidate], CELLS[2], step)?.into_iter().next() {
+                Some(refined) => candidate = refined,
+                None => return Ok(None),
+            }
         }
-        None
+        Ok(None)
     }
 
     fn evaluate_at(&self, candidate: &Candidate, coarse: Score) -> Result<Vec<Solution>, NotFollowed> {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
-use super::descent::descend;
+use super::descent::{Score, descend};
 use super::{Misfit, Placed, Question, Resolution, Solution};
 use crate::angle::wrapped;
 use crate::batch::{SameBranch, SpatialArm};
@@ -15,6 +15,7 @@ use crate::place::{Orientation, Within};
 use crate::robot::Robot;
 use crate::task::Zone;
 use crate::tolerances;
+use crate::watch::Stopped;
 use crate::work::{Grid, WorkPlacement, WorkPlane};
 
 /// Places along the longer side of what is searched.
@@ -27,8 +28,6 @@ const LOOSE: f64 = 0.02;
 pub(super) const FINALISTS: usize = 5;
 /// Zones that are evaluated before the best value so far is compared again.
 const BLOCK: usize = 256;
-/// The refinement ends at steps of this length, m, and this angle, rad.
-pub(super) const FINE: (f64, f64) = (5e-5, 5e-5);
 /// Halving the distance between samples must change less than this.
 pub(super) const HALVING: f64 = 1e-3;
 /// Cells along the shorter side of a zone: coarse search, refinement, the answer, and the finest it may need.
@@ -37,33 +36,35 @@ pub(super) const CELLS: [usize; 4] = [2, 6, 16, 64];
 const RESTARTS: usize = 3;
 
 /// Finds the best place that a coarse search and its refinement see, and proves how much better another could be.
-pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question) -> Placed {
+pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question) -> Result<Placed, Stopped> {
     let search = Search::new(robot, arm, zone, options);
-    let mut found = search.find(STARTS[0]);
+    let mut found = search.find(STARTS[0])?;
     let branch_and_bound = BranchAndBound::new(arm, zone, options, search.region, search.roll_is_free);
     let value = |found: &Result<Solution, Misfit>| {
         found.as_ref().map_or(f64::INFINITY, |placement| placement.deflection / options.force)
     };
-    let mut proof = branch_and_bound.prove(value(&found));
+    let mut proof = branch_and_bound.prove(value(&found))?;
     if proof.lower < value(&found) * (1.0 - LOOSE)
-        && let Ok(better) = search.find(STARTS[1])
+        && let Ok(better) = search.find(STARTS[1])?
         && better.deflection / options.force < value(&found) * (1.0 - HALVING)
     {
         found = Ok(better);
-        proof = branch_and_bound.prove(value(&found));
+        proof = branch_and_bound.prove(value(&found))?;
     }
     for _ in 0..RESTARTS {
-        let near = proof.unfathomed.par_iter().filter_map(|work| search.find_near(*work));
-        let Some(better) = near.min_by(|a, b| a.deflection.total_cmp(&b.deflection)) else { break };
+        let near = proof.unfathomed.par_iter().filter_map(|work| search.find_near(*work).transpose());
+        let near: Vec<Solution> = near.collect::<Result<_, _>>()?;
+        let by_deflection = |a: &Solution, b: &Solution| a.deflection.total_cmp(&b.deflection);
+        let Some(better) = near.into_iter().min_by(by_deflection) else { break };
         if value(&found) * (1.0 - HALVING) <= better.deflection / options.force {
             break;
         }
         // What the coarse search saw stays what it is.
         let coarse = found.map_or(None, |placement| placement.resolution.coarse);
         found = Ok(Solution { resolution: Resolution { coarse, ..better.resolution }, ..better });
-        proof = branch_and_bound.prove(value(&found));
+        proof = branch_and_bound.prove(value(&found))?;
     }
-    match found {
+    Ok(match found {
         Ok(placement) => Placed::Feasible(
             Solution {
                 lower_bound: proof.lower * options.force,
@@ -76,12 +77,12 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
             Placed::Infeasible { reason: Misfit::WindowTooNarrow, is_proved: true, largest_scale: None }
         }
         Err(reason) => Placed::Infeasible { reason, is_proved: proof.unfathomed.is_empty(), largest_scale: None },
-    }
+    })
 }
 
 /// Is there any place that the coarse search and its refinement see?
-pub(super) fn has_place(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question) -> bool {
-    Search::new(robot, arm, zone, options).find(STARTS[0]).is_ok()
+pub(super) fn has_place(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Question) -> Result<bool, Stopped> {
+    Ok(Search::new(robot, arm, zone, options).find(STARTS[0])?.is_ok())
 }
 
 /// Where centres may lie by the lengths of the arm, ahead of the joint-1 axis and behind it, and up.
@@ -90,25 +91,6 @@ pub(super) fn region(arm: &SpatialArm, within: Within) -> [Interval; 2] {
     let both = Interval::spanning(-ahead.max(), ahead.max());
     // Where both share nothing, one place far away says so.
     [within.x.intersect(both), within.z.intersect(up)].map(|range| range.unwrap_or(Interval::point(1e9)))
-}
-
-/// How good a place is: first how many poses no single posture reaches, then the largest compliance, m/N.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Score {
-    pub(super) unreached: usize,
-    pub(super) worst: f64,
-}
-
-impl Score {
-    pub(super) const NONE: Self = Self { unreached: usize::MAX, worst: f64::INFINITY };
-
-    pub(super) fn is_feasible(&self) -> bool {
-        self.unreached == 0
-    }
-
-    pub(super) fn total_cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.unreached.cmp(&other.unreached).then(self.worst.total_cmp(&other.worst))
-    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -126,7 +108,7 @@ pub(super) struct Search<'a> {
     pub(super) arm: &'a SpatialArm,
     pub(super) freed: SpatialArm,
     pub(super) zone: Zone,
-    pub(super) options: &'a Question,
+    pub(super) options: &'a Question<'a>,
     /// Rolling the tool moves nothing, and any roll will do.
     pub(super) roll_is_free: bool,
     /// Where centres are looked for: ahead, up.
@@ -135,7 +117,7 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a Question) -> Self {
+    pub(super) fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, options: &'a Question<'a>) -> Self {
         let roll_is_free = options.roll.is_none() && arm.tool_turns_about_axis_6();
         let region = region(arm, options.within);
         let longest = region[0].width().max(region[1].width());
@@ -152,23 +134,36 @@ impl<'a> Search<'a> {
     }
 
     /// The best place that the coarse search and its refinement see.
-    fn find(&self, starts: usize) -> Result<Solution, Misfit> {
-        let seen = self.coarse(starts)?;
-        let mut rough = self.refined(&seen, CELLS[1], self.step / 2.0);
+    fn find(&self, starts: usize) -> Result<Result<Solution, Misfit>, Stopped> {
+        let seen = match self.coarse(starts)? {
+            Ok(seen) => seen,
+            Err(misfit) => return Ok(Err(misfit)),
+        };
+        let mut rough = self.refined(&seen, CELLS[1], self.step / 2.0)?;
         rough.truncate(FINALISTS);
-        let refined = self.refined(&rough, CELLS[2], self.step / 8.0);
+        let refined = self.refined(&rough, CELLS[2], self.step / 8.0)?;
         if refined.is_empty() {
-            return Err(Misfit::NowhereWhole { step: self.step });
+            return Ok(Err(Misfit::NowhereWhole { step: self.step }));
         }
         let coarse = seen.iter().map(|candidate| candidate.score).min_by(Score::total_cmp).expect("a start");
-        refined.iter().find_map(|candidate| self.evaluate(candidate, coarse)).ok_or(Misfit::Turning)
+        Ok(self.first_followed(&refined, coarse)?.ok_or(Misfit::Turning))
     }
 
     /// The best place that a refinement from one placement sees.
-    fn find_near(&self, work: WorkPlacement) -> Option<Solution> {
+    fn find_near(&self, work: WorkPlacement) -> Result<Option<Solution>, Stopped> {
         let start = self.candidate(work, &Grid::of(self.zone, CELLS[1]));
-        let rough = self.refined(&[start], CELLS[1], self.step / 8.0);
-        self.refined(&rough, CELLS[2], self.step / 8.0).iter().find_map(|found| self.evaluate(found, Score::NONE))
+        let rough = self.refined(&[start], CELLS[1], self.step / 8.0)?;
+        self.first_followed(&self.refined(&rough, CELLS[2], self.step / 8.0)?, Score::NONE)
+    }
+
+    /// The answer of the first that is followed as a whole.
+    fn first_followed(&self, refined: &[Candidate], coarse: Score) -> Result<Option<Solution>, Stopped> {
+        for candidate in refined {
+            if let Some(found) = self.evaluate(candidate, coarse)? {
+                return Ok(Some(found));
+            }
+        }
+        Ok(None)
     }
 
     /// What of a placement may change: ahead, up, yaw, angle, roll.
@@ -197,12 +192,13 @@ impl<'a> Search<'a> {
     }
 
     /// Every start refined, the best first.
-    pub(super) fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Vec<Candidate> {
+    pub(super) fn refined(&self, starts: &[Candidate], cells: usize, step: f64) -> Result<Vec<Candidate>, Stopped> {
         let grid = Grid::of(self.zone, cells);
-        let mut refined: Vec<Candidate> = starts.par_iter().map(|start| self.descend(start, &grid, step)).collect();
+        let refined = starts.par_iter().map(|start| self.descend(start, &grid, step));
+        let mut refined: Vec<Candidate> = refined.collect::<Result<_, _>>()?;
         refined.sort_by(|a, b| a.score.total_cmp(&b.score));
         refined.retain(|candidate| candidate.score.is_feasible());
-        refined
+        Ok(refined)
     }
 
     /// The turns that are tried: yaw, angle of the first side, roll.
@@ -242,7 +238,7 @@ impl<'a> Search<'a> {
     }
 
     /// The best places of a grid over the region and all turns, best first, far enough apart to be different.
-    fn coarse(&self, starts: usize) -> Result<Vec<Candidate>, Misfit> {
+    fn coarse(&self, starts: usize) -> Result<Result<Vec<Candidate>, Misfit>, Stopped> {
         let [columns, rows] = self.region.map(|range| (range.width() / self.step).ceil() as usize + 1);
         let at = |range: Interval, i: usize, count: usize| match count {
             1 => range.middle(),
@@ -258,9 +254,9 @@ impl<'a> Search<'a> {
                 })
             })
             .collect();
-        let mut centres = self.centres(&works, rows * columns);
+        let mut centres = self.centres(&works, rows * columns)?;
         if !centres.iter().any(|centre| centre.0.is_finite()) {
-            return Err(Misfit::NothingReached);
+            return Ok(Err(Misfit::NothingReached));
         }
         centres.retain(|centre| centre.0.is_finite());
         centres.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -272,17 +268,19 @@ impl<'a> Search<'a> {
             if best < block[0].0 {
                 break;
             }
+            self.options.parts.one_more()?;
             let evaluated: Vec<Candidate> = block.par_iter().map(|(_, i)| self.candidate(works[*i], &grid)).collect();
             best = evaluated.iter().filter(|c| c.score.is_feasible()).map(|c| c.score.worst).fold(best, f64::min);
             seen.extend(evaluated);
         }
         seen.sort_by(|a, b| a.score.total_cmp(&b.score));
-        Ok(self.apart(&seen, starts))
+        Ok(Ok(self.apart(&seen, starts)))
     }
 
     /// The value at the centre of each placement, with its position in the list; infinite where it is not reached.
-    fn centres(&self, works: &[WorkPlacement], of_one_turn: usize) -> Vec<(f64, usize)> {
+    fn centres(&self, works: &[WorkPlacement], of_one_turn: usize) -> Result<Vec<(f64, usize)>, Stopped> {
         let one_turn = |(turn, works): (usize, &[WorkPlacement])| {
+            self.options.parts.go_on()?;
             let plane = WorkPlane::of(self.options.elevation, &works[0]);
             let orientation = self.freed.orientation(plane.tool()).under(plane.forces(self.options.load));
             let column = |part: fn(&WorkPlacement) -> f64| works.iter().map(part).collect::<Vec<f64>>();
@@ -293,9 +291,10 @@ impl<'a> Search<'a> {
             self.freed.configurations_at(&orientation, &SameBranch::default(), [&x, &y, &z], into);
             let best =
                 |i: usize| configurations.iter().map(|configuration| configuration[i]).fold(f64::INFINITY, f64::min);
-            (0..works.len()).map(|i| (best(i), turn * of_one_turn + i)).collect::<Vec<_>>()
+            Ok((0..works.len()).map(|i| (best(i), turn * of_one_turn + i)).collect())
         };
-        works.par_chunks(of_one_turn).enumerate().flat_map_iter(one_turn).collect()
+        let turns: Vec<Vec<_>> = works.par_chunks(of_one_turn).enumerate().map(one_turn).collect::<Result<_, _>>()?;
+        Ok(turns.into_iter().flatten().collect())
     }
 
     /// The first of a sorted list that are two steps or another turn apart.
@@ -381,12 +380,11 @@ impl<'a> Search<'a> {
     }
 
     /// Steps in every direction of what is free, halved where none is better.
-    fn descend(&self, start: &Candidate, grid: &Grid, first_step: f64) -> Candidate {
+    fn descend(&self, start: &Candidate, grid: &Grid, first_step: f64) -> Result<Candidate, Stopped> {
         let directions = directions(self.free());
         let steps = [first_step, 0.3 * first_step / self.step];
         descend(
-            self.candidate(start.work, grid),
-            steps,
+            (self.candidate(start.work, grid), steps, self.options.parts),
             |candidate| candidate.score,
             |best, steps| {
                 directions.iter().map(|way| self.candidate(self.moved(&best.work, way, steps), grid)).collect()

@@ -32,7 +32,7 @@ pub(super) struct Site {
 pub(super) struct Ground<'a> {
     arm: &'a SpatialArm,
     zone: Zone,
-    options: &'a Question,
+    pub(super) options: &'a Question<'a>,
     pub(super) cell: &'a Cell,
     pub(super) roll_is_free: bool,
     windows: Vec<Window>,
@@ -41,7 +41,7 @@ pub(super) struct Ground<'a> {
 }
 
 impl<'a> Ground<'a> {
-    pub(super) fn new(arm: &'a SpatialArm, zone: Zone, options: &'a Question, cell: &'a Cell) -> Self {
+    pub(super) fn new(arm: &'a SpatialArm, zone: Zone, options: &'a Question<'a>, cell: &'a Cell) -> Self {
         let mut windows: Vec<Window> = cell.windows().collect();
         if windows.is_empty() {
             windows.push(Window::Block(Block { x: Interval::ALL, y: Interval::ALL, z: Interval::POSITIVE }));
@@ -86,7 +86,7 @@ impl<'a> Ground<'a> {
     }
 
     /// The question as it is asked straight ahead of a robot that is turned to a bearing.
-    pub(super) fn seen_from(&self, bearing: f64) -> Question {
+    pub(super) fn seen_from(&self, bearing: f64) -> Question<'a> {
         Question { within: Within::ANYWHERE, cell: Some(self.cell.with_base_turned(bearing)), ..*self.options }
     }
 
@@ -132,7 +132,7 @@ impl<'a> Ground<'a> {
     }
 
     /// What is asked, relaxed to all places about the robot: for the lower bound; and where centres may lie.
-    pub(super) fn relaxed(&self) -> (Question, [Interval; 2]) {
+    pub(super) fn relaxed(&self) -> (Question<'a>, [Interval; 2]) {
         let [ahead, up] = self.arm.reach();
         let mut cell = *self.cell;
         if self.cell.windows().next().is_none() {

@@ -1,16 +1,23 @@
-//! `stiffarm/types.py` says what the tables of the library say: which options each verb takes, and of what type.
+//! `stiffarm/types.py` says what the tables of the library say: which options each verb takes, and which keys its answers have, all of what
+//! type.
 //!
 //! `STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types` writes it anew.
 
+mod answers;
+mod samples;
+
 use std::fmt::Write;
 use std::path::Path;
+
+use answers::{Fields, class};
+use serde_json::Value;
 
 use stiffarm::request::{Absent, Kind, Setting, Verb};
 
 /// What is an argument of its own in Python.
 const NOT_KEYWORDS: [&str; 3] = ["robot", "robots", "joints-deg"];
 const NONE: &[&str] = &[];
-const HEAD: &str = r#""""What goes in, for type checkers: the options of every verb.
+const HEAD: &str = r#""""What goes in and what comes out, for type checkers: the options of every verb, and the keys of every answer.
 
 Written by ``STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types`` from the tables of the library; not to be edited.
 """
@@ -57,7 +64,58 @@ fn written() -> String {
             writeln!(text, "    \"\"\"{}\"\"\"", wrapped(&format!("{}.", setting.described()))).unwrap();
         }
     }
+    write_answers(&mut text);
     text
+}
+
+/// A class for every kind of object that an answer has.
+fn write_answers(text: &mut String) {
+    let (placements, rankings, maps) = (samples::placements(), samples::rankings(), samples::maps());
+    let (studies, compliances) = (samples::studies(), samples::compliances());
+    let schemas = Fields::of(placements.iter().chain(&rankings).chain(&maps).map(|answer| &answer["schema"]));
+    class(text, ("Schema", "TypedDict"), "What a program must know to read an answer.", &schemas, &[]);
+
+    // One placement has the same keys wherever it stands.
+    let rows = rankings.iter().flat_map(|ranking| ranking["rows"].as_array().unwrap());
+    let cells: Vec<Value> = rows.clone().flat_map(|row| row["cells"].as_array().unwrap().clone()).collect();
+    let zones: Vec<Value> = maps.iter().map(|map| map["zone"].clone()).filter(Value::is_object).collect();
+    let bare = |answer: &Value| {
+        let mut fields = answer.as_object().unwrap().clone();
+        fields.shift_remove("schema");
+        Value::Object(fields)
+    };
+    let placed: Vec<Value> = placements.iter().chain(&cells).chain(&zones).map(bare).collect();
+    let placed = Fields::of(&placed);
+    let within = [("cell", "CellDict"), ("resolution", "Resolution"), ("faces", "FaceDict")];
+    class(text, ("CellDict", "TypedDict"), "A cell as it was asked for.", placed.under("cell"), &[]);
+    class(text, ("Resolution", "TypedDict"), "How finely a place was looked for.", placed.under("resolution"), &[]);
+    class(text, ("FaceDict", "TypedDict"), "One face of a part.", placed.under("faces"), &[]);
+    text.push_str("\n\n_Pass = TypedDict(\"_Pass\", {\"pass\": \"bool | None\"})\n");
+    let about = "One placement, of rankings and maps; `pass` says whether the tolerance is kept.";
+    class(text, ("Placed", "_Pass"), about, &placed, &within);
+    let with_schema = [("schema", "Schema")];
+    writeln!(
+        text,
+        "\n\nclass PlacementDict(Placed):\n    \"\"\"`stiffarm.Placement.to_dict`.\"\"\"\n\n    schema: Schema"
+    )
+    .unwrap();
+
+    let ranking = Fields::of(&rankings);
+    class(text, ("RankingRow", "TypedDict"), "One robot of a ranking.", ranking.under("rows"), &[("cells", "Placed")]);
+    class(text, ("Winner", "TypedDict"), "Who is best at a task.", ranking.under("winners"), &[]);
+    let within = [("rows", "RankingRow"), ("winners", "Winner"), with_schema[0]];
+    class(text, ("RankingDict", "TypedDict"), "`stiffarm.Ranking.to_dict`.", &ranking, &within);
+
+    let study = Fields::of(&studies);
+    class(text, ("StudyRow", "TypedDict"), "One contender at one size.", study.under("rows"), &[]);
+    class(text, ("Boundary", "TypedDict"), "A size at which the better one changes.", study.under("boundaries"), &[]);
+    let within = [("rows", "StudyRow"), ("boundaries", "Boundary"), with_schema[0]];
+    class(text, ("StudyDict", "TypedDict"), "`stiffarm.Study.to_dict`.", &study, &within);
+
+    let within = [("zone", "Placed"), with_schema[0]];
+    class(text, ("MapDict", "TypedDict"), "`stiffarm.Map.to_dict`.", &Fields::of(&maps), &within);
+    let compliance = Fields::of(&compliances);
+    class(text, ("ComplianceDict", "TypedDict"), "`stiffarm.Compliance.to_dict`.", &compliance, &with_schema);
 }
 
 /// Words in lines of the house's width, spelt as Python spells them.

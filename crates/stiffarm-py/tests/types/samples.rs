@@ -1,0 +1,135 @@
+//! Answers of every kind, so different from one another that every key has been seen with whatever may stand under it.
+
+use serde_json::Value;
+use stiffarm::answer::{ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, StudyAnswer};
+use stiffarm::catalogue::{find, read};
+use stiffarm::compliance::compliance;
+use stiffarm::map::map;
+use stiffarm::place::{Hold, PlaceError, Placed, place_task};
+use stiffarm::rank::rank;
+use stiffarm::request::{Pair, Request, Spelling, Verb};
+use stiffarm::robot::Robot;
+use stiffarm::study::study;
+use stiffarm::watch::Watch;
+
+type Typed<'a> = &'a [(&'a str, &'a str)];
+
+const TWO_LINKS: &str = "name = \"two links\"\nvendor = \"nobody\"\narchitecture = \"serial\"\nstatus = \"derived\"\n
+[planar]\nl2_mm = 1000\nl3_mm = 800\n\n[source]\ngeometry = \"none\"\nlimits = \"none\"\n";
+
+fn asked(verb: Verb, typed: Typed) -> Request {
+    let pair = |(name, text): &(&str, &str)| Pair { name: (*name).into(), text: (*text).into(), at: Spelling::Typed };
+    let robot = [("robot", "KR 210 R2700 extra")];
+    let pairs: Vec<Pair> = match verb {
+        Verb::Study | Verb::Rank => typed.iter().map(pair).collect(),
+        _ => typed.iter().chain(&robot).map(pair).collect(),
+    };
+    Request::read(verb, &pairs, Spelling::Typed).unwrap()
+}
+
+fn kuka() -> Robot {
+    find("KR 210 R2700 extra").expect("in the catalogue").robot()
+}
+
+fn two_links() -> Robot {
+    read(TWO_LINKS, "two links").unwrap()
+}
+
+fn placed(robot: &Robot, typed: Typed) -> PlaceAnswer {
+    let asked = asked(Verb::Place, typed);
+    let (task, kind) = (asked.task().unwrap(), asked.model());
+    let options = asked.place_options(Some(task.zone)).unwrap();
+    let placed = place_task(&kind.of(robot).unwrap(), &task, &options).unwrap();
+    PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm: asked.tolerance_mm() }
+}
+
+pub(crate) fn placements() -> Vec<Value> {
+    let space = [("model", "spatial"), ("tool-mm", "100,0,200"), ("roll-deg", "0")];
+    let of = |typed: Typed| placed(&kuka(), typed).json();
+    let in_space = |typed: Typed| of(&[typed, &space].concat());
+    let mut unseen = placed(&kuka(), &[&[("task", "circle:0.4")][..], &space].concat());
+    let Placed::Feasible(best) = &mut unseen.placed else { panic!("it fits") };
+    let Hold::Space(hold) = &mut best.hold else { panic!("in space") };
+    // As in a cell whose coarse search has seen no whole zone.
+    hold.resolution.coarse = None;
+    vec![
+        unseen.json(),
+        of(&[("task", "B:0.3"), ("tolerance-mm", "2"), ("within", "0.5..,0..2")]),
+        of(&[("task", "A:9"), ("floor", "none")]),
+        placed(&two_links(), &[("task", "A:0.3")]).json(),
+        in_space(&[("task", "circle:0.4"), ("tolerance-mm", "2"), ("within", "0.5..,0..2")]),
+        in_space(&[("task", "circle:3")]),
+        in_space(&[("task", "rect:0.3x0.2"), ("force-n", "300,100,50"), ("force-cone-deg", "5"), ("feed-deg", "10")]),
+        in_space(&[
+            ("task", "circle:0.3"),
+            ("mount", "pedestal:0.5"),
+            ("keep-out", "3..4,..,0..1"),
+            ("clearance-mm", "10"),
+        ]),
+        in_space(&[("task", "circle:0.3"), ("within", "1..2,-1..1,0..1;1..2,1..2,0..1")]),
+        of(&[("task", "box:0.3x0.2x0.1"), ("faces", "top"), ("angle", "0"), ("model", "spatial")]),
+    ]
+}
+
+pub(crate) fn rankings() -> Vec<Value> {
+    let ranked = |robots: &[Robot], typed: Typed| {
+        let asked = asked(Verb::Rank, typed);
+        let (tasks, kind, options) = (asked.tasks(), asked.model(), asked.place_options(None).unwrap());
+        let ranking = rank(robots, &tasks, &kind, &options, Watch::nobody()).unwrap();
+        RankAnswer { ranking, options, tolerance_mm: asked.tolerance_mm() }
+    };
+    let estimated = find("Staubli TX340 SH").expect("in the catalogue").robot();
+    let plane = ranked(&[kuka(), estimated, two_links()], &[("task", "A:0.3,A:9"), ("tolerance-mm", "2")]);
+    let mut unknown = ranked(&[kuka()], &[("task", "A:0.3")]);
+    let row = &mut unknown.ranking.rows[0];
+    row.cells[0] = Err(PlaceError::Unfinished { nodes: 1, lower: 1e-3, upper: 2e-3 });
+    (row.rank, row.mean_ratio, row.floor) = (None, None, None);
+    let space = ranked(&[kuka()], &[("task", "circle:0.4"), ("model", "spatial"), ("roll-deg", "0")]);
+    let directed = [
+        ("task", "circle:0.4"),
+        ("model", "spatial"),
+        ("roll-deg", "0"),
+        ("force-n", "300,100,50"),
+        ("feed-deg", "10"),
+    ];
+    [plane, unknown, space, ranked(&[kuka()], &directed)].iter().map(RankAnswer::json).collect()
+}
+
+pub(crate) fn maps() -> Vec<Value> {
+    let mapped = |robot: &Robot, typed: Typed, zone: Option<PlaceAnswer>| {
+        let asked = asked(Verb::Map, &[typed, &[("size", "6")]].concat());
+        let (model, options) = (asked.model().of(robot).unwrap(), asked.map_options());
+        let map = map(&model, &options).unwrap();
+        serde_json::to_value(MapAnswer { model, options, map, zone }).unwrap()
+    };
+    vec![
+        mapped(&two_links(), &[], None),
+        mapped(&kuka(), &[], Some(placed(&kuka(), &[("task", "B:0.3")]))),
+        mapped(&kuka(), &[("direction-deg", "20")], None),
+        mapped(&kuka(), &[("model", "spatial"), ("tool-mm", "100,0,200")], None),
+        mapped(
+            &kuka(),
+            &[("model", "spatial"), ("force-n", "300,100,50"), ("force-cone-deg", "5"), ("feed-deg", "10")],
+            None,
+        ),
+    ]
+}
+
+pub(crate) fn studies() -> Vec<Value> {
+    let of = |typed: Typed| StudyAnswer(study(&asked(Verb::Study, typed).study().unwrap()).unwrap()).json();
+    vec![of(&[]), of(&[("sizes", "0.1,3")])]
+}
+
+pub(crate) fn compliances() -> Vec<Value> {
+    let of = |typed: Typed| {
+        let asked = asked(Verb::Compliance, &[typed, &[("joints-deg", "0,-90,90,10,20,30")]].concat());
+        let (joints_deg, tool) = (asked.joints_deg().unwrap(), asked.held().tool());
+        let posture = compliance(&kuka(), &joints_deg.map(f64::to_radians), &tool).unwrap();
+        ComplianceAnswer { robot: kuka(), joints_deg, posture, load: asked.posture_load() }.json()
+    };
+    vec![
+        of(&[]),
+        of(&[("force-n", "100,50,20")]),
+        of(&[("force-n", "100,50,20"), ("force-axes", "tool"), ("feed-deg", "5")]),
+    ]
+}
