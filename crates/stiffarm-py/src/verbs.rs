@@ -25,8 +25,8 @@ type Answer<'py> = PyResult<Bound<'py, PyAny>>;
 /// An answer, and its rows as columns for data frames.
 type WithColumns<'py> = PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>)>;
 
-/// A robot's place among those given, its rank, and its mean ratio.
-type Stood = (usize, Option<usize>, Option<f64>);
+/// A robot's place among those given, its rank and whether that is tied, and its mean ratio.
+type Stood = (usize, Option<usize>, Option<bool>, Option<f64>);
 
 /// Names the robot before what is wrong.
 pub(crate) fn of<E: ToString>(robot: &Arms) -> impl Fn(E) -> PyErr {
@@ -118,28 +118,31 @@ pub(crate) fn rank<'py>(
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 
-/// The order of robots by their values: their places among those given, with rank and mean ratio.
+/// The order of robots by their lower bounds and values: their places among those given, with rank and mean ratio.
 #[pyfunction]
 pub(crate) fn order(
     robots: Vec<(String, String, bool, bool)>,
-    deflections_mm: Vec<Vec<Option<f64>>>,
+    proved_mm: Vec<Vec<Option<[f64; 2]>>>,
 ) -> PyResult<Vec<Stood>> {
-    if robots.len() != deflections_mm.len() {
-        return Err(refused(format!("{} robots, but values of {}", robots.len(), deflections_mm.len())));
+    if robots.len() != proved_mm.len() {
+        return Err(refused(format!("{} robots, but values of {}", robots.len(), proved_mm.len())));
     }
     let contestants: Vec<Contestant> = robots
         .iter()
-        .zip(deflections_mm)
+        .zip(proved_mm)
         .map(|((vendor, name, is_estimated, is_judged), values)| Contestant {
             vendor,
             name,
             is_estimated: *is_estimated,
             is_judged: *is_judged,
-            deflections: values.into_iter().map(|mm| mm.map(|mm| mm / 1e3)).collect(),
+            proved: values.into_iter().map(|mm| mm.map(|ends| ends.map(|mm| mm / 1e3))).collect(),
         })
         .collect();
     let standings = stiffarm::rank::order(&contestants).into_iter();
-    Ok(standings.map(|Standing { at, rank, mean_ratio }| (at, rank, mean_ratio)).collect())
+    let told = |Standing { at, rank, mean_ratio, .. }: Standing| {
+        (at, rank.map(|rank| rank.place), rank.map(|rank| rank.is_tied), mean_ratio)
+    };
+    Ok(standings.map(told).collect())
 }
 
 /// A map: its head, its layers by key, and what a figure shows besides.

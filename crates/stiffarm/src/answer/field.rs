@@ -154,6 +154,8 @@ fields! {
     LIMIT_MARGIN: "limit_margin_deg", Kind::Number(Unit::Degree), "The smallest distance of any joint to its limits in the zone.";
     LIMIT_MARGIN_JOINT: "limit_margin_joint", Kind::Count, "That joint; 0 is the angle between the links.";
     SINGULAR_MARGIN: "singular_margin_deg", Kind::Number(Unit::Degree), "The smallest angle to a singular posture in the zone.";
+    SMALLEST_MARGIN: "smallest_margin_deg", Kind::Number(Unit::Degree), "The least that is kept from a joint limit or a straight posture anywhere in the zone.";
+    SMALLEST_MARGIN_OF: "smallest_margin_of", Kind::Text, "What that is of: a joint, the angle between the links, the forearm's angle, or a straight posture.";
     CLEARANCE: "clearance_mm", Kind::Number(Unit::Millimetre), "The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap.";
     CLEARANCE_OF: "clearance_of", Kind::Text, "Which link to what.";
     CLEARANCE_ESTIMATED: "clearance_estimated", Kind::Truth, "A radius in it is estimated.";
@@ -174,10 +176,14 @@ fields! {
     TOLERANCE: "tolerance_mm", Kind::Number(Unit::Given("mm")), "The largest deflection that is acceptable.";
     PASS: "pass", Kind::Truth, "The tolerance is kept.";
     MARGIN: "margin_mm", Kind::Number(Unit::Given("mm")), "What is left of the tolerance.";
-    RANK: "rank", Kind::Count, "From 1; none for a robot that is estimated, or of which nothing is known.";
+    RANK: "rank", Kind::Count, "One more than the robots that are certainly better, their values below its bound; none for a robot that is estimated, or of which nothing is known.";
+    RANK_TIED: "rank_tied", Kind::Truth, "Some other robot cannot be told apart from it.";
+    TASK_RANK: "task_rank", Kind::Count, "The same for this task alone.";
+    TASK_RANK_TIED: "task_rank_tied", Kind::Truth, "Some other robot cannot be told apart from it in this task.";
     PLANAR_RANK: "planar_rank", Kind::Count, "The rank in the planar ranking of the same robots and tasks.";
     BOUND: "bound_mm", Kind::Number(Unit::Millimetre), "Deflection at the stiffest posture of the links.";
     MEAN_RATIO: "mean_ratio", Kind::Number(Unit::One), "How much worse than the best of each task, geometric mean.";
+    MEAN_RATIO_BOUND: "mean_ratio_bound", Kind::Number(Unit::One), "The same of the proved lower bounds.";
     TASKS: "tasks", Kind::Nested, "The tasks as they were asked for.";
     CELLS: "cells", Kind::Nested, "One placement per task.";
     ROWS: "rows", Kind::Nested, "One entry per row.";
@@ -186,6 +192,8 @@ fields! {
     BEST_WITH_ESTIMATED: "best_with_estimated", Kind::Text, "The best robot of all.";
     BEST_SERIAL: "best_serial", Kind::Text, "The best serial robot.";
     BEST_QUASI_SERIAL: "best_quasi_serial", Kind::Text, "The best quasi-serial robot.";
+    TOLD_APART: "told_apart", Kind::Truth, "It is proved that no other is as good.";
+    RIVALS: "rivals", Kind::Nested, "Robots of published geometry that may be as good as the best.";
     SUMMARY: "summary", Kind::Nested, "What a manager would read.";
     JOINTS: "joints_deg", numbers(Unit::Given("deg"), &["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]), "Joint angles as the robot reports them, deg.";
     TCP: "tcp_m", numbers(Unit::Metre, &["tcp_x_m", "tcp_y_m", "tcp_z_m"]), "The tool point.";

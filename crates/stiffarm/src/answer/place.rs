@@ -191,6 +191,8 @@ impl PlaceAnswer {
             None => {
                 lines.push(line("angle of the first side", degrees(best.angle)));
                 lines.push(line("elbow", best.elbow.name()));
+                let kept = |(least, of)| line("smallest margin", format!("{} ({})", degrees(least), margins::of(of)));
+                lines.extend(best.smallest_margin().map(kept));
             }
             Some(_) if !best.faces.is_empty() => {
                 lines.push(line("turned about the vertical", degrees(best.angle)));
@@ -411,6 +413,7 @@ fn held(record: &mut Record, best: Option<&Placement>, cell: Option<&Cell>) {
     let hold = best.and_then(Placement::space);
     let of = |value: fn(&SpaceHold) -> f64| hold.map(value);
     let clearance = best.and_then(|best| best.clearance);
+    let margin = best.and_then(Placement::smallest_margin);
     record
         .put(field::BEARING, of(|hold| hold.bearing))
         .put(field::YAW, of(|hold| hold.yaw))
@@ -428,6 +431,8 @@ fn held(record: &mut Record, best: Option<&Placement>, cell: Option<&Cell>) {
         .put(field::LIMIT_MARGIN, of(|hold| hold.limit_margin.0))
         .put(field::LIMIT_MARGIN_JOINT, hold.map(|hold| hold.limit_margin.1))
         .put(field::SINGULAR_MARGIN, of(|hold| hold.singular_margin))
+        .put(field::SMALLEST_MARGIN, margin.map(|(least, _)| least))
+        .put(field::SMALLEST_MARGIN_OF, margin.map(|(_, of)| margins::of(of)))
         .put(field::CLEARANCE, clearance.map(|clearance| clearance.distance))
         .put(field::CLEARANCE_OF, clearance.map(|clearance| words::clearance_of(&clearance)))
         .put(field::CLEARANCE_ESTIMATED, clearance.map(|clearance| clearance.is_estimated))
