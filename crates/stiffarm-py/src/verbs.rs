@@ -4,12 +4,14 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
+use stiffarm::advice::{advise, advise_best};
 use stiffarm::answer::{
     Cell, ColumnKind, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
 };
 use stiffarm::catalogue::paper_robots;
 use stiffarm::compliance::compliance;
-use stiffarm::rank::{Contestant, Standing};
+use stiffarm::place::{PlaceError, place_task};
+use stiffarm::rank::{Contestant, RankError, Standing};
 use stiffarm::request::{self, Verb};
 use stiffarm::robot::Robot as Arms;
 use stiffarm::study::study as studied;
@@ -72,15 +74,28 @@ pub(crate) fn posture<'py>(py: Python<'py>, robot: &Robot, joints_deg: [f64; 6],
     to_python(py, &answer.json())
 }
 
-/// The best place of one zone.
+/// The best place of one zone, with what its tolerance says of force, stiffness and size where that is wanted.
 #[pyfunction]
-pub(crate) fn place<'py>(py: Python<'py>, robot: &Robot, wanted_task: &str, asked: Asked) -> WithColumns<'py> {
+pub(crate) fn place<'py>(
+    py: Python<'py>,
+    robot: &Robot,
+    wanted_task: &str,
+    asked: Asked,
+    advice: bool,
+) -> WithColumns<'py> {
     let asked = asked.with(Verb::Place, &[("task", wanted_task)])?;
     let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
     let (task, kind, tolerance_mm) = (asked.task().map_err(refused)?, asked.model(), asked.tolerance_mm());
     let options = asked.place_options(Some(task.zone)).map_err(refused)?;
-    let placed = detached(py, || stiffarm::place::place_task(&kind.of(robot)?, &task, &options))?.map_err(of(robot))?;
-    let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
+    let sought = tolerance_mm.filter(|_| advice);
+    let (placed, advice) = detached(py, || {
+        let model = kind.of(robot)?;
+        let placed = place_task(&model, &task, &options)?;
+        let advice = sought.map(|mm| advise(&model, &task, &options, &placed, mm / 1e3)).transpose()?;
+        Ok::<_, PlaceError>((placed, advice))
+    })?
+    .map_err(of(robot))?;
+    let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 
@@ -113,8 +128,13 @@ pub(crate) fn rank<'py>(
     }
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
     let options = asked.place_options(only).map_err(refused)?;
-    let ranking = detached(py, || stiffarm::rank::rank(&robots, &tasks, &kind, &options, || ()))?;
-    let answer = RankAnswer { ranking: ranking.map_err(refused)?, options, tolerance_mm };
+    let found = detached(py, || {
+        let ranking = stiffarm::rank::rank(&robots, &tasks, &kind, &options, || ())?;
+        let advice = tolerance_mm.map(|mm| advise_best(&ranking, &options, mm / 1e3, || ())).transpose()?;
+        Ok::<_, RankError>((ranking, advice.unwrap_or_default()))
+    })?;
+    let (ranking, advice) = found.map_err(refused)?;
+    let answer = RankAnswer { ranking, options, tolerance_mm, advice };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 
@@ -164,7 +184,7 @@ pub(crate) fn map<'py>(
             Some((task, options)) => {
                 let placed = stiffarm::place::place(&model, task.zone, &options).map_err(of(robot))?;
                 let robot = robot.clone();
-                Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None })
+                Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None, advice: None })
             }
         };
         Ok::<_, PyErr>(MapAnswer { model, options, map, zone })

@@ -51,7 +51,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
                 say(&format!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label));
             }
             let robot = robot.clone();
-            Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm })
+            Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm, advice: None })
         }
     };
     outputs.deliver(&MapOutput {

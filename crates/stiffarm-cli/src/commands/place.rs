@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
+use stiffarm::advice::advise;
 use stiffarm::answer::words::{class, direction, tool};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::map::{Spacing, map};
@@ -37,7 +38,10 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
     let placed = waiting("searching places", common, || place_task(&model, &task, &options)).map_err(failure)?;
     let tolerance_mm = asked.tolerance_mm();
-    let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
+    let sought =
+        |mm: f64| waiting("placing smaller zones", common, || advise(&model, &task, &options, &placed, mm / 1e3));
+    let advice = tolerance_mm.map(sought).transpose().map_err(failure)?;
+    let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice };
     let shortfall = answer.shortfall().filter(|_| common.check);
     outputs.deliver(&PlaceOutput { model, answer, plate })?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))

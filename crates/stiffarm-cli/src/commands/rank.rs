@@ -4,6 +4,7 @@ use std::cell::OnceCell;
 use std::io::{self, Write};
 use std::path::Path;
 
+use stiffarm::advice::{ADVISED, advise_best};
 use stiffarm::answer::{self, RankAnswer, Rows, Unit, looks, stiffnesses, words};
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
@@ -46,7 +47,17 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let bar = progress(robots.len() * tasks.len(), "placing zones", common);
     let ranking = rank(&robots, &tasks, &kind, &options, || bar.inc(1))?;
     bar.finish_and_clear();
-    let answer = RankAnswer { ranking, options, tolerance_mm: asked.tolerance_mm() };
+    let tolerance_mm = asked.tolerance_mm();
+    let advice = match tolerance_mm {
+        None => Vec::new(),
+        Some(mm) => {
+            let bar = progress(ADVISED * tasks.len(), "placing smaller zones", common);
+            let advice = advise_best(&ranking, &options, mm / 1e3, || bar.inc(1))?;
+            bar.finish_and_clear();
+            advice
+        }
+    };
+    let answer = RankAnswer { ranking, options, tolerance_mm, advice };
     let shortfall = answer.shortfall().filter(|_| common.check);
     outputs.deliver(&RankOutput { answer, common, plate, svg: OnceCell::new() })?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))

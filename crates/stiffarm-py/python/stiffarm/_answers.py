@@ -231,6 +231,9 @@ class Placement(_Table):
     limit_margin_deg: float | None
     limit_margin_joint: int | None
     singular_margin_deg: float | None
+    #: The smaller of both, and what it is of.
+    smallest_margin_deg: float | None
+    smallest_margin_of: str | None
     #: The cell as it was asked for: mount, windows, what is kept free.
     cell: dict[str, Any] | None
     #: The centre of the zone in the axes of the cell.
@@ -244,6 +247,9 @@ class Placement(_Table):
     resolution: dict[str, Any] | None
     tolerance_mm: float | None
     margin_mm: float | None
+    #: What the tolerance says of force, stiffness and size: ``force_factor``, ``largest_force_n``, ``stiffness_factor``, ``softest_drive``,
+    #: ``largest_zone`` and more; None where no tolerance was given, and in a ranking of all but the best robots.
+    advice: dict[str, Any] | None
 
     #: Robot, task and options, from which a figure is drawn; of a ranking None.
     _asked: tuple[Any, str, dict[str, str]] | None
@@ -286,7 +292,7 @@ class Ranking(_Table):
     feed_deg: float | None
     #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
     component: str
-    #: One per robot: names, status, ``rank`` (None for an estimated robot), ``mean_ratio``, and ``cells`` with one placement per task.
+    #: One per robot: names, status, ``rank`` (None for an estimated robot; robots that cannot be told apart share one), ``rank_tied``, ``mean_ratio``, and ``cells`` with one placement per task.
     rows: list[dict[str, Any]]
     #: Who is best at each task.
     winners: list[dict[str, Any]]

@@ -118,11 +118,11 @@ def place(robot: RobotLike, *, task: str, **options: Unpack[PlaceOptions]) -> Pl
         Where an argument makes no sense.
     """
     asked = (_given.robot(robot), _given.text("task", task), _options.spelt("place", options))
-    return Placement(*_stiffarm.place(*asked), asked)
+    return Placement(*_stiffarm.place(*asked, True), asked)
 
 
 def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> dict[str, object]:
-    """One placement as a plain dict: what a worker on another machine computes and sends back.
+    """One placement as a plain dict: what a worker on another machine computes and sends back, without ``advice``.
 
     Robots, options and the answer can all be pickled.
 
@@ -135,7 +135,8 @@ def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> dict[s
     **options
         As in `place`.
     """
-    return place(robot, task=task, **options).to_dict()
+    asked = (_given.robot(robot), _given.text("task", task), _options.spelt("place", options))
+    return Placement(*_stiffarm.place(*asked, False), asked).to_dict()
 
 
 @_options.takes("rank", RankOptions)

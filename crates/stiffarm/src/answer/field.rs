@@ -176,6 +176,26 @@ fields! {
     TOLERANCE: "tolerance_mm", Kind::Number(Unit::Given("mm")), "The largest deflection that is acceptable.";
     PASS: "pass", Kind::Truth, "The tolerance is kept.";
     MARGIN: "margin_mm", Kind::Number(Unit::Given("mm")), "What is left of the tolerance.";
+    ADVICE: "advice", Kind::Nested, "What is missing where the tolerance is not kept, and what is left where it is; null where none was given, and in a ranking of all but the best robots.";
+    FORCE_FACTOR: "force_factor", Kind::Number(Unit::One), "So many times the force keeps the tolerance at this place, exactly; null where nothing gives way.";
+    FORCE_FACTOR_BOUND: "force_factor_bound", Kind::Number(Unit::One), "No place keeps it under more.";
+    LARGEST_FORCE: "largest_force_n", Kind::Number(Unit::Newton), "The same as a force.";
+    STIFFNESS_FACTOR: "stiffness_factor", Kind::Number(Unit::One), "So many times as stiff must all drives be.";
+    STIFFNESS_NEEDED: "stiffness_needed_nm_per_rad", Kind::Numbers { unit: Unit::Given("nm_per_rad"), columns: &[], nested: 0 },
+        "The stiffness of each drive that this asks for; null of rigid ones, and of drive 2 beside a gravity compensator.";
+    DRIVE_SHARES: "drive_shares", numbers(Unit::One, &[]), "What each drive gives of the deflection at the worst point along its direction; adds up to 1.";
+    SOFTEST_DRIVE: "softest_drive", Kind::Count, "The drive that gives most there.";
+    SOFTEST_SHARE: "softest_drive_share", Kind::Number(Unit::One), "Its share.";
+    COMPENSATION: "compensation_assumed", Kind::Number(Unit::One), "The part of the deflection that a compensation of the program is taken to take out: an assumption.";
+    COMPENSATED: "compensated_mm", Kind::Number(Unit::Millimetre), "What it would leave of the deflection.";
+    COMPENSATED_PASS: "compensated_pass", Kind::Truth, "That keeps the tolerance.";
+    LARGEST_ZONE: "largest_zone", Kind::Nested, "The largest zone of the shape that passes; null where the one that was asked for does.";
+    SCALE: "scale", Kind::Number(Unit::One), "Its size as a part of the size that was asked for; null where not even the smallest that was tried passes.";
+    SIZE_IN_WORDS: "size", Kind::Text, "The same in mm.";
+    SIDES: "sides_m", Kind::Nested, "Its sides; null of a part.";
+    FAILS_AT: "fails_at_scale", Kind::Number(Unit::One), "The smallest part of that size that was tried and does not pass.";
+    FAILS_PROVED: "fails_proved", Kind::Truth, "That no place of that passes is proved.";
+    TRIED: "tried", Kind::Count, "How many zones were placed for it.";
     RANK: "rank", Kind::Count, "One more than the robots that are certainly better, their values below its bound; none for a robot that is estimated, or of which nothing is known.";
     RANK_TIED: "rank_tied", Kind::Truth, "Some other robot cannot be told apart from it.";
     TASK_RANK: "task_rank", Kind::Count, "The same for this task alone.";

@@ -5,6 +5,7 @@
 //! x forward, y left, z up. Beside [`catalogue`](crate::catalogue) and [`request`](crate::request) the only module in which mm and
 //! degrees exist.
 
+mod advice;
 mod angles;
 mod cell;
 pub mod compliance;

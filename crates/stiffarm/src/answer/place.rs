@@ -2,10 +2,12 @@
 
 use serde_json::Value;
 
+use super::advice;
 use super::cell as told_cell;
 use super::stiffness::{self, stiffness};
 use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm};
 use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, with_schema, words};
+use crate::advice::Advice;
 use crate::cell::Cell;
 use crate::interval::Interval;
 use crate::map::{Held, MapOptions, Spacing};
@@ -53,13 +55,17 @@ pub struct PlaceAnswer {
     pub placed: Placed,
     /// The largest deflection that is acceptable, mm.
     pub tolerance_mm: Option<f64>,
+    /// What that says of force, stiffness and size, where it was sought.
+    pub advice: Option<Advice>,
 }
 
 impl PlaceAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
-        let Self { robot, model, task, options, placed, tolerance_mm } = self;
-        cell(robot, task, (model, options), Ok(placed), *tolerance_mm)
+        let Self { robot, model, task, options, placed, tolerance_mm, advice } = self;
+        let mut record = cell(robot, task, (model, options), Ok(placed), *tolerance_mm);
+        put_advice(&mut record, advice.as_ref(), (task, options.load));
+        record
     }
 
     /// As JSON.
@@ -111,9 +117,11 @@ impl PlaceAnswer {
                 let proof =
                     if *is_proved && largest_scale.is_none() { "; it is proved that there is none" } else { "" };
                 lines.push(line("no place", format!("{reason}{proof}")));
-                lines.extend(largest_scale.map(|scale| line("largest zone of this shape", largest(task, scale))));
+                let scale = largest_scale.filter(|_| self.advice.is_none());
+                lines.extend(scale.map(|scale| line("largest zone of this shape", largest(task, scale))));
             }
         }
+        lines.extend(self.advice.iter().flat_map(|found| advice::lines(found, (task, options.load))));
         Table::of_lines(lines)
     }
 
@@ -373,6 +381,11 @@ pub(super) fn cell(
             tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance).margin_mm),
         );
     record
+}
+
+/// Adds what was sought beside a placement.
+pub(super) fn put_advice(record: &mut Record, found: Option<&Advice>, asked: advice::Asked) {
+    record.put(field::ADVICE, found.map(|found| advice::record(found, asked)));
 }
 
 /// What was asked of a model, with what it takes where nothing was said.

@@ -5,9 +5,10 @@ mod sentences;
 
 use serde_json::{Value, json};
 
-use super::place::{Verdict, cell};
+use super::place::{Verdict, cell, put_advice};
 use super::words::{self, fixed};
 use super::{Record, Rows, Table, field, force, margins, stiffness, stiffnesses, with_schema};
+use crate::advice::Advice;
 use crate::drive::Architecture;
 use crate::model::ModelKind;
 use crate::place::{Margins, PlaceOptions};
@@ -23,6 +24,8 @@ pub struct RankAnswer {
     pub options: PlaceOptions,
     /// The largest deflection that is acceptable, mm.
     pub tolerance_mm: Option<f64>,
+    /// What that says of force, stiffness and size, for each row and task where it was sought; empty where it was not.
+    pub advice: Vec<Vec<Option<Advice>>>,
 }
 
 impl RankAnswer {
@@ -80,13 +83,19 @@ impl RankAnswer {
     fn cells<'a>(&'a self, at: usize, ranks: &'a [Vec<Option<Rank>>]) -> impl Iterator<Item = Record> + 'a {
         let Ranking { tasks, model, rows, .. } = &self.ranking;
         let Row { robot, cells, .. } = &rows[at];
-        tasks.iter().zip(cells).zip(ranks).map(move |((task, placed), ranks)| {
+        tasks.iter().zip(cells).zip(ranks).enumerate().map(move |(column, ((task, placed), ranks))| {
             let mut record = cell(robot, task, (model, &self.options), placed.as_ref(), self.tolerance_mm);
             record
                 .put(field::TASK_RANK, ranks[at].map(|rank| rank.place))
                 .put(field::TASK_RANK_TIED, ranks[at].map(|rank| rank.is_tied));
+            put_advice(&mut record, self.advised(at, column), (task, self.options.load));
             record
         })
+    }
+
+    /// The advice on a task of a row.
+    fn advised(&self, at: usize, task: usize) -> Option<&Advice> {
+        self.advice.get(at)?.get(task)?.as_ref()
     }
 
     fn winners(&self) -> Value {

@@ -1,5 +1,6 @@
 //! What a manager would read of a ranking, and why there is no advice where there is none.
 
+use super::super::advice;
 use super::super::place::Verdict;
 use super::super::words::{self, fixed};
 use super::RankAnswer;
@@ -16,6 +17,7 @@ impl RankAnswer {
         sentences.extend(self.by_architecture());
         sentences.extend(self.estimated_rivals());
         sentences.extend(self.tolerance_mm.map(|tolerance| self.within_tolerance(tolerance)));
+        sentences.extend(self.advice_of_the_best());
         sentences
     }
 
@@ -171,6 +173,19 @@ impl RankAnswer {
                 rivals.join("; ")
             )
         })
+    }
+
+    /// Of every robot that got advice: what it says of the task that it does worst.
+    fn advice_of_the_best(&self) -> Vec<String> {
+        let of = |(at, row): (usize, &Row)| {
+            let value = |task: usize| row.deflection(task).unwrap_or(f64::INFINITY);
+            let advised = (0..row.cells.len()).filter_map(|task| Some((task, self.advised(at, task)?)));
+            let (task, found) = advised.max_by(|a, b| value(a.0).total_cmp(&value(b.0)))?;
+            let asked = &self.ranking.tasks[task];
+            let told = advice::sentence(found, (asked, self.ranking.load));
+            Some(format!("{} on {}: {told}.", row.robot.full_name(), asked.label))
+        };
+        self.ranking.rows.iter().enumerate().filter_map(of).collect()
     }
 
     fn within_tolerance(&self, tolerance: f64) -> String {
