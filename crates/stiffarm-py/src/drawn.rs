@@ -34,7 +34,8 @@ pub(crate) fn drawn_place<'py>(
     let (shown, drawn) = detached(py, || {
         let model = kind.of(robot).map_err(of(robot))?;
         let placed = place(&model, task.zone, &options).map_err(of(robot))?;
-        let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm: None };
+        let own = robot.clone();
+        let answer = PlaceAnswer { robot: own, model: kind, task, options, placed, tolerance_mm: None, advice: None };
         let best = answer.placed.feasible().cloned().ok_or_else(|| refused("no place to draw"))?;
         let options = answer.map_options(&model, Spacing::Points(size.clamp(2, 2000)));
         let map = map(&model, &options).map_err(of(robot))?;

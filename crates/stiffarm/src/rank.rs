@@ -4,8 +4,9 @@ mod standing;
 
 use rayon::prelude::*;
 
+pub(crate) use standing::may_be_as_good;
+use standing::ranks;
 pub use standing::{Contestant, Rank, Standing, order};
-use standing::{may_be_as_good, ranks};
 
 use crate::load::Load;
 use crate::model::{Model, ModelKind};

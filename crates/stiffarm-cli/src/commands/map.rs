@@ -137,6 +137,11 @@ impl<'a> Drawn<'a> {
     }
 
     pub(super) fn svg(self) -> Result<String, Failure> {
+        self.figure().svg().map_err(figure)
+    }
+
+    /// What is drawn.
+    pub(super) fn figure(self) -> MapFigure<'a> {
         let model = &self.answer.model;
         let (grid, unit, colours) = self.shown();
         let placed = self.answer.zone.as_ref();
@@ -155,7 +160,7 @@ impl<'a> Drawn<'a> {
             }),
             _ => None,
         };
-        let drawn = MapFigure {
+        MapFigure {
             title: model.robot().full_name(),
             map: grid,
             unit,
@@ -169,8 +174,7 @@ impl<'a> Drawn<'a> {
             scene,
             subtitle: self.subtitle,
             face: self.face,
-        };
-        drawn.svg().map_err(figure)
+        }
     }
 
     /// The map, the arm and the zone in their plane, which stands beside the joint-1 axis where the arm does.

@@ -96,7 +96,7 @@ impl RankOutput<'_> {
 
     /// Deflection against task size, a curve per robot.
     fn curves(&self) -> Result<String, Failure> {
-        let RankAnswer { ranking: Ranking { tasks, rows, load, model, .. }, options, tolerance_mm } = &self.answer;
+        let RankAnswer { ranking: Ranking { tasks, rows, load, model, .. }, options, tolerance_mm, .. } = &self.answer;
         let robots: Vec<Robot> = rows.iter().take(MOST_CURVES).map(|row| row.robot.clone()).collect();
         let (shapes, looks) = (shapes(tasks), self.looks());
         let bar = progress(shapes.len() * robots.len() * CURVE_POINTS, "drawing curves", self.common);

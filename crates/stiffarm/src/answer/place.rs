@@ -102,13 +102,7 @@ impl PlaceAnswer {
         if *model != ModelKind::Planar && options.load.breaks_symmetry() {
             lines.push(line("fixed to the base", "its centre straight ahead, and nowhere else about the joint-1 axis"));
         }
-        match options.cell {
-            None => {
-                let allowed = words::window(&margins::window(options, model, robot), words::origin(robot));
-                lines.push(line("allowed place", allowed));
-            }
-            Some(cell) => lines.extend(told_cell::lines(&cell, &options.within(model))),
-        }
+        lines.extend(self.allowed_lines());
         lines.extend(margins::column(&options.margins, robot).map(|kept| line("", kept)));
         lines.push(line("places keep", margins::angles(&options.margins)));
         match placed {
@@ -123,6 +117,32 @@ impl PlaceAnswer {
         }
         lines.extend(self.advice.iter().flat_map(|found| advice::lines(found, (task, options.load))));
         Table::of_lines(lines)
+    }
+
+    /// The best place, where there is one.
+    pub fn best(&self) -> Option<&Placement> {
+        self.placed.feasible()
+    }
+
+    /// Where the zone may stand.
+    fn allowed_lines(&self) -> Vec<Line> {
+        let Self { robot, model, options, .. } = self;
+        match options.cell {
+            None => {
+                let allowed = words::window(&margins::window(options, model, robot), words::origin(robot));
+                vec![line("allowed place", allowed)]
+            }
+            Some(cell) => told_cell::lines(&cell, &options.within(model)),
+        }
+    }
+
+    /// The same in one line.
+    pub(super) fn allowed(&self) -> String {
+        let lines = self.allowed_lines();
+        let told = lines
+            .iter()
+            .map(|[name, says]| if name == "allowed place" { says.clone() } else { format!("{name}: {says}") });
+        told.collect::<Vec<_>>().join("; ")
     }
 
     /// Why the answer is no, where it is: there is no place, or the tolerance is not held.
