@@ -6,13 +6,15 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use stiffarm::advice::{advise, advise_best};
 use stiffarm::answer::{
-    Cell, ColumnKind, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
+    Cell, ColumnKind, CompareAnswer, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer,
+    stiffness, words,
 };
 use stiffarm::catalogue::paper_robots;
 use stiffarm::compliance::compliance;
-use stiffarm::place::{PlaceError, place_task};
+use stiffarm::model::ModelKind;
+use stiffarm::place::{PlaceError, PlaceOptions, place_task};
 use stiffarm::rank::{Contestant, RankError, Standing};
-use stiffarm::request::{self, Verb};
+use stiffarm::request::{self, Request, Verb};
 use stiffarm::robot::Robot as Arms;
 use stiffarm::study::study as studied;
 use stiffarm::task::{Task, Zone};
@@ -21,7 +23,7 @@ use crate::asked::{Asked, task};
 use crate::json::to_python;
 use crate::pool::detached;
 use crate::refused;
-use crate::robot::{Robot, kept};
+use crate::robot::{Robot, kept, robot as named};
 
 type Answer<'py> = PyResult<Bound<'py, PyAny>>;
 /// An answer, and its rows as columns for data frames.
@@ -84,18 +86,82 @@ pub(crate) fn place<'py>(
     advice: bool,
 ) -> WithColumns<'py> {
     let asked = asked.with(Verb::Place, &[("task", wanted_task)])?;
-    let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
-    let (task, kind, tolerance_mm) = (asked.task().map_err(refused)?, asked.model(), asked.tolerance_mm());
-    let options = asked.place_options(Some(task.zone)).map_err(refused)?;
-    let sought = tolerance_mm.filter(|_| advice);
-    let (placed, advice) = detached(py, || {
+    let question = Question::of(&asked, robot.0.clone())?;
+    let answer = detached(py, || question.answer(advice))?.map_err(of(&question.robot))?;
+    Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
+}
+
+/// What is asked of one placement.
+struct Question {
+    robot: Arms,
+    task: Task,
+    kind: ModelKind,
+    options: PlaceOptions,
+    tolerance_mm: Option<f64>,
+}
+
+impl Question {
+    fn of(asked: &Request, robot: Arms) -> PyResult<Self> {
+        let (robot, task) = (asked.equipped(robot).map_err(refused)?, asked.task().map_err(refused)?);
+        let options = asked.place_options(Some(task.zone)).map_err(refused)?;
+        Ok(Self { robot, task, kind: asked.model(), options, tolerance_mm: asked.tolerance_mm() })
+    }
+
+    /// The placement, with what its tolerance says of force, stiffness and size where that is wanted.
+    fn answer(&self, with_advice: bool) -> Result<PlaceAnswer, PlaceError> {
+        let Self { robot, task, kind, options, tolerance_mm } = self;
         let model = kind.of(robot)?;
-        let placed = place_task(&model, &task, &options)?;
-        let advice = sought.map(|mm| advise(&model, &task, &options, &placed, mm / 1e3)).transpose()?;
-        Ok::<_, PlaceError>((placed, advice))
-    })?
-    .map_err(of(robot))?;
-    let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice };
+        let placed = place_task(&model, task, options)?;
+        let sought = tolerance_mm.filter(|_| with_advice);
+        let advice = sought.map(|mm| advise(&model, task, options, &placed, mm / 1e3)).transpose()?;
+        Ok(PlaceAnswer {
+            robot: robot.clone(),
+            model: *kind,
+            task: task.clone(),
+            options: *options,
+            placed,
+            tolerance_mm: *tolerance_mm,
+            advice,
+        })
+    }
+}
+
+/// One of two that are compared.
+#[derive(FromPyObject)]
+pub(crate) enum Setup<'py> {
+    Robot(PyRef<'py, Robot>),
+    /// A name, or the path of a robot file or of a job file.
+    Named(String),
+}
+
+impl Setup<'_> {
+    fn name(&self) -> &str {
+        match self {
+            Self::Robot(robot) => &robot.0.name,
+            Self::Named(name) => name,
+        }
+    }
+
+    fn question(&self, both: &Request) -> PyResult<Question> {
+        match self {
+            Self::Robot(robot) => Question::of(&both.of_robot(&robot.0.name).map_err(refused)?, robot.0.clone()),
+            Self::Named(name) => {
+                let asked = both.of_setup(name).map_err(refused)?;
+                let robot = named(&asked.robot().map_err(refused)?)?;
+                Question::of(&asked, robot.0)
+            }
+        }
+    }
+}
+
+/// Two setups side by side.
+#[pyfunction]
+pub(crate) fn compare<'py>(py: Python<'py>, a: Setup<'py>, b: Setup<'py>, asked: Asked) -> WithColumns<'py> {
+    let both = asked.with(Verb::Compare, &[("a", a.name()), ("b", b.name())])?;
+    let (first, second) = (a.question(&both)?, b.question(&both)?);
+    let (one, other) = detached(py, || (first.answer(true), second.answer(true)))?;
+    let sides = [one.map_err(of(&first.robot))?, other.map_err(of(&second.robot))?];
+    let answer = CompareAnswer { sides };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 

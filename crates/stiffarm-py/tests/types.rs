@@ -45,6 +45,7 @@ fn written() -> String {
         ("Rank", "rank", Verb::Rank, &["task"]),
         ("Map", "map", Verb::Map, NONE),
         ("Study", "study", Verb::Study, NONE),
+        ("Compare", "compare", Verb::Compare, &["a", "b"]),
         // A sweep takes several forces.
         ("Sweep", "cluster.sweep", Verb::Place, &["task", "force-n"]),
     ];

@@ -22,6 +22,7 @@ pub use notation::{
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};
 pub use settings::{Absent, Of, SETTINGS, Setting, Verb};
+pub use sides::SetupError;
 pub use wishes::Layer;
 
 use kind::Value;

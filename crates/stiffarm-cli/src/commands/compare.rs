@@ -5,9 +5,8 @@ use std::path::Path;
 
 use stiffarm::answer::words::{acting, class, mapped, tool};
 use stiffarm::answer::{CompareAnswer, PlaceAnswer, Rows, Unit, Verdict, stiffness};
-use stiffarm::catalogue::files;
 use stiffarm::model::ModelKind;
-use stiffarm::request::{Request, Spelling, job};
+use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 
 use super::place::PlaceOutput;
@@ -34,20 +33,12 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     outputs.deliver(&CompareOutput { answer, sides, plate })
 }
 
-/// What is asked of a setup, and its robot: by its job file where it is one.
+/// What is asked of a setup, and its robot.
 fn setup(name: &str, asked: &Request, common: &Common) -> Result<(Request, Robot), Failure> {
-    let path = Path::new(name.trim());
-    if files::is_robot_file(path) && path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
-        let text = files::text(path)?;
-        if job::is_job(&text) {
-            let reader = Spelling::Key { file: files::shown(path), line: None };
-            let request = asked.of_job(job::read(&text, path)?, reader)?;
-            let robot = selection::robot(&request.robot()?, common)?;
-            return Ok((request, robot));
-        }
-    }
-    let robot = selection::robot(name, common)?;
-    Ok((asked.of_robot(name)?, robot))
+    let request = asked.of_setup(name)?;
+    request.check_complete()?;
+    let robot = selection::robot(&request.robot()?, common)?;
+    Ok((request, robot))
 }
 
 struct CompareOutput {
@@ -73,7 +64,11 @@ impl CompareOutput {
         let [a, b] = &self.answer.sides;
         let same_load = a.options.load == b.options.load;
         let drawn = CompareFigure {
-            title: format!("{} and {}", a.robot.full_name(), b.robot.full_name()),
+            title: if a.robot.full_name() == b.robot.full_name() {
+                format!("{}, two setups", a.robot.full_name())
+            } else {
+                format!("{} and {}", a.robot.full_name(), b.robot.full_name())
+            },
             subtitle: self.answer.sentences().join(" "),
             panels: [drawn(0)?, drawn(1)?],
             colour_label: if same_load {

@@ -319,6 +319,28 @@ class Ranking(_Table):
         return f"{len(self)} robots, {len(self.tasks)} tasks, {self.force_n:g} N, {self.model} model{best}"
 
 
+class Comparison(_Table):
+    """Two setups side by side; its columns have a row for each."""
+
+    schema: dict[str, Any]
+    #: What `stiffarm.place` tells of each.
+    a: dict[str, Any]
+    b: dict[str, Any]
+    #: The deflection of the second over that of the first; None where one has no place.
+    ratio: float | None
+    #: It is proved which is better: its value lies below the other's bound.
+    told_apart: bool
+    #: ``"a"`` or ``"b"``; None where they cannot be told apart.
+    better: str | None
+    #: What is not the same of both besides the answer.
+    differ_in: list[str]
+    #: What a manager would read.
+    summary: list[str]
+
+    def _words(self) -> str:
+        return self.summary[0]
+
+
 class Study(_Table):
     """Accuracies over link ratio and size, normalised as Table I of the paper."""
 

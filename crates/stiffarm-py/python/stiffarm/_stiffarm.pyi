@@ -15,6 +15,7 @@ __all__ = [
     "distinct",
     "drawn_place",
     "map",
+    "compare",
     "matrices",
     "options",
     "looks",
@@ -99,6 +100,9 @@ def matrices(robot: Robot, joints_deg: npt.NDArray[np.float64], asked: dict[str,
 def posture(robot: Robot, joints_deg: Sequence[float], asked: dict[str, str]) -> dict[str, Any]: ...
 def place(
     robot: Robot, wanted_task: str, asked: dict[str, str], advice: bool
+) -> tuple[dict[str, Any], dict[str, Any]]: ...
+def compare(
+    a: Robot | str, b: Robot | str, asked: dict[str, str]
 ) -> tuple[dict[str, Any], dict[str, Any]]: ...
 def rank(
     robots: Sequence[Robot], tasks: Sequence[str], asked: dict[str, str]

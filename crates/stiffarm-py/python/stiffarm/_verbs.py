@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, overload
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Compliance, Compliances, Map, Placement, Ranking, Study
+from ._answers import Comparison, Compliance, Compliances, Map, Placement, Ranking, Study
 from ._given import RobotLike
 from ._stiffarm import Robot, StiffarmError
-from .types import ComplianceOptions, MapOptions, PlaceOptions, RankOptions, RobotsOptions, StudyOptions
+from .types import CompareOptions, ComplianceOptions, MapOptions, PlaceOptions, RankOptions, RobotsOptions, StudyOptions
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -215,3 +215,28 @@ def study(**options: Unpack[StudyOptions]) -> Study:
         Where an argument makes no sense.
     """
     return Study(*_stiffarm.study(_options.spelt("study", options)))
+
+
+@_options.takes("compare", CompareOptions)
+def compare(a: RobotLike, b: RobotLike, **options: Unpack[CompareOptions]) -> Comparison:
+    """Two setups side by side.
+
+    Parameters
+    ----------
+    a, b : Robot or str
+        Robots, or paths of job files for `place` (TOML), which may say more: one robot with two tools takes two of them. What a job
+        file says comes before the keywords, which are asked of both.
+    {options}
+
+    Returns
+    -------
+    Comparison
+        Both placements, and whether they can be told apart.
+
+    Raises
+    ------
+    StiffarmError
+        Where an argument makes no sense of one of them.
+    """
+    asked = _options.spelt("compare", options)
+    return Comparison(*_stiffarm.compare(_given.setup("a", a), _given.setup("b", b), asked))

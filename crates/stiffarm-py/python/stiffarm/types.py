@@ -398,6 +398,108 @@ class StudyOptions(TypedDict, total=False):
     """Compliance of drive 3 over the reference k, for both or one each; 0: rigid."""
 
 
+class CompareOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.compare`."""
+
+    task: str | None
+    """Of setups whose job files name none: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with
+    model="spatial" a part."""
+
+    faces: str | Iterable[str] | None
+    """Which faces of a part are machined, by name, separated by commas; front faces the robot before the part is
+    turned [default: all: of a box top, front, left, back, right]."""
+
+    tolerance_mm: float | None
+    """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
+
+    force_n: float | npt.ArrayLike
+    """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
+    (away from the work), in the planar model ahead,0,up."""
+
+    force_axes: Literal["base", "tool"] | None
+    """Along which axes a force of three numbers points [default: tool]."""
+
+    feed_deg: float | None
+    """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
+    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+
+    direction_deg: float | None
+    """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
+    in every point] [planar model only]."""
+
+    force_cone_deg: float | None
+    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
+    it [default: 0]."""
+
+    component: Literal["total", "normal", "along"]
+    """What of the displacement counts."""
+
+    within_m: str | Sequence[RangeLike | None] | None
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
+    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
+    [default: in front of the joint-1 axis, above the floor]."""
+
+    limit_margin_deg: float | None
+    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
+
+    singular_margin_deg: float | None
+    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
+
+    clear_of_base_m: float | None
+    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
+    + l3)]."""
+
+    floor_m: str | float | None
+    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
+    unless --within says how low the zone may stand]."""
+
+    angle: str | float
+    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
+    degrees of its first side."""
+
+    gap: float | None
+    """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as the robot file has it, else 1 on every drive, assumed]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    model: Literal["planar", "spatial"]
+    """Which model."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
+    [default: the flange]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    tool_direction: str | float | None
+    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
+
+    yaw_deg: str | float | None
+    """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
+
+    roll_deg: float | None
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+
+    mount: str | None
+    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
+    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
+
+    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
+    times."""
+
+    clearance_mm: float | None
+    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
+    [default: told, not asked]."""
+
+
 class SweepOptions(TypedDict, total=False):
     """Keywords of `stiffarm.cluster.sweep`."""
 

@@ -107,7 +107,7 @@ pub(super) fn sentence(advice: &Advice, (task, load): Asked) -> String {
 
 fn force(at: &AtPlace, factor: f64, load: Load) -> String {
     let newtons = |factor: f64| significant(factor * load.newtons());
-    let bound = at.force_factor_bound.filter(|bound| 1e-6 < bound / factor - 1.0);
+    let bound = at.force_factor_bound.filter(|bound| 1e-3 < bound / factor - 1.0);
     let bound =
         bound.map_or_else(String::new, |bound| format!("; no place keeps it under more than {} N", newtons(bound)));
     let times = significant(factor);
@@ -126,13 +126,13 @@ fn stiffness(at: &AtPlace) -> String {
 }
 
 fn largest(zone: &LargestZone, task: &Task) -> String {
-    let proved = if zone.is_proved { "is proved to fail" } else { "fails as far as was found" };
     let at = fixed(zone.fails_at, 4);
+    let fails = if zone.is_proved { "none passes, which is proved" } else { "none was found to pass" };
     match zone.holds {
         Some((scale, _)) => {
-            format!("{} of the size ({}); {at} {proved}", fixed(scale, 4), task.scaled(scale).describe())
+            format!("{} of the size ({}); at {at} {fails}", fixed(scale, 4), task.scaled(scale).describe())
         }
-        None => format!("none: even {at} of the size {proved} ({} m is the smallest that is tried)", SMALLEST),
+        None => format!("none: even at {at} of the size {fails} ({SMALLEST} is the smallest that is tried)"),
     }
 }
 

@@ -205,6 +205,11 @@ impl CompareAnswer {
             }
             (None, None) => "Neither of them was found a place.".into(),
         }];
+        for (side, best) in self.best().into_iter().enumerate() {
+            if best.is_some_and(Placement::collides) {
+                sentences.push(format!("At the place of {} the arm collides: it is not to be chosen.", called(side)));
+            }
+        }
         let differ = self.differ_in();
         if differ.iter().any(|what| ["force", "task"].contains(what)) {
             sentences.push(format!(

@@ -1,7 +1,21 @@
 //! What is asked of each of two setups that are compared: its job file first, then what is asked of both.
 
-use super::job::Job;
+use std::path::Path;
+
+use super::job::{self, Job};
 use super::{Pair, Refusal, Request, Spelling, Verb};
+use crate::catalogue::files::{self, Unreadable};
+
+/// A setup of which nothing can be asked.
+#[derive(Debug, thiserror::Error)]
+pub enum SetupError {
+    /// Its file is not read.
+    #[error(transparent)]
+    Unreadable(#[from] Unreadable),
+    /// What is asked makes no sense of it.
+    #[error(transparent)]
+    Refusal(#[from] Refusal),
+}
 
 impl Request {
     /// The two setups that are compared: names of robots, or paths of robot files or job files.
@@ -13,6 +27,22 @@ impl Request {
         Ok([one("a")?, one("b")?])
     }
 
+    /// What is asked of a setup, as of [`Verb::Place`]: by its job file where it is one, else of the robot of this name or file.
+    ///
+    /// # Errors
+    /// Where its file is not read, or what is asked makes no sense of it.
+    pub fn of_setup(&self, setup: &str) -> Result<Self, SetupError> {
+        let path = Path::new(setup.trim());
+        if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
+            let text = files::text(path)?;
+            if job::is_job(&text) {
+                let reader = Spelling::Key { file: files::shown(path), line: None };
+                return Ok(self.of_job(job::read(&text, path)?, reader)?);
+            }
+        }
+        Ok(self.of_robot(setup)?)
+    }
+
     /// What is asked of a setup that is a robot, as of [`Verb::Place`].
     ///
     /// # Errors
@@ -20,9 +50,7 @@ impl Request {
     pub fn of_robot(&self, robot: &str) -> Result<Self, Refusal> {
         let mut pairs = vec![Pair { name: "robot".into(), text: robot.into(), at: self.reader.clone() }];
         pairs.extend(self.common(|_| true));
-        let request = Self::read(Verb::Place, &pairs, self.reader.clone())?;
-        request.check_complete()?;
-        Ok(request)
+        Self::read(Verb::Place, &pairs, self.reader.clone())
     }
 
     /// The same of a setup that is a job, which overrules what is asked of both.
@@ -39,9 +67,7 @@ impl Request {
         };
         let mut pairs = self.common(|name| !job.pairs.iter().any(|pair| says(pair, name)));
         pairs.extend(job.pairs);
-        let request = Self::read(Verb::Place, &pairs, reader)?;
-        request.check_complete()?;
-        Ok(request)
+        Self::read(Verb::Place, &pairs, reader)
     }
 
     /// What is asked of both under some names.
