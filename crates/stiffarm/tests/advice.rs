@@ -31,21 +31,21 @@ struct Case {
 }
 
 impl Case {
-    fn of(model: Model, task: Task, options: PlaceOptions, tolerance: f64) -> Self {
-        let placed = place_task(&model, &task, &options).unwrap();
-        let advice = advise(&model, &task, &options, &placed, tolerance).unwrap();
-        Self { model, task, options, placed, tolerance, advice }
+    fn of(model: Model, task: Task, options: &PlaceOptions, tolerance: f64) -> Self {
+        let placed = place_task(&model, &task, options).unwrap();
+        let advice = advise(&model, &task, options, &placed, tolerance).unwrap();
+        Self { model, task, options: *options, placed, tolerance, advice }
     }
 
     fn planar(name: &str, task: &str, tolerance: f64) -> Self {
         let options = PlaceOptions::careful(Load::PAPER);
-        Self::of(Model::planar(&robot(name)).unwrap(), self::task(task), options, tolerance)
+        Self::of(Model::planar(&robot(name)).unwrap(), self::task(task), &options, tolerance)
     }
 
     /// A tool of 0.2 m that points down on a table.
     fn spatial(name: &str, task: &str, load: Load, tolerance: f64) -> Self {
         let model = Model::spatial(&robot(name), &Pose::translation(0.0, 0.0, 0.2)).unwrap();
-        Self::of(model, self::task(task), PlaceOptions::careful(load), tolerance)
+        Self::of(model, self::task(task), &PlaceOptions::careful(load), tolerance)
     }
 
     fn best(&self) -> &Placement {
@@ -140,7 +140,7 @@ fn a_part_shrinks_as_a_whole() {
         place_task(&model, &task.scaled(scale), &options).unwrap().feasible().expect("it has a place").deflection
     };
     let tolerance = f64::midpoint(value(1.0), value(0.3));
-    let case = Case::of(model.clone(), task.clone(), options, tolerance);
+    let case = Case::of(model.clone(), task.clone(), &options, tolerance);
     assert!(case.tolerance < case.best().deflection, "{}", case.best().deflection);
     case.check_zone();
     let sum: f64 = case.at().shares.iter().flatten().sum();
@@ -159,7 +159,7 @@ fn the_advised_stiffness_just_holds() {
             assert!((needed.unwrap() / expected - 1.0).abs() < 1e-12);
         }
         let stiffer = with_compliance(&robot(name), [1.0 / factor; 6]).unwrap();
-        let again = Case::of(Model::planar(&stiffer).unwrap(), case.task.clone(), case.options, case.tolerance);
+        let again = Case::of(Model::planar(&stiffer).unwrap(), case.task.clone(), &case.options, case.tolerance);
         assert!((again.best().deflection / case.tolerance - 1.0).abs() < 1e-4, "{}", again.best().deflection);
         assert!((again.at().stiffness_factor - 1.0).abs() < 1e-4);
     }
@@ -226,6 +226,6 @@ fn of_a_ranking_the_best_that_take_a_rank_are_advised() {
         assert_eq!(is_advised, expected, "{}", row.robot.name);
     }
     let at = ranking.rows.iter().position(|row| row.rank.is_some()).unwrap();
-    let alone = Case::of(Model::planar(&ranking.rows[at].robot).unwrap(), tasks[1].clone(), options, 1.9e-3);
+    let alone = Case::of(Model::planar(&ranking.rows[at].robot).unwrap(), tasks[1].clone(), &options, 1.9e-3);
     assert_eq!(told[at][1], Some(alone.advice));
 }

@@ -108,7 +108,7 @@ impl MapAnswer {
             .put(field::TOOL, tool.as_ref().map(tool_mm))
             .put(field::TOOL_DIRECTION, tool.map(|_| words::asked_degrees(self.held().elevation)))
             .put(field::ROLL_TOLERANCE, searched.then_some(ROLL_TOLERANCE))
-            .put(field::ZONE, self.zone.as_ref().map(|zone| zone.record()));
+            .put(field::ZONE, self.zone.as_ref().map(PlaceAnswer::record));
         record
     }
 
