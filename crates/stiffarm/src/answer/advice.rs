@@ -83,13 +83,13 @@ pub(super) fn sentence(advice: &Advice, (task, load): Asked) -> String {
         return format!("no place; largest zone of this shape that passes: {zone}");
     };
     let Some(factor) = at.force_factor else { return "nothing gives way".into() };
-    let newtons = significant(factor * load.newtons());
+    let newtons = down(factor * load.newtons());
     let Some(zone) = &advice.zone else {
-        return format!("a reserve of {} times the force ({newtons} N)", significant(factor));
+        return format!("a reserve of {} times the force ({newtons} N)", down(factor));
     };
     let size = match zone.holds {
         Some((scale, _)) => {
-            format!("a zone of {} of the size ({})", fixed(scale, 3), task.scaled(scale).describe())
+            format!("a zone of {} of the size ({})", down(scale), task.scaled(scale).describe())
         }
         None => "no zone of this shape".into(),
     };
@@ -99,18 +99,19 @@ pub(super) fn sentence(advice: &Advice, (task, load): Asked) -> String {
     format!(
         "it is kept up to {newtons} N ({} of the force), with drives {} times as stiff, or by {size}{softest}; if compensation takes out 80 %, \
          which is assumed, {} mm are left",
-        significant(factor),
-        significant(at.stiffness_factor),
+        down(factor),
+        up(at.stiffness_factor),
         fixed(at.compensated * 1e3, 3),
     )
 }
 
 fn force(at: &AtPlace, factor: f64, load: Load) -> String {
-    let newtons = |factor: f64| significant(factor * load.newtons());
+    let newtons = |factor: f64| down(factor * load.newtons());
     let bound = at.force_factor_bound.filter(|bound| 1e-3 < bound / factor - 1.0);
-    let bound =
-        bound.map_or_else(String::new, |bound| format!("; no place keeps it under more than {} N", newtons(bound)));
-    let times = significant(factor);
+    let bound = bound.map_or_else(String::new, |bound| {
+        format!("; no place keeps it under more than {} N", up(bound * load.newtons()))
+    });
+    let times = down(factor);
     format!("{} N, {times} of the force (deflection grows with it in proportion){bound}", newtons(factor))
 }
 
@@ -118,19 +119,19 @@ fn stiffness(at: &AtPlace) -> String {
     let known: Vec<f64> = at.needed.iter().flatten().map(|k| k / 1e6).collect();
     let absolute = match known.split_first() {
         Some((first, others)) if others.iter().all(|other| (other / first - 1.0).abs() < 1e-12) => {
-            format!(": {} MN m/rad each", significant(*first))
+            format!(": {} MN m/rad each", up(*first))
         }
         _ => String::new(),
     };
-    format!("{} times that of every drive{absolute}", significant(at.stiffness_factor))
+    format!("{} times that of every drive{absolute}", up(at.stiffness_factor))
 }
 
 fn largest(zone: &LargestZone, task: &Task) -> String {
-    let at = fixed(zone.fails_at, 4);
+    let at = up(zone.fails_at);
     let fails = if zone.is_proved { "none passes, which is proved" } else { "none was found to pass" };
     match zone.holds {
         Some((scale, _)) => {
-            format!("{} of the size ({}); at {at} {fails}", fixed(scale, 4), task.scaled(scale).describe())
+            format!("{} of the size ({}); at {at} {fails}", down(scale), task.scaled(scale).describe())
         }
         None => format!("none: even at {at} of the size {fails} ({SMALLEST} is the smallest that is tried)"),
     }
@@ -141,10 +142,20 @@ fn compensated(at: &AtPlace, tolerance: f64) -> String {
     format!("{} mm are left, {verdict}; how much it takes out is assumed", fixed(at.compensated * 1e3, 4))
 }
 
-/// Three digits.
-fn significant(x: f64) -> String {
-    let digits = if 0.0 < x && x.is_finite() { (2 - x.log10().floor() as i32).clamp(0, 9) } else { 0 };
-    fixed(x, digits as usize)
+/// Four digits of what holds, which a little more need not: never more than it is.
+fn down(x: f64) -> String {
+    four_digits(x, |scaled| (scaled * (1.0 + 1e-12)).floor())
+}
+
+/// Four digits of what is needed, of which a little less may not do: never less than it is.
+fn up(x: f64) -> String {
+    four_digits(x, |scaled| (scaled * (1.0 - 1e-12)).ceil())
+}
+
+fn four_digits(x: f64, round: impl Fn(f64) -> f64) -> String {
+    let digits = if 0.0 < x && x.is_finite() { (3 - x.log10().floor() as i32).clamp(0, 9) } else { 0 };
+    let scale = 10_f64.powi(digits);
+    fixed(round(x * scale) / scale, digits as usize)
 }
 
 #[cfg(test)]
@@ -152,8 +163,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_told_with_three_digits() {
-        let told = [0.049_25, 0.4925, 4.925, 49.25, 492.5, 4925.0, 0.0].map(significant);
-        assert_eq!(told, ["0.0493", "0.492", "4.92", "49.2", "492", "4925", "0"].map(String::from));
+    fn what_holds_is_told_as_no_more_and_what_is_needed_as_no_less() {
+        let x = [0.049_256_6, 0.492_566, 4.925_66, 49.2566, 4925.66, 1.0, 0.0];
+        assert_eq!(x.map(down), ["0.04925", "0.4925", "4.925", "49.25", "4925", "1.000", "0"].map(String::from));
+        assert_eq!(x.map(up), ["0.04926", "0.4926", "4.926", "49.26", "4926", "1.000", "0"].map(String::from));
     }
 }
