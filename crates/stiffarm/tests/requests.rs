@@ -117,7 +117,7 @@ fn told(request: &Request) -> String {
         }
         Verb::Study => format!("{:?}", request.study()),
         Verb::Compare => {
-            let side = request.of_robot("BT200L").map(|side| self::told(&side));
+            let side = request.of_robot("BT200L").ok().map(|side| self::told(&side));
             format!("{:?} {side:?}", ["a", "b"].map(|name| request.is_given(name)))
         }
     });
