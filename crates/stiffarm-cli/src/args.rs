@@ -13,7 +13,7 @@ use stiffarm::request::{Pair, Refusal, Request, Spelling, Verb, job, number, ope
 
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
-use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_of, robot, subcommand, typed};
+use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_pairs, positionals_of, subcommand, typed};
 use crate::output::{say, write_text};
 
 /// What the program does.
@@ -24,12 +24,13 @@ const ABOUT: &str =
 const PAPER: &str = "Make every table and figure of the paper under its number, in the folder given with -o";
 
 /// The verbs of the library, with a line of help each.
-const VERBS: [(Verb, &str); 5] = [
+const VERBS: [(Verb, &str); 6] = [
     (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
     (Verb::Place, "Find the best place of one zone, with a proof"),
     (Verb::Map, "Map the deflection over everything a robot reaches"),
     (Verb::Compliance, "Six-axis compliance at one posture, and which drive gives how much"),
     (Verb::Study, "Compare two architectures over link ratio and task size"),
+    (Verb::Compare, "Two setups side by side: robots, tools, places; each may be a job file for place"),
 ];
 
 /// The whole command line.
@@ -144,15 +145,19 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
     let mut pairs = typed(matches);
     common.check = CHECKED.contains(&verb) && matches.get_flag(CHECK);
     let mut reader = Spelling::Typed;
-    if let Some(name) = positional_of(matches) {
-        if let Some(job) = job_file(verb, name)? {
-            reader = Spelling::Key { file: files::shown(Path::new(name)), line: None };
-            common.job = Some(name.into());
-            common.take(&job.program, matches)?;
-            pairs = job.overruled_by(pairs);
-        } else {
-            pairs.insert(0, robot(name));
+    match positionals_of(matches).as_slice() {
+        [] => {}
+        [one] => {
+            if let Some(job) = job_file(verb, one)? {
+                reader = Spelling::Key { file: files::shown(Path::new(one)), line: None };
+                common.job = Some(one.into());
+                common.take(&job.program, matches)?;
+                pairs = job.overruled_by(pairs);
+            } else {
+                pairs.splice(0..0, positional_pairs(verb, &[one]));
+            }
         }
+        several => drop(pairs.splice(0..0, positional_pairs(verb, several))),
     }
     if common.check && !CHECKED.contains(&verb) {
         return Err(Failure::Usage(format!("check does not go with {}; it goes with rank and place", verb.name())));
@@ -170,7 +175,8 @@ fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
     let path = Path::new(name);
     let takes_robot = verb.setting("robot").is_some();
     if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
-        let why = format!("'{name}' is no job file; expected a name that ends in .toml, robots are named by --robots");
+        let others = if verb == Verb::Compare { "or two setups" } else { "robots are named by --robots" };
+        let why = format!("'{name}' is no job file; expected a name that ends in .toml, {others}");
         return if takes_robot { Ok(None) } else { Err(Failure::Usage(why)) };
     }
     let text = files::text(path)?;
@@ -193,6 +199,7 @@ fn save(request: &Request, file: &Path, common: &Common) -> Result<(), Failure> 
     }
     let mut inputs = request.robots();
     inputs.extend(request.robot());
+    inputs.extend(request.setups().into_iter().flatten());
     let inputs: Vec<&Path> = inputs.iter().map(|name| Path::new(name.trim())).chain(common.job.as_deref()).collect();
     write_text(file, &inputs, &job::write(request, &common.entries(file), file))?;
     if !common.quiet {

@@ -9,7 +9,7 @@ use stiffarm::map::MapError;
 use stiffarm::model::ModelError;
 use stiffarm::place::PlaceError;
 use stiffarm::rank::RankError;
-use stiffarm::request::Refusal;
+use stiffarm::request::{Refusal, SetupError};
 use stiffarm::robot::NoArmPlane;
 
 /// Every way in which a command ends without an answer.
@@ -152,6 +152,15 @@ impl From<LoadError> for Failure {
             LoadError::Unreadable(error) => error.into(),
             LoadError::RobotFile(error) => error.into(),
             LoadError::Import(error) => Self::Import { error, ends_are_given: false },
+        }
+    }
+}
+
+impl From<SetupError> for Failure {
+    fn from(error: SetupError) -> Self {
+        match error {
+            SetupError::Unreadable(error) => error.into(),
+            SetupError::Refusal(refusal) => refusal.into(),
         }
     }
 }

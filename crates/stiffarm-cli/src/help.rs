@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 13] = [
+const ABOUT: [About; 14] = [
     About {
         name: "rank",
         files: "the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -96,6 +96,22 @@ const ABOUT: [About; 13] = [
         examples: &[
             ("stiffarm study --tasks A,rect:1x3 --sizes 0.1,0.5", "two shapes"),
             ("stiffarm study --compare serial,serial --k3 1,0.5 -o study.png", "one architecture, a stiffer drive 3"),
+        ],
+    },
+    About {
+        name: "compare",
+        files: "both placements as .csv, .parquet, .json, .md or .txt, both maps on one scale of colour as .svg, .pdf or .png",
+        is_long: true,
+        examples: &[
+            (
+                "stiffarm compare \"KR 210 R2700 extra\" BT200L --task rect:0.6x0.4 --tolerance-mm 2 -o both.png",
+                "two robots, one task",
+            ),
+            (
+                "stiffarm compare short.toml long.toml --task rect:0.6x0.4 --model spatial",
+                "one robot with two tools: short.toml holds `verb = \"place\"`, `robot = \"BT200L\"` and `tool = \"spindle:250@90\"`; \
+                 what a job file says comes before what is asked of both",
+            ),
         ],
     },
     About {

@@ -47,16 +47,19 @@ pub(crate) fn subcommand(verb: Verb, about: &'static str, with_hidden: bool) -> 
 }
 
 fn positional(verb: Verb) -> Arg {
-    let (name, help) = match robot_row(verb) {
-        Some(row) => (row.value, format!("{}; or a job file with all that is asked", row.described())),
-        None => ("JOB.toml", "A job file with all that is asked".into()),
+    let rows: Vec<&Setting> = positional_rows(verb).collect();
+    let names: Vec<&str> = rows.iter().map(|row| row.value).collect();
+    let (name, help) = match rows.as_slice() {
+        [] => ("JOB.toml".into(), "A job file with all that is asked".into()),
+        [row] => (names[0].to_owned(), format!("{}; or a job file with all that is asked", row.described())),
+        [row, ..] => (names.join(" "), format!("{}; or one job file with all that is asked", row.described())),
     };
-    Arg::new(POSITIONAL).value_name(name).help(help)
+    Arg::new(POSITIONAL).value_name(name).help(help).num_args(0..=rows.len().max(1))
 }
 
-/// The row that stands without its name.
-fn robot_row(verb: Verb) -> Option<&'static Setting> {
-    verb.settings().find(|setting| setting.is_positional)
+/// The rows that stand without their names.
+fn positional_rows(verb: Verb) -> impl Iterator<Item = &'static Setting> {
+    verb.settings().filter(|setting| setting.is_positional)
 }
 
 /// What must be typed, and that a job file says the same.
@@ -65,7 +68,7 @@ fn usage(verb: Verb) -> String {
     let is_required = |setting: &&Setting| setting.absent == Absent::Required && !setting.is_positional;
     let required: String =
         verb.settings().filter(is_required).map(|row| format!(" --{} <{}>", row.name, row.value)).collect();
-    let robot = robot_row(verb).map_or_else(String::new, |row| format!(" <{}>", row.value));
+    let robot: String = positional_rows(verb).map(|row| format!(" <{}>", row.value)).collect();
     if Verb::JOBS.contains(&verb) {
         format!("stiffarm {name} [OPTIONS]{required}{robot}\n       stiffarm {name} [OPTIONS] JOB.toml")
     } else {
@@ -128,12 +131,14 @@ pub(crate) fn typed(matches: &ArgMatches) -> Vec<Pair> {
     names.into_iter().filter(given).flat_map(|name| -> Vec<Pair> { texts(name) }).collect()
 }
 
-/// The robot or the job file, where the verb takes one.
-pub(crate) fn positional_of(matches: &ArgMatches) -> Option<&String> {
-    matches.get_one::<String>(POSITIONAL)
+/// What stands without names: the robot, two setups, or a job file.
+pub(crate) fn positionals_of(matches: &ArgMatches) -> Vec<&String> {
+    matches.get_many::<String>(POSITIONAL).into_iter().flatten().collect()
 }
 
-/// The robot as a pair.
-pub(crate) fn robot(name: &str) -> Pair {
-    Pair { name: "robot".into(), text: name.into(), at: Spelling::Typed }
+/// The same as pairs, under the names of their rows.
+pub(crate) fn positional_pairs(verb: Verb, texts: &[&String]) -> Vec<Pair> {
+    let pair =
+        |(row, text): (&Setting, &&String)| Pair { name: row.name.into(), text: (*text).clone(), at: Spelling::Typed };
+    positional_rows(verb).zip(texts).map(pair).collect()
 }

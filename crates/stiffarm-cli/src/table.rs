@@ -26,8 +26,9 @@ pub(crate) fn shown(table: &Table, look: Look) -> String {
         let all: Vec<usize> = (0..table.headings.len()).collect();
         return cells.drawn(&all, look);
     };
-    if cells.names_lines() {
-        return cells.with_lines_broken(width).drawn(&[0, 1], look);
+    if cells.names_lines() || table.is_broken {
+        let all: Vec<usize> = (0..table.headings.len()).collect();
+        return cells.with_lines_broken(width).drawn(&all, look);
     }
     let (kept, left_out) = cells.kept(table, width);
     let blocks = cells.stacked(&kept, table.keys, width);
@@ -53,12 +54,13 @@ impl Cells {
         self.headings.len() == 2 && self.headings.iter().all(String::is_empty)
     }
 
-    /// What is said, in as many lines as it takes.
+    /// What is said behind the first column, in as many lines as it takes; the columns share the room.
     fn with_lines_broken(mut self, width: usize) -> Self {
-        let room = width.saturating_sub(1 + self.width_of(0) + BETWEEN).max(20);
-        for row in &mut self.rows {
-            let lines = textwrap::wrap(&row[1], textwrap::Options::new(room).break_words(false));
-            row[1] = lines.join("\n");
+        let columns = self.headings.len().saturating_sub(1).max(1);
+        let room = (width.saturating_sub(1 + self.width_of(0)) / columns).saturating_sub(BETWEEN).max(20);
+        for cell in self.rows.iter_mut().flat_map(|row| row.iter_mut().skip(1)) {
+            let lines = textwrap::wrap(cell, textwrap::Options::new(room).break_words(false));
+            *cell = lines.join("\n");
         }
         self
     }

@@ -35,7 +35,8 @@ pub(crate) fn drawn_place<'py>(
     let (shown, drawn) = detached(py, &None, |watch| {
         let model = kind.of(robot).map_err(of(robot))?;
         let placed = place_task_watched(&model, &task.zone.into(), &options, watch).map_err(of(robot))?;
-        let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm: None };
+        let own = robot.clone();
+        let answer = PlaceAnswer { robot: own, model: kind, task, options, placed, tolerance_mm: None, advice: None };
         let best = answer.placed.feasible().cloned().ok_or_else(|| refused("no place to draw"))?;
         let options = answer.map_options(&model, Spacing::Points(size.clamp(2, 2000)));
         let map = map_watched(&model, &options, watch).map_err(of(robot))?;

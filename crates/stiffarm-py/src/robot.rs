@@ -283,7 +283,7 @@ fn text_or_none(given: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
 }
 
 /// The one robot that a name or path means.
-fn robot(name: &str) -> PyResult<Robot> {
+pub(crate) fn robot(name: &str) -> PyResult<Robot> {
     if let Some(entry) = find(name) {
         return Ok(Robot(entry.robot()));
     }

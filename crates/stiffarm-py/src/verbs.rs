@@ -4,15 +4,18 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
+use stiffarm::advice::{advise, advise_best};
 use stiffarm::answer::{
-    Cell, ColumnKind, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
+    Cell, ColumnKind, CompareAnswer, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer,
+    stiffness, words,
 };
 use stiffarm::catalogue::paper_robots;
 use stiffarm::compliance::compliance;
 use stiffarm::map::map_watched;
-use stiffarm::place::place_task_watched;
-use stiffarm::rank::{Contestant, Standing};
-use stiffarm::request::{self, Verb};
+use stiffarm::model::ModelKind;
+use stiffarm::place::{PlaceError, PlaceOptions, place_task_watched};
+use stiffarm::rank::{Contestant, RankError, Standing};
+use stiffarm::request::{self, Request, Verb};
 use stiffarm::robot::Robot as Arms;
 use stiffarm::study::study_watched;
 use stiffarm::task::{Task, Zone};
@@ -22,15 +25,15 @@ use crate::asked::{Asked, task};
 use crate::json::to_python;
 use crate::pool::detached;
 use crate::refused;
-use crate::robot::{Robot, kept};
+use crate::robot::{Robot, kept, robot as named};
 use crate::waiting::Progress;
 
 type Answer<'py> = PyResult<Bound<'py, PyAny>>;
 /// An answer, and its rows as columns for data frames.
 type WithColumns<'py> = PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>)>;
 
-/// A robot's place among those given, its rank, and its mean ratio.
-type Stood = (usize, Option<usize>, Option<f64>);
+/// A robot's place among those given, its rank and whether that is tied, and its mean ratio.
+type Stood = (usize, Option<usize>, Option<bool>, Option<f64>);
 
 /// Names the robot before what is wrong.
 pub(crate) fn of<E: ToString>(robot: &Arms) -> impl Fn(E) -> PyErr {
@@ -76,23 +79,101 @@ pub(crate) fn posture<'py>(py: Python<'py>, robot: &Robot, joints_deg: [f64; 6],
     to_python(py, &answer.json())
 }
 
-/// The best place of one zone.
+/// The best place of one zone, with what its tolerance says of force, stiffness and size where that is wanted.
 #[pyfunction]
-#[pyo3(signature = (robot, wanted_task, asked, progress=None))]
+#[pyo3(signature = (robot, wanted_task, asked, advice, progress=None))]
 pub(crate) fn place<'py>(
     py: Python<'py>,
     robot: &Robot,
     wanted_task: &str,
     asked: Asked,
+    advice: bool,
     progress: Progress,
 ) -> WithColumns<'py> {
     let asked = asked.with(Verb::Place, &[("task", wanted_task)])?;
-    let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
-    let (task, kind, tolerance_mm) = (asked.task().map_err(refused)?, asked.model(), asked.tolerance_mm());
-    let options = asked.place_options(Some(task.zone)).map_err(refused)?;
-    let search = |watch: Watch| place_task_watched(&kind.of(robot)?, &task, &options, watch);
-    let placed = detached(py, &progress, search)?.map_err(of(robot))?;
-    let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
+    let question = Question::of(&asked, robot.0.clone())?;
+    let answer = detached(py, &progress, |watch| question.answer(advice, watch))?.map_err(of(&question.robot))?;
+    Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
+}
+
+/// What is asked of one placement.
+struct Question {
+    robot: Arms,
+    task: Task,
+    kind: ModelKind,
+    options: PlaceOptions,
+    tolerance_mm: Option<f64>,
+}
+
+impl Question {
+    fn of(asked: &Request, robot: Arms) -> PyResult<Self> {
+        let (robot, task) = (asked.equipped(robot).map_err(refused)?, asked.task().map_err(refused)?);
+        let options = asked.place_options(Some(task.zone)).map_err(refused)?;
+        Ok(Self { robot, task, kind: asked.model(), options, tolerance_mm: asked.tolerance_mm() })
+    }
+
+    /// The placement, with what its tolerance says of force, stiffness and size where that is wanted.
+    fn answer(&self, with_advice: bool, watch: Watch) -> Result<PlaceAnswer, PlaceError> {
+        let Self { robot, task, kind, options, tolerance_mm } = self;
+        let model = kind.of(robot)?;
+        let placed = place_task_watched(&model, task, options, watch)?;
+        let sought = tolerance_mm.filter(|_| with_advice);
+        let advice = sought.map(|mm| advise(&model, task, options, &placed, mm / 1e3, watch)).transpose()?;
+        Ok(PlaceAnswer {
+            robot: robot.clone(),
+            model: *kind,
+            task: task.clone(),
+            options: *options,
+            placed,
+            tolerance_mm: *tolerance_mm,
+            advice,
+        })
+    }
+}
+
+/// One of two that are compared.
+#[derive(FromPyObject)]
+pub(crate) enum Setup<'py> {
+    Robot(PyRef<'py, Robot>),
+    /// A name, or the path of a robot file or of a job file.
+    Named(String),
+}
+
+impl Setup<'_> {
+    fn name(&self) -> &str {
+        match self {
+            Self::Robot(robot) => &robot.0.name,
+            Self::Named(name) => name,
+        }
+    }
+
+    fn question(&self, both: &Request) -> PyResult<Question> {
+        match self {
+            Self::Robot(robot) => Question::of(&both.of_robot(&robot.0.name).map_err(refused)?, robot.0.clone()),
+            Self::Named(name) => {
+                let asked = both.of_setup(name).map_err(refused)?;
+                let robot = named(&asked.robot().map_err(refused)?)?;
+                Question::of(&asked, robot.0)
+            }
+        }
+    }
+}
+
+/// Two setups side by side.
+#[pyfunction]
+#[pyo3(signature = (a, b, asked, progress=None))]
+pub(crate) fn compare<'py>(
+    py: Python<'py>,
+    a: Setup<'py>,
+    b: Setup<'py>,
+    asked: Asked,
+    progress: Progress,
+) -> WithColumns<'py> {
+    let both = asked.with(Verb::Compare, &[("a", a.name()), ("b", b.name())])?;
+    let (first, second) = (a.question(&both)?, b.question(&both)?);
+    let (one, other) = detached(py, &progress, |watch| (first.answer(true, watch), second.answer(true, watch)))?;
+    let sides = [one.map_err(of(&first.robot))?, other.map_err(of(&second.robot))?];
+    let answer = CompareAnswer { sides };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 
@@ -127,34 +208,41 @@ pub(crate) fn rank<'py>(
     }
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
     let options = asked.place_options(only).map_err(refused)?;
-    let place = |watch: Watch| stiffarm::rank::rank(&robots, &tasks, &kind, &options, watch);
-    let ranking = detached(py, &progress, place)?;
-    let answer = RankAnswer { ranking: ranking.map_err(refused)?, options, tolerance_mm };
+    let found = detached(py, &progress, |watch| {
+        let ranking = stiffarm::rank::rank(&robots, &tasks, &kind, &options, watch)?;
+        let advice = tolerance_mm.map(|mm| advise_best(&ranking, &options, mm / 1e3, watch)).transpose()?;
+        Ok::<_, RankError>((ranking, advice.unwrap_or_default()))
+    })?;
+    let (ranking, advice) = found.map_err(refused)?;
+    let answer = RankAnswer { ranking, options, tolerance_mm, advice };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 
-/// The order of robots by their values: their places among those given, with rank and mean ratio.
+/// The order of robots by their lower bounds and values: their places among those given, with rank and mean ratio.
 #[pyfunction]
 pub(crate) fn order(
     robots: Vec<(String, String, bool, bool)>,
-    deflections_mm: Vec<Vec<Option<f64>>>,
+    proved_mm: Vec<Vec<Option<[f64; 2]>>>,
 ) -> PyResult<Vec<Stood>> {
-    if robots.len() != deflections_mm.len() {
-        return Err(refused(format!("{} robots, but values of {}", robots.len(), deflections_mm.len())));
+    if robots.len() != proved_mm.len() {
+        return Err(refused(format!("{} robots, but values of {}", robots.len(), proved_mm.len())));
     }
     let contestants: Vec<Contestant> = robots
         .iter()
-        .zip(deflections_mm)
+        .zip(proved_mm)
         .map(|((vendor, name, is_estimated, is_judged), values)| Contestant {
             vendor,
             name,
             is_estimated: *is_estimated,
             is_judged: *is_judged,
-            deflections: values.into_iter().map(|mm| mm.map(|mm| mm / 1e3)).collect(),
+            proved: values.into_iter().map(|mm| mm.map(|ends| ends.map(|mm| mm / 1e3))).collect(),
         })
         .collect();
     let standings = stiffarm::rank::order(&contestants).into_iter();
-    Ok(standings.map(|Standing { at, rank, mean_ratio }| (at, rank, mean_ratio)).collect())
+    let told = |Standing { at, rank, mean_ratio, .. }: Standing| {
+        (at, rank.map(|rank| rank.place), rank.map(|rank| rank.is_tied), mean_ratio)
+    };
+    Ok(standings.map(told).collect())
 }
 
 /// A map: its head, its layers by key, and what a figure shows besides.
@@ -178,7 +266,7 @@ pub(crate) fn map<'py>(
             Some((task, options)) => {
                 let placed = place_task_watched(&model, &task.zone.into(), &options, watch).map_err(of(robot))?;
                 let robot = robot.clone();
-                Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None })
+                Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None, advice: None })
             }
         };
         Ok::<_, PyErr>(MapAnswer { model, options, map, zone })

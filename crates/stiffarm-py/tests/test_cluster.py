@@ -116,6 +116,7 @@ def test_the_order_is_that_of_rank(client, tmp_path):
         for task in tasks:
             assert row[task] == expected.cell(row["robot"], task).deflection_mm
         assert (row["rank"] is None) == (row["status"] == "estimated")
+        assert (row["rank"], row["rank_tied"]) == (other["rank"], other["rank_tied"])
     assert len(found.to_pandas()) == len(found) == 10 and "best KR 210 R2700 extra" in repr(found)
 
 

@@ -62,6 +62,21 @@ def test_rankings(program):
     assert found.to_dict() == program("rank", *words)
 
 
+def test_comparisons(program, tmp_path):
+    words = ["KR 210 R2700 extra", "BT200L", "--task", "B:0.3", "--tolerance-mm", "2"]
+    found = stiffarm.compare(stiffarm.Robot("KR 210 R2700 extra"), "BT200L", task="B:0.3", tolerance_mm=2)
+    assert found.to_dict() == program("compare", *words)
+    alone = stiffarm.place("BT200L", task="B:0.3", tolerance_mm=2).to_dict()
+    assert found.b == {key: alone[key] for key in alone if key != "schema"} and found.better == "a"
+    for name, length in (("short", 150), ("long", 300)):
+        tool = f"verb = 'place'\nrobot = 'BT200L'\ntool-mm = [0, 0, {length}]\n"
+        (tmp_path / f"{name}.toml").write_text(tool)
+    setups = [tmp_path / "short.toml", tmp_path / "long.toml"]
+    found = stiffarm.compare(*setups, task="A:0.2", model="spatial")
+    assert found.to_dict() == program("compare", *map(str, setups), "--task", "A:0.2", "--model", "spatial")
+    assert found.differ_in == ["tool"] and len(found.to_pandas()) == 2
+
+
 def test_maps(program):
     for words, options in [
         (["--size", "60", "--zone", "B:0.5"], {"size": 60, "zone": "B:0.5"}),

@@ -18,7 +18,7 @@
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
 //! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`inverse`], [`compliance`], [`batch`], [`zone`], [`part`], [`task`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
-//! [`model`], [`map`], [`place`], [`rank`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
+//! [`model`], [`map`], [`place`], [`rank`], [`advice`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
 //! In both models links, bearings and the base are rigid; the deflection is elastic and static, without the robot's own weight. The planar
@@ -31,6 +31,7 @@
 //!   industrial serial manipulators with an ortho-parallel basis and a spherical wrist*, 2014.
 //! - **\[theory\]** `docs/theory.md` of this repository: the formulas with their derivation.
 
+pub mod advice;
 mod angle;
 pub mod answer;
 pub mod batch;

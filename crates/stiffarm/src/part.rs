@@ -108,7 +108,7 @@ impl Part {
         Ok(Self { label: self.label.clone(), faces })
     }
 
-    /// The part grown or shrunk about the middle of its underside.
+    /// The part grown or shrunk about the middle of its underside; a box is called by its new sizes.
     #[must_use]
     pub fn scaled(&self, scale: f64) -> Self {
         let scaled = |face: &Face| Face {
@@ -116,17 +116,26 @@ impl Part {
             centre: face.centre.map(|part| part * scale),
             ..face.clone()
         };
-        Self { label: self.label.clone(), faces: self.faces.iter().map(scaled).collect() }
+        // To a micrometre, as nobody writes more.
+        let side = |side: f64| (side * scale * 1e6).round() / 1e6;
+        let label = match self.box_sides().as_deref() {
+            Some([length, width, height]) => format!("box:{}x{}x{}", side(*length), side(*width), side(*height)),
+            _ => self.label.clone(),
+        };
+        Self { label, faces: self.faces.iter().map(scaled).collect() }
+    }
+
+    /// Length, width and height of a box, m.
+    fn box_sides(&self) -> Option<Vec<f64>> {
+        let sizes = self.label.strip_prefix("box:")?;
+        Some(sizes.split('x').filter_map(|side| side.trim().parse::<f64>().ok()).collect())
     }
 
     /// Its lengths in mm where it is a box, and which faces are machined.
     pub fn describe(&self) -> String {
         let count = self.faces.len();
-        let sizes = self
-            .label
-            .strip_prefix("box:")
-            .map(|sizes| sizes.split('x').filter_map(|side| side.trim().parse::<f64>().ok()));
-        let sizes: Vec<String> = sizes.into_iter().flatten().map(|side| format!("{:.0}", side * 1e3)).collect();
+        let sizes: Vec<String> =
+            self.box_sides().into_iter().flatten().map(|side| format!("{:.0}", side * 1e3)).collect();
         let size = if sizes.is_empty() { String::new() } else { format!("{} mm, ", sizes.join(" x ")) };
         format!("{size}{count} face{}", if count == 1 { "" } else { "s" })
     }
@@ -206,6 +215,7 @@ mod tests {
             let volume = 2.0 * half * first * second;
             assert!((volume - 0.8 * 0.5 * 0.1).abs() < 1e-12, "{face:?}");
         }
+        assert_eq!(part.scaled(0.5).describe(), "400 x 250 x 50 mm, 5 faces");
         let some = part.with_faces(&["back".into(), "top".into()]).unwrap();
         assert_eq!(some.face_names(), ["back", "top"]);
         assert!(matches!(part.with_faces(&["under".into()]), Err(PartError::Unknown { .. })));

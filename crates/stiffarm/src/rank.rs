@@ -1,10 +1,16 @@
 //! Verb 4: which robot holds the force best, for several tasks?
 
+mod standing;
+
 use rayon::prelude::*;
+
+pub(crate) use standing::may_be_as_good;
+use standing::ranks;
+pub use standing::{Contestant, Rank, Standing, order};
 
 use crate::load::Load;
 use crate::model::{Model, ModelKind};
-use crate::place::{NOTHING, PlaceError, PlaceOptions, Placed, Placement, find, place_task_watched};
+use crate::place::{PlaceError, PlaceOptions, Placed, Placement, find, place_task_watched};
 use crate::robot::{Robot, Status};
 use crate::task::Task;
 use crate::watch::Watch;
@@ -18,13 +24,16 @@ pub type Cell = Result<Placed, PlaceError>;
 pub struct Row {
     /// Which.
     pub robot: Robot,
-    /// From 1; `None` for an estimated robot, which stands where its values put it, and for one of which nothing is known.
-    pub rank: Option<usize>,
+    /// Over all tasks, as far as the values are proved; `None` for an estimated robot, which stands where its values put it, and for one of
+    /// which nothing is known.
+    pub rank: Option<Rank>,
     /// One answer per task.
     pub cells: Vec<Cell>,
     /// How much worse than the best robot of each task, as a geometric mean over the tasks it can do; 1 is the best. `None` where
     /// it can do none.
     pub mean_ratio: Option<f64>,
+    /// The same of the proved lower bounds: what [`Self::mean_ratio`] is at least, whatever a search has not seen.
+    pub mean_ratio_bound: Option<f64>,
     /// Deflection, m, at the stiffest posture the links allow: no placement of any task can have less. `None` where the model knows
     /// no such bound, or does not hold.
     pub floor: Option<f64>,
@@ -39,6 +48,16 @@ impl Row {
     /// Deflection of a task at its best place, m; `None` where there is no place, or it is not known.
     pub fn deflection(&self, task: usize) -> Option<f64> {
         self.placement(task).map(|placement| placement.deflection)
+    }
+
+    /// What the deflection of a task may be by what is proved, m: the lower bound and the value.
+    fn proved(&self, task: usize) -> Option<[f64; 2]> {
+        self.placement(task).map(|placement| [placement.lower_bound, placement.deflection])
+    }
+
+    /// It takes a rank: something is known of it, and no number is assumed.
+    fn is_ranked(&self) -> bool {
+        self.robot.status != Status::Estimated && self.cells.iter().any(Result::is_ok)
     }
 
     /// Why the planar model has no answer for this robot, where it has none.
@@ -79,8 +98,24 @@ impl Ranking {
         self.best(task, |robot| robot.status != Status::Estimated)
     }
 
+    /// Those that may be as good at a task as the best of published geometry, in their order: their proved bounds do not lie above its value.
+    /// Nobody where it is told apart.
+    pub fn rivals(&self, task: usize) -> Vec<&Row> {
+        let Some((best, value)) = self.best_published(task).and_then(|best| Some((best, best.proved(task)?))) else {
+            return Vec::new();
+        };
+        let others = self.rows.iter().filter(|row| row.is_ranked() && row.robot != best.robot);
+        others.filter(|row| row.proved(task).is_some_and(|other| may_be_as_good(other, value))).collect()
+    }
+
+    /// The rank of every row in one task, as [`Row::rank`] is over all of them.
+    pub fn ranks(&self, task: usize) -> Vec<Option<Rank>> {
+        let proved = |row: &Row| row.proved(task).filter(|_| row.is_ranked());
+        ranks(&self.rows.iter().map(proved).collect::<Vec<_>>())
+    }
+
     /// The rank of one robot.
-    pub fn rank_of(&self, robot: &Robot) -> Option<usize> {
+    pub fn rank_of(&self, robot: &Robot) -> Option<Rank> {
         self.rows.iter().find(|row| row.robot == *robot)?.rank
     }
 }
@@ -221,11 +256,6 @@ fn failed(robot: &Robot, task: &Task, error: PlaceError) -> RankError {
     RankError { robot: robot.name.clone(), task: task.label.clone(), error }
 }
 
-/// How much worse than the best; 1 for two robots of which neither gives way.
-fn ratio(deflection: f64, best: f64) -> f64 {
-    deflection.max(NOTHING) / best.max(NOTHING)
-}
-
 /// Judges every robot for every task, and puts the robots in order.
 fn ranked(
     robots: &[Robot],
@@ -260,6 +290,7 @@ fn ranked(
             rank: None,
             cells: cells.by_ref().take(tasks.len()).collect(),
             mean_ratio: None,
+            mean_ratio_bound: None,
             floor: model
                 .as_ref()
                 .ok()
@@ -275,66 +306,16 @@ fn ranked(
             name: &row.robot.name,
             is_estimated: row.robot.status == Status::Estimated,
             is_judged: row.cells.iter().any(Result::is_ok),
-            deflections: (0..tasks.len()).map(|task| row.deflection(task)).collect(),
+            proved: (0..tasks.len()).map(|task| row.proved(task)).collect(),
         })
         .collect();
     let standings = order(&contestants);
-    let placed = |Standing { at, rank, mean_ratio }| Row { rank, mean_ratio, ..rows[at].clone() };
+    let placed = |Standing { at, rank, mean_ratio, mean_ratio_bound }| Row {
+        rank,
+        mean_ratio,
+        mean_ratio_bound,
+        ..rows[at].clone()
+    };
     let rows = standings.into_iter().map(placed).collect();
     Ok(Ranking { tasks: tasks.to_vec(), load: options.load, model: *kind, rows, in_plane: None })
-}
-
-/// What decides where a robot stands among others.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Contestant<'a> {
-    /// Its maker.
-    pub vendor: &'a str,
-    /// Its name.
-    pub name: &'a str,
-    /// Its numbers are partly assumed.
-    pub is_estimated: bool,
-    /// Something is known of it.
-    pub is_judged: bool,
-    /// Deflection of each task, m; `None` where there is no place, or it is not known.
-    pub deflections: Vec<Option<f64>>,
-}
-
-/// Where a robot stands among others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Standing {
-    /// Its place among those that were given.
-    pub at: usize,
-    /// As [`Row::rank`].
-    pub rank: Option<usize>,
-    /// As [`Row::mean_ratio`].
-    pub mean_ratio: Option<f64>,
-}
-
-/// Robots in order: those that can do more of the tasks first, then by the mean ratio to the best, then by name.
-pub fn order(contestants: &[Contestant]) -> Vec<Standing> {
-    let tasks = contestants.iter().map(|one| one.deflections.len()).max().unwrap_or(0);
-    let of = |one: &Contestant, task: usize| one.deflections.get(task).copied().flatten();
-    let best: Vec<f64> = (0..tasks)
-        .map(|task| contestants.iter().filter_map(|one| of(one, task)).fold(f64::INFINITY, f64::min))
-        .collect();
-    let mean_ratio = |one: &Contestant| {
-        let ratios: Vec<f64> = (0..tasks).filter_map(|task| Some(ratio(of(one, task)?, best[task]).ln())).collect();
-        (!ratios.is_empty()).then(|| (ratios.iter().sum::<f64>() / ratios.len() as f64).exp())
-    };
-    let mut standings: Vec<Standing> = contestants
-        .iter()
-        .enumerate()
-        .map(|(at, one)| Standing { at, rank: None, mean_ratio: mean_ratio(one) })
-        .collect();
-    let misfits = |one: &Standing| (0..tasks).filter(|&task| of(&contestants[one.at], task).is_none()).count();
-    let score = |one: &Standing| one.mean_ratio.unwrap_or(f64::INFINITY);
-    let names = |one: &Standing| (contestants[one.at].vendor, contestants[one.at].name);
-    standings.sort_by(|a, b| {
-        misfits(a).cmp(&misfits(b)).then(score(a).total_cmp(&score(b))).then_with(|| names(a).cmp(&names(b)))
-    });
-    let takes_rank = |one: &&mut Standing| contestants[one.at].is_judged && !contestants[one.at].is_estimated;
-    for (rank, one) in standings.iter_mut().filter(takes_rank).enumerate() {
-        one.rank = Some(rank + 1);
-    }
-    standings
 }

@@ -11,6 +11,7 @@ mod notation;
 mod options;
 mod refusal;
 mod settings;
+mod sides;
 mod wishes;
 
 pub use kind::{Count, Kind};
@@ -21,6 +22,7 @@ pub use notation::{
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};
 pub use settings::{Absent, Of, SETTINGS, Setting, Verb};
+pub use sides::SetupError;
 pub use wishes::Layer;
 
 use kind::Value;
@@ -77,6 +79,11 @@ impl Request {
             }
         }
         let request = Self { verb, reader, given };
+        if verb == Verb::Compare {
+            // What goes together is a matter of each setup, whose job file may say more.
+            request.given.iter().try_for_each(check_count)?;
+            return Ok(request);
+        }
         for given in &request.given {
             check_count(given)?;
             request.check_model(given)?;

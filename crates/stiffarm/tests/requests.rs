@@ -116,6 +116,10 @@ fn told(request: &Request) -> String {
             format!("{robot:?} {joints:?} {:?} {:?}", request.posture_load(), request.held())
         }
         Verb::Study => format!("{:?}", request.study()),
+        Verb::Compare => {
+            let side = request.of_robot("BT200L").ok().map(|side| self::told(&side));
+            format!("{:?} {side:?}", ["a", "b"].map(|name| request.is_given(name)))
+        }
     });
     told.join(" ")
 }

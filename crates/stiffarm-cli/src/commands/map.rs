@@ -54,7 +54,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
                 say(&format!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label));
             }
             let robot = robot.clone();
-            Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm })
+            Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm, advice: None })
         }
     };
     outputs.deliver(&MapOutput {
@@ -140,6 +140,11 @@ impl<'a> Drawn<'a> {
     }
 
     pub(super) fn svg(self) -> Result<String, Failure> {
+        self.figure().svg().map_err(figure)
+    }
+
+    /// What is drawn.
+    pub(super) fn figure(self) -> MapFigure<'a> {
         let model = &self.answer.model;
         let (grid, unit, colours) = self.shown();
         let placed = self.answer.zone.as_ref();
@@ -158,7 +163,7 @@ impl<'a> Drawn<'a> {
             }),
             _ => None,
         };
-        let drawn = MapFigure {
+        MapFigure {
             title: model.robot().full_name(),
             map: grid,
             unit,
@@ -172,8 +177,7 @@ impl<'a> Drawn<'a> {
             scene,
             subtitle: self.subtitle,
             face: self.face,
-        };
-        drawn.svg().map_err(figure)
+        }
     }
 
     /// The map, the arm and the zone in their plane, which stands beside the joint-1 axis where the arm does.

@@ -1,6 +1,7 @@
 //! One file per verb: arguments to a call of the library, the answer to text, JSON, CSV and figure.
 
 pub(crate) mod check;
+pub(crate) mod compare;
 pub(crate) mod compliance;
 mod drawing;
 pub(crate) mod import;

@@ -3,12 +3,14 @@
 use std::io::{self, Write};
 use std::path::Path;
 
+use stiffarm::advice::advise;
 use stiffarm::answer::words::{class, direction, tool};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::map::{Spacing, map};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place_task_watched};
 use stiffarm::request::Request;
+use stiffarm::robot::Robot;
 use stiffarm::watch::Watch;
 
 use super::map::Drawn;
@@ -30,28 +32,41 @@ const FIGURE_SIZE: [usize; 2] = [400, 300];
 const FACE_SIZE: usize = 33;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let (name, task, kind) = (asked.robot()?, asked.task()?, asked.model());
-    let robot = asked.equipped(selection::robot(&name, common)?)?;
+    let name = asked.robot()?;
+    let robot = selection::robot(&name, common)?;
     let outputs = Outputs::open::<PlaceOutput>(common, &[Path::new(&name)])?;
-    let (options, plate) = (asked.place_options(Some(task.zone))?, Plate::of(asked)?);
-    let failure = |error| Failure::Place { robot: robot.name.clone(), error };
-    let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
-    let search = |watch: Watch| place_task_watched(&model, &task, &options, watch);
-    let placed = watched("searching places", common, search).map_err(failure)?;
-    let tolerance_mm = asked.tolerance_mm();
-    let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm };
-    let shortfall = answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&PlaceOutput { model, answer, plate })?;
+    let found = PlaceOutput::of(asked, robot, common)?;
+    let shortfall = found.answer.shortfall().filter(|_| common.check);
+    outputs.deliver(&found)?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
 }
 
-struct PlaceOutput {
+/// A placement, and what is needed to draw it.
+pub(super) struct PlaceOutput {
     model: Model,
-    answer: PlaceAnswer,
+    pub(super) answer: PlaceAnswer,
     plate: Plate,
 }
 
 impl PlaceOutput {
+    /// Places what is asked for, and seeks what its tolerance says of force, stiffness and size.
+    pub(super) fn of(asked: &Request, robot: Robot, common: &Common) -> Result<Self, Failure> {
+        let (task, kind, robot) = (asked.task()?, asked.model(), asked.equipped(robot)?);
+        let (options, plate) = (asked.place_options(Some(task.zone))?, Plate::of(asked)?);
+        let failure = |error| Failure::Place { robot: robot.name.clone(), error };
+        let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
+        let search = |watch: Watch| place_task_watched(&model, &task, &options, watch);
+        let placed = watched("searching places", common, search).map_err(failure)?;
+        let tolerance_mm = asked.tolerance_mm();
+        let sought = |mm: f64| {
+            let advised = |watch: Watch| advise(&model, &task, &options, &placed, mm / 1e3, watch);
+            watched("placing smaller zones", common, advised)
+        };
+        let advice = tolerance_mm.map(sought).transpose().map_err(failure)?;
+        let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice };
+        Ok(Self { model, answer, plate })
+    }
+
     fn elevation(&self) -> f64 {
         self.answer.options.stance().elevation
     }
@@ -77,7 +92,7 @@ impl PlaceOutput {
     }
 
     /// The map of what is reached, held as the zone is.
-    fn mapped(&self) -> Result<MapAnswer, Failure> {
+    pub(super) fn mapped(&self) -> Result<MapAnswer, Failure> {
         let Self { model, answer, .. } = self;
         let size = if answer.model == ModelKind::Planar { FIGURE_SIZE[0] } else { FIGURE_SIZE[1] };
         let options = answer.map_options(model, Spacing::Points(size));
@@ -122,18 +137,9 @@ impl PlaceOutput {
 
     /// The zone on the section that points straight ahead, and what is seen along the tool axis.
     fn figure(&self) -> Result<String, Failure> {
-        let (best, hold) = self.feasible()?;
+        let (best, _) = self.feasible()?;
         let map = self.mapped()?;
         let Model::Spatial(_) = self.model else { return self.drawn(&map).svg() };
-        let bearing = hold.map_or(0.0, |hold| hold.bearing);
-        // Turned back: the section points straight ahead.
-        let ((s, c), [wx, wy, wz]) = (bearing.sin_cos(), best.worst_point);
-        let mark = ZoneMark {
-            zone: self.answer.task.zone,
-            rim: self.rim()?.into_iter().map(|[x, _, z]| [x, z]).collect(),
-            worst_point: [c * wx + s * wy, wz],
-            label: self.label(best),
-        };
         let face = FaceFigure {
             zone: self.answer.task.zone,
             angle: best.angle,
@@ -150,14 +156,30 @@ impl PlaceOutput {
             },
             colour_label: Drawn::of_zone(&map).colour_label(),
         };
-        Drawn {
+        Drawn { face: Some(face), ..self.placed(&map)? }.svg()
+    }
+
+    /// The map with the zone at its place, in space as it is seen from the side; without it where it has none.
+    pub(super) fn placed<'a>(&self, map: &'a MapAnswer) -> Result<Drawn<'a>, Failure> {
+        if let (Model::Planar(_), _) | (_, Placed::Infeasible { .. }) = (&self.model, &self.answer.placed) {
+            return Ok(self.drawn(map));
+        }
+        let (best, hold) = self.feasible()?;
+        let bearing = hold.map_or(0.0, |hold| hold.bearing);
+        // Turned back: the section points straight ahead.
+        let ((s, c), [wx, wy, wz]) = (bearing.sin_cos(), best.worst_point);
+        let mark = ZoneMark {
+            zone: self.answer.task.zone,
+            rim: self.rim()?.into_iter().map(|[x, _, z]| [x, z]).collect(),
+            worst_point: [c * wx + s * wy, wz],
+            label: self.label(best),
+        };
+        Ok(Drawn {
             subtitle: self.subtitle(),
             posture: hold.map(|hold| ArmPosture::Joints(self.straight_ahead(hold))),
             mark: Some(mark),
-            face: Some(face),
-            ..self.drawn(&map)
-        }
-        .svg()
+            ..self.drawn(map)
+        })
     }
 
     /// The joints at the worst point, the zone straight ahead.

@@ -4,6 +4,7 @@ use std::cell::OnceCell;
 use std::io::{self, Write};
 use std::path::Path;
 
+use stiffarm::advice::advise_best;
 use stiffarm::answer::{self, RankAnswer, Rows, Unit, looks, stiffnesses, words};
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
@@ -44,7 +45,12 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
     let (options, plate) = (asked.place_options(only)?, Plate::of(asked)?);
     let ranking = watched("placing zones", common, |watch| rank(&robots, &tasks, &kind, &options, watch))?;
-    let answer = RankAnswer { ranking, options, tolerance_mm: asked.tolerance_mm() };
+    let tolerance_mm = asked.tolerance_mm();
+    let advice = match tolerance_mm {
+        None => Vec::new(),
+        Some(mm) => watched("placing smaller zones", common, |watch| advise_best(&ranking, &options, mm / 1e3, watch))?,
+    };
+    let answer = RankAnswer { ranking, options, tolerance_mm, advice };
     let shortfall = answer.shortfall().filter(|_| common.check);
     outputs.deliver(&RankOutput { answer, common, plate, svg: OnceCell::new() })?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
@@ -83,7 +89,7 @@ impl RankOutput<'_> {
 
     /// Deflection against task size, a curve per robot.
     fn curves(&self) -> Result<String, Failure> {
-        let RankAnswer { ranking: Ranking { tasks, rows, load, model, .. }, options, tolerance_mm } = &self.answer;
+        let RankAnswer { ranking: Ranking { tasks, rows, load, model, .. }, options, tolerance_mm, .. } = &self.answer;
         let robots: Vec<Robot> = rows.iter().take(MOST_CURVES).map(|row| row.robot.clone()).collect();
         let (shapes, looks) = (shapes(tasks), self.looks());
         let mut panels = Vec::new();

@@ -61,19 +61,14 @@ impl MapFigure<'_> {
         let legend = Legend::new(self.entries(), canvas.width - 80.0, 4);
         let top = heading(&mut canvas, &self.title, &self.subtitle) + 26.0;
         let frame = scene.frame(self.reached().to_vec(), canvas.width, top);
-        let [[left, bottom], [right, _]] = frame.corners();
-        let inside = rect_path([left, bottom], [right, top]);
-        canvas.clipped(&inside, |canvas| scene.floor(canvas, &frame));
-        self.draw_field(&mut canvas, &frame);
-        canvas.clipped(&inside, |canvas| {
-            scene.draw_base(canvas, &frame);
-            scene.draw_cell(canvas, &frame);
-            scene.draw_zone(canvas, &frame);
-            scene.draw_arm(canvas, &frame);
-            scene.draw_worst_point(canvas, &frame);
-            scene.draw_force(canvas, &frame);
-        });
-        frame.draw(&mut canvas, &format!("x from {} [m]", self.origin), &format!("z from {} [m]", self.origin));
+        let [[_, bottom], [right, _]] = frame.corners();
+        if let Some(bands) = self.draw_inside(&mut canvas, &frame, None) {
+            let height = (bottom - top).min(520.0);
+            let middle = f64::midpoint(bottom, top);
+            let ends = [middle + height / 2.0, middle - height / 2.0];
+            bands.bar(&mut canvas, [right + 28.0, ends[0]], [right + 50.0, ends[1]], &self.colour_label);
+        }
+        self.draw_frame(&mut canvas, &frame);
         legend.draw(&mut canvas, [40.0, bottom + 52.0]);
         canvas.height = bottom + 66.0 + legend.height();
         if let Some(face) = &self.face {
@@ -83,7 +78,37 @@ impl MapFigure<'_> {
         Ok(canvas.finish())
     }
 
-    fn entries(&self) -> Vec<Entry> {
+    /// Map, arm and zone inside a frame, in these bands of colour or in those that the map asks for; which they are, where anything is
+    /// reached.
+    pub(super) fn draw_inside(&self, canvas: &mut Canvas, frame: &Frame, bands: Option<Bands>) -> Option<Bands> {
+        let scene = &self.scene;
+        let [[left, bottom], [right, top]] = frame.corners();
+        let inside = rect_path([left, bottom], [right, top]);
+        canvas.clipped(&inside, |canvas| scene.floor(canvas, frame));
+        let bands = self.draw_field(canvas, frame, bands);
+        canvas.clipped(&inside, |canvas| {
+            scene.draw_base(canvas, frame);
+            scene.draw_cell(canvas, frame);
+            scene.draw_zone(canvas, frame);
+            scene.draw_arm(canvas, frame);
+            scene.draw_worst_point(canvas, frame);
+            scene.draw_force(canvas, frame);
+        });
+        bands
+    }
+
+    /// The frame, and what its axes are.
+    pub(super) fn draw_frame(&self, canvas: &mut Canvas, frame: &Frame) {
+        frame.draw(canvas, &format!("x from {} [m]", self.origin), &format!("z from {} [m]", self.origin));
+    }
+
+    /// The least and the largest of what is drawn, in its unit; nothing where nothing is reached.
+    pub(super) fn extremes(&self) -> Option<[f64; 2]> {
+        let [least, most] = self.map.extremes()?;
+        Some([least, most].map(|(value, ..)| self.unit.told(value)))
+    }
+
+    pub(super) fn entries(&self) -> Vec<Entry> {
         let mut entries = self.scene.entries();
         if let Some(tolerance) = self.tolerance {
             let look = format!(r#"{TOLERANCE_LINE} stroke="{TOLERANCE}""#);
@@ -93,7 +118,7 @@ impl MapFigure<'_> {
     }
 
     /// Left bottom and right top of what is mapped, with a margin, m; of the whole grid where nothing is reached.
-    fn reached(&self) -> [[f64; 2]; 2] {
+    pub(super) fn reached(&self) -> [[f64; 2]; 2] {
         let (x, z) = (self.map.x, self.map.z);
         let last = |axis: stiffarm::map::Axis| axis.at(axis.count.saturating_sub(1));
         let mut ends = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
@@ -110,7 +135,7 @@ impl MapFigure<'_> {
         [ends[0].map(|end| end - margin), ends[1].map(|end| end + margin)]
     }
 
-    fn draw_field(&self, canvas: &mut Canvas, frame: &Frame) {
+    fn draw_field(&self, canvas: &mut Canvas, frame: &Frame, bands: Option<Bands>) -> Option<Bands> {
         let (x, z) = (self.map.x, self.map.z);
         let stride = x.count.max(z.count).div_ceil(MOST_POINTS).max(1);
         let last = |count: usize| count.saturating_sub(1);
@@ -124,7 +149,7 @@ impl MapFigure<'_> {
         let Some(extremes) = grid.extremes() else {
             let middle = [f64::midpoint(frame.x.px[0], right), f64::midpoint(bottom, top)];
             canvas.text(middle, "nothing on this grid is reached", Font::new(14.0).middle());
-            return;
+            return None;
         };
         let between = |at: f64, axis: stiffarm::map::Axis| {
             let (below, share) = (at.floor(), at.fract());
@@ -136,7 +161,7 @@ impl MapFigure<'_> {
             let [x, z] = metres(node);
             frame.at(x, z)
         };
-        let bands = Bands::within(self.plate.ends(), extremes, self.colours);
+        let bands = bands.unwrap_or_else(|| Bands::within(self.plate.ends(), extremes, self.colours));
         let parts = match (&self.ways, self.edge) {
             (Some(ways), _) => {
                 let held = |i, j| (ways.at)(index(i, x.count), index(j, z.count));
@@ -155,14 +180,7 @@ impl MapFigure<'_> {
             lines = parts[1..].iter().flat_map(|part| self.field(part, bands, &at).fill(canvas)).collect();
         }
         self.field(&parts[0], bands, &at).label(canvas, &lines, Font::new(12.0), &mut spots);
-        let height = (bottom - top).min(520.0);
-        let middle = f64::midpoint(bottom, top);
-        bands.bar(
-            canvas,
-            [right + 28.0, middle + height / 2.0],
-            [right + 50.0, middle - height / 2.0],
-            &self.colour_label,
-        );
+        Some(bands)
     }
 }
 

@@ -9,6 +9,7 @@ mod axes;
 pub(crate) mod bands;
 pub(crate) mod bars;
 mod canvas;
+pub(crate) mod compare;
 mod contour;
 pub(crate) mod face;
 mod labels;

@@ -63,7 +63,12 @@ pub(crate) fn links(arm: &PlanarArm, (shoulder, elbow): (f64, f64)) -> Vec<[f64;
 impl Scene {
     /// A frame on a sheet `width` px wide, below `top` px, with equal scales on both axes, around `shown` (m) and everything of
     /// the scene.
-    pub(super) fn frame(&self, mut shown: Vec<[f64; 2]>, width: f64, top: f64) -> Frame {
+    pub(super) fn frame(&self, shown: Vec<[f64; 2]>, width: f64, top: f64) -> Frame {
+        frame_around(&self.points(shown), width, top, [85.0, 165.0])
+    }
+
+    /// The points that a frame must hold: `shown` (m), and everything of the scene.
+    pub(super) fn points(&self, mut shown: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
         let room = 0.24 * self.link;
         shown.extend(self.joints().into_iter().flat_map(|[x, z]| [[x - room, z - room], [x + room, z + room]]));
         if let Some([x, z]) = self.standing() {
@@ -74,27 +79,7 @@ impl Scene {
         let beyond = |[from, to]: [[f64; 2]; 2]| [0, 1].map(|k| to[k] + 0.1 * (to[k] - from[k]));
         shown.extend(self.force.iter().map(|force| beyond(self.force_ends(force))));
         shown.retain(|point| point.iter().all(|x| x.is_finite()));
-        let ends = |k: usize| {
-            let values = shown.iter().map(|point| point[k]);
-            let axis = Axis::new(
-                values.clone().fold(f64::INFINITY, f64::min),
-                values.fold(f64::NEG_INFINITY, f64::max),
-                [0.0; 2],
-            );
-            (axis.from, axis.to)
-        };
-        let (x, z) = (ends(0), ends(1));
-        let room = width - 250.0;
-        let scale = (room / (x.1 - x.0)).min(0.78 * width / (z.1 - z.0));
-        // A sliver of a map still gets a frame in which axis titles have room.
-        let widened = |(from, to): (f64, f64)| {
-            let missing = (300.0 / scale - (to - from)).max(0.0) / 2.0;
-            (from - missing, to + missing)
-        };
-        let (x, z) = (widened(x), widened(z));
-        let (width, height) = (scale * (x.1 - x.0), scale * (z.1 - z.0));
-        let left = 85.0 + (room - width) / 2.0;
-        Frame { x: Axis::new(x.0, x.1, [left, left + width]), y: Axis::new(z.0, z.1, [top + height, top]) }
+        shown
     }
 
     /// The joint-2 axis and what follows it; nothing where no arm is drawn.
@@ -271,6 +256,28 @@ impl Scene {
         }));
         entries
     }
+}
+
+/// A frame around points, m, on a sheet `width` px wide, below `top` px, with room on its left and right, and equal scales on both axes.
+pub(super) fn frame_around(points: &[[f64; 2]], width: f64, top: f64, [left, right]: [f64; 2]) -> Frame {
+    let ends = |k: usize| {
+        let values = points.iter().map(|point| point[k]);
+        let axis =
+            Axis::new(values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max), [0.0; 2]);
+        (axis.from, axis.to)
+    };
+    let (x, z) = (ends(0), ends(1));
+    let room = width - left - right;
+    let scale = (room / (x.1 - x.0)).min(0.78 * width / (z.1 - z.0));
+    // A sliver of a map still gets a frame in which axis titles have room.
+    let widened = |(from, to): (f64, f64)| {
+        let missing = (room.min(300.0) / scale - (to - from)).max(0.0) / 2.0;
+        (from - missing, to + missing)
+    };
+    let (x, z) = (widened(x), widened(z));
+    let (width, height) = (scale * (x.1 - x.0), scale * (z.1 - z.0));
+    let left = left + (room - width) / 2.0;
+    Frame { x: Axis::new(x.0, x.1, [left, left + width]), y: Axis::new(z.0, z.1, [top + height, top]) }
 }
 
 fn window_look() -> String {

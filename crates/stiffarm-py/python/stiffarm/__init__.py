@@ -8,6 +8,7 @@ A robot and a task go in; each verb is one function:
 `place`        where must a zone stand, and who proves it?
 `rank`         which robot holds the force best?
 `study`        which architecture suits which link ratio and size?
+`compare`      which of two setups is better, and is that proved?
 ============== ==========================================================
 
 Units stand in the names: ``force_n``, ``tool_mm``, ``deflection_mm``. The numbers are those of the program `stiffarm`, to
@@ -19,12 +20,13 @@ Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl
 ``progress=True`` says how far they are.
 """
 
-from ._answers import Answer, Compliance, Compliances, Map, Placement, Ranking, Study
+from ._answers import Answer, Comparison, Compliance, Compliances, Map, Placement, Ranking, Study
 from ._stiffarm import Robot, StiffarmError, __version__, set_threads
-from ._verbs import cell, compliance, map, place, rank, robots, study
+from ._verbs import cell, compare, compliance, map, place, rank, robots, study
 
 __all__ = [
     "Answer",
+    "Comparison",
     "Compliance",
     "Compliances",
     "Map",
@@ -35,6 +37,7 @@ __all__ = [
     "Study",
     "__version__",
     "cell",
+    "compare",
     "compliance",
     "map",
     "place",

@@ -10,7 +10,7 @@ import numpy as np
 from ._given import Array
 from ._stiffarm import StiffarmError
 from .types import (
-    Boundary, CellDict, ComplianceDict, FaceDict, MapDict, Placed, PlacementDict, RankingDict, RankingRow, Resolution, Schema, StudyDict,
+    AdviceDict, Boundary, CellDict, ComparisonDict, ComplianceDict, FaceDict, MapDict, Placed, PlacementDict, RankingDict, RankingRow, Resolution, Schema, StudyDict,
     StudyRow, Winner,
 )  # fmt: skip
 
@@ -265,6 +265,9 @@ class Placement(_Table[PlacementDict]):
     limit_margin_deg: float | None
     limit_margin_joint: int | None
     singular_margin_deg: float | None
+    #: The smaller of both, and what it is of.
+    smallest_margin_deg: float | None
+    smallest_margin_of: str | None
     #: The cell as it was asked for: mount, windows, what is kept free.
     cell: CellDict | None
     #: The centre of the zone in the axes of the cell.
@@ -280,6 +283,9 @@ class Placement(_Table[PlacementDict]):
     faces: list[FaceDict] | None
     tolerance_mm: float | None
     margin_mm: float | None
+    #: What the tolerance says of force, stiffness and size: ``force_factor``, ``largest_force_n``, ``stiffness_factor``, ``softest_drive``,
+    #: ``largest_zone`` and more; None where no tolerance was given, and in a ranking of all but the best robots.
+    advice: AdviceDict | None
 
     #: Robot, task and options, from which a figure is drawn; of a ranking None.
     _asked: tuple[Any, str, dict[str, str]] | None
@@ -322,7 +328,7 @@ class Ranking(_Table[RankingDict]):
     feed_deg: float | None
     #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
     component: str
-    #: One per robot: names, status, ``rank`` (None for an estimated robot), ``mean_ratio``, and ``cells`` with one placement per task.
+    #: One per robot: names, status, ``rank`` (None for an estimated robot; robots that cannot be told apart share one), ``rank_tied``, ``mean_ratio``, and ``cells`` with one placement per task.
     rows: list[RankingRow]
     #: Who is best at each task.
     winners: list[Winner]
@@ -347,6 +353,28 @@ class Ranking(_Table[RankingDict]):
     def _words(self) -> str:
         best = next((f"; best {row['robot']}" for row in self.rows if row["rank"] == 1), "")
         return f"{len(self)} robots, {len(self.tasks)} tasks, {self.force_n:g} N, {self.model} model{best}"
+
+
+class Comparison(_Table[ComparisonDict]):
+    """Two setups side by side; its columns have a row for each."""
+
+    schema: Schema
+    #: What `stiffarm.place` tells of each.
+    a: Placed
+    b: Placed
+    #: The deflection of the second over that of the first; None where one has no place.
+    ratio: float | None
+    #: It is proved which is better: its value lies below the other's bound.
+    told_apart: bool
+    #: ``"a"`` or ``"b"``; None where they cannot be told apart.
+    better: str | None
+    #: What is not the same of both besides the answer.
+    differ_in: list[str]
+    #: What a manager would read.
+    summary: list[str]
+
+    def _words(self) -> str:
+        return self.summary[0]
 
 
 class Study(_Table[StudyDict]):

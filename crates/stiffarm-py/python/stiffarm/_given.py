@@ -143,6 +143,13 @@ def robot(value: RobotLike) -> Robot:
     return value if isinstance(value, Robot) else Robot(value)
 
 
+def setup(name: str, value: RobotLike) -> Robot | str:
+    """A robot, or its name, or the path of a robot file or of a job file."""
+    if isinstance(value, Robot):
+        return value
+    return text(name, os.fspath(value) if isinstance(value, os.PathLike) else value)
+
+
 def robots(value: RobotLike | Iterable[RobotLike]) -> list[Robot]:
     """Each once, in the order given; a text may be a name, a pattern, a path, a list with commas, ``paper`` or ``all``."""
     found: dict[Robot, None] = {}

@@ -15,6 +15,7 @@ __all__ = [
     "distinct",
     "drawn_place",
     "map",
+    "compare",
     "matrices",
     "options",
     "looks",
@@ -104,14 +105,17 @@ def matrices(
 ) -> npt.NDArray[np.float64]: ...
 def posture(robot: Robot, joints_deg: Sequence[float], asked: dict[str, str]) -> dict[str, Any]: ...
 def place(
-    robot: Robot, wanted_task: str, asked: dict[str, str], progress: _Told | None = None
+    robot: Robot, wanted_task: str, asked: dict[str, str], advice: bool, progress: _Told | None = None
+) -> tuple[dict[str, Any], dict[str, Any]]: ...
+def compare(
+    a: Robot | str, b: Robot | str, asked: dict[str, str], progress: _Told | None = None
 ) -> tuple[dict[str, Any], dict[str, Any]]: ...
 def rank(
     robots: Sequence[Robot], tasks: Sequence[str], asked: dict[str, str], progress: _Told | None = None
 ) -> tuple[dict[str, Any], dict[str, Any]]: ...
 def order(
-    robots: Sequence[tuple[str, str, bool, bool]], deflections_mm: Sequence[Sequence[float | None]]
-) -> list[tuple[int, int | None, float | None]]: ...
+    robots: Sequence[tuple[str, str, bool, bool]], proved_mm: Sequence[Sequence[tuple[float, float] | None]]
+) -> list[tuple[int, int | None, bool | None, float | None]]: ...
 def map(
     robot: Robot, asked: dict[str, str], progress: _Told | None = None
 ) -> tuple[dict[str, Any], dict[str, npt.NDArray[np.float64]], dict[str, Any]]: ...

@@ -8,11 +8,20 @@ from typing import TYPE_CHECKING, overload
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Compliance, Compliances, Map, Placement, Ranking, Study
+from ._answers import Comparison, Compliance, Compliances, Map, Placement, Ranking, Study
 from ._given import RobotLike
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
-from .types import ComplianceOptions, MapOptions, PlaceOptions, PlacementDict, RankOptions, RobotsOptions, StudyOptions
+from .types import (
+    CompareOptions,
+    ComplianceOptions,
+    MapOptions,
+    PlaceOptions,
+    PlacementDict,
+    RankOptions,
+    RobotsOptions,
+    StudyOptions,
+)
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -132,11 +141,11 @@ def place(robot: RobotLike, *, task: str, progress: ProgressLike = None, **optio
     """
     asked = (_given.robot(robot), _given.text("task", task), _options.spelt("place", options))
     with told("searching places", progress) as tell:
-        return Placement(*_stiffarm.place(*asked, tell), asked)
+        return Placement(*_stiffarm.place(*asked, True, tell), asked)
 
 
 def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> PlacementDict:
-    """One placement as a plain dict: what a worker on another machine computes and sends back.
+    """One placement as a plain dict: what a worker on another machine computes and sends back, without ``advice``.
 
     Robots, options and the answer can all be pickled.
 
@@ -149,7 +158,8 @@ def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> Placem
     **options
         As in `place`.
     """
-    return place(robot, task=task, **options).to_dict()
+    asked = (_given.robot(robot), _given.text("task", task), _options.spelt("place", options))
+    return Placement(*_stiffarm.place(*asked, False), asked).to_dict()
 
 
 @_options.takes("rank", RankOptions)
@@ -241,3 +251,32 @@ def study(*, progress: ProgressLike = None, **options: Unpack[StudyOptions]) -> 
     """
     with told("studying", progress) as tell:
         return Study(*_stiffarm.study(_options.spelt("study", options), tell))
+
+
+@_options.takes("compare", CompareOptions)
+def compare(
+    a: RobotLike, b: RobotLike, *, progress: ProgressLike = None, **options: Unpack[CompareOptions]
+) -> Comparison:
+    """Two setups side by side.
+
+    Parameters
+    ----------
+    a, b : Robot or str
+        Robots, or paths of job files for `place` (TOML), which may say more: one robot with two tools takes two of them. What a job
+        file says comes before the keywords, which are asked of both.
+    {progress}
+    {options}
+
+    Returns
+    -------
+    Comparison
+        Both placements, and whether they can be told apart.
+
+    Raises
+    ------
+    StiffarmError
+        Where an argument makes no sense of one of them.
+    """
+    asked = _options.spelt("compare", options)
+    with told("placing zones", progress) as tell:
+        return Comparison(*_stiffarm.compare(_given.setup("a", a), _given.setup("b", b), asked, tell))

@@ -398,6 +398,108 @@ class StudyOptions(TypedDict, total=False):
     """Compliance of drive 3 over the reference k, for both or one each; 0: rigid."""
 
 
+class CompareOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.compare`."""
+
+    task: str | None
+    """Of setups whose job files name none: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with
+    model="spatial" a part."""
+
+    faces: str | Iterable[str] | None
+    """Which faces of a part are machined, by name, separated by commas; front faces the robot before the part is
+    turned [default: all: of a box top, front, left, back, right]."""
+
+    tolerance_mm: float | None
+    """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
+
+    force_n: float | npt.ArrayLike
+    """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
+    (away from the work), in the planar model ahead,0,up."""
+
+    force_axes: Literal["base", "tool"] | None
+    """Along which axes a force of three numbers points [default: tool]."""
+
+    feed_deg: float | None
+    """Direction of the feed in the face [deg], from the first side of the zone towards the second; of a circle
+    and of a map from straight ahead, on a wall from upright [default: the worst of all directions]."""
+
+    direction_deg: float | None
+    """Direction of the force in the arm plane [deg], counter-clockwise from straight ahead [default: the worst
+    in every point] [planar model only]."""
+
+    force_cone_deg: float | None
+    """Half angle of a cone about its direction in which the force may point [deg]: the largest deflection over
+    it [default: 0]."""
+
+    component: Literal["total", "normal", "along"]
+    """What of the displacement counts."""
+
+    within_m: str | Sequence[RangeLike | None] | None
+    """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
+    the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
+    [default: in front of the joint-1 axis, above the floor]."""
+
+    limit_margin_deg: float | None
+    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
+
+    singular_margin_deg: float | None
+    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
+
+    clear_of_base_m: float | None
+    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
+    + l3)]."""
+
+    floor_m: str | float | None
+    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
+    unless --within says how low the zone may stand]."""
+
+    angle: str | float
+    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
+    degrees of its first side."""
+
+    gap: float | None
+    """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as the robot file has it, else 1 on every drive, assumed]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    model: Literal["planar", "spatial"]
+    """Which model."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; its z is the tool axis
+    [default: the flange]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    tool_direction: str | float | None
+    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
+
+    yaw_deg: str | float | None
+    """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: the best of -90..90]."""
+
+    roll_deg: float | None
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+
+    mount: str | None
+    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
+    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
+
+    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """What must be kept free [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several
+    times."""
+
+    clearance_mm: float | None
+    """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
+    [default: told, not asked]."""
+
+
 class SweepOptions(TypedDict, total=False):
     """Keywords of `stiffarm.cluster.sweep`."""
 
@@ -604,10 +706,76 @@ class FaceDict(TypedDict):
     """The smallest angle to a singular posture in the zone."""
 
 
+class LargestZone(TypedDict):
+    """The largest zone that passes."""
+
+    scale: float | None
+    """Its size as a part of the size that was asked for; null where not even the smallest that was tried passes."""
+
+    size: str | None
+    """The same in mm."""
+
+    sides_m: list[float] | None
+    """Its sides; null of a part."""
+
+    deflection_mm: float | None
+    """The worst deflection in the zone at its best place."""
+
+    fails_at_scale: float
+    """The smallest part of that size that was tried and does not pass."""
+
+    fails_proved: bool
+    """That no place of that passes is proved."""
+
+    tried: int
+    """How many zones were placed for it."""
+
+
+class AdviceDict(TypedDict):
+    """What a tolerance says of force, stiffness and size."""
+
+    force_factor: float | None
+    """So many times the force keeps the tolerance at this place, exactly; null where nothing gives way."""
+
+    force_factor_bound: float | None
+    """No place keeps it under more."""
+
+    largest_force_n: float | None
+    """The same as a force."""
+
+    stiffness_factor: float | None
+    """So many times as stiff must all drives be."""
+
+    stiffness_needed_nm_per_rad: list[float | None] | None
+    """The stiffness of each drive that this asks for; null of rigid ones, and of drive 2 beside a gravity
+    compensator."""
+
+    drive_shares: list[float | None] | None
+    """What each drive gives of the deflection at the worst point along its direction; adds up to 1."""
+
+    softest_drive: int | None
+    """The drive that gives most there."""
+
+    softest_drive_share: float | None
+    """Its share."""
+
+    compensation_assumed: float | None
+    """The part of the deflection that a compensation of the program is taken to take out: an assumption."""
+
+    compensated_mm: float | None
+    """What it would leave of the deflection."""
+
+    compensated_pass: bool | None
+    """That keeps the tolerance."""
+
+    largest_zone: LargestZone | None
+    """The largest zone of the shape that passes; null where the one that was asked for does."""
+
+
 _Pass = TypedDict("_Pass", {"pass": "bool | None"})
 
 
-class Placed(_Pass):
+class _Placed(_Pass):
     """One placement, of rankings and maps; `pass` says whether the tolerance is kept."""
 
     robot: str
@@ -752,6 +920,12 @@ class Placed(_Pass):
     singular_margin_deg: float | None
     """The smallest angle to a singular posture in the zone."""
 
+    smallest_margin_deg: float | None
+    """The least that is kept from a joint limit or a straight posture anywhere in the zone."""
+
+    smallest_margin_of: str | None
+    """What that is of: a joint, the angle between the links, the forearm's angle, or a straight posture."""
+
     clearance_mm: float | None
     """The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap."""
 
@@ -775,6 +949,20 @@ class Placed(_Pass):
 
     margin_mm: float | None
     """What is left of the tolerance."""
+
+    advice: AdviceDict | None
+    """What is missing where the tolerance is not kept, and what is left where it is; null where none was given,
+    and in a ranking of all but the best robots."""
+
+
+class Placed(_Placed, total=False):
+    """One placement, of rankings and maps; `pass` says whether the tolerance is kept."""
+
+    task_rank: int | None
+    """The same for this task alone."""
+
+    task_rank_tied: bool | None
+    """Some other robot cannot be told apart from it in this task."""
 
 
 class PlacementDict(Placed):
@@ -808,7 +996,11 @@ class RankingRow(TypedDict):
     """The compliance of each drive; null where a robot of two links has none."""
 
     rank: int | None
-    """From 1; none for a robot that is estimated, or of which nothing is known."""
+    """One more than the robots that are certainly better, their values below its bound; none for a robot that is
+    estimated, or of which nothing is known."""
+
+    rank_tied: bool | None
+    """Some other robot cannot be told apart from it."""
 
     planar_rank: int | None
     """The rank in the planar ranking of the same robots and tasks."""
@@ -818,6 +1010,9 @@ class RankingRow(TypedDict):
 
     mean_ratio: float | None
     """How much worse than the best of each task, geometric mean."""
+
+    mean_ratio_bound: float
+    """The same of the proved lower bounds."""
 
     cells: list[Placed]
     """One placement per task."""
@@ -831,6 +1026,12 @@ class Winner(TypedDict):
 
     best: str | None
     """The best robot whose geometry and limits are published."""
+
+    told_apart: bool | None
+    """It is proved that no other is as good."""
+
+    rivals: list[]
+    """Robots of published geometry that may be as good as the best."""
 
     best_with_estimated: str | None
     """The best robot of all."""
@@ -877,6 +1078,34 @@ class RankingDict(TypedDict):
 
     winners: list[Winner]
     """Who is best at each task."""
+
+    summary: list[str]
+    """What a manager would read."""
+
+
+class ComparisonDict(TypedDict):
+    """`stiffarm.Comparison.to_dict`."""
+
+    schema: Schema
+
+    a: Placed
+    """The first setup, as place tells it."""
+
+    b: Placed
+    """The second setup."""
+
+    ratio: float | None
+    """The deflection of the second over that of the first; null where one has no place."""
+
+    told_apart: bool
+    """It is proved that no other is as good."""
+
+    better: str | None
+    """Which of the two is certainly better, a or b; null where they cannot be told apart."""
+
+    differ_in: list[str]
+    """What is not the same of both besides the answer: robot, stiffness, model, tool, force, task, tolerance,
+    place."""
 
     summary: list[str]
     """What a manager would read."""

@@ -52,6 +52,7 @@ fn written() -> String {
         ("Rank", "rank", Verb::Rank, &["task"]),
         ("Map", "map", Verb::Map, NONE),
         ("Study", "study", Verb::Study, NONE),
+        ("Compare", "compare", Verb::Compare, &["a", "b"]),
         // A sweep takes several forces.
         ("Sweep", "cluster.sweep", Verb::Place, &["task", "force-n"]),
     ];
@@ -71,7 +72,7 @@ fn written() -> String {
 /// A class for every kind of object that an answer has.
 fn write_answers(text: &mut String) {
     let (placements, rankings, maps) = (samples::placements(), samples::rankings(), samples::maps());
-    let (studies, compliances) = (samples::studies(), samples::compliances());
+    let (studies, compliances, comparisons) = (samples::studies(), samples::compliances(), samples::comparisons());
     let schemas = Fields::of(placements.iter().chain(&rankings).chain(&maps).map(|answer| &answer["schema"]));
     class(text, ("Schema", "TypedDict"), "What a program must know to read an answer.", &schemas, &[]);
 
@@ -79,17 +80,27 @@ fn write_answers(text: &mut String) {
     let rows = rankings.iter().flat_map(|ranking| ranking["rows"].as_array().unwrap());
     let cells: Vec<Value> = rows.clone().flat_map(|row| row["cells"].as_array().unwrap().clone()).collect();
     let zones: Vec<Value> = maps.iter().map(|map| map["zone"].clone()).filter(Value::is_object).collect();
+    let sides: Vec<Value> = comparisons.iter().flat_map(|found| [found["a"].clone(), found["b"].clone()]).collect();
     let bare = |answer: &Value| {
         let mut fields = answer.as_object().unwrap().clone();
         fields.shift_remove("schema");
         Value::Object(fields)
     };
-    let placed: Vec<Value> = placements.iter().chain(&cells).chain(&zones).map(bare).collect();
+    let placed: Vec<Value> = placements.iter().chain(&cells).chain(&zones).chain(&sides).map(bare).collect();
     let placed = Fields::of(&placed);
-    let within = [("cell", "CellDict"), ("resolution", "Resolution"), ("faces", "FaceDict")];
+    let within = [("cell", "CellDict"), ("resolution", "Resolution"), ("faces", "FaceDict"), ("advice", "AdviceDict")];
     class(text, ("CellDict", "TypedDict"), "A cell as it was asked for.", placed.under("cell"), &[]);
     class(text, ("Resolution", "TypedDict"), "How finely a place was looked for.", placed.under("resolution"), &[]);
     class(text, ("FaceDict", "TypedDict"), "One face of a part.", placed.under("faces"), &[]);
+    let about = "What a tolerance says of force, stiffness and size.";
+    class(
+        text,
+        ("LargestZone", "TypedDict"),
+        "The largest zone that passes.",
+        placed.under("advice").under("largest_zone"),
+        &[],
+    );
+    class(text, ("AdviceDict", "TypedDict"), about, placed.under("advice"), &[("largest_zone", "LargestZone")]);
     text.push_str("\n\n_Pass = TypedDict(\"_Pass\", {\"pass\": \"bool | None\"})\n");
     let about = "One placement, of rankings and maps; `pass` says whether the tolerance is kept.";
     class(text, ("Placed", "_Pass"), about, &placed, &within);
@@ -105,6 +116,9 @@ fn write_answers(text: &mut String) {
     class(text, ("Winner", "TypedDict"), "Who is best at a task.", ranking.under("winners"), &[]);
     let within = [("rows", "RankingRow"), ("winners", "Winner"), with_schema[0]];
     class(text, ("RankingDict", "TypedDict"), "`stiffarm.Ranking.to_dict`.", &ranking, &within);
+
+    let within = [("a", "Placed"), ("b", "Placed"), with_schema[0]];
+    class(text, ("ComparisonDict", "TypedDict"), "`stiffarm.Comparison.to_dict`.", &Fields::of(&comparisons), &within);
 
     let study = Fields::of(&studies);
     class(text, ("StudyRow", "TypedDict"), "One contender at one size.", study.under("rows"), &[]);

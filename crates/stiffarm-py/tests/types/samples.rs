@@ -1,7 +1,8 @@
 //! Answers of every kind, so different from one another that every key has been seen with whatever may stand under it.
 
 use serde_json::Value;
-use stiffarm::answer::{ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, StudyAnswer};
+use stiffarm::advice::{advise, advise_best};
+use stiffarm::answer::{CompareAnswer, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, StudyAnswer};
 use stiffarm::catalogue::{find, read};
 use stiffarm::compliance::compliance;
 use stiffarm::map::map;
@@ -39,8 +40,11 @@ fn placed(robot: &Robot, typed: Typed) -> PlaceAnswer {
     let asked = asked(Verb::Place, typed);
     let (task, kind) = (asked.task().unwrap(), asked.model());
     let options = asked.place_options(Some(task.zone)).unwrap();
-    let placed = place_task(&kind.of(robot).unwrap(), &task, &options).unwrap();
-    PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm: asked.tolerance_mm() }
+    let (model, tolerance_mm) = (kind.of(robot).unwrap(), asked.tolerance_mm());
+    let placed = place_task(&model, &task, &options).unwrap();
+    let advised = |mm: f64| advise(&model, &task, &options, &placed, mm / 1e3, Watch::nobody()).unwrap();
+    let advice = tolerance_mm.map(advised);
+    PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice }
 }
 
 pub(crate) fn placements() -> Vec<Value> {
@@ -56,6 +60,8 @@ pub(crate) fn placements() -> Vec<Value> {
         unseen.json(),
         of(&[("task", "B:0.3"), ("tolerance-mm", "2"), ("within", "0.5..,0..2")]),
         of(&[("task", "A:9"), ("floor", "none")]),
+        of(&[("task", "B:0.3"), ("tolerance-mm", "0.1")]),
+        of(&[("task", "B:0.3"), ("tolerance-mm", "0.001")]),
         placed(&two_links(), &[("task", "A:0.3")]).json(),
         in_space(&[("task", "circle:0.4"), ("tolerance-mm", "2"), ("within", "0.5..,0..2")]),
         in_space(&[("task", "circle:3")]),
@@ -76,7 +82,10 @@ pub(crate) fn rankings() -> Vec<Value> {
         let asked = asked(Verb::Rank, typed);
         let (tasks, kind, options) = (asked.tasks(), asked.model(), asked.place_options(None).unwrap());
         let ranking = rank(robots, &tasks, &kind, &options, Watch::nobody()).unwrap();
-        RankAnswer { ranking, options, tolerance_mm: asked.tolerance_mm() }
+        let tolerance_mm = asked.tolerance_mm();
+        let advised = |mm: f64| advise_best(&ranking, &options, mm / 1e3, Watch::nobody()).unwrap();
+        let advice = tolerance_mm.map_or_else(Vec::new, advised);
+        RankAnswer { ranking, options, tolerance_mm, advice }
     };
     let estimated = find("Staubli TX340 SH").expect("in the catalogue").robot();
     let plane = ranked(&[kuka(), estimated, two_links()], &[("task", "A:0.3,A:9"), ("tolerance-mm", "2")]);
@@ -113,6 +122,12 @@ pub(crate) fn maps() -> Vec<Value> {
             None,
         ),
     ]
+}
+
+pub(crate) fn comparisons() -> Vec<Value> {
+    let of = |first: Typed, second: Typed| CompareAnswer { sides: [placed(&kuka(), first), placed(&kuka(), second)] };
+    let (fits, too_large) = ([("task", "B:0.3")], [("task", "A:9")]);
+    vec![of(&fits, &fits).json(), of(&fits, &too_large).json(), of(&fits, &[("task", "B:0.6")]).json()]
 }
 
 pub(crate) fn studies() -> Vec<Value> {

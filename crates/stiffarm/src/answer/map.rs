@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 
-use super::place::{PlaceAnswer, cell};
+use super::place::PlaceAnswer;
 use super::stiffness::{self, stiffness};
 use super::words::{self, tool_mm};
 use super::{Cell, Record, Rows, Table, Unit, columns_of, field, force, line, schema};
@@ -108,13 +108,7 @@ impl MapAnswer {
             .put(field::TOOL, tool.as_ref().map(tool_mm))
             .put(field::TOOL_DIRECTION, tool.map(|_| words::asked_degrees(self.held().elevation)))
             .put(field::ROLL_TOLERANCE, searched.then_some(ROLL_TOLERANCE))
-            .put(
-                field::ZONE,
-                self.zone.as_ref().map(|zone| {
-                    let PlaceAnswer { robot, model, task, options, placed, tolerance_mm } = zone;
-                    cell(robot, task, (model, options), Ok(placed), *tolerance_mm)
-                }),
-            );
+            .put(field::ZONE, self.zone.as_ref().map(PlaceAnswer::record));
         record
     }
 

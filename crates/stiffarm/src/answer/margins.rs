@@ -3,7 +3,7 @@
 use super::angles::degrees;
 use super::{Record, field};
 use crate::model::ModelKind;
-use crate::place::{Column, Margins, PlaceOptions, Within};
+use crate::place::{Column, MarginOf, Margins, PlaceOptions, Within};
 use crate::robot::{Arm, Robot};
 
 /// Where a zone of one robot may stand.
@@ -24,6 +24,29 @@ pub(super) fn windows(options: &PlaceOptions, model: &ModelKind, robot: &Robot) 
     windows.retain(|within| *within != Within::ANYWHERE && options.cell.is_none());
     windows
 }
+
+/// What a margin is of.
+pub(super) fn of(margin: MarginOf) -> String {
+    match margin {
+        MarginOf::Joint(joint) => format!("joint {joint}"),
+        MarginOf::BetweenLinks => "angle between the links".into(),
+        MarginOf::Forearm => "forearm".into(),
+        MarginOf::Straight => "straight posture".into(),
+    }
+}
+
+/// The same where there is little room; [`SHORT`] says what it means.
+pub(super) fn short(margin: MarginOf) -> String {
+    match margin {
+        MarginOf::Joint(joint) => format!("J{joint}"),
+        MarginOf::BetweenLinks => "links".into(),
+        MarginOf::Forearm => "forearm".into(),
+        MarginOf::Straight => "straight".into(),
+    }
+}
+
+/// What a column of margins holds.
+pub(super) const SHORT: &str = "margin: the least that is kept from a limit (of joint 2: J2, of the angle between the links: links) or from a straight posture\n";
 
 /// Adds what was asked for.
 pub(super) fn put(record: &mut Record, options: &PlaceOptions, robot: &Robot) {

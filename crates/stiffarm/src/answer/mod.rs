@@ -5,8 +5,10 @@
 //! x forward, y left, z up. Beside [`catalogue`](crate::catalogue) and [`request`](crate::request) the only module in which mm and
 //! degrees exist.
 
+mod advice;
 mod angles;
 mod cell;
+pub mod compare;
 pub mod compliance;
 pub mod field;
 mod force;
@@ -25,6 +27,7 @@ pub mod words;
 
 use serde_json::{Value, json};
 
+pub use compare::CompareAnswer;
 pub use compliance::ComplianceAnswer;
 pub use field::{Field, Kind, Unit};
 pub use ledger::LedgerAnswer;
@@ -76,13 +79,15 @@ pub struct Table {
     pub keys: usize,
     /// Headings of columns that may be left out where there is no room, the first first.
     pub spare: Vec<String>,
+    /// All columns but the first are broken into lines that fit, side by side.
+    pub is_broken: bool,
 }
 
 impl Table {
     /// A table without rows.
     pub fn new<S: Into<String>>(headings: impl IntoIterator<Item = S>) -> Self {
         let headings = headings.into_iter().map(Into::into).collect();
-        Self { headings, rows: Vec::new(), keys: 1, spare: Vec::new() }
+        Self { headings, rows: Vec::new(), keys: 1, spare: Vec::new(), is_broken: false }
     }
 
     /// Names on the left, what they say on the right.
@@ -101,6 +106,12 @@ impl Table {
     #[must_use]
     pub fn with_room(self, keys: usize, spare: &[&str]) -> Self {
         Self { keys, spare: spare.iter().map(|&name| name.into()).collect(), ..self }
+    }
+
+    /// All columns but the first are broken into lines, as many as it takes for them to stand side by side.
+    #[must_use]
+    pub fn with_broken_lines(self) -> Self {
+        Self { is_broken: true, ..self }
     }
 
     /// Adds a row.

@@ -2,10 +2,12 @@
 
 use serde_json::Value;
 
+use super::advice;
 use super::cell as told_cell;
 use super::stiffness::{self, stiffness};
 use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm};
 use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, with_schema, words};
+use crate::advice::Advice;
 use crate::cell::Cell;
 use crate::interval::Interval;
 use crate::map::{Held, MapOptions, Spacing};
@@ -53,13 +55,17 @@ pub struct PlaceAnswer {
     pub placed: Placed,
     /// The largest deflection that is acceptable, mm.
     pub tolerance_mm: Option<f64>,
+    /// What that says of force, stiffness and size, where it was sought.
+    pub advice: Option<Advice>,
 }
 
 impl PlaceAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
-        let Self { robot, model, task, options, placed, tolerance_mm } = self;
-        cell(robot, task, (model, options), Ok(placed), *tolerance_mm)
+        let Self { robot, model, task, options, placed, tolerance_mm, advice } = self;
+        let mut record = cell(robot, task, (model, options), Ok(placed), *tolerance_mm);
+        put_advice(&mut record, advice.as_ref(), (task, options.load));
+        record
     }
 
     /// As JSON.
@@ -96,13 +102,7 @@ impl PlaceAnswer {
         if *model != ModelKind::Planar && options.load.breaks_symmetry() {
             lines.push(line("fixed to the base", "its centre straight ahead, and nowhere else about the joint-1 axis"));
         }
-        match options.cell {
-            None => {
-                let allowed = words::window(&margins::window(options, model, robot), words::origin(robot));
-                lines.push(line("allowed place", allowed));
-            }
-            Some(cell) => lines.extend(told_cell::lines(&cell, &options.within(model))),
-        }
+        lines.extend(self.allowed_lines());
         lines.extend(margins::column(&options.margins, robot).map(|kept| line("", kept)));
         lines.push(line("places keep", margins::angles(&options.margins)));
         match placed {
@@ -111,10 +111,38 @@ impl PlaceAnswer {
                 let proof =
                     if *is_proved && largest_scale.is_none() { "; it is proved that there is none" } else { "" };
                 lines.push(line("no place", format!("{reason}{proof}")));
-                lines.extend(largest_scale.map(|scale| line("largest zone of this shape", largest(task, scale))));
+                let scale = largest_scale.filter(|_| self.advice.is_none());
+                lines.extend(scale.map(|scale| line("largest zone of this shape", largest(task, scale))));
             }
         }
+        lines.extend(self.advice.iter().flat_map(|found| advice::lines(found, (task, options.load))));
         Table::of_lines(lines)
+    }
+
+    /// The best place, where there is one.
+    pub fn best(&self) -> Option<&Placement> {
+        self.placed.feasible()
+    }
+
+    /// Where the zone may stand.
+    fn allowed_lines(&self) -> Vec<Line> {
+        let Self { robot, model, options, .. } = self;
+        match options.cell {
+            None => {
+                let allowed = words::window(&margins::window(options, model, robot), words::origin(robot));
+                vec![line("allowed place", allowed)]
+            }
+            Some(cell) => told_cell::lines(&cell, &options.within(model)),
+        }
+    }
+
+    /// The same in one line.
+    pub(super) fn allowed(&self) -> String {
+        let lines = self.allowed_lines();
+        let told = lines
+            .iter()
+            .map(|[name, says]| if name == "allowed place" { says.clone() } else { format!("{name}: {says}") });
+        told.collect::<Vec<_>>().join("; ")
     }
 
     /// Why the answer is no, where it is: there is no place, or the tolerance is not held.
@@ -191,6 +219,8 @@ impl PlaceAnswer {
             None => {
                 lines.push(line("angle of the first side", degrees(best.angle)));
                 lines.push(line("elbow", best.elbow.name()));
+                let kept = |(least, of)| line("smallest margin", format!("{} ({})", degrees(least), margins::of(of)));
+                lines.extend(best.smallest_margin().map(kept));
             }
             Some(_) if !best.faces.is_empty() => {
                 lines.push(line("turned about the vertical", degrees(best.angle)));
@@ -373,6 +403,11 @@ pub(super) fn cell(
     record
 }
 
+/// Adds what was sought beside a placement.
+pub(super) fn put_advice(record: &mut Record, found: Option<&Advice>, asked: advice::Asked) {
+    record.put(field::ADVICE, found.map(|found| advice::record(found, asked)));
+}
+
 /// What was asked of a model, with what it takes where nothing was said.
 fn asked(record: &mut Record, robot: &Robot, model: &ModelKind, options: &PlaceOptions) {
     let flange_from_tool = match model {
@@ -411,6 +446,7 @@ fn held(record: &mut Record, best: Option<&Placement>, cell: Option<&Cell>) {
     let hold = best.and_then(Placement::space);
     let of = |value: fn(&SpaceHold) -> f64| hold.map(value);
     let clearance = best.and_then(|best| best.clearance);
+    let margin = best.and_then(Placement::smallest_margin);
     record
         .put(field::BEARING, of(|hold| hold.bearing))
         .put(field::YAW, of(|hold| hold.yaw))
@@ -428,6 +464,8 @@ fn held(record: &mut Record, best: Option<&Placement>, cell: Option<&Cell>) {
         .put(field::LIMIT_MARGIN, of(|hold| hold.limit_margin.0))
         .put(field::LIMIT_MARGIN_JOINT, hold.map(|hold| hold.limit_margin.1))
         .put(field::SINGULAR_MARGIN, of(|hold| hold.singular_margin))
+        .put(field::SMALLEST_MARGIN, margin.map(|(least, _)| least))
+        .put(field::SMALLEST_MARGIN_OF, margin.map(|(_, of)| margins::of(of)))
         .put(field::CLEARANCE, clearance.map(|clearance| clearance.distance))
         .put(field::CLEARANCE_OF, clearance.map(|clearance| words::clearance_of(&clearance)))
         .put(field::CLEARANCE_ESTIMATED, clearance.map(|clearance| clearance.is_estimated))

@@ -79,8 +79,8 @@ pub fn marked(robot: &Robot) -> String {
 }
 
 /// What each drive gives, in percent.
-pub fn percentages(shares: &[f64; 6]) -> String {
-    shares.map(|share| format!("{} %", fixed(share * 100.0, 1))).join(", ")
+pub fn percentages(shares: &[f64]) -> String {
+    shares.iter().map(|share| format!("{} %", fixed(share * 100.0, 1))).collect::<Vec<_>>().join(", ")
 }
 
 /// A force and the model under which it acts.

@@ -33,6 +33,19 @@ pub enum Column {
     Radius(f64),
 }
 
+/// Of what a place keeps the least.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarginOf {
+    /// A limit of this joint, from 1.
+    Joint(usize),
+    /// A limit of the angle between the links.
+    BetweenLinks,
+    /// A limit of the forearm's angle in the arm plane.
+    Forearm,
+    /// A straight wrist or arm, or an arm that is folded up.
+    Straight,
+}
+
 impl Margins {
     /// None at all: the paper's convention, and that of [`PlaceOptions::under`](super::PlaceOptions::under).
     pub const NONE: Self = Self { limit: 0.0, singular: 0.0, column: Column::Radius(0.0), front: false, floor: None };

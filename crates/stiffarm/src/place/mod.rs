@@ -8,7 +8,7 @@ mod spatial;
 use nalgebra::Vector2;
 
 pub use fault::{Misfit, PlaceError};
-pub use margins::{Column, Margins, column_radius};
+pub use margins::{Column, MarginOf, Margins, column_radius};
 pub(crate) use planar::best_near;
 pub use planar::{best_without_limits, largest_scale_without_limits};
 pub use spatial::{Resolution, ZonePoint};
@@ -203,6 +203,8 @@ pub enum Hold {
     Plane {
         /// Shoulder and elbow angle at the worst point, rad.
         posture: [f64; 2],
+        /// The least that is kept from a limit or a straight arm anywhere in the zone, rad; `None` of [`find`].
+        margin: Option<(f64, MarginOf)>,
     },
     /// With six drives.
     Space(Box<SpaceHold>),
@@ -243,6 +245,17 @@ impl Placement {
         if self.deflection <= NOTHING { 0.0 } else { 1.0 - self.lower_bound / self.deflection }
     }
 
+    /// The least that is kept from a joint limit or a straight posture anywhere in the zone, of a part on any of its faces, rad; `None` of
+    /// [`find`] in the plane.
+    pub fn smallest_margin(&self) -> Option<(f64, MarginOf)> {
+        let hold = match &self.hold {
+            Hold::Plane { margin, .. } => return *margin,
+            Hold::Space(hold) => hold.as_ref(),
+        };
+        let faces = self.faces.iter().map(|face| &face.hold).chain(self.faces.is_empty().then_some(hold));
+        faces.map(SpaceHold::smallest_margin).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
     /// At some pose of the answer the arm overlaps with the floor, the work, itself or what must be kept free.
     pub fn collides(&self) -> bool {
         self.clearance.is_some_and(|clearance| clearance.distance < 0.0)
@@ -258,7 +271,7 @@ impl Placement {
     /// The arm at the worst point.
     pub fn posture(&self) -> ArmPosture {
         match &self.hold {
-            Hold::Plane { posture } => ArmPosture::Plane(*posture),
+            Hold::Plane { posture, .. } => ArmPosture::Plane(*posture),
             Hold::Space(hold) => ArmPosture::Joints(hold.joints),
         }
     }
@@ -268,6 +281,17 @@ impl Placement {
         match &self.hold {
             Hold::Space(hold) => Some(hold),
             Hold::Plane { .. } => None,
+        }
+    }
+}
+
+impl SpaceHold {
+    /// As [`Placement::smallest_margin`].
+    pub fn smallest_margin(&self) -> (f64, MarginOf) {
+        match self.limit_margin {
+            (limit, _) if self.singular_margin < limit => (self.singular_margin, MarginOf::Straight),
+            (limit, 0) => (limit, MarginOf::BetweenLinks),
+            (limit, joint) => (limit, MarginOf::Joint(joint)),
         }
     }
 }

@@ -10,6 +10,7 @@ use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
 pub use radial::RadialCompliance;
 pub(crate) use shape::Shape;
+pub(crate) use side::Rooms;
 pub use side::{Elbow, ElbowSide};
 pub(crate) use support::support;
 

@@ -57,6 +57,18 @@ pub struct ElbowSide {
     l3: f64,
 }
 
+/// How much room is left to each limit, rad; infinite where there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rooms {
+    pub(crate) shoulder: f64,
+    /// Of the angle between the links.
+    pub(crate) elbow: f64,
+    /// Of the forearm's angle in the plane.
+    pub(crate) forearm: f64,
+    /// From stretched and folded.
+    pub(crate) straight: f64,
+}
+
 impl ElbowSide {
     /// All sides on which the limits leave an area, the elbow `clear`, rad, of stretched and folded. An elbow range beyond half a turn opens
     /// further ones.
@@ -205,6 +217,31 @@ impl ElbowSide {
         }
         let range = |(min, max)| Interval::new(min, max).unwrap_or(Interval::point(0.0));
         (range(shoulder), range(forearm))
+    }
+
+    /// What a figure that lies in the ring keeps from the limits of `arm`, whose side this is, and from stretched and folded; its own axes are
+    /// turned by `turned`, rad, from those of the plane. `None` where it is not held.
+    pub(crate) fn rooms_over(&self, arm: &PlanarArm, shape: &Shape, turned: f64) -> Option<Rooms> {
+        /// A figure is placed up to this, rad or m, of its limits.
+        const PLACED: f64 = 1e-6;
+        let bent = |p: Vector2<f64>| {
+            let (psi2, psi3) = self.triangle(p.norm());
+            psi2 + psi3
+        };
+        let (near, far) = (shape.nearest(), shape.farthest());
+        if !(self.ring.contains(near.norm(), PLACED) && self.ring.contains(far.norm(), PLACED)) {
+            return None;
+        }
+        let fold = Interval::spanning(bent(far), bent(near));
+        let (shoulder, forearm) = self.angles_over(shape);
+        let by = self.turns(shoulder, forearm, PLACED)?.turn_to(turned, PLACED)?;
+        let room = |limit: Interval, taken: Interval| limit.room(taken.min()).min(limit.room(taken.max())).max(0.0);
+        Some(Rooms {
+            shoulder: room(self.shoulder, shoulder.affine(1.0, by)),
+            elbow: room(arm.elbow, fold.affine(self.elbow.sign(), self.turn)),
+            forearm: room(self.forearm, forearm.affine(1.0, by)),
+            straight: fold.min().min(PI - fold.max()).max(0.0),
+        })
     }
 
     /// Ranges that hold shoulder and forearm angle at every point of a figure that the ring reaches; the axis outside.

@@ -16,15 +16,18 @@ pub enum Verb {
     Compliance,
     /// Two architectures.
     Study,
+    /// Two setups.
+    Compare,
     /// Which robots there are.
     List,
 }
 
 impl Verb {
     /// All of them.
-    pub const ALL: [Self; 6] = [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::List];
+    pub const ALL: [Self; 7] =
+        [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Compare, Self::List];
     /// Those that a job file may ask.
-    pub const JOBS: [Self; 5] = [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study];
+    pub const JOBS: [Self; 6] = [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Compare];
 
     /// As it is typed.
     pub fn name(self) -> &'static str {
@@ -34,6 +37,7 @@ impl Verb {
             Self::Map => "map",
             Self::Compliance => "compliance",
             Self::Study => "study",
+            Self::Compare => "compare",
             Self::List => "robots list",
         }
     }
@@ -149,11 +153,16 @@ const PLACE: &[Verb] = &[Verb::Place];
 const MAP: &[Verb] = &[Verb::Map];
 const COMPLIANCE: &[Verb] = &[Verb::Compliance];
 const STUDY: &[Verb] = &[Verb::Study];
-const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map];
+const COMPARE: &[Verb] = &[Verb::Compare];
+const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compare];
+/// Those that place zones and nothing else.
+const ONLY_PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Compare];
 /// Those that tell deflections of robots.
-const BENDING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance];
+const BENDING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Compare];
 const CHOOSING: &[Verb] = &[Verb::Rank, Verb::List];
 const A_ZONE: &[(Verb, &str)] = &[(Verb::Map, "zone")];
+const WITH_FORCE: &[(Verb, &str)] =
+    &[(Verb::Rank, "force-n"), (Verb::Place, "force-n"), (Verb::Map, "force-n"), (Verb::Compare, "force-n")];
 
 /// What a row has where it says nothing else.
 const ROW: Setting = Setting {
@@ -173,6 +182,9 @@ const ROW: Setting = Setting {
     example: "",
     is_positional: false,
 };
+/// One of two that are compared.
+const SETUP: Setting =
+    Setting { verbs: COMPARE, kind: Kind::Robot, absent: Absent::Required, is_positional: true, ..ROW };
 /// Those along which a force of three numbers points.
 const AXES: Kind = Kind::Word(&[
     ("base", "Those of the base: ahead, to the left, up"),
@@ -215,7 +227,7 @@ const SPINDLE: Setting = Setting {
     ..TOOL
 };
 /// Of the place where the robot works.
-const CELL: Setting = Setting { verbs: &[Verb::Rank, Verb::Place], of: Of::Spatial, heading: "Cell", ..ROW };
+const CELL: Setting = Setting { verbs: ONLY_PLACING, of: Of::Spatial, heading: "Cell", ..ROW };
 /// The heading of what matters to the program's figures alone.
 const DRAWN: &str = "Figure";
 /// Of the figure alone.
@@ -236,6 +248,14 @@ pub static SETTINGS: &[Setting] = &[
         is_positional: true,
         ..ROW
     },
+    Setting {
+        name: "a",
+        value: "A",
+        help: "The first setup: a robot's name, the path of a robot file, or a job file for place, which may say more",
+        example: "KR 210 R2700 extra",
+        ..SETUP
+    },
+    Setting { name: "b", value: "B", help: "The second setup, in the same way", example: "BT200L", ..SETUP },
     Setting {
         name: "robots",
         verbs: RANK,
@@ -270,8 +290,17 @@ pub static SETTINGS: &[Setting] = &[
         ..ROW
     },
     Setting {
+        name: "task",
+        verbs: COMPARE,
+        kind: Kind::Task,
+        value: "TASK",
+        help: "Of setups whose job files name none: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with --model spatial a part",
+        example: "rect:0.6x0.4",
+        ..ROW
+    },
+    Setting {
         name: "faces",
-        verbs: &[Verb::Rank, Verb::Place],
+        verbs: ONLY_PLACING,
         of: Of::Spatial,
         kind: Kind::Text,
         count: SEVERAL,
@@ -379,7 +408,7 @@ pub static SETTINGS: &[Setting] = &[
         kind: AXES,
         value: "AXES",
         absent: Absent::Means("tool"),
-        needs: &[(Verb::Rank, "force-n"), (Verb::Place, "force-n"), (Verb::Map, "force-n")],
+        needs: WITH_FORCE,
         help: "Along which axes a force of three numbers points",
         example: "base",
         ..ROW
@@ -392,7 +421,7 @@ pub static SETTINGS: &[Setting] = &[
         unit: "deg",
         value: "DEG",
         absent: Absent::Means("the worst of all directions"),
-        needs: &[(Verb::Rank, "force-n"), (Verb::Place, "force-n"), (Verb::Map, "force-n")],
+        needs: WITH_FORCE,
         help: "Direction of the feed in the face, from the first side of the zone towards the second; of a circle and of a map from straight ahead, on a wall from upright",
         example: "30",
         ..ROW
@@ -421,6 +450,7 @@ pub static SETTINGS: &[Setting] = &[
             (Verb::Place, "force-n"),
             (Verb::Map, "force-n"),
             (Verb::Compliance, "force-n"),
+            (Verb::Compare, "force-n"),
         ],
         help: "Half angle of a cone about its direction in which the force may point: the largest deflection over it",
         example: "20",
@@ -696,7 +726,7 @@ pub static SETTINGS: &[Setting] = &[
     },
     Setting {
         name: "yaw-deg",
-        verbs: &[Verb::Rank, Verb::Place],
+        verbs: ONLY_PLACING,
         kind: Kind::Yaw,
         unit: "deg",
         absent: Absent::Means("the best of -90..90"),
@@ -754,7 +784,7 @@ pub static SETTINGS: &[Setting] = &[
     },
     Setting {
         name: "width-mm",
-        verbs: &[Verb::Rank, Verb::Place, Verb::Map, Verb::Study],
+        verbs: &[Verb::Rank, Verb::Place, Verb::Map, Verb::Study, Verb::Compare],
         kind: number_of(40.0, 2000.0, "mm"),
         unit: "mm",
         value: "MM",

@@ -232,7 +232,7 @@ def _checked(
     # Any robot of the catalogue will do: a zone that no arm reaches is refused at once, after its options were read.
     any_robot = Robot("KR 210 R2700 extra")
     for force in forces_n:
-        _stiffarm.place(any_robot, "circle:50", {**asked, "force_n": repr(force)})
+        _stiffarm.place(any_robot, "circle:50", {**asked, "force_n": repr(force)}, False)
     drawn = None if scenarios is None else _given.numbers("scenarios", scenarios)
     if drawn is not None:
         for stiffness in asked.keys() & {"drive_urad_per_nm", "stiffness_nm_per_rad"}:

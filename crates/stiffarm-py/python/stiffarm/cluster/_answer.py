@@ -121,7 +121,7 @@ class Order(_Table[OrderDict]):
     tasks: list[str]
     model: str
     force_n: float
-    #: ``rank`` (None for an estimated robot: it takes none), ``robot, vendor, status, feasible_tasks, mean_ratio, error``, and
+    #: ``rank`` (None for an estimated robot: it takes none; robots that cannot be told apart share one), ``rank_tied``, ``robot, vendor, status, feasible_tasks, mean_ratio, error``, and
     #: the deflection [mm] under the name of each task.
     rows: list[dict[str, Any]]
 
@@ -317,8 +317,8 @@ class Sweep:
             for r, robot in enumerate(who)
         ]
         rows: list[dict[str, Any]] = []
-        for r, rank, mean_ratio in _stiffarm.order(names, told):
-            row: dict[str, Any] = {"rank": rank, **_who(who[r])}
+        for r, rank, tied, mean_ratio in _stiffarm.order(names, self._proved(told)):
+            row: dict[str, Any] = {"rank": rank, "rank_tied": tied, **_who(who[r])}
             row["feasible_tasks"] = sum(value is not None for value in told[r])
             row["mean_ratio"] = mean_ratio
             row.update(zip(labels, told[r]))
@@ -326,6 +326,15 @@ class Sweep:
             rows.append(row)
         model = self._question.options["model"]
         return Order({"tasks": labels, "model": model, "force_n": self._question.forces_n[0], "rows": rows})
+
+    def _proved(self, told: list[list[float | None]]) -> list[list[tuple[float, float] | None]]:
+        """Lower bound and value [mm] of every robot and task, of one scenario and one force."""
+        bounds = np.asarray(self.to_arrow(["lower_bound_mm"])["lower_bound_mm"].to_numpy(zero_copy_only=False), dtype=float)
+        bounds = bounds.reshape(self.shape)[0, :, 0]
+        return [
+            [None if value is None else (float(bounds[task, r]), value) for task, value in enumerate(row)]
+            for r, row in enumerate(told)
+        ]
 
     def plot(
         self, *, task: str | None = None, force_n: float | None = None, ax: Axes | None = None, most: int = 24

@@ -213,7 +213,7 @@ def _nominal(toml: str) -> Robot:
 
 def _placed(robot: Robot, task: str, asked: dict[str, str]) -> dict[str, Any]:
     try:
-        return _stiffarm.place(robot, task, asked)[0]
+        return _stiffarm.place(robot, task, asked, False)[0]
     except (KeyboardInterrupt, SystemExit):
         raise
     # A panic of the library is no Exception, and must not end the run either.

@@ -17,13 +17,13 @@ use objective::Objective;
 use search::Search;
 
 use super::{
-    Hold, Margins, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, Within, ZonePoint,
-    check_zone,
+    Hold, MarginOf, Margins, Misfit, Orientation, Outside, PlaceError, PlaceOptions, Placed, Placement, Within,
+    ZonePoint, check_zone,
 };
 use crate::interval::Interval;
 use crate::load::Sector;
 use crate::model::{ModelKind, PlanarModel};
-use crate::plane::{Elbow, ElbowSide, PlanarArm};
+use crate::plane::{Elbow, ElbowSide, PlanarArm, Rooms};
 use crate::task::Zone;
 use crate::watch::{Parts, Stopped, Watch};
 
@@ -62,7 +62,9 @@ pub(super) fn place(
     Ok(match allowed.best(zone)? {
         Some(solution) => {
             let clearance = clearance::of(model, zone, &solution, options.margins.floor);
-            Placed::Feasible(Placement { clearance, ..solution.into_placement(model, zone) })
+            let margin = smallest_margin(model, zone, &solution);
+            let hold = Hold::Plane { posture: solution.worst_posture, margin };
+            Placed::Feasible(Placement { clearance, hold, ..solution.into_placement(model, zone) })
         }
         None => allowed.infeasible(zone, options)?,
     })
@@ -226,10 +228,25 @@ impl Solution {
             from_axis_1: model.knows_base().then(|| (centre[0].abs() - half.x).max(0.0).hypot(model.aside())),
             outside: model.knows_base().then(|| Outside::of(centre, half)),
             clearance: None,
-            hold: Hold::Plane { posture: self.worst_posture },
+            hold: Hold::Plane { posture: self.worst_posture, margin: None },
             faces: Vec::new(),
         }
     }
+}
+
+/// What a place keeps the least, over the whole zone, on the side that holds it.
+fn smallest_margin(model: &PlanarModel, zone: Zone, found: &Solution) -> Option<(f64, MarginOf)> {
+    let shape = zone.shape(turned(found.centre.into(), -found.angle));
+    let mut sides = model.sides.iter().filter(|side| side.elbow == found.elbow);
+    let Rooms { shoulder, elbow, forearm, straight } =
+        sides.find_map(|side| side.rooms_over(&model.arm, &shape, found.angle))?;
+    let rooms = [
+        (shoulder, MarginOf::Joint(2)),
+        (elbow, MarginOf::BetweenLinks),
+        (forearm, MarginOf::Forearm),
+        (straight, MarginOf::Straight),
+    ];
+    rooms.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 /// The value of the best place, m/N, of a zone for an arm whose limits are left aside; `None` where it does not fit.
