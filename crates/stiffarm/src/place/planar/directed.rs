@@ -160,7 +160,9 @@ impl Directed {
                 *best = Worst { compliance, point };
             }
         };
-        points(zone).into_iter().for_each(|point| look(&mut best, point));
+        for point in points(zone) {
+            look(&mut best, point);
+        }
         let mut queue: BinaryHeap<Part> =
             Part::all(zone).into_iter().map(|part| part.bounded(self, elbow, zone, spot)).collect();
         let mut parts = 0;
