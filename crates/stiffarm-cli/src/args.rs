@@ -13,7 +13,7 @@ use stiffarm::request::{Pair, Refusal, Request, Spelling, Verb, job, number, ope
 
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
-use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_of, robot, subcommand, typed};
+use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_of, positional_pair, subcommand, typed};
 use crate::output::{say, write_text};
 
 /// What the program does.
@@ -24,12 +24,13 @@ const ABOUT: &str =
 const PAPER: &str = "Make every table and figure of the paper under its number, in the folder given with -o";
 
 /// The verbs of the library, with a line of help each.
-const VERBS: [(Verb, &str); 5] = [
+const VERBS: [(Verb, &str); 6] = [
     (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
     (Verb::Place, "Find the best place of one zone, with a proof"),
     (Verb::Map, "Map the deflection over everything a robot reaches"),
     (Verb::Compliance, "Six-axis compliance at one posture, and which drive gives how much"),
     (Verb::Study, "Compare two architectures over link ratio and task size"),
+    (Verb::Identify, "Find how stiff the drives of a robot are, from deflections that were measured"),
 ];
 
 /// The whole command line.
@@ -151,7 +152,7 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
             common.take(&job.program, matches)?;
             pairs = job.overruled_by(pairs);
         } else {
-            pairs.insert(0, robot(name));
+            pairs.extend(positional_pair(verb, name));
         }
     }
     if common.check && !CHECKED.contains(&verb) {
@@ -168,7 +169,7 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
 /// The job in a file, where it is one; nothing where it is a robot's.
 fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
     let path = Path::new(name);
-    let takes_robot = verb.setting("robot").is_some();
+    let takes_robot = verb.settings().any(|setting| setting.is_positional);
     if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
         let why = format!("'{name}' is no job file; expected a name that ends in .toml, robots are named by --robots");
         return if takes_robot { Ok(None) } else { Err(Failure::Usage(why)) };
@@ -193,6 +194,7 @@ fn save(request: &Request, file: &Path, common: &Common) -> Result<(), Failure> 
     }
     let mut inputs = request.robots();
     inputs.extend(request.robot());
+    inputs.extend(request.data());
     let inputs: Vec<&Path> = inputs.iter().map(|name| Path::new(name.trim())).chain(common.job.as_deref()).collect();
     write_text(file, &inputs, &job::write(request, &common.entries(file), file))?;
     if !common.quiet {

@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 13] = [
+const ABOUT: [About; 14] = [
     About {
         name: "rank",
         files: "the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -96,6 +96,21 @@ const ABOUT: [About; 13] = [
         examples: &[
             ("stiffarm study --tasks A,rect:1x3 --sizes 0.1,0.5", "two shapes"),
             ("stiffarm study --compare serial,serial --k3 1,0.5 -o study.png", "one architecture, a stiffer drive 3"),
+        ],
+    },
+    About {
+        name: "identify",
+        files: "the robot file as .toml, the drives as .csv, .parquet, .json, .md or .txt, what remains of every row as .svg, .pdf or .png",
+        is_long: false,
+        examples: &[
+            (
+                "stiffarm identify measurements.csv --robot mine.toml --load-mm 0,50,200 -o identified.toml",
+                "a robot file that knows its drives, and how well",
+            ),
+            (
+                "stiffarm identify measurements.csv --robot \"R-2000iC/165F\" --marker-mm \"top=0,100,150;side=0,-100,150\" -o fit.svg",
+                "two markers, and a figure of what remains",
+            ),
         ],
     },
     About {

@@ -49,6 +49,7 @@ fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
             Verb::Map => commands::map::run(asked, common),
             Verb::Compliance => commands::compliance::run(asked, common),
             Verb::Study => commands::study::run(asked, common),
+            Verb::Identify => commands::identify::run(asked, common),
             Verb::List => commands::robots::listed(&[], asked, common),
         },
         Task::List(words, asked) => commands::robots::listed(words, asked, common),

@@ -7,7 +7,7 @@ use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use stiffarm::request::{Absent, Pair, SETTINGS, Setting, Spelling, Verb};
 
-/// The id of the argument that takes a job file or a robot.
+/// The id of the argument that takes a job file, or what the verb is about.
 const POSITIONAL: &str = "positional";
 /// The id of `--save-job`.
 pub(crate) const SAVE_JOB: &str = "save-job";
@@ -47,7 +47,7 @@ pub(crate) fn subcommand(verb: Verb, about: &'static str, with_hidden: bool) -> 
 }
 
 fn positional(verb: Verb) -> Arg {
-    let (name, help) = match robot_row(verb) {
+    let (name, help) = match positional_row(verb) {
         Some(row) => (row.value, format!("{}; or a job file with all that is asked", row.described())),
         None => ("JOB.toml", "A job file with all that is asked".into()),
     };
@@ -55,7 +55,7 @@ fn positional(verb: Verb) -> Arg {
 }
 
 /// The row that stands without its name.
-fn robot_row(verb: Verb) -> Option<&'static Setting> {
+fn positional_row(verb: Verb) -> Option<&'static Setting> {
     verb.settings().find(|setting| setting.is_positional)
 }
 
@@ -65,9 +65,9 @@ fn usage(verb: Verb) -> String {
     let is_required = |setting: &&Setting| setting.absent == Absent::Required && !setting.is_positional;
     let required: String =
         verb.settings().filter(is_required).map(|row| format!(" --{} <{}>", row.name, row.value)).collect();
-    let robot = robot_row(verb).map_or_else(String::new, |row| format!(" <{}>", row.value));
+    let about = positional_row(verb).map_or_else(String::new, |row| format!(" <{}>", row.value));
     if Verb::JOBS.contains(&verb) {
-        format!("stiffarm {name} [OPTIONS]{required}{robot}\n       stiffarm {name} [OPTIONS] JOB.toml")
+        format!("stiffarm {name} [OPTIONS]{required}{about}\n       stiffarm {name} [OPTIONS] JOB.toml")
     } else {
         format!("stiffarm {name} [OPTIONS] [TEXT]...")
     }
@@ -128,12 +128,12 @@ pub(crate) fn typed(matches: &ArgMatches) -> Vec<Pair> {
     names.into_iter().filter(given).flat_map(|name| -> Vec<Pair> { texts(name) }).collect()
 }
 
-/// The robot or the job file, where the verb takes one.
+/// The robot, the table or the job file, where the verb takes one.
 pub(crate) fn positional_of(matches: &ArgMatches) -> Option<&String> {
     matches.get_one::<String>(POSITIONAL)
 }
 
-/// The robot as a pair.
-pub(crate) fn robot(name: &str) -> Pair {
-    Pair { name: "robot".into(), text: name.into(), at: Spelling::Typed }
+/// What stands without its name, as a pair.
+pub(crate) fn positional_pair(verb: Verb, text: &str) -> Option<Pair> {
+    positional_row(verb).map(|row| Pair { name: row.name.into(), text: text.into(), at: Spelling::Typed })
 }

@@ -53,12 +53,29 @@ pub struct Drives {
     pub transmission: Transmission,
     /// A spring beside drive 2.
     pub compensator: Option<GravityCompensator>,
+    /// What is known of the compliances where they were measured on the machine.
+    pub identified: Option<Identified>,
+}
+
+/// How well measured compliances are known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Identified {
+    /// Which drives the measurements have shown; the others have what was assumed of them.
+    pub drives: [bool; 6],
+    /// Of the compliances, (rad/(N m))^2; zero for drives that were not shown.
+    pub covariance: Matrix6<f64>,
+    /// In how many postures was measured.
+    pub postures: usize,
+    /// When, as year-month-day, where that was said.
+    pub date: Option<String>,
+    /// What is left of a coordinate of a displacement, root mean square, m.
+    pub residual: f64,
 }
 
 impl Drives {
     /// The usual couplings of an architecture, without a compensator.
     pub fn new(architecture: Architecture, compliance: JointCompliance) -> Self {
-        Self { compliance, transmission: Transmission::of(architecture), compensator: None }
+        Self { compliance, transmission: Transmission::of(architecture), compensator: None, identified: None }
     }
 
     /// The compliance of each drive, rad/(N m), with the compensator's part at the model angle `theta_2` (rad):

@@ -8,6 +8,7 @@
 //! | map | [`map::map`] | how far is the tool pushed off, everywhere the arm reaches? |
 //! | place | [`place::place`] | where must a zone stand, and who proves it? |
 //! | rank | [`rank::rank`] | which robot holds the force best? |
+//! | identify | [`identify::identify`] | how stiff are the drives, by measured deflections? |
 //! | study | [`study::study`] | which architecture suits which link ratio and size? |
 //! | import | [`catalogue::import::import`] | which robot does a URDF describe? |
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
@@ -17,7 +18,7 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`inverse`], [`compliance`], [`batch`], [`zone`], [`part`], [`task`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
+//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
@@ -43,6 +44,7 @@ pub mod drive;
 mod enclose;
 mod follow;
 pub mod geometry;
+pub mod identify;
 pub mod interval;
 pub mod inverse;
 pub mod ledger;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::body::Body;
-use crate::drive::{Architecture, Drives, JointCompliance};
+use crate::drive::{Architecture, Drives, Identified, JointCompliance};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, ThirdAxis};
@@ -51,19 +51,22 @@ pub enum StiffnessSource {
     Assumed,
     /// The robot file.
     File,
+    /// The robot file, which has them from measurements.
+    Identified,
     /// Whoever asks.
     Given,
 }
 
 impl StiffnessSource {
     /// All, the least known first.
-    pub const ALL: [Self; 3] = [Self::Assumed, Self::File, Self::Given];
+    pub const ALL: [Self; 4] = [Self::Assumed, Self::File, Self::Identified, Self::Given];
 
     /// The name that answers use.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Assumed => "assumed",
             Self::File => "robot file",
+            Self::Identified => "identified",
             Self::Given => "given",
         }
     }
@@ -169,7 +172,16 @@ impl Robot {
         match (self.stiffness_is_assumed, given) {
             (true, _) => StiffnessSource::Assumed,
             (false, true) => StiffnessSource::Given,
+            (false, false) if self.identified().is_some() => StiffnessSource::Identified,
             (false, false) => StiffnessSource::File,
+        }
+    }
+
+    /// How well the compliances of its drives are known, where they were measured.
+    pub fn identified(&self) -> Option<&Identified> {
+        match &self.arm {
+            Arm::SixAxis { drives, .. } => drives.identified.as_ref(),
+            Arm::Planar(_) => None,
         }
     }
 

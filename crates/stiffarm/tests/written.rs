@@ -86,7 +86,12 @@ fn drives(architecture: Architecture) -> impl Strategy<Value = Drives> {
             GravityCompensator { base: [far, -far], arm: [near, 0.0], stiffness: k * 1e3, free_length: free }
         });
     (six(compliance), transmission, proptest::option::of(compensator))
-        .prop_map(|(k, transmission, compensator)| Drives { compliance: JointCompliance(k), transmission, compensator })
+        .prop_map(|(k, transmission, compensator)| Drives {
+            compliance: JointCompliance(k),
+            transmission,
+            compensator,
+            identified: None,
+        })
 }
 
 fn planar(architecture: Architecture) -> impl Strategy<Value = PlanarArm> {

@@ -3,6 +3,7 @@
 pub(crate) mod check;
 pub(crate) mod compliance;
 mod drawing;
+pub(crate) mod identify;
 pub(crate) mod import;
 pub(crate) mod map;
 pub(crate) mod paper;

@@ -11,6 +11,7 @@ pub(crate) mod bars;
 mod canvas;
 mod contour;
 pub(crate) mod face;
+pub(crate) mod identify;
 mod labels;
 mod legend;
 pub(crate) mod map;

@@ -10,6 +10,7 @@ mod cell;
 pub mod compliance;
 pub mod field;
 mod force;
+pub mod identify;
 pub mod ledger;
 mod looks;
 pub mod map;
@@ -27,6 +28,7 @@ use serde_json::{Value, json};
 
 pub use compliance::ComplianceAnswer;
 pub use field::{Field, Kind, Unit};
+pub use identify::IdentifyAnswer;
 pub use ledger::LedgerAnswer;
 pub use looks::{Look, looks};
 pub use map::MapAnswer;

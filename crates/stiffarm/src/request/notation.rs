@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use nalgebra::{Rotation3, Translation3};
 
+use crate::catalogue::measurements::Marker;
 use crate::cell::{Block, Mount, MountKind, Window};
 use crate::interval::Interval;
 use crate::place::{Orientation, Within};
@@ -135,6 +136,29 @@ pub fn tool(text: &str) -> Result<Pose, String> {
     };
     checked_tool(&[x, y, z])?;
     Ok(Pose::from_parts(Translation3::new(x / 1e3, y / 1e3, z / 1e3), Rotation3::from_euler_angles(rx, ry, rz).into()))
+}
+
+/// `x,y,z` in mm in the flange frame, as m.
+///
+/// # Errors
+/// What was expected.
+pub fn point(text: &str) -> Result<[f64; 3], String> {
+    let expected = || "expected x,y,z in mm from the flange centre, each from -10000 to 10000".to_owned();
+    let numbers = text.split(',').map(|part| number(part, -10_000.0, 10_000.0, "").map_err(|_| expected()));
+    let mm: [f64; 3] = numbers.collect::<Result<Vec<_>, _>>()?.try_into().map_err(|_| expected())?;
+    Ok(mm.map(|mm| mm / 1e3))
+}
+
+/// `name=x,y,z`, or a point alone.
+///
+/// # Errors
+/// What was expected.
+pub fn marker(text: &str) -> Result<Marker, String> {
+    match text.split_once('=') {
+        None => Ok(Marker { name: None, at: point(text)? }),
+        Some((name, _)) if name.trim().is_empty() => Err("expected name=x,y,z, and the name is empty".into()),
+        Some((name, at)) => Ok(Marker { name: Some(name.trim().into()), at: point(at)? }),
+    }
 }
 
 /// `spindle:L@A+O`: a tool of length L, mm, whose axis stands at the angle A, deg, to the flange axis, and crosses it O mm before the

@@ -16,15 +16,19 @@ pub enum Verb {
     Compliance,
     /// Two architectures.
     Study,
+    /// Stiffness from measurements.
+    Identify,
     /// Which robots there are.
     List,
 }
 
 impl Verb {
     /// All of them.
-    pub const ALL: [Self; 6] = [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::List];
+    pub const ALL: [Self; 7] =
+        [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Identify, Self::List];
     /// Those that a job file may ask.
-    pub const JOBS: [Self; 5] = [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study];
+    pub const JOBS: [Self; 6] =
+        [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Identify];
 
     /// As it is typed.
     pub fn name(self) -> &'static str {
@@ -34,6 +38,7 @@ impl Verb {
             Self::Map => "map",
             Self::Compliance => "compliance",
             Self::Study => "study",
+            Self::Identify => "identify",
             Self::List => "robots list",
         }
     }
@@ -149,6 +154,7 @@ const PLACE: &[Verb] = &[Verb::Place];
 const MAP: &[Verb] = &[Verb::Map];
 const COMPLIANCE: &[Verb] = &[Verb::Compliance];
 const STUDY: &[Verb] = &[Verb::Study];
+const IDENTIFY: &[Verb] = &[Verb::Identify];
 const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map];
 /// Those that tell deflections of robots.
 const BENDING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance];
@@ -214,6 +220,18 @@ const SPINDLE: Setting = Setting {
     example: "spindle:250@90+30",
     ..TOOL
 };
+/// Of the axes along which vectors of a table point.
+const IN_AXES: Setting = Setting {
+    verbs: IDENTIFY,
+    kind: Kind::Word(&[("base", "Those of the base"), ("flange", "Those of the flange at the posture of the row")]),
+    value: "AXES",
+    absent: Absent::Default("base"),
+    heading: MEASURED,
+    example: "flange",
+    ..ROW
+};
+/// The heading of what the table of measurements does not say itself.
+const MEASURED: &str = "Measurements";
 /// Of the place where the robot works.
 const CELL: Setting = Setting { verbs: &[Verb::Rank, Verb::Place], of: Of::Spatial, heading: "Cell", ..ROW };
 /// The heading of what matters to the program's figures alone.
@@ -743,6 +761,77 @@ pub static SETTINGS: &[Setting] = &[
         ..CELL
     },
     Setting {
+        name: "data",
+        verbs: IDENTIFY,
+        kind: Kind::File,
+        value: "DATA.csv",
+        absent: Absent::Required,
+        help: "A table of measurements: columns q1_deg.. q6_deg (or q1_rad ..), fx_n, fy_n, fz_n, dx_mm, dy_mm, dz_mm (or _um, _m), and optionally mx_nm .., posture, marker, sigma_mm, load_x_mm .., marker_x_mm ..",
+        example: "measurements.csv",
+        is_positional: true,
+        ..ROW
+    },
+    Setting {
+        name: "robot",
+        verbs: IDENTIFY,
+        kind: Kind::Robot,
+        value: "ROBOT",
+        absent: Absent::Required,
+        help: "The robot that was measured: a name, or the path of a robot file",
+        example: "R-2000iC/165F",
+        ..ROW
+    },
+    Setting {
+        name: "load-mm",
+        verbs: IDENTIFY,
+        kind: Kind::Point,
+        unit: "mm",
+        value: "X,Y,Z",
+        absent: Absent::Means("the flange centre"),
+        heading: MEASURED,
+        help: "Where the load acts, in the flange frame; columns load_x_mm, .. overrule it",
+        example: "0,50,200",
+        ..ROW
+    },
+    Setting {
+        name: "marker-mm",
+        verbs: IDENTIFY,
+        kind: Kind::Marker,
+        count: count_of(1, ANY, "markers", "some"),
+        unit: "mm",
+        value: "[NAME=]X,Y,Z",
+        absent: Absent::Means("the load point"),
+        heading: MEASURED,
+        help: "Where a marker sits, in the flange frame; of several each with the name that the column marker tells (with ; between, or given several times); columns marker_x_mm, .. overrule it",
+        example: "top=0,100,150;side=0,-100,150",
+        ..ROW
+    },
+    Setting { name: "force-axes", help: "Along which axes the forces and moments point", ..IN_AXES },
+    Setting { name: "displacement-axes", help: "Along which axes the displacements point", ..IN_AXES },
+    Setting {
+        name: "fit",
+        verbs: IDENTIFY,
+        kind: Kind::Word(&[
+            ("least-squares", "Every row counts by its noise alone"),
+            ("huber", "Rows that fit badly count less"),
+        ]),
+        value: "FIT",
+        absent: Absent::Default("least-squares"),
+        help: "How the compliances are estimated",
+        example: "huber",
+        ..ROW
+    },
+    Setting {
+        name: "date",
+        verbs: IDENTIFY,
+        kind: Kind::Date,
+        value: "DATE",
+        heading: MEASURED,
+        help: "When was measured, as year-month-day: it is told, and stands in the robot file",
+        example: "2026-05-31",
+        ..ROW
+    },
+    Setting {
         name: "scale",
         kind: Kind::Range { is_bounded: true },
         unit: "mm, deg of margins",
@@ -754,7 +843,7 @@ pub static SETTINGS: &[Setting] = &[
     },
     Setting {
         name: "width-mm",
-        verbs: &[Verb::Rank, Verb::Place, Verb::Map, Verb::Study],
+        verbs: &[Verb::Rank, Verb::Place, Verb::Map, Verb::Study, Verb::Identify],
         kind: number_of(40.0, 2000.0, "mm"),
         unit: "mm",
         value: "MM",

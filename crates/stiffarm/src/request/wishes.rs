@@ -345,7 +345,7 @@ impl Request {
         self.all(name, pick).pop()
     }
 
-    fn all<T>(&self, name: &str, mut pick: impl FnMut(Value) -> Option<T>) -> Vec<T> {
+    pub(super) fn all<T>(&self, name: &str, mut pick: impl FnMut(Value) -> Option<T>) -> Vec<T> {
         let values = self.values(name).into_iter();
         values
             .map(|value| pick(value).unwrap_or_else(|| panic!("{name} is read as what its row does not take")))
