@@ -25,7 +25,9 @@ pub(crate) fn subcommand(verb: Verb, about: &'static str, with_hidden: bool) -> 
         command = command.arg(argument(setting));
     }
     let mut hidden: Vec<&str> = Vec::new();
-    let is_of_others = |setting: &&Setting| !setting.is_positional && verb.setting(setting.name).is_none();
+    // What stands without its name here may be an option of others, and may be typed as such.
+    let is_option = |name: &str| verb.setting(name).is_some_and(|setting| !setting.is_positional);
+    let is_of_others = |setting: &&Setting| !setting.is_positional && !is_option(setting.name);
     for setting in SETTINGS.iter().filter(|setting| with_hidden && is_of_others(setting)) {
         if !hidden.contains(&setting.name) {
             hidden.push(setting.name);
@@ -121,7 +123,9 @@ pub(crate) fn typed(matches: &ArgMatches) -> Vec<Pair> {
             names.push(setting.name);
         }
     }
-    let given = |name: &&str| matches.value_source(name) == Some(ValueSource::CommandLine);
+    let given = |name: &&str| {
+        matches.try_contains_id(name).is_ok() && matches.value_source(name) == Some(ValueSource::CommandLine)
+    };
     let pair = |name: &str, text: &String| Pair { name: name.into(), text: text.clone(), at: Spelling::Typed };
     let texts =
         |name: &'_ str| matches.get_many::<String>(name).into_iter().flatten().map(|text| pair(name, text)).collect();

@@ -5,10 +5,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use stiffarm::answer::{
-    Cell, ColumnKind, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
+    Cell, ColumnKind, ComplianceAnswer, IdentifyAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer,
+    stiffness, words,
 };
-use stiffarm::catalogue::paper_robots;
+use stiffarm::catalogue::{files, measurements, paper_robots};
 use stiffarm::compliance::compliance;
+use stiffarm::identify::identify as identified;
 use stiffarm::rank::{Contestant, Standing};
 use stiffarm::request::{self, Verb};
 use stiffarm::robot::Robot as Arms;
@@ -205,4 +207,26 @@ pub(crate) fn study(py: Python<'_>, asked: Asked) -> WithColumns<'_> {
     let options = asked.of(Verb::Study)?.study().map_err(refused)?;
     let answer = StudyAnswer(detached(py, || studied(&options))?.map_err(refused)?);
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
+}
+
+/// Stiffness from measurements: the answer, its columns, and the robot file. The text is read from the file of that name where there is none.
+#[pyfunction]
+pub(crate) fn identify<'py>(
+    py: Python<'py>,
+    name: String,
+    text: Option<String>,
+    robot: &Robot,
+    asked: Asked,
+) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>, String)> {
+    let asked = asked.with(Verb::Identify, &[("data", &name), ("robot", &robot.0.name)])?;
+    let text = match text {
+        Some(text) => text,
+        None => files::text(name.as_ref()).map_err(refused)?,
+    };
+    let name = files::shown(name.as_ref());
+    let measured = measurements::read(&text, &name, &asked.points()).map_err(refused)?;
+    let options = asked.identification();
+    let found = detached(py, || identified(&robot.0, &measured, &options))?.map_err(of(&robot.0))?;
+    let answer = IdentifyAnswer { found, before: robot.0.clone(), data: name, date: options.date };
+    Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?, answer.robot_file()))
 }

@@ -2,6 +2,7 @@
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -106,6 +107,21 @@ def test_studies(program):
     words = ["--tasks", "A,rect:1x3", "--sizes", "0.2,0.4", "--ratios", "0.9", "--range", "0.6..1.4", "--k3", "1,0.5"]
     found = stiffarm.study(tasks=["A", "rect:1x3"], sizes=[0.2, 0.4], ratios=[0.9], range=(0.6, 1.4), k3=(1, 0.5))
     assert found.to_dict() == program("study", *words)
+
+
+def test_identification(program):
+    examples = Path(__file__).parents[3] / "docs/examples"
+    data, robot = examples / "fanuc_r2000ic.csv", examples / "fanuc_r2000ic.toml"
+    expected = program("identify", str(data), "--robot", str(robot), "--load-mm", "6.9,245.3,319.3", "--fit", "huber")
+    found = stiffarm.identify(data, robot=robot, load_mm=(6.9, 245.3, 319.3), fit="huber")
+    assert found.to_dict() == expected
+    assert found.correlation.shape == (6, 6) and found.outliers == [17, 11]
+    assert found.identified_robot.drive_urad_per_nm[5] == stiffarm.Robot(robot).drive_urad_per_nm[5]
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.read_csv(data, comment="#")
+    assert stiffarm.identify(frame, robot=robot, load_mm="6.9,245.3,319.3", fit="huber").to_dict() == expected
+    with pytest.raises(stiffarm.StiffarmError, match="row 3, fy_n"):
+        stiffarm.identify(frame.assign(fy_n=[1, 2, np.nan, *frame.fy_n[3:]]), robot=robot)
 
 
 def test_catalogue_and_filters(program):

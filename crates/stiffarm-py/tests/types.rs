@@ -8,7 +8,7 @@ use std::path::Path;
 use stiffarm::request::{Absent, Kind, Setting, Verb};
 
 /// What is an argument of its own in Python.
-const NOT_KEYWORDS: [&str; 3] = ["robot", "robots", "joints-deg"];
+const NOT_KEYWORDS: [&str; 4] = ["robot", "robots", "joints-deg", "data"];
 const NONE: &[&str] = &[];
 const HEAD: &str = r#""""What goes in, for type checkers: the options of every verb.
 
@@ -45,6 +45,7 @@ fn written() -> String {
         ("Rank", "rank", Verb::Rank, &["task"]),
         ("Map", "map", Verb::Map, NONE),
         ("Study", "study", Verb::Study, NONE),
+        ("Identify", "identify", Verb::Identify, NONE),
         // A sweep takes several forces.
         ("Sweep", "cluster.sweep", Verb::Place, &["task", "force-n"]),
     ];
@@ -85,9 +86,19 @@ fn python_type(setting: &Setting) -> String {
         (Kind::Whole { .. }, false) => "int".into(),
         (Kind::Word(known), false) => words(known),
         (Kind::Word(known), true) => format!("str | Iterable[{}]", words(known)),
-        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Spindle | Kind::Mount, false) => {
-            "str".into()
-        }
+        (
+            Kind::Text
+            | Kind::Robot
+            | Kind::Task
+            | Kind::Shape
+            | Kind::Posture
+            | Kind::Spindle
+            | Kind::Mount
+            | Kind::File
+            | Kind::Date,
+            false,
+        ) => "str".into(),
+        (Kind::Marker, _) => "str | Iterable[str]".into(),
         (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture, true) => "str | Iterable[str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
         (Kind::Block, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),

@@ -116,6 +116,10 @@ fn told(request: &Request) -> String {
             format!("{robot:?} {joints:?} {:?} {:?}", request.posture_load(), request.held())
         }
         Verb::Study => format!("{:?}", request.study()),
+        Verb::Identify => {
+            let (data, robot) = (request.data().ok(), request.robot().ok());
+            format!("{data:?} {robot:?} {:?} {:?}", request.points(), request.identification())
+        }
     });
     told.join(" ")
 }

@@ -24,8 +24,8 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let text = files::text(path)?;
     let measured = measurements::read(&text, &files::shown(path), &asked.points()).map_err(Failure::Measurements)?;
     let options = asked.identification();
-    let found = identify(&robot, &measured, &options)
-        .map_err(|error| Failure::Identify { data: files::shown(path), error })?;
+    let found =
+        identify(&robot, &measured, &options).map_err(|error| Failure::Identify { data: files::shown(path), error })?;
     if !common.quiet {
         found.remarks.iter().for_each(|remark| say(&format!("warning: {remark}")));
     }
@@ -41,7 +41,12 @@ impl Answer for IdentifyOutput {
 
     fn text(&self, look: Look) -> String {
         let Self(answer, _) = self;
-        format!("{}\n{}\n{}", shown(&answer.summary(), look), shown(&answer.table(), look), prose(&answer.notes(), look))
+        format!(
+            "{}\n{}\n{}",
+            shown(&answer.summary(), look),
+            shown(&answer.table(), look),
+            prose(&answer.notes(), look)
+        )
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

@@ -23,7 +23,9 @@ pub(crate) fn svg(answer: &IdentifyAnswer, plate: &Plate) -> String {
     let mut canvas = Canvas::of(plate);
     let title = format!("{}: what the measurements tell of its drives", answer.before.full_name());
     let percent = |share: f64| words::fixed(100.0 * share, 1);
-    let left_out = found.explained_left_out().map_or_else(String::new, |share| format!(", {} % of postures left out", percent(share)));
+    let left_out = found
+        .explained_left_out()
+        .map_or_else(String::new, |share| format!(", {} % of postures left out", percent(share)));
     let subtitle = format!(
         "{} rows in {} postures; the drives explain {} %{left_out}",
         found.residuals.len(),
@@ -55,7 +57,8 @@ fn compliances(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
     let ends = |one: &Estimate| one.interval.map_or(0.0, |[_, high]| urad(high)).max(one.compliance.map_or(0.0, urad));
     let known = found.estimates.iter().filter(|one| one.unknown.is_none()).map(ends).fold(0.0, f64::max);
     // An interval that says nothing must not press the others flat.
-    let most = found.estimates.iter().map(ends).fold(0.0, f64::max).min(if 0.0 < known { 2.0 * known } else { f64::INFINITY });
+    let most =
+        found.estimates.iter().map(ends).fold(0.0, f64::max).min(if 0.0 < known { 2.0 * known } else { f64::INFINITY });
     let count = found.estimates.len() as f64;
     let frame = Frame { x: Axis::new(0.5, count + 0.5, x), y: Axis::new(0.0, 1.05 * most, y) };
     frame.grid(canvas);
@@ -118,7 +121,11 @@ fn remainders(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
     for one in rows {
         let at = one.row as f64;
         canvas.line(frame.at(at, 0.0), frame.at(at, mm(one)), &format!(r#"stroke="{FAINT}" stroke-width="4""#));
-        canvas.line(frame.at(at, 0.0), frame.at(at, 1e3 * one.after.norm()), &format!(r#"stroke="{DEFLECTION}" stroke-width="4""#));
+        canvas.line(
+            frame.at(at, 0.0),
+            frame.at(at, 1e3 * one.after.norm()),
+            &format!(r#"stroke="{DEFLECTION}" stroke-width="4""#),
+        );
         if found.outliers.iter().any(|outlier| outlier.row == one.row) {
             let [x, y] = frame.at(at, 1e3 * one.after.norm());
             cross(canvas, [x, y - 9.0], 4.5, &outlier());
@@ -131,16 +138,22 @@ fn remainders(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
 /// Every coordinate: measured against fitted.
 fn fit(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
     let coordinates = || {
-        found.residuals.iter().flat_map(|one| {
-            (0..3).map(move |c| (one.row, 1e3 * (one.moved[c] - one.after[c]), 1e3 * one.moved[c]))
-        })
+        found
+            .residuals
+            .iter()
+            .flat_map(|one| (0..3).map(move |c| (one.row, 1e3 * (one.moved[c] - one.after[c]), 1e3 * one.moved[c])))
     };
-    let ends = |values: &mut dyn Iterator<Item = f64>| values.fold([0.0_f64; 2], |[low, high], v| [low.min(v), high.max(v)]);
+    let ends =
+        |values: &mut dyn Iterator<Item = f64>| values.fold([0.0_f64; 2], |[low, high], v| [low.min(v), high.max(v)]);
     let [low, high] = ends(&mut coordinates().flat_map(|(_, fitted, measured)| [fitted, measured]));
     let (low, high) = (1.05 * low, 1.05 * high);
     let frame = Frame { x: Axis::new(low, high, x), y: Axis::new(low, high, y) };
     frame.grid(canvas);
-    canvas.line(frame.at(low, low), frame.at(high, high), &format!(r#"stroke="{INK}" stroke-width="1" stroke-dasharray="6 4""#));
+    canvas.line(
+        frame.at(low, low),
+        frame.at(high, high),
+        &format!(r#"stroke="{INK}" stroke-width="1" stroke-dasharray="6 4""#),
+    );
     for (row, fitted, measured) in coordinates() {
         if found.outliers.iter().any(|outlier| outlier.row == row) {
             cross(canvas, frame.at(fitted, measured), 4.5, &outlier());

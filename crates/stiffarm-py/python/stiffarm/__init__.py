@@ -8,6 +8,7 @@ A robot and a task go in; each verb is one function:
 `place`        where must a zone stand, and who proves it?
 `rank`         which robot holds the force best?
 `study`        which architecture suits which link ratio and size?
+`identify`     how stiff are the drives, by measured deflections?
 ============== ==========================================================
 
 Units stand in the names: ``force_n``, ``tool_mm``, ``deflection_mm``. The numbers are those of the program `stiffarm`, to
@@ -18,14 +19,15 @@ the last bit. What is not reached is ``nan`` in arrays and None elsewhere. Whate
 Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl-C takes effect when the call returns.
 """
 
-from ._answers import Answer, Compliance, Compliances, Map, Placement, Ranking, Study
+from ._answers import Answer, Compliance, Compliances, Identification, Map, Placement, Ranking, Study
 from ._stiffarm import Robot, StiffarmError, __version__, set_threads
-from ._verbs import cell, compliance, map, place, rank, robots, study
+from ._verbs import cell, compliance, identify, map, place, rank, robots, study
 
 __all__ = [
     "Answer",
     "Compliance",
     "Compliances",
+    "Identification",
     "Map",
     "Placement",
     "Ranking",
@@ -35,6 +37,7 @@ __all__ = [
     "__version__",
     "cell",
     "compliance",
+    "identify",
     "map",
     "place",
     "rank",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from ._stiffarm import StiffarmError
+from ._stiffarm import Robot, StiffarmError
 
 if TYPE_CHECKING:
     import pandas
@@ -327,6 +327,59 @@ class Study(_Table):
 
     def _words(self) -> str:
         return f"{len(self)} rows, {len(self.boundaries)} boundaries"
+
+
+class Identification(_Table):
+    """How stiff the drives of a robot are, by measurements."""
+
+    _arrays = ("correlation", "least_seen", "singular_values")
+
+    schema: dict[str, Any]
+    robot: str
+    vendor: str
+    #: When was measured, where that was said.
+    date: str | None
+    #: ``"least-squares"`` or ``"huber"``.
+    fit: str
+    postures: int
+    readings: int
+    #: Of each: ``compliance_urad_per_nm``, ``standard_error_urad_per_nm``, ``ci95_urad_per_nm``, ``identified``, ``why_not``, ...
+    drives: list[dict[str, Any]]
+    rms_before_mm: float
+    rms_after_mm: float
+    #: None where one posture alone shows some drive.
+    rms_left_out_mm: float | None
+    #: With what the robot file has.
+    rms_used_mm: float
+    explained: float
+    explained_left_out: float | None
+    #: How many times the noise that the table tells remains.
+    noise_ratio: float | None
+    #: None where some drive is not seen.
+    condition: float | None
+    #: mm per urad/(N m), descending.
+    singular_values: Array
+    #: The combination of drives that is seen worst.
+    least_seen: Array
+    correlation: Array
+    #: Rows that do not fit, from 1, the worst first.
+    outliers: list[int]
+    #: What remains of every row.
+    residuals: list[dict[str, Any]]
+    remarks: list[str]
+
+    def __init__(self, data: dict[str, Any], columns: dict[str, Any], robot: str) -> None:
+        super().__init__(data, columns)
+        self._robot_file = robot
+
+    @property
+    def identified_robot(self) -> Robot:
+        """The robot with what was identified; ``to_toml()`` of it is its file."""
+        return Robot.from_toml(self._robot_file)
+
+    def _words(self) -> str:
+        known = ", ".join(str(drive["drive"]) for drive in self.drives if drive["identified"])
+        return f"{self.robot}: drives {known or 'none'} identified in {self.postures} postures, {100 * self.explained:.1f} % explained"
 
 
 class Map(_Table):

@@ -14,6 +14,7 @@ __all__ = [
     "__version__",
     "distinct",
     "drawn_place",
+    "identify",
     "map",
     "matrices",
     "options",
@@ -87,6 +88,9 @@ class Robot:
 def drawn_place(
     robot: Robot, wanted_task: str, asked: dict[str, str], size: int
 ) -> tuple[dict[str, Any], npt.NDArray[np.float64]]: ...
+def identify(
+    name: str, text: str | None, robot: Robot, asked: dict[str, str]
+) -> tuple[dict[str, Any], dict[str, Any], str]: ...
 def looks(robots: list[tuple[str, str]]) -> list[tuple[str, int] | None]: ...
 def palette() -> tuple[list[tuple[str, str]], list[tuple[str, list[str]]]]: ...
 def options(verb: str) -> list[tuple[str, str, tuple[int, int] | None, bool, str | None, bool, str]]: ...

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, overload
 
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Compliance, Compliances, Map, Placement, Ranking, Study
+from ._answers import Compliance, Compliances, Identification, Map, Placement, Ranking, Study
 from ._given import RobotLike
 from ._stiffarm import Robot, StiffarmError
-from .types import ComplianceOptions, MapOptions, PlaceOptions, RankOptions, RobotsOptions, StudyOptions
+from .types import ComplianceOptions, IdentifyOptions, MapOptions, PlaceOptions, RankOptions, RobotsOptions, StudyOptions
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -214,3 +215,29 @@ def study(**options: Unpack[StudyOptions]) -> Study:
         Where an argument makes no sense.
     """
     return Study(*_stiffarm.study(_options.spelt("study", options)))
+
+
+@_options.takes("identify", IdentifyOptions)
+def identify(data: str | os.PathLike[str] | object, *, robot: RobotLike, **options: Unpack[IdentifyOptions]) -> Identification:
+    """How stiff the drives of a robot are, from deflections that were measured.
+
+    Parameters
+    ----------
+    data : path or data frame
+        A table of measurements (CSV): joint angles, forces, displacements, in columns that name their units; see the program's help.
+        Whatever has ``to_csv`` (pandas) or ``write_csv`` (polars) will do.
+    robot : Robot or str
+        The robot that was measured.
+    {options}
+
+    Returns
+    -------
+    Identification
+        Compliances with intervals, what remains, and the robot that knows them.
+
+    Raises
+    ------
+    StiffarmError
+        Names every fault with its row and column, or says why nothing can be concluded.
+    """
+    return Identification(*_stiffarm.identify(*_given.table("data", data), _given.robot(robot), _options.spelt("identify", options)))

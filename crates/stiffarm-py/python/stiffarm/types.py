@@ -398,6 +398,30 @@ class StudyOptions(TypedDict, total=False):
     """Compliance of drive 3 over the reference k, for both or one each; 0: rigid."""
 
 
+class IdentifyOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.identify`."""
+
+    load_mm: npt.ArrayLike | None
+    """Where the load acts [mm], in the flange frame; columns load_x_mm, .. overrule it [default: the flange
+    centre]."""
+
+    marker_mm: str | Iterable[str] | None
+    """Where a marker sits [mm], in the flange frame; of several each with the name that the column marker tells
+    (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
+
+    force_axes: Literal["base", "flange"]
+    """Along which axes the forces and moments point."""
+
+    displacement_axes: Literal["base", "flange"]
+    """Along which axes the displacements point."""
+
+    fit: Literal["least-squares", "huber"]
+    """How the compliances are estimated."""
+
+    date: str | None
+    """When was measured, as year-month-day: it is told, and stands in the robot file."""
+
+
 class SweepOptions(TypedDict, total=False):
     """Keywords of `stiffarm.cluster.sweep`."""
 

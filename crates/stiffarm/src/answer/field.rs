@@ -33,12 +33,9 @@ impl Unit {
     /// A number in SI as it is told; what is zero has no sign.
     pub fn told(self, si: f64) -> f64 {
         match self {
-            Self::One
-            | Self::Metre
-            | Self::Newton
-            | Self::NewtonMetrePerRadian
-            | Self::Kilogram
-            | Self::Given(_) => si + 0.0,
+            Self::One | Self::Metre | Self::Newton | Self::NewtonMetrePerRadian | Self::Kilogram | Self::Given(_) => {
+                si + 0.0
+            }
             Self::Millimetre | Self::Milliradian => si * 1e3 + 0.0,
             Self::Degree => si.to_degrees() + 0.0,
             Self::MicrometrePerNewton => si * 1e6 + 0.0,

@@ -98,23 +98,38 @@ impl IdentifyAnswer {
         let percent = |share: f64| format!("{} %", fixed(100.0 * share, 1));
         let date = self.date.as_ref().map_or_else(String::new, |date| format!(", measured {date}"));
         let method = match found.estimator {
-            Estimator::LeastSquares => "least squares; beside it Huber's estimate, in which what fits badly counts less",
+            Estimator::LeastSquares => {
+                "least squares; beside it Huber's estimate, in which what fits badly counts less"
+            }
             Estimator::Huber => "Huber's estimate: what fits badly counts less",
         };
         let mut lines: Vec<Line> = vec![
             line("robot", words::robot(&self.before)),
-            line("measurements", format!("{} rows in {} postures, {}{date}", found.residuals.len(), found.postures, self.data)),
+            line(
+                "measurements",
+                format!("{} rows in {} postures, {}{date}", found.residuals.len(), found.postures, self.data),
+            ),
             line("fit", format!("{method}; the drives spring, everything else is rigid")),
             line("a coordinate moved", format!("{} root mean square", mm(found.before))),
             line("not explained", format!("{}; explained {}", mm(found.after), percent(found.explained()))),
-            line("the same left out", match found.left_out.zip(found.explained_left_out()) {
-                Some((left_out, explained)) => format!("{}; explained {}, each posture by the others", mm(left_out), percent(explained)),
-                None => "not known: one posture alone shows some drive".into(),
-            }),
+            line(
+                "the same left out",
+                match found.left_out.zip(found.explained_left_out()) {
+                    Some((left_out, explained)) => {
+                        format!("{}; explained {}, each posture by the others", mm(left_out), percent(explained))
+                    }
+                    None => "not known: one posture alone shows some drive".into(),
+                },
+            ),
         ];
-        lines.extend(found.noise_ratio.map(|ratio| line("against the noise told", format!("{} times as much remains", fixed(ratio, 2)))));
+        lines.extend(
+            found
+                .noise_ratio
+                .map(|ratio| line("against the noise told", format!("{} times as much remains", fixed(ratio, 2)))),
+        );
         let condition = found.condition();
-        let condition = if condition.is_finite() { format!("condition {}; ", fixed(condition, 0)) } else { String::new() };
+        let condition =
+            if condition.is_finite() { format!("condition {}; ", fixed(condition, 0)) } else { String::new() };
         lines.push(line("seen worst", format!("{condition}{}", self.least_seen())));
         lines.push(line("do not fit", self.outliers()));
         Table::of_lines(lines)
@@ -122,17 +137,28 @@ impl IdentifyAnswer {
 
     /// One row per drive.
     pub fn table(&self) -> Table {
-        let headings =
-            ["drive", "found urad/(N m)", "95 % interval", "error", "stiffness MN m/rad", "Huber urad/(N m)", "robot file urad/(N m)", "says"];
+        let headings = [
+            "drive",
+            "found urad/(N m)",
+            "95 % interval",
+            "error",
+            "stiffness MN m/rad",
+            "Huber urad/(N m)",
+            "robot file urad/(N m)",
+            "says",
+        ];
         let mut table = Table::new(headings).with_room(1, &["Huber urad/(N m)", "stiffness MN m/rad"]);
         for estimate in &self.found.estimates {
             let urad = |k: f64| digits(k * 1e6, 3).to_string();
             let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".into());
-            let relative = estimate.compliance.zip(estimate.standard_error).map(|(k, error)| format!("{} %", fixed(100.0 * error / k, 0)));
-            let says = estimate.unknown.as_ref().map_or_else(
-                || "identified".into(),
-                |why| format!("not identified: {}", in_words(why, &self.found)),
-            );
+            let relative = estimate
+                .compliance
+                .zip(estimate.standard_error)
+                .map(|(k, error)| format!("{} %", fixed(100.0 * error / k, 0)));
+            let says = estimate
+                .unknown
+                .as_ref()
+                .map_or_else(|| "identified".into(), |why| format!("not identified: {}", in_words(why, &self.found)));
             let name = estimate.spring.name();
             table.row([
                 name.strip_prefix("drive ").map_or_else(|| name.clone(), ToOwned::to_owned),
@@ -192,7 +218,10 @@ impl IdentifyAnswer {
         if outliers.is_empty() {
             return "no row stands out".into();
         }
-        let named = outliers.iter().take(MOST_NAMED).map(|outlier| format!("row {} ({} sigma)", outlier.row, fixed(outlier.ratio, 1)));
+        let named = outliers
+            .iter()
+            .take(MOST_NAMED)
+            .map(|outlier| format!("row {} ({} sigma)", outlier.row, fixed(outlier.ratio, 1)));
         let more = outliers.len().saturating_sub(MOST_NAMED);
         let more = if more == 0 { String::new() } else { format!(", and {more} more") };
         format!("{}{more}: look what was different there", named.collect::<Vec<_>>().join(", "))

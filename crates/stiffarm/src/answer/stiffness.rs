@@ -42,7 +42,8 @@ pub fn stiffness(robot: &Robot) -> String {
 fn measured(robot: &Robot) -> String {
     let Some(identified) = robot.identified() else { return "from the robot file".into() };
     let date = identified.date.as_ref().map_or_else(String::new, |date| format!(", {date}"));
-    let others: Vec<String> = (1..=6).filter(|&drive| !identified.drives[drive - 1]).map(|drive| drive.to_string()).collect();
+    let others: Vec<String> =
+        (1..=6).filter(|&drive| !identified.drives[drive - 1]).map(|drive| drive.to_string()).collect();
     let others = if others.is_empty() { String::new() } else { format!("; not identified: {}", others.join(", ")) };
     format!("identified in {} postures{date}{others}", identified.postures)
 }

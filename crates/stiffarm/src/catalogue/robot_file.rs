@@ -233,7 +233,10 @@ fn identified(table: &mut Table, is_assumed: bool) -> Option<Option<Identified>>
     };
     let covariance = Matrix6::from_fn(|i, j| rows[i][j]) * 1e-12;
     if !is_covariance(&covariance) {
-        table.fault("covariance_urad2_per_n2m2", "is no covariance: expected a symmetric matrix without negative variances");
+        table.fault(
+            "covariance_urad2_per_n2m2",
+            "is no covariance: expected a symmetric matrix without negative variances",
+        );
     }
     let date = date?;
     if let Some(date) = date.as_ref().filter(|date| !is_date(date)) {

@@ -110,7 +110,9 @@ impl Text {
     }
 
     fn drives(&mut self, drives: &Drives, robot: &Robot) {
-        let is_assumed = robot.stiffness_is_assumed && drives.compliance == JointCompliance::PAPER;
+        let is_assumed = robot.stiffness_is_assumed
+            && drives.compliance == JointCompliance::PAPER
+            && drives.identified.is_none();
         let own = drives.transmission != Transmission::of(robot.architecture);
         if !is_assumed || own {
             self.table("compliance");
@@ -138,7 +140,8 @@ impl Text {
         self.text("status", "identified");
         self.list("identified", identified.drives.map(|seen| seen.to_string()));
         let square = |variance: f64| inverse(variance, 1e12, |urad| urad * 1e-12);
-        let rows = (0..6).map(|i| "\n    ".to_owned() + &list(identified.covariance.row(i).iter().copied().map(square)));
+        let rows =
+            (0..6).map(|i| "\n    ".to_owned() + &list(identified.covariance.row(i).iter().copied().map(square)));
         self.entry("covariance_urad2_per_n2m2", &format!("[{},\n]", rows.collect::<Vec<_>>().join(",")));
         self.entry("postures", &identified.postures.to_string());
         if let Some(date) = &identified.date {

@@ -123,7 +123,8 @@ pub(super) fn not_negative(r: &DMatrix<f64>, d: &DVector<f64>) -> Option<DVector
     let slack = 1e-12 * d.norm().max(f64::MIN_POSITIVE);
     for _ in 0..30 * count.max(1) {
         let slope = r.tr_mul(&(d - r * &x));
-        let steepest = (0..count).filter(|&i| !passive[i] && slack < slope[i]).max_by(|&i, &j| slope[i].total_cmp(&slope[j]));
+        let steepest =
+            (0..count).filter(|&i| !passive[i] && slack < slope[i]).max_by(|&i, &j| slope[i].total_cmp(&slope[j]));
         let Some(steepest) = steepest else { return Some(x) };
         passive[steepest] = true;
         loop {
@@ -179,7 +180,10 @@ pub(super) fn spread(solution: &Solution, groups: &[usize]) -> Option<Spread> {
         DMatrix::from_fn(count, count, |i, j| covariance[(i, j)] / (covariance[(i, i)] * covariance[(j, j)]).sqrt());
     let postures = groups.iter().max().map_or(0, |last| last + 1);
     let mut of_posture: Vec<Vec<usize>> = vec![Vec::new(); postures];
-    groups.iter().enumerate().for_each(|(block, &posture)| of_posture[posture].extend([3 * block, 3 * block + 1, 3 * block + 2]));
+    groups
+        .iter()
+        .enumerate()
+        .for_each(|(block, &posture)| of_posture[posture].extend([3 * block, 3 * block + 1, 3 * block + 2]));
     let mut left_out = vec![None; rows];
     let mut changed: Vec<DVector<f64>> = Vec::new();
     let mut is_alone = vec![false; count];
@@ -187,7 +191,9 @@ pub(super) fn spread(solution: &Solution, groups: &[usize]) -> Option<Spread> {
         let (block, missed) = (z.select_rows(own), residual.select_rows(own));
         // (A^T A without the posture)^-1 = R^-1 (I - Z^T Z)^-1 R^-T.
         let rest = DMatrix::identity(count, count) - block.tr_mul(&block);
-        let Some(rest) = Cholesky::new(rest.clone()).filter(|found| found.l_dirty().diagonal().iter().all(|x| 1e-6 < *x)) else {
+        let Some(rest) =
+            Cholesky::new(rest.clone()).filter(|found| found.l_dirty().diagonal().iter().all(|x| 1e-6 < *x))
+        else {
             let eigen = rest.symmetric_eigen();
             for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
                 if *value < 1e-11 {
@@ -259,4 +265,63 @@ pub(super) fn robust(system: &System, start: &Solution, bound: f64) -> Option<Ro
     let mut values = vec![0.0; system.a.ncols()];
     free.iter().zip(found.iter()).for_each(|(&i, value)| values[i] = *value);
     Some(Robust { values, weights, ratios })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn random(rng: &mut fastrand::Rng, rows: usize, columns: usize) -> DMatrix<f64> {
+        DMatrix::from_fn(rows, columns, |_, _| rng.f64() - 0.5)
+    }
+
+    /// Of all choices of columns that stand at zero the best one that is allowed, found by trying all of them.
+    #[test]
+    fn no_solution_without_negative_values_is_better() {
+        let mut rng = fastrand::Rng::with_seed(4);
+        let mut bounded = 0;
+        for _ in 0..200 {
+            let a = random(&mut rng, 12, 4);
+            let y = DVector::from_fn(12, |_, _| rng.f64() - 0.5);
+            let found = solve(&System { a: a.clone(), y: y.clone() }).unwrap();
+            bounded += usize::from(found.free.len() < 4);
+            let mut best = y.norm();
+            for set in 1..16_usize {
+                let free: Vec<usize> = (0..4).filter(|i| set >> i & 1 == 1).collect();
+                let own = a.select_columns(&free);
+                let x = own.clone().svd(true, true).solve(&y, 1e-14).unwrap();
+                if x.iter().all(|x| 0.0 <= *x) {
+                    best = best.min((&y - own * x).norm());
+                }
+            }
+            assert!(found.values.iter().all(|x| 0.0 <= *x));
+            assert!((found.residual.norm() - best).abs() < 1e-10, "{} and {best}", found.residual.norm());
+        }
+        assert!(100 < bounded, "of random systems nearly all stand at a bound: {bounded}");
+    }
+
+    #[test]
+    fn columns_that_are_nothing_or_sums_of_others_are_unseen_and_others_are_not() {
+        let mut rng = fastrand::Rng::with_seed(9);
+        let mut a = random(&mut rng, 30, 6);
+        let y = DVector::zeros(30);
+        assert_eq!(unseen(&System { a: a.clone(), y: y.clone() }), Vec::<Vec<usize>>::new());
+        a.column_mut(0).fill(1e-14);
+        let sum = a.column(2) * 2.0 + a.column(4);
+        a.set_column(5, &sum);
+        assert_eq!(unseen(&System { a, y }), [vec![0], vec![2, 4, 5]]);
+    }
+
+    #[test]
+    fn a_value_that_one_posture_alone_shows_has_no_error() {
+        let mut rng = fastrand::Rng::with_seed(2);
+        let mut a = random(&mut rng, 30, 2).abs();
+        (6..30).for_each(|row| a[(row, 1)] = 0.0);
+        let y = &a * DVector::from_vec(vec![1.0, 2.0]) + DVector::from_fn(30, |_, _| 1e-3 * rng.f64());
+        let solution = solve(&System { a, y }).unwrap();
+        let groups: Vec<usize> = (0..10).map(|block| block / 2).collect();
+        let found = spread(&solution, &groups).unwrap();
+        assert!(found.by_posture[0].is_finite() && found.by_posture[1].is_infinite(), "{:?}", found.by_posture);
+        assert!(found.left_out[..6].iter().all(Option::is_none) && found.left_out[6..].iter().all(Option::is_some));
+    }
 }

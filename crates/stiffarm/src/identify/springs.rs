@@ -84,7 +84,12 @@ impl Bent {
 
     /// Displacement of `marker`, m, under a load on the point `at`, both in the base frame, per compliance of the spring: the sum over
     /// its axes of `g(marker) (g(load) . w)` (theory of identification: linear in the compliances).
-    pub(super) fn column(&self, spring: Spring, (load, at): (&Vector6<f64>, &Vector3<f64>), marker: &Vector3<f64>) -> Vector3<f64> {
+    pub(super) fn column(
+        &self,
+        spring: Spring,
+        (load, at): (&Vector6<f64>, &Vector3<f64>),
+        marker: &Vector3<f64>,
+    ) -> Vector3<f64> {
         let (force, moment) = (Vector3::from(load.fixed_rows::<3>(0)), Vector3::from(load.fixed_rows::<3>(3)));
         let mut moved = Vector3::zeros();
         for axis in self.axes(spring).into_iter().flatten() {

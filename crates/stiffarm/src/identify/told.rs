@@ -46,7 +46,8 @@ pub(super) fn seen(system: &System) -> (Vec<f64>, Combination) {
     // Rounding alone.
     let floor = 1e-12 * values.first().copied().unwrap_or(0.0);
     let values = values.into_iter().map(|value| if value <= floor { 0.0 } else { value }).collect();
-    let least = svd.v_t.zip(order.last()).map_or_else(Vec::new, |(vectors, &last)| vectors.row(last).iter().copied().collect());
+    let least =
+        svd.v_t.zip(order.last()).map_or_else(Vec::new, |(vectors, &last)| vectors.row(last).iter().copied().collect());
     (values, least)
 }
 

@@ -43,9 +43,12 @@ impl Request {
         }
         let markers = self.markers();
         if 1 < markers.len() && markers.iter().any(|marker| marker.name.is_none()) {
-            return Err(self.refused("marker-mm", "is given several times; expected each with a name, name=x,y,z".into()));
+            return Err(
+                self.refused("marker-mm", "is given several times; expected each with a name, name=x,y,z".into())
+            );
         }
-        let twice = markers.iter().enumerate().find(|(i, marker)| markers[..*i].iter().any(|other| other.name == marker.name));
+        let twice =
+            markers.iter().enumerate().find(|(i, marker)| markers[..*i].iter().any(|other| other.name == marker.name));
         let name = twice.and_then(|(_, marker)| marker.name.clone());
         name.map_or(Ok(()), |name| Err(self.refused("marker-mm", format!("names the marker {name} twice"))))
     }

@@ -240,7 +240,10 @@ fn literal(kind: Kind, text: &str, folder: &Path) -> String {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite()).map(|x| x.to_string());
     match kind {
         Kind::Robot => quoted(&seen_from(folder, text.trim())),
-        Kind::File => quoted(&seen_from(folder, &Path::new(".").join(text).to_string_lossy())),
+        Kind::File => {
+            let path = seen_from(folder, &Path::new(".").join(text).to_string_lossy());
+            quoted(path.strip_prefix("./").unwrap_or(&path))
+        }
         Kind::Tool | Kind::Point | Kind::Force if text.contains(',') => {
             let parts: Vec<String> = text.split(',').map(|part| number(part).expect("all are numbers")).collect();
             format!("[{}]", parts.join(", "))

@@ -27,8 +27,7 @@ impl Verb {
     pub const ALL: [Self; 7] =
         [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Identify, Self::List];
     /// Those that a job file may ask.
-    pub const JOBS: [Self; 6] =
-        [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Identify];
+    pub const JOBS: [Self; 6] = [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Identify];
 
     /// As it is typed.
     pub fn name(self) -> &'static str {

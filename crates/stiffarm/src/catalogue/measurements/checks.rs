@@ -10,16 +10,15 @@ use super::columns::Angles;
 use super::rows::Units;
 use super::{Measurements, Reading};
 
-/// How far a robot gives way per force, um/N: from a small arm's tool to a press. Beyond, a unit is wrong.
-const COMPLIANCES: [f64; 2] = [0.02, 2000.0];
-/// Turns from which on an angle in rad was meant in deg.
-const MOST_TURNS: f64 = 3.5;
-
+/// How far robots give way per force, um/N: the heaviest some tenths, the smallest arms some tens. Beyond, a unit is wrong; as the ends
+/// are more than a thousand apart, nothing that is common is taken for something else.
+const COMPLIANCES: [f64; 2] = [0.1, 300.0];
 /// Faults of the table as a whole.
 pub(super) fn check(measurements: &Measurements, units: &Units, faults: &mut Vec<Fault>) {
     let readings = &measurements.readings;
     let line = |reading: &Reading| units.lines[reading.row - 1];
-    let whole = |message: String| Fault { line: units.lines.first().copied().unwrap_or(1), key: String::new(), message };
+    let whole =
+        |message: String| Fault { line: units.lines.first().copied().unwrap_or(1), key: String::new(), message };
     if readings.is_empty() {
         faults.push(whole("no row holds a measurement".into()));
         return;
@@ -34,7 +33,10 @@ pub(super) fn check(measurements: &Measurements, units: &Units, faults: &mut Vec
     for reading in readings {
         if let Some(first) = known.insert(bits(reading), reading) {
             let key = format!("row {}", reading.row);
-            let message = format!("repeats row {} in every number; a measurement that is made twice differs by its noise", first.row);
+            let message = format!(
+                "repeats row {} in every number; a measurement that is made twice differs by its noise",
+                first.row
+            );
             faults.push(Fault { line: line(reading), key, message });
         }
     }
@@ -45,33 +47,24 @@ pub(super) fn check(measurements: &Measurements, units: &Units, faults: &mut Vec
             "{rows} rows, all of one posture; drives are told apart by postures that differ, expected at least two and better twenty"
         )));
     } else if readings.iter().all(|reading| reading.q == readings[0].q) {
-        faults.push(whole("q1 to q6 are the same in every row, whatever the column posture says; expected postures that differ".into()));
+        faults.push(whole(
+            "q1 to q6 are the same in every row, whatever the column posture says; expected postures that differ"
+                .into(),
+        ));
     }
 }
 
-/// Radians under `deg`, or degrees under `rad`.
+/// Radians under `deg`. (Degrees under `rad` are beyond what a joint turns.)
 fn angles(readings: &[Reading], units: &Units) -> Option<Fault> {
-    let as_given = |angle: f64| if units.angles == Angles::Degrees { angle.to_degrees() } else { angle };
-    let most = readings.iter().flat_map(|reading| reading.q.map(|angle| as_given(angle).abs())).fold(0.0, f64::max);
-    let line = units.lines.first().copied().unwrap_or(1);
-    match units.angles {
-        Angles::Degrees if 0.0 < most && most <= TAU => Some(Fault {
-            line,
-            key: "q1_deg to q6_deg".into(),
-            message: format!("no angle of any row is beyond {most:.3} deg: are these radians? then name the columns q1_rad to q6_rad"),
-        }),
-        Angles::Radians if MOST_TURNS * TAU < most => {
-            let largest = |reading: &&Reading| reading.q.iter().any(|angle| angle.abs() == most);
-            let reading = readings.iter().find(largest)?;
-            let joint = reading.q.iter().position(|angle| angle.abs() == most)? + 1;
-            Some(Fault {
-                line: units.lines[reading.row - 1],
-                key: format!("row {}, q{joint}_rad", reading.row),
-                message: format!("{most} rad is {:.1} turns: are these degrees? then name the columns q1_deg to q6_deg", most / TAU),
-            })
-        }
-        _ => None,
-    }
+    let most = readings.iter().flat_map(|reading| reading.q.map(|angle| angle.to_degrees().abs())).fold(0.0, f64::max);
+    let is_suspect = units.angles == Angles::Degrees && 0.0 < most && most <= TAU;
+    is_suspect.then(|| Fault {
+        line: units.lines.first().copied().unwrap_or(1),
+        key: "q1_deg to q6_deg".into(),
+        message: format!(
+            "no angle of any row is beyond {most:.3} deg: are these radians? then name the columns q1_rad to q6_rad"
+        ),
+    })
 }
 
 /// Displacements per force that no robot has.
@@ -85,9 +78,15 @@ fn compliances(readings: &[Reading], units: &Units) -> Option<String> {
     let median = *ratios.get(ratios.len() / 2)?;
     let [least, most] = COMPLIANCES;
     let unit = units.length;
-    let others: Vec<String> = ["um", "mm", "m"].into_iter().filter(|other| *other != unit).map(|other| format!("dx_{other}")).collect();
-    let ask = format!("is the displacement in {unit}, as dx_{unit} says? if not, name the columns {}; or is the force not in N?", others.join(" or "));
-    let message = |what: &str| format!("half of the rows move {what} than {median:.3e} um per N, and robots move {least} to {most}: {ask}");
+    let others: Vec<String> =
+        ["um", "mm", "m"].into_iter().filter(|other| *other != unit).map(|other| format!("dx_{other}")).collect();
+    let ask = format!(
+        "is the displacement in {unit}, as dx_{unit} says? if not, name the columns {}; or is the force not in N?",
+        others.join(" or ")
+    );
+    let message = |what: &str| {
+        format!("half of the rows move {what} than {median:.3e} um per N, and robots move {least} to {most}: {ask}")
+    };
     if median == 0.0 {
         return Some("half of the rows and more have displacements of 0; were they measured?".into());
     }

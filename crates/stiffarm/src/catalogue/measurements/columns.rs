@@ -85,7 +85,12 @@ pub(super) fn table(text: &str, faults: &mut Vec<Fault>) -> Option<Table> {
             continue;
         }
         if record.len() != names.len() {
-            let message = format!("row {}: {} cells; expected {}, as many as headings", rows.len() + 1, record.len(), names.len());
+            let message = format!(
+                "row {}: {} cells; expected {}, as many as headings",
+                rows.len() + 1,
+                record.len(),
+                names.len()
+            );
             faults.push(fault(line, message));
             continue;
         }
@@ -107,7 +112,9 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     fn columns(mut self) -> Option<Columns> {
-        if let Some(twice) = self.names.iter().enumerate().find_map(|(i, name)| self.names[..i].contains(name).then_some(name)) {
+        if let Some(twice) =
+            self.names.iter().enumerate().find_map(|(i, name)| self.names[..i].contains(name).then_some(name))
+        {
             self.fault(twice.clone(), "stands twice; expected each column once".into());
             return None;
         }
@@ -119,7 +126,9 @@ impl Finder<'_> {
                 None
             }
             (_, false) => self.all(["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"], "or q1_rad to q6_rad"),
-            (false, true) => self.all(["q1_rad", "q2_rad", "q3_rad", "q4_rad", "q5_rad", "q6_rad"], "or q1_deg to q6_deg"),
+            (false, true) => {
+                self.all(["q1_rad", "q2_rad", "q3_rad", "q4_rad", "q5_rad", "q6_rad"], "or q1_deg to q6_deg")
+            }
         };
         let angles = if radians { Angles::Radians } else { Angles::Degrees };
         let force = self.all(["fx_n", "fy_n", "fz_n"], "the force on the load point in N");
@@ -175,7 +184,10 @@ impl Finder<'_> {
             let near = near.filter(|(_, known)| !names.contains(&known.as_str())).max_by(|a, b| a.0.total_cmp(&b.0));
             let hint = near.filter(|(score, _)| 0.75 < *score);
             let hint = hint.map_or_else(String::new, |(_, known)| format!("; is it the column {}?", shown(known)));
-            self.fault((*name).into(), format!("the column is missing; expected {}, {expected}{hint}", names.join(", ")));
+            self.fault(
+                (*name).into(),
+                format!("the column is missing; expected {}, {expected}{hint}", names.join(", ")),
+            );
         }
         missing.is_empty().then(|| names.map(|name| self.position(name).unwrap_or_default()))
     }
@@ -201,6 +213,7 @@ fn unknown(names: &[String], columns: &Columns) -> Vec<String> {
         .chain(three(columns.marker_at))
         .chain([columns.posture, columns.marker, columns.sigma].into_iter().flatten())
         .collect();
-    let others = names.iter().enumerate().filter(|(i, name)| !known.contains(i) && !PASSED_OVER.contains(&name.as_str()));
+    let others =
+        names.iter().enumerate().filter(|(i, name)| !known.contains(i) && !PASSED_OVER.contains(&name.as_str()));
     others.map(|(_, name)| shown(name)).collect()
 }

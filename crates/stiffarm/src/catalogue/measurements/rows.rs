@@ -86,11 +86,7 @@ impl Reader<'_> {
     fn reading(&self, i: usize, row: &Row) -> Result<Reading, Vec<Fault>> {
         let columns: &Columns = &self.table.columns;
         let mut cells = Cells { reader: self, row, number: i + 1, faults: Vec::new() };
-        let (turn, unit) = match columns.angles {
-            Angles::Degrees => (1080.0, 1_f64.to_radians()),
-            Angles::Radians => (1080_f64.to_radians(), 1.0),
-        };
-        let q = columns.q.map(|column| cells.number(column, turn) * unit);
+        let q = columns.q.map(|column| cells.angle(column));
         let force = columns.force.map(|column| cells.number(column, 1e6));
         let moment = columns.moment.map_or([0.0; 3], |three| three.map(|column| cells.number(column, 1e6)));
         let (_, metres) = columns.length;
@@ -110,19 +106,14 @@ impl Reader<'_> {
             cells.fault(column, "is not positive; expected the standard deviation of the noise in mm");
         }
         if force == [0.0; 3] && moment == [0.0; 3] {
-            cells.fault(columns.force[0], "no load: fx_n, fy_n and fz_n are all 0; a row needs a load that bends the arm");
+            cells.fault(
+                columns.force[0],
+                "no load: fx_n, fy_n and fz_n are all 0; a row needs a load that bends the arm",
+            );
         }
         let wrench = Vector6::new(force[0], force[1], force[2], moment[0], moment[1], moment[2]);
-        let reading = Reading {
-            row: i + 1,
-            posture: 0,
-            q,
-            load: Wrench(wrench),
-            load_at,
-            marker_at,
-            moved: moved.into(),
-            sigma,
-        };
+        let reading =
+            Reading { row: i + 1, posture: 0, q, load: Wrench(wrench), load_at, marker_at, moved: moved.into(), sigma };
         if cells.faults.is_empty() { Ok(reading) } else { Err(cells.faults) }
     }
 }
@@ -131,6 +122,24 @@ impl Cells<'_> {
     fn fault(&mut self, column: usize, message: impl Into<String>) {
         let key = format!("row {}, {}", self.number, shown(&self.reader.table.names[column]));
         self.faults.push(Fault { line: self.row.line, key, message: message.into() });
+    }
+
+    /// An angle of a joint, rad; zero where it is a fault.
+    fn angle(&mut self, column: usize) -> f64 {
+        /// No joint turns further, deg.
+        const MOST: f64 = 1080.0;
+        match self.reader.table.columns.angles {
+            Angles::Degrees => self.number(column, MOST).to_radians(),
+            Angles::Radians => match self.row.cells[column].parse::<f64>() {
+                Ok(angle) if angle.is_finite() && MOST.to_radians() < angle.abs() => {
+                    let turns = angle / std::f64::consts::TAU;
+                    let ask = "are these degrees? then name the columns q1_deg to q6_deg";
+                    self.fault(column, format!("{angle} rad is {turns:.1} turns: {ask}"));
+                    0.0
+                }
+                _ => self.number(column, MOST),
+            },
+        }
     }
 
     /// A number that is at most so large; zero where it is a fault.
@@ -170,7 +179,9 @@ impl Cells<'_> {
         let name = column.map(|column| self.row.cells[column].clone()).filter(|name| !name.is_empty());
         match (name, column, markers.as_slice()) {
             (_, _, []) => {
-                let others = || self.reader.table.rows.iter().any(|row| column.is_some_and(|c| row.cells[c] != self.row.cells[c]));
+                let others = || {
+                    self.reader.table.rows.iter().any(|row| column.is_some_and(|c| row.cells[c] != self.row.cells[c]))
+                };
                 if let Some(column) = column.filter(|_| others()) {
                     self.fault(column, "several markers are named, and where they sit is not; expected --marker-mm name=x,y,z for each, or columns marker_x_mm, ..");
                 }
