@@ -55,6 +55,35 @@ pub struct Drives {
     pub compensator: Option<GravityCompensator>,
     /// What is known of the compliances where they were measured on the machine.
     pub identified: Option<Identified>,
+    /// How far they may be off where they were taken from robots of the same size, or from publications.
+    pub scatter: Option<Scatter>,
+}
+
+/// How far compliances may be off: standard deviations of ln k.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scatter {
+    /// An error that all robots share, of each drive.
+    pub global: [f64; 6],
+    /// Of this robot, all drives alike; of each drive how much of it counts.
+    pub common: [f64; 6],
+    /// Of each drive of this robot.
+    pub own: [f64; 6],
+    /// What is behind it.
+    pub knowledge: Knowledge,
+}
+
+/// What is known of drives that nobody here has measured.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Knowledge {
+    /// Drives of other robots, by their size.
+    Prior,
+    /// Identifications of this robot that are published; drives that they do not show as in the prior.
+    Published {
+        /// Where.
+        sources: Vec<String>,
+        /// The drive, from 0, in which they differ most, and the factor; `None` where they agree, or there is one.
+        disagreement: Option<(usize, f64)>,
+    },
 }
 
 /// How well measured compliances are known.
@@ -75,7 +104,13 @@ pub struct Identified {
 impl Drives {
     /// The usual couplings of an architecture, without a compensator.
     pub fn new(architecture: Architecture, compliance: JointCompliance) -> Self {
-        Self { compliance, transmission: Transmission::of(architecture), compensator: None, identified: None }
+        Self {
+            compliance,
+            transmission: Transmission::of(architecture),
+            compensator: None,
+            identified: None,
+            scatter: None,
+        }
     }
 
     /// The compliance of each drive, rad/(N m), with the compensator's part at the model angle `theta_2` (rad):

@@ -18,8 +18,8 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
-//! [`model`], [`map`], [`place`], [`rank`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
+//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
+//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
 //! In both models links, bearings and the base are rigid; the deflection is elastic and static, without the robot's own weight. The planar
@@ -57,6 +57,7 @@ pub mod part;
 pub mod place;
 pub mod plain;
 pub mod plane;
+pub mod prior;
 pub mod rank;
 mod real;
 pub mod request;
@@ -66,5 +67,6 @@ pub mod spatial;
 pub mod study;
 pub mod task;
 mod tolerances;
+pub mod uncertainty;
 mod work;
 pub mod zone;

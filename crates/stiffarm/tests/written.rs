@@ -92,6 +92,7 @@ fn drives(architecture: Architecture) -> impl Strategy<Value = Drives> {
             transmission,
             compensator,
             identified,
+            scatter: None,
         },
     )
 }

@@ -112,7 +112,7 @@ fields! {
     ARCHITECTURE: "architecture", Kind::Text, "serial or quasi-serial.";
     ARCHITECTURE_ASSUMED: "architecture_assumed", Kind::Truth, "Nothing says that it is of this architecture.";
     STATUS: "status", Kind::Text, "How well the robot's numbers are known.";
-    STIFFNESS_SOURCE: "stiffness_source", Kind::Text, "Who says how stiff the drives are: assumed, robot file, identified or given.";
+    STIFFNESS_SOURCE: "stiffness_source", Kind::Text, "Who says how stiff the drives are: assumed, prior, published, robot file, identified or given.";
     DRIVE_COMPLIANCE: "drive_urad_per_nm", numbers(Unit::MicroradianPerNewtonMetre, &["k1_urad_per_nm", "k2_urad_per_nm", "k3_urad_per_nm", "k4_urad_per_nm", "k5_urad_per_nm", "k6_urad_per_nm"]),
         "The compliance of each drive; null where a robot of two links has none.";
     TASK: "task", Kind::Text, "The zone as it was asked for.";
@@ -138,6 +138,11 @@ fields! {
     LARGEST_SCALE: "largest_feasible_scale", Kind::Number(Unit::One), "The largest scale at which a zone of this shape has a place.";
     DEFLECTION: "deflection_mm", Kind::Number(Unit::Millimetre), "The worst deflection in the zone at its best place.";
     LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No allowed place has less.";
+    DEFLECTION_P05: "deflection_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred drives as they may be give less there; null where nothing says how they may be.";
+    DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";
+    WIN_PROBABILITY: "win_probability", Kind::Nested, "How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing says how its drives may be.";
+    EXPECTED_REGRET: "expected_regret_mm", Kind::Nested, "How much more than the best it has on average, of each task.";
+    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "No robot is better in 95 of a hundred draws, of each task.";
     X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base.";
     Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
     BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
@@ -293,9 +298,10 @@ mod tests {
                 Some(Unit::Given(unit)) => unit,
                 Some(Unit::One) | None => "",
             };
-            assert!(field.key.ends_with(ending), "{field:?}");
+            let key = field.key.trim_end_matches("_p05").trim_end_matches("_p95");
+            assert!(key.ends_with(ending), "{field:?}");
             let endings = ["_m", "_mm", "_deg", "_mrad", "_n", "_um_per_n", "_urad_per_nm", "_nm_per_rad", "_kg"];
-            let has_unit = endings.iter().any(|ending| field.key.ends_with(ending));
+            let has_unit = endings.iter().any(|ending| key.ends_with(ending));
             assert!(!ending.is_empty() || !has_unit || field.unit().is_none(), "a number of no unit: {field:?}");
             assert!(field.about.ends_with('.') && field.about.is_ascii(), "{field:?}");
             if let Kind::Numbers { columns, .. } = field.kind {

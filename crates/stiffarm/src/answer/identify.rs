@@ -145,7 +145,7 @@ impl IdentifyAnswer {
             "stiffness MN m/rad",
             "Huber urad/(N m)",
             "robot file urad/(N m)",
-            "says",
+            "identified",
         ];
         let mut table = Table::new(headings).with_room(1, &["Huber urad/(N m)", "stiffness MN m/rad"]);
         for estimate in &self.found.estimates {
@@ -158,7 +158,7 @@ impl IdentifyAnswer {
             let says = estimate
                 .unknown
                 .as_ref()
-                .map_or_else(|| "identified".into(), |why| format!("not identified: {}", in_words(why, &self.found)));
+                .map_or_else(|| "yes".into(), |why| format!("no: {}", in_words(why, &self.found)));
             let name = estimate.spring.name();
             table.row([
                 name.strip_prefix("drive ").map_or_else(|| name.clone(), ToOwned::to_owned),

@@ -22,6 +22,7 @@ pub mod robot;
 mod rows;
 mod stiffness;
 pub mod study;
+mod uncertainty;
 pub mod words;
 
 use serde_json::{Value, json};

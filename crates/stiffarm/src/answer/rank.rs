@@ -6,12 +6,13 @@ use serde_json::{Value, json};
 
 use super::place::{Verdict, cell};
 use super::words::{self, COLUMN, fixed};
-use super::{Record, Rows, Table, columns_of, field, force, margins, stiffness, stiffnesses, with_schema};
+use super::{Record, Rows, Table, columns_of, field, force, margins, stiffness, stiffnesses, uncertainty, with_schema};
 use crate::drive::Architecture;
 use crate::model::ModelKind;
 use crate::place::{Column, Margins, PlaceError, PlaceOptions, Placement};
 use crate::rank::{Cell, Ranking, Row};
 use crate::robot::{Robot, Status};
+use crate::uncertainty::chances;
 
 /// A remark names no more robots than this.
 const MOST_NAMED: usize = 12;
@@ -48,11 +49,14 @@ impl RankAnswer {
     }
 
     fn rows_json(&self) -> Value {
-        let told = self.ranking.rows.iter().map(|row| {
+        let chances = chances(&self.ranking);
+        let told = self.ranking.rows.iter().zip(&chances).map(|(row, chances)| {
             let cells: Value = self.cells(row).map(|cell| cell.json()).collect();
             let mut record = Record::new();
             stiffness::put_robot(&mut record, &row.robot);
-            record.extend(self.standing(row)).put(field::CELLS, cells);
+            record.extend(self.standing(row));
+            uncertainty::put_chances(&mut record, chances);
+            record.put(field::CELLS, cells);
             record.json()
         });
         told.collect()
@@ -359,6 +363,7 @@ impl RankAnswer {
         sentences.extend(self.by_architecture());
         sentences.extend(self.estimated_rivals());
         sentences.extend(self.tolerance_mm.map(|tolerance| self.within_tolerance(tolerance)));
+        sentences.extend(uncertainty::sentences(&self.ranking));
         sentences
     }
 

@@ -1,8 +1,8 @@
 //! How stiff are the drives, and who says so? In the same words wherever a deflection is told.
 
-use super::{Record, field};
+use super::{Record, field, uncertainty};
 use crate::catalogue::microradians;
-use crate::drive::JointCompliance;
+use crate::drive::{JointCompliance, Scatter};
 use crate::robot::{Arm, Robot, StiffnessSource};
 
 /// So many robots of one stiffness are named; more are counted.
@@ -15,7 +15,7 @@ pub fn stiffness(robot: &Robot) -> String {
     let urad: Vec<f64> = robot.drive_compliance().into_iter().flatten().map(microradians).collect();
     let is_planar = matches!(robot.arm, Arm::Planar(_));
     let is_uniform = urad.iter().all(|k| *k == urad[0]);
-    let is_measured = robot.stiffness_source() == StiffnessSource::Identified;
+    let is_measured = robot.identified().is_some() || robot.scatter().is_some();
     let shown: Vec<f64> = urad.iter().map(|k| if is_measured { digits(*k, 3) } else { *k }).collect();
     let values = if is_uniform { shown[0].to_string() } else { listed(&shown) };
     let drives = match (is_uniform, is_planar) {
@@ -29,6 +29,13 @@ pub fn stiffness(robot: &Robot) -> String {
         StiffnessSource::Assumed => format!("{values} urad/(N m) on {drives}, partly assumed"),
         StiffnessSource::File => format!("{values} urad/(N m) on {drives}, from the robot file"),
         StiffnessSource::Identified => format!("{values} urad/(N m) on {drives}, {}", measured(robot)),
+        StiffnessSource::Prior => {
+            format!("{values} urad/(N m) on {drives}, the prior by payload and reach, {}", within(robot))
+        }
+        StiffnessSource::Published => {
+            let differ = uncertainty::disagreement(robot).map_or_else(String::new, |told| format!("; {told}"));
+            format!("{values} urad/(N m) on {drives}, as published, {}{differ}", within(robot))
+        }
         StiffnessSource::Given if is_uniform && 0.0 < urad[0] => {
             format!("given: {values} urad/(N m) on {drives}, {} MN m/rad", rounded(1.0 / urad[0]))
         }
@@ -36,6 +43,15 @@ pub fn stiffness(robot: &Robot) -> String {
     };
     let compensated = matches!(&robot.arm, Arm::SixAxis { drives, .. } if drives.compensator.is_some());
     if compensated { format!("{told}; drive 2 with its gravity compensator") } else { told }
+}
+
+/// By which factors 90 % of drives differ from that.
+fn within(robot: &Robot) -> String {
+    /// Five of a hundred are beyond so many standard deviations.
+    const NINETY: f64 = 1.645;
+    let factors = robot.scatter().map_or([1.0; 6], Scatter::total).map(|sd| (NINETY * sd).exp());
+    let (least, most) = (factors.into_iter().fold(f64::INFINITY, f64::min), factors.into_iter().fold(1.0, f64::max));
+    format!("90 % within a factor of {} to {}", digits(least, 2), digits(most, 2))
 }
 
 /// In how many postures, when, and what was not seen there.

@@ -66,7 +66,9 @@ pub fn with_compliance(robot: &Robot, drive_urad_per_nm: [f64; 6]) -> Result<Rob
     changed.stiffness_is_assumed = false;
     changed.source.insert(COMPLIANCE_SOURCE.into(), GIVEN.into());
     match &mut changed.arm {
-        Arm::SixAxis { drives, .. } => (drives.compliance, drives.identified) = (JointCompliance(k), None),
+        Arm::SixAxis { drives, .. } => {
+            (drives.compliance, drives.identified, drives.scatter) = (JointCompliance(k), None, None)
+        }
         Arm::Planar(arm) => (arm.k2, arm.k3) = (k[1], k[2]),
     }
     read(&write(&changed), &robot.name)

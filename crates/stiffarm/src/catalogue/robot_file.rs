@@ -206,7 +206,10 @@ fn drives(root: &mut Table, architecture: Option<Architecture>) -> Option<(Drive
     if compensator.is_some() && !transmission.joint_2_is_direct() {
         root.fault("compensator", "needs a joint 2 that drive 2 alone moves, one to one; see compliance.transmission");
     }
-    Some((Drives { compliance: compliance?, transmission, compensator, identified: identified? }, is_assumed))
+    Some((
+        Drives { compliance: compliance?, transmission, compensator, identified: identified?, scatter: None },
+        is_assumed,
+    ))
 }
 
 /// What was measured; the outer `None` is a fault.

@@ -110,9 +110,8 @@ impl Text {
     }
 
     fn drives(&mut self, drives: &Drives, robot: &Robot) {
-        let is_assumed = robot.stiffness_is_assumed
-            && drives.compliance == JointCompliance::PAPER
-            && drives.identified.is_none();
+        let is_assumed =
+            robot.stiffness_is_assumed && drives.compliance == JointCompliance::PAPER && drives.identified.is_none();
         let own = drives.transmission != Transmission::of(robot.architecture);
         if !is_assumed || own {
             self.table("compliance");

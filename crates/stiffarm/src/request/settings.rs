@@ -204,6 +204,23 @@ const SPRINGS: Setting = Setting {
     heading: "Stiffness",
     ..ROW
 };
+/// Who says how stiff they are.
+const WHOSE: Setting = Setting {
+    name: "stiffness",
+    kind: Kind::Word(&[
+        ("paper", "1 urad/(N m) on every drive, as the paper assumes"),
+        (
+            "prior",
+            "As published of the robot, else as robots of its payload and reach have it; and how far that may be off",
+        ),
+        ("file", "As the robot file has it; robots whose file says nothing are refused"),
+    ]),
+    count: ONE,
+    value: "WHOSE",
+    excludes: &["drive-urad-per-nm", "stiffness-nm-per-rad"],
+    help: "How stiff the drives are taken to be",
+    ..SPRINGS
+};
 /// Of what every place keeps.
 const MARGIN: Setting = Setting { verbs: PLACING, needs: A_ZONE, heading: "Margins; 0 or none gives them up", ..ROW };
 /// Of the tool's pose.
@@ -658,11 +675,23 @@ pub static SETTINGS: &[Setting] = &[
         ..RELATIVE
     },
     Setting {
+        verbs: PLACING,
+        absent: Absent::Means("as the robot file has it, else paper in the planar model and prior in space"),
+        example: "prior",
+        ..WHOSE
+    },
+    Setting {
+        verbs: COMPLIANCE,
+        absent: Absent::Means("as the robot file has it, else prior"),
+        example: "paper",
+        ..WHOSE
+    },
+    Setting {
         name: "drive-urad-per-nm",
         kind: Kind::Number { min: 1e-3, max: 1e4, of: "urad/(N m), or 0 for a rigid drive", or_zero: true },
         unit: "urad/(N m)",
-        absent: Absent::Means("as the robot file has it, else 1 on every drive, assumed"),
-        excludes: &["stiffness-nm-per-rad"],
+        absent: Absent::Means("as --stiffness says"),
+        excludes: &["stiffness-nm-per-rad", "stiffness"],
         help: "Compliance of the drives: one for all six, or six; of every robot that is asked for",
         example: "0.5,0.5,0.8,2,3,3",
         ..SPRINGS
@@ -671,7 +700,7 @@ pub static SETTINGS: &[Setting] = &[
         name: "stiffness-nm-per-rad",
         kind: number_of(100.0, 1e9, "N m/rad"),
         unit: "N m/rad",
-        excludes: &["drive-urad-per-nm"],
+        excludes: &["drive-urad-per-nm", "stiffness"],
         help: "The same as a stiffness: one for all six drives, or six",
         example: "2e6",
         ..SPRINGS
