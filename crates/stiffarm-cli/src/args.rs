@@ -24,12 +24,13 @@ const ABOUT: &str =
 const PAPER: &str = "Make every table and figure of the paper under its number, in the folder given with -o";
 
 /// The verbs of the library, with a line of help each.
-const VERBS: [(Verb, &str); 6] = [
+const VERBS: [(Verb, &str); 7] = [
     (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
     (Verb::Place, "Find the best place of one zone, with a proof"),
     (Verb::Map, "Map the deflection over everything a robot reaches"),
     (Verb::Compliance, "Six-axis compliance at one posture, and which drive gives how much"),
     (Verb::Study, "Compare two architectures over link ratio and task size"),
+    (Verb::Measure, "Plan which postures and loads to measure, so that identify finds the drives"),
     (Verb::Identify, "Find how stiff the drives of a robot are, from deflections that were measured"),
 ];
 
@@ -195,6 +196,7 @@ fn save(request: &Request, file: &Path, common: &Common) -> Result<(), Failure> 
     let mut inputs = request.robots();
     inputs.extend(request.robot());
     inputs.extend(request.data());
+    inputs.extend(request.compared());
     let inputs: Vec<&Path> = inputs.iter().map(|name| Path::new(name.trim())).chain(common.job.as_deref()).collect();
     write_text(file, &inputs, &job::write(request, &common.entries(file), file))?;
     if !common.quiet {

@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 14] = [
+const ABOUT: [About; 15] = [
     About {
         name: "rank",
         files: "the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -96,6 +96,21 @@ const ABOUT: [About; 14] = [
         examples: &[
             ("stiffarm study --tasks A,rect:1x3 --sizes 0.1,0.5", "two shapes"),
             ("stiffarm study --compare serial,serial --k3 1,0.5 -o study.png", "one architecture, a stiffer drive 3"),
+        ],
+    },
+    About {
+        name: "measure",
+        files: "the table to be filled in as .csv or .parquet, the plan as .json, .md or .txt",
+        is_long: true,
+        examples: &[
+            (
+                "stiffarm measure \"KR 210 R2700 extra\" --load-mm 0,0,200 -o plan.csv",
+                "twenty runs with a weight; a table to be filled in",
+            ),
+            (
+                "stiffarm measure \"KR 210 R2700 extra\" --loads down,left --runs 30 --task rect:0.6x0.4 --compare mine.csv",
+                "with a pulley, for one work, and what your own choice is worth",
+            ),
         ],
     },
     About {

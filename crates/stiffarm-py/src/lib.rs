@@ -51,7 +51,7 @@ mod _stiffarm {
     #[pymodule_export]
     use super::robot::{Robot, robots, select};
     #[pymodule_export]
-    use super::verbs::{distinct, identify, map, order, place, posture, rank, study};
+    use super::verbs::{distinct, identify, map, measure, order, place, posture, rank, study};
 
     use pyo3::prelude::*;
 

@@ -5,8 +5,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use stiffarm::answer::{
-    Cell, ColumnKind, ComplianceAnswer, IdentifyAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer,
-    stiffness, words,
+    Cell, ColumnKind, ComplianceAnswer, IdentifyAnswer, MapAnswer, MeasureAnswer, PlaceAnswer, RankAnswer, Rows,
+    StudyAnswer, stiffness, words,
 };
 use stiffarm::catalogue::{files, measurements, paper_robots};
 use stiffarm::compliance::compliance;
@@ -229,4 +229,38 @@ pub(crate) fn identify<'py>(
     let found = detached(py, || identified(&robot.0, &measured, &options))?.map_err(of(&robot.0))?;
     let answer = IdentifyAnswer { found, before: robot.0.clone(), data: name, date: options.date };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?, answer.robot_file()))
+}
+
+/// A plan of measurements: the answer, and the table to be filled in.
+#[pyfunction]
+pub(crate) fn measure<'py>(py: Python<'py>, robot: &Robot, asked: Asked) -> WithColumns<'py> {
+    let asked = asked.with(Verb::Measure, &[("robot", &robot.0.name)])?;
+    let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
+    let mut options = asked.measurement_plan();
+    let own = asked.compared().map(|name| {
+        let text = files::text(name.as_ref()).map_err(refused)?;
+        let name = files::shown(name.as_ref());
+        let planned = measurements::read_planned(&text, &name, &asked.points()).map_err(refused)?;
+        Ok::<_, PyErr>((name, stiffarm::measure::own(&planned)))
+    });
+    let own = own.transpose()?;
+    let task = if asked.is_given("task") { Some(asked.task().map_err(refused)?) } else { None };
+    let tool = asked.held().tool();
+    let answer = detached(py, || {
+        let mut work = "anywhere within the limits".to_owned();
+        if let Some(task) = task {
+            work = format!("{} at its best place, tool down", task.label);
+            options.work = stiffarm::measure::over(robot, &tool, task.zone).map_err(of(robot))?;
+        }
+        let plan = stiffarm::measure::plan(robot, &options).map_err(of(robot))?;
+        let compared = match own {
+            None => None,
+            Some((name, runs)) => {
+                let (value, efficiency) = stiffarm::measure::compare(robot, &options, &runs).map_err(of(robot))?;
+                Some((name, runs.len(), value, efficiency))
+            }
+        };
+        Ok::<_, PyErr>(MeasureAnswer { robot: robot.clone(), options, work, plan, compared })
+    })??;
+    Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }

@@ -8,7 +8,7 @@ from stiffarm import StiffarmError, _options, cluster
 
 VERBS = {
     "robots list": stiffarm.robots, "rank": stiffarm.rank, "place": stiffarm.place, "map": stiffarm.map,
-    "compliance": stiffarm.compliance, "study": stiffarm.study, "identify": stiffarm.identify,
+    "compliance": stiffarm.compliance, "study": stiffarm.study, "identify": stiffarm.identify, "measure": stiffarm.measure,
 }  # fmt: skip
 
 

@@ -46,6 +46,7 @@ fn written() -> String {
         ("Map", "map", Verb::Map, NONE),
         ("Study", "study", Verb::Study, NONE),
         ("Identify", "identify", Verb::Identify, NONE),
+        ("Measure", "measure", Verb::Measure, NONE),
         // A sweep takes several forces.
         ("Sweep", "cluster.sweep", Verb::Place, &["task", "force-n"]),
     ];
@@ -98,7 +99,7 @@ fn python_type(setting: &Setting) -> String {
             | Kind::Date,
             false,
         ) => "str".into(),
-        (Kind::Marker, _) => "str | Iterable[str]".into(),
+        (Kind::Marker | Kind::Way, _) => "str | Iterable[str]".into(),
         (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture, true) => "str | Iterable[str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
         (Kind::Block, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),

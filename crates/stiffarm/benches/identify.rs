@@ -1,4 +1,4 @@
-//! How long does an identification take? 1000 postures with four markers each: 12 000 numbers.
+//! How long does an identification take (1000 postures with four markers each: 12 000 numbers), and how long a plan of measurements?
 
 use std::hint::black_box;
 
@@ -8,6 +8,8 @@ use stiffarm::catalogue::find;
 use stiffarm::catalogue::measurements::{Measurements, Reading};
 use stiffarm::compliance::compliance;
 use stiffarm::identify::{Options, identify};
+use stiffarm::measure::{LoadWay, Options as PlanOptions, plan};
+use stiffarm::prior::with_prior;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::{Pose, Wrench};
 
@@ -50,5 +52,38 @@ fn bench(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, bench);
+fn planned(criterion: &mut Criterion) {
+    let robot = with_prior(&find("KR 210 R2700 extra").expect("in the catalogue").robot()).expect("its size is known");
+    let at = Vector3::new(0.0, 0.1, 0.25);
+    let ways = [
+        ("down", [0.0, 0.0, -1.0]),
+        ("left", [0.0, 1.0, 0.0]),
+        ("right", [0.0, -1.0, 0.0]),
+        ("ahead", [1.0, 0.0, 0.0]),
+        ("up", [0.0, 0.0, 1.0]),
+    ];
+    let options = |candidates: usize| PlanOptions {
+        ways: ways.map(|(name, along)| LoadWay { name: name.into(), along: along.into() }).into(),
+        newtons: 1000.0,
+        load_at: at,
+        markers: vec![at],
+        sigma: 2e-5,
+        runs: 20,
+        candidates,
+        window: None,
+        work: Vec::new(),
+        tool: at,
+    };
+    let mut group = criterion.benchmark_group("measure");
+    group.sample_size(10);
+    for candidates in [3000, 100_000] {
+        let options = options(candidates);
+        group.bench_function(format!("{candidates} candidates, 20 runs"), |bencher| {
+            bencher.iter(|| plan(black_box(&robot), black_box(&options)));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, bench, planned);
 criterion_main!(benches);

@@ -9,6 +9,7 @@
 //! | place | [`place::place`] | where must a zone stand, and who proves it? |
 //! | rank | [`rank::rank`] | which robot holds the force best? |
 //! | identify | [`identify::identify`] | how stiff are the drives, by measured deflections? |
+//! | measure | [`measure::plan`] | which postures and loads must be measured? |
 //! | study | [`study::study`] | which architecture suits which link ratio and size? |
 //! | import | [`catalogue::import::import`] | which robot does a URDF describe? |
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
@@ -19,7 +20,7 @@
 //!
 //! The modules in reading order: [`plain`], [`palette`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
 //! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
-//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
+//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`measure`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
 //! In both models links, bearings and the base are rigid; the deflection is elastic and static, without the robot's own weight. The planar
@@ -51,6 +52,7 @@ pub mod ledger;
 pub mod limits;
 pub mod load;
 pub mod map;
+pub mod measure;
 pub mod model;
 pub mod palette;
 pub mod part;

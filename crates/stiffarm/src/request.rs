@@ -8,6 +8,7 @@ mod forces;
 mod identify;
 pub mod job;
 mod kind;
+mod measure;
 mod notation;
 mod options;
 mod refusal;
@@ -17,7 +18,7 @@ mod wishes;
 pub use kind::{Count, Kind};
 pub use notation::{
     Angle, Force, block, degrees, elevation, force, marker, mount, number, open_range, point, shape, spindle, tool,
-    window, within, yaw,
+    way, window, within, yaw,
 };
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};

@@ -11,6 +11,7 @@ use stiffarm::catalogue::measurements::{self, Marker, Measurements, Points};
 use stiffarm::catalogue::{find, read, write};
 use stiffarm::drive::{Architecture, GravityCompensator, JointCompliance, Transmission};
 use stiffarm::identify::{Axes, Estimator, Identification, IdentifyError, Options, Spring, Unknown, identify};
+use stiffarm::prior::with_prior;
 use stiffarm::robot::{Arm, Robot, StiffnessSource};
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
@@ -29,7 +30,7 @@ fn kuka() -> Robot {
 }
 
 fn with(robot: &Robot, k: [f64; 6]) -> Robot {
-    let mut robot = robot.clone();
+    let mut robot = Robot { stiffness_is_assumed: false, ..robot.clone() };
     let Arm::SixAxis { drives, .. } = &mut robot.arm else { unreachable!("six axes") };
     drives.compliance = JointCompliance(k);
     robot
@@ -78,8 +79,8 @@ fn the_measured_fanuc_says_by_itself_what_it_does_not_tell() {
     assert_eq!(unknown, [false, false, false, false, false, true]);
     let [.., last] = found.estimates.as_slice() else { unreachable!("six") };
     assert!(matches!(last.unknown, Some(Unknown::Uncertain(share)) if 0.5 < share), "{last:?}");
-    // What is not identified stays as it was.
-    assert_eq!(last.used, robot.drive_compliance()[5].unwrap());
+    // What is not identified has what robots of its size have.
+    assert_eq!(last.used, with_prior(&robot).unwrap().drive_compliance()[5].unwrap());
     assert_eq!(found.outliers.iter().map(|one| one.row).collect::<Vec<_>>(), [17, 11]);
     assert!(0.99 < found.least_seen[5].abs(), "{:?}", found.least_seen);
     assert!((found.explained() - 0.784).abs() < 1e-3 && (found.explained_left_out().unwrap() - 0.765).abs() < 1e-3);

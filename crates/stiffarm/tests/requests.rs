@@ -116,6 +116,15 @@ fn told(request: &Request) -> String {
             format!("{robot:?} {joints:?} {:?} {:?}", request.posture_load(), request.held())
         }
         Verb::Study => format!("{:?}", request.study()),
+        Verb::Measure => {
+            let (robot, task) = (request.robot().ok(), request.task().ok());
+            format!(
+                "{robot:?} {task:?} {:?} {:?} {:?}",
+                request.points(),
+                request.measurement_plan(),
+                request.compared()
+            )
+        }
         Verb::Identify => {
             let (data, robot) = (request.data().ok(), request.robot().ok());
             format!("{data:?} {robot:?} {:?} {:?}", request.points(), request.identification())

@@ -6,6 +6,7 @@ mod drawing;
 pub(crate) mod identify;
 pub(crate) mod import;
 pub(crate) mod map;
+pub(crate) mod measure;
 pub(crate) mod paper;
 pub(crate) mod place;
 pub(crate) mod rank;

@@ -9,6 +9,7 @@ A robot and a task go in; each verb is one function:
 `rank`         which robot holds the force best?
 `study`        which architecture suits which link ratio and size?
 `identify`     how stiff are the drives, by measured deflections?
+`measure`      which postures and loads must be measured for that?
 ============== ==========================================================
 
 Units stand in the names: ``force_n``, ``tool_mm``, ``deflection_mm``. The numbers are those of the program `stiffarm`, to
@@ -19,9 +20,9 @@ the last bit. What is not reached is ``nan`` in arrays and None elsewhere. Whate
 Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl-C takes effect when the call returns.
 """
 
-from ._answers import Answer, Compliance, Compliances, Identification, Map, Placement, Ranking, Study
+from ._answers import Answer, Compliance, Compliances, Identification, Map, MeasurementPlan, Placement, Ranking, Study
 from ._stiffarm import Robot, StiffarmError, __version__, set_threads
-from ._verbs import cell, compliance, identify, map, place, rank, robots, study
+from ._verbs import cell, compliance, identify, map, measure, place, rank, robots, study
 
 __all__ = [
     "Answer",
@@ -29,6 +30,7 @@ __all__ = [
     "Compliances",
     "Identification",
     "Map",
+    "MeasurementPlan",
     "Placement",
     "Ranking",
     "Robot",
@@ -39,6 +41,7 @@ __all__ = [
     "compliance",
     "identify",
     "map",
+    "measure",
     "place",
     "rank",
     "robots",

@@ -382,6 +382,37 @@ class Identification(_Table):
         return f"{self.robot}: drives {known or 'none'} identified in {self.postures} postures, {100 * self.explained:.1f} % explained"
 
 
+class MeasurementPlan(_Table):
+    """Which postures and loads to measure."""
+
+    schema: dict[str, Any]
+    robot: str
+    #: What it is judged by.
+    criterion: str
+    #: (um/N)^2.
+    value: float
+    #: No plan of so many runs of the candidates has less.
+    lower_bound: float
+    #: The bound over the value.
+    efficiency: float
+    random_efficiency: float | None
+    candidates: int
+    #: What is expected of each drive: ``standard_error_urad_per_nm``.
+    drives: list[dict[str, Any]]
+    #: Drives that no candidate shows.
+    unseen_drives: list[int]
+    #: ``joints_deg``, ``load``, ``force_n``, ``expected_mm`` of each.
+    runs: list[dict[str, Any]]
+    #: What the table that was given is worth.
+    compared: dict[str, Any] | None
+
+    def __len__(self) -> int:
+        return len(self.runs)
+
+    def _words(self) -> str:
+        return f"{self.robot}: {len(self)} runs, efficiency {100 * self.efficiency:.1f} % at least"
+
+
 class Map(_Table):
     """Deflections over a grid: nan where nothing is reached. Points count from the robot's base."""
 

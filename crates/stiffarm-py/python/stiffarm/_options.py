@@ -67,6 +67,8 @@ def _text(option: Option, value: object) -> str | None:
     if kind == "block":
         boxes: Any = value
         return _given.blocks(name, boxes)
+    if kind == "way":
+        return ",".join(_given.texts(name, value)) or None
     if kind == "marker":
         return ";".join(_given.texts(name, value)) or None
     if kind in ("text", "file", "date", "word", "robot", "task", "shape", "posture", "mount"):

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, overload
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Compliance, Compliances, Identification, Map, Placement, Ranking, Study
+from ._answers import Compliance, Compliances, Identification, Map, MeasurementPlan, Placement, Ranking, Study
 from ._given import RobotLike
 from ._stiffarm import Robot, StiffarmError
-from .types import ComplianceOptions, IdentifyOptions, MapOptions, PlaceOptions, RankOptions, RobotsOptions, StudyOptions
+from .types import ComplianceOptions, IdentifyOptions, MapOptions, MeasureOptions, PlaceOptions, RankOptions, RobotsOptions, StudyOptions
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -241,3 +241,26 @@ def identify(data: str | os.PathLike[str] | object, *, robot: RobotLike, **optio
         Names every fault with its row and column, or says why nothing can be concluded.
     """
     return Identification(*_stiffarm.identify(*_given.table("data", data), _given.robot(robot), _options.spelt("identify", options)))
+
+
+@_options.takes("measure", MeasureOptions)
+def measure(robot: RobotLike, **options: Unpack[MeasureOptions]) -> MeasurementPlan:
+    """Which postures and loads to measure, with a certificate that no other choice is much better.
+
+    Parameters
+    ----------
+    robot : Robot or str
+        Which.
+    {options}
+
+    Returns
+    -------
+    MeasurementPlan
+        Runs in an order with short ways; ``to_pandas()`` is the table to be filled in, which `identify` reads.
+
+    Raises
+    ------
+    StiffarmError
+        Where no posture can be measured, or the loads show nothing.
+    """
+    return MeasurementPlan(*_stiffarm.measure(_given.robot(robot), _options.spelt("measure", options)))

@@ -60,9 +60,12 @@ class ComplianceOptions(TypedDict, total=False):
     """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
     leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
@@ -126,9 +129,13 @@ class PlaceOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
+    and prior in space]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
@@ -224,9 +231,13 @@ class RankOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
+    and prior in space]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
@@ -348,9 +359,13 @@ class MapOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
+    and prior in space]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
@@ -476,9 +491,13 @@ class SweepOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
+    and prior in space]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""

@@ -274,6 +274,18 @@ fields! {
     LEFT_OUT: "left_out_mm", Kind::Number(Unit::Millimetre), "Length of what those leave that are found without its posture.";
     RATIO: "sigmas", Kind::Number(Unit::One), "What Huber's estimate leaves of it, in standard deviations of a coordinate.";
     DATE: "date", Kind::Text, "When was measured.";
+    RUNS: "runs", Kind::Nested, "One entry per run, in the order in which they are made.";
+    RUN: "run", Kind::Count, "Its number, from 1.";
+    OF_LOAD: "load", Kind::Text, "In which direction is loaded.";
+    EXPECTED: "expected_mm", Kind::Number(Unit::Millimetre), "How far the marker is expected to move.";
+    CRITERION: "criterion", Kind::Text, "What a plan is judged by.";
+    CRITERION_VALUE: "value", Kind::Number(Unit::One), "Mean variance of the displacement under 1 N over the work, (um/N)^2.";
+    CRITERION_BOUND: "lower_bound", Kind::Number(Unit::One), "No plan of so many runs of the candidates has less.";
+    EFFICIENCY: "efficiency", Kind::Number(Unit::One), "The bound over the value: 1 is proved best.";
+    RANDOM_EFFICIENCY: "random_efficiency", Kind::Number(Unit::One), "The same of the median random choice; null where that leaves some drive unseen.";
+    CANDIDATES: "candidates", Kind::Count, "Among so many was chosen.";
+    UNSEEN: "unseen_drives", Kind::Nested, "Drives that no candidate shows.";
+    COMPARED: "compared", Kind::Nested, "What the table that was given is worth.";
     REMARKS: "remarks", Kind::Nested, "What is odd.";
     ENTRY: "row", Kind::Text, "Which row of a matrix.";
 }

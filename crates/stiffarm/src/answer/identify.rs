@@ -181,12 +181,11 @@ impl IdentifyAnswer {
         let others: Vec<&Estimate> = found.estimates.iter().filter(|estimate| estimate.unknown.is_some()).collect();
         if !others.is_empty() {
             let names: Vec<String> = others.iter().map(|estimate| estimate.spring.name()).collect();
-            let (keeps, has) = if names.len() == 1 { ("keeps", "it has") } else { ("keep", "they have") };
-            let before = stiffness(&self.before);
+            let keep = if names.len() == 1 { "keeps" } else { "keep" };
             notes += &format!(
-                "{} {keeps} in the robot file what {has} there now ({before}), and the others are found again beside that: {} mm are then not \
-                 explained\n",
+                "{} {keep} in the robot file what was known before ({}), and the others are found again beside that: {} mm are then not explained\n",
                 names.join(", "),
+                stiffness(&found.known),
                 fixed(found.after_used * 1e3, 3),
             );
         }

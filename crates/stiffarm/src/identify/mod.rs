@@ -19,9 +19,11 @@ use nalgebra::DMatrix;
 use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 
 use crate::catalogue::measurements::Measurements;
+use crate::prior::with_prior;
 use crate::robot::Robot;
 
 pub use springs::Spring;
+pub(crate) use springs::columns_at;
 pub use told::{Combination, Outlier, Residual};
 use work::Work;
 
@@ -159,8 +161,10 @@ pub struct Estimate {
 /// What an identification has found.
 #[derive(Clone, Debug)]
 pub struct Identification {
-    /// The robot with the compliances that were identified, and the others as they were.
+    /// The robot with the compliances that were identified, and the others as they were before.
     pub robot: Robot,
+    /// The robot with what was known of its drives: as its file says, else by the prior.
+    pub known: Robot,
     /// How was estimated.
     pub estimator: Estimator,
     /// Of every spring.
@@ -223,7 +227,10 @@ pub fn identify(robot: &Robot, measured: &Measurements, options: &Options) -> Re
     if readings.len() < least {
         return Err(IdentifyError::TooFew { readings: readings.len(), sought: springs.len(), least });
     }
-    let work = Work::of(robot, readings, springs, options)?;
+    // What is not identified keeps what is known of it: by its file, else by its size.
+    let before =
+        if robot.stiffness_is_assumed { with_prior(robot).unwrap_or_else(|_| robot.clone()) } else { robot.clone() };
+    let work = Work::of(&before, readings, springs, options)?;
     work.identification(options, remarks)
 }
 

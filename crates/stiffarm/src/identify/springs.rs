@@ -105,3 +105,25 @@ impl Bent {
 pub(super) fn beyond(robot: &Robot, reading: &Reading) -> Vec<usize> {
     crate::compliance::beyond_limits(robot, &reading.q)
 }
+
+/// What a unit compliance of each drive moves markers at a posture, m per rad/(N m), under a load on a point of the flange frame (N, base axes): six
+/// columns of each marker; and how much of its own compliance drive 2 has beside a gravity compensator.
+pub(crate) fn columns_at(
+    robot: &Robot,
+    q: &[f64; 6],
+    load: &Vector6<f64>,
+    at: &Vector3<f64>,
+    markers: &[Vector3<f64>],
+) -> Result<(Vec<[Vector3<f64>; 6]>, f64), IdentifyError> {
+    let bent = Bent::at(robot, q)?;
+    let at = bent.point(at);
+    let of = |marker: &Vector3<f64>| {
+        let marker = bent.point(marker);
+        Spring::DRIVES.map(|spring| bent.column(spring, (load, &at), &marker))
+    };
+    let Arm::SixAxis { drives, .. } = &robot.arm else { return Err(IdentifyError::Planar(robot.name.clone())) };
+    let k = drives.compliance.0[1];
+    let share =
+        drives.compliance_at(bent.theta_2).map_or(1.0, |effective| if 0.0 < k { effective[1] / k } else { 1.0 });
+    Ok((markers.iter().map(of).collect(), share))
+}

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::catalogue::measurements::Reading;
 use crate::drive::{Identified, JointCompliance};
-use crate::robot::{Arm, COMPLIANCE_SOURCE, Robot};
+use crate::robot::{Arm, COMPLIANCE_SOURCE, Robot, StiffnessSource};
 
 /// What is known of the readings before anything is solved.
 pub(super) struct Work<'a> {
@@ -328,6 +328,7 @@ impl<'a> Work<'a> {
         let rounded = |x: f64, per: f64| format!("{:.9e}", x * per).parse::<f64>().map_or(x, |rounded| rounded / per);
         drives.compliance = JointCompliance(k.map(|k| rounded(k, 1e6)));
         let values: Vec<f64> = estimates.iter().map(|estimate| estimate.used).collect();
+        drives.scatter = None;
         drives.identified = Some(Identified {
             drives: seen,
             covariance: covariance
@@ -338,7 +339,11 @@ impl<'a> Work<'a> {
         });
         robot.stiffness_is_assumed = false;
         let drives: Vec<String> = (1..=6).filter(|&drive| seen[drive - 1]).map(|drive| drive.to_string()).collect();
-        let others = if drives.len() < 6 { "; the others as they were before" } else { "" };
+        let others = match (drives.len(), self.robot.stiffness_source()) {
+            (6, _) => "",
+            (_, StiffnessSource::Prior | StiffnessSource::Published) => "; the others by the prior",
+            _ => "; the others as they were before",
+        };
         let source = format!(
             "drives {} identified in {postures} postures by {}{others}",
             drives.join(", "),
@@ -397,6 +402,7 @@ impl<'a> Work<'a> {
             .collect();
         Identification {
             robot: self.robot.clone(),
+            known: self.robot.clone(),
             estimator: Estimator::LeastSquares,
             estimates: Vec::new(),
             before: 0.0,

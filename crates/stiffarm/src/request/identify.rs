@@ -38,7 +38,7 @@ impl Request {
 
     /// Several markers are told apart by names.
     pub(super) fn check_markers(&self) -> Result<(), Refusal> {
-        if self.verb != Verb::Identify {
+        if !matches!(self.verb, Verb::Identify | Verb::Measure) {
             return Ok(());
         }
         let markers = self.markers();

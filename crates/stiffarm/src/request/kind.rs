@@ -1,13 +1,15 @@
 //! What does an option take, and which value does a text stand for?
 
 use super::notation::{
-    Angle, Force, block, elevation, force, marker, mount, number, open_range, point, shape, spindle, tool, window, yaw,
+    Angle, Force, block, elevation, force, marker, mount, number, open_range, point, shape, spindle, tool, way, window,
+    yaw,
 };
 use crate::catalogue::is_date;
 use crate::catalogue::measurements::Marker;
 use crate::cell::{Block, Mount, Window};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
+use crate::measure::LoadWay;
 use crate::spatial::Pose;
 use crate::task::Task;
 
@@ -67,6 +69,8 @@ pub enum Kind {
     Point,
     /// The same, with the name of a marker before it.
     Marker,
+    /// In which direction something can be loaded.
+    Way,
     /// A file that is read.
     File,
     /// Year, month and day.
@@ -135,6 +139,7 @@ pub(super) enum Value {
     Tool(Pose),
     Point([f64; 3]),
     Marker(Marker),
+    Way(LoadWay),
     Task(Task),
     Posture(Configuration),
 }
@@ -216,6 +221,7 @@ impl Kind {
             Self::Tool => tool(text).map(Value::Tool),
             Self::Point => point(text).map(Value::Point),
             Self::Marker => marker(text).map(Value::Marker),
+            Self::Way => way(text).map(Value::Way),
             Self::Spindle => spindle(text).map(Value::Tool),
             Self::Task => text.parse().map(Value::Task).map_err(|error: crate::task::TaskError| error.to_string()),
             Self::Shape => shape(text).map(Value::Task),

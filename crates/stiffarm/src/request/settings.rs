@@ -18,16 +18,19 @@ pub enum Verb {
     Study,
     /// Stiffness from measurements.
     Identify,
+    /// Which measurements to make.
+    Measure,
     /// Which robots there are.
     List,
 }
 
 impl Verb {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Identify, Self::List];
+    pub const ALL: [Self; 8] =
+        [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Identify, Self::Measure, Self::List];
     /// Those that a job file may ask.
-    pub const JOBS: [Self; 6] = [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Identify];
+    pub const JOBS: [Self; 7] =
+        [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Identify, Self::Measure];
 
     /// As it is typed.
     pub fn name(self) -> &'static str {
@@ -38,6 +41,7 @@ impl Verb {
             Self::Compliance => "compliance",
             Self::Study => "study",
             Self::Identify => "identify",
+            Self::Measure => "measure",
             Self::List => "robots list",
         }
     }
@@ -154,6 +158,11 @@ const MAP: &[Verb] = &[Verb::Map];
 const COMPLIANCE: &[Verb] = &[Verb::Compliance];
 const STUDY: &[Verb] = &[Verb::Study];
 const IDENTIFY: &[Verb] = &[Verb::Identify];
+const MEASURE: &[Verb] = &[Verb::Measure];
+/// Those that have to do with measurements.
+const MEASURING: &[Verb] = &[Verb::Identify, Verb::Measure];
+/// Those that bend drives.
+const SPRINGING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Measure];
 const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map];
 /// Those that tell deflections of robots.
 const BENDING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance];
@@ -198,7 +207,7 @@ const RELATIVE: Setting = Setting {
 };
 /// Of the drives' springs.
 const SPRINGS: Setting = Setting {
-    verbs: BENDING,
+    verbs: SPRINGING,
     count: one_or(6, "values", "one for every drive, or six, separated by commas"),
     value: "K",
     heading: "Stiffness",
@@ -261,7 +270,7 @@ const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: FILTE
 pub static SETTINGS: &[Setting] = &[
     Setting {
         name: "robot",
-        verbs: &[Verb::Place, Verb::Map, Verb::Compliance],
+        verbs: &[Verb::Place, Verb::Map, Verb::Compliance, Verb::Measure],
         kind: Kind::Robot,
         value: "ROBOT",
         absent: Absent::Required,
@@ -681,7 +690,7 @@ pub static SETTINGS: &[Setting] = &[
         ..WHOSE
     },
     Setting {
-        verbs: COMPLIANCE,
+        verbs: &[Verb::Compliance, Verb::Measure],
         absent: Absent::Means("as the robot file has it, else prior"),
         example: "paper",
         ..WHOSE
@@ -811,7 +820,7 @@ pub static SETTINGS: &[Setting] = &[
     },
     Setting {
         name: "load-mm",
-        verbs: IDENTIFY,
+        verbs: MEASURING,
         kind: Kind::Point,
         unit: "mm",
         value: "X,Y,Z",
@@ -823,7 +832,7 @@ pub static SETTINGS: &[Setting] = &[
     },
     Setting {
         name: "marker-mm",
-        verbs: IDENTIFY,
+        verbs: MEASURING,
         kind: Kind::Marker,
         count: count_of(1, ANY, "markers", "some"),
         unit: "mm",
@@ -857,6 +866,100 @@ pub static SETTINGS: &[Setting] = &[
         heading: MEASURED,
         help: "When was measured, as year-month-day: it is told, and stands in the robot file",
         example: "2026-05-31",
+        ..ROW
+    },
+    Setting {
+        name: "task",
+        verbs: MEASURE,
+        kind: Kind::Task,
+        value: "TASK",
+        absent: Absent::Means("anywhere within the limits"),
+        help: "The work over which the deflection is to be predicted: a zone at its best place, the tool down",
+        example: "rect:0.6x0.4",
+        ..ROW
+    },
+    Setting {
+        name: "loads",
+        verbs: MEASURE,
+        kind: Kind::Way,
+        count: SEVERAL,
+        value: "WAYS",
+        absent: Absent::Default("down"),
+        help: "In which directions you can load: down (weights), up, ahead, back, left, right, or x:y:z along base axes (pulleys); separated by commas",
+        example: "down,1:0:-1",
+        ..ROW
+    },
+    Setting {
+        name: "force-n",
+        verbs: MEASURE,
+        kind: number_of(1.0, 1e5, "N"),
+        unit: "N",
+        value: "N",
+        absent: Absent::Default("1000"),
+        help: "How large the load is",
+        example: "500",
+        ..ROW
+    },
+    Setting {
+        name: "runs",
+        verbs: MEASURE,
+        kind: Kind::Whole { min: 2, max: 1000 },
+        value: "N",
+        absent: Absent::Default("20"),
+        help: "How many postures and loads are to be measured",
+        example: "30",
+        ..ROW
+    },
+    Setting {
+        name: "candidates",
+        verbs: MEASURE,
+        kind: Kind::Whole { min: 10, max: 1_000_000 },
+        value: "N",
+        absent: Absent::Default("3000"),
+        help: "Among how many of them is chosen",
+        example: "1000",
+        ..ROW
+    },
+    Setting {
+        name: "sigma-mm",
+        verbs: MEASURE,
+        kind: number_of(1e-5, 10.0, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Default("0.02"),
+        help: "Standard deviation of what is read of a coordinate",
+        example: "0.05",
+        ..ROW
+    },
+    Setting {
+        name: "window",
+        verbs: MEASURE,
+        kind: Kind::Block,
+        unit: "m",
+        value: "RANGES",
+        absent: Absent::Means("above the floor"),
+        help: "Where load point and markers must be: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open",
+        example: "0.5..3,-1..1,0.3..2",
+        ..ROW
+    },
+    Setting {
+        name: "tool-mm",
+        verbs: MEASURE,
+        kind: Kind::Tool,
+        unit: "mm, deg",
+        value: "X,Y,Z",
+        absent: Absent::Means("the flange"),
+        help: "The tool of the work in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes",
+        example: "0,0,200",
+        ..ROW
+    },
+    Setting {
+        name: "compare",
+        verbs: MEASURE,
+        kind: Kind::File,
+        value: "MINE.csv",
+        help: "A table of postures and loads of your own: what it is worth beside the plan",
+        example: "mine.csv",
         ..ROW
     },
     Setting {

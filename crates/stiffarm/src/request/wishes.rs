@@ -124,7 +124,9 @@ impl Request {
                 Err(self.refused("stiffness", why))
             }
             // In space all six drives count, and nobody's are alike. Of what no size is known that is all that can be said.
-            None if robot.stiffness_is_assumed && (self.is_spatial() || self.verb == Verb::Compliance) => {
+            None if robot.stiffness_is_assumed
+                && (self.is_spatial() || matches!(self.verb, Verb::Compliance | Verb::Measure)) =>
+            {
                 Ok(with_prior(&robot).unwrap_or(robot))
             }
             _ => Ok(robot),

@@ -25,7 +25,8 @@ pub(super) struct Columns {
     pub angles: Angles,
     pub force: Three,
     pub moment: Option<Three>,
-    pub moved: Three,
+    /// `None` of a table that is to be filled in.
+    pub moved: Option<Three>,
     /// The ending of their names, and m per unit.
     pub length: (&'static str, f64),
     pub posture: Option<usize>,
@@ -51,7 +52,7 @@ pub(super) struct Row {
 }
 
 /// Finds the columns; `None` where there is none of some that are needed, which is a fault.
-pub(super) fn table(text: &str, faults: &mut Vec<Fault>) -> Option<Table> {
+pub(super) fn table(text: &str, is_planned: bool, faults: &mut Vec<Fault>) -> Option<Table> {
     let first = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or_default();
     let delimiter = [b';', b'\t'].into_iter().find(|&c| first.contains(char::from(c))).unwrap_or(b',');
     let mut reader = csv::ReaderBuilder::new()
@@ -69,7 +70,7 @@ pub(super) fn table(text: &str, faults: &mut Vec<Fault>) -> Option<Table> {
     };
     let line = headings.position().map_or(1, |position| position.line() as usize);
     let names: Vec<String> = headings.iter().map(|name| name.to_ascii_lowercase()).collect();
-    let columns = Finder { names: &names, line, faults }.columns()?;
+    let columns = Finder { names: &names, line, is_planned, faults }.columns()?;
     let mut rows = Vec::new();
     for record in reader.records() {
         let fault = |line: usize, message: String| Fault { line, key: String::new(), message };
@@ -107,6 +108,8 @@ pub(super) fn table(text: &str, faults: &mut Vec<Fault>) -> Option<Table> {
 struct Finder<'a> {
     names: &'a [String],
     line: usize,
+    /// Displacements are still to be measured.
+    is_planned: bool,
     faults: &'a mut Vec<Fault>,
 }
 
@@ -133,7 +136,7 @@ impl Finder<'_> {
         let angles = if radians { Angles::Radians } else { Angles::Degrees };
         let force = self.all(["fx_n", "fy_n", "fz_n"], "the force on the load point in N");
         let moment = self.optional(["mx_nm", "my_nm", "mz_nm"]);
-        let moved = self.moved();
+        let moved = if self.is_planned { Some((None, ("mm", 1e-3))) } else { self.moved() };
         let load_at = self.optional(["load_x_mm", "load_y_mm", "load_z_mm"]);
         let marker_at = self.optional(["marker_x_mm", "marker_y_mm", "marker_z_mm"]);
         let (moved, length) = moved?;
@@ -152,7 +155,7 @@ impl Finder<'_> {
         })
     }
 
-    fn moved(&mut self) -> Option<(Three, (&'static str, f64))> {
+    fn moved(&mut self) -> Option<(Option<Three>, (&'static str, f64))> {
         let units: [([&str; 3], (&'static str, f64)); 3] = [
             (["dx_mm", "dy_mm", "dz_mm"], ("mm", 1e-3)),
             (["dx_um", "dy_um", "dz_um"], ("um", 1e-6)),
@@ -164,7 +167,7 @@ impl Finder<'_> {
             return None;
         }
         let (names, unit) = found.into_iter().next().unwrap_or(units[0]);
-        Some((self.all(names, "the displacement of the marker; or dx_um, or dx_m")?, unit))
+        Some((Some(self.all(names, "the displacement of the marker; or dx_um, or dx_m")?), unit))
     }
 
     fn position(&self, name: &str) -> Option<usize> {
@@ -207,7 +210,7 @@ fn unknown(names: &[String], columns: &Columns) -> Vec<String> {
     let three = |three: Option<Three>| three.into_iter().flatten();
     let known: Vec<usize> = (columns.q.into_iter())
         .chain(columns.force)
-        .chain(columns.moved)
+        .chain(three(columns.moved))
         .chain(three(columns.moment))
         .chain(three(columns.load_at))
         .chain(three(columns.marker_at))

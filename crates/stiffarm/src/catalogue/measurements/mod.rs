@@ -75,12 +75,35 @@ pub struct Marker {
 /// All faults at once, each with its line, row and column: what is missing or no number, what has the wrong unit by all appearance,
 /// what was copied, and what nothing can be concluded from.
 pub fn read(text: &str, file: &str, points: &Points) -> Result<Measurements, Faults> {
+    let (found, mut faults) = rows_of(text, false, points);
+    if let Some(found) = found.filter(|_| faults.is_empty()) {
+        checks::check(&found.measurements, &found.units, &mut faults);
+        if faults.is_empty() {
+            return Ok(found.measurements);
+        }
+    }
+    Err(Faults { file: file.into(), faults })
+}
+
+/// Reads a table that is still to be filled in: postures and loads; its displacements are zero, whatever stands there.
+///
+/// # Errors
+/// As [`read`], of each row alone.
+pub fn read_planned(text: &str, file: &str, points: &Points) -> Result<Measurements, Faults> {
+    let (found, faults) = rows_of(text, true, points);
+    match found {
+        Some(found) if faults.is_empty() && !found.measurements.readings.is_empty() => Ok(found.measurements),
+        Some(_) if faults.is_empty() => {
+            let fault = Fault { line: 1, key: String::new(), message: "no row holds a posture".into() };
+            Err(Faults { file: file.into(), faults: vec![fault] })
+        }
+        _ => Err(Faults { file: file.into(), faults }),
+    }
+}
+
+fn rows_of(text: &str, is_planned: bool, points: &Points) -> (Option<rows::Found>, Vec<Fault>) {
     let mut faults = Vec::new();
-    let found = columns::table(text, &mut faults).map(|table| rows::read(&table, points, &mut faults));
-    let Some(found) = found.filter(|_| faults.is_empty()) else {
-        faults.sort_by_key(|fault: &Fault| fault.line);
-        return Err(Faults { file: file.into(), faults });
-    };
-    checks::check(&found.measurements, &found.units, &mut faults);
-    if faults.is_empty() { Ok(found.measurements) } else { Err(Faults { file: file.into(), faults }) }
+    let found = columns::table(text, is_planned, &mut faults).map(|table| rows::read(&table, points, &mut faults));
+    faults.sort_by_key(|fault| fault.line);
+    (found, faults)
 }

@@ -90,7 +90,8 @@ impl Reader<'_> {
         let force = columns.force.map(|column| cells.number(column, 1e6));
         let moment = columns.moment.map_or([0.0; 3], |three| three.map(|column| cells.number(column, 1e6)));
         let (_, metres) = columns.length;
-        let moved = columns.moved.map(|column| cells.number(column, 1.0 / metres) * metres);
+        let moved =
+            columns.moved.map_or([0.0; 3], |three| three.map(|column| cells.number(column, 1.0 / metres) * metres));
         let load_at = match (columns.load_at, self.points.load) {
             (Some(three), _) => cells.point(three),
             (None, given) => given.unwrap_or_default().into(),
@@ -203,7 +204,7 @@ impl Cells<'_> {
                 }
             }
             _ => {
-                let at = column.unwrap_or(self.reader.table.columns.moved[0]);
+                let at = column.unwrap_or(self.reader.table.columns.force[0]);
                 self.fault(at, "several markers are given; expected a column marker that says which was looked at");
                 load_at
             }
