@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use stiffarm::catalogue::measurements::{self, Marker, Measurements, Points};
 use stiffarm::catalogue::{find, read, write};
 use stiffarm::drive::{Architecture, GravityCompensator, JointCompliance, Transmission};
-use stiffarm::identify::{Axes, Estimator, Identification, IdentifyError, Options, Spring, Unknown, identify};
+use stiffarm::identify::{Axes, Estimator, Identification, IdentifyError, Options, Spring, Springs, Unknown, identify};
 use stiffarm::prior::with_prior;
 use stiffarm::robot::{Arm, Robot, StiffnessSource};
 
@@ -303,4 +303,37 @@ fn a_robot_file_whose_measurements_make_no_sense_is_refused_by_line_and_key() {
             faults.iter().find(|fault| fault.key == key).unwrap_or_else(|| panic!("{from} -> {to}: {faults:?}"));
         assert!(found.message.contains(expected), "{found:?}");
     }
+}
+
+/// A pedestal that tilts by 0.2 urad/(N m) about the level axes through the base: the tilt of the whole arm, worked out apart.
+#[test]
+fn a_base_that_tilts_is_found_and_not_asked_for_where_there_is_none() {
+    let robot = with(&kuka(), TRUTH);
+    let made = Made { noise: 20e-6, postures: 40, ..Made::usual(31) };
+    let auto = Options { model: Springs::Auto, ..Options::default() };
+    let firm = identify(&robot, &made.measured(&robot), &auto).unwrap();
+    assert_eq!((firm.model, firm.tried.len()), (Springs::Drives, 4));
+    let mut measured = made.measured(&robot);
+    for reading in &mut measured.readings {
+        let flange = made::flange(&robot, &reading.q);
+        let point = |at: Vector3<f64>| (flange * nalgebra::Point3::from(at)).coords;
+        let (load, marker) = (point(reading.load_at), point(reading.marker_at));
+        let (force, moment) =
+            (Vector3::from(reading.load.0.fixed_rows::<3>(0)), Vector3::from(reading.load.0.fixed_rows::<3>(3)));
+        let torque = load.cross(&force) + moment;
+        reading.moved += (0.2e-6 * Vector3::new(torque.x, torque.y, 0.0)).cross(&marker);
+    }
+    let found = identify(&robot, &measured, &auto).unwrap();
+    assert_eq!(found.model, Springs::Base, "{:?}", found.tried);
+    let base = found.estimates.last().unwrap();
+    assert!(
+        base.spring == Spring::Base && base.interval.is_some_and(|[low, high]| low < 0.2e-6 && 0.2e-6 < high),
+        "{base:?}"
+    );
+    // Without it the drives are blamed.
+    let blamed = identify(&robot, &measured, &Options::default()).unwrap();
+    assert!(
+        blamed.after > 2.0 * found.after
+            && blamed.estimates[1].compliance > found.estimates[1].compliance.map(|k| 1.1 * k)
+    );
 }

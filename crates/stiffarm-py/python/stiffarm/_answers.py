@@ -341,6 +341,12 @@ class Identification(_Table):
     date: str | None
     #: ``"least-squares"`` or ``"huber"``.
     fit: str
+    #: What springs: ``"drives"``, ``"base"``, ``"tool"``, ``"base-and-tool"``.
+    model: str
+    #: What springs besides the drives.
+    springs: list[dict[str, Any]]
+    #: Those that were tried, where one was to be chosen.
+    models: list[dict[str, Any]]
     postures: int
     readings: int
     #: Of each: ``compliance_urad_per_nm``, ``standard_error_urad_per_nm``, ``ci95_urad_per_nm``, ``identified``, ``why_not``, ...

@@ -252,6 +252,10 @@ fields! {
     NOT_IDENTIFIED: "why_not", Kind::Text, "Why they do not.";
     USED: "used_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "What the robot file has: found with all that is not identified held, or as it was before.";
     ESTIMATOR: "fit", Kind::Text, "least-squares or huber.";
+    FURTHER_SPRINGS: "springs", Kind::Nested, "What springs besides the drives.";
+    SPRING_NAME: "spring", Kind::Text, "Its name.";
+    MODELS: "models", Kind::Nested, "The models that were tried.";
+    BIC: "bic", Kind::Number(Unit::One), "Schwarz's criterion; less is better.";
     POSTURES: "postures", Kind::Count, "How many postures.";
     READINGS: "readings", Kind::Count, "How many rows.";
     RMS_BEFORE: "rms_before_mm", Kind::Number(Unit::Millimetre), "How far a coordinate moved, root mean square.";

@@ -6,7 +6,7 @@ use super::stiffness::digits;
 use super::words::{self, fixed};
 use super::{Line, Record, Rows, Table, field, line, stiffness, with_schema};
 use crate::catalogue::write;
-use crate::identify::{Estimate, Estimator, Identification, Residual, Spring, Unknown};
+use crate::identify::{Estimate, Estimator, Identification, Residual, Spring, Springs, Tried, Unknown};
 use crate::robot::Robot;
 
 /// So many outliers are named; the JSON has all.
@@ -39,7 +39,10 @@ impl IdentifyAnswer {
             .put(field::ESTIMATOR, found.estimator.name())
             .put(field::POSTURES, found.postures)
             .put(field::READINGS, found.residuals.len())
+            .put(field::MODEL, found.model.name())
             .put(field::DRIVES, self.drives().map(|record| record.json()).collect::<Value>())
+            .put(field::FURTHER_SPRINGS, self.further().map(|record| record.json()).collect::<Value>())
+            .put(field::MODELS, self.tried())
             .put(field::RMS_BEFORE, found.before)
             .put(field::RMS_AFTER, found.after)
             .put(field::RMS_LEFT_OUT, found.left_out)
@@ -68,6 +71,27 @@ impl IdentifyAnswer {
             record.extend(told(estimate, &self.found));
             record
         })
+    }
+
+    /// What springs besides the drives.
+    fn further(&self) -> impl Iterator<Item = Record> + '_ {
+        let others = self.found.estimates.iter().filter(|estimate| !matches!(estimate.spring, Spring::Drive(_)));
+        others.map(|estimate| {
+            let mut record = Record::new();
+            record.put(field::SPRING_NAME, estimate.spring.name());
+            record.extend(told(estimate, &self.found));
+            record
+        })
+    }
+
+    /// The models among which was chosen.
+    fn tried(&self) -> Value {
+        let of = |one: &Tried| {
+            let mut record = Record::new();
+            record.put(field::MODEL, one.model.name()).put(field::RMS_LEFT_OUT, one.left_out).put(field::BIC, one.bic);
+            record.json()
+        };
+        self.found.tried.iter().map(of).collect()
     }
 
     fn correlation(&self) -> Value {
@@ -109,7 +133,7 @@ impl IdentifyAnswer {
                 "measurements",
                 format!("{} rows in {} postures, {}{date}", found.residuals.len(), found.postures, self.data),
             ),
-            line("fit", format!("{method}; the drives spring, everything else is rigid")),
+            line("fit", format!("{method}; {}, everything else is rigid", springing(found.model))),
             line("a coordinate moved", format!("{} root mean square", mm(found.before))),
             line("not explained", format!("{}; explained {}", mm(found.after), percent(found.explained()))),
             line(
@@ -191,6 +215,9 @@ impl IdentifyAnswer {
         }
         notes += "error: standard error, the larger of that from the scatter of all remainders and that from leaving out each posture in turn; \
                   beyond 50 % a drive is not identified\n";
+        if found.model != Springs::Drives {
+            notes += "a robot file has drives alone: base and tool are told here, so that the drives are not blamed for them\n";
+        }
         for remark in &found.remarks {
             notes += &format!("{remark}\n");
         }
@@ -224,6 +251,16 @@ impl IdentifyAnswer {
         let more = outliers.len().saturating_sub(MOST_NAMED);
         let more = if more == 0 { String::new() } else { format!(", and {more} more") };
         format!("{}{more}: look what was different there", named.collect::<Vec<_>>().join(", "))
+    }
+}
+
+/// What springs, in words.
+fn springing(model: Springs) -> &'static str {
+    match model {
+        Springs::Drives | Springs::Auto => "the drives spring",
+        Springs::Base => "the drives spring and the base tilts",
+        Springs::Tool => "the drives spring and the tool bends",
+        Springs::All => "the drives spring, the base tilts and the tool bends",
     }
 }
 

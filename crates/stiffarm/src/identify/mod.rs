@@ -64,6 +64,63 @@ impl Estimator {
     }
 }
 
+/// What is taken to spring.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Springs {
+    /// The six drives.
+    #[default]
+    Drives,
+    /// These, and the base tilts.
+    Base,
+    /// The drives, and the tool bends.
+    Tool,
+    /// Drives, base and tool.
+    All,
+    /// The simplest of these that none is clearly better than.
+    Auto,
+}
+
+impl Springs {
+    /// Those that say themselves what springs, the simplest first.
+    const PLAIN: [Self; 4] = [Self::Drives, Self::Base, Self::Tool, Self::All];
+
+    /// As it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Drives => "drives",
+            Self::Base => "base",
+            Self::Tool => "tool",
+            Self::All => "base-and-tool",
+            Self::Auto => "auto",
+        }
+    }
+
+    fn springs(self) -> Vec<Spring> {
+        let further: &[Spring] = match self {
+            Self::Drives | Self::Auto => &[],
+            Self::Base => &[Spring::Base],
+            Self::Tool => &[Spring::Tool],
+            Self::All => &[Spring::Base, Spring::Tool],
+        };
+        Spring::DRIVES.into_iter().chain(further.iter().copied()).collect()
+    }
+}
+
+/// A model that was tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tried {
+    /// What springs.
+    pub model: Springs,
+    /// What is left of a coordinate where its posture is left out, m; `None` where a posture alone shows some spring.
+    pub left_out: Option<f64>,
+    /// Schwarz's criterion, `n ln(mean square) + p ln n`: less is better.
+    pub bic: f64,
+}
+
+/// A richer model must be better by so much in Schwarz's criterion (very strong evidence), and miss this share less where postures are left out.
+const CLEARLY: f64 = 10.0;
+const MISSES_LESS: f64 = 0.02;
+
 /// What is asked of an identification.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
@@ -73,6 +130,8 @@ pub struct Options {
     pub moved_axes: Axes,
     /// How.
     pub estimator: Estimator,
+    /// What springs.
+    pub model: Springs,
     /// When was measured, as year-month-day.
     pub date: Option<String>,
 }
@@ -167,6 +226,10 @@ pub struct Identification {
     pub known: Robot,
     /// How was estimated.
     pub estimator: Estimator,
+    /// What springs.
+    pub model: Springs,
+    /// The models that were tried, where one was to be chosen.
+    pub tried: Vec<Tried>,
     /// Of every spring.
     pub estimates: Vec<Estimate>,
     /// How far a coordinate moved, root mean square, m.
@@ -216,13 +279,48 @@ impl Identification {
     }
 }
 
-/// Finds the compliances of the drives.
+/// Finds the compliances of the drives, and of what else is taken to spring.
 ///
 /// # Errors
 /// Where the rows cannot tell any.
 pub fn identify(robot: &Robot, measured: &Measurements, options: &Options) -> Result<Identification, IdentifyError> {
+    if options.model != Springs::Auto {
+        return of_model(robot, measured, options, options.model);
+    }
+    let mut best = of_model(robot, measured, options, Springs::Drives)?;
+    let mut tried = vec![tried(&best)];
+    for model in Springs::PLAIN.into_iter().skip(1) {
+        // A model that the rows cannot tell is none to be chosen.
+        let Ok(found) = of_model(robot, measured, options, model) else { continue };
+        let (one, known) = (self::tried(&found), self::tried(&best));
+        tried.push(one);
+        let misses_less =
+            one.left_out.zip(known.left_out).is_some_and(|(rich, simple)| rich < (1.0 - MISSES_LESS) * simple);
+        if one.bic < known.bic - CLEARLY && misses_less {
+            best = found;
+        }
+    }
+    Ok(Identification { tried, ..best })
+}
+
+fn tried(found: &Identification) -> Tried {
+    let count = (3 * found.residuals.len()) as f64;
+    let springs = found.estimates.iter().filter(|one| one.compliance.is_some_and(|k| 0.0 < k)).count() as f64;
+    Tried {
+        model: found.model,
+        left_out: found.left_out,
+        bic: count * (found.after * found.after).ln() + springs * count.ln(),
+    }
+}
+
+fn of_model(
+    robot: &Robot,
+    measured: &Measurements,
+    options: &Options,
+    model: Springs,
+) -> Result<Identification, IdentifyError> {
     let Measurements { readings, remarks } = measured;
-    let springs = &Spring::DRIVES;
+    let springs = &model.springs();
     let least = springs.len() / 3 + 1;
     if readings.len() < least {
         return Err(IdentifyError::TooFew { readings: readings.len(), sought: springs.len(), least });
@@ -231,7 +329,7 @@ pub fn identify(robot: &Robot, measured: &Measurements, options: &Options) -> Re
     let before =
         if robot.stiffness_is_assumed { with_prior(robot).unwrap_or_else(|_| robot.clone()) } else { robot.clone() };
     let work = Work::of(&before, readings, springs, options)?;
-    work.identification(options, remarks)
+    Ok(Identification { model, ..work.identification(options, remarks)? })
 }
 
 /// Root mean square.

@@ -5,8 +5,8 @@ use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
 use super::regression::{Robust, Solution, Spread, System, robust, solve, spread, unseen};
 use super::springs::{Bent, Spring, beyond};
 use super::{
-    Axes, Estimate, Estimator, HUBER_BOUND, Identification, IdentifyError, MOST_RELATIVE_ERROR, Options, Unknown,
-    bound, rms, student, told,
+    Axes, Estimate, Estimator, HUBER_BOUND, Identification, IdentifyError, MOST_RELATIVE_ERROR, Options, Springs,
+    Unknown, bound, rms, student, told,
 };
 use crate::catalogue::measurements::Reading;
 use crate::drive::{Identified, JointCompliance};
@@ -404,6 +404,8 @@ impl<'a> Work<'a> {
             robot: self.robot.clone(),
             known: self.robot.clone(),
             estimator: Estimator::LeastSquares,
+            model: Springs::Drives,
+            tried: Vec::new(),
             estimates: Vec::new(),
             before: 0.0,
             after: 0.0,

@@ -3,7 +3,7 @@
 use super::kind::Value;
 use super::{Refusal, Request, Verb};
 use crate::catalogue::measurements::{Marker, Points};
-use crate::identify::{Axes, Estimator, Options};
+use crate::identify::{Axes, Estimator, Options, Springs};
 
 impl Request {
     /// The table of measurements.
@@ -32,6 +32,13 @@ impl Request {
             load_axes: axes("force-axes"),
             moved_axes: axes("displacement-axes"),
             estimator,
+            model: match self.word("model") {
+                Some("base") => Springs::Base,
+                Some("tool") => Springs::Tool,
+                Some("base-and-tool") => Springs::All,
+                Some("auto") => Springs::Auto,
+                _ => Springs::Drives,
+            },
             date: self.texts("date").pop(),
         }
     }

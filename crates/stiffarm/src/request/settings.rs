@@ -859,6 +859,25 @@ pub static SETTINGS: &[Setting] = &[
         ..ROW
     },
     Setting {
+        name: "model",
+        verbs: IDENTIFY,
+        kind: Kind::Word(&[
+            ("drives", "The six drives"),
+            ("base", "These, and the base tilts about the level axes through its origin"),
+            ("tool", "The drives, and the tool bends about the axes across the flange's"),
+            ("base-and-tool", "Drives, base and tool"),
+            (
+                "auto",
+                "The simplest of these that none is clearly better than, by postures left out and Schwarz's criterion",
+            ),
+        ]),
+        value: "MODEL",
+        absent: Absent::Default("drives"),
+        help: "What is taken to spring",
+        example: "auto",
+        ..ROW
+    },
+    Setting {
         name: "date",
         verbs: IDENTIFY,
         kind: Kind::Date,

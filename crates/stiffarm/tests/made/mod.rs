@@ -128,7 +128,7 @@ pub(crate) fn moved(robot: &Robot, reading: &Reading) -> Vector3<f64> {
     translation + rotation.cross(&(posture.tool.rotation * (reading.marker_at - at)))
 }
 
-fn flange(robot: &Robot, q: &[f64; 6]) -> Pose {
+pub(crate) fn flange(robot: &Robot, q: &[f64; 6]) -> Pose {
     compliance(robot, q, &Pose::identity()).unwrap().tool
 }
 
