@@ -99,8 +99,9 @@ fn python_type(setting: &Setting) -> String {
             | Kind::Date,
             false,
         ) => "str".into(),
-        (Kind::Marker | Kind::Way, _) => "str | Iterable[str]".into(),
-        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture, true) => "str | Iterable[str]".into(),
+        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Marker | Kind::Way, true) => {
+            "str | Iterable[str]".into()
+        }
         (Kind::Range { .. }, _) => "RangeLike".into(),
         (Kind::Block, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),

@@ -132,7 +132,7 @@ fn known(name: &str, payload_kg: f64, reach: f64) -> ([f64; 6], Scatter) {
         return (median, scatter);
     }
     let mut disagreement: Option<(usize, f64)> = None;
-    for drive in 0..6 {
+    for (drive, median) in median.iter_mut().enumerate() {
         let of_drive = sets.iter().filter_map(|set| Some((set.stiffness[drive]?.ln(), set.is_modal)));
         let values: Vec<(f64, bool)> = of_drive.collect();
         if values.is_empty() {
@@ -143,7 +143,7 @@ fn known(name: &str, payload_kg: f64, reach: f64) -> ([f64; 6], Scatter) {
         let spread =
             (values.iter().map(|(value, _)| (value - mean).powi(2)).sum::<f64>() / (count - 1.0).max(1.0)).sqrt();
         let least = if values.iter().any(|(_, is_modal)| *is_modal) { MODAL } else { STATIC };
-        median[drive] = (-mean).exp();
+        *median = (-mean).exp();
         (scatter.global[drive], scatter.common[drive], scatter.own[drive]) = (0.0, 0.0, spread.max(least));
         let ends = |pick: fn(f64, f64) -> f64, start: f64| values.iter().map(|(value, _)| *value).fold(start, pick);
         let ratio = (ends(f64::max, f64::NEG_INFINITY) - ends(f64::min, f64::INFINITY)).exp();

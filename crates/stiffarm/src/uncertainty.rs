@@ -105,31 +105,35 @@ pub fn chances(ranking: &Ranking) -> Vec<Vec<Option<Chances>>> {
         let placed = row.placement(task).filter(|_| row.robot.status != Status::Estimated)?;
         draws(&row.robot, &ranking.model, is_worst, placed)
     };
-    let mut found = vec![vec![None; tasks]; ranking.rows.len()];
-    for task in 0..tasks {
-        let of_rows: Vec<Option<Vec<f64>>> = ranking.rows.iter().map(|row| drawn(row, task)).collect();
-        let known: Vec<usize> = (0..of_rows.len()).filter(|&row| of_rows[row].is_some()).collect();
-        if known.len() < 2 {
-            continue;
-        }
-        let value = |row: usize, draw: usize| of_rows[row].as_ref().map_or(f64::INFINITY, |draws| draws[draw]);
-        let mut won = vec![0; of_rows.len()];
-        let mut regret = vec![0.0; of_rows.len()];
-        for draw in 0..DRAWS {
-            let Some(&best) = known.iter().min_by(|a, b| value(**a, draw).total_cmp(&value(**b, draw))) else {
-                continue;
-            };
-            won[best] += 1;
-            known.iter().for_each(|&row| regret[row] += (value(row, draw) - value(best, draw)) / DRAWS as f64);
-        }
-        let is_beaten = |row: usize, by: usize| {
-            let worse = (0..DRAWS).filter(|&draw| value(by, draw) < value(row, draw)).count();
-            1.0 - TIE < worse as f64 / DRAWS as f64
-        };
+    let of_tasks: Vec<Vec<Option<Chances>>> =
+        (0..tasks).map(|task| of_task(&ranking.rows.iter().map(|row| drawn(row, task)).collect::<Vec<_>>())).collect();
+    (0..ranking.rows.len()).map(|row| of_tasks.iter().map(|of_task| of_task[row]).collect()).collect()
+}
+
+/// Of every robot at one task, by its draws; `None` where it has none, and where no two robots have.
+fn of_task(of_rows: &[Option<Vec<f64>>]) -> Vec<Option<Chances>> {
+    let mut found = vec![None; of_rows.len()];
+    let known: Vec<usize> = (0..of_rows.len()).filter(|&row| of_rows[row].is_some()).collect();
+    if known.len() < 2 {
+        return found;
+    }
+    let value = |row: usize, draw: usize| of_rows[row].as_ref().map_or(f64::INFINITY, |draws| draws[draw]);
+    let mut won = vec![0; of_rows.len()];
+    let mut regret = vec![0.0; of_rows.len()];
+    for draw in 0..DRAWS {
+        let Some(&best) = known.iter().min_by(|a, b| value(**a, draw).total_cmp(&value(**b, draw))) else { continue };
+        won[best] += 1;
         for &row in &known {
-            let ties = !known.iter().any(|&other| other != row && is_beaten(row, other));
-            found[row][task] = Some(Chances { win: f64::from(won[row]) / DRAWS as f64, regret: regret[row], ties });
+            regret[row] += (value(row, draw) - value(best, draw)) / DRAWS as f64;
         }
+    }
+    let is_beaten = |row: usize, by: usize| {
+        let worse = (0..DRAWS).filter(|&draw| value(by, draw) < value(row, draw)).count();
+        1.0 - TIE < worse as f64 / DRAWS as f64
+    };
+    for &row in &known {
+        let ties = !known.iter().any(|&other| other != row && is_beaten(row, other));
+        found[row] = Some(Chances { win: f64::from(won[row]) / DRAWS as f64, regret: regret[row], ties });
     }
     found
 }

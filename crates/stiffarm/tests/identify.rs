@@ -46,7 +46,7 @@ fn close(found: &[f64], truth: &[f64], tolerance: f64) {
     }
 }
 
-/// `validation/identification.py` uses NumPy, and the chain of the data set in place of our geometry.
+/// `validation/identification.py` uses `NumPy`, and the chain of the data set in place of our geometry.
 #[test]
 fn the_measured_fanuc_has_the_compliances_that_numpy_finds_by_another_chain() {
     let text = std::fs::read_to_string(format!("{ROOT}/validation/identification.csv")).unwrap();
@@ -56,7 +56,7 @@ fn the_measured_fanuc_has_the_compliances_that_numpy_finds_by_another_chain() {
     let found = identify(&robot, &measured, &Options::default()).unwrap();
     // Twelve digits are recorded, and the condition is 87.
     let same = |found: f64, item: &str| {
-        assert!((found / numpy[item] - 1.0).abs() < 1e-8, "{item}: {found}, not {}", numpy[item])
+        assert!((found / numpy[item] - 1.0).abs() < 1e-8, "{item}: {found}, not {}", numpy[item]);
     };
     for (i, one) in found.estimates.iter().enumerate() {
         let of = |what: &str| numpy[format!("{what}{}_urad_per_nm", i + 1).as_str()];
@@ -189,7 +189,7 @@ fn under_vertical_loads_drive_1_does_not_show_and_keeps_what_it_had() {
     assert_eq!((first.unknown.clone(), first.compliance, first.used), (Some(Unknown::NotTurned), None, 9e-6));
     assert!(others[..2].iter().all(|one| one.unknown.is_none()), "{others:?}");
     assert!(found.condition().is_infinite());
-    assert_eq!(found.robot.identified().unwrap().drives[0], false);
+    assert!(!found.robot.identified().unwrap().drives[0]);
 }
 
 /// Every posture is the first one turned about joint 1, and so is the force: three numbers for six drives.

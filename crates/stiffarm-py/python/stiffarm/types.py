@@ -433,8 +433,64 @@ class IdentifyOptions(TypedDict, total=False):
     fit: Literal["least-squares", "huber"]
     """How the compliances are estimated."""
 
+    model: Literal["drives", "base", "tool", "base-and-tool", "auto"]
+    """What is taken to spring."""
+
     date: str | None
     """When was measured, as year-month-day: it is told, and stands in the robot file."""
+
+
+class MeasureOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.measure`."""
+
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as --stiffness says]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    load_mm: npt.ArrayLike | None
+    """Where the load acts [mm], in the flange frame; columns load_x_mm, .. overrule it [default: the flange
+    centre]."""
+
+    marker_mm: str | Iterable[str] | None
+    """Where a marker sits [mm], in the flange frame; of several each with the name that the column marker tells
+    (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
+
+    task: str | None
+    """The work over which the deflection is to be predicted: a zone at its best place, the tool down [default:
+    anywhere within the limits]."""
+
+    loads: str | Iterable[str]
+    """In which directions you can load: down (weights), up, ahead, back, left, right, or x:y:z along base axes
+    (pulleys); separated by commas."""
+
+    force_n: float
+    """How large the load is [N]."""
+
+    runs: int
+    """How many postures and loads are to be measured."""
+
+    candidates: int
+    """Among how many of them is chosen."""
+
+    sigma_mm: float
+    """Standard deviation of what is read of a coordinate [mm]."""
+
+    window: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """Where load point and markers must be [m]: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open
+    [default: above the floor]."""
+
+    tool_mm: npt.ArrayLike | None
+    """The tool of the work in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the
+    flange]."""
+
+    compare: str | None
+    """A table of postures and loads of your own: what it is worth beside the plan."""
 
 
 class SweepOptions(TypedDict, total=False):

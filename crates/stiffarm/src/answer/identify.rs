@@ -1,5 +1,7 @@
 //! How is an identification told?
 
+use std::fmt::Write as _;
+
 use serde_json::{Value, json};
 
 use super::stiffness::digits;
@@ -146,6 +148,14 @@ impl IdentifyAnswer {
                 },
             ),
         ];
+        if !found.tried.is_empty() {
+            let each = found.tried.iter().map(|one| {
+                let left_out = one.left_out.map_or_else(|| "-".into(), mm);
+                format!("{} {left_out} (BIC {})", one.model.name(), fixed(one.bic, 0))
+            });
+            let each = each.collect::<Vec<_>>().join(", ");
+            lines.push(line("models, left out", format!("{each}: {} chosen", found.model.name())));
+        }
         lines.extend(
             found
                 .noise_ratio
@@ -206,8 +216,9 @@ impl IdentifyAnswer {
         if !others.is_empty() {
             let names: Vec<String> = others.iter().map(|estimate| estimate.spring.name()).collect();
             let keep = if names.len() == 1 { "keeps" } else { "keep" };
-            notes += &format!(
-                "{} {keep} in the robot file what was known before ({}), and the others are found again beside that: {} mm are then not explained\n",
+            let _ = writeln!(
+                notes,
+                "{} {keep} in the robot file what was known before ({}), and the others are found again beside that: {} mm are then not explained",
                 names.join(", "),
                 stiffness(&found.known),
                 fixed(found.after_used * 1e3, 3),
@@ -219,7 +230,7 @@ impl IdentifyAnswer {
             notes += "a robot file has drives alone: base and tool are told here, so that the drives are not blamed for them\n";
         }
         for remark in &found.remarks {
-            notes += &format!("{remark}\n");
+            let _ = writeln!(notes, "{remark}");
         }
         notes + "-o robot.toml writes the robot file, -o fit.svg, .png or .pdf draws what remains\n"
     }

@@ -71,7 +71,7 @@ impl MeasureAnswer {
             .put(field::JOINTS, joints(run))
             .put(field::OF_LOAD, &self.options.ways[run.way].name)
             .put(field::FORCE_VECTOR, run.load.0.fixed_rows::<3>(0).as_slice())
-            .put(field::EXPECTED, run.expected.iter().map(|moved| moved.norm()).fold(0.0, f64::max));
+            .put(field::EXPECTED, largest(run));
         record
     }
 
@@ -164,7 +164,7 @@ impl MeasureAnswer {
         let mut table = Table::new(["run", "joints as reported deg", "load", "force N", "expected mm"]);
         for (i, run) in self.plan.runs.iter().enumerate() {
             let force = run.load.0.fixed_rows::<3>(0);
-            let most = run.expected.iter().map(|moved| moved.norm()).fold(0.0, f64::max);
+            let most = largest(run);
             table.row([
                 (i + 1).to_string(),
                 joints(run).map(|angle| fixed(angle, 2)).join(", "),
@@ -183,17 +183,23 @@ impl MeasureAnswer {
             String::new()
         } else {
             let ways: Vec<&str> = self.options.ways.iter().map(|way| way.name.as_str()).collect();
-            let (drives, them) = if unseen.len() == 1 { ("drive", "it") } else { ("drives", "them") };
+            let (drives, them) = if unseen.len() == 1 { ("drive", "it") } else { ("drives", "each") };
             format!(
-                "under these loads ({}) {drives} {} does not show: a load across turns {them}\n",
+                "under these loads ({}) {drives} {} does not show: a load with a lever about its axis turns {them}\n",
                 ways.join(", "),
                 unseen.join(", ")
             )
         };
         format!(
-            "{unseen}in this order the joints travel little; looked at were joint limits, floor and window, not what stands in between\n             -o plan.csv writes the table to be filled in (dx_mm, dy_mm, dz_mm), which `stiffarm identify` reads\n"
+            "{unseen}in this order the joints travel little; looked at were joint limits, floor and window, not what stands in between\n\
+             -o plan.csv writes the table to be filled in (dx_mm, dy_mm, dz_mm), which `stiffarm identify` reads\n"
         )
     }
+}
+
+/// How far the marker that moves most is expected to move, m.
+fn largest(run: &Run) -> f64 {
+    run.expected.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max)
 }
 
 /// As the robot reports them, deg, to a hundredth, to which they are chosen.

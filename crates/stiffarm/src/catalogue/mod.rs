@@ -67,7 +67,7 @@ pub fn with_compliance(robot: &Robot, drive_urad_per_nm: [f64; 6]) -> Result<Rob
     changed.source.insert(COMPLIANCE_SOURCE.into(), GIVEN.into());
     match &mut changed.arm {
         Arm::SixAxis { drives, .. } => {
-            (drives.compliance, drives.identified, drives.scatter) = (JointCompliance(k), None, None)
+            (drives.compliance, drives.identified, drives.scatter) = (JointCompliance(k), None, None);
         }
         Arm::Planar(arm) => (arm.k2, arm.k3) = (k[1], k[2]),
     }

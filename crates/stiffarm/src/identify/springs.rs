@@ -106,6 +106,9 @@ pub(super) fn beyond(robot: &Robot, reading: &Reading) -> Vec<usize> {
     crate::compliance::beyond_limits(robot, &reading.q)
 }
 
+/// What a unit compliance of each drive moves a marker, m per rad/(N m).
+pub(crate) type OfDrives = [Vector3<f64>; 6];
+
 /// What a unit compliance of each drive moves markers at a posture, m per rad/(N m), under a load on a point of the flange frame (N, base axes): six
 /// columns of each marker; and how much of its own compliance drive 2 has beside a gravity compensator.
 pub(crate) fn columns_at(
@@ -114,7 +117,7 @@ pub(crate) fn columns_at(
     load: &Vector6<f64>,
     at: &Vector3<f64>,
     markers: &[Vector3<f64>],
-) -> Result<(Vec<[Vector3<f64>; 6]>, f64), IdentifyError> {
+) -> Result<(Vec<OfDrives>, f64), IdentifyError> {
     let bent = Bent::at(robot, q)?;
     let at = bent.point(at);
     let of = |marker: &Vector3<f64>| {

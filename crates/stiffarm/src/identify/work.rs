@@ -355,6 +355,8 @@ impl<'a> Work<'a> {
 
     /// Postures where the robot cannot be, by its limits.
     fn odd_postures(&self) -> Option<String> {
+        /// So many rows are named.
+        const MOST: usize = 6;
         let rows: Vec<String> = (self.readings.iter())
             .filter_map(|reading| {
                 let joints = beyond(self.robot, reading);
@@ -365,7 +367,6 @@ impl<'a> Work<'a> {
                 (!joints.is_empty()).then(|| format!("{} ({})", reading.row, names.join(", ")))
             })
             .collect();
-        const MOST: usize = 6;
         let more = if MOST < rows.len() { format!(" and {} more", rows.len() - MOST) } else { String::new() };
         let told = rows.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
         (!rows.is_empty()).then(|| {

@@ -144,10 +144,14 @@ impl Kept {
                 weights.fill(0.0);
                 active.iter().zip(kept).for_each(|(&i, weight)| weights[i] = weight);
             } else {
-                active.iter().for_each(|&i| weights[i] *= (gain(i) / value).sqrt());
+                for &i in &active {
+                    weights[i] *= (gain(i) / value).sqrt();
+                }
             }
             let sum: f64 = active.iter().map(|&i| weights[i]).sum();
-            active.iter().for_each(|&i| weights[i] /= sum);
+            for &i in &active {
+                weights[i] /= sum;
+            }
         }
         best
     }
@@ -270,7 +274,7 @@ mod tests {
         let w = Matrix6::from_fn(|a, b| if a == b && a < 3 { weight[a] } else { 0.0 });
         let kept = Kept::of(&information).unwrap().weighing(&w);
         assert_eq!(kept.drives, [0, 1, 2]);
-        let roots: Vec<f64> = (0..3).map(|j: usize| (weight[j] / m[j] as f64).sqrt()).collect();
+        let roots: Vec<f64> = (0..3).map(|j| f64::sqrt(weight[j] / m[j])).collect();
         let sum: f64 = roots.iter().sum();
         let shares = kept.shares(&information);
         for (found, root) in shares.weights.iter().zip(&roots) {

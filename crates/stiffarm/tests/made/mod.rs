@@ -30,6 +30,7 @@ impl Spot {
 
 /// How measurements are made.
 #[derive(Clone, Debug)]
+#[allow(clippy::struct_excessive_bools, reason = "each is asked for by one test")]
 pub(crate) struct Made {
     pub(crate) seed: u64,
     pub(crate) postures: usize,

@@ -69,7 +69,7 @@ pub(super) fn table(text: &str, is_planned: bool, faults: &mut Vec<Fault>) -> Op
         }
     };
     let line = headings.position().map_or(1, |position| position.line() as usize);
-    let names: Vec<String> = headings.iter().map(|name| name.to_ascii_lowercase()).collect();
+    let names: Vec<String> = headings.iter().map(str::to_ascii_lowercase).collect();
     let columns = Finder { names: &names, line, is_planned, faults }.columns()?;
     let mut rows = Vec::new();
     for record in reader.records() {

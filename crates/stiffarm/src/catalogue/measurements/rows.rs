@@ -190,18 +190,16 @@ impl Cells<'_> {
             }
             (None, _, [Marker { at, .. }]) => (*at).into(),
             (Some(name), Some(column), markers) => {
-                match markers.iter().find(|marker| marker.name.as_ref() == Some(&name)) {
-                    Some(marker) => marker.at.into(),
-                    None => {
-                        if let [Marker { name: None, at }] = markers {
-                            return (*at).into();
-                        }
-                        let known: Vec<&str> = markers.iter().filter_map(|marker| marker.name.as_deref()).collect();
-                        let known = known.join(", ");
-                        self.fault(column, format!("no marker is called '{}'; expected {known}", shown(&name)));
-                        load_at
-                    }
+                if let Some(marker) = markers.iter().find(|marker| marker.name.as_ref() == Some(&name)) {
+                    return marker.at.into();
                 }
+                if let [Marker { name: None, at }] = markers {
+                    return (*at).into();
+                }
+                let known: Vec<&str> = markers.iter().filter_map(|marker| marker.name.as_deref()).collect();
+                let known = known.join(", ");
+                self.fault(column, format!("no marker is called '{}'; expected {known}", shown(&name)));
+                load_at
             }
             _ => {
                 let at = column.unwrap_or(self.reader.table.columns.force[0]);
