@@ -13,7 +13,7 @@ use stiffarm::request::{Pair, Refusal, Request, Spelling, Verb, job, number, ope
 
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
-use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_pairs, positionals_of, subcommand, typed};
+use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_pairs, positional_rows, positionals_of, subcommand, typed};
 use crate::output::{say, write_text};
 
 /// What the program does.
@@ -24,13 +24,15 @@ const ABOUT: &str =
 const PAPER: &str = "Make every table and figure of the paper under its number, in the folder given with -o";
 
 /// The verbs of the library, with a line of help each.
-const VERBS: [(Verb, &str); 6] = [
+const VERBS: [(Verb, &str); 8] = [
     (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
     (Verb::Place, "Find the best place of one zone, with a proof"),
     (Verb::Map, "Map the deflection over everything a robot reaches"),
     (Verb::Compliance, "Six-axis compliance at one posture, and which drive gives how much"),
     (Verb::Study, "Compare two architectures over link ratio and task size"),
     (Verb::Compare, "Two setups side by side: robots, tools, places; each may be a job file for place"),
+    (Verb::Measure, "Plan which postures and loads to measure, so that identify finds the drives"),
+    (Verb::Identify, "Find how stiff the drives of a robot are, from deflections that were measured"),
 ];
 
 /// The whole command line.
@@ -173,14 +175,15 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
 /// The job in a file, where it is one; nothing where it is a robot's.
 fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
     let path = Path::new(name);
-    let takes_robot = verb.setting("robot").is_some();
+    // One robot or one table may stand here as well; of two setups neither stands alone.
+    let takes_another = positional_rows(verb).count() == 1;
     if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
         let others = if verb == Verb::Compare { "or two setups" } else { "robots are named by --robots" };
         let why = format!("'{name}' is no job file; expected a name that ends in .toml, {others}");
-        return if takes_robot { Ok(None) } else { Err(Failure::Usage(why)) };
+        return if takes_another { Ok(None) } else { Err(Failure::Usage(why)) };
     }
     let text = files::text(path)?;
-    if takes_robot && !job::is_job(&text) {
+    if takes_another && !job::is_job(&text) {
         return Ok(None);
     }
     let job = job::read(&text, path)?;
@@ -200,6 +203,8 @@ fn save(request: &Request, file: &Path, common: &Common) -> Result<(), Failure> 
     let mut inputs = request.robots();
     inputs.extend(request.robot());
     inputs.extend(request.setups().into_iter().flatten());
+    inputs.extend(request.data());
+    inputs.extend(request.compared());
     let inputs: Vec<&Path> = inputs.iter().map(|name| Path::new(name.trim())).chain(common.job.as_deref()).collect();
     write_text(file, &inputs, &job::write(request, &common.entries(file), file))?;
     if !common.quiet {

@@ -121,6 +121,25 @@ pub(crate) enum Failure {
         /// Why.
         error: stiffarm::compliance::PostureError,
     },
+    /// Measurements that tell nothing.
+    #[error("{data}: {error}")]
+    Identify {
+        /// Which table.
+        data: String,
+        /// Why.
+        error: stiffarm::identify::IdentifyError,
+    },
+    /// Nothing to be measured.
+    #[error("{robot}: {error}")]
+    Measure {
+        /// Which robot.
+        robot: String,
+        /// Why.
+        error: stiffarm::measure::MeasureError,
+    },
+    /// A table of measurements with faults.
+    #[error("{0}")]
+    Measurements(stiffarm::catalogue::Faults),
     /// A study that makes no sense.
     #[error(transparent)]
     Study(#[from] stiffarm::study::StudyError),
@@ -219,6 +238,9 @@ impl Failure {
             Self::RobotFile(_) => "`stiffarm robots show BT200L -o example.toml` writes a complete robot file to compare with",
             Self::Import { error, ends_are_given } => import_hint(error, *ends_are_given),
             Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
+            Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",
+            Self::Measure { .. } => "--help behind the command tells its options: --loads, --window, --load-mm, --marker-mm",
+            Self::Identify { .. } => "`stiffarm measure ROBOT` tells which postures and loads to measure",
             Self::Map { error: MapError::Size { .. }, .. } => "try --size 1000",
             Self::Map { .. } | Self::Figure(_) => "--format csv or json gives the numbers; `stiffarm robots show` what is reached",
             Self::Rank(_) | Self::Study(_) => "--help behind the command tells what each option takes",

@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 14] = [
+const ABOUT: [About; 16] = [
     About {
         name: "rank",
         files: "the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -111,6 +111,36 @@ const ABOUT: [About; 14] = [
                 "stiffarm compare short.toml long.toml --task rect:0.6x0.4 --model spatial",
                 "one robot with two tools: short.toml holds `verb = \"place\"`, `robot = \"BT200L\"` and `tool = \"spindle:250@90\"`; \
                  what a job file says comes before what is asked of both",
+            ),
+        ],
+    },
+    About {
+        name: "measure",
+        files: "the table to be filled in as .csv or .parquet, the plan as .json, .md or .txt",
+        is_long: true,
+        examples: &[
+            (
+                "stiffarm measure \"KR 210 R2700 extra\" --load-mm 0,0,200 -o plan.csv",
+                "twenty runs with a weight; a table to be filled in",
+            ),
+            (
+                "stiffarm measure \"KR 210 R2700 extra\" --loads down,left --runs 30 --task rect:0.6x0.4 --compare mine.csv",
+                "with a pulley, for one work, and what your own choice is worth",
+            ),
+        ],
+    },
+    About {
+        name: "identify",
+        files: "the robot file as .toml, the drives as .csv, .parquet, .json, .md or .txt, what remains of every row as .svg, .pdf or .png",
+        is_long: false,
+        examples: &[
+            (
+                "stiffarm identify measurements.csv --robot mine.toml --load-mm 0,50,200 -o identified.toml",
+                "a robot file that knows its drives, and how well",
+            ),
+            (
+                "stiffarm identify measurements.csv --robot \"R-2000iC/165F\" --marker-mm \"top=0,100,150;side=0,-100,150\" -o fit.svg",
+                "two markers, and a figure of what remains",
             ),
         ],
     },

@@ -50,6 +50,8 @@ fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
             Verb::Compliance => commands::compliance::run(asked, common),
             Verb::Study => commands::study::run(asked, common),
             Verb::Compare => commands::compare::run(asked, common),
+            Verb::Identify => commands::identify::run(asked, common),
+            Verb::Measure => commands::measure::run(asked, common),
             Verb::List => commands::robots::listed(&[], asked, common),
         },
         Task::List(words, asked) => commands::robots::listed(words, asked, common),

@@ -7,7 +7,7 @@ use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use stiffarm::request::{Absent, Pair, SETTINGS, Setting, Spelling, Verb};
 
-/// The id of the argument that takes a job file or a robot.
+/// The id of the argument that takes a job file, or what the verb is about.
 const POSITIONAL: &str = "positional";
 /// The id of `--save-job`.
 pub(crate) const SAVE_JOB: &str = "save-job";
@@ -25,7 +25,9 @@ pub(crate) fn subcommand(verb: Verb, about: &'static str, with_hidden: bool) -> 
         command = command.arg(argument(setting));
     }
     let mut hidden: Vec<&str> = Vec::new();
-    let is_of_others = |setting: &&Setting| !setting.is_positional && verb.setting(setting.name).is_none();
+    // What stands without its name here may be an option of others, and may be typed as such.
+    let is_option = |name: &str| verb.setting(name).is_some_and(|setting| !setting.is_positional);
+    let is_of_others = |setting: &&Setting| !setting.is_positional && !is_option(setting.name);
     for setting in SETTINGS.iter().filter(|setting| with_hidden && is_of_others(setting)) {
         if !hidden.contains(&setting.name) {
             hidden.push(setting.name);
@@ -58,7 +60,7 @@ fn positional(verb: Verb) -> Arg {
 }
 
 /// The rows that stand without their names.
-fn positional_rows(verb: Verb) -> impl Iterator<Item = &'static Setting> {
+pub(crate) fn positional_rows(verb: Verb) -> impl Iterator<Item = &'static Setting> {
     verb.settings().filter(|setting| setting.is_positional)
 }
 
@@ -68,9 +70,9 @@ fn usage(verb: Verb) -> String {
     let is_required = |setting: &&Setting| setting.absent == Absent::Required && !setting.is_positional;
     let required: String =
         verb.settings().filter(is_required).map(|row| format!(" --{} <{}>", row.name, row.value)).collect();
-    let robot: String = positional_rows(verb).map(|row| format!(" <{}>", row.value)).collect();
+    let about: String = positional_rows(verb).map(|row| format!(" <{}>", row.value)).collect();
     if Verb::JOBS.contains(&verb) {
-        format!("stiffarm {name} [OPTIONS]{required}{robot}\n       stiffarm {name} [OPTIONS] JOB.toml")
+        format!("stiffarm {name} [OPTIONS]{required}{about}\n       stiffarm {name} [OPTIONS] JOB.toml")
     } else {
         format!("stiffarm {name} [OPTIONS] [TEXT]...")
     }
@@ -124,14 +126,16 @@ pub(crate) fn typed(matches: &ArgMatches) -> Vec<Pair> {
             names.push(setting.name);
         }
     }
-    let given = |name: &&str| matches.value_source(name) == Some(ValueSource::CommandLine);
+    let given = |name: &&str| {
+        matches.try_contains_id(name).is_ok() && matches.value_source(name) == Some(ValueSource::CommandLine)
+    };
     let pair = |name: &str, text: &String| Pair { name: name.into(), text: text.clone(), at: Spelling::Typed };
     let texts =
         |name: &'_ str| matches.get_many::<String>(name).into_iter().flatten().map(|text| pair(name, text)).collect();
     names.into_iter().filter(given).flat_map(|name| -> Vec<Pair> { texts(name) }).collect()
 }
 
-/// What stands without names: the robot, two setups, or a job file.
+/// What stands without names: the robot, the table, two setups, or a job file.
 pub(crate) fn positionals_of(matches: &ArgMatches) -> Vec<&String> {
     matches.get_many::<String>(POSITIONAL).into_iter().flatten().collect()
 }

@@ -52,7 +52,7 @@ mod _stiffarm {
     #[pymodule_export]
     use super::robot::{Robot, robots, select};
     #[pymodule_export]
-    use super::verbs::{compare, distinct, map, order, place, posture, rank, study};
+    use super::verbs::{compare, distinct, identify, map, measure, order, place, posture, rank, study};
 
     use pyo3::prelude::*;
 

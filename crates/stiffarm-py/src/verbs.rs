@@ -6,11 +6,12 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use stiffarm::advice::{advise, advise_best};
 use stiffarm::answer::{
-    Cell, ColumnKind, CompareAnswer, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer,
-    stiffness, words,
+    Cell, ColumnKind, CompareAnswer, ComplianceAnswer, IdentifyAnswer, MapAnswer, MeasureAnswer, PlaceAnswer,
+    RankAnswer, Rows, StudyAnswer, stiffness, words,
 };
-use stiffarm::catalogue::paper_robots;
+use stiffarm::catalogue::{files, measurements, paper_robots};
 use stiffarm::compliance::compliance;
+use stiffarm::identify::identify as identified;
 use stiffarm::map::map_watched;
 use stiffarm::model::ModelKind;
 use stiffarm::place::{PlaceError, PlaceOptions, place_task_watched};
@@ -310,5 +311,66 @@ fn handed_over<'py>(
 pub(crate) fn study(py: Python<'_>, asked: Asked, progress: Progress) -> WithColumns<'_> {
     let options = asked.of(Verb::Study)?.study().map_err(refused)?;
     let answer = StudyAnswer(detached(py, &progress, |watch| study_watched(&options, watch))?.map_err(refused)?);
+    Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
+}
+
+/// Stiffness from measurements: the answer, its columns, and the robot file. The text is read from the file of that name where there is none.
+#[pyfunction]
+#[pyo3(signature = (name, text, robot, asked, progress=None))]
+pub(crate) fn identify<'py>(
+    py: Python<'py>,
+    name: String,
+    text: Option<String>,
+    robot: &Robot,
+    asked: Asked,
+    progress: Progress,
+) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>, String)> {
+    let asked = asked.with(Verb::Identify, &[("data", &name), ("robot", &robot.0.name)])?;
+    let text = match text {
+        Some(text) => text,
+        None => files::text(name.as_ref()).map_err(refused)?,
+    };
+    let name = files::shown(name.as_ref());
+    let measured = measurements::read(&text, &name, &asked.points()).map_err(refused)?;
+    let options = asked.identification();
+    let found = detached(py, &progress, |watch| identified(&robot.0, &measured, &options, watch))?;
+    let found = found.map_err(of(&robot.0))?;
+    let answer = IdentifyAnswer { found, before: robot.0.clone(), data: name, date: options.date };
+    Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?, answer.robot_file()))
+}
+
+/// A plan of measurements: the answer, and the table to be filled in.
+#[pyfunction]
+#[pyo3(signature = (robot, asked, progress=None))]
+pub(crate) fn measure<'py>(py: Python<'py>, robot: &Robot, asked: Asked, progress: Progress) -> WithColumns<'py> {
+    let asked = asked.with(Verb::Measure, &[("robot", &robot.0.name)])?;
+    let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
+    let mut options = asked.measurement_plan();
+    let own = asked.compared().map(|name| {
+        let text = files::text(name.as_ref()).map_err(refused)?;
+        let name = files::shown(name.as_ref());
+        let planned = measurements::read_planned(&text, &name, &asked.points()).map_err(refused)?;
+        Ok::<_, PyErr>((name, stiffarm::measure::own(&planned)))
+    });
+    let own = own.transpose()?;
+    let task = if asked.is_given("task") { Some(asked.task().map_err(refused)?) } else { None };
+    let tool = asked.held().tool();
+    let answer = detached(py, &progress, |watch| {
+        let mut work = "anywhere within the limits".to_owned();
+        if let Some(task) = task {
+            work = format!("{} at its best place, tool down", task.label);
+            options.work = stiffarm::measure::over(robot, &tool, task.zone, watch).map_err(of(robot))?;
+        }
+        let plan = stiffarm::measure::plan(robot, &options, watch).map_err(of(robot))?;
+        let compared = match own {
+            None => None,
+            Some((name, runs)) => {
+                let found = stiffarm::measure::compare(robot, &options, &runs, watch);
+                let (value, efficiency) = found.map_err(of(robot))?;
+                Some((name, runs.len(), value, efficiency))
+            }
+        };
+        Ok::<_, PyErr>(MeasureAnswer { robot: robot.clone(), options, work, plan, compared })
+    })??;
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }

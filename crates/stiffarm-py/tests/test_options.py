@@ -8,7 +8,8 @@ from stiffarm import StiffarmError, _options, cluster
 
 VERBS = {
     "robots list": stiffarm.robots, "rank": stiffarm.rank, "place": stiffarm.place, "map": stiffarm.map,
-    "compliance": stiffarm.compliance, "study": stiffarm.study, "compare": stiffarm.compare,
+    "compliance": stiffarm.compliance, "study": stiffarm.study, "compare": stiffarm.compare, "identify": stiffarm.identify,
+    "measure": stiffarm.measure,
 }  # fmt: skip
 
 
@@ -18,7 +19,7 @@ def test_every_option_of_the_program_is_a_keyword_with_its_default_and_its_help(
     keywords = inspect.signature(function).parameters
     for option in _options.table(verb).values():
         assert option.keyword in keywords and option.keyword in function.__doc__, option
-        if not option.is_required and option.keyword not in ("robots", "tasks"):
+        if not option.is_required and option.keyword not in ("robots", "tasks", "robot", "data"):
             assert keywords[option.keyword].default == option.value, option
     assert "{options}" not in function.__doc__
 

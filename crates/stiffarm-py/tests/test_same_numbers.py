@@ -2,6 +2,7 @@
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -121,6 +122,32 @@ def test_studies(program):
     words = ["--tasks", "A,rect:1x3", "--sizes", "0.2,0.4", "--ratios", "0.9", "--range", "0.6..1.4", "--k3", "1,0.5"]
     found = stiffarm.study(tasks=["A", "rect:1x3"], sizes=[0.2, 0.4], ratios=[0.9], range=(0.6, 1.4), k3=(1, 0.5))
     assert found.to_dict() == program("study", *words)
+
+
+def test_identification(program):
+    examples = Path(__file__).parents[3] / "docs/examples"
+    data, robot = examples / "fanuc_r2000ic.csv", examples / "fanuc_r2000ic.toml"
+    expected = program("identify", str(data), "--robot", str(robot), "--load-mm", "6.9,245.3,319.3", "--fit", "huber")
+    found = stiffarm.identify(data, robot=robot, load_mm=(6.9, 245.3, 319.3), fit="huber")
+    assert found.to_dict() == expected
+    assert found.correlation.shape == (6, 6) and found.outliers == [17, 11]
+    assert found.identified_robot.drive_urad_per_nm[5] == pytest.approx(found.drives[5]["used_urad_per_nm"], rel=1e-9)
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.read_csv(data, comment="#")
+    assert stiffarm.identify(frame, robot=robot, load_mm="6.9,245.3,319.3", fit="huber").to_dict() == expected
+    with pytest.raises(stiffarm.StiffarmError, match="row 3, fy_n"):
+        stiffarm.identify(frame.assign(fy_n=[1, 2, np.nan, *frame.fy_n[3:]]), robot=robot)
+
+
+def test_plans_of_measurements(program, tmp_path):
+    words = ["--loads", "down,left", "--runs", "8", "--candidates", "400", "--load-mm", "0,50,200"]
+    found = stiffarm.measure("KR 210 R2700 extra", loads=["down", "left"], runs=8, candidates=400, load_mm=(0, 50, 200))
+    assert found.to_dict() == program("measure", "KR 210 R2700 extra", *words) and len(found) == 8
+    pandas = pytest.importorskip("pandas")
+    found.to_pandas().to_csv(tmp_path / "plan.csv", index=False)
+    again = stiffarm.measure("KR 210 R2700 extra", loads="down,left", candidates=400, runs=8, load_mm=(0, 50, 200), compare=str(tmp_path / "plan.csv"))
+    assert again.compared["value"] == pytest.approx(found.value, rel=1e-9)
+    assert pandas.isna(found.to_pandas()["dx_mm"]).all()
 
 
 def test_catalogue_and_filters(program):

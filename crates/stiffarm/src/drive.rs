@@ -53,12 +53,64 @@ pub struct Drives {
     pub transmission: Transmission,
     /// A spring beside drive 2.
     pub compensator: Option<GravityCompensator>,
+    /// What is known of the compliances where they were measured on the machine.
+    pub identified: Option<Identified>,
+    /// How far they may be off where they were taken from robots of the same size, or from publications.
+    pub scatter: Option<Scatter>,
+}
+
+/// How far compliances may be off: standard deviations of ln k.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scatter {
+    /// An error that all robots share, of each drive.
+    pub global: [f64; 6],
+    /// Of this robot, all drives alike; of each drive how much of it counts.
+    pub common: [f64; 6],
+    /// Of each drive of this robot.
+    pub own: [f64; 6],
+    /// What is behind it.
+    pub knowledge: Knowledge,
+}
+
+/// What is known of drives that nobody here has measured.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Knowledge {
+    /// Drives of other robots, by their size.
+    Prior,
+    /// Identifications of this robot that are published; drives that they do not show as in the prior.
+    Published {
+        /// Where.
+        sources: Vec<String>,
+        /// The drive, from 0, in which they differ most, and the factor; `None` where they agree, or there is one.
+        disagreement: Option<(usize, f64)>,
+    },
+}
+
+/// How well measured compliances are known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Identified {
+    /// Which drives the measurements have shown; the others have what was assumed of them.
+    pub drives: [bool; 6],
+    /// Of the compliances, (rad/(N m))^2; zero for drives that were not shown.
+    pub covariance: Matrix6<f64>,
+    /// In how many postures was measured.
+    pub postures: usize,
+    /// When, as year-month-day, where that was said.
+    pub date: Option<String>,
+    /// What is left of a coordinate of a displacement, root mean square, m.
+    pub residual: f64,
 }
 
 impl Drives {
     /// The usual couplings of an architecture, without a compensator.
     pub fn new(architecture: Architecture, compliance: JointCompliance) -> Self {
-        Self { compliance, transmission: Transmission::of(architecture), compensator: None }
+        Self {
+            compliance,
+            transmission: Transmission::of(architecture),
+            compensator: None,
+            identified: None,
+            scatter: None,
+        }
     }
 
     /// The compliance of each drive, rad/(N m), with the compensator's part at the model angle `theta_2` (rad):

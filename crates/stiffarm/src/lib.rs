@@ -8,6 +8,8 @@
 //! | map | [`map::map`] | how far is the tool pushed off, everywhere the arm reaches? |
 //! | place | [`place::place`] | where must a zone stand, and who proves it? |
 //! | rank | [`rank::rank`] | which robot holds the force best? |
+//! | identify | [`identify::identify`] | how stiff are the drives, by measured deflections? |
+//! | measure | [`measure::plan`] | which postures and loads must be measured? |
 //! | study | [`study::study`] | which architecture suits which link ratio and size? |
 //! | import | [`catalogue::import::import`] | which robot does a URDF describe? |
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
@@ -17,8 +19,8 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`inverse`], [`compliance`], [`batch`], [`zone`], [`part`], [`task`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
-//! [`model`], [`map`], [`place`], [`rank`], [`advice`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
+//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
+//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`measure`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
 //! In both models links, bearings and the base are rigid; the deflection is elastic and static, without the robot's own weight. The planar
@@ -44,18 +46,21 @@ pub mod drive;
 mod enclose;
 mod follow;
 pub mod geometry;
+pub mod identify;
 pub mod interval;
 pub mod inverse;
 pub mod ledger;
 pub mod limits;
 pub mod load;
 pub mod map;
+pub mod measure;
 pub mod model;
 pub mod palette;
 pub mod part;
 pub mod place;
 pub mod plain;
 pub mod plane;
+pub mod prior;
 pub mod rank;
 mod real;
 pub mod request;
@@ -65,6 +70,7 @@ pub mod spatial;
 pub mod study;
 pub mod task;
 mod tolerances;
+pub mod uncertainty;
 pub mod watch;
 mod work;
 pub mod zone;

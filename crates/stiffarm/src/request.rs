@@ -5,8 +5,10 @@
 
 mod cell;
 mod forces;
+mod identify;
 pub mod job;
 mod kind;
+mod measure;
 mod notation;
 mod options;
 mod refusal;
@@ -16,8 +18,8 @@ mod wishes;
 
 pub use kind::{Count, Kind};
 pub use notation::{
-    Angle, Force, block, degrees, elevation, force, mount, number, open_range, shape, spindle, tool, window, within,
-    yaw,
+    Angle, Force, block, degrees, elevation, force, marker, mount, number, open_range, point, shape, spindle, tool,
+    way, window, within, yaw,
 };
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};
@@ -92,6 +94,7 @@ impl Request {
         request.check_long_side()?;
         request.check_parts()?;
         request.check_force()?;
+        request.check_markers()?;
         Ok(request)
     }
 
@@ -252,7 +255,7 @@ fn setting_of(verb: Verb, pair: &Pair) -> Result<&'static Setting, Refusal> {
 
 /// The texts of one value each.
 fn parts<'a>(setting: &Setting, text: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
-    let between = if matches!(setting.kind, Kind::Within | Kind::Block) { ';' } else { ',' };
+    let between = if matches!(setting.kind, Kind::Within | Kind::Block | Kind::Marker) { ';' } else { ',' };
     if setting.is_list() { Box::new(text.split(between)) } else { Box::new(std::iter::once(text)) }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::body::Body;
-use crate::drive::{Architecture, Drives, JointCompliance};
+use crate::drive::{Architecture, Drives, Identified, JointCompliance, Knowledge, Scatter};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, ThirdAxis};
@@ -51,19 +51,28 @@ pub enum StiffnessSource {
     Assumed,
     /// The robot file.
     File,
+    /// The robot file, which has them from measurements.
+    Identified,
+    /// Publications on this robot.
+    Published,
+    /// Robots of the same size.
+    Prior,
     /// Whoever asks.
     Given,
 }
 
 impl StiffnessSource {
     /// All, the least known first.
-    pub const ALL: [Self; 3] = [Self::Assumed, Self::File, Self::Given];
+    pub const ALL: [Self; 6] = [Self::Assumed, Self::Prior, Self::Published, Self::File, Self::Identified, Self::Given];
 
     /// The name that answers use.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Assumed => "assumed",
             Self::File => "robot file",
+            Self::Identified => "identified",
+            Self::Published => "published",
+            Self::Prior => "prior",
             Self::Given => "given",
         }
     }
@@ -165,11 +174,34 @@ impl Robot {
 
     /// Where the compliance of its drives is from.
     pub fn stiffness_source(&self) -> StiffnessSource {
+        if let Some(scatter) = self.scatter() {
+            return match scatter.knowledge {
+                Knowledge::Prior => StiffnessSource::Prior,
+                Knowledge::Published { .. } => StiffnessSource::Published,
+            };
+        }
         let given = self.source.get(COMPLIANCE_SOURCE).is_some_and(|source| source == GIVEN);
         match (self.stiffness_is_assumed, given) {
             (true, _) => StiffnessSource::Assumed,
             (false, true) => StiffnessSource::Given,
+            (false, false) if self.identified().is_some() => StiffnessSource::Identified,
             (false, false) => StiffnessSource::File,
+        }
+    }
+
+    /// How far the compliances of its drives may be off, where they were taken from others.
+    pub fn scatter(&self) -> Option<&Scatter> {
+        match &self.arm {
+            Arm::SixAxis { drives, .. } => drives.scatter.as_ref(),
+            Arm::Planar(_) => None,
+        }
+    }
+
+    /// How well the compliances of its drives are known, where they were measured.
+    pub fn identified(&self) -> Option<&Identified> {
+        match &self.arm {
+            Arm::SixAxis { drives, .. } => drives.identified.as_ref(),
+            Arm::Planar(_) => None,
         }
     }
 

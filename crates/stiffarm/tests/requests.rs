@@ -120,6 +120,19 @@ fn told(request: &Request) -> String {
             let side = request.of_robot("BT200L").ok().map(|side| self::told(&side));
             format!("{:?} {side:?}", ["a", "b"].map(|name| request.is_given(name)))
         }
+        Verb::Measure => {
+            let (robot, task) = (request.robot().ok(), request.task().ok());
+            format!(
+                "{robot:?} {task:?} {:?} {:?} {:?}",
+                request.points(),
+                request.measurement_plan(),
+                request.compared()
+            )
+        }
+        Verb::Identify => {
+            let (data, robot) = (request.data().ok(), request.robot().ok());
+            format!("{data:?} {robot:?} {:?} {:?}", request.points(), request.identification())
+        }
     });
     told.join(" ")
 }

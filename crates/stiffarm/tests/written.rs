@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use nalgebra::{Matrix6, Vector6};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use stiffarm::body::Body;
 use stiffarm::catalogue::{read, write};
-use stiffarm::drive::{Architecture, Drives, GravityCompensator, JointCompliance, Transmission};
+use stiffarm::drive::{Architecture, Drives, GravityCompensator, Identified, JointCompliance, Transmission};
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
 use stiffarm::limits::{Limits, ThirdAxis};
@@ -85,8 +86,35 @@ fn drives(architecture: Architecture) -> impl Strategy<Value = Drives> {
         (length(-900.0, -800.0), offset(), length(10.0, 200.0), 1.0..9.0).prop_map(|(far, near, free, k)| {
             GravityCompensator { base: [far, -far], arm: [near, 0.0], stiffness: k * 1e3, free_length: free }
         });
-    (six(compliance), transmission, proptest::option::of(compensator))
-        .prop_map(|(k, transmission, compensator)| Drives { compliance: JointCompliance(k), transmission, compensator })
+    (six(compliance), transmission, proptest::option::of(compensator), proptest::option::of(identified())).prop_map(
+        |(k, transmission, compensator, identified)| Drives {
+            compliance: JointCompliance(k),
+            transmission,
+            compensator,
+            identified,
+            scatter: None,
+        },
+    )
+}
+
+/// With a covariance that is the square of a matrix, and so is one; read from a file, to whose numbers it is rounded.
+fn identified() -> impl Strategy<Value = Identified> {
+    let square = |parts: [f64; 6]| {
+        let part = Vector6::from(parts);
+        let whole = Matrix6::from_diagonal(&part.map(f64::abs)) + part * part.transpose();
+        let rounded = |x: f64| (x * 1e6).round() / 1e6 * 1e-12;
+        Matrix6::from_fn(|i, j| rounded(whole[(i.min(j), i.max(j))]))
+    };
+    let date = prop_oneof![Just(None), Just(Some("2024-02-29".to_owned()))];
+    (six(|| 0.01..2.0_f64), six(any::<bool>), 2_usize..500, date, length(0.0, 10.0)).prop_map(
+        move |(parts, drives, postures, date, residual)| Identified {
+            drives,
+            covariance: square(parts),
+            postures,
+            date,
+            residual,
+        },
+    )
 }
 
 fn planar(architecture: Architecture) -> impl Strategy<Value = PlanarArm> {
@@ -117,7 +145,7 @@ fn arm(architecture: Architecture) -> impl Strategy<Value = Arm> {
 fn may_be_assumed(arm: &Arm) -> bool {
     let paper = JointCompliance::PAPER;
     match arm {
-        Arm::SixAxis { drives, .. } => drives.compliance == paper,
+        Arm::SixAxis { drives, .. } => drives.compliance == paper && drives.identified.is_none(),
         Arm::Planar(arm) => arm.k2 == paper.0[1] || arm.k3 == paper.0[2],
     }
 }

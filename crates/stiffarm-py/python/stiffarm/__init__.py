@@ -9,6 +9,8 @@ A robot and a task go in; each verb is one function:
 `rank`         which robot holds the force best?
 `study`        which architecture suits which link ratio and size?
 `compare`      which of two setups is better, and is that proved?
+`identify`     how stiff are the drives, by measured deflections?
+`measure`      which postures and loads must be measured for that?
 ============== ==========================================================
 
 Units stand in the names: ``force_n``, ``tool_mm``, ``deflection_mm``. The numbers are those of the program `stiffarm`, to
@@ -20,16 +22,29 @@ Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl
 ``progress=True`` says how far they are.
 """
 
-from ._answers import Answer, Comparison, Compliance, Compliances, Map, Placement, Ranking, Study
+from ._answers import (
+    Answer,
+    Comparison,
+    Compliance,
+    Compliances,
+    Identification,
+    Map,
+    MeasurementPlan,
+    Placement,
+    Ranking,
+    Study,
+)
 from ._stiffarm import Robot, StiffarmError, __version__, set_threads
-from ._verbs import cell, compare, compliance, map, place, rank, robots, study
+from ._verbs import cell, compare, compliance, identify, map, measure, place, rank, robots, study
 
 __all__ = [
     "Answer",
     "Comparison",
     "Compliance",
     "Compliances",
+    "Identification",
     "Map",
+    "MeasurementPlan",
     "Placement",
     "Ranking",
     "Robot",
@@ -39,7 +54,9 @@ __all__ = [
     "cell",
     "compare",
     "compliance",
+    "identify",
     "map",
+    "measure",
     "place",
     "rank",
     "robots",

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any, Generic, TypedDict, TypeVar
 import numpy as np
 
 from ._given import Array
-from ._stiffarm import StiffarmError
+from ._stiffarm import Robot, StiffarmError
 from .types import (
-    AdviceDict, Boundary, CellDict, ComparisonDict, ComplianceDict, FaceDict, MapDict, Placed, PlacementDict, RankingDict, RankingRow, Resolution, Schema, StudyDict,
-    StudyRow, Winner,
+    AdviceDict, Boundary, CellDict, ComparedTable, ComparisonDict, ComplianceDict, ExpectedDrive, FaceDict, FurtherSpring, IdentificationDict,
+    IdentifiedDrive, MapDict, MeasurementPlanDict, MeasurementRun, Placed, PlacementDict, RankingDict, RankingRow, ReadingRemainder, Resolution,
+    Schema, StudyDict, StudyRow, TriedModel, Winner,
 )  # fmt: skip
 
 if TYPE_CHECKING:
@@ -391,6 +392,96 @@ class Study(_Table[StudyDict]):
 
     def _words(self) -> str:
         return f"{len(self)} rows, {len(self.boundaries)} boundaries"
+
+
+class Identification(_Table[IdentificationDict]):
+    """How stiff the drives of a robot are, by measurements."""
+
+    _arrays = ("correlation", "least_seen", "singular_values")
+
+    schema: Schema
+    robot: str
+    vendor: str
+    #: When was measured, where that was said.
+    date: str | None
+    #: ``"least-squares"`` or ``"huber"``.
+    fit: str
+    #: What springs: ``"drives"``, ``"base"``, ``"tool"``, ``"base-and-tool"``.
+    model: str
+    #: What springs besides the drives.
+    springs: list[FurtherSpring]
+    #: Those that were tried, where one was to be chosen.
+    models: list[TriedModel]
+    postures: int
+    readings: int
+    #: Of each: ``compliance_urad_per_nm``, ``standard_error_urad_per_nm``, ``ci95_urad_per_nm``, ``identified``, ``why_not``, ...
+    drives: list[IdentifiedDrive]
+    rms_before_mm: float
+    rms_after_mm: float
+    #: None where one posture alone shows some drive.
+    rms_left_out_mm: float | None
+    #: With what the robot file has.
+    rms_used_mm: float
+    explained: float
+    explained_left_out: float | None
+    #: How many times the noise that the table tells remains.
+    noise_ratio: float | None
+    #: None where some drive is not seen.
+    condition: float | None
+    #: mm per urad/(N m), descending.
+    singular_values: Array
+    #: The combination of drives that is seen worst.
+    least_seen: Array
+    correlation: Array
+    #: Rows that do not fit, from 1, the worst first.
+    outliers: list[int]
+    #: What remains of every row.
+    residuals: list[ReadingRemainder]
+    remarks: list[str]
+
+    def __init__(self, data: dict[str, Any], columns: dict[str, Any], robot: str) -> None:
+        super().__init__(data, columns)
+        self._robot_file = robot
+
+    @property
+    def identified_robot(self) -> Robot:
+        """The robot with what was identified; ``to_toml()`` of it is its file."""
+        return Robot.from_toml(self._robot_file)
+
+    def _words(self) -> str:
+        known = ", ".join(str(drive["drive"]) for drive in self.drives if drive["identified"])
+        return f"{self.robot}: drives {known or 'none'} identified in {self.postures} postures, {100 * self.explained:.1f} % explained"
+
+
+class MeasurementPlan(_Table[MeasurementPlanDict]):
+    """Which postures and loads to measure."""
+
+    schema: Schema
+    robot: str
+    #: What it is judged by.
+    criterion: str
+    #: (um/N)^2.
+    value: float
+    #: No plan of so many runs of the candidates has less.
+    lower_bound: float
+    #: The bound over the value.
+    efficiency: float
+    random_efficiency: float | None
+    candidates: int
+    #: What is expected of each drive: ``standard_error_urad_per_nm``.
+    drives: list[ExpectedDrive]
+    #: Drives that no candidate shows.
+    unseen_drives: list[int]
+    #: ``joints_deg``, ``load``, ``force_n``, ``expected_mm`` of each.
+    runs: list[MeasurementRun]
+    #: What the table that was given is worth.
+    compared: ComparedTable | None
+
+    def __len__(self) -> int:
+        return len(self.runs)
+
+    def _words(self) -> str:
+        return f"{self.robot}: {len(self)} runs, efficiency {100 * self.efficiency:.1f} % at least"
 
 
 class Map(_Table[MapDict]):

@@ -98,6 +98,15 @@ def path(name: str, value: object) -> Path:
         raise StiffarmError(f"{name}={_short(value)}; expected a path") from None
 
 
+def table(name: str, value: object) -> tuple[str, str | None]:
+    """The name of a table, and its text where it is none of a file."""
+    for method, options in (("to_csv", {"index": False}), ("write_csv", {})):
+        write = getattr(value, method, None)
+        if write is not None:
+            return "the data frame", str(write(**options))
+    return str(path(name, value)), None
+
+
 def between(name: str, value: RangeLike | None) -> str | None:
     """A range, as the command line spells it."""
     if value is None or isinstance(value, str):

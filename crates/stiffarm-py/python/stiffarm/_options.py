@@ -67,7 +67,11 @@ def _text(option: Option, value: object) -> str | None:
     if kind == "block":
         boxes: Any = value
         return _given.blocks(name, boxes)
-    if kind in ("text", "word", "robot", "task", "shape", "posture", "mount"):
+    if kind == "way":
+        return ",".join(_given.texts(name, value)) or None
+    if kind == "marker":
+        return ";".join(_given.texts(name, value)) or None
+    if kind in ("text", "file", "date", "word", "robot", "task", "shape", "posture", "mount"):
         return _given.listed(name, value) if option.is_list else _given.text(name, value)
     if isinstance(value, str):
         return value

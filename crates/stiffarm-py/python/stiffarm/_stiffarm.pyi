@@ -14,9 +14,11 @@ __all__ = [
     "__version__",
     "distinct",
     "drawn_place",
+    "identify",
     "map",
     "compare",
     "matrices",
+    "measure",
     "options",
     "looks",
     "order",
@@ -90,6 +92,12 @@ class Robot:
 def drawn_place(
     robot: Robot, wanted_task: str, asked: dict[str, str], size: int
 ) -> tuple[dict[str, Any], npt.NDArray[np.float64]]: ...
+def identify(
+    name: str, text: str | None, robot: Robot, asked: dict[str, str], progress: _Told | None = None
+) -> tuple[dict[str, Any], dict[str, Any], str]: ...
+def measure(
+    robot: Robot, asked: dict[str, str], progress: _Told | None = None
+) -> tuple[dict[str, Any], dict[str, Any]]: ...
 def looks(robots: list[tuple[str, str]]) -> list[tuple[str, int] | None]: ...
 def palette() -> tuple[list[tuple[str, str]], list[tuple[str, list[str]]]]: ...
 def options(verb: str) -> list[tuple[str, str, tuple[int, int] | None, bool, str | None, bool, str]]: ...

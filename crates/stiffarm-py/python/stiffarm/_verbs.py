@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, overload
 
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Comparison, Compliance, Compliances, Map, Placement, Ranking, Study
+from ._answers import Comparison, Compliance, Compliances, Identification, Map, MeasurementPlan, Placement, Ranking, Study
 from ._given import RobotLike
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
 from .types import (
     CompareOptions,
     ComplianceOptions,
+    IdentifyOptions,
     MapOptions,
+    MeasureOptions,
     PlaceOptions,
     PlacementDict,
     RankOptions,
@@ -280,3 +283,66 @@ def compare(
     asked = _options.spelt("compare", options)
     with told("placing zones", progress) as tell:
         return Comparison(*_stiffarm.compare(_given.setup("a", a), _given.setup("b", b), asked, tell))
+
+
+@_options.takes("identify", IdentifyOptions)
+def identify(
+    data: str | os.PathLike[str] | object,
+    *,
+    robot: RobotLike,
+    progress: ProgressLike = None,
+    **options: Unpack[IdentifyOptions],
+) -> Identification:
+    """How stiff the drives of a robot are, from deflections that were measured.
+
+    Parameters
+    ----------
+    data : path or data frame
+        A table of measurements (CSV): joint angles, forces, displacements, in columns that name their units; see the program's help.
+        Whatever has ``to_csv`` (pandas) or ``write_csv`` (polars) will do.
+    robot : Robot or str
+        The robot that was measured.
+    {progress}
+    {options}
+
+    Returns
+    -------
+    Identification
+        Compliances with intervals, what remains, and the robot that knows them.
+
+    Raises
+    ------
+    StiffarmError
+        Names every fault with its row and column, or says why nothing can be concluded.
+    """
+    asked = _options.spelt("identify", options)
+    with told("identifying", progress) as tell:
+        return Identification(*_stiffarm.identify(*_given.table("data", data), _given.robot(robot), asked, tell))
+
+
+@_options.takes("measure", MeasureOptions)
+def measure(
+    robot: RobotLike, *, progress: ProgressLike = None, **options: Unpack[MeasureOptions]
+) -> MeasurementPlan:
+    """Which postures and loads to measure, with a certificate that no other choice is much better.
+
+    Parameters
+    ----------
+    robot : Robot or str
+        Which.
+    {progress}
+    {options}
+
+    Returns
+    -------
+    MeasurementPlan
+        Runs in an order with short ways; ``to_pandas()`` is the table to be filled in, which `identify` reads.
+
+    Raises
+    ------
+    StiffarmError
+        Where no posture can be measured, or the loads show nothing.
+    """
+    asked = _options.spelt("measure", options)
+    with told("planning", progress) as tell:
+        return MeasurementPlan(*_stiffarm.measure(_given.robot(robot), asked, tell))

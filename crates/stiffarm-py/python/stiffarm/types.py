@@ -60,9 +60,12 @@ class ComplianceOptions(TypedDict, total=False):
     """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
     leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
@@ -126,9 +129,13 @@ class PlaceOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
+    and prior in space]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
@@ -224,9 +231,13 @@ class RankOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
+    and prior in space]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
@@ -348,9 +359,13 @@ class MapOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
+    and prior in space]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
@@ -460,9 +475,13 @@ class CompareOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
+    and prior in space]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
@@ -498,6 +517,86 @@ class CompareOptions(TypedDict, total=False):
     clearance_mm: float | None
     """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
     [default: told, not asked]."""
+
+
+class IdentifyOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.identify`."""
+
+    load_mm: npt.ArrayLike | None
+    """Where the load acts [mm], in the flange frame; columns load_x_mm, .. overrule it [default: the flange
+    centre]."""
+
+    marker_mm: str | Iterable[str] | None
+    """Where a marker sits [mm], in the flange frame; of several each with the name that the column marker tells
+    (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
+
+    force_axes: Literal["base", "flange"]
+    """Along which axes the forces and moments point."""
+
+    displacement_axes: Literal["base", "flange"]
+    """Along which axes the displacements point."""
+
+    fit: Literal["least-squares", "huber"]
+    """How the compliances are estimated."""
+
+    model: Literal["drives", "base", "tool", "base-and-tool", "auto"]
+    """What is taken to spring."""
+
+    date: str | None
+    """When was measured, as year-month-day: it is told, and stands in the robot file."""
+
+
+class MeasureOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.measure`."""
+
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as --stiffness says]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    load_mm: npt.ArrayLike | None
+    """Where the load acts [mm], in the flange frame; columns load_x_mm, .. overrule it [default: the flange
+    centre]."""
+
+    marker_mm: str | Iterable[str] | None
+    """Where a marker sits [mm], in the flange frame; of several each with the name that the column marker tells
+    (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
+
+    task: str | None
+    """The work over which the deflection is to be predicted: a zone at its best place, the tool down [default:
+    anywhere within the limits]."""
+
+    loads: str | Iterable[str]
+    """In which directions you can load: down (weights), up, ahead, back, left, right, or x:y:z along base axes
+    (pulleys); separated by commas."""
+
+    force_n: float
+    """How large the load is [N]."""
+
+    runs: int
+    """How many postures and loads are to be measured."""
+
+    candidates: int
+    """Among how many of them is chosen."""
+
+    sigma_mm: float
+    """Standard deviation of what is read of a coordinate [mm]."""
+
+    window: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """Where load point and markers must be [m]: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open
+    [default: above the floor]."""
+
+    tool_mm: npt.ArrayLike | None
+    """The tool of the work in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the
+    flange]."""
+
+    compare: str | None
+    """A table of postures and loads of your own: what it is worth beside the plan."""
 
 
 class SweepOptions(TypedDict, total=False):
@@ -554,9 +653,13 @@ class SweepOptions(TypedDict, total=False):
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
 
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else paper in the planar model
+    and prior in space]."""
+
     drive_urad_per_nm: npt.ArrayLike | None
     """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
-    as the robot file has it, else 1 on every drive, assumed]."""
+    as --stiffness says]."""
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
@@ -794,7 +897,7 @@ class _Placed(_Pass):
     """How well the robot's numbers are known."""
 
     stiffness_source: str
-    """Who says how stiff the drives are: assumed, robot file or given."""
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
 
     drive_urad_per_nm: list[float | None]
     """The compliance of each drive; null where a robot of two links has none."""
@@ -944,6 +1047,12 @@ class _Placed(_Pass):
     faces: list[FaceDict] | None
     """Every face of a part; null of one flat zone."""
 
+    deflection_mm_p05: float | None
+    """Five of a hundred drives as they may be give less there; null where nothing says how they may be."""
+
+    deflection_mm_p95: float | None
+    """Five of a hundred give more."""
+
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
 
@@ -990,7 +1099,7 @@ class RankingRow(TypedDict):
     """How well the robot's numbers are known."""
 
     stiffness_source: str
-    """Who says how stiff the drives are: assumed, robot file or given."""
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
 
     drive_urad_per_nm: list[float | None]
     """The compliance of each drive; null where a robot of two links has none."""
@@ -1013,6 +1122,16 @@ class RankingRow(TypedDict):
 
     mean_ratio_bound: float
     """The same of the proved lower bounds."""
+
+    win_probability: list[float | None]
+    """How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing
+    says how its drives may be."""
+
+    expected_regret_mm: list[float | None]
+    """How much more than the best it has on average, of each task."""
+
+    ties_with_best: list[bool | None]
+    """No robot is better in 95 of a hundred draws, of each task."""
 
     cells: list[Placed]
     """One placement per task."""
@@ -1191,7 +1310,7 @@ class _MapDict(TypedDict):
     """How well the robot's numbers are known."""
 
     stiffness_source: str
-    """Who says how stiff the drives are: assumed, robot file or given."""
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
 
     drive_urad_per_nm: list[float | None]
     """The compliance of each drive; null where a robot of two links has none."""
@@ -1246,7 +1365,7 @@ class _MapDict(TypedDict):
     """The smallest angle to a singular posture in the zone."""
 
     posture: list[list[str | None]] | None
-    """The configuration that holds a point."""
+    """Its posture, from 1."""
 
     roll_deg: list[list[float | None]] | None
     """About the tool axis."""
@@ -1260,6 +1379,286 @@ class MapDict(_MapDict, total=False):
 
     deflection_mm: list[list[float | None]]
     """The translation under it."""
+
+
+class IdentifiedDrive(TypedDict):
+    """What is found of a drive."""
+
+    drive: int
+    """Which drive, from 1."""
+
+    compliance_urad_per_nm: float | None
+    """The compliance found; null where it is not seen."""
+
+    standard_error_urad_per_nm: float | None
+    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
+
+    ci95_urad_per_nm: list[float] | None
+    """Where it lies with 95 %."""
+
+    stiffness_nm_per_rad: float | None
+    """One over the compliance found."""
+
+    robust_urad_per_nm: float | None
+    """The compliance by Huber's estimate."""
+
+    identified: bool
+    """The measurements show it, to half of itself or better."""
+
+    why_not: str | None
+    """Why they do not."""
+
+    used_urad_per_nm: float
+    """What the robot file has: found with all that is not identified held, or as it was before."""
+
+
+class FurtherSpring(TypedDict):
+    """What is found of what springs besides the drives."""
+
+    spring: str
+    """Its name."""
+
+    compliance_urad_per_nm: float | None
+    """The compliance found; null where it is not seen."""
+
+    standard_error_urad_per_nm: float | None
+    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
+
+    ci95_urad_per_nm: list[float] | None
+    """Where it lies with 95 %."""
+
+    stiffness_nm_per_rad: float | None
+    """One over the compliance found."""
+
+    robust_urad_per_nm: float | None
+    """The compliance by Huber's estimate."""
+
+    identified: bool
+    """The measurements show it, to half of itself or better."""
+
+    why_not: str
+    """Why they do not."""
+
+    used_urad_per_nm: float
+    """What the robot file has: found with all that is not identified held, or as it was before."""
+
+
+class TriedModel(TypedDict):
+    """A model that was tried."""
+
+    model: str
+    """planar or spatial."""
+
+    rms_left_out_mm: float | None
+    """The same of each posture by the others; null where a posture alone shows some drive."""
+
+    bic: float
+    """Schwarz's criterion; less is better."""
+
+
+class ReadingRemainder(TypedDict):
+    """What remains of a row of the measurements."""
+
+    row: int
+    """Its number, from 1."""
+
+    posture: int
+    """Its posture, from 1."""
+
+    measured_mm: list[float]
+    """The displacement along base axes."""
+
+    remains_mm: list[float]
+    """What the compliances found leave of it."""
+
+    left_out_mm: float | None
+    """Length of what those leave that are found without its posture."""
+
+    sigmas: float
+    """What Huber's estimate leaves of it, in standard deviations of a coordinate."""
+
+
+class IdentificationDict(TypedDict):
+    """`stiffarm.Identification.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    date: str | None
+    """When was measured."""
+
+    fit: str
+    """least-squares or huber."""
+
+    postures: int
+    """How many postures."""
+
+    readings: int
+    """How many rows."""
+
+    model: str
+    """planar or spatial."""
+
+    drives: list[IdentifiedDrive]
+    """One entry per drive."""
+
+    springs: list[FurtherSpring]
+    """What springs besides the drives."""
+
+    models: list[TriedModel]
+    """The models that were tried."""
+
+    rms_before_mm: float
+    """How far a coordinate moved, root mean square."""
+
+    rms_after_mm: float
+    """What the compliances found leave of that."""
+
+    rms_left_out_mm: float | None
+    """The same of each posture by the others; null where a posture alone shows some drive."""
+
+    rms_used_mm: float
+    """What the compliances of the robot file leave of that."""
+
+    explained: float
+    """1 - rms after / rms before."""
+
+    explained_left_out: float | None
+    """The same of each posture by the others."""
+
+    noise_ratio: float | None
+    """How many times the noise that the table tells the remainders are."""
+
+    condition: float | None
+    """The largest singular value over the smallest; null where some drive is not seen."""
+
+    singular_values: list[float]
+    """Of all rows, mm per urad/(N m), descending."""
+
+    least_seen: list[float]
+    """The combination of drives that is seen worst; its squares add up to 1."""
+
+    correlation: list[list[float]]
+    """Correlation of the compliances found."""
+
+    outliers: list[int]
+    """Rows that do not fit, from 1, the worst first."""
+
+    residuals: list[ReadingRemainder]
+    """What remains of every row."""
+
+    remarks: list[str]
+    """What is odd."""
+
+
+class ExpectedDrive(TypedDict):
+    """How well a drive will be known."""
+
+    drive: int
+    """Which drive, from 1."""
+
+    compliance_urad_per_nm: float
+    """The compliance found; null where it is not seen."""
+
+    standard_error_urad_per_nm: float | None
+    """The larger of that from the scatter of all remainders and that from leaving out each posture."""
+
+
+class MeasurementRun(TypedDict):
+    """A posture and a load."""
+
+    run: int
+    """Its number, from 1."""
+
+    joints_deg: list[float]
+    """Joint angles as the robot reports them, deg."""
+
+    load: str
+    """In which direction is loaded."""
+
+    force_n: list[float]
+    """The force at the tool point, base axes: as given, or of those that it may be the one that does most."""
+
+    expected_mm: float
+    """How far the marker is expected to move."""
+
+
+class ComparedTable(TypedDict):
+    """What a table of one's own is worth."""
+
+    file: str
+    """The robot file."""
+
+    runs: int
+    """One entry per run, in the order in which they are made."""
+
+    value: float
+    """Mean variance of the displacement under 1 N over the work, (um/N)^2."""
+
+    efficiency: float
+    """The bound over the value: 1 is proved best."""
+
+
+class MeasurementPlanDict(TypedDict):
+    """`stiffarm.MeasurementPlan.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    criterion: str
+    """What a plan is judged by."""
+
+    value: float
+    """Mean variance of the displacement under 1 N over the work, (um/N)^2."""
+
+    lower_bound: float
+    """No plan of so many runs of the candidates has less."""
+
+    efficiency: float
+    """The bound over the value: 1 is proved best."""
+
+    random_efficiency: float | None
+    """The same of the median random choice; null where that leaves some drive unseen."""
+
+    candidates: int
+    """Among so many was chosen."""
+
+    drives: list[ExpectedDrive]
+    """One entry per drive."""
+
+    unseen_drives: list[int]
+    """Drives that no candidate shows."""
+
+    runs: list[MeasurementRun]
+    """One entry per run, in the order in which they are made."""
+
+    compared: ComparedTable | None
+    """What the table that was given is worth."""
 
 
 class ComplianceDict(TypedDict):
@@ -1283,7 +1682,7 @@ class ComplianceDict(TypedDict):
     """How well the robot's numbers are known."""
 
     stiffness_source: str
-    """Who says how stiff the drives are: assumed, robot file or given."""
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
 
     drive_urad_per_nm: list[float]
     """The compliance of each drive; null where a robot of two links has none."""
@@ -1323,6 +1722,12 @@ class ComplianceDict(TypedDict):
 
     largest_mm: float | None
     """What counts of the translation, the largest that the force may cause."""
+
+    deflection_mm_p05: float | None
+    """Five of a hundred drives as they may be give less there; null where nothing says how they may be."""
+
+    deflection_mm_p95: float | None
+    """Five of a hundred give more."""
 
     force_axes: str | None
     """Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the

@@ -15,7 +15,7 @@ use serde_json::Value;
 use stiffarm::request::{Absent, Kind, Setting, Verb};
 
 /// What is an argument of its own in Python.
-const NOT_KEYWORDS: [&str; 3] = ["robot", "robots", "joints-deg"];
+const NOT_KEYWORDS: [&str; 4] = ["robot", "robots", "joints-deg", "data"];
 const NONE: &[&str] = &[];
 const HEAD: &str = r#""""What goes in and what comes out, for type checkers: the options of every verb, and the keys of every answer.
 
@@ -53,6 +53,8 @@ fn written() -> String {
         ("Map", "map", Verb::Map, NONE),
         ("Study", "study", Verb::Study, NONE),
         ("Compare", "compare", Verb::Compare, &["a", "b"]),
+        ("Identify", "identify", Verb::Identify, NONE),
+        ("Measure", "measure", Verb::Measure, NONE),
         // A sweep takes several forces.
         ("Sweep", "cluster.sweep", Verb::Place, &["task", "force-n"]),
     ];
@@ -128,6 +130,32 @@ fn write_answers(text: &mut String) {
 
     let within = [("zone", "Placed"), with_schema[0]];
     class(text, ("MapDict", "TypedDict"), "`stiffarm.Map.to_dict`.", &Fields::of(&maps), &within);
+    let identification = Fields::of(&samples::identifications());
+    class(text, ("IdentifiedDrive", "TypedDict"), "What is found of a drive.", identification.under("drives"), &[]);
+    let about = "What is found of what springs besides the drives.";
+    class(text, ("FurtherSpring", "TypedDict"), about, identification.under("springs"), &[]);
+    class(text, ("TriedModel", "TypedDict"), "A model that was tried.", identification.under("models"), &[]);
+    let about = "What remains of a row of the measurements.";
+    class(text, ("ReadingRemainder", "TypedDict"), about, identification.under("residuals"), &[]);
+    let within = [
+        ("drives", "IdentifiedDrive"),
+        ("springs", "FurtherSpring"),
+        ("models", "TriedModel"),
+        ("residuals", "ReadingRemainder"),
+        with_schema[0],
+    ];
+    let about = "`stiffarm.Identification.to_dict`.";
+    class(text, ("IdentificationDict", "TypedDict"), about, &identification, &within);
+
+    let plan = Fields::of(&samples::measurement_plans());
+    class(text, ("ExpectedDrive", "TypedDict"), "How well a drive will be known.", plan.under("drives"), &[]);
+    class(text, ("MeasurementRun", "TypedDict"), "A posture and a load.", plan.under("runs"), &[]);
+    let about = "What a table of one's own is worth.";
+    class(text, ("ComparedTable", "TypedDict"), about, plan.under("compared"), &[]);
+    let within =
+        [("drives", "ExpectedDrive"), ("runs", "MeasurementRun"), ("compared", "ComparedTable"), with_schema[0]];
+    class(text, ("MeasurementPlanDict", "TypedDict"), "`stiffarm.MeasurementPlan.to_dict`.", &plan, &within);
+
     let compliance = Fields::of(&compliances);
     class(text, ("ComplianceDict", "TypedDict"), "`stiffarm.Compliance.to_dict`.", &compliance, &with_schema);
 }
@@ -157,10 +185,21 @@ fn python_type(setting: &Setting) -> String {
         (Kind::Whole { .. }, false) => "int".into(),
         (Kind::Word(known), false) => words(known),
         (Kind::Word(known), true) => format!("str | Iterable[{}]", words(known)),
-        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Spindle | Kind::Mount, false) => {
-            "str".into()
+        (
+            Kind::Text
+            | Kind::Robot
+            | Kind::Task
+            | Kind::Shape
+            | Kind::Posture
+            | Kind::Spindle
+            | Kind::Mount
+            | Kind::File
+            | Kind::Date,
+            false,
+        ) => "str".into(),
+        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Marker | Kind::Way, true) => {
+            "str | Iterable[str]".into()
         }
-        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture, true) => "str | Iterable[str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
         (Kind::Block, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),

@@ -1,11 +1,18 @@
 //! Answers of every kind, so different from one another that every key has been seen with whatever may stand under it.
 
+use std::path::Path;
+
 use serde_json::Value;
 use stiffarm::advice::{advise, advise_best};
-use stiffarm::answer::{CompareAnswer, ComplianceAnswer, MapAnswer, PlaceAnswer, RankAnswer, StudyAnswer};
+use stiffarm::answer::{
+    CompareAnswer, ComplianceAnswer, IdentifyAnswer, MapAnswer, MeasureAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
+};
+use stiffarm::catalogue::measurements::{self, Measurements};
 use stiffarm::catalogue::{find, read};
 use stiffarm::compliance::compliance;
+use stiffarm::identify::{Identification, identify};
 use stiffarm::map::map;
+use stiffarm::measure::plan;
 use stiffarm::place::{Hold, PlaceError, Placed, place_task};
 use stiffarm::rank::rank;
 use stiffarm::request::{Pair, Request, Spelling, Verb};
@@ -22,7 +29,7 @@ fn asked(verb: Verb, typed: Typed) -> Request {
     let pair = |(name, text): &(&str, &str)| Pair { name: (*name).into(), text: (*text).into(), at: Spelling::Typed };
     let robot = [("robot", "KR 210 R2700 extra")];
     let pairs: Vec<Pair> = match verb {
-        Verb::Study | Verb::Rank => typed.iter().map(pair).collect(),
+        Verb::Study | Verb::Rank | Verb::Identify => typed.iter().map(pair).collect(),
         _ => typed.iter().chain(&robot).map(pair).collect(),
     };
     Request::read(verb, &pairs, Spelling::Typed).unwrap()
@@ -40,6 +47,7 @@ fn placed(robot: &Robot, typed: Typed) -> PlaceAnswer {
     let asked = asked(Verb::Place, typed);
     let (task, kind) = (asked.task().unwrap(), asked.model());
     let options = asked.place_options(Some(task.zone)).unwrap();
+    let robot = &asked.equipped(robot.clone()).unwrap();
     let (model, tolerance_mm) = (kind.of(robot).unwrap(), asked.tolerance_mm());
     let placed = place_task(&model, &task, &options).unwrap();
     let advised = |mm: f64| advise(&model, &task, &options, &placed, mm / 1e3, Watch::nobody()).unwrap();
@@ -61,6 +69,7 @@ pub(crate) fn placements() -> Vec<Value> {
         of(&[("task", "B:0.3"), ("tolerance-mm", "2"), ("within", "0.5..,0..2")]),
         of(&[("task", "A:9"), ("floor", "none")]),
         of(&[("task", "B:0.3"), ("tolerance-mm", "0.1")]),
+        of(&[("task", "B:0.3"), ("stiffness", "prior")]),
         of(&[("task", "B:0.3"), ("tolerance-mm", "0.001")]),
         placed(&two_links(), &[("task", "A:0.3")]).json(),
         in_space(&[("task", "circle:0.4"), ("tolerance-mm", "2"), ("within", "0.5..,0..2")]),
@@ -81,7 +90,8 @@ pub(crate) fn rankings() -> Vec<Value> {
     let ranked = |robots: &[Robot], typed: Typed| {
         let asked = asked(Verb::Rank, typed);
         let (tasks, kind, options) = (asked.tasks(), asked.model(), asked.place_options(None).unwrap());
-        let ranking = rank(robots, &tasks, &kind, &options, Watch::nobody()).unwrap();
+        let robots: Vec<Robot> = robots.iter().map(|robot| asked.equipped(robot.clone()).unwrap()).collect();
+        let ranking = rank(&robots, &tasks, &kind, &options, Watch::nobody()).unwrap();
         let tolerance_mm = asked.tolerance_mm();
         let advised = |mm: f64| advise_best(&ranking, &options, mm / 1e3, Watch::nobody()).unwrap();
         let advice = tolerance_mm.map_or_else(Vec::new, advised);
@@ -101,7 +111,9 @@ pub(crate) fn rankings() -> Vec<Value> {
         ("force-n", "300,100,50"),
         ("feed-deg", "10"),
     ];
-    [plane, unknown, space, ranked(&[kuka()], &directed)].iter().map(RankAnswer::json).collect()
+    let other = find("KR 210 R2700-2").expect("in the catalogue").robot();
+    let scattered = ranked(&[kuka(), other], &[("task", "A:0.3,A:9"), ("stiffness", "prior")]);
+    [plane, unknown, space, ranked(&[kuka()], &directed), scattered].iter().map(RankAnswer::json).collect()
 }
 
 pub(crate) fn maps() -> Vec<Value> {
@@ -139,12 +151,64 @@ pub(crate) fn compliances() -> Vec<Value> {
     let of = |typed: Typed| {
         let asked = asked(Verb::Compliance, &[typed, &[("joints-deg", "0,-90,90,10,20,30")]].concat());
         let (joints_deg, tool) = (asked.joints_deg().unwrap(), asked.held().tool());
-        let posture = compliance(&kuka(), &joints_deg.map(f64::to_radians), &tool).unwrap();
-        ComplianceAnswer { robot: kuka(), joints_deg, posture, load: asked.posture_load() }.json()
+        let robot = asked.equipped(kuka()).unwrap();
+        let posture = compliance(&robot, &joints_deg.map(f64::to_radians), &tool).unwrap();
+        ComplianceAnswer { robot, joints_deg, posture, load: asked.posture_load() }.json()
     };
     vec![
         of(&[]),
         of(&[("force-n", "100,50,20")]),
         of(&[("force-n", "100,50,20"), ("force-axes", "tool"), ("feed-deg", "5")]),
+        of(&[("force-n", "100,50,20"), ("stiffness", "paper")]),
     ]
+}
+
+pub(crate) fn identifications() -> Vec<Value> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/examples");
+    let text = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+    let robot = read(&text("fanuc_r2000ic.toml"), "robot").unwrap();
+    let of = |typed: Typed, sigma: Option<f64>, change: fn(&mut Identification)| {
+        let typed = [typed, &[("data", "measured"), ("robot", "it"), ("load-mm", "6.9,245.3,319.3")]].concat();
+        let asked = asked(Verb::Identify, &typed);
+        let Measurements { mut readings, remarks } =
+            measurements::read(&text("fanuc_r2000ic.csv"), "measured", &asked.points()).unwrap();
+        readings.iter_mut().for_each(|reading| reading.sigma = sigma);
+        let options = asked.identification();
+        let measured = Measurements { readings, remarks };
+        let mut found = identify(&robot, &measured, &options, Watch::nobody()).unwrap();
+        change(&mut found);
+        IdentifyAnswer { found, before: robot.clone(), data: "measured".into(), date: options.date }.json()
+    };
+    let unseen = |found: &mut Identification| {
+        for one in &mut found.estimates {
+            (one.compliance, one.standard_error, one.interval, one.robust) = (None, None, None, None);
+        }
+        // As of rows in which a posture alone shows some drive, and another is not seen at all.
+        found.residuals.iter_mut().for_each(|one| one.left_out = None);
+        found.tried.iter_mut().for_each(|one| one.left_out = None);
+        found.left_out = None;
+        *found.singular_values.last_mut().unwrap() = 0.0;
+        found.remarks = vec!["odd".into()];
+    };
+    let all = [("model", "base-and-tool"), ("date", "2026-05-31")];
+    vec![
+        of(&[], None, |_| ()),
+        of(&all, Some(1e-5), |_| ()),
+        of(&all, None, unseen),
+        of(&[("model", "auto")], None, |_| ()),
+        of(&[("model", "auto")], None, unseen),
+    ]
+}
+
+pub(crate) fn measurement_plans() -> Vec<Value> {
+    let of = |typed: Typed, compared: Option<(String, usize, f64, f64)>| {
+        let asked = asked(Verb::Measure, &[typed, &[("runs", "6"), ("candidates", "200")]].concat());
+        let (robot, options) = (asked.equipped(kuka()).unwrap(), asked.measurement_plan());
+        let plan = plan(&robot, &options, Watch::nobody()).unwrap();
+        MeasureAnswer { robot, options, work: "anywhere".into(), plan, compared }
+    };
+    // The flange centre as marker: drive 6 does not move it.
+    let mut unseen = of(&[], Some(("mine.csv".into(), 6, 1e-12, 0.5)));
+    unseen.plan.random = f64::INFINITY;
+    vec![unseen.json(), of(&[("load-mm", "0,50,200"), ("loads", "down,left")], None).json()]
 }

@@ -5,12 +5,15 @@ use serde_json::Value;
 
 use super::stiffness::{self, stiffness};
 use super::words::{self, fixed, percentages};
-use super::{Cell, Column, ColumnKind, Datum, Record, Rows, Table, columns_of, field, force, line, with_schema};
+use super::{
+    Cell, Column, ColumnKind, Datum, Record, Rows, Table, columns_of, field, force, line, uncertainty, with_schema,
+};
 use crate::batch::{RowsError, Units, matrices_of_rows, worst_of_rows};
 use crate::compliance::Posture;
 use crate::load::{Direction, Largest, Load};
 use crate::robot::Robot;
 use crate::spatial::{Pose, Wrench};
+use crate::uncertainty::{Spread, of_posture};
 use crate::watch::Watch;
 
 /// In which many postures are told: joint angles in degrees, compliances in um/N.
@@ -74,8 +77,14 @@ impl ComplianceAnswer {
             .put(field::MOVED, moved.as_ref().map(|moved| moved.0.as_slice()))
             .put(field::TURNED, moved.as_ref().map(|moved| moved.1.as_slice()))
             .put(field::COUNTED, counted);
+        uncertainty::put(&mut record, self.spread());
         force::put_direction(&mut record, *load);
         record
+    }
+
+    /// Where the length of the translation lies with 90 %, as far as the drives may be off; `None` where nothing says how far.
+    fn spread(&self) -> Option<Spread> {
+        of_posture(&self.robot, &self.posture, &self.force()?)
     }
 
     /// As JSON.
@@ -126,6 +135,7 @@ impl ComplianceAnswer {
             }
             let whole = moved.norm() * 1e3;
             lines.push(line("deflection", format!("{} mm, {whole:.4} mm in all", vector(&(moved * 1e3), 4))));
+            lines.extend(uncertainty::told(self.spread()));
             if let (false, Some(largest)) = (words::component(*load).is_empty(), self.largest()) {
                 lines.push(line(words::component(*load), format!("{:.4} mm", largest.value * load.newtons() * 1e3)));
             }

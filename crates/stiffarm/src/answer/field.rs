@@ -21,6 +21,8 @@ pub enum Unit {
     MicrometrePerNewton,
     /// urad/(N m), from rad/(N m).
     MicroradianPerNewtonMetre,
+    /// N m/rad.
+    NewtonMetrePerRadian,
     /// kg.
     Kilogram,
     /// As it was given, in the unit named.
@@ -31,7 +33,9 @@ impl Unit {
     /// A number in SI as it is told; what is zero has no sign.
     pub fn told(self, si: f64) -> f64 {
         match self {
-            Self::One | Self::Metre | Self::Newton | Self::Kilogram | Self::Given(_) => si + 0.0,
+            Self::One | Self::Metre | Self::Newton | Self::NewtonMetrePerRadian | Self::Kilogram | Self::Given(_) => {
+                si + 0.0
+            }
             Self::Millimetre | Self::Milliradian => si * 1e3 + 0.0,
             Self::Degree => si.to_degrees() + 0.0,
             Self::MicrometrePerNewton => si * 1e6 + 0.0,
@@ -108,7 +112,7 @@ fields! {
     ARCHITECTURE: "architecture", Kind::Text, "serial or quasi-serial.";
     ARCHITECTURE_ASSUMED: "architecture_assumed", Kind::Truth, "Nothing says that it is of this architecture.";
     STATUS: "status", Kind::Text, "How well the robot's numbers are known.";
-    STIFFNESS_SOURCE: "stiffness_source", Kind::Text, "Who says how stiff the drives are: assumed, robot file or given.";
+    STIFFNESS_SOURCE: "stiffness_source", Kind::Text, "Who says how stiff the drives are: assumed, prior, published, robot file, identified or given.";
     DRIVE_COMPLIANCE: "drive_urad_per_nm", numbers(Unit::MicroradianPerNewtonMetre, &["k1_urad_per_nm", "k2_urad_per_nm", "k3_urad_per_nm", "k4_urad_per_nm", "k5_urad_per_nm", "k6_urad_per_nm"]),
         "The compliance of each drive; null where a robot of two links has none.";
     TASK: "task", Kind::Text, "The zone as it was asked for.";
@@ -134,6 +138,11 @@ fields! {
     LARGEST_SCALE: "largest_feasible_scale", Kind::Number(Unit::One), "The largest scale at which a zone of this shape has a place.";
     DEFLECTION: "deflection_mm", Kind::Number(Unit::Millimetre), "The worst deflection in the zone at its best place.";
     LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No allowed place has less.";
+    DEFLECTION_P05: "deflection_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred drives as they may be give less there; null where nothing says how they may be.";
+    DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";
+    WIN_PROBABILITY: "win_probability", Kind::Nested, "How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing says how its drives may be.";
+    EXPECTED_REGRET: "expected_regret_mm", Kind::Nested, "How much more than the best it has on average, of each task.";
+    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "No robot is better in 95 of a hundred draws, of each task.";
     X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base.";
     Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
     BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
@@ -266,6 +275,56 @@ fields! {
     KEY: "key", Kind::Text, "What it is called.";
     MESSAGE: "message", Kind::Text, "What is wrong or odd.";
     VALUE: "value", Kind::Text, "As people read it.";
+    SPRING: "drive", Kind::Count, "Which drive, from 1.";
+    DRIVES: "drives", Kind::Nested, "One entry per drive.";
+    ESTIMATE: "compliance_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "The compliance found; null where it is not seen.";
+    STANDARD_ERROR: "standard_error_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "The larger of that from the scatter of all remainders and that from leaving out each posture.";
+    INTERVAL: "ci95_urad_per_nm", numbers(Unit::MicroradianPerNewtonMetre, &["ci95_low_urad_per_nm", "ci95_high_urad_per_nm"]), "Where it lies with 95 %.";
+    STIFFNESS: "stiffness_nm_per_rad", Kind::Number(Unit::NewtonMetrePerRadian), "One over the compliance found.";
+    ROBUST: "robust_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "The compliance by Huber's estimate.";
+    IS_IDENTIFIED: "identified", Kind::Truth, "The measurements show it, to half of itself or better.";
+    NOT_IDENTIFIED: "why_not", Kind::Text, "Why they do not.";
+    USED: "used_urad_per_nm", Kind::Number(Unit::MicroradianPerNewtonMetre), "What the robot file has: found with all that is not identified held, or as it was before.";
+    ESTIMATOR: "fit", Kind::Text, "least-squares or huber.";
+    FURTHER_SPRINGS: "springs", Kind::Nested, "What springs besides the drives.";
+    SPRING_NAME: "spring", Kind::Text, "Its name.";
+    MODELS: "models", Kind::Nested, "The models that were tried.";
+    BIC: "bic", Kind::Number(Unit::One), "Schwarz's criterion; less is better.";
+    POSTURES: "postures", Kind::Count, "How many postures.";
+    READINGS: "readings", Kind::Count, "How many rows.";
+    RMS_BEFORE: "rms_before_mm", Kind::Number(Unit::Millimetre), "How far a coordinate moved, root mean square.";
+    RMS_AFTER: "rms_after_mm", Kind::Number(Unit::Millimetre), "What the compliances found leave of that.";
+    RMS_USED: "rms_used_mm", Kind::Number(Unit::Millimetre), "What the compliances of the robot file leave of that.";
+    RMS_LEFT_OUT: "rms_left_out_mm", Kind::Number(Unit::Millimetre), "The same of each posture by the others; null where a posture alone shows some drive.";
+    EXPLAINED: "explained", Kind::Number(Unit::One), "1 - rms after / rms before.";
+    EXPLAINED_LEFT_OUT: "explained_left_out", Kind::Number(Unit::One), "The same of each posture by the others.";
+    NOISE_RATIO: "noise_ratio", Kind::Number(Unit::One), "How many times the noise that the table tells the remainders are.";
+    CONDITION: "condition", Kind::Number(Unit::One), "The largest singular value over the smallest; null where some drive is not seen.";
+    SINGULAR_VALUES: "singular_values", numbers(Unit::One, &[]), "Of all rows, mm per urad/(N m), descending.";
+    LEAST_SEEN: "least_seen", numbers(Unit::One, &[]), "The combination of drives that is seen worst; its squares add up to 1.";
+    CORRELATION: "correlation", Kind::Nested, "Correlation of the compliances found.";
+    OUTLIERS: "outliers", Kind::Nested, "Rows that do not fit, from 1, the worst first.";
+    RESIDUALS: "residuals", Kind::Nested, "What remains of every row.";
+    READING: "row", Kind::Count, "Its number, from 1.";
+    OF_POSTURE: "posture", Kind::Count, "Its posture, from 1.";
+    MEASURED: "measured_mm", numbers(Unit::Millimetre, &["dx_mm", "dy_mm", "dz_mm"]), "The displacement along base axes.";
+    REMAINS: "remains_mm", numbers(Unit::Millimetre, &["rx_mm", "ry_mm", "rz_mm"]), "What the compliances found leave of it.";
+    LEFT_OUT: "left_out_mm", Kind::Number(Unit::Millimetre), "Length of what those leave that are found without its posture.";
+    RATIO: "sigmas", Kind::Number(Unit::One), "What Huber's estimate leaves of it, in standard deviations of a coordinate.";
+    DATE: "date", Kind::Text, "When was measured.";
+    RUNS: "runs", Kind::Nested, "One entry per run, in the order in which they are made.";
+    RUN: "run", Kind::Count, "Its number, from 1.";
+    OF_LOAD: "load", Kind::Text, "In which direction is loaded.";
+    EXPECTED: "expected_mm", Kind::Number(Unit::Millimetre), "How far the marker is expected to move.";
+    CRITERION: "criterion", Kind::Text, "What a plan is judged by.";
+    CRITERION_VALUE: "value", Kind::Number(Unit::One), "Mean variance of the displacement under 1 N over the work, (um/N)^2.";
+    CRITERION_BOUND: "lower_bound", Kind::Number(Unit::One), "No plan of so many runs of the candidates has less.";
+    EFFICIENCY: "efficiency", Kind::Number(Unit::One), "The bound over the value: 1 is proved best.";
+    RANDOM_EFFICIENCY: "random_efficiency", Kind::Number(Unit::One), "The same of the median random choice; null where that leaves some drive unseen.";
+    CANDIDATES: "candidates", Kind::Count, "Among so many was chosen.";
+    UNSEEN: "unseen_drives", Kind::Nested, "Drives that no candidate shows.";
+    COMPARED: "compared", Kind::Nested, "What the table that was given is worth.";
+    REMARKS: "remarks", Kind::Nested, "What is odd.";
     ENTRY: "row", Kind::Text, "Which row of a matrix.";
 }
 
@@ -284,13 +343,15 @@ mod tests {
                 Some(Unit::Newton) => "_n",
                 Some(Unit::MicrometrePerNewton) => "_um_per_n",
                 Some(Unit::MicroradianPerNewtonMetre) => "_urad_per_nm",
+                Some(Unit::NewtonMetrePerRadian) => "_nm_per_rad",
                 Some(Unit::Kilogram) => "_kg",
                 Some(Unit::Given(unit)) => unit,
                 Some(Unit::One) | None => "",
             };
-            assert!(field.key.ends_with(ending), "{field:?}");
-            let endings = ["_m", "_mm", "_deg", "_mrad", "_n", "_um_per_n", "_urad_per_nm", "_kg"];
-            let has_unit = endings.iter().any(|ending| field.key.ends_with(ending));
+            let key = field.key.trim_end_matches("_p05").trim_end_matches("_p95");
+            assert!(key.ends_with(ending), "{field:?}");
+            let endings = ["_m", "_mm", "_deg", "_mrad", "_n", "_um_per_n", "_urad_per_nm", "_nm_per_rad", "_kg"];
+            let has_unit = endings.iter().any(|ending| key.ends_with(ending));
             assert!(!ending.is_empty() || !has_unit || field.unit().is_none(), "a number of no unit: {field:?}");
             assert!(field.about.ends_with('.') && field.about.is_ascii(), "{field:?}");
             if let Kind::Numbers { columns, .. } = field.kind {

@@ -6,7 +6,7 @@ use super::advice;
 use super::cell as told_cell;
 use super::stiffness::{self, stiffness};
 use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm};
-use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, with_schema, words};
+use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, uncertainty, with_schema, words};
 use crate::advice::Advice;
 use crate::cell::Cell;
 use crate::interval::Interval;
@@ -206,8 +206,10 @@ impl PlaceAnswer {
         let mut lines = vec![
             line(format!("worst deflection {whole}"), format!("{:.4} mm", best.deflection * 1e3)),
             line("no place has less than", proof(best)),
-            line(format!("{centre} from {}", words::origin(&self.robot)), format!("x {x:.4} m, z {z:.4} m")),
         ];
+        lines.extend(uncertainty::told(uncertainty::of(&self.robot, &self.model, self.options.load, Some(best))));
+        lines
+            .extend([line(format!("{centre} from {}", words::origin(&self.robot)), format!("x {x:.4} m, z {z:.4} m"))]);
         match self.options.cell {
             None => lines.extend(outside(best).map(|note| line("note", note))),
             Some(cell) => {
@@ -387,6 +389,7 @@ pub(super) fn cell(
         .put(field::X, best.map(|best| best.centre[0]))
         .put(field::Z, best.map(|best| best.centre[1]));
     held(&mut record, best, options.cell.as_ref());
+    uncertainty::put(&mut record, uncertainty::of(robot, model, options.load, best));
     record
         .put(field::TOLERANCE, tolerance_mm)
         .put(

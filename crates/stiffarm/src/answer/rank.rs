@@ -7,13 +7,14 @@ use serde_json::{Value, json};
 
 use super::place::{Verdict, cell, put_advice};
 use super::words::{self, fixed};
-use super::{Record, Rows, Table, field, force, margins, stiffness, stiffnesses, with_schema};
+use super::{Record, Rows, Table, field, force, margins, stiffness, stiffnesses, uncertainty, with_schema};
 use crate::advice::Advice;
 use crate::drive::Architecture;
 use crate::model::ModelKind;
 use crate::place::{Margins, PlaceOptions};
 use crate::rank::{Rank, Ranking, Row};
 use crate::robot::Status;
+use crate::uncertainty::chances;
 
 /// The answer of `rank`, with what was asked.
 #[derive(Clone, Debug)]
@@ -50,11 +51,14 @@ impl RankAnswer {
 
     fn rows_json(&self) -> Value {
         let ranks = self.ranks();
-        let told = self.ranking.rows.iter().enumerate().map(|(at, row)| {
+        let chances = chances(&self.ranking);
+        let told = self.ranking.rows.iter().zip(&chances).enumerate().map(|(at, (row, chances))| {
             let cells: Value = self.cells(at, &ranks).map(|cell| cell.json()).collect();
             let mut record = Record::new();
             stiffness::put_robot(&mut record, &row.robot);
-            record.extend(self.standing(row)).put(field::CELLS, cells);
+            record.extend(self.standing(row));
+            uncertainty::put_chances(&mut record, chances);
+            record.put(field::CELLS, cells);
             record.json()
         });
         told.collect()

@@ -1,8 +1,8 @@
 //! How stiff are the drives, and who says so? In the same words wherever a deflection is told.
 
-use super::{Record, field};
+use super::{Record, field, uncertainty};
 use crate::catalogue::microradians;
-use crate::drive::JointCompliance;
+use crate::drive::{JointCompliance, Scatter};
 use crate::robot::{Arm, Robot, StiffnessSource};
 
 /// So many robots of one stiffness are named; more are counted.
@@ -15,7 +15,9 @@ pub fn stiffness(robot: &Robot) -> String {
     let urad: Vec<f64> = robot.drive_compliance().into_iter().flatten().map(microradians).collect();
     let is_planar = matches!(robot.arm, Arm::Planar(_));
     let is_uniform = urad.iter().all(|k| *k == urad[0]);
-    let values = if is_uniform { urad[0].to_string() } else { listed(&urad) };
+    let is_measured = robot.identified().is_some() || robot.scatter().is_some();
+    let shown: Vec<f64> = urad.iter().map(|k| if is_measured { digits(*k, 3) } else { *k }).collect();
+    let values = if is_uniform { shown[0].to_string() } else { listed(&shown) };
     let drives = match (is_uniform, is_planar) {
         (_, true) => "the drives 2 and 3",
         (true, false) => "every drive",
@@ -26,6 +28,14 @@ pub fn stiffness(robot: &Robot) -> String {
         StiffnessSource::Assumed if is_papers => format!("{values} urad/(N m) assumed on {drives}"),
         StiffnessSource::Assumed => format!("{values} urad/(N m) on {drives}, partly assumed"),
         StiffnessSource::File => format!("{values} urad/(N m) on {drives}, from the robot file"),
+        StiffnessSource::Identified => format!("{values} urad/(N m) on {drives}, {}", measured(robot)),
+        StiffnessSource::Prior => {
+            format!("{values} urad/(N m) on {drives}, the prior by payload and reach, {}", within(robot))
+        }
+        StiffnessSource::Published => {
+            let differ = uncertainty::disagreement(robot).map_or_else(String::new, |told| format!("; {told}"));
+            format!("{values} urad/(N m) on {drives}, as published, {}{differ}", within(robot))
+        }
         StiffnessSource::Given if is_uniform && 0.0 < urad[0] => {
             format!("given: {values} urad/(N m) on {drives}, {} MN m/rad", rounded(1.0 / urad[0]))
         }
@@ -33,6 +43,25 @@ pub fn stiffness(robot: &Robot) -> String {
     };
     let compensated = matches!(&robot.arm, Arm::SixAxis { drives, .. } if drives.compensator.is_some());
     if compensated { format!("{told}; drive 2 with its gravity compensator") } else { told }
+}
+
+/// By which factors 90 % of drives differ from that.
+fn within(robot: &Robot) -> String {
+    /// Five of a hundred are beyond so many standard deviations.
+    const NINETY: f64 = 1.645;
+    let factors = robot.scatter().map_or([1.0; 6], Scatter::total).map(|sd| (NINETY * sd).exp());
+    let (least, most) = (factors.into_iter().fold(f64::INFINITY, f64::min), factors.into_iter().fold(1.0, f64::max));
+    format!("90 % within a factor of {} to {}", digits(least, 2), digits(most, 2))
+}
+
+/// In how many postures, when, and what was not seen there.
+fn measured(robot: &Robot) -> String {
+    let Some(identified) = robot.identified() else { return "from the robot file".into() };
+    let date = identified.date.as_ref().map_or_else(String::new, |date| format!(", {date}"));
+    let others: Vec<String> =
+        (1..=6).filter(|&drive| !identified.drives[drive - 1]).map(|drive| drive.to_string()).collect();
+    let others = if others.is_empty() { String::new() } else { format!("; not identified: {}", others.join(", ")) };
+    format!("identified in {} postures{date}{others}", identified.postures)
 }
 
 /// Of some robots, in the order in which they are met.
@@ -63,7 +92,12 @@ fn of(names: &[&str]) -> String {
 
 /// Six digits of a number that came out of a division.
 fn rounded(x: f64) -> f64 {
-    format!("{x:.5e}").parse().unwrap_or(x)
+    digits(x, 6)
+}
+
+/// So many digits of a number.
+pub(super) fn digits(x: f64, count: usize) -> f64 {
+    format!("{x:.*e}", count - 1).parse().unwrap_or(x)
 }
 
 fn listed(numbers: &[f64]) -> String {

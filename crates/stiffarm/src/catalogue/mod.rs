@@ -6,6 +6,7 @@ pub mod files;
 mod filter;
 pub mod import;
 mod index;
+pub mod measurements;
 mod reader;
 mod robot_file;
 mod write;
@@ -14,6 +15,7 @@ pub use doubts::doubts;
 pub use fault::{Fault, Faults};
 pub use filter::{Filter, NothingLeft};
 pub use index::{Entry, entries, find, matching, names, suggestions};
+pub(crate) use robot_file::is_date;
 pub use robot_file::read;
 pub use write::write;
 pub(crate) use write::{microradians, quoted};
@@ -64,7 +66,9 @@ pub fn with_compliance(robot: &Robot, drive_urad_per_nm: [f64; 6]) -> Result<Rob
     changed.stiffness_is_assumed = false;
     changed.source.insert(COMPLIANCE_SOURCE.into(), GIVEN.into());
     match &mut changed.arm {
-        Arm::SixAxis { drives, .. } => drives.compliance = JointCompliance(k),
+        Arm::SixAxis { drives, .. } => {
+            (drives.compliance, drives.identified, drives.scatter) = (JointCompliance(k), None, None);
+        }
         Arm::Planar(arm) => (arm.k2, arm.k3) = (k[1], k[2]),
     }
     read(&write(&changed), &robot.name)

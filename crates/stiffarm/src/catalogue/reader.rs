@@ -274,6 +274,18 @@ impl<'a, 'i> Table<'a, 'i> {
         rows.try_into().ok().map(Some)
     }
 
+    /// Exactly `N` times `true` or `false`.
+    pub(super) fn flags<const N: usize>(&mut self, key: &'static str) -> Option<[bool; N]> {
+        let value = self.required(key, &format!("{N} times true or false"))?;
+        let items = self.items(key, value, N)?;
+        let flags: Vec<bool> = items.iter().filter_map(|item| item.get_ref().as_bool()).collect();
+        let flags = flags.try_into().ok();
+        if flags.is_none() {
+            self.fault(key, format!("expected {N} times true or false"));
+        }
+        flags
+    }
+
     /// `true` or `false`; false where the key is absent.
     pub(super) fn flag(&mut self, key: &'static str) -> Option<bool> {
         let Some(value) = self.optional(key) else { return Some(false) };

@@ -8,7 +8,7 @@ use toml::de::DeTable;
 use super::reader::{Log, Quantity, Table};
 use super::{Fault, Faults};
 use crate::body::Body;
-use crate::drive::{Architecture, Drives, GravityCompensator, JointCompliance, Transmission};
+use crate::drive::{Architecture, Drives, GravityCompensator, Identified, JointCompliance, Transmission};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, ThirdAxis};
@@ -27,6 +27,9 @@ const ENCLOSED: Quantity = Quantity { unit: "deg", min: 0.0, max: 360.0, suspect
 /// Zero is a rigid drive.
 const COMPLIANCE: Quantity =
     Quantity { unit: "urad/(N m)", min: 0.0, max: 1e4, suspect: Some((1e-3, 1e6, "rad/(N m)")) };
+const COVARIANCE: Quantity = Quantity { unit: "(urad/(N m))^2", min: -1e8, max: 1e8, suspect: None };
+const POSTURES: Quantity = Quantity { unit: "(postures)", min: 2.0, max: 1e6, suspect: None };
+const RESIDUAL: Quantity = Quantity { unit: "mm", min: 0.0, max: 100.0, suspect: None };
 const COUPLING: Quantity = Quantity { unit: "(ratio)", min: -1000.0, max: 1000.0, suspect: None };
 const SPRING: Quantity = Quantity { unit: "N/mm", min: 1e-3, max: 1e6, suspect: None };
 const SPRING_LENGTH: Quantity = Quantity { unit: "mm", min: 0.0, max: 10_000.0, suspect: None };
@@ -196,13 +199,87 @@ fn drives(root: &mut Table, architecture: Option<Architecture>) -> Option<(Drive
     if transmission.flatten().is_some_and(|transmission| transmission.0.determinant().abs() < 1e-9) {
         table.fault("transmission", "the drives cannot move every joint: the matrix has no inverse");
     }
+    let identified = identified(&mut table, is_assumed);
     table.finish(&[]);
     let compensator = if root.has("compensator") { Some(compensator(root.table("compensator"))?) } else { None };
     let transmission = transmission?.or_else(|| architecture.map(Transmission::of))?;
     if compensator.is_some() && !transmission.joint_2_is_direct() {
         root.fault("compensator", "needs a joint 2 that drive 2 alone moves, one to one; see compliance.transmission");
     }
-    Some((Drives { compliance: compliance?, transmission, compensator }, is_assumed))
+    Some((
+        Drives { compliance: compliance?, transmission, compensator, identified: identified?, scatter: None },
+        is_assumed,
+    ))
+}
+
+/// What was measured; the outer `None` is a fault.
+fn identified(table: &mut Table, is_assumed: bool) -> Option<Option<Identified>> {
+    const KEYS: [&str; 5] = ["identified", "covariance_urad2_per_n2m2", "postures", "date", "residual_mm"];
+    let status = table.choice("status", &[("identified", true)], Some(false));
+    if status == Some(false) {
+        for key in KEYS.into_iter().filter(|key| table.has(key)) {
+            table.fault(key, "needs status = \"identified\" beside it: it is of measured compliances");
+        }
+        return Some(None);
+    }
+    if is_assumed {
+        table.fault("status", "identified, but drive_urad_per_nm is missing; expected the six compliances");
+    }
+    let drives = table.flags("identified");
+    let covariance = table.matrix::<6>("covariance_urad2_per_n2m2", COVARIANCE);
+    let postures = table.number("postures", POSTURES);
+    let date = if table.has("date") { table.text("date", true).map(Some) } else { Some(None) };
+    let residual = table.number("residual_mm", RESIDUAL);
+    let Some(rows) = covariance? else {
+        table.fault("covariance_urad2_per_n2m2", "missing; expected six rows of six numbers");
+        return None;
+    };
+    let covariance = Matrix6::from_fn(|i, j| rows[i][j]) * 1e-12;
+    if !is_covariance(&covariance) {
+        table.fault(
+            "covariance_urad2_per_n2m2",
+            "is no covariance: expected a symmetric matrix without negative variances",
+        );
+    }
+    let date = date?;
+    if let Some(date) = date.as_ref().filter(|date| !is_date(date)) {
+        table.fault("date", format!("\"{date}\" is no date; expected such as \"2026-05-31\""));
+    }
+    let postures = postures?;
+    if postures.fract() != 0.0 {
+        table.fault("postures", format!("{postures} is no whole number"));
+    }
+    Some(Some(Identified { drives: drives?, covariance, postures: postures as usize, date, residual: residual? / 1e3 }))
+}
+
+/// Symmetric, and no combination has a variance below zero, but for rounding.
+fn is_covariance(matrix: &Matrix6<f64>) -> bool {
+    let size = matrix.diagonal().max();
+    let slack = 1e-9 * size;
+    (matrix - matrix.transpose()).abs().max() <= slack
+        && 0.0 <= matrix.diagonal().min()
+        && matrix.symmetric_eigenvalues().min() >= -slack
+}
+
+/// Is this a day as ISO 8601 writes it?
+pub(crate) fn is_date(text: &str) -> bool {
+    let parts: Vec<&str> = text.split('-').collect();
+    let digits = |part: &str, count: usize| part.len() == count && part.bytes().all(|c| c.is_ascii_digit());
+    let [year, month, day] = *parts.as_slice() else { return false };
+    if !(digits(year, 4) && digits(month, 2) && digits(day, 2)) {
+        return false;
+    }
+    let (Ok(year), Ok(month), Ok(day)) = (year.parse::<u32>(), month.parse::<u32>(), day.parse::<u32>()) else {
+        return false;
+    };
+    let is_leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
+    let days = match month {
+        2 => 28 + u32::from(is_leap),
+        4 | 6 | 9 | 11 => 30,
+        1..=12 => 31,
+        _ => 0,
+    };
+    (1..=days).contains(&day)
 }
 
 fn compensator(mut table: Table) -> Option<GravityCompensator> {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::drive::{Drives, JointCompliance, Transmission};
+use crate::drive::{Drives, Identified, JointCompliance, Transmission};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, ThirdAxis};
@@ -110,7 +110,8 @@ impl Text {
     }
 
     fn drives(&mut self, drives: &Drives, robot: &Robot) {
-        let is_assumed = robot.stiffness_is_assumed && drives.compliance == JointCompliance::PAPER;
+        let is_assumed =
+            robot.stiffness_is_assumed && drives.compliance == JointCompliance::PAPER && drives.identified.is_none();
         let own = drives.transmission != Transmission::of(robot.architecture);
         if !is_assumed || own {
             self.table("compliance");
@@ -122,6 +123,9 @@ impl Text {
             let rows = (0..6).map(|i| list(drives.transmission.0.row(i).iter().copied().map(plain)));
             self.list("transmission", rows);
         }
+        if let Some(identified) = &drives.identified {
+            self.identified(identified);
+        }
         if let Some(compensator) = drives.compensator {
             self.table("compensator");
             self.list("base_mm", compensator.base.map(millimetres));
@@ -129,6 +133,20 @@ impl Text {
             self.entry("stiffness_n_per_mm", &inverse(compensator.stiffness, 1e-3, |x| x * 1e3));
             self.entry("free_length_mm", &millimetres(compensator.free_length));
         }
+    }
+
+    fn identified(&mut self, identified: &Identified) {
+        self.text("status", "identified");
+        self.list("identified", identified.drives.map(|seen| seen.to_string()));
+        let square = |variance: f64| inverse(variance, 1e12, |urad| urad * 1e-12);
+        let rows =
+            (0..6).map(|i| "\n    ".to_owned() + &list(identified.covariance.row(i).iter().copied().map(square)));
+        self.entry("covariance_urad2_per_n2m2", &format!("[{},\n]", rows.collect::<Vec<_>>().join(",")));
+        self.entry("postures", &identified.postures.to_string());
+        if let Some(date) = &identified.date {
+            self.text("date", date);
+        }
+        self.entry("residual_mm", &millimetres(identified.residual));
     }
 
     fn planar(&mut self, arm: &PlanarArm, is_assumed: bool) {

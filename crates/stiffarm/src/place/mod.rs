@@ -377,7 +377,13 @@ pub fn place(model: &Model, zone: Zone, options: &PlaceOptions) -> Result<Placed
     place_watched(model, zone, options, Watch::nobody())
 }
 
-fn place_watched(model: &Model, zone: Zone, options: &PlaceOptions, watch: Watch) -> Result<Placed, PlaceError> {
+/// As [`place`], told to somebody.
+pub(crate) fn place_watched(
+    model: &Model,
+    zone: Zone,
+    options: &PlaceOptions,
+    watch: Watch,
+) -> Result<Placed, PlaceError> {
     check(zone, options)?;
     match model {
         Model::Planar(model) => planar::place(model, zone, options, watch),

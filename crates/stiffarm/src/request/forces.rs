@@ -31,6 +31,9 @@ impl Request {
     }
 
     fn asked_load(&self) -> Result<Option<Load>, Odd> {
+        if self.verb == Verb::Measure {
+            return Ok(None);
+        }
         let force = |value| if let Value::Force(force) = value { Some(force) } else { None };
         let Some(force) = self.one("force-n", force) else { return Ok(None) };
         let load = self.directed(force)?;

@@ -91,9 +91,10 @@ impl Reader<'_> {
             let texts = texts(setting, value).map_err(|expected| {
                 self.fault(*place, format!("{} for '{}': {expected}", described(value), on_one_line(name)))
             })?;
-            let is_path = name == "output" || setting.is_some_and(|setting| setting.kind == Kind::Robot);
+            let kind = setting.map(|setting| setting.kind);
+            let is_file = name == "output" || kind == Some(Kind::File);
             let pairs = texts.into_iter().map(|text| {
-                let text = if is_path { self.rebased(name, text) } else { text };
+                let text = if is_file || kind == Some(Kind::Robot) { self.rebased(is_file, text) } else { text };
                 Pair { name: name.clone(), text, at: self.at(*place) }
             });
             if of_program { job.program.extend(pairs) } else { job.pairs.extend(pairs) }
@@ -137,8 +138,8 @@ impl Reader<'_> {
     }
 
     /// A path that is relative counts from the folder of the file.
-    fn rebased(&self, name: &str, text: String) -> String {
-        let is_path = name == "output" || is_path(&text) || !is_name(&text) && self.folder.join(&text).is_dir();
+    fn rebased(&self, is_file: bool, text: String) -> String {
+        let is_path = is_file || is_path(&text) || !is_name(&text) && self.folder.join(&text).is_dir();
         if is_path { self.folder.join(text).to_string_lossy().into_owned() } else { text }
     }
 }
@@ -172,7 +173,7 @@ fn texts(setting: Option<&Setting>, value: &DeValue) -> Result<Vec<String>, Stri
     let DeValue::Array(items) = value else { return Ok(vec![scalar(kind, value)?]) };
     let several = |kind| items.iter().map(|item| scalar(kind, item.get_ref())).collect::<Result<Vec<_>, _>>();
     match kind {
-        Some(Kind::Tool) => several(Some(Kind::Elevation)).map(|parts| vec![parts.join(",")]),
+        Some(Kind::Tool | Kind::Point) => several(Some(Kind::Elevation)).map(|parts| vec![parts.join(",")]),
         Some(Kind::Force) => several(kind).map(|parts| vec![parts.join(",")]),
         // Ranges of one window, or whole windows.
         Some(Kind::Within) => several(Some(Kind::Text))
@@ -239,7 +240,11 @@ fn literal(kind: Kind, text: &str, folder: &Path) -> String {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite()).map(|x| x.to_string());
     match kind {
         Kind::Robot => quoted(&seen_from(folder, text.trim())),
-        Kind::Tool | Kind::Force if text.contains(',') => {
+        Kind::File => {
+            let path = seen_from(folder, &Path::new(".").join(text).to_string_lossy());
+            quoted(path.strip_prefix("./").unwrap_or(&path))
+        }
+        Kind::Tool | Kind::Point | Kind::Force if text.contains(',') => {
             let parts: Vec<String> = text.split(',').map(|part| number(part).expect("all are numbers")).collect();
             format!("[{}]", parts.join(", "))
         }

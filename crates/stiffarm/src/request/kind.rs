@@ -1,11 +1,15 @@
 //! What does an option take, and which value does a text stand for?
 
 use super::notation::{
-    Angle, Force, block, elevation, force, mount, number, open_range, shape, spindle, tool, window, yaw,
+    Angle, Force, block, elevation, force, marker, mount, number, open_range, point, shape, spindle, tool, way, window,
+    yaw,
 };
+use crate::catalogue::is_date;
+use crate::catalogue::measurements::Marker;
 use crate::cell::{Block, Mount, Window};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
+use crate::measure::LoadWay;
 use crate::spatial::Pose;
 use crate::task::Task;
 
@@ -61,6 +65,16 @@ pub enum Kind {
     Tool,
     /// A spindle by its length, mm, and its angle to the flange axis, deg.
     Spindle,
+    /// A point of the flange frame, mm.
+    Point,
+    /// The same, with the name of a marker before it.
+    Marker,
+    /// In which direction something can be loaded.
+    Way,
+    /// A file that is read.
+    File,
+    /// Year, month and day.
+    Date,
     /// A zone with its size.
     Task,
     /// A zone at size 1.
@@ -123,6 +137,9 @@ pub(super) enum Value {
     Angle(Angle),
     Floor(Option<f64>),
     Tool(Pose),
+    Point([f64; 3]),
+    Marker(Marker),
+    Way(LoadWay),
     Task(Task),
     Posture(Configuration),
 }
@@ -154,6 +171,8 @@ impl Kind {
                 | Self::Posture
                 | Self::Spindle
                 | Self::Mount
+                | Self::File
+                | Self::Date
         )
     }
 
@@ -170,7 +189,9 @@ impl Kind {
     /// What a text stands for, or what was expected.
     pub(super) fn read(self, text: &str) -> Result<Value, String> {
         match self {
-            Self::Text | Self::Robot => Ok(Value::Text(text.into())),
+            Self::Text | Self::Robot | Self::File => Ok(Value::Text(text.into())),
+            Self::Date if is_date(text) => Ok(Value::Text(text.into())),
+            Self::Date => Err("expected a day as year-month-day, such as 2026-05-31".into()),
             Self::Word(words) => {
                 let known = words.iter().find(|(word, _)| *word == text);
                 known.map(|(word, _)| Value::Word(word)).ok_or_else(|| expected(words))
@@ -198,6 +219,9 @@ impl Kind {
                 Err(expected) => Err(format!("{expected}, or none")),
             },
             Self::Tool => tool(text).map(Value::Tool),
+            Self::Point => point(text).map(Value::Point),
+            Self::Marker => marker(text).map(Value::Marker),
+            Self::Way => way(text).map(Value::Way),
             Self::Spindle => spindle(text).map(Value::Tool),
             Self::Task => text.parse().map(Value::Task).map_err(|error: crate::task::TaskError| error.to_string()),
             Self::Shape => shape(text).map(Value::Task),

@@ -3,10 +3,12 @@
 use std::f64::consts::PI;
 use std::str::FromStr;
 
-use nalgebra::{Rotation3, Translation3};
+use nalgebra::{Rotation3, Translation3, Vector3};
 
+use crate::catalogue::measurements::Marker;
 use crate::cell::{Block, Mount, MountKind, Window};
 use crate::interval::Interval;
+use crate::measure::LoadWay;
 use crate::place::{Orientation, Within};
 use crate::spatial::Pose;
 use crate::task::{Task, Zone};
@@ -135,6 +137,52 @@ pub fn tool(text: &str) -> Result<Pose, String> {
     };
     checked_tool(&[x, y, z])?;
     Ok(Pose::from_parts(Translation3::new(x / 1e3, y / 1e3, z / 1e3), Rotation3::from_euler_angles(rx, ry, rz).into()))
+}
+
+/// `x,y,z` in mm in the flange frame, as m.
+///
+/// # Errors
+/// What was expected.
+pub fn point(text: &str) -> Result<[f64; 3], String> {
+    let expected = || "expected x,y,z in mm from the flange centre, each from -10000 to 10000".to_owned();
+    let numbers = text.split(',').map(|part| number(part, -10_000.0, 10_000.0, "").map_err(|_| expected()));
+    let mm: [f64; 3] = numbers.collect::<Result<Vec<_>, _>>()?.try_into().map_err(|_| expected())?;
+    Ok(mm.map(|mm| mm / 1e3))
+}
+
+/// `down`, `up`, `ahead`, `back`, `left`, `right`, or `x:y:z` along base axes.
+///
+/// # Errors
+/// What was expected.
+pub fn way(text: &str) -> Result<LoadWay, String> {
+    let expected = || "expected down, up, ahead, back, left, right, or x:y:z along base axes".to_owned();
+    let along = match text.trim() {
+        "down" => [0.0, 0.0, -1.0],
+        "up" => [0.0, 0.0, 1.0],
+        "ahead" => [1.0, 0.0, 0.0],
+        "back" => [-1.0, 0.0, 0.0],
+        "left" => [0.0, 1.0, 0.0],
+        "right" => [0.0, -1.0, 0.0],
+        text => {
+            let numbers = text.split(':').map(|part| number(part, -1e6, 1e6, "").map_err(|_| expected()));
+            numbers.collect::<Result<Vec<_>, _>>()?.try_into().map_err(|_| expected())?
+        }
+    };
+    let along = Vector3::from(along);
+    let length = along.norm();
+    if length < 1e-9 { Err(expected()) } else { Ok(LoadWay { name: text.trim().into(), along: along / length }) }
+}
+
+/// `name=x,y,z`, or a point alone.
+///
+/// # Errors
+/// What was expected.
+pub fn marker(text: &str) -> Result<Marker, String> {
+    match text.split_once('=') {
+        None => Ok(Marker { name: None, at: point(text)? }),
+        Some((name, _)) if name.trim().is_empty() => Err("expected name=x,y,z, and the name is empty".into()),
+        Some((name, at)) => Ok(Marker { name: Some(name.trim().into()), at: point(at)? }),
+    }
 }
 
 /// `spindle:L@A+O`: a tool of length L, mm, whose axis stands at the angle A, deg, to the flange axis, and crosses it O mm before the

@@ -18,16 +18,38 @@ pub enum Verb {
     Study,
     /// Two setups.
     Compare,
+    /// Stiffness from measurements.
+    Identify,
+    /// Which measurements to make.
+    Measure,
     /// Which robots there are.
     List,
 }
 
 impl Verb {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Compare, Self::List];
+    pub const ALL: [Self; 9] = [
+        Self::Rank,
+        Self::Place,
+        Self::Map,
+        Self::Compliance,
+        Self::Study,
+        Self::Compare,
+        Self::Identify,
+        Self::Measure,
+        Self::List,
+    ];
     /// Those that a job file may ask.
-    pub const JOBS: [Self; 6] = [Self::Rank, Self::Place, Self::Map, Self::Compliance, Self::Study, Self::Compare];
+    pub const JOBS: [Self; 8] = [
+        Self::Rank,
+        Self::Place,
+        Self::Map,
+        Self::Compliance,
+        Self::Study,
+        Self::Compare,
+        Self::Identify,
+        Self::Measure,
+    ];
 
     /// As it is typed.
     pub fn name(self) -> &'static str {
@@ -38,6 +60,8 @@ impl Verb {
             Self::Compliance => "compliance",
             Self::Study => "study",
             Self::Compare => "compare",
+            Self::Identify => "identify",
+            Self::Measure => "measure",
             Self::List => "robots list",
         }
     }
@@ -154,6 +178,12 @@ const MAP: &[Verb] = &[Verb::Map];
 const COMPLIANCE: &[Verb] = &[Verb::Compliance];
 const STUDY: &[Verb] = &[Verb::Study];
 const COMPARE: &[Verb] = &[Verb::Compare];
+const IDENTIFY: &[Verb] = &[Verb::Identify];
+const MEASURE: &[Verb] = &[Verb::Measure];
+/// Those that have to do with measurements.
+const MEASURING: &[Verb] = &[Verb::Identify, Verb::Measure];
+/// Those that bend drives.
+const SPRINGING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Compare, Verb::Measure];
 const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compare];
 /// Those that place zones and nothing else.
 const ONLY_PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Compare];
@@ -205,11 +235,28 @@ const RELATIVE: Setting = Setting {
 };
 /// Of the drives' springs.
 const SPRINGS: Setting = Setting {
-    verbs: BENDING,
+    verbs: SPRINGING,
     count: one_or(6, "values", "one for every drive, or six, separated by commas"),
     value: "K",
     heading: "Stiffness",
     ..ROW
+};
+/// Who says how stiff they are.
+const WHOSE: Setting = Setting {
+    name: "stiffness",
+    kind: Kind::Word(&[
+        ("paper", "1 urad/(N m) on every drive, as the paper assumes"),
+        (
+            "prior",
+            "As published of the robot, else as robots of its payload and reach have it; and how far that may be off",
+        ),
+        ("file", "As the robot file has it; robots whose file says nothing are refused"),
+    ]),
+    count: ONE,
+    value: "WHOSE",
+    excludes: &["drive-urad-per-nm", "stiffness-nm-per-rad"],
+    help: "How stiff the drives are taken to be",
+    ..SPRINGS
 };
 /// Of what every place keeps.
 const MARGIN: Setting = Setting { verbs: PLACING, needs: A_ZONE, heading: "Margins; 0 or none gives them up", ..ROW };
@@ -226,6 +273,18 @@ const SPINDLE: Setting = Setting {
     example: "spindle:250@90+30",
     ..TOOL
 };
+/// Of the axes along which vectors of a table point.
+const IN_AXES: Setting = Setting {
+    verbs: IDENTIFY,
+    kind: Kind::Word(&[("base", "Those of the base"), ("flange", "Those of the flange at the posture of the row")]),
+    value: "AXES",
+    absent: Absent::Default("base"),
+    heading: MEASURED,
+    example: "flange",
+    ..ROW
+};
+/// The heading of what the table of measurements does not say itself.
+const MEASURED: &str = "Measurements";
 /// Of the place where the robot works.
 const CELL: Setting = Setting { verbs: ONLY_PLACING, of: Of::Spatial, heading: "Cell", ..ROW };
 /// The heading of what matters to the program's figures alone.
@@ -239,7 +298,7 @@ const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: FILTE
 pub static SETTINGS: &[Setting] = &[
     Setting {
         name: "robot",
-        verbs: &[Verb::Place, Verb::Map, Verb::Compliance],
+        verbs: &[Verb::Place, Verb::Map, Verb::Compliance, Verb::Measure],
         kind: Kind::Robot,
         value: "ROBOT",
         absent: Absent::Required,
@@ -671,11 +730,23 @@ pub static SETTINGS: &[Setting] = &[
         ..RELATIVE
     },
     Setting {
+        verbs: PLACING,
+        absent: Absent::Means("as the robot file has it, else paper in the planar model and prior in space"),
+        example: "prior",
+        ..WHOSE
+    },
+    Setting {
+        verbs: &[Verb::Compliance, Verb::Measure],
+        absent: Absent::Means("as the robot file has it, else prior"),
+        example: "paper",
+        ..WHOSE
+    },
+    Setting {
         name: "drive-urad-per-nm",
         kind: Kind::Number { min: 1e-3, max: 1e4, of: "urad/(N m), or 0 for a rigid drive", or_zero: true },
         unit: "urad/(N m)",
-        absent: Absent::Means("as the robot file has it, else 1 on every drive, assumed"),
-        excludes: &["stiffness-nm-per-rad"],
+        absent: Absent::Means("as --stiffness says"),
+        excludes: &["stiffness-nm-per-rad", "stiffness"],
         help: "Compliance of the drives: one for all six, or six; of every robot that is asked for",
         example: "0.5,0.5,0.8,2,3,3",
         ..SPRINGS
@@ -684,7 +755,7 @@ pub static SETTINGS: &[Setting] = &[
         name: "stiffness-nm-per-rad",
         kind: number_of(100.0, 1e9, "N m/rad"),
         unit: "N m/rad",
-        excludes: &["drive-urad-per-nm"],
+        excludes: &["drive-urad-per-nm", "stiffness"],
         help: "The same as a stiffness: one for all six drives, or six",
         example: "2e6",
         ..SPRINGS
@@ -773,6 +844,190 @@ pub static SETTINGS: &[Setting] = &[
         ..CELL
     },
     Setting {
+        name: "data",
+        verbs: IDENTIFY,
+        kind: Kind::File,
+        value: "DATA.csv",
+        absent: Absent::Required,
+        help: "A table of measurements: columns q1_deg.. q6_deg (or q1_rad ..), fx_n, fy_n, fz_n, dx_mm, dy_mm, dz_mm (or _um, _m), and optionally mx_nm .., posture, marker, sigma_mm, load_x_mm .., marker_x_mm ..",
+        example: "measurements.csv",
+        is_positional: true,
+        ..ROW
+    },
+    Setting {
+        name: "robot",
+        verbs: IDENTIFY,
+        kind: Kind::Robot,
+        value: "ROBOT",
+        absent: Absent::Required,
+        help: "The robot that was measured: a name, or the path of a robot file",
+        example: "R-2000iC/165F",
+        ..ROW
+    },
+    Setting {
+        name: "load-mm",
+        verbs: MEASURING,
+        kind: Kind::Point,
+        unit: "mm",
+        value: "X,Y,Z",
+        absent: Absent::Means("the flange centre"),
+        heading: MEASURED,
+        help: "Where the load acts, in the flange frame; columns load_x_mm, .. overrule it",
+        example: "0,50,200",
+        ..ROW
+    },
+    Setting {
+        name: "marker-mm",
+        verbs: MEASURING,
+        kind: Kind::Marker,
+        count: count_of(1, ANY, "markers", "some"),
+        unit: "mm",
+        value: "[NAME=]X,Y,Z",
+        absent: Absent::Means("the load point"),
+        heading: MEASURED,
+        help: "Where a marker sits, in the flange frame; of several each with the name that the column marker tells (with ; between, or given several times); columns marker_x_mm, .. overrule it",
+        example: "top=0,100,150;side=0,-100,150",
+        ..ROW
+    },
+    Setting { name: "force-axes", help: "Along which axes the forces and moments point", ..IN_AXES },
+    Setting { name: "displacement-axes", help: "Along which axes the displacements point", ..IN_AXES },
+    Setting {
+        name: "fit",
+        verbs: IDENTIFY,
+        kind: Kind::Word(&[
+            ("least-squares", "Every row counts by its noise alone"),
+            ("huber", "Rows that fit badly count less"),
+        ]),
+        value: "FIT",
+        absent: Absent::Default("least-squares"),
+        help: "How the compliances are estimated",
+        example: "huber",
+        ..ROW
+    },
+    Setting {
+        name: "model",
+        verbs: IDENTIFY,
+        kind: Kind::Word(&[
+            ("drives", "The six drives"),
+            ("base", "These, and the base tilts about the level axes through its origin"),
+            ("tool", "The drives, and the tool bends about the axes across the flange's"),
+            ("base-and-tool", "Drives, base and tool"),
+            (
+                "auto",
+                "The simplest of these that none is clearly better than, by postures left out and Schwarz's criterion",
+            ),
+        ]),
+        value: "MODEL",
+        absent: Absent::Default("drives"),
+        help: "What is taken to spring",
+        example: "auto",
+        ..ROW
+    },
+    Setting {
+        name: "date",
+        verbs: IDENTIFY,
+        kind: Kind::Date,
+        value: "DATE",
+        heading: MEASURED,
+        help: "When was measured, as year-month-day: it is told, and stands in the robot file",
+        example: "2026-05-31",
+        ..ROW
+    },
+    Setting {
+        name: "task",
+        verbs: MEASURE,
+        kind: Kind::Task,
+        value: "TASK",
+        absent: Absent::Means("anywhere within the limits"),
+        help: "The work over which the deflection is to be predicted: a zone at its best place, the tool down",
+        example: "rect:0.6x0.4",
+        ..ROW
+    },
+    Setting {
+        name: "loads",
+        verbs: MEASURE,
+        kind: Kind::Way,
+        count: SEVERAL,
+        value: "WAYS",
+        absent: Absent::Default("down"),
+        help: "In which directions you can load: down (weights), up, ahead, back, left, right, or x:y:z along base axes (pulleys); separated by commas",
+        example: "down,1:0:-1",
+        ..ROW
+    },
+    Setting {
+        name: "force-n",
+        verbs: MEASURE,
+        kind: number_of(1.0, 1e5, "N"),
+        unit: "N",
+        value: "N",
+        absent: Absent::Default("1000"),
+        help: "How large the load is",
+        example: "500",
+        ..ROW
+    },
+    Setting {
+        name: "runs",
+        verbs: MEASURE,
+        kind: Kind::Whole { min: 2, max: 1000 },
+        value: "N",
+        absent: Absent::Default("20"),
+        help: "How many postures and loads are to be measured",
+        example: "30",
+        ..ROW
+    },
+    Setting {
+        name: "candidates",
+        verbs: MEASURE,
+        kind: Kind::Whole { min: 10, max: 1_000_000 },
+        value: "N",
+        absent: Absent::Default("3000"),
+        help: "Among how many of them is chosen",
+        example: "1000",
+        ..ROW
+    },
+    Setting {
+        name: "sigma-mm",
+        verbs: MEASURE,
+        kind: number_of(1e-5, 10.0, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Default("0.02"),
+        help: "Standard deviation of what is read of a coordinate",
+        example: "0.05",
+        ..ROW
+    },
+    Setting {
+        name: "window",
+        verbs: MEASURE,
+        kind: Kind::Block,
+        unit: "m",
+        value: "RANGES",
+        absent: Absent::Means("above the floor"),
+        help: "Where load point and markers must be: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open",
+        example: "0.5..3,-1..1,0.3..2",
+        ..ROW
+    },
+    Setting {
+        name: "tool-mm",
+        verbs: MEASURE,
+        kind: Kind::Tool,
+        unit: "mm, deg",
+        value: "X,Y,Z",
+        absent: Absent::Means("the flange"),
+        help: "The tool of the work in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes",
+        example: "0,0,200",
+        ..ROW
+    },
+    Setting {
+        name: "compare",
+        verbs: MEASURE,
+        kind: Kind::File,
+        value: "MINE.csv",
+        help: "A table of postures and loads of your own: what it is worth beside the plan",
+        example: "mine.csv",
+        ..ROW
+    },
+    Setting {
         name: "scale",
         kind: Kind::Range { is_bounded: true },
         unit: "mm, deg of margins",
@@ -784,7 +1039,7 @@ pub static SETTINGS: &[Setting] = &[
     },
     Setting {
         name: "width-mm",
-        verbs: &[Verb::Rank, Verb::Place, Verb::Map, Verb::Study, Verb::Compare],
+        verbs: &[Verb::Rank, Verb::Place, Verb::Map, Verb::Study, Verb::Compare, Verb::Identify],
         kind: number_of(40.0, 2000.0, "mm"),
         unit: "mm",
         value: "MM",

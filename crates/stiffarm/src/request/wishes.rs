@@ -14,6 +14,7 @@ use crate::map::{Extent, Held as HeldTool, MapOptions, Spacing};
 use crate::model::ModelKind;
 use crate::place::{Column, Margins, PlaceOptions, Within};
 use crate::plane::Elbow;
+use crate::prior::{as_in_the_paper, with_prior};
 use crate::robot::{Robot, Status};
 use crate::study::{Contender, StudyOptions};
 use crate::task::{Task, Zone};
@@ -102,12 +103,34 @@ impl Request {
         let stiffnesses = self.all("stiffness-nm-per-rad", number).into_iter().map(|stiffness| 1e6 / stiffness);
         let name = if compliances.is_empty() { "stiffness-nm-per-rad" } else { "drive-urad-per-nm" };
         let given: Vec<f64> = compliances.into_iter().chain(stiffnesses).collect();
-        let Some(&first) = given.first() else { return Ok(robot) };
+        let Some(&first) = given.first() else { return self.with_usual_stiffness(robot) };
         let each = std::array::from_fn(|drive| given.get(drive).copied().unwrap_or(first));
         with_compliance(&robot, each).map_err(|faults| {
             let why = faults.faults.first().map_or_else(String::new, |fault| fault.message.clone());
             self.refused(name, format!("makes no sense of {}: {why}", robot.name))
         })
+    }
+
+    /// The robot with the drives of the paper, of the prior, or of its file.
+    fn with_usual_stiffness(&self, robot: Robot) -> Result<Robot, Refusal> {
+        match self.word("stiffness") {
+            Some("paper") => Ok(as_in_the_paper(&robot)),
+            Some("prior") => with_prior(&robot).map_err(|error| self.refused("stiffness", format!("prior: {error}"))),
+            Some(_) if robot.stiffness_is_assumed => {
+                let why = format!(
+                    "file: the file of {} does not say how stiff its drives are; prior or paper do",
+                    robot.name
+                );
+                Err(self.refused("stiffness", why))
+            }
+            // In space all six drives count, and nobody's are alike. Of what no size is known that is all that can be said.
+            None if robot.stiffness_is_assumed
+                && (self.is_spatial() || matches!(self.verb, Verb::Compliance | Verb::Measure)) =>
+            {
+                Ok(with_prior(&robot).unwrap_or(robot))
+            }
+            _ => Ok(robot),
+        }
     }
 
     /// The joint angles of one posture, deg.
@@ -345,7 +368,7 @@ impl Request {
         self.all(name, pick).pop()
     }
 
-    fn all<T>(&self, name: &str, mut pick: impl FnMut(Value) -> Option<T>) -> Vec<T> {
+    pub(super) fn all<T>(&self, name: &str, mut pick: impl FnMut(Value) -> Option<T>) -> Vec<T> {
         let values = self.values(name).into_iter();
         values
             .map(|value| pick(value).unwrap_or_else(|| panic!("{name} is read as what its row does not take")))

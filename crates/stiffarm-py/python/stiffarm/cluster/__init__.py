@@ -235,7 +235,7 @@ def _checked(
         _stiffarm.place(any_robot, "circle:50", {**asked, "force_n": repr(force)}, False)
     drawn = None if scenarios is None else _given.numbers("scenarios", scenarios)
     if drawn is not None:
-        for stiffness in asked.keys() & {"drive_urad_per_nm", "stiffness_nm_per_rad"}:
+        for stiffness in asked.keys() & {"drive_urad_per_nm", "stiffness_nm_per_rad", "stiffness"}:
             # It would be that of every scenario.
             raise StiffarmError(
                 f"{stiffness} and scenarios both say how stiff the drives are; factors apply to Robot.with_compliance"

@@ -2,6 +2,7 @@
 
 use super::super::advice;
 use super::super::place::Verdict;
+use super::super::uncertainty;
 use super::super::words::{self, fixed};
 use super::RankAnswer;
 use super::notes::MOST_NAMED;
@@ -18,6 +19,7 @@ impl RankAnswer {
         sentences.extend(self.estimated_rivals());
         sentences.extend(self.tolerance_mm.map(|tolerance| self.within_tolerance(tolerance)));
         sentences.extend(self.advice_of_the_best());
+        sentences.extend(uncertainty::sentences(&self.ranking));
         sentences
     }
 

@@ -1,0 +1,72 @@
+//! `stiffarm identify`: measured deflections to a robot file that says how well it is known.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use stiffarm::answer::{IdentifyAnswer, Rows};
+use stiffarm::catalogue::{files, measurements};
+use stiffarm::identify::identify;
+use stiffarm::request::Request;
+
+use super::watched;
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::figures::{Plate, identify as figure};
+use crate::look::Look;
+use crate::output::{Answer, Outputs, pretty, say};
+use crate::selection;
+use crate::table::{prose, shown};
+
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let (data, name) = (asked.data()?, asked.robot()?);
+    let path = Path::new(&data);
+    let outputs = Outputs::open::<IdentifyOutput>(common, &[path, Path::new(&name)])?;
+    let robot = selection::robot(&name, common)?;
+    let text = files::text(path)?;
+    let measured = measurements::read(&text, &files::shown(path), &asked.points()).map_err(Failure::Measurements)?;
+    let options = asked.identification();
+    let found = watched("identifying", common, |watch| identify(&robot, &measured, &options, watch));
+    let found = found.map_err(|error| Failure::Identify { data: files::shown(path), error })?;
+    if !common.quiet {
+        found.remarks.iter().for_each(|remark| say(&format!("warning: {remark}")));
+    }
+    let answer = IdentifyAnswer { found, before: robot, data: files::shown(path), date: options.date };
+    outputs.deliver(&IdentifyOutput(answer, Plate::of(asked)?))
+}
+
+struct IdentifyOutput(IdentifyAnswer, Plate);
+
+impl Answer for IdentifyOutput {
+    const COMMAND: &'static str = "identify";
+    const FURTHER: &'static [&'static str] = &["toml", "svg", "png", "pdf"];
+
+    fn text(&self, look: Look) -> String {
+        let Self(answer, _) = self;
+        format!(
+            "{}\n{}\n{}",
+            shown(&answer.summary(), look),
+            shown(&answer.table(), look),
+            prose(&answer.notes(), look)
+        )
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.0.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.0.rows()
+    }
+
+    fn robot_file(&self) -> Option<String> {
+        Some(self.0.robot_file())
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        Some(Ok(figure::svg(&self.0, &self.1)))
+    }
+
+    fn plate(&self) -> Plate {
+        self.1
+    }
+}

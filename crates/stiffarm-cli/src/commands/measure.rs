@@ -1,0 +1,78 @@
+//! `stiffarm measure`: which postures and loads to measure, with a certificate.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use stiffarm::answer::{MeasureAnswer, Rows};
+use stiffarm::catalogue::{files, measurements};
+use stiffarm::measure::{MeasureError, compare, over, plan};
+use stiffarm::request::Request;
+
+use super::watched;
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::look::Look;
+use crate::output::{Answer, Outputs, pretty};
+use crate::selection;
+use crate::table::{prose, shown};
+
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let (name, mine) = (asked.robot()?, asked.compared());
+    let inputs: Vec<&Path> =
+        [Some(&name), mine.as_ref()].into_iter().flatten().map(|name| Path::new(name.as_str())).collect();
+    let outputs = Outputs::open::<MeasureOutput>(common, &inputs)?;
+    let robot = asked.equipped(selection::robot(&name, common)?)?;
+    let failed = |error: MeasureError| Failure::Measure { robot: robot.name.clone(), error };
+    let mut options = asked.measurement_plan();
+    let mut work = "anywhere within the limits".to_owned();
+    if asked.is_given("task") {
+        let task = asked.task()?;
+        work = format!("{} at its best place, tool down", task.label);
+        let tool = asked.held().tool();
+        options.work = watched("placing", common, |watch| over(&robot, &tool, task.zone, watch)).map_err(failed)?;
+    }
+    let own = mine.map(|name| own_runs(&name, asked)).transpose()?;
+    let found = watched("planning", common, |watch| plan(&robot, &options, watch)).map_err(failed)?;
+    let compared = match own {
+        None => None,
+        Some((name, runs)) => {
+            let compared = watched("comparing", common, |watch| compare(&robot, &options, &runs, watch));
+            let (value, efficiency) = compared.map_err(failed)?;
+            Some((name, runs.len(), value, efficiency))
+        }
+    };
+    outputs.deliver(&MeasureOutput(MeasureAnswer { robot, options, work, plan: found, compared }))
+}
+
+/// Postures and loads of a table of one's own; of several markers of one run the first.
+fn own_runs(name: &str, asked: &Request) -> Result<(String, Vec<stiffarm::measure::OwnRun>), Failure> {
+    let path = Path::new(name);
+    let text = files::text(path)?;
+    let planned =
+        measurements::read_planned(&text, &files::shown(path), &asked.points()).map_err(Failure::Measurements)?;
+    Ok((files::shown(path), stiffarm::measure::own(&planned)))
+}
+
+struct MeasureOutput(MeasureAnswer);
+
+impl Answer for MeasureOutput {
+    const COMMAND: &'static str = "measure";
+
+    fn text(&self, look: Look) -> String {
+        let Self(answer) = self;
+        format!(
+            "{}\n{}\n{}",
+            shown(&answer.summary(), look),
+            shown(&answer.table(), look),
+            prose(&answer.notes(), look)
+        )
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.0.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.0.rows()
+    }
+}

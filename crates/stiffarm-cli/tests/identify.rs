@@ -1,0 +1,93 @@
+//! From measurements to a robot file to an answer, on the command line.
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+const ASKED: [&str; 6] = [
+    "identify",
+    "docs/examples/fanuc_r2000ic.csv",
+    "--robot",
+    "docs/examples/fanuc_r2000ic.toml",
+    "--load-mm",
+    "6.9,245.3,319.3",
+];
+
+fn program(words: &[&str]) -> assert_cmd::assert::Assert {
+    Command::cargo_bin("stiffarm").unwrap().current_dir(ROOT).args(words).assert()
+}
+
+fn json(words: &[&str]) -> Value {
+    serde_json::from_slice(&program(&[words, &["--format", "json"]].concat()).success().get_output().stdout).unwrap()
+}
+
+#[test]
+fn the_answer_says_what_is_not_known_and_becomes_a_robot_file_that_other_verbs_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let (robot, figure, pdf, table, job) =
+        (file("f.toml"), file("f.svg"), file("f.pdf"), file("f.csv"), file("job.toml"));
+    let outputs = ["-o", &robot, "-o", &figure, "-o", &pdf, "-o", &table, "--date", "2026-05-31", "--save-job", &job];
+    program(&[&ASKED[..], &outputs].concat()).success();
+    let found = json(&ASKED);
+    let identified: Vec<bool> =
+        found["drives"].as_array().unwrap().iter().map(|drive| drive["identified"] == true).collect();
+    assert_eq!(identified, [true, true, true, true, true, false]);
+    assert_eq!(found["outliers"], serde_json::json!([17, 11]));
+    assert_eq!((&found["postures"], &found["schema"]["verb"]), (&43.into(), &"identify".into()));
+    for key in ["rms_before_mm", "rms_after_mm", "explained", "explained_left_out", "condition"] {
+        assert!(found[key].is_number(), "{key}");
+    }
+    assert_eq!(found["singular_values"].as_array().unwrap().len(), 6);
+    let svg = fs::read_to_string(figure).unwrap();
+    assert!(svg.contains("43 rows in 43 postures") && svg.contains("correlation of the drives"), "{svg}");
+    assert!(fs::read(pdf).unwrap().starts_with(b"%PDF"));
+    assert_eq!(fs::read_to_string(table).unwrap().lines().count(), 7);
+    // A job asks the same, from any folder.
+    let again = Command::cargo_bin("stiffarm")
+        .unwrap()
+        .current_dir(folder.path())
+        .args(["identify", "job.toml", "--format", "json"])
+        .assert();
+    let mut again: Value = serde_json::from_slice(&again.success().get_output().stdout).unwrap();
+    assert_eq!(again["date"], "2026-05-31");
+    again["date"] = Value::Null;
+    assert_eq!(again, found);
+    let posture = json(&["compliance", &robot, "--joints-deg", "0,0,0,0,45,0"]);
+    assert_eq!(posture["stiffness_source"], "identified");
+    let (filed, used) = (&posture["drive_urad_per_nm"][5], &found["drives"][5]["used_urad_per_nm"]);
+    // A robot file has ten digits.
+    assert!((filed.as_f64().unwrap() / used.as_f64().unwrap() - 1.0).abs() < 1e-9);
+    let told = String::from_utf8(
+        program(&["compliance", &robot, "--joints-deg", "0,0,0,0,45,0"]).success().get_output().stdout.clone(),
+    )
+    .unwrap();
+    assert!(told.contains("identified in 43 postures, 2026-05-31; not identified: 6"), "{told}");
+}
+
+#[test]
+fn what_is_wrong_is_told_with_its_place_and_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("wrong.csv");
+    let text = fs::read_to_string(Path::new(ROOT).join(ASKED[1]))
+        .unwrap()
+        .replace("dx_m,", "dx_mm,")
+        .replace("dy_m,dz_m", "dy_mm,dz_mm");
+    fs::write(&path, text).unwrap();
+    let robot = folder.path().join("robot.toml");
+    let (path, out) = (path.to_string_lossy().into_owned(), robot.to_string_lossy().into_owned());
+    let told = program(&["identify", &path, "--robot", ASKED[3], "-o", &out]).failure().code(1);
+    let told = String::from_utf8(told.get_output().stderr.clone()).unwrap();
+    assert!(
+        told.contains("wrong.csv:3: half of the rows move less than") && told.contains("hint: every fault is named"),
+        "{told}"
+    );
+    assert!(!robot.exists());
+    let told = program(&["identify", &path]).failure().code(2);
+    assert!(String::from_utf8_lossy(&told.get_output().stderr).contains("--robot <ROBOT> is missing"));
+    let told = program(&["identify", "x.csv", "--robot", "BT200L", "--marker-mm", "1,2,3;4,5,6"]).failure().code(2);
+    assert!(String::from_utf8_lossy(&told.get_output().stderr).contains("expected each with a name"));
+}

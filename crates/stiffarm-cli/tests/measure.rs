@@ -1,0 +1,88 @@
+//! From a plan to a table that is filled in to an identification, on the command line.
+
+use std::fmt::Write;
+use std::fs;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn program(words: &[&str]) -> assert_cmd::assert::Assert {
+    Command::cargo_bin("stiffarm").unwrap().args(words).assert()
+}
+
+const ASKED: [&str; 10] = [
+    "measure",
+    "KR 210 R2700 extra",
+    "--loads",
+    "down,left",
+    "--runs",
+    "10",
+    "--candidates",
+    "600",
+    "--load-mm",
+    "0,100,250",
+];
+
+#[test]
+fn a_plan_is_filled_in_and_identified_and_one_of_ones_own_is_judged_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let (table, filled, robot) = (file("plan.csv"), file("filled.csv"), file("found.toml"));
+    program(&[&ASKED[..], &["-o", &table]].concat()).success();
+    let told: Value = serde_json::from_slice(
+        &program(&[&ASKED[..], &["--format", "json", "--compare", &table]].concat()).success().get_output().stdout,
+    )
+    .unwrap();
+    assert_eq!(told["runs"].as_array().unwrap().len(), 10);
+    assert!(0.8 < told["efficiency"].as_f64().unwrap());
+    let same = told["compared"]["value"].as_f64().unwrap() / told["value"].as_f64().unwrap();
+    assert!((same - 1.0).abs() < 1e-9, "{same}");
+    // As it is it was not measured.
+    let refused = program(&["identify", &table, "--robot", "KR 210 R2700 extra"]).failure().code(1);
+    assert!(String::from_utf8_lossy(&refused.get_output().stderr).contains("row 1, dx_mm: the cell is empty"));
+    // The displacements that the program itself tells of each posture.
+    let text = fs::read_to_string(&table).unwrap();
+    let mut lines = text.lines();
+    let headings: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let at = |name: &str| headings.iter().position(|heading| *heading == name).unwrap();
+    let mut made = headings.join(",") + "\n";
+    for (number, line) in lines.enumerate() {
+        let mut cells: Vec<String> = line.split(',').map(Into::into).collect();
+        let joints = format!("--joints-deg={}", cells[at("q1_deg")..=at("q6_deg")].join(","));
+        let force = format!("--force-n={}", cells[at("fx_n")..=at("fz_n")].join(","));
+        let asked = ["compliance", "KR 210 R2700 extra", &joints, &force, "--tool-mm", "0,100,250", "--format", "json"];
+        let posture: Value = serde_json::from_slice(&program(&asked).success().get_output().stdout).unwrap();
+        for (i, name) in ["dx_mm", "dy_mm", "dz_mm"].into_iter().enumerate() {
+            // A run that is made twice is not read twice alike.
+            let read = posture["deflection_mm"][i].as_f64().unwrap() + 1e-6 * number as f64;
+            cells[at(name)] = format!("{read:.6}");
+        }
+        writeln!(made, "{}", cells.join(",")).unwrap();
+    }
+    fs::write(&filled, made).unwrap();
+    program(&["identify", &filled, "--robot", "KR 210 R2700 extra", "-o", &robot]).success();
+    let found: Value = serde_json::from_slice(
+        &program(&["identify", &filled, "--robot", "KR 210 R2700 extra", "--format", "json"])
+            .success()
+            .get_output()
+            .stdout,
+    )
+    .unwrap();
+    assert_eq!(found["remarks"], serde_json::json!([]), "every column is known");
+    let truth: Value = serde_json::from_slice(
+        &program(&["compliance", "KR 210 R2700 extra", "--joints-deg", "0,-90,90,0,45,0", "--format", "json"])
+            .success()
+            .get_output()
+            .stdout,
+    )
+    .unwrap();
+    for drive in 0..6 {
+        let (k, expected) = (&found["drives"][drive]["compliance_urad_per_nm"], &truth["drive_urad_per_nm"][drive]);
+        // Nanometres were written.
+        assert!(
+            (k.as_f64().unwrap() / expected.as_f64().unwrap() - 1.0).abs() < 1e-3,
+            "drive {}: {k}, {expected}",
+            drive + 1
+        );
+    }
+}

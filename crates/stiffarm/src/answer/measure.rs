@@ -1,0 +1,208 @@
+//! How is a plan of measurements told?
+
+use serde_json::{Value, json};
+
+use super::stiffness::digits;
+use super::words::{self, fixed};
+use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, Unit, field, line, stiffness, with_schema};
+use crate::measure::{Options, Plan, Run};
+use crate::robot::Robot;
+
+/// What a plan is judged by.
+const CRITERION: &str = "mean variance of the predicted deflection over the work";
+/// (m/N)^2 in (um/N)^2.
+const SQUARED: f64 = 1e12;
+
+/// The answer of `measure`, with what was asked.
+#[derive(Clone, Debug)]
+pub struct MeasureAnswer {
+    /// Which robot.
+    pub robot: Robot,
+    /// What was asked.
+    pub options: Options,
+    /// What the work is, in words.
+    pub work: String,
+    /// What was found.
+    pub plan: Plan,
+    /// A table of one's own: its name, how many runs, value and efficiency.
+    pub compared: Option<(String, usize, f64, f64)>,
+}
+
+impl MeasureAnswer {
+    /// Every field.
+    pub fn record(&self) -> Record {
+        let Self { plan, compared, .. } = self;
+        let compared = compared.as_ref().map(|(name, runs, value, efficiency)| {
+            json!({ "file": name, "runs": runs, "value": value * SQUARED, "efficiency": efficiency })
+        });
+        let runs: Value = (0..plan.runs.len()).map(|i| self.run(i).json()).collect();
+        let mut record = Record::new();
+        stiffness::put_robot(&mut record, &self.robot);
+        record
+            .put(field::CRITERION, CRITERION)
+            .put(field::CRITERION_VALUE, plan.value * SQUARED)
+            .put(field::CRITERION_BOUND, plan.lower_bound * SQUARED)
+            .put(field::EFFICIENCY, plan.efficiency())
+            .put(field::RANDOM_EFFICIENCY, Some(plan.lower_bound / plan.random).filter(|share| 0.0 < *share))
+            .put(field::CANDIDATES, plan.candidates)
+            .put(field::DRIVES, self.drives())
+            .put(field::UNSEEN, json!(plan.unseen.iter().map(|drive| drive + 1).collect::<Vec<_>>()))
+            .put(field::RUNS, runs)
+            .put(field::COMPARED, compared);
+        record
+    }
+
+    /// What is expected of each drive.
+    fn drives(&self) -> Value {
+        let k = self.robot.drive_compliance();
+        let of = |(drive, error): (usize, &Option<f64>)| {
+            let mut record = Record::new();
+            record.put(field::SPRING, drive + 1).put(field::ESTIMATE, k[drive]).put(field::STANDARD_ERROR, *error);
+            record.json()
+        };
+        self.plan.errors.iter().enumerate().map(of).collect()
+    }
+
+    fn run(&self, i: usize) -> Record {
+        let run = &self.plan.runs[i];
+        let mut record = Record::new();
+        record
+            .put(field::RUN, i + 1)
+            .put(field::JOINTS, joints(run))
+            .put(field::OF_LOAD, &self.options.ways[run.way].name)
+            .put(field::FORCE_VECTOR, run.load.0.fixed_rows::<3>(0).as_slice())
+            .put(field::EXPECTED, largest(run));
+        record
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        with_schema("measure", super::ORIGIN, &self.record())
+    }
+
+    /// The table to be filled in, which `identify` reads: a row per run and marker.
+    pub fn rows(&self) -> Rows<'static> {
+        let number = |name: &str| Column::new(name, ColumnKind::Number);
+        let mut columns = vec![Column::new("run", ColumnKind::Count), Column::new("posture", ColumnKind::Text)];
+        columns
+            .extend(["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg", "fx_n", "fy_n", "fz_n"].map(number));
+        columns.push(Column::new("load", ColumnKind::Text));
+        columns
+            .extend(["load_x_mm", "load_y_mm", "load_z_mm", "marker_x_mm", "marker_y_mm", "marker_z_mm"].map(number));
+        columns.extend(["dx_mm", "dy_mm", "dz_mm", "expected_mm"].map(number));
+        let mut postures: Vec<[f64; 6]> = Vec::new();
+        let mut rows = Vec::new();
+        for (i, run) in self.plan.runs.iter().enumerate() {
+            let posture = postures.iter().position(|q| *q == run.q).unwrap_or(postures.len());
+            if posture == postures.len() {
+                postures.push(run.q);
+            }
+            let numbers = |values: &[f64]| values.iter().map(|value| Cell::Number(value + 0.0)).collect::<Vec<_>>();
+            let mm = |point: &nalgebra::Vector3<f64>| numbers((point * 1e3).as_slice());
+            for (marker, expected) in self.options.markers.iter().zip(&run.expected) {
+                let mut row = vec![Cell::Count(i as i64 + 1), Cell::Text(format!("p{}", posture + 1))];
+                row.extend(numbers(&joints(run)));
+                row.extend(numbers(run.load.0.fixed_rows::<3>(0).as_slice()));
+                row.push(Cell::Text(self.options.ways[run.way].name.clone()));
+                row.extend(mm(&self.options.load_at));
+                row.extend(mm(marker));
+                row.extend([
+                    Cell::Absent,
+                    Cell::Absent,
+                    Cell::Absent,
+                    Cell::Number(Unit::Millimetre.told(expected.norm())),
+                ]);
+                rows.push(row);
+            }
+        }
+        Rows::new(columns, rows)
+    }
+
+    /// What stands above the runs.
+    pub fn summary(&self) -> Table {
+        let Self { robot, options, plan, .. } = self;
+        let ways: Vec<&str> = options.ways.iter().map(|way| way.name.as_str()).collect();
+        let percent = |share: f64| format!("{} %", fixed(100.0 * share, 1));
+        // Of 1 kN, mm.
+        let predicted = |value: f64| format!("{} mm", fixed(value.sqrt() * 1e6, 4));
+        let random = plan.lower_bound / plan.random;
+        let random = if 0.0 < random { percent(random) } else { "nothing: it leaves some drive unseen".into() };
+        let mut lines: Vec<Line> = vec![
+            line("robot", words::robot(robot)),
+            line("stiffness", stiffness(robot)),
+            line("loads", format!("{} N {}", options.newtons, ways.join(", "))),
+            line("work", format!("{}, {} postures", self.work, plan.work)),
+            line("candidates", format!("{} runs; noise {} mm a coordinate", plan.candidates, options.sigma * 1e3)),
+            line(
+                "precision of the prediction",
+                format!("{} for 1 kN, one standard deviation, mean over the work", predicted(plan.value)),
+            ),
+            line(
+                "no other choice has less than",
+                format!("{} (efficiency {} at least)", predicted(plan.lower_bound), percent(plan.efficiency())),
+            ),
+            line("chosen at random", format!("efficiency {random} (median)")),
+        ];
+        lines.extend(self.compared.as_ref().map(|(name, runs, value, efficiency)| {
+            line(
+                "your table",
+                format!("{name}: {} with {runs} runs (efficiency {})", predicted(*value), percent(*efficiency)),
+            )
+        }));
+        let errors: Vec<String> = (plan.errors.iter().zip(robot.drive_compliance()).enumerate())
+            .map(|(drive, (error, k))| match error.zip(k).filter(|(_, k)| 0.0 < *k) {
+                Some((error, k)) => format!("{} %", digits(100.0 * error / k, 2)),
+                None => format!("drive {} not shown", drive + 1),
+            })
+            .collect();
+        lines.push(line("error of the drives 1-6", errors.join(", ")));
+        Table::of_lines(lines)
+    }
+
+    /// One row per run.
+    pub fn table(&self) -> Table {
+        let mut table = Table::new(["run", "joints as reported deg", "load", "force N", "expected mm"]);
+        for (i, run) in self.plan.runs.iter().enumerate() {
+            let force = run.load.0.fixed_rows::<3>(0);
+            let most = largest(run);
+            table.row([
+                (i + 1).to_string(),
+                joints(run).map(|angle| fixed(angle, 2)).join(", "),
+                self.options.ways[run.way].name.clone(),
+                force.iter().map(|newtons| fixed(*newtons, 0)).collect::<Vec<_>>().join(", "),
+                fixed(most * 1e3, 2),
+            ]);
+        }
+        table
+    }
+
+    /// What stands below the table.
+    pub fn notes(&self) -> String {
+        let unseen: Vec<String> = self.plan.unseen.iter().map(|drive| (drive + 1).to_string()).collect();
+        let unseen = if unseen.is_empty() {
+            String::new()
+        } else {
+            let ways: Vec<&str> = self.options.ways.iter().map(|way| way.name.as_str()).collect();
+            let (drives, them) = if unseen.len() == 1 { ("drive", "it") } else { ("drives", "each") };
+            format!(
+                "under these loads ({}) {drives} {} does not show: a load with a lever about its axis turns {them}\n",
+                ways.join(", "),
+                unseen.join(", ")
+            )
+        };
+        format!(
+            "{unseen}in this order the joints travel little; looked at were joint limits, floor and window, not what stands in between\n\
+             -o plan.csv writes the table to be filled in (dx_mm, dy_mm, dz_mm), which `stiffarm identify` reads\n"
+        )
+    }
+}
+
+/// How far the marker that moves most is expected to move, m.
+fn largest(run: &Run) -> f64 {
+    run.expected.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max)
+}
+
+/// As the robot reports them, deg, to a hundredth, to which they are chosen.
+fn joints(run: &Run) -> [f64; 6] {
+    run.q.map(|angle| (angle.to_degrees() * 100.0).round() / 100.0 + 0.0)
+}

@@ -1,0 +1,83 @@
+//! How is it told how sure deflections and ranks are?
+
+use super::words::fixed;
+use super::{Line, Record, Unit, field, line};
+use crate::drive::Knowledge;
+use crate::load::Load;
+use crate::model::ModelKind;
+use crate::place::Placement;
+use crate::rank::Ranking;
+use crate::robot::{Arm, Robot};
+use crate::uncertainty::{Chances, DRAWS, Spread, chances, spread};
+
+/// So many robots are named.
+const MOST_NAMED: usize = 8;
+
+/// Where the deflection of a placement lies with 90 %.
+pub(super) fn of(robot: &Robot, model: &ModelKind, load: Load, best: Option<&Placement>) -> Option<Spread> {
+    spread(robot, model, load.is_worst(), best?)
+}
+
+/// As fields; null where nothing says how far the drives may be off.
+pub(super) fn put(record: &mut Record, spread: Option<Spread>) {
+    record
+        .put(field::DEFLECTION_P05, spread.map(|spread| spread.p05))
+        .put(field::DEFLECTION_P95, spread.map(|spread| spread.p95));
+}
+
+/// For people.
+pub(super) fn told(spread: Option<Spread>) -> Option<Line> {
+    let mm = |metres: f64| fixed(Unit::Millimetre.told(metres), 3);
+    spread.map(|Spread { p05, p95 }| line("90 % of such drives give", format!("{} .. {} mm there", mm(p05), mm(p95))))
+}
+
+/// Every robot's chances at every task, as fields of a row of the ranking.
+pub(super) fn put_chances(record: &mut Record, of_row: &[Option<Chances>]) {
+    let each =
+        |pick: fn(&Chances) -> f64| -> serde_json::Value { of_row.iter().map(|one| one.as_ref().map(pick)).collect() };
+    let ties: serde_json::Value = of_row.iter().map(|one| one.as_ref().map(|one| one.ties)).collect();
+    record
+        .put(field::WIN_PROBABILITY, each(|one| one.win))
+        .put(field::EXPECTED_REGRET, each(|one| Unit::Millimetre.told(one.regret)))
+        .put(field::TIES_WITH_BEST, ties);
+}
+
+/// How sure the order is, task by task; nothing where no robot says how far its drives may be off.
+pub(super) fn sentences(ranking: &Ranking) -> Vec<String> {
+    let found = chances(ranking);
+    let mut told = Vec::new();
+    for (task, asked) in ranking.tasks.iter().enumerate() {
+        let of_task = ranking.rows.iter().zip(&found).filter_map(|(row, chances)| Some((row, chances[task]?)));
+        let mut known: Vec<_> = of_task.collect();
+        known.sort_by(|a, b| b.1.win.total_cmp(&a.1.win));
+        let Some((_, first)) = known.first() else { continue };
+        let percent = |share: f64| format!("{} %", fixed(100.0 * share, 0));
+        let named = known.iter().take(MOST_NAMED).filter(|(_, one)| 0.005 <= one.win);
+        let named: Vec<String> = named.map(|(row, one)| format!("{} {}", row.robot.name, percent(one.win))).collect();
+        let ties: Vec<&str> =
+            known.iter().filter(|(_, one)| one.ties).map(|(row, _)| row.robot.name.as_str()).collect();
+        let tied = match ties.len() {
+            0 | 1 if first.win < 0.95 => "no two tie".to_owned(),
+            0 | 1 => "it wins for sure".into(),
+            count if count <= MOST_NAMED => format!("ties: {}", ties.join(", ")),
+            count => format!("{count} robots tie, as no other beats them in 95 % of the draws"),
+        };
+        told.push(format!(
+            "{}: stiffest in so many of {DRAWS} draws of the drives: {}; {tied}.",
+            asked.label,
+            named.join(", ")
+        ));
+    }
+    told
+}
+
+/// Where publications of a robot's drives disagree.
+pub(super) fn disagreement(robot: &Robot) -> Option<String> {
+    let Arm::SixAxis { drives, .. } = &robot.arm else { return None };
+    match &drives.scatter.as_ref()?.knowledge {
+        Knowledge::Published { disagreement: Some((drive, ratio)), sources } => {
+            Some(format!("{} publications differ by a factor of {ratio:.1} in drive {}", sources.len(), drive + 1))
+        }
+        Knowledge::Published { .. } | Knowledge::Prior => None,
+    }
+}

@@ -1,0 +1,371 @@
+//! Verb: how stiff are the drives of a robot of which deflections were measured?
+//!
+//! A load `w` turns each spring j by `kappa_j (g_j(load) . w)`, and that moves a marker by `g_j(marker)` times as much, where the columns
+//! `g_j(point) = (J A)_j` are those of the drive Jacobian at the point (\[theory\], section 1):
+//!
+//! ```text
+//! y_im = sum_j kappa_j g_j(marker) (g_j(load) . w_i) + noise
+//! ```
+//!
+//! linear in the compliances. Beside a gravity compensator drive 2 has `kappa_2 / (1 + kappa_2 dK(theta_2))` in place of `kappa_2`, which is
+//! solved by Gauss and Newton's steps. Left out, as everywhere: what bends between the drives, and the robot's own weight.
+
+mod regression;
+mod springs;
+mod told;
+mod work;
+
+use nalgebra::DMatrix;
+use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
+
+use crate::catalogue::measurements::Measurements;
+use crate::prior::with_prior;
+use crate::robot::Robot;
+use crate::watch::{Stopped, Watch};
+
+pub use springs::Spring;
+pub(crate) use springs::columns_at;
+pub use told::{Combination, Outlier, Residual};
+use work::Work;
+
+/// A drive whose standard error is more than this share of its compliance is not identified.
+pub const MOST_RELATIVE_ERROR: f64 = 0.5;
+/// From so many standard deviations on a remainder counts less in Huber's estimate; a tenth of normal ones reach it.
+const HUBER_BOUND: f64 = 2.5;
+/// Where no reading is wrong, one table in so many has an outlier.
+const ONE_TABLE_IN: f64 = 20.0;
+
+/// Along which axes vectors of a table point.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Axes {
+    /// Those of the base.
+    #[default]
+    Base,
+    /// Those of the flange at the posture of the row.
+    Flange,
+}
+
+/// How the compliances are estimated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Estimator {
+    /// Every reading counts by its noise alone.
+    #[default]
+    LeastSquares,
+    /// Huber's: readings that fit badly count less.
+    Huber,
+}
+
+impl Estimator {
+    /// As it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::LeastSquares => "least-squares",
+            Self::Huber => "huber",
+        }
+    }
+}
+
+/// What is taken to spring.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Springs {
+    /// The six drives.
+    #[default]
+    Drives,
+    /// These, and the base tilts.
+    Base,
+    /// The drives, and the tool bends.
+    Tool,
+    /// Drives, base and tool.
+    All,
+    /// The simplest of these that none is clearly better than.
+    Auto,
+}
+
+impl Springs {
+    /// Those that say themselves what springs, the simplest first.
+    const PLAIN: [Self; 4] = [Self::Drives, Self::Base, Self::Tool, Self::All];
+
+    /// As it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Drives => "drives",
+            Self::Base => "base",
+            Self::Tool => "tool",
+            Self::All => "base-and-tool",
+            Self::Auto => "auto",
+        }
+    }
+
+    fn springs(self) -> Vec<Spring> {
+        let further: &[Spring] = match self {
+            Self::Drives | Self::Auto => &[],
+            Self::Base => &[Spring::Base],
+            Self::Tool => &[Spring::Tool],
+            Self::All => &[Spring::Base, Spring::Tool],
+        };
+        Spring::DRIVES.into_iter().chain(further.iter().copied()).collect()
+    }
+}
+
+/// A model that was tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tried {
+    /// What springs.
+    pub model: Springs,
+    /// What is left of a coordinate where its posture is left out, m; `None` where a posture alone shows some spring.
+    pub left_out: Option<f64>,
+    /// Schwarz's criterion, `n ln(mean square) + p ln n`: less is better.
+    pub bic: f64,
+}
+
+/// A richer model must be better by so much in Schwarz's criterion (very strong evidence), and miss this share less where postures are left out.
+const CLEARLY: f64 = 10.0;
+const MISSES_LESS: f64 = 0.02;
+
+/// What is asked of an identification.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Options {
+    /// Of the loads.
+    pub load_axes: Axes,
+    /// Of the displacements.
+    pub moved_axes: Axes,
+    /// How.
+    pub estimator: Estimator,
+    /// What springs.
+    pub model: Springs,
+    /// When was measured, as year-month-day.
+    pub date: Option<String>,
+}
+
+/// Why nothing can be identified.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum IdentifyError {
+    /// Only two links of this robot are known.
+    #[error("{0} is a planar robot: it has no six joints; a robot file with [geometry] is needed")]
+    Planar(String),
+    /// Less readings than unknowns.
+    #[error("{readings} rows hold {numbers} displacements; {sought} compliances are sought, expected at least {least} rows, and better twenty postures", numbers = 3 * readings)]
+    TooFew {
+        /// How many rows.
+        readings: usize,
+        /// How many springs.
+        sought: usize,
+        /// The fewest rows.
+        least: usize,
+    },
+    /// Nothing was seen.
+    #[error("no load of any row turns a drive so that a marker moves; are load point, markers and frames right?")]
+    NothingSeen,
+    /// Only sums were seen.
+    #[error(
+        "only sums of drives show, none alone: the postures differ too little; turn the joints 2 to 6 as well as joint 1, or load along other axes"
+    )]
+    OnlySums,
+    /// The best fit has no spring.
+    #[error(
+        "the displacements go against the forces: no compliance of any drive explains them; are the signs of forces and displacements, their \
+         axes and the joint angles those of this robot?"
+    )]
+    Against,
+    /// The compensator pushes harder than drive 2 holds.
+    #[error(
+        "row {row}: the gravity compensator of {robot} would push harder than drive 2 holds; its numbers must be wrong"
+    )]
+    Unstable {
+        /// Which row.
+        row: usize,
+        /// Which robot.
+        robot: String,
+    },
+    /// The search did not end.
+    #[error("no compliance was found: the numbers leave the range of a computer; look for a wrong unit")]
+    NotFound,
+    /// The work is no longer wanted.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+}
+
+/// Why a drive is not identified.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unknown {
+    /// No load turns it.
+    NotTurned,
+    /// It is turned, and no marker moves.
+    NotMoved,
+    /// Only a sum with these others (springs from 0) is shown.
+    OnlyWith(Vec<usize>),
+    /// The best fit leaves it rigid: zero is the least that a compliance may be.
+    Rigid,
+    /// One posture alone shows it.
+    OnePosture,
+    /// Its standard error is this share of it.
+    Uncertain(f64),
+}
+
+/// What is found of one spring; rad/(N m).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// Which.
+    pub spring: Spring,
+    /// Not negative; `None` where it is not seen.
+    pub compliance: Option<f64>,
+    /// The larger of that from the scatter of all remainders and that from leaving out each posture in turn.
+    pub standard_error: Option<f64>,
+    /// Where it lies with 95 %, by Student's t; cut at zero.
+    pub interval: Option<[f64; 2]>,
+    /// By Huber's estimate.
+    pub robust: Option<f64>,
+    /// Why it is not identified; `None` where it is.
+    pub unknown: Option<Unknown>,
+    /// What it has from now on: what was found with all that is not identified held, or, of such a one, what was assumed before.
+    pub used: f64,
+}
+
+/// What an identification has found.
+#[derive(Clone, Debug)]
+pub struct Identification {
+    /// The robot with the compliances that were identified, and the others as they were before.
+    pub robot: Robot,
+    /// The robot with what was known of its drives: as its file says, else by the prior.
+    pub known: Robot,
+    /// How was estimated.
+    pub estimator: Estimator,
+    /// What springs.
+    pub model: Springs,
+    /// The models that were tried, where one was to be chosen.
+    pub tried: Vec<Tried>,
+    /// Of every spring.
+    pub estimates: Vec<Estimate>,
+    /// How far a coordinate moved, root mean square, m.
+    pub before: f64,
+    /// What the compliances found leave of that, m.
+    pub after: f64,
+    /// What those leave that are used, m.
+    pub after_used: f64,
+    /// What is left of every coordinate where its posture is left out, m; `None` where a posture alone shows some spring.
+    pub left_out: Option<f64>,
+    /// How many times the noise that the table tells the remainders are.
+    pub noise_ratio: Option<f64>,
+    /// Singular values of the system, m per rad/(N m), descending.
+    pub singular_values: Vec<f64>,
+    /// The combination of springs that is seen worst.
+    pub least_seen: Combination,
+    /// Correlation of the estimates, in their order; 0 where one is not estimated, 1 with itself.
+    pub correlation: DMatrix<f64>,
+    /// Of every reading.
+    pub residuals: Vec<Residual>,
+    /// Readings that fit so badly that something was wrong with them, or with the model there; the worst first.
+    pub outliers: Vec<Outlier>,
+    /// How many postures.
+    pub postures: usize,
+    /// What is odd, each a sentence.
+    pub remarks: Vec<String>,
+}
+
+impl Identification {
+    /// What of the displacements is explained: 1 - after / before.
+    pub fn explained(&self) -> f64 {
+        1.0 - self.after / self.before
+    }
+
+    /// The same of each posture by the others.
+    pub fn explained_left_out(&self) -> Option<f64> {
+        self.left_out.map(|left_out| 1.0 - left_out / self.before)
+    }
+
+    /// The largest singular value over the smallest; infinite where something is not seen.
+    pub fn condition(&self) -> f64 {
+        let values = &self.singular_values;
+        match (values.first(), values.last()) {
+            (Some(most), Some(least)) if 0.0 < *least => most / least,
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+/// Finds the compliances of the drives, and of what else is taken to spring.
+///
+/// # Errors
+/// Where the rows cannot tell any, and [`IdentifyError::Stopped`] where the work is no longer wanted.
+pub fn identify(
+    robot: &Robot,
+    measured: &Measurements,
+    options: &Options,
+    watch: Watch,
+) -> Result<Identification, IdentifyError> {
+    let models = if options.model == Springs::Auto { Springs::PLAIN.len() } else { 1 };
+    let parts = watch.parts(Some(models));
+    let of_model = |model| {
+        let found = of_model(robot, measured, options, model, watch);
+        parts.one_more()?;
+        found
+    };
+    if options.model != Springs::Auto {
+        return of_model(options.model);
+    }
+    let mut best = of_model(Springs::Drives)?;
+    let mut tried = vec![tried(&best)];
+    for model in Springs::PLAIN.into_iter().skip(1) {
+        let found = match of_model(model) {
+            Ok(found) => found,
+            Err(IdentifyError::Stopped(stopped)) => return Err(stopped.into()),
+            // A model that the rows cannot tell is none to be chosen.
+            Err(_) => continue,
+        };
+        let (one, known) = (self::tried(&found), self::tried(&best));
+        tried.push(one);
+        let misses_less =
+            one.left_out.zip(known.left_out).is_some_and(|(rich, simple)| rich < (1.0 - MISSES_LESS) * simple);
+        if one.bic < known.bic - CLEARLY && misses_less {
+            best = found;
+        }
+    }
+    Ok(Identification { tried, ..best })
+}
+
+fn tried(found: &Identification) -> Tried {
+    let count = (3 * found.residuals.len()) as f64;
+    let springs = found.estimates.iter().filter(|one| one.compliance.is_some_and(|k| 0.0 < k)).count() as f64;
+    Tried {
+        model: found.model,
+        left_out: found.left_out,
+        bic: count * (found.after * found.after).ln() + springs * count.ln(),
+    }
+}
+
+fn of_model(
+    robot: &Robot,
+    measured: &Measurements,
+    options: &Options,
+    model: Springs,
+    watch: Watch,
+) -> Result<Identification, IdentifyError> {
+    let Measurements { readings, remarks } = measured;
+    let springs = &model.springs();
+    let least = springs.len() / 3 + 1;
+    if readings.len() < least {
+        return Err(IdentifyError::TooFew { readings: readings.len(), sought: springs.len(), least });
+    }
+    // What is not identified keeps what is known of it: by its file, else by its size.
+    let before =
+        if robot.stiffness_is_assumed { with_prior(robot).unwrap_or_else(|_| robot.clone()) } else { robot.clone() };
+    let work = Work::of(&before, readings, springs, options, watch)?;
+    Ok(Identification { model, ..work.identification(options, remarks)? })
+}
+
+/// Root mean square.
+fn rms(values: &[f64]) -> f64 {
+    (values.iter().map(|x| x * x).sum::<f64>() / values.len().max(1) as f64).sqrt()
+}
+
+/// Student's t that 95 % stay within, either way.
+fn student(freedom: f64) -> f64 {
+    StudentsT::new(0.0, 1.0, freedom).map_or(f64::INFINITY, |t| t.inverse_cdf(0.975))
+}
+
+/// So many standard deviations of a coordinate a remainder may have: the largest of so many normal ones stays within that in
+/// nineteen tables of twenty.
+fn bound(readings: usize) -> f64 {
+    let share = 1.0 / (ONE_TABLE_IN * readings.max(1) as f64);
+    ChiSquared::new(3.0).map_or(f64::INFINITY, |law| law.inverse_cdf(1.0 - share).sqrt())
+}

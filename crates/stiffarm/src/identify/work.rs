@@ -1,0 +1,451 @@
+//! From readings to a system of equations, its solution, and what that says of each spring.
+
+use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
+
+use super::regression::{Robust, Solution, Spread, System, robust, solve, spread, unseen};
+use super::springs::{Bent, Spring, beyond};
+use super::{
+    Axes, Estimate, Estimator, HUBER_BOUND, Identification, IdentifyError, MOST_RELATIVE_ERROR, Options, Springs,
+    Unknown, bound, rms, student, told,
+};
+use crate::catalogue::measurements::Reading;
+use crate::drive::{Identified, JointCompliance};
+use crate::robot::{Arm, COMPLIANCE_SOURCE, Robot, StiffnessSource};
+use crate::watch::Watch;
+
+/// What is known of the readings before anything is solved.
+pub(super) struct Work<'a> {
+    robot: &'a Robot,
+    readings: &'a [Reading],
+    springs: &'a [Spring],
+    /// Displacements per compliance, rows not weighted.
+    system: System,
+    /// What a compensator adds to drive 2 at every reading, N m/rad.
+    added: Option<Vec<f64>>,
+    /// By its noise, mean square 1.
+    weights: Vec<f64>,
+    /// Of the noise that is told, m.
+    noise: Option<f64>,
+    /// What every spring has where nothing is identified.
+    assumed: Vec<f64>,
+    /// Who waits for it.
+    watch: Watch<'a>,
+}
+
+impl<'a> Work<'a> {
+    pub(super) fn of(
+        robot: &'a Robot,
+        readings: &'a [Reading],
+        springs: &'a [Spring],
+        options: &Options,
+        watch: Watch<'a>,
+    ) -> Result<Self, IdentifyError> {
+        let Arm::SixAxis { drives, .. } = &robot.arm else { return Err(IdentifyError::Planar(robot.name.clone())) };
+        let mut a = DMatrix::zeros(3 * readings.len(), springs.len());
+        let mut y = DVector::zeros(3 * readings.len());
+        let mut added = Vec::new();
+        for (i, reading) in readings.iter().enumerate() {
+            watch.go_on()?;
+            let bent = Bent::at(robot, &reading.q)?;
+            let load = turned(&reading.load.0, options.load_axes, &bent);
+            let moved = if options.moved_axes == Axes::Flange { bent.turned(reading.moved) } else { reading.moved };
+            let (at, marker) = (bent.point(&reading.load_at), bent.point(&reading.marker_at));
+            for (j, spring) in springs.iter().enumerate() {
+                a.fixed_view_mut::<3, 1>(3 * i, j).copy_from(&bent.column(*spring, (&load, &at), &marker));
+            }
+            y.fixed_rows_mut::<3>(3 * i).copy_from(&moved);
+            added.extend(drives.compensator.map(|compensator| compensator.stiffness(bent.theta_2)));
+        }
+        let sigmas: Vec<f64> = readings.iter().filter_map(|reading| reading.sigma).collect();
+        let noise = (sigmas.len() == readings.len()).then(|| {
+            let mean = sigmas.iter().map(|sigma| sigma.powi(-2)).sum::<f64>() / sigmas.len() as f64;
+            mean.sqrt().recip()
+        });
+        let weight = |reading: &Reading| noise.zip(reading.sigma).map_or(1.0, |(noise, sigma)| noise / sigma);
+        let assumed = springs.iter().map(|spring| match spring {
+            Spring::Drive(drive) => drives.compliance.0[*drive],
+            Spring::Base | Spring::Tool => 0.0,
+        });
+        Ok(Self {
+            robot,
+            readings,
+            springs,
+            system: System { a, y },
+            added: drives.compensator.map(|_| added),
+            weights: readings.iter().map(weight).collect(),
+            noise,
+            assumed: assumed.collect(),
+            watch,
+        })
+    }
+
+    /// The system that is linear about a compliance of drive 2: itself, where there is no compensator.
+    fn about(&self, k: f64) -> Result<System, IdentifyError> {
+        let mut system = self.system.clone();
+        let (Some(added), Some(second)) =
+            (&self.added, self.springs.iter().position(|spring| *spring == Spring::Drive(1)))
+        else {
+            return Ok(system);
+        };
+        for (i, added) in added.iter().enumerate() {
+            let held = 1.0 + k * added;
+            if !(0.0 < held) {
+                return Err(IdentifyError::Unstable { row: self.readings[i].row, robot: self.robot.name.clone() });
+            }
+            let column: Vector3<f64> = system.a.fixed_view::<3, 1>(3 * i, second).into();
+            // kappa / (1 + kappa dK) about k: slope 1 / held^2, and what that misses at zero.
+            system.a.fixed_view_mut::<3, 1>(3 * i, second).copy_from(&(column / (held * held)));
+            let mut y = system.y.fixed_rows_mut::<3>(3 * i);
+            y -= column * (k / held - k / (held * held));
+        }
+        Ok(system)
+    }
+
+    /// Solves for the springs that are not held, all rows weighted.
+    fn solved(&self, held: &[Option<f64>], weights: &[f64]) -> Result<(System, Solution), IdentifyError> {
+        const STEPS: usize = 60;
+        let second =
+            self.springs.iter().position(|spring| *spring == Spring::Drive(1)).filter(|_| self.added.is_some());
+        let mut k = second.map_or(0.0, |second| held[second].unwrap_or(self.assumed[second]));
+        for _ in 0..STEPS {
+            self.watch.go_on()?;
+            let system = self.about(k)?.weighted(weights).holding(held);
+            let solution = solve(&system).ok_or(IdentifyError::NotFound)?;
+            let next = second
+                .filter(|&second| held[second].is_none())
+                .map_or(k, |second| solution.values[held[..second].iter().filter(|held| held.is_none()).count()]);
+            if (next - k).abs() <= 1e-12 * k.abs() {
+                return Ok((system, solution));
+            }
+            k = next;
+        }
+        Err(IdentifyError::NotFound)
+    }
+
+    pub(super) fn identification(
+        &self,
+        options: &Options,
+        remarks: &[String],
+    ) -> Result<Identification, IdentifyError> {
+        let count = self.springs.len();
+        let groups = unseen(&self.system);
+        let mut held: Vec<Option<f64>> = vec![None; count];
+        groups.iter().flatten().for_each(|&i| held[i] = Some(self.assumed[i]));
+        if held.iter().all(Option::is_some) {
+            let is_of_sums = groups.iter().any(|group| 1 < group.len());
+            return Err(if is_of_sums { IdentifyError::OnlySums } else { IdentifyError::NothingSeen });
+        }
+        // Springs of which only a sum shows are held at what is assumed; those that nothing shows add nothing.
+        let (weighted, plain) = self.solved(&held, &self.weights)?;
+        if plain.free.is_empty() {
+            return Err(IdentifyError::Against);
+        }
+        let robust = robust(&weighted, &plain, HUBER_BOUND).ok_or(IdentifyError::NotFound)?;
+        let weights = match options.estimator {
+            Estimator::LeastSquares => self.weights.clone(),
+            Estimator::Huber => {
+                self.weights.iter().zip(&robust.weights).map(|(noise, fit)| noise * fit.sqrt()).collect()
+            }
+        };
+        let (_, solution) = self.solved(&held, &weights)?;
+        if solution.free.is_empty() {
+            return Err(IdentifyError::Against);
+        }
+        let postures: Vec<usize> = self.readings.iter().map(|reading| reading.posture).collect();
+        let readings = self.readings.len();
+        let spread = spread(&solution, &postures).ok_or(IdentifyError::TooFew {
+            readings,
+            sought: count,
+            least: count / 3 + 1,
+        })?;
+        let sought: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
+        let mut estimates = self.estimates(&sought, &solution, &spread, &robust, &groups);
+        let (used, own) = self.used(&mut estimates, &weights)?;
+        let told = self.told(&sought, &solution, &spread, &robust, &weights);
+        let robot = self.robot_with(&estimates, &used, options, told.postures);
+        let mut remarks = remarks.to_vec();
+        remarks.extend(self.odd_postures());
+        let residual = self.residual(&values_of(&sought, &solution.values, &held));
+        let before = rms(self.system.y.as_slice());
+        Ok(Identification {
+            robot,
+            estimator: options.estimator,
+            before,
+            after: rms(&residual),
+            after_used: rms(&own),
+            remarks,
+            estimates,
+            ..told
+        })
+    }
+
+    /// What compliances leave of the displacements, m, not weighted.
+    fn residual(&self, values: &[f64]) -> Vec<f64> {
+        let second = self.springs.iter().position(|spring| *spring == Spring::Drive(1));
+        let mut missed = &self.system.y - &self.system.a * DVector::from_column_slice(values);
+        if let (Some(added), Some(second)) = (&self.added, second) {
+            let k = values[second];
+            for (i, added) in added.iter().enumerate() {
+                let column: Vector3<f64> = self.system.a.fixed_view::<3, 1>(3 * i, second).into();
+                let mut missed = missed.fixed_rows_mut::<3>(3 * i);
+                missed += column * (k - k / (1.0 + k * added));
+            }
+        }
+        missed.as_slice().to_vec()
+    }
+
+    fn estimates(
+        &self,
+        sought: &[usize],
+        solution: &Solution,
+        spread: &Spread,
+        robust: &Robust,
+        groups: &[Vec<usize>],
+    ) -> Vec<Estimate> {
+        let rows = 3 * self.readings.len();
+        let postures = self.readings.iter().map(|reading| reading.posture).max().map_or(0, |last| last + 1);
+        let quantile = |freedom: usize| student(freedom as f64);
+        let (of_rows, of_postures) = (quantile(rows - solution.free.len()), quantile(postures.max(2) - 1));
+        let estimate = |i: usize| {
+            let spring = self.springs[i];
+            let nothing = Estimate {
+                spring,
+                compliance: None,
+                standard_error: None,
+                interval: None,
+                robust: None,
+                unknown: None,
+                used: self.assumed[i],
+            };
+            let Some(at) = sought.iter().position(|&known| known == i) else {
+                return Estimate { unknown: Some(self.why_unseen(i, groups)), ..nothing };
+            };
+            let (value, robust) = (solution.values[at], robust.values[at]);
+            let found = Estimate { compliance: Some(value), robust: Some(robust), ..nothing };
+            let Some(free) = solution.free.iter().position(|&known| known == at) else {
+                return Estimate { unknown: Some(Unknown::Rigid), ..found };
+            };
+            let (classical, by_posture) = (spread.classical[free], spread.by_posture[free]);
+            if by_posture.is_infinite() {
+                return Estimate { unknown: Some(Unknown::OnePosture), ..found };
+            }
+            let error = classical.max(by_posture);
+            let half = (of_rows * classical).max(of_postures * by_posture);
+            let relative = error / value;
+            let unknown = (!(relative <= MOST_RELATIVE_ERROR)).then_some(Unknown::Uncertain(relative));
+            let interval = Some([(value - half).max(0.0), value + half]);
+            Estimate { standard_error: Some(error), interval, unknown, ..found }
+        };
+        (0..self.springs.len()).map(estimate).collect()
+    }
+
+    /// Why a spring is not seen.
+    fn why_unseen(&self, i: usize, groups: &[Vec<usize>]) -> Unknown {
+        let group = groups.iter().find(|group| group.contains(&i));
+        if let Some(group) = group.filter(|group| 1 < group.len()) {
+            return Unknown::OnlyWith(group.iter().copied().filter(|&other| other != i).collect());
+        }
+        // A marker at the load point is moved wherever the load turns the spring.
+        let turned = self.readings.iter().any(|reading| {
+            let Ok(bent) = Bent::at(self.robot, &reading.q) else { return false };
+            let at = bent.point(&reading.load_at);
+            let along = bent.column(self.springs[i], (&reading.load.0, &at), &at);
+            let others = self.springs.iter().map(|spring| bent.column(*spring, (&reading.load.0, &at), &at).norm());
+            1e-9 * others.fold(0.0, f64::max) < along.norm()
+        });
+        if turned { Unknown::NotMoved } else { Unknown::NotTurned }
+    }
+
+    /// Solves again with all that is not identified held at what is assumed of it, until nothing more must be; what that leaves of the
+    /// displacements, and the covariance.
+    fn used(&self, estimates: &mut [Estimate], weights: &[f64]) -> Result<(Matrix6<f64>, Vec<f64>), IdentifyError> {
+        let count = self.springs.len();
+        loop {
+            let held: Vec<Option<f64>> =
+                (0..count).map(|i| estimates[i].unknown.is_some().then_some(self.assumed[i])).collect();
+            let sought: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
+            if sought.is_empty() {
+                return Ok((Matrix6::zeros(), self.residual(&self.assumed)));
+            }
+            let (_, solution) = self.solved(&held, weights)?;
+            let postures: Vec<usize> = self.readings.iter().map(|reading| reading.posture).collect();
+            let readings = self.readings.len();
+            let spread = spread(&solution, &postures).ok_or(IdentifyError::TooFew {
+                readings,
+                sought: count,
+                least: count / 3 + 1,
+            })?;
+            let mut is_settled = true;
+            for (at, &i) in sought.iter().enumerate() {
+                let unknown = match solution.free.iter().position(|&free| free == at) {
+                    None => Some(Unknown::Rigid),
+                    Some(free) => {
+                        let relative = spread.classical[free].max(spread.by_posture[free]) / solution.values[at];
+                        (!(relative <= MOST_RELATIVE_ERROR)).then_some(Unknown::Uncertain(relative))
+                    }
+                };
+                is_settled &= unknown.is_none();
+                estimates[i].unknown = unknown;
+                estimates[i].used = solution.values[at];
+            }
+            if !is_settled {
+                estimates
+                    .iter_mut()
+                    .zip(&self.assumed)
+                    .filter(|(one, _)| one.unknown.is_some())
+                    .for_each(|(one, assumed)| one.used = *assumed);
+                continue;
+            }
+            let errors: Vec<f64> = spread.classical.iter().zip(&spread.by_posture).map(|(a, b)| a.max(*b)).collect();
+            let mut covariance = Matrix6::zeros();
+            for (a, &i) in sought.iter().enumerate() {
+                for (b, &j) in sought.iter().enumerate() {
+                    if let (Spring::Drive(i), Spring::Drive(j)) = (self.springs[i], self.springs[j]) {
+                        covariance[(i, j)] = errors[a] * errors[b] * spread.correlation[(a, b)];
+                    }
+                }
+            }
+            // Symmetric to the last bit.
+            let covariance = Matrix6::from_fn(|i, j| covariance[(i.min(j), i.max(j))]);
+            return Ok((covariance, self.residual(&values_of(&sought, &solution.values, &held))));
+        }
+    }
+
+    /// The robot with what was identified.
+    fn robot_with(
+        &self,
+        estimates: &[Estimate],
+        covariance: &Matrix6<f64>,
+        options: &Options,
+        postures: usize,
+    ) -> Robot {
+        let mut robot = self.robot.clone();
+        let Arm::SixAxis { drives, .. } = &mut robot.arm else { return robot };
+        let mut seen = [false; 6];
+        let mut k = drives.compliance.0;
+        for estimate in estimates {
+            if let Spring::Drive(drive) = estimate.spring {
+                (seen[drive], k[drive]) = (estimate.unknown.is_none(), estimate.used);
+            }
+        }
+        if seen == [false; 6] {
+            return robot;
+        }
+        // As a robot file has them, so that what is written is what is read.
+        let rounded = |x: f64, per: f64| format!("{:.9e}", x * per).parse::<f64>().map_or(x, |rounded| rounded / per);
+        drives.compliance = JointCompliance(k.map(|k| rounded(k, 1e6)));
+        let values: Vec<f64> = estimates.iter().map(|estimate| estimate.used).collect();
+        drives.scatter = None;
+        drives.identified = Some(Identified {
+            drives: seen,
+            covariance: covariance
+                .map(|variance| format!("{:.9e}", variance * 1e12).parse::<f64>().map_or(variance, |x| x * 1e-12)),
+            postures,
+            date: options.date.clone(),
+            residual: rounded(rms(&self.residual(&values)), 1e3),
+        });
+        robot.stiffness_is_assumed = false;
+        let drives: Vec<String> = (1..=6).filter(|&drive| seen[drive - 1]).map(|drive| drive.to_string()).collect();
+        let others = match (drives.len(), self.robot.stiffness_source()) {
+            (6, _) => "",
+            (_, StiffnessSource::Prior | StiffnessSource::Published) => "; the others by the prior",
+            _ => "; the others as they were before",
+        };
+        let source = format!(
+            "drives {} identified in {postures} postures by {}{others}",
+            drives.join(", "),
+            options.estimator.name()
+        );
+        robot.source.insert(COMPLIANCE_SOURCE.into(), source);
+        robot
+    }
+
+    /// Postures where the robot cannot be, by its limits.
+    fn odd_postures(&self) -> Option<String> {
+        /// So many rows are named.
+        const MOST: usize = 6;
+        let rows: Vec<String> = (self.readings.iter())
+            .filter_map(|reading| {
+                let joints = beyond(self.robot, reading);
+                let names: Vec<String> = joints
+                    .iter()
+                    .map(|&joint| if joint == 0 { "angle between the links".into() } else { format!("joint {joint}") })
+                    .collect();
+                (!joints.is_empty()).then(|| format!("{} ({})", reading.row, names.join(", ")))
+            })
+            .collect();
+        let more = if MOST < rows.len() { format!(" and {} more", rows.len() - MOST) } else { String::new() };
+        let told = rows.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
+        (!rows.is_empty()).then(|| {
+            format!(
+                "joint angles beyond the limits of {} in the rows {told}{more}: are these the angles that it reports?",
+                self.robot.name
+            )
+        })
+    }
+
+    /// Everything that is told of a fit besides its values; what the caller knows is left at nothing.
+    fn told(
+        &self,
+        sought: &[usize],
+        solution: &Solution,
+        spread: &Spread,
+        robust: &Robust,
+        weights: &[f64],
+    ) -> Identification {
+        let count = self.springs.len();
+        let mut correlation = DMatrix::identity(count, count);
+        for (a, &i) in solution.free.iter().enumerate() {
+            for (b, &j) in solution.free.iter().enumerate() {
+                correlation[(sought[i], sought[j])] = spread.correlation[(a, b)];
+            }
+        }
+        let postures = self.readings.iter().map(|reading| reading.posture).max().map_or(0, |last| last + 1);
+        let (singular_values, least_seen) = told::seen(&self.system.weighted(&self.weights));
+        let left_out: Option<Vec<f64>> = spread
+            .left_out
+            .iter()
+            .enumerate()
+            .map(|(row, missed)| missed.map(|missed| missed / weights[row / 3]))
+            .collect();
+        Identification {
+            robot: self.robot.clone(),
+            known: self.robot.clone(),
+            estimator: Estimator::LeastSquares,
+            model: Springs::Drives,
+            tried: Vec::new(),
+            estimates: Vec::new(),
+            before: 0.0,
+            after: 0.0,
+            after_used: 0.0,
+            left_out: left_out.map(|missed| rms(&missed)),
+            noise_ratio: self.noise.map(|noise| spread.sigma / noise),
+            singular_values,
+            least_seen,
+            correlation,
+            residuals: told::residuals(self.readings, &self.system.y, solution, (spread, weights), &robust.ratios),
+            outliers: told::outliers(self.readings, &robust.ratios, bound(self.readings.len())),
+            postures,
+            remarks: Vec::new(),
+        }
+    }
+}
+
+/// All values, those that are held among them.
+fn values_of(sought: &[usize], found: &[f64], held: &[Option<f64>]) -> Vec<f64> {
+    let mut values: Vec<f64> = held.iter().map(|held| held.unwrap_or(0.0)).collect();
+    sought.iter().zip(found).for_each(|(&i, value)| values[i] = *value);
+    values
+}
+
+/// A load along base axes.
+fn turned(load: &Vector6<f64>, axes: Axes, bent: &Bent) -> Vector6<f64> {
+    match axes {
+        Axes::Base => *load,
+        Axes::Flange => {
+            let force = bent.turned(load.fixed_rows::<3>(0).into());
+            let moment = bent.turned(load.fixed_rows::<3>(3).into());
+            Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
+        }
+    }
+}

@@ -1,0 +1,299 @@
+//! How often should each candidate be measured? Shares with a certificate, and whole runs.
+
+use nalgebra::{Cholesky, DMatrix, Matrix6};
+use rayon::prelude::*;
+
+use crate::watch::{Parts, Stopped};
+
+/// The shares are good enough when certified to this.
+const GOOD: f64 = 0.999;
+/// And are left where they are after so many steps.
+const MOST_STEPS: usize = 2000;
+/// A share that is so much smaller than an even one plays no part, until its candidate is looked at again.
+const IDLE: f64 = 1e-4;
+/// Every so many steps all candidates are looked at.
+const LOOK: usize = 10;
+/// Among so many of the best candidates runs are exchanged.
+const EXCHANGED: usize = 400;
+/// Random choices that are compared.
+const RANDOM: usize = 101;
+/// A drive of which no candidate tells more than this of what they tell of the best is not shown.
+const NOTHING: f64 = 1e-16;
+
+/// Symmetric matrices of the drives that are shown, packed: products of two are sums of 21 terms.
+type Packed = [f64; 21];
+
+/// The drives that are shown, and the criterion on them.
+#[derive(Clone, Debug)]
+pub(super) struct Kept {
+    /// From 0, ascending.
+    pub drives: Vec<usize>,
+    /// `W` of all drives.
+    weight: Matrix6<f64>,
+}
+
+/// Shares of candidates.
+#[derive(Clone, Debug)]
+pub(super) struct Shares {
+    /// Adding up to 1.
+    pub weights: Vec<f64>,
+    /// `phi` of one run so shared.
+    pub value: f64,
+    /// No shares have less.
+    pub bound: f64,
+}
+
+/// Whole runs.
+#[derive(Clone, Debug)]
+pub(super) struct Chosen {
+    /// Indices of candidates, as often as they are run.
+    pub runs: Vec<usize>,
+    /// `phi` of all runs together.
+    pub value: f64,
+    /// Their information.
+    pub matrix: Matrix6<f64>,
+}
+
+impl Kept {
+    /// Of what candidates tell; `None` where that is nothing.
+    pub(super) fn of(information: &[Matrix6<f64>]) -> Option<Self> {
+        let sum: Matrix6<f64> = information.iter().sum();
+        let most = sum.diagonal().max();
+        let drives: Vec<usize> = (0..6).filter(|&drive| NOTHING * most < sum[(drive, drive)]).collect();
+        (0.0 < most && !drives.is_empty()).then_some(Self { drives, weight: Matrix6::identity() })
+    }
+
+    /// With a criterion.
+    pub(super) fn weighing(self, weight: &Matrix6<f64>) -> Self {
+        Self { weight: *weight, ..self }
+    }
+
+    fn of_drives(&self, matrix: &Matrix6<f64>) -> DMatrix<f64> {
+        let count = self.drives.len();
+        DMatrix::from_fn(count, count, |i, j| matrix[(self.drives[i], self.drives[j])])
+    }
+
+    /// `phi`, and `M^-1 W M^-1` among all drives, zero where one is not shown; `None` where some combination is not shown.
+    fn judged(&self, matrix: &Matrix6<f64>) -> Option<(f64, Matrix6<f64>)> {
+        let own = self.of_drives(matrix);
+        // Scaled, so that drives of different sizes count alike in what is singular.
+        let scale: Vec<f64> = own.diagonal().iter().map(|x| x.sqrt().recip()).collect();
+        let scaled = DMatrix::from_fn(own.nrows(), own.ncols(), |i, j| own[(i, j)] * scale[i] * scale[j]);
+        let factor = Cholesky::new(scaled).filter(|found| found.l_dirty().diagonal().iter().all(|x| 1e-6 < *x))?;
+        let inverse = factor.inverse();
+        let inverse = DMatrix::from_fn(own.nrows(), own.ncols(), |i, j| inverse[(i, j)] * scale[i] * scale[j]);
+        let weight = self.of_drives(&self.weight);
+        let half = &inverse * weight;
+        let slope = &half * &inverse;
+        let mut whole = Matrix6::zeros();
+        for (a, &i) in self.drives.iter().enumerate() {
+            for (b, &j) in self.drives.iter().enumerate() {
+                whole[(i, j)] = slope[(a, b)];
+            }
+        }
+        Some((half.trace(), whole))
+    }
+
+    /// `phi`; `None` where some combination of drives is not shown.
+    pub(super) fn value(&self, matrix: &Matrix6<f64>) -> Option<f64> {
+        self.judged(matrix).map(|(value, _)| value)
+    }
+
+    /// Standard errors of the compliances.
+    pub(super) fn errors(&self, matrix: &Matrix6<f64>) -> [Option<f64>; 6] {
+        let inverse = self.of_drives(matrix).try_inverse();
+        std::array::from_fn(|drive| {
+            let at = self.drives.iter().position(|&known| known == drive)?;
+            inverse.as_ref().map(|inverse| inverse[(at, at)].sqrt())
+        })
+    }
+
+    /// The best shares, by the multiplicative rule.
+    pub(super) fn shares(&self, information: &[Matrix6<f64>], parts: &Parts) -> Result<Shares, Stopped> {
+        let count = information.len();
+        let packed: Vec<Packed> = information.par_iter().map(pack).collect();
+        let even = 1.0 / count as f64;
+        let mut weights = vec![even; count];
+        let mut active: Vec<usize> = (0..count).collect();
+        let mut best = Shares { weights: weights.clone(), value: f64::INFINITY, bound: 0.0 };
+        for step in 0..MOST_STEPS {
+            parts.one_more()?;
+            let sum = active.iter().fold([0.0; 21], |mut sum, &i| {
+                sum.iter_mut().zip(&packed[i]).for_each(|(sum, part)| *sum += weights[i] * part);
+                sum
+            });
+            let Some((value, slope)) = self.judged(&unpack(&sum)) else { break };
+            let slope = doubled(&slope);
+            let gain = |i: usize| packed[i].iter().zip(&slope).map(|(a, b)| a * b).sum::<f64>();
+            let looks = step % LOOK == 0;
+            if looks {
+                let gains: Vec<f64> = (0..count).into_par_iter().map(gain).collect();
+                let most = gains.iter().copied().fold(0.0, f64::max);
+                // Every bound holds for all; the best is kept.
+                let bound = best.bound.max(value * value / most);
+                best = Shares { weights: weights.clone(), value, bound };
+                if GOOD * value <= bound {
+                    break;
+                }
+                weights.iter_mut().zip(&gains).for_each(|(weight, gain)| *weight *= (gain / value).sqrt());
+                // What has died down but is better than the average comes back.
+                weights
+                    .iter_mut()
+                    .zip(&gains)
+                    .filter(|(_, gain)| value < **gain)
+                    .for_each(|(weight, _)| *weight = weight.max(IDLE * even));
+                active = (0..count).filter(|&i| IDLE * even <= weights[i]).collect();
+                let kept: Vec<f64> = active.iter().map(|&i| weights[i]).collect();
+                weights.fill(0.0);
+                active.iter().zip(kept).for_each(|(&i, weight)| weights[i] = weight);
+            } else {
+                for &i in &active {
+                    weights[i] *= (gain(i) / value).sqrt();
+                }
+            }
+            let sum: f64 = active.iter().map(|&i| weights[i]).sum();
+            for &i in &active {
+                weights[i] /= sum;
+            }
+        }
+        Ok(best)
+    }
+
+    /// So many whole runs: the largest shares, then exchanges as long as one is an improvement.
+    pub(super) fn exact(
+        &self,
+        information: &[Matrix6<f64>],
+        shares: &Shares,
+        count: usize,
+        parts: &Parts,
+    ) -> Result<Chosen, Stopped> {
+        let mut order: Vec<usize> = (0..information.len()).collect();
+        order.sort_by(|&i, &j| shares.weights[j].total_cmp(&shares.weights[i]).then(i.cmp(&j)));
+        let among: Vec<usize> = order.into_iter().take(EXCHANGED.max(count)).collect();
+        let mut runs = rounded(&among, &shares.weights, count);
+        let mut matrix: Matrix6<f64> = runs.iter().map(|&i| information[i]).sum();
+        let mut value = self.value(&matrix).unwrap_or(f64::INFINITY);
+        loop {
+            let mut improved = false;
+            for place in 0..runs.len() {
+                parts.one_more()?;
+                let without = matrix - information[runs[place]];
+                let tried =
+                    among.par_iter().map(|&i| (self.value(&(without + information[i])).unwrap_or(f64::INFINITY), i));
+                let best = tried.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+                if let Some((better, i)) = best.filter(|(better, _)| *better < value * (1.0 - 1e-9)) {
+                    (runs[place], matrix, value, improved) = (i, without + information[i], better, true);
+                }
+            }
+            if !improved {
+                return Ok(Chosen { runs, value, matrix });
+            }
+        }
+    }
+
+    /// The median of random choices.
+    pub(super) fn random(&self, information: &[Matrix6<f64>], count: usize) -> f64 {
+        let mut rng = fastrand::Rng::with_seed(1);
+        let mut values: Vec<f64> = (0..RANDOM)
+            .map(|_| {
+                let matrix: Matrix6<f64> = (0..count).map(|_| information[rng.usize(..information.len())]).sum();
+                self.value(&matrix).unwrap_or(f64::INFINITY)
+            })
+            .collect();
+        values.sort_by(f64::total_cmp);
+        values[RANDOM / 2]
+    }
+}
+
+/// Whole runs near the shares: rounded down, and what is left to the largest remainders.
+fn rounded(among: &[usize], weights: &[f64], count: usize) -> Vec<usize> {
+    let wanted = |i: usize| weights[i] * count as f64;
+    let mut runs: Vec<usize> = among.iter().flat_map(|&i| std::iter::repeat_n(i, wanted(i) as usize)).collect();
+    let mut rest: Vec<usize> = among.to_vec();
+    rest.sort_by(|&i, &j| wanted(j).fract().total_cmp(&wanted(i).fract()).then(i.cmp(&j)));
+    let missing = count.saturating_sub(runs.len());
+    runs.extend(rest.iter().cycle().take(missing));
+    runs
+}
+
+fn pack(matrix: &Matrix6<f64>) -> Packed {
+    let mut packed = [0.0; 21];
+    let pairs = (0..6).flat_map(|i| (0..=i).map(move |j| (i, j)));
+    packed.iter_mut().zip(pairs).for_each(|(slot, at)| *slot = matrix[at]);
+    packed
+}
+
+fn unpack(packed: &Packed) -> Matrix6<f64> {
+    Matrix6::from_fn(|i, j| {
+        let (i, j) = (i.max(j), i.min(j));
+        packed[i * (i + 1) / 2 + j]
+    })
+}
+
+/// With what stands twice in a symmetric matrix counted twice.
+fn doubled(matrix: &Matrix6<f64>) -> Packed {
+    let whole = Matrix6::from_fn(|i, j| if i == j { matrix[(i, i)] } else { 2.0 * matrix[(i, j)] });
+    pack(&whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector6;
+
+    use crate::watch::Watch;
+
+    fn random(rng: &mut fastrand::Rng, count: usize, drives: usize) -> Vec<Matrix6<f64>> {
+        let one = |rng: &mut fastrand::Rng| {
+            let v = Vector6::from_fn(|i, _| if i < drives { rng.f64() - 0.5 } else { 0.0 });
+            v * v.transpose()
+        };
+        (0..count).map(|_| one(rng) + one(rng)).collect()
+    }
+
+    /// Every choice of four runs of seven candidates, with repetition.
+    #[test]
+    fn no_choice_of_a_few_candidates_is_better_than_the_bound_and_exchange_finds_the_best_or_nearly() {
+        let (mut rng, parts) = (fastrand::Rng::with_seed(6), Watch::nobody().parts(None));
+        let mut exact_ones = 0;
+        for _ in 0..20 {
+            let information = random(&mut rng, 7, 3);
+            let kept = Kept::of(&information).unwrap().weighing(&Matrix6::identity());
+            let shares = kept.shares(&information, &parts).unwrap();
+            let chosen = kept.exact(&information, &shares, 4, &parts).unwrap();
+            let mut best = f64::INFINITY;
+            for code in 0..7_usize.pow(4) {
+                let runs = [code % 7, code / 7 % 7, code / 49 % 7, code / 343];
+                let matrix: Matrix6<f64> = runs.iter().map(|&i| information[i]).sum();
+                best = best.min(kept.value(&matrix).unwrap_or(f64::INFINITY));
+            }
+            let bound = shares.bound / 4.0;
+            assert!(bound <= best * (1.0 + 1e-9), "{bound} is no bound of {best}");
+            assert!(GOOD * shares.value <= shares.bound, "not certified: {} of {}", shares.bound, shares.value);
+            assert!(best <= chosen.value * (1.0 + 1e-9) && chosen.value <= 1.05 * best, "{} and {best}", chosen.value);
+            exact_ones += usize::from(chosen.value <= best * (1.0 + 1e-9));
+        }
+        assert!(14 <= exact_ones, "{exact_ones} of 20 are the best");
+    }
+
+    /// By hand: one drive each, `phi = sum W_j / (w_j m_j)` has its least at `w_j ~ sqrt(W_j / m_j)`.
+    #[test]
+    fn candidates_that_show_one_drive_each_are_shared_as_the_formula_says() {
+        let parts = Watch::nobody().parts(None);
+        let m = [1.0, 4.0, 9.0];
+        let weight = [1.0, 1.0, 4.0];
+        let information: Vec<Matrix6<f64>> =
+            (0..3).map(|j| Matrix6::from_fn(|a, b| if a == j && b == j { m[j] } else { 0.0 })).collect();
+        let w = Matrix6::from_fn(|a, b| if a == b && a < 3 { weight[a] } else { 0.0 });
+        let kept = Kept::of(&information).unwrap().weighing(&w);
+        assert_eq!(kept.drives, [0, 1, 2]);
+        let roots: Vec<f64> = (0..3).map(|j| f64::sqrt(weight[j] / m[j])).collect();
+        let sum: f64 = roots.iter().sum();
+        let shares = kept.shares(&information, &parts).unwrap();
+        for (found, root) in shares.weights.iter().zip(&roots) {
+            assert!((found - root / sum).abs() < 0.02, "{:?}", shares.weights);
+        }
+        // The least value is the square of the sum of the roots.
+        assert!((shares.value / (sum * sum) - 1.0).abs() < 2e-3 && shares.bound <= sum * sum * (1.0 + 1e-12));
+    }
+}

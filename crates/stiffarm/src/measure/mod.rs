@@ -1,0 +1,309 @@
+//! Verb: in which postures, and under which loads, should a robot be measured?
+//!
+//! A run `i` (a posture and a load) tells `M_i = Phi_i^T Phi_i / sigma^2` of the compliances, many runs their sum. A design is as good as
+//! it lets the deflection over the work be predicted: `phi(M) = tr(W M^-1)`, the mean variance of what a unit force moves there, with `W` the mean of
+//! `A^T A` over the work and three forces (the test poses of Klimchik and others, averaged).
+//!
+//! Shares of many candidates first, `w_i <- w_i sqrt(d_i / phi)` with `d_i = tr(M^-1 W M^-1 M_i)`. As `phi` is convex and of degree -1, every
+//! design `M*` of the candidates has `phi(M*) >= phi^2 / max d`: what is reached is certified. Then whole runs, by exchange, told against the same bound.
+
+mod candidates;
+mod design;
+mod route;
+mod zone;
+
+use nalgebra::{Matrix6, Vector3, Vector6};
+
+use crate::catalogue::measurements::Measurements;
+use crate::compliance::{PostureError, check_tool, compliance};
+use crate::identify::columns_at;
+use crate::interval::Interval;
+use crate::robot::{Arm, Robot};
+use crate::spatial::{Pose, Wrench};
+use crate::watch::{Parts, Stopped, Watch};
+
+use candidates::Candidates;
+use design::{Chosen, Shares};
+pub use zone::over;
+
+/// A direction in which the user can load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadWay {
+    /// As people call it.
+    pub name: String,
+    /// Along base axes, length one.
+    pub along: Vector3<f64>,
+}
+
+/// What is asked of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// In which directions the user can load.
+    pub ways: Vec<LoadWay>,
+    /// By how much, N.
+    pub newtons: f64,
+    /// Where, in the flange frame, m.
+    pub load_at: Vector3<f64>,
+    /// What is looked at, in the flange frame, m.
+    pub markers: Vec<Vector3<f64>>,
+    /// Noise of a coordinate, m.
+    pub sigma: f64,
+    /// How many runs.
+    pub runs: usize,
+    /// Among how many candidates.
+    pub candidates: usize,
+    /// Where the markers must be seen, from the base, m.
+    pub window: Option<[Interval; 3]>,
+    /// Postures of the work, as reported, rad; where there are none, anywhere within the limits.
+    pub work: Vec<[f64; 6]>,
+    /// The tool point of the work, in the flange frame, m.
+    pub tool: Vector3<f64>,
+}
+
+/// One run of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// As the robot reports them, rad.
+    pub q: [f64; 6],
+    /// Which of the ways to load.
+    pub way: usize,
+    /// On the load point, base axes.
+    pub load: Wrench,
+    /// How far each marker is expected to move, m, by the compliances that the robot has now.
+    pub expected: Vec<Vector3<f64>>,
+}
+
+/// A plan with what it is worth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// In the order in which they are run.
+    pub runs: Vec<Run>,
+    /// Mean variance of the displacement under a unit force over the work, (m/N)^2.
+    pub value: f64,
+    /// No plan of so many of the candidates has less.
+    pub lower_bound: f64,
+    /// The same of the best shares, at least: their bound over their value.
+    pub shares_efficiency: f64,
+    /// The median of random choices of so many of the candidates.
+    pub random: f64,
+    /// Drives that no candidate shows, from 0.
+    pub unseen: Vec<usize>,
+    /// Standard error that is expected of each compliance, rad/(N m); `None` of those that are not shown.
+    pub errors: [Option<f64>; 6],
+    /// How many candidates there were.
+    pub candidates: usize,
+    /// How many postures the work had.
+    pub work: usize,
+}
+
+impl Plan {
+    /// How near it is to the best, at least: 1 is the best.
+    pub fn efficiency(&self) -> f64 {
+        self.lower_bound / self.value
+    }
+}
+
+/// Why there is no plan.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MeasureError {
+    /// A robot without six joints, or a tool that no arm carries.
+    #[error(transparent)]
+    Posture(#[from] PostureError),
+    /// No posture is left.
+    #[error(
+        "no posture within the limits has all markers where they can be seen, above the floor and in the window: widen it, or look at other points"
+    )]
+    NoCandidate,
+    /// The work has no place.
+    #[error("{0}")]
+    NoPlace(String),
+    /// Nothing is shown.
+    #[error("none of the loads turns a drive in any posture so that a marker moves")]
+    NothingSeen,
+    /// Too few runs.
+    #[error("{runs} runs; to tell {drives} drives apart takes at least {least}")]
+    TooFew {
+        /// How many were asked for.
+        runs: usize,
+        /// How many drives are to be told apart.
+        drives: usize,
+        /// The fewest.
+        least: usize,
+    },
+    /// A run that is compared is no posture of the robot.
+    #[error("the runs that are compared do not show every drive that the candidates show: drive {0} is missing")]
+    Blind(usize),
+    /// The work is no longer wanted.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+}
+
+/// Plans measurements.
+///
+/// # Errors
+/// Where no posture can be measured, or the loads show nothing, and [`MeasureError::Stopped`] where the work is no longer wanted.
+pub fn plan(robot: &Robot, options: &Options, watch: Watch) -> Result<Plan, MeasureError> {
+    let parts = watch.parts(None);
+    let found = Search::of(robot, options, &parts)?;
+    let shares = found.shares(&parts)?;
+    let chosen = found.exact(&shares, options.runs, &parts)?;
+    found.plan(&shares, &chosen, &parts)
+}
+
+/// A posture, as reported, rad, and the load on the load point, base axes.
+pub type OwnRun = ([f64; 6], Wrench);
+
+/// The runs of a table of one's own: each posture and load once, whatever number of markers.
+pub fn own(planned: &Measurements) -> Vec<OwnRun> {
+    let mut runs: Vec<(OwnRun, Vector3<f64>)> = Vec::new();
+    for reading in &planned.readings {
+        let run = (reading.q, reading.load);
+        // The same again with the same marker is another run.
+        if !runs.iter().any(|(known, marker)| *known == run && *marker != reading.marker_at) {
+            runs.push((run, reading.marker_at));
+        }
+    }
+    runs.into_iter().map(|(run, _)| run).collect()
+}
+
+/// What a plan of one's own is worth among the same candidates: its value and efficiency.
+///
+/// # Errors
+/// As [`plan`], and where it does not show a drive that the candidates show.
+pub fn compare(robot: &Robot, options: &Options, runs: &[OwnRun], watch: Watch) -> Result<(f64, f64), MeasureError> {
+    let parts = watch.parts(None);
+    let found = Search::of(robot, options, &parts)?;
+    let shares = found.shares(&parts)?;
+    let mut matrix = Matrix6::zeros();
+    for (q, load) in runs {
+        matrix += information(robot, q, load, options)?;
+    }
+    let value = found.kept.value(&matrix).ok_or_else(|| MeasureError::Blind(found.weakest(&matrix)))?;
+    Ok((value, shares.bound / runs.len() as f64 / value))
+}
+
+/// What one run tells of the compliances, 1/(rad/(N m))^2.
+fn information(robot: &Robot, q: &[f64; 6], load: &Wrench, options: &Options) -> Result<Matrix6<f64>, MeasureError> {
+    let columns = columns(robot, q, load, (options.load_at, &options.markers))?;
+    let sum = columns.iter().flatten().map(|row| row * row.transpose()).sum::<Matrix6<f64>>();
+    Ok(sum / options.sigma.powi(2))
+}
+
+/// Of every marker three rows: by how much each coordinate grows with the compliance of each drive, m per rad/(N m).
+fn columns(
+    robot: &Robot,
+    q: &[f64; 6],
+    load: &Wrench,
+    (at, markers): (Vector3<f64>, &[Vector3<f64>]),
+) -> Result<Vec<[Vector6<f64>; 3]>, MeasureError> {
+    let (each, share) =
+        columns_at(robot, q, &load.0, &at, markers).map_err(|_| PostureError::Planar(robot.name.clone()))?;
+    // Beside a compensator the slope of kappa / (1 + kappa dK).
+    let slope = |j: usize| if j == 1 { share * share } else { 1.0 };
+    Ok(each
+        .into_iter()
+        .map(|columns| std::array::from_fn(|c| Vector6::from_fn(|j, _| slope(j) * columns[j][c])))
+        .collect())
+}
+
+/// How far markers move, m, with the compliances that the robot has.
+fn expected(robot: &Robot, q: &[f64; 6], load: &Wrench, options: &Options) -> Result<Vec<Vector3<f64>>, MeasureError> {
+    let Arm::SixAxis { drives, .. } = &robot.arm else { return Err(PostureError::Planar(robot.name.clone()).into()) };
+    let found = columns_at(robot, q, &load.0, &options.load_at, &options.markers);
+    let (each, share) = found.map_err(|_| PostureError::Planar(robot.name.clone()))?;
+    let k = |j: usize| drives.compliance.0[j] * if j == 1 { share } else { 1.0 };
+    Ok(each.into_iter().map(|columns| (0..6).map(|j| columns[j] * k(j)).sum()).collect())
+}
+
+/// Candidates, and the criterion.
+struct Search<'a> {
+    robot: &'a Robot,
+    options: &'a Options,
+    candidates: Candidates,
+    kept: design::Kept,
+    work: usize,
+}
+
+impl<'a> Search<'a> {
+    fn of(robot: &'a Robot, options: &'a Options, parts: &Parts) -> Result<Self, MeasureError> {
+        for point in options.markers.iter().chain([&options.load_at, &options.tool]) {
+            check_tool(&Pose::translation(point.x, point.y, point.z))?;
+        }
+        let candidates = Candidates::of(robot, options, parts)?;
+        let kept = design::Kept::of(&candidates.information).ok_or(MeasureError::NothingSeen)?;
+        let least = kept.drives.len().div_ceil(3 * options.markers.len().max(1)).max(2);
+        if options.runs < least {
+            return Err(MeasureError::TooFew { runs: options.runs, drives: kept.drives.len(), least });
+        }
+        let work: Vec<[f64; 6]> = if options.work.is_empty() {
+            candidates.postures.iter().copied().take(500).collect()
+        } else {
+            options.work.clone()
+        };
+        let mut weight = Matrix6::zeros();
+        for q in &work {
+            for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
+                for rows in columns(robot, q, &Wrench::force(axis), (options.tool, &[options.tool]))? {
+                    weight += rows.iter().map(|row| row * row.transpose()).sum::<Matrix6<f64>>();
+                }
+            }
+        }
+        let kept = kept.weighing(&(weight / (3 * work.len()) as f64));
+        Ok(Self { robot, options, candidates, kept, work: work.len() })
+    }
+
+    fn shares(&self, parts: &Parts) -> Result<Shares, Stopped> {
+        self.kept.shares(&self.candidates.information, parts)
+    }
+
+    fn exact(&self, shares: &Shares, runs: usize, parts: &Parts) -> Result<Chosen, Stopped> {
+        self.kept.exact(&self.candidates.information, shares, runs, parts)
+    }
+
+    /// The drive of which a matrix tells least.
+    fn weakest(&self, matrix: &Matrix6<f64>) -> usize {
+        let told = |drive: &usize| matrix[(*drive, *drive)];
+        self.kept.drives.iter().copied().min_by(|a, b| told(a).total_cmp(&told(b))).map_or(1, |drive| drive + 1)
+    }
+
+    fn plan(&self, shares: &Shares, chosen: &Chosen, parts: &Parts) -> Result<Plan, MeasureError> {
+        let Self { robot, options, candidates, kept, work } = self;
+        let Arm::SixAxis { limits, .. } = &robot.arm else {
+            return Err(PostureError::Planar(robot.name.clone()).into());
+        };
+        let run = |&index: &usize| {
+            let (q, way) = candidates.run(index, options.ways.len());
+            let load = Wrench::force(options.ways[way].along * options.newtons);
+            let expected = expected(robot, &q, &load, options)?;
+            Ok(Run { q, way, load, expected })
+        };
+        let mut runs: Vec<Run> = chosen.runs.iter().map(run).collect::<Result<_, MeasureError>>()?;
+        route::order(&mut runs, limits.speeds);
+        parts.one_more()?;
+        let count = options.runs as f64;
+        Ok(Plan {
+            runs,
+            value: chosen.value,
+            lower_bound: shares.bound / count,
+            shares_efficiency: shares.bound / shares.value,
+            random: kept.random(&candidates.information, options.runs),
+            unseen: (0..6).filter(|drive| !kept.drives.contains(drive)).collect(),
+            errors: kept.errors(&chosen.matrix),
+            candidates: candidates.information.len(),
+            work: *work,
+        })
+    }
+}
+
+/// Where a robot's flange stands, and how a posture is judged: the checks of a candidate.
+fn stands_free(robot: &Robot, q: &[f64; 6], options: &Options) -> Result<bool, MeasureError> {
+    let flange = compliance(robot, q, &Pose::identity())?.tool;
+    let seen = |at: &Vector3<f64>| {
+        let point = flange * nalgebra::Point3::from(*at);
+        let inside = |window: &[Interval; 3]| (0..3).all(|axis| window[axis].contains(point[axis], 0.0));
+        0.0 <= point.z && options.window.as_ref().is_none_or(inside)
+    };
+    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return Ok(false) };
+    let above = geometry.points(&geometry.model_angles(q, limits.third_axis))[2..].iter().all(|point| 0.0 <= point[2]);
+    Ok(above && options.markers.iter().chain([&options.load_at]).all(seen))
+}

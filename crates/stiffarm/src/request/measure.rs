@@ -1,0 +1,40 @@
+//! What does a request ask of a plan of measurements?
+
+use nalgebra::Vector3;
+
+use super::Request;
+use super::kind::Value;
+use crate::measure::Options;
+
+impl Request {
+    /// What is asked of a plan; the postures of the work are left out.
+    ///
+    /// # Panics
+    /// Of a verb that plans nothing.
+    pub fn measurement_plan(&self) -> Options {
+        let whole = |value| if let Value::Whole(whole) = value { Some(whole) } else { None };
+        let count = |name: &str| self.one(name, whole).expect("the row has a default");
+        let number = |name: &str| self.number(name).expect("the row has a default");
+        let points = self.points();
+        let load_at = Vector3::from(points.load.unwrap_or_default());
+        let markers: Vec<Vector3<f64>> = points.markers.iter().map(|marker| marker.at.into()).collect();
+        let window = self.one("window", |value| if let Value::Block(block) = value { Some(block) } else { None });
+        Options {
+            ways: self.all("loads", |value| if let Value::Way(way) = value { Some(way) } else { None }),
+            newtons: number("force-n"),
+            load_at,
+            markers: if markers.is_empty() { vec![load_at] } else { markers },
+            sigma: number("sigma-mm") / 1e3,
+            runs: count("runs"),
+            candidates: count("candidates"),
+            window: window.map(|block| [block.x, block.y, block.z]),
+            work: Vec::new(),
+            tool: self.held().tool().translation.vector,
+        }
+    }
+
+    /// A table of one's own.
+    pub fn compared(&self) -> Option<String> {
+        self.texts("compare").pop()
+    }
+}

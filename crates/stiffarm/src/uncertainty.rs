@@ -1,0 +1,204 @@
+//! How sure is a deflection, and how sure is the order of robots, as far as the drives may be stiffer or softer than is taken?
+//!
+//! Factors on the compliances are drawn (`prior`), and the deflection is computed again at the worst point of the place that was found: places are
+//! not sought anew. What is wrong for all robots alike is the same in a draw of each, so it widens the interval of a deflection and
+//! leaves the order as it is.
+
+use nalgebra::Vector3;
+
+use crate::compliance::{Posture, compliance};
+use crate::model::ModelKind;
+use crate::place::{Hold, Placement};
+use crate::prior::factors;
+use crate::rank::{Ranking, Row};
+use crate::robot::{Robot, Status};
+
+/// How many draws: probabilities are exact to a hundredth.
+pub const DRAWS: usize = 2000;
+/// Two robots tie where either is better in more than this share of the draws.
+const TIE: f64 = 0.05;
+
+/// Where a deflection lies with 90 %, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// Five of a hundred are less.
+    pub p05: f64,
+    /// Five of a hundred are more.
+    pub p95: f64,
+}
+
+impl Spread {
+    /// Of draws, at least one.
+    fn of(mut draws: Vec<f64>) -> Self {
+        draws.sort_by(f64::total_cmp);
+        let at = |share: f64| draws[((draws.len() - 1) as f64 * share).round() as usize];
+        Self { p05: at(0.05), p95: at(0.95) }
+    }
+}
+
+/// Deflections at a place that was found, m, draw by draw; `None` where nothing says how far the drives may be off, or the model cannot tell
+/// (a force of known direction in the arm plane).
+fn draws(robot: &Robot, kind: &ModelKind, is_worst: bool, placed: &Placement) -> Option<Vec<f64>> {
+    let factors = factors(robot, DRAWS)?;
+    let scaled = |ratio: f64| placed.deflection * ratio;
+    match (&placed.hold, kind) {
+        (Hold::Plane { posture: [shoulder, elbow], .. }, ModelKind::Planar) if is_worst => {
+            let arm = robot.arm_plane().ok()?.arm;
+            let (whole, _) = arm.worst_direction(*shoulder, *elbow);
+            let ratio = |factor: &[f64; 6]| {
+                let mut drawn = arm.clone();
+                (drawn.k2, drawn.k3) = (arm.k2 * factor[1], arm.k3 * factor[2]);
+                drawn.worst_direction(*shoulder, *elbow).0 / whole
+            };
+            (0.0 < whole).then(|| factors.iter().map(ratio).map(scaled).collect())
+        }
+        (Hold::Space(hold), ModelKind::Spatial(tool)) if is_worst => {
+            let posture = compliance(robot, &hold.joints, tool).ok()?;
+            let (whole, _) = posture.compliance.worst();
+            let ratio = |factor: &[f64; 6]| {
+                let parts = posture.by_drive.iter().zip(factor);
+                let drawn = parts.fold(posture.compliance.0 * 0.0, |sum, (part, factor)| sum + part.0 * *factor);
+                crate::spatial::Compliance(drawn).worst().0 / whole
+            };
+            (0.0 < whole).then(|| factors.iter().map(ratio).map(scaled).collect())
+        }
+        // Of a force whose direction is known the part of each drive grows with its compliance.
+        (Hold::Space(hold), ModelKind::Spatial(_)) => {
+            let ratio = |factor: &[f64; 6]| {
+                hold.shares.iter().zip(factor).map(|(share, factor)| share * factor).sum::<f64>().abs()
+            };
+            Some(factors.iter().map(ratio).map(scaled).collect())
+        }
+        _ => None,
+    }
+}
+
+/// Where the deflection at a place lies with 90 %; `None` where nothing says how far the drives may be off.
+pub fn spread(robot: &Robot, kind: &ModelKind, is_worst: bool, placed: &Placement) -> Option<Spread> {
+    draws(robot, kind, is_worst, placed).map(Spread::of)
+}
+
+/// Where the displacement of a posture under a force (N, base axes) lies with 90 %, m; `None` where nothing says how far the drives may be off.
+pub fn of_posture(robot: &Robot, posture: &Posture, force: &Vector3<f64>) -> Option<Spread> {
+    let parts = posture.by_drive.each_ref().map(|part| part.translation() * force);
+    let moved =
+        |factor: &[f64; 6]| parts.iter().zip(factor).map(|(part, factor)| part * *factor).sum::<Vector3<f64>>().norm();
+    factors(robot, DRAWS).map(|factors| Spread::of(factors.iter().map(moved).collect()))
+}
+
+/// How a robot stands at a task, over all draws.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chances {
+    /// In so many of them it has the least deflection.
+    pub win: f64,
+    /// How much more it has than the best of each, on average, m.
+    pub regret: f64,
+    /// No robot is better in nineteen draws of twenty: it ties with the best.
+    pub ties: bool,
+}
+
+/// Of every row and task; `None` where a robot has no place, is estimated (it cannot win), or nothing says how far its drives may be off.
+pub fn chances(ranking: &Ranking) -> Vec<Vec<Option<Chances>>> {
+    let is_worst = ranking.load.is_worst();
+    let tasks = ranking.tasks.len();
+    let drawn = |row: &Row, task: usize| {
+        let placed = row.placement(task).filter(|_| row.robot.status != Status::Estimated)?;
+        draws(&row.robot, &ranking.model, is_worst, placed)
+    };
+    let of_tasks: Vec<Vec<Option<Chances>>> =
+        (0..tasks).map(|task| of_task(&ranking.rows.iter().map(|row| drawn(row, task)).collect::<Vec<_>>())).collect();
+    (0..ranking.rows.len()).map(|row| of_tasks.iter().map(|of_task| of_task[row]).collect()).collect()
+}
+
+/// Of every robot at one task, by its draws; `None` where it has none, and where no two robots have.
+fn of_task(of_rows: &[Option<Vec<f64>>]) -> Vec<Option<Chances>> {
+    let mut found = vec![None; of_rows.len()];
+    let known: Vec<usize> = (0..of_rows.len()).filter(|&row| of_rows[row].is_some()).collect();
+    if known.len() < 2 {
+        return found;
+    }
+    let value = |row: usize, draw: usize| of_rows[row].as_ref().map_or(f64::INFINITY, |draws| draws[draw]);
+    let mut won = vec![0; of_rows.len()];
+    let mut regret = vec![0.0; of_rows.len()];
+    for draw in 0..DRAWS {
+        let Some(&best) = known.iter().min_by(|a, b| value(**a, draw).total_cmp(&value(**b, draw))) else { continue };
+        won[best] += 1;
+        for &row in &known {
+            regret[row] += (value(row, draw) - value(best, draw)) / DRAWS as f64;
+        }
+    }
+    let is_beaten = |row: usize, by: usize| {
+        let worse = (0..DRAWS).filter(|&draw| value(by, draw) < value(row, draw)).count();
+        1.0 - TIE < worse as f64 / DRAWS as f64
+    };
+    for &row in &known {
+        let ties = !known.iter().any(|&other| other != row && is_beaten(row, other));
+        found[row] = Some(Chances { win: f64::from(won[row]) / DRAWS as f64, regret: regret[row], ties });
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::{find, with_compliance};
+    use crate::load::Load;
+    use crate::place::PlaceOptions;
+    use crate::prior::with_prior;
+    use crate::rank::rank;
+    use crate::task::Task;
+
+    fn robot(name: &str) -> Robot {
+        with_prior(&find(name).unwrap_or_else(|| panic!("{name} is in the catalogue")).robot())
+            .expect("its size is known")
+    }
+
+    /// The draws of one robot as robots of their own: other code than scaled parts.
+    #[test]
+    fn a_draw_is_what_a_robot_with_such_drives_has_at_that_place() {
+        let robot = robot("KR 210 R2700-2");
+        let task: Task = "A:0.3".parse().unwrap();
+        let options = PlaceOptions::under(Load::PAPER);
+        let placed = crate::place::place_task(&ModelKind::Planar.of(&robot).unwrap(), &task, &options).unwrap();
+        let placed = placed.feasible().unwrap();
+        let (Hold::Plane { posture: [shoulder, elbow], .. }, Some(found)) =
+            (&placed.hold, draws(&robot, &ModelKind::Planar, true, placed))
+        else {
+            panic!("in the plane")
+        };
+        let k = robot.drive_compliance().map(|k| k.unwrap());
+        for (factor, found) in factors(&robot, 5).unwrap().iter().zip(&found) {
+            let drawn = with_compliance(&robot, std::array::from_fn(|i| k[i] * factor[i] * 1e6)).unwrap();
+            let (sigma, _) = drawn.arm_plane().unwrap().arm.worst_direction(*shoulder, *elbow);
+            assert!((sigma * 1000.0 / found - 1.0).abs() < 1e-6, "{sigma} and {found}");
+        }
+        let Spread { p05, p95 } = spread(&robot, &ModelKind::Planar, true, placed).unwrap();
+        let inside = found.iter().filter(|value| p05 <= **value && **value <= p95).count();
+        assert!((1795..=1805).contains(&inside) && p05 < placed.deflection && placed.deflection < p95, "{inside}");
+    }
+
+    #[test]
+    fn chances_add_up_and_robots_that_are_alike_tie() {
+        let one = robot("KR 210 R2700-2");
+        let other = Robot { name: "the same again".into(), ..one.clone() };
+        // Four times as soft: beyond what any draw is likely to turn round.
+        let mut soft = Robot { name: "soft".into(), ..one.clone() };
+        let crate::robot::Arm::SixAxis { drives, .. } = &mut soft.arm else { unreachable!("six axes") };
+        drives.compliance.0 = drives.compliance.0.map(|k| 40.0 * k);
+        let nothing = find("KR 210 R2700 extra").unwrap().robot();
+        let task: Task = "A:0.3".parse().unwrap();
+        let options = PlaceOptions::under(Load::PAPER);
+        let ranking =
+            rank(&[one, other, soft, nothing], &[task], &ModelKind::Planar, &options, crate::watch::Watch::nobody())
+                .unwrap();
+        let found: Vec<(String, Option<Chances>)> =
+            ranking.rows.iter().zip(chances(&ranking)).map(|(row, of)| (row.robot.name.clone(), of[0])).collect();
+        let of = |name: &str| found.iter().find(|(known, _)| known == name).unwrap().1;
+        let [a, b, c] = ["KR 210 R2700-2", "the same again", "soft"].map(|name| of(name).unwrap());
+        assert!((a.win + b.win + c.win - 1.0).abs() < 1e-12);
+        // Half of 2000 draws, within four standard deviations.
+        assert!((a.win - 0.5).abs() < 0.045 && a.ties && b.ties && !c.ties && c.win < 0.01, "{found:?}");
+        assert!(c.regret > 10.0 * a.regret && 0.0 < a.regret);
+        assert_eq!(of("KR 210 R2700 extra"), None);
+    }
+}

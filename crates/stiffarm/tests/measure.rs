@@ -1,0 +1,172 @@
+//! Is a plan of measurements what it says: certified, shown, and good for an identification?
+
+use nalgebra::Vector3;
+use stiffarm::catalogue::find;
+use stiffarm::catalogue::measurements::{Measurements, Reading};
+use stiffarm::compliance::{beyond_limits, compliance};
+use stiffarm::identify::{Options as IdentifyOptions, identify};
+use stiffarm::interval::Interval;
+use stiffarm::measure::{LoadWay, MeasureError, Options, compare, over, plan};
+use stiffarm::prior::with_prior;
+use stiffarm::robot::{Arm, Robot};
+use stiffarm::spatial::{Pose, Wrench};
+use stiffarm::task::Zone;
+use stiffarm::watch::Watch;
+
+fn kuka() -> Robot {
+    with_prior(&find("KR 210 R2700 extra").unwrap().robot()).unwrap()
+}
+
+fn way(name: &str, along: [f64; 3]) -> LoadWay {
+    LoadWay { name: name.into(), along: along.into() }
+}
+
+fn usual() -> Options {
+    let at = Vector3::new(0.0, 0.1, 0.25);
+    Options {
+        ways: vec![way("down", [0.0, 0.0, -1.0]), way("left", [0.0, 1.0, 0.0]), way("ahead", [1.0, 0.0, 0.0])],
+        newtons: 1000.0,
+        load_at: at,
+        markers: vec![at],
+        sigma: 2e-5,
+        runs: 12,
+        candidates: 900,
+        window: None,
+        work: Vec::new(),
+        tool: at,
+    }
+}
+
+#[test]
+fn a_plan_is_certified_and_far_better_than_chance() {
+    let robot = kuka();
+    let found = plan(&robot, &usual(), Watch::nobody()).unwrap();
+    assert_eq!((found.runs.len(), found.unseen.len(), found.candidates), (12, 0, 900));
+    assert!(0.9 < found.efficiency() && found.efficiency() <= 1.0 + 1e-12, "{}", found.efficiency());
+    assert!(0.99 < found.shares_efficiency, "{}", found.shares_efficiency);
+    assert!(found.lower_bound / found.random < 0.8, "random choices are as good: {}", found.lower_bound / found.random);
+    for run in &found.runs {
+        assert!(beyond_limits(&robot, &run.q).is_empty());
+        // What is expected is what the compliance of the posture says.
+        let posed = compliance(&robot, &run.q, &Pose::translation(0.0, 0.1, 0.25)).unwrap();
+        let (moved, _) = posed.compliance.deflection(&run.load);
+        assert!((moved - run.expected[0]).norm() < 1e-12 && 0.0 <= posed.tool.translation.z);
+    }
+    assert_eq!(found, plan(&robot, &usual(), Watch::nobody()).unwrap(), "the same again");
+    // Its own runs, judged as a table of somebody.
+    let own: Vec<_> = found.runs.iter().map(|run| (run.q, run.load)).collect();
+    let (value, efficiency) = compare(&robot, &usual(), &own, Watch::nobody()).unwrap();
+    assert!((value / found.value - 1.0).abs() < 1e-9 && (efficiency / found.efficiency() - 1.0).abs() < 1e-9);
+}
+
+/// Under weights alone nothing turns drive 1, whatever the posture.
+#[test]
+fn drives_that_the_loads_do_not_show_are_named_and_the_others_planned() {
+    let options = Options { ways: vec![way("down", [0.0, 0.0, -1.0])], ..usual() };
+    let found = plan(&kuka(), &options, Watch::nobody()).unwrap();
+    assert_eq!(found.unseen, [0]);
+    assert_eq!(found.errors[0], None);
+    assert!(found.errors[1..].iter().all(Option::is_some) && 0.9 < found.efficiency());
+}
+
+/// Measured as planned, each drive is as far off as was expected: of 40 tables the rms of six errors, over what is expected, has a
+/// standard deviation of 1/sqrt(2 40) = 11 %; four of these.
+#[test]
+fn errors_are_as_large_as_expected_when_measured_as_planned() {
+    let robot = kuka();
+    let found = plan(&robot, &usual(), Watch::nobody()).unwrap();
+    let truth = robot.drive_compliance().map(|k| k.unwrap());
+    let mut rng = fastrand::Rng::with_seed(8);
+    let mut normal = || (-2.0 * (1.0 - rng.f64()).ln()).sqrt() * (std::f64::consts::TAU * rng.f64()).cos();
+    let mut squares = [0.0; 6];
+    for _ in 0..40 {
+        let readings = found.runs.iter().enumerate().map(|(i, run)| {
+            let noise = 2e-5 * Vector3::from_fn(|_, _| normal());
+            let at = usual().load_at;
+            Reading {
+                row: i + 1,
+                posture: i,
+                q: run.q,
+                load: run.load,
+                load_at: at,
+                marker_at: at,
+                moved: run.expected[0] + noise,
+                sigma: None,
+            }
+        });
+        let measured = Measurements { readings: readings.collect(), remarks: Vec::new() };
+        let told = identify(&robot, &measured, &IdentifyOptions::default(), Watch::nobody()).unwrap();
+        for (i, one) in told.estimates.iter().enumerate() {
+            squares[i] += ((one.compliance.unwrap() - truth[i]) / found.errors[i].unwrap()).powi(2) / 40.0;
+        }
+    }
+    for square in squares {
+        assert!((square.sqrt() - 1.0).abs() < 0.45, "{squares:?}");
+    }
+}
+
+#[test]
+fn a_zone_as_work_changes_the_plan_and_a_window_is_kept() {
+    let robot = kuka();
+    let work =
+        over(&robot, &Pose::translation(0.0, 0.0, 0.2), Zone::Rectangle { width: 0.5, height: 0.3 }, Watch::nobody())
+            .unwrap();
+    assert!(9 <= work.len(), "{}", work.len());
+    // All of the zone on one level, the tool down.
+    let heights: Vec<f64> = work
+        .iter()
+        .map(|q| {
+            let tool = compliance(&robot, q, &Pose::translation(0.0, 0.0, 0.2)).unwrap().tool;
+            assert!((tool.rotation * Vector3::z() + Vector3::z()).norm() < 1e-9);
+            tool.translation.z
+        })
+        .collect();
+    assert!(heights.iter().all(|z| (z - heights[0]).abs() < 1e-9));
+    let wide = |min: f64, max: f64| Interval::spanning(min, max);
+    let window = [wide(0.8, 2.0), wide(-0.7, 0.7), wide(0.4, 1.6)];
+    let options = Options { work, window: Some(window), tool: Vector3::new(0.0, 0.0, 0.2), ..usual() };
+    let found = plan(&robot, &options, Watch::nobody()).unwrap();
+    for run in &found.runs {
+        let at = compliance(&robot, &run.q, &Pose::translation(0.0, 0.1, 0.25)).unwrap().tool.translation.vector;
+        assert!((0..3).all(|axis| window[axis].contains(at[axis], 1e-12)), "{at}");
+    }
+    let anywhere = plan(&robot, &Options { work: Vec::new(), ..options.clone() }, Watch::nobody()).unwrap();
+    assert_ne!(found.runs, anywhere.runs);
+}
+
+#[test]
+fn the_way_is_shorter_than_as_chosen_and_no_piece_of_it_can_be_turned_round() {
+    let robot = kuka();
+    let Arm::SixAxis { limits, .. } = &robot.arm else { unreachable!("six axes") };
+    let speeds = limits.speeds.unwrap_or([1.0; 6]);
+    let found = plan(&robot, &usual(), Watch::nobody()).unwrap();
+    let time = |a: &[f64; 6], b: &[f64; 6]| (0..6).map(|i| (a[i] - b[i]).abs() / speeds[i]).fold(0.0, f64::max);
+    let length = |runs: &[[f64; 6]]| runs.windows(2).map(|two| time(&two[0], &two[1])).sum::<f64>();
+    let runs: Vec<[f64; 6]> = found.runs.iter().map(|run| run.q).collect();
+    for start in 1..runs.len() {
+        for end in start + 1..=runs.len() {
+            let mut turned = runs.clone();
+            turned[start..end].reverse();
+            assert!(length(&runs) <= length(&turned) + 1e-9);
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_planned_is_refused_with_the_reason() {
+    let robot = kuka();
+    let far = Interval::spanning(50.0, 60.0);
+    let nowhere = Options { window: Some([far; 3]), ..usual() };
+    assert_eq!(plan(&robot, &nowhere, Watch::nobody()).unwrap_err(), MeasureError::NoCandidate);
+    assert!(matches!(
+        plan(&robot, &Options { runs: 1, ..usual() }, Watch::nobody()),
+        Err(MeasureError::TooFew { least: 2, .. })
+    ));
+    let blind = [([0.0, -1.2, 1.2, 0.0, 0.5, 0.0], Wrench::force(Vector3::new(0.0, 0.0, -1000.0))); 5];
+    assert!(matches!(compare(&robot, &usual(), &blind, Watch::nobody()), Err(MeasureError::Blind(1))));
+    assert!(matches!(
+        over(&robot, &Pose::identity(), Zone::Circle { diameter: 9.0 }, Watch::nobody()),
+        Err(MeasureError::NoPlace(_))
+    ));
+    assert!(plan(&robot, &Options { tool: Vector3::new(50.0, 0.0, 0.0), ..usual() }, Watch::nobody()).is_err());
+}
