@@ -12,6 +12,7 @@ import stiffarm
 from stiffarm import types
 
 HERE = Path(__file__).parent
+EXAMPLES = HERE.parents[2] / "docs/examples"
 JOINTS = np.random.default_rng(3).uniform(-90, 90, (4, 6))
 SPACE = {"model": "spatial", "tool_mm": (100, 0, 200), "roll_deg": 0}
 ANSWERS = {
@@ -30,8 +31,12 @@ ANSWERS = {
     "section": lambda: stiffarm.map("BT200L", size=6, model="spatial"),
     "posture": lambda: stiffarm.compliance("BT200L", joints_deg=JOINTS[0]),
     "posture under a force": lambda: stiffarm.compliance("BT200L", joints_deg=JOINTS[0], force_n=(1, 2, 3)),
+    "by the prior": lambda: stiffarm.rank(["KR 210 R2700 extra", "KR 210 R2700-2"], tasks=["A:0.3", "A:9"], stiffness="prior"),
+    "identify": lambda: stiffarm.identify(EXAMPLES / "fanuc_r2000ic.csv", robot=EXAMPLES / "fanuc_r2000ic.toml", model="base-and-tool"),
+    "measure": lambda: stiffarm.measure("KR 210 R2700 extra", runs=6, candidates=200),
 }
-KEYS = {"Placement": "PlacementDict", "Ranking": "RankingDict", "Study": "StudyDict", "Map": "MapDict", "Compliance": "ComplianceDict"}
+KEYS = {"Placement": "PlacementDict", "Ranking": "RankingDict", "Study": "StudyDict", "Map": "MapDict", "Compliance": "ComplianceDict", "Identification": "IdentificationDict",
+        "MeasurementPlan": "MeasurementPlanDict"}  # fmt: skip
 
 
 def fits(value, kind, where):

@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ calls = {
     "rank": lambda: stiffarm.rank("all", tasks="rect:0.4x0.3", **tool),
     "rank in the plane": lambda: stiffarm.rank("all", tasks=[f"rect:{0.3 + i / 1e5}x0.2" for i in range(4000)], angle="free"),
     "map": lambda: stiffarm.map(robot, size=2000, model="spatial", tool_mm=tool["tool_mm"]),
+    "measure": lambda: stiffarm.measure(robot, candidates=1_000_000, runs=1000),
     "study": lambda: stiffarm.study(sizes=[i / 1000 for i in range(1, 1000)], ratios=[0.5 + i / 200 for i in range(160)]),
 }
 stiffarm.set_threads(int(sys.argv[1]) or None)
@@ -43,17 +45,20 @@ def test_ctrl_c_ends_every_call(threads):
     done = subprocess.run([sys.executable, "-c", INTERRUPTED, threads], capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     lines = done.stdout.splitlines()
-    assert len(lines) == 6 and all("is interrupted" in line for line in lines), done.stdout
+    assert len(lines) == 7 and all("is interrupted" in line for line in lines), done.stdout
     # Within a second where the machine does nothing else; here only that nobody has waited for the answer.
     assert all(float(line.split()[-3]) < 15 for line in lines), done.stdout
 
 
+EXAMPLES = Path(__file__).parents[3] / "docs/examples"
 CALLS = {
     "place": lambda **more: stiffarm.place("KR 210 R2700 extra", task="rect:0.8x0.5", angle="free", within_m="0.9..1.9,0..0.8", **more),
     "rank": lambda **more: stiffarm.rank(["BT200L", "KR 210 R2700 extra"], tasks=["A:0.1", "B:0.5", "A:9"], **more),
     "map": lambda **more: stiffarm.map("BT200L", size=300, **more),
     "study": lambda **more: stiffarm.study(**more),
     "compliance": lambda **more: stiffarm.compliance("BT200L", joints_deg=np.zeros((9000, 6)), **more),
+    "identify": lambda **more: stiffarm.identify(EXAMPLES / "fanuc_r2000ic.csv", robot=EXAMPLES / "fanuc_r2000ic.toml", model="auto", **more),
+    "measure": lambda **more: stiffarm.measure("KR 210 R2700 extra", candidates=400, **more),
 }
 
 
@@ -68,10 +73,10 @@ def test_a_callable_is_told_and_changes_nothing(call, threads):
         stiffarm.set_threads(None)
     assert answer == CALLS[call]() == CALLS[call](progress=True) == CALLS[call](progress=False)
     done, total = told[-1]
-    if call == "place":
+    if call in ("place", "measure"):
         assert 0 < done and total is None
     else:
-        assert done == total == {"rank": 6, "compliance": 3}.get(call, total)
+        assert done == total == {"rank": 6, "compliance": 3, "identify": 4}.get(call, total)
     assert told == sorted(told, key=lambda one: one[0])
 
 

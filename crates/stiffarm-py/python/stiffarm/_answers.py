@@ -169,6 +169,9 @@ class Compliance(Answer[ComplianceDict]):
     largest_mm: float | None
     #: (3,) the translation under it.
     deflection_mm: Array | None
+    #: 90 % of such drives give a length of more than p05 and less than p95; None where nothing says how far the drives may be off.
+    deflection_mm_p05: float | None
+    deflection_mm_p95: float | None
     #: (3,) the rotation under it.
     rotation_mrad: Array | None
 
@@ -238,6 +241,9 @@ class Placement(_Table[PlacementDict]):
     #: That there is no place is proved.
     proved: bool | None
     deflection_mm: float | None
+    #: 90 % of such drives give more than p05 and less than p95; None where nothing says how far the drives may be off.
+    deflection_mm_p05: float | None
+    deflection_mm_p95: float | None
     #: No allowed place has less.
     lower_bound_mm: float | None
     x_m: float | None
@@ -458,6 +464,13 @@ class MeasurementPlan(_Table[MeasurementPlanDict]):
 
     schema: Schema
     robot: str
+    vendor: str
+    architecture: str
+    architecture_assumed: bool
+    status: str
+    #: Who says how stiff the drives are taken to be.
+    stiffness_source: str
+    drive_urad_per_nm: list[float]
     #: What it is judged by.
     criterion: str
     #: (um/N)^2.

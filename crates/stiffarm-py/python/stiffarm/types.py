@@ -906,7 +906,7 @@ class _Placed(_Pass):
     """The zone as it was asked for."""
 
     model: str
-    """planar or spatial."""
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
 
     force_n: float
     """The cutting force."""
@@ -1071,7 +1071,7 @@ class Placed(_Placed, total=False):
     """The same for this task alone."""
 
     task_rank_tied: bool | None
-    """Some other robot cannot be told apart from it in this task."""
+    """Some other robot cannot be told apart from it by the proof in this task."""
 
 
 class PlacementDict(Placed):
@@ -1109,7 +1109,8 @@ class RankingRow(TypedDict):
     estimated, or of which nothing is known."""
 
     rank_tied: bool | None
-    """Some other robot cannot be told apart from it."""
+    """Some other robot cannot be told apart from it by the proof, the drives taken as they are told;
+    ties_with_best is about the drives."""
 
     planar_rank: int | None
     """The rank in the planar ranking of the same robots and tasks."""
@@ -1131,7 +1132,8 @@ class RankingRow(TypedDict):
     """How much more than the best it has on average, of each task."""
 
     ties_with_best: list[bool | None]
-    """No robot is better in 95 of a hundred draws, of each task."""
+    """The intervals of its stiffness and of the best one's overlap: no robot is better in 95 of a hundred draws
+    of the drives, of each task; rank_tied is about the proof."""
 
     cells: list[Placed]
     """One placement per task."""
@@ -1147,7 +1149,7 @@ class Winner(TypedDict):
     """The best robot whose geometry and limits are published."""
 
     told_apart: bool | None
-    """It is proved that no other is as good."""
+    """It is proved that no other is as good, the drives taken as they are told."""
 
     rivals: list[]
     """Robots of published geometry that may be as good as the best."""
@@ -1190,7 +1192,7 @@ class RankingDict(TypedDict):
     """What of the displacement counts: total, normal (to the face) or along (the force)."""
 
     model: str
-    """planar or spatial."""
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
 
     rows: list[RankingRow]
     """One entry per row."""
@@ -1217,7 +1219,7 @@ class ComparisonDict(TypedDict):
     """The deflection of the second over that of the first; null where one has no place."""
 
     told_apart: bool
-    """It is proved that no other is as good."""
+    """It is proved that no other is as good, the drives taken as they are told."""
 
     better: str | None
     """Which of the two is certainly better, a or b; null where they cannot be told apart."""
@@ -1316,7 +1318,7 @@ class _MapDict(TypedDict):
     """The compliance of each drive; null where a robot of two links has none."""
 
     model: str
-    """planar or spatial."""
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
 
     force_n: float
     """The cutting force."""
@@ -1365,7 +1367,7 @@ class _MapDict(TypedDict):
     """The smallest angle to a singular posture in the zone."""
 
     posture: list[list[str | None]] | None
-    """Its posture, from 1."""
+    """The configuration that holds a point."""
 
     roll_deg: list[list[float | None]] | None
     """About the tool axis."""
@@ -1436,7 +1438,7 @@ class FurtherSpring(TypedDict):
     identified: bool
     """The measurements show it, to half of itself or better."""
 
-    why_not: str
+    why_not: str | None
     """Why they do not."""
 
     used_urad_per_nm: float
@@ -1447,7 +1449,7 @@ class TriedModel(TypedDict):
     """A model that was tried."""
 
     model: str
-    """planar or spatial."""
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
 
     rms_left_out_mm: float | None
     """The same of each posture by the others; null where a posture alone shows some drive."""
@@ -1502,7 +1504,7 @@ class IdentificationDict(TypedDict):
     """How many rows."""
 
     model: str
-    """planar or spatial."""
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
 
     drives: list[IdentifiedDrive]
     """One entry per drive."""
@@ -1688,7 +1690,7 @@ class ComplianceDict(TypedDict):
     """The compliance of each drive; null where a robot of two links has none."""
 
     model: str
-    """planar or spatial."""
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
 
     joints_deg: list[float]
     """Joint angles as the robot reports them, deg."""

@@ -38,6 +38,15 @@ one.to_dict()["worst"]  # type: ignore[typeddict-item]
 many = stiffarm.compliance("BT200L", joints_deg=np.zeros((2, 6)))
 many.joints_deg  # type: ignore[union-attr]
 
+found = stiffarm.identify("measured.csv", robot="BT200L")
+found.drives[0]["compliance"]  # type: ignore[typeddict-item]
+found.residuals[0]["sigma"]  # type: ignore[typeddict-item]
+stiffarm.identify("measured.csv", robot="BT200L", fit="best")  # type: ignore[arg-type]
+plan = stiffarm.measure("BT200L")
+plan.runs[0]["joints"]  # type: ignore[typeddict-item]
+if plan.compared is not None:
+    plan.compared["name"]  # type: ignore[typeddict-item]
+
 wins = cluster.load("answers").wins()
 wins.rows[0]["shares"]  # type: ignore[typeddict-item]
 wins.to_dict()["row"]  # type: ignore[typeddict-item]

@@ -94,7 +94,7 @@ impl Seen {
             Kind::Nested => self.objects().is_some() || self.items.is_some(),
         };
         let candidates: Vec<&Field> = field::ALL.iter().filter(|field| field.key == key).collect();
-        candidates.iter().find(fits).or(candidates.last()).copied()
+        candidates.iter().find(fits).or(candidates.first()).copied()
     }
 }
 

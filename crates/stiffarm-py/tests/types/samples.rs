@@ -193,7 +193,7 @@ pub(crate) fn identifications() -> Vec<Value> {
     let all = [("model", "base-and-tool"), ("date", "2026-05-31")];
     vec![
         of(&[], None, |_| ()),
-        of(&all, Some(1e-5), |_| ()),
+        of(&all, Some(1e-5), |found| found.estimates.last_mut().unwrap().unknown = None),
         of(&all, None, unseen),
         of(&[("model", "auto")], None, |_| ()),
         of(&[("model", "auto")], None, unseen),

@@ -116,7 +116,7 @@ fields! {
     DRIVE_COMPLIANCE: "drive_urad_per_nm", numbers(Unit::MicroradianPerNewtonMetre, &["k1_urad_per_nm", "k2_urad_per_nm", "k3_urad_per_nm", "k4_urad_per_nm", "k5_urad_per_nm", "k6_urad_per_nm"]),
         "The compliance of each drive; null where a robot of two links has none.";
     TASK: "task", Kind::Text, "The zone as it was asked for.";
-    MODEL: "model", Kind::Text, "planar or spatial.";
+    MODEL: "model", Kind::Text, "planar or spatial; of an identification what springs: drives, base, tool or base-and-tool.";
     FORCE: "force_n", Kind::Number(Unit::Newton), "The cutting force.";
     FORCE_AXES: "force_axes", Kind::Text, "Along which axes its direction is told: base (ahead, left, up) or tool (feed, across, axial); null for the worst.";
     FORCE_DIRECTION: "force_direction", numbers(Unit::One, &["force_direction_1", "force_direction_2", "force_direction_3"]), "Its unit direction along these axes.";
@@ -142,7 +142,7 @@ fields! {
     DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";
     WIN_PROBABILITY: "win_probability", Kind::Nested, "How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing says how its drives may be.";
     EXPECTED_REGRET: "expected_regret_mm", Kind::Nested, "How much more than the best it has on average, of each task.";
-    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "No robot is better in 95 of a hundred draws, of each task.";
+    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "The intervals of its stiffness and of the best one's overlap: no robot is better in 95 of a hundred draws of the drives, of each task; rank_tied is about the proof.";
     X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base.";
     Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
     BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
@@ -206,9 +206,9 @@ fields! {
     FAILS_PROVED: "fails_proved", Kind::Truth, "That no place of that passes is proved.";
     TRIED: "tried", Kind::Count, "How many zones were placed for it.";
     RANK: "rank", Kind::Count, "One more than the robots that are certainly better, their values below its bound; none for a robot that is estimated, or of which nothing is known.";
-    RANK_TIED: "rank_tied", Kind::Truth, "Some other robot cannot be told apart from it.";
+    RANK_TIED: "rank_tied", Kind::Truth, "Some other robot cannot be told apart from it by the proof, the drives taken as they are told; ties_with_best is about the drives.";
     TASK_RANK: "task_rank", Kind::Count, "The same for this task alone.";
-    TASK_RANK_TIED: "task_rank_tied", Kind::Truth, "Some other robot cannot be told apart from it in this task.";
+    TASK_RANK_TIED: "task_rank_tied", Kind::Truth, "Some other robot cannot be told apart from it by the proof in this task.";
     PLANAR_RANK: "planar_rank", Kind::Count, "The rank in the planar ranking of the same robots and tasks.";
     BOUND: "bound_mm", Kind::Number(Unit::Millimetre), "Deflection at the stiffest posture of the links.";
     MEAN_RATIO: "mean_ratio", Kind::Number(Unit::One), "How much worse than the best of each task, geometric mean.";
@@ -221,7 +221,7 @@ fields! {
     BEST_WITH_ESTIMATED: "best_with_estimated", Kind::Text, "The best robot of all.";
     BEST_SERIAL: "best_serial", Kind::Text, "The best serial robot.";
     BEST_QUASI_SERIAL: "best_quasi_serial", Kind::Text, "The best quasi-serial robot.";
-    TOLD_APART: "told_apart", Kind::Truth, "It is proved that no other is as good.";
+    TOLD_APART: "told_apart", Kind::Truth, "It is proved that no other is as good, the drives taken as they are told.";
     RIVALS: "rivals", Kind::Nested, "Robots of published geometry that may be as good as the best.";
     SETUP: "setup", Kind::Text, "a or b, of two that are compared.";
     SETUP_A: "a", Kind::Nested, "The first setup, as place tells it.";

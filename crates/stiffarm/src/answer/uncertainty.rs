@@ -57,10 +57,16 @@ pub(super) fn sentences(ranking: &Ranking) -> Vec<String> {
         let ties: Vec<&str> =
             known.iter().filter(|(_, one)| one.ties).map(|(row, _)| row.robot.name.as_str()).collect();
         let tied = match ties.len() {
-            0 | 1 if first.win < 0.95 => "no two tie".to_owned(),
+            0 | 1 if first.win < 0.95 => "the stiffness of no two overlaps".to_owned(),
             0 | 1 => "it wins for sure".into(),
-            count if count <= MOST_NAMED => format!("ties: {}", ties.join(", ")),
-            count => format!("{count} robots tie, as no other beats them in 95 % of the draws"),
+            count if count <= MOST_NAMED => {
+                format!("the intervals of the stiffness overlap, so these tie: {}", ties.join(", "))
+            }
+            count => {
+                format!(
+                    "the intervals of the stiffness overlap: {count} robots tie, as no other beats them in 95 % of the draws"
+                )
+            }
         };
         told.push(format!(
             "{}: stiffest in so many of {DRAWS} draws of the drives: {}; {tied}.",

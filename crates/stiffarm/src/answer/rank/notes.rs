@@ -28,7 +28,7 @@ impl RankAnswer {
             Some(_) => "; - no place was found (`stiffarm place --model spatial` says why)\n",
         };
         if rows.iter().any(|row| row.rank.is_some_and(|rank| rank.is_tied)) {
-            notes += "#: one more than the robots that are certainly better, which their values and the proved bounds decide; = cannot be told apart from some other\n";
+            notes += "#: one more than the robots that are certainly better, which their values and the proved bounds decide; = cannot be told apart from some other by the proof\n";
         }
         notes += margins::SHORT;
         if in_plane.is_some() {
