@@ -47,11 +47,16 @@ pub fn stiffness(robot: &Robot) -> String {
 
 /// By which factors 90 % of drives differ from that.
 fn within(robot: &Robot) -> String {
+    let [least, most] = factors(robot);
+    format!("90 % within a factor of {} to {}", digits(least, 2), digits(most, 2))
+}
+
+/// The same for the drive of which most is known, and of which least is.
+fn factors(robot: &Robot) -> [f64; 2] {
     /// Five of a hundred are beyond so many standard deviations.
     const NINETY: f64 = 1.645;
     let factors = robot.scatter().map_or([1.0; 6], Scatter::total).map(|sd| (NINETY * sd).exp());
-    let (least, most) = (factors.into_iter().fold(f64::INFINITY, f64::min), factors.into_iter().fold(1.0, f64::max));
-    format!("90 % within a factor of {} to {}", digits(least, 2), digits(most, 2))
+    [factors.into_iter().fold(f64::INFINITY, f64::min), factors.into_iter().fold(1.0, f64::max)]
 }
 
 /// In how many postures, when, and what was not seen there.
@@ -67,14 +72,25 @@ fn measured(robot: &Robot) -> String {
 /// Of some robots, in the order in which they are met.
 pub fn stiffnesses<'a>(robots: impl IntoIterator<Item = &'a Robot>) -> String {
     let mut groups: Vec<(String, Vec<&str>)> = Vec::new();
+    let robots: Vec<&Robot> = robots.into_iter().collect();
+    let are_several = robots.iter().any(|robot| robot.drive_compliance() != robots[0].drive_compliance());
+    let scattered: Vec<[f64; 2]> =
+        robots.iter().filter(|robot| are_several && robot.scatter().is_some()).map(|robot| factors(robot)).collect();
     for robot in robots {
-        let told = stiffness(robot);
+        // Numbers of one robot are of use; of many, who says so.
+        let told = match robot.stiffness_source() {
+            StiffnessSource::Published if are_several => "drives as published".to_owned(),
+            StiffnessSource::Prior if are_several => "drives by the prior for payload and reach".into(),
+            _ => stiffness(robot),
+        };
         match groups.iter_mut().find(|(known, _)| *known == told) {
             Some((_, names)) => names.push(&robot.name),
             None => groups.push((told, vec![&robot.name])),
         }
     }
-    if let [(told, _)] = groups.as_slice() {
+    if let [(told, _)] = groups.as_slice()
+        && scattered.is_empty()
+    {
         return told.clone();
     }
     let more: usize = groups.iter().skip(MOST_TOLD).map(|(_, names)| names.len()).sum();
@@ -83,7 +99,12 @@ pub fn stiffnesses<'a>(robots: impl IntoIterator<Item = &'a Robot>) -> String {
     if 0 < more {
         told.push(format!("others on {more} more (`stiffarm robots show NAME`)"));
     }
-    told.join("; ")
+    let named = told.join("; ");
+    if scattered.is_empty() {
+        return named;
+    }
+    let (least, most) = scattered.iter().fold((f64::INFINITY, 1.0_f64), |(a, b), [c, d]| (a.min(*c), b.max(*d)));
+    format!("{named}; 90 % of drives within a factor of {} to {} of that", digits(least, 2), digits(most, 2))
 }
 
 fn of(names: &[&str]) -> String {

@@ -42,6 +42,13 @@ pub(super) fn put_chances(record: &mut Record, of_row: &[Option<Chances>]) {
         .put(field::TIES_WITH_BEST, ties);
 }
 
+/// How many robots tie at each task by what is known of the drives; none where no two say how far these may be off.
+pub(super) fn ties(ranking: &Ranking) -> Vec<usize> {
+    let found = chances(ranking);
+    let of = |task: usize| found.iter().filter(|row| row[task].is_some_and(|one| one.ties)).count();
+    (0..ranking.tasks.len()).map(of).collect()
+}
+
 /// How sure the order is, task by task; nothing where no robot says how far its drives may be off.
 pub(super) fn sentences(ranking: &Ranking) -> Vec<String> {
     let found = chances(ranking);

@@ -88,9 +88,11 @@ impl RankAnswer {
                 list(&winners)
             );
         }
-        let decided =
-            self.tasks_by_robot(|task| ranking.best_published(task).filter(|_| ranking.rivals(task).is_empty()));
-        let open: Vec<String> = (0..ranking.tasks.len()).filter_map(|task| self.not_told_apart(task)).collect();
+        let ties = uncertainty::ties(ranking);
+        let is_alone = |task: usize| ranking.rivals(task).is_empty() && ties[task] < 2;
+        let decided = self.tasks_by_robot(|task| ranking.best_published(task).filter(|_| is_alone(task)));
+        let told = |task: usize| self.not_told_apart(task).or_else(|| self.tied_by_drives(task, ties[task]));
+        let open: Vec<String> = (0..ranking.tasks.len()).filter_map(told).collect();
         let under = format!("Under {}", words::acting(ranking.load));
         match (decided.as_slice(), open.is_empty()) {
             (decided, true) => format!("{under} take {}.", list(decided)),
@@ -116,6 +118,13 @@ impl RankAnswer {
         let more = if more == 0 { String::new() } else { format!(" and {more} more") };
         let label = &self.ranking.tasks[task].label;
         Some(format!("{} and {}{more} cannot be told apart on {label}", told(best), names.join(", ")))
+    }
+
+    /// The best of a task that is none by what is known of the drives: so many tie.
+    fn tied_by_drives(&self, task: usize, ties: usize) -> Option<String> {
+        let best = self.ranking.best_published(task).filter(|_| 1 < ties)?;
+        let (name, label) = (best.robot.full_name(), &self.ranking.tasks[task].label);
+        Some(format!("{name} gives way least on {label}, but by what is known of the drives {ties} robots tie"))
     }
 
     /// Where the planar model alone would have chosen another robot.
