@@ -196,9 +196,8 @@ impl Cell {
         for (i, side) in block.sides().into_iter().enumerate() {
             let at = translation.vector[i];
             match [away[i], along[i]].map(|part| LEVEL < part.abs()) {
-                [true, true] => return None,
                 [false, false] if side.contains(at, 0.0) => {}
-                [false, false] => return None,
+                [true, true] | [false, false] => return None,
                 [moves_away, _] => {
                     let (which, part) = if moves_away { (0, away[i]) } else { (1, along[i]) };
                     crossed[which] = crossed[which].intersect(side.affine(1.0 / part, -at / part))?;
