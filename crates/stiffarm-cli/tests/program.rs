@@ -213,7 +213,11 @@ fn what_makes_no_sense_is_refused_with_what_to_do() {
             "--component normal to the face is a matter of the spatial model",
         ),
         (&["map", "BT200L", "--force-n", "1,2,3"], 2, "--force-n pushes with 2 N across the arm plane"),
-        (&["place", "BT200L", "--task", "A:0.1", "--force-n", "3,0,4"], 1, "a force of known direction"),
+        (
+            &["place", "BT200L", "--task", "A:0.1", "--force-n", "3,2,4"],
+            2,
+            "--force-n pushes with 2 N across the arm plane",
+        ),
         (&["map", "BT200L", "--within", "1..2,.."], 2, "--within needs --zone"),
         (&["study", "--ratios", "nan"], 2, "for '--ratios <RATIOS>': expected a number from 0.05"),
         (&["study", "--compare", "serial"], 2, "--compare has 1 architectures; expected two"),
@@ -603,7 +607,7 @@ fn a_robot_with_a_compensator_is_a_row_that_says_why_and_alone_a_refusal_with_ad
     assert!(last["cells"][0]["reason"].as_str().unwrap().contains("gravity compensator"), "{last}");
     let csv = run(&[&both[..], &["--format", "csv"]].concat());
     let line = csv.lines().nth(2).unwrap();
-    assert!(line.starts_with(",,,,geared wrist") && line.contains("gravity compensator"), "{csv}");
+    assert!(line.starts_with(",,,,,,geared wrist") && line.contains("gravity compensator"), "{csv}");
     for alone in [
         &["rank", "--robots", &file, "--task", "A:0.5"][..],
         &["place", &file, "--task", "A:0.5"],

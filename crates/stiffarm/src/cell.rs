@@ -9,6 +9,8 @@ use crate::spatial::Pose;
 
 /// So many windows, and so many boxes that are kept free, a cell has at most.
 pub const MOST_BLOCKS: usize = 8;
+/// A direction that rises by less than this part of its length is level.
+const LEVEL: f64 = 1e-9;
 /// What is open ends here, m: farther than any arm reaches.
 const FAR: f64 = 60.0;
 
@@ -184,6 +186,27 @@ impl Cell {
         asked || self.windows().next().is_some() || self.keep_out().next().is_some()
     }
 
+    /// Where the half plane from the joint-1 axis at a bearing, rad in base axes, crosses a block: away from that axis and along it, m from the
+    /// base. `None` where it passes it by, or, of a base that leans, where what it cuts out is no upright rectangle.
+    pub fn crossing(&self, block: &Block, bearing: f64) -> Option<[Interval; 2]> {
+        let Pose { rotation, translation } = self.mount.cell_from_base;
+        let away = rotation * Vector3::new(bearing.cos(), bearing.sin(), 0.0);
+        let along = rotation * Vector3::z();
+        let mut crossed = [Interval::new(0.0, f64::INFINITY)?, Interval::ALL];
+        for (i, side) in block.sides().into_iter().enumerate() {
+            let at = translation.vector[i];
+            match [away[i], along[i]].map(|part| LEVEL < part.abs()) {
+                [false, false] if side.contains(at, 0.0) => {}
+                [true, true] | [false, false] => return None,
+                [moves_away, _] => {
+                    let (which, part) = if moves_away { (0, away[i]) } else { (1, along[i]) };
+                    crossed[which] = crossed[which].intersect(side.affine(1.0 / part, -at / part))?;
+                }
+            }
+        }
+        Some(crossed)
+    }
+
     /// How far from the joint-1 axis and how high above the base, along it, a point of a window may lie, m: a box about all windows;
     /// `None` where there are no windows.
     pub(crate) fn around(&self) -> Option<[Interval; 2]> {
@@ -241,6 +264,27 @@ mod tests {
         assert!(Mount::ceiling(3.0).is_vertical() && !Mount::wall(1.0).is_vertical());
         let heights = Mount::ceiling(3.0).heights_from_base(Interval::spanning(0.5, 1.0));
         assert!((heights.min() - 2.0).abs() < 1e-12 && (heights.max() - 2.5).abs() < 1e-12, "{heights:?}");
+    }
+
+    /// By hand: straight ahead, at 45 degrees, and of a wall, whose robot's upwards is the cell's x, and its ahead down.
+    #[test]
+    fn a_half_plane_from_the_joint_1_axis_crosses_a_block_where_a_drawing_says() {
+        let box_ = block([1.0, 3.0], [-1.0, 4.0], [0.8, 1.0]);
+        let close = |found: Option<[Interval; 2]>, expected: [f64; 4]| {
+            let [r, z] = found.unwrap();
+            let found = [r.min(), r.max(), z.min(), z.max()];
+            assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{found:?} {expected:?}");
+        };
+        let pedestal = Cell::of(Mount::pedestal(0.5));
+        close(pedestal.crossing(&box_, 0.0), [1.0, 3.0, 0.3, 0.5]);
+        let root = 2_f64.sqrt();
+        close(pedestal.crossing(&box_, PI / 4.0), [root, 3.0 * root, 0.3, 0.5]);
+        // To the right the y side ends at 1 m, where x is no more than 1 m: at 45 degrees it touches a corner, at 80 it passes by.
+        assert_eq!(pedestal.crossing(&box_, -80_f64.to_radians()), None);
+        assert_eq!(pedestal.crossing(&box_, PI), None);
+        close(Cell::of(Mount::wall(2.0)).crossing(&box_, 0.0), [1.0, 1.2, 1.0, 3.0]);
+        let leaning = Mount { kind: MountKind::Pose, cell_from_base: Pose::rotation(Vector3::y() * 0.3) };
+        assert_eq!(Cell::of(leaning).crossing(&box_, 0.0), None);
     }
 
     #[test]

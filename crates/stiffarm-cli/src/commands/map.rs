@@ -151,6 +151,7 @@ impl<'a> Drawn<'a> {
         let (colour_label, origin) = (self.colour_label(), self.origin());
         let mut scene = scene(model, self.posture, self.mark);
         scene.windows.extend(placed.iter().flat_map(|zone| zone.windows()).map(|within| [within.x, within.z]));
+        scene.keep_outs.extend(placed.iter().flat_map(|zone| zone.keep_outs()).map(|block| [block.x, block.z]));
         scene.force = force(self.answer.options.load);
         let edge = match model {
             Model::Planar(model) => Some((model.arm(), model.axis_from_base())),

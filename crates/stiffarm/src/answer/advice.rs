@@ -89,15 +89,15 @@ pub(super) fn sentence(advice: &Advice, (task, load): Asked) -> String {
     };
     let size = match zone.holds {
         Some((scale, _)) => {
-            format!("a zone of {} of the size ({})", down(scale), task.scaled(scale).describe())
+            format!(" or by a zone of {} of the size ({})", down(scale), task.scaled(scale).describe())
         }
-        None => "no zone of this shape".into(),
+        None => format!(" and by no zone of this shape down to {} of its size", percentages(&[SMALLEST])),
     };
     let softest = at
         .softest()
         .map_or_else(String::new, |(drive, share)| format!("; drive {drive} gives {}", percentages(&[share])));
     format!(
-        "it is kept up to {newtons} N ({} of the force), with drives {} times as stiff, or by {size}{softest}; if compensation takes out 80 %, \
+        "it is kept up to {newtons} N ({} of the force), with drives {} times as stiff,{size}{softest}; if compensation takes out 80 %, \
          which is assumed, {} mm are left",
         down(factor),
         up(at.stiffness_factor),

@@ -13,15 +13,14 @@ pub(super) fn window(options: &PlaceOptions, model: &ModelKind, robot: &Robot) -
     options.margins.part_of(within, robot).unwrap_or(within)
 }
 
-/// The same as a picture of the plane straight ahead shows it, the column left out; nothing where it may stand anywhere, or where a cell has
-/// windows of its own.
+/// The same as a picture of the plane straight ahead shows it, the column left out; nothing where it may stand anywhere.
 pub(super) fn windows(options: &PlaceOptions, model: &ModelKind, robot: &Robot) -> Vec<Within> {
     let aside = match (model, &robot.arm) {
         (ModelKind::Planar, Arm::SixAxis { geometry, .. }) => geometry.b,
         _ => 0.0,
     };
     let mut windows = options.margins.windows(options.within(model), robot, aside);
-    windows.retain(|within| *within != Within::ANYWHERE && options.cell.is_none());
+    windows.retain(|within| *within != Within::ANYWHERE);
     windows
 }
 

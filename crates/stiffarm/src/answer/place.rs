@@ -8,7 +8,7 @@ use super::stiffness::{self, stiffness};
 use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm};
 use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, uncertainty, with_schema, words};
 use crate::advice::Advice;
-use crate::cell::Cell;
+use crate::cell::{Cell, Window};
 use crate::interval::Interval;
 use crate::map::{Held, MapOptions, Spacing};
 use crate::model::{Model, ModelKind};
@@ -158,9 +158,28 @@ impl PlaceAnswer {
         }
     }
 
-    /// Where a picture of the plane straight ahead shows that the zone may stand, m from the base.
+    /// Where a picture of the plane straight ahead of the answer shows that the zone may stand, m from the base.
     pub fn windows(&self) -> Vec<Within> {
-        margins::windows(&self.options, &self.model, &self.robot)
+        let Some(cell) = self.options.cell else { return margins::windows(&self.options, &self.model, &self.robot) };
+        let crossed = |window: Window| match window {
+            Window::Block(block) => cell.crossing(&block, self.bearing()),
+            Window::Ring { ahead, z } => Some([ahead, cell.mount.heights_from_base(z)]),
+        };
+        cell.windows().filter_map(crossed).map(|[x, z]| Within { x, z }).collect()
+    }
+
+    /// What must be kept free in that plane.
+    pub fn keep_outs(&self) -> Vec<Within> {
+        let Some(cell) = self.options.cell else { return Vec::new() };
+        cell.keep_out()
+            .filter_map(|block| cell.crossing(&block, self.bearing()))
+            .map(|[x, z]| Within { x, z })
+            .collect()
+    }
+
+    /// In which direction from the joint-1 axis the zone lies, rad; straight ahead where there is none.
+    fn bearing(&self) -> f64 {
+        self.best().and_then(Placement::space).map_or(0.0, |hold| hold.bearing)
     }
 
     /// A map of what is reached, held as the zone is.

@@ -177,7 +177,9 @@ pub fn clearance(clearance: &Clearance) -> Line {
 /// Where a zone may stand, and what that counts from.
 pub fn window(within: &Within, origin: &str) -> String {
     let range = |range: Interval| {
-        let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
+        // A tenth of a millimetre: the column of a robot is an estimate.
+        let rounded = |x: f64| ((x * 1e4).round() / 1e4 + 0.0).to_string();
+        let end = |x: f64| if x.is_finite() { rounded(x) } else { String::new() };
         format!("{}..{}", end(range.min()), end(range.max()))
     };
     if *within == Within::ANYWHERE {

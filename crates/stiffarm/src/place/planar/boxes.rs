@@ -1,4 +1,4 @@
-//! Sets of places: how they are split, and what all places of a set have in common.
+//! Places and sets of them: how these are split, and what all places of a set have in common.
 
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -12,6 +12,23 @@ use crate::task::Zone;
 /// Slack within which a box is given up: less than what a place is granted, so that a box about to become a point
 /// either goes or holds a place, and more than rounding, so that no place within its limits is lost.
 pub(super) const BOX_SLACK: f64 = SLACK / 2.0;
+
+/// A place on one elbow side, in the zone's own axes from the joint-2 axis, and the turn that carries these axes into the arm plane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub(super) side: usize,
+    pub(super) centre: Vector2<f64>,
+    pub(super) turn: f64,
+}
+
+/// The worst of a zone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Worst {
+    /// What counts there, or, where that was asked for, what is proved of all points, m/N.
+    pub(super) compliance: f64,
+    /// Where, in the zone's own axes from the joint-2 axis.
+    pub(super) point: Vector2<f64>,
+}
 
 /// A set of places on one elbow side, and a lower bound on their compliance.
 #[derive(Clone, Copy, Debug)]

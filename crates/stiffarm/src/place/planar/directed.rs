@@ -9,8 +9,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix2, Vector2};
 
-use super::boxes::Node;
-use super::objective::{Spot, Worst};
+use super::boxes::{Node, Spot, Worst};
 use super::turned;
 use crate::drive::Architecture;
 use crate::enclose::{Affine, Line, NodeBounds, add_squares, least_largest, sin_cos};

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector2;
 
-use super::boxes::Node;
+use super::boxes::{Node, Spot, Worst};
 use super::directed::{self, Directed, Effort};
 use crate::load::Sector;
 use crate::plane::{Elbow, PlanarArm, RadialCompliance};
@@ -10,23 +10,6 @@ use crate::task::Zone;
 
 /// Relative allowance for the rounding of a bound.
 const ROUNDING: f64 = 1e-12;
-
-/// A place on one elbow side, in the zone's own axes from the joint-2 axis, and the turn that carries these axes into the arm plane.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Spot {
-    pub(super) side: usize,
-    pub(super) centre: Vector2<f64>,
-    pub(super) turn: f64,
-}
-
-/// The worst of a zone.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Worst {
-    /// What counts there, or, where that was asked for, what is proved of all points, m/N.
-    pub(super) compliance: f64,
-    /// Where, in the zone's own axes from the joint-2 axis.
-    pub(super) point: Vector2<f64>,
-}
 
 /// From where to where the nearest and the farthest point of a zone lie over a box of places, m from the joint-2 axis.
 #[derive(Clone, Copy, Debug)]

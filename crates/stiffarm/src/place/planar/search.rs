@@ -10,10 +10,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::Vector2;
 
 use super::boxes::{
-    BOX_SLACK, Node, core, corners, cosine_over, hull, least_half_extents, least_span, meets, product, split,
+    BOX_SLACK, Node, Spot, Worst, core, corners, cosine_over, hull, least_half_extents, least_span, meets, product,
+    split,
 };
 use super::directed::Effort;
-use super::objective::{Distances, Objective, Spot, Worst};
+use super::objective::{Distances, Objective};
 use super::{Orientation, PlaceError, Question, Solution, Within, exact, turned};
 use crate::interval::Interval;
 use crate::plane::{ElbowSide, PlanarArm, SLACK, Shape};
