@@ -1151,7 +1151,7 @@ class Winner(TypedDict):
     told_apart: bool | None
     """It is proved that no other is as good, the drives taken as they are told."""
 
-    rivals: list[]
+    rivals: list[str]
     """Robots of published geometry that may be as good as the best."""
 
     best_with_estimated: str | None

@@ -99,6 +99,8 @@ pub(crate) fn rankings() -> Vec<Value> {
     };
     let estimated = find("Staubli TX340 SH").expect("in the catalogue").robot();
     let plane = ranked(&[kuka(), estimated, two_links()], &[("task", "A:0.3,A:9"), ("tolerance-mm", "2")]);
+    let twin = Robot { name: "its twin".into(), ..kuka() };
+    let alike = ranked(&[kuka(), twin], &[("task", "A:0.3")]);
     let mut unknown = ranked(&[kuka()], &[("task", "A:0.3")]);
     let row = &mut unknown.ranking.rows[0];
     row.cells[0] = Err(PlaceError::Unfinished { nodes: 1, lower: 1e-3, upper: 2e-3 });
@@ -113,7 +115,7 @@ pub(crate) fn rankings() -> Vec<Value> {
     ];
     let other = find("KR 210 R2700-2").expect("in the catalogue").robot();
     let scattered = ranked(&[kuka(), other], &[("task", "A:0.3,A:9"), ("stiffness", "prior")]);
-    [plane, unknown, space, ranked(&[kuka()], &directed), scattered].iter().map(RankAnswer::json).collect()
+    [plane, alike, unknown, space, ranked(&[kuka()], &directed), scattered].iter().map(RankAnswer::json).collect()
 }
 
 pub(crate) fn maps() -> Vec<Value> {
