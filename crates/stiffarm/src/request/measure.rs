@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::Request;
 use super::kind::Value;
+use super::{Request, Verb};
 use crate::measure::Options;
 
 impl Request {
@@ -33,8 +33,8 @@ impl Request {
         }
     }
 
-    /// A table of one's own.
+    /// A table of one's own; what a study compares is none.
     pub fn compared(&self) -> Option<String> {
-        self.texts("compare").pop()
+        if self.verb == Verb::Measure { self.texts("compare").pop() } else { None }
     }
 }
