@@ -69,7 +69,7 @@ fn a_map_in_space_is_written_as_it_was_when_it_was_held_whole() {
         let cells: Vec<Value> = layer.cells().into_iter().map(|cell| json!(cell)).collect();
         expected[layer.field.key] = cells.chunks(x.count).map(<[Value]>::to_vec).collect::<Value>();
     }
-    let asked = ["map", "BT200L", "--model", "spatial", "--size", "23", "--stiffness", "paper"];
+    let asked = ["map", "BT200L", "--model", "spatial", "--stiffness", "paper", "--size", "23"];
     assert_eq!(run(&[&asked[..], &["--format", "json"]].concat()), whole(&expected));
     let csv = run(&[&asked[..], &["--format", "csv"]].concat());
     assert_eq!(csv.lines().count(), 1 + x.count * z.count);

@@ -1109,8 +1109,7 @@ class RankingRow(TypedDict):
     estimated, or of which nothing is known."""
 
     rank_tied: bool | None
-    """Some other robot cannot be told apart from it by the proof, the drives taken as they are told;
-    ties_with_best is about the drives."""
+    """Some other robot cannot be told apart from it by the proof, the drives taken as they are told."""
 
     planar_rank: int | None
     """The rank in the planar ranking of the same robots and tasks."""
@@ -1133,7 +1132,7 @@ class RankingRow(TypedDict):
 
     ties_with_best: list[bool | None]
     """The intervals of its stiffness and of the best one's overlap: no robot is better in 95 of a hundred draws
-    of the drives, of each task; rank_tied is about the proof."""
+    of the drives, of each task; shared ranks are about the proof."""
 
     cells: list[Placed]
     """One placement per task."""

@@ -142,7 +142,7 @@ fields! {
     DEFLECTION_P95: "deflection_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";
     WIN_PROBABILITY: "win_probability", Kind::Nested, "How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing says how its drives may be.";
     EXPECTED_REGRET: "expected_regret_mm", Kind::Nested, "How much more than the best it has on average, of each task.";
-    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "The intervals of its stiffness and of the best one's overlap: no robot is better in 95 of a hundred draws of the drives, of each task; rank_tied is about the proof.";
+    TIES_WITH_BEST: "ties_with_best", Kind::Nested, "The intervals of its stiffness and of the best one's overlap: no robot is better in 95 of a hundred draws of the drives, of each task; shared ranks are about the proof.";
     X: "x_m", Kind::Number(Unit::Metre), "Ahead, from the base.";
     Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
     BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
@@ -206,7 +206,7 @@ fields! {
     FAILS_PROVED: "fails_proved", Kind::Truth, "That no place of that passes is proved.";
     TRIED: "tried", Kind::Count, "How many zones were placed for it.";
     RANK: "rank", Kind::Count, "One more than the robots that are certainly better, their values below its bound; none for a robot that is estimated, or of which nothing is known.";
-    RANK_TIED: "rank_tied", Kind::Truth, "Some other robot cannot be told apart from it by the proof, the drives taken as they are told; ties_with_best is about the drives.";
+    RANK_TIED: "rank_tied", Kind::Truth, "Some other robot cannot be told apart from it by the proof, the drives taken as they are told.";
     TASK_RANK: "task_rank", Kind::Count, "The same for this task alone.";
     TASK_RANK_TIED: "task_rank_tied", Kind::Truth, "Some other robot cannot be told apart from it by the proof in this task.";
     PLANAR_RANK: "planar_rank", Kind::Count, "The rank in the planar ranking of the same robots and tasks.";
