@@ -293,6 +293,9 @@ class Placement(_Table[PlacementDict]):
     #: What the tolerance says of force, stiffness and size: ``force_factor``, ``largest_force_n``, ``stiffness_factor``, ``softest_drive``,
     #: ``largest_zone`` and more; None where no tolerance was given, and in a ranking of all but the best robots.
     advice: AdviceDict | None
+    #: In a ranking: its rank in this task alone, and whether another cannot be told apart from it by the proof.
+    task_rank: int | None
+    task_rank_tied: bool | None
 
     #: Robot, task and options, from which a figure is drawn; of a ranking None.
     _asked: tuple[Any, str, dict[str, str]] | None

@@ -174,7 +174,9 @@ pub(crate) fn identifications() -> Vec<Value> {
         let asked = asked(Verb::Identify, &typed);
         let Measurements { mut readings, remarks } =
             measurements::read(&text("fanuc_r2000ic.csv"), "measured", &asked.points()).unwrap();
-        readings.iter_mut().for_each(|reading| reading.sigma = sigma);
+        for reading in &mut readings {
+            reading.sigma = sigma;
+        }
         let options = asked.identification();
         let measured = Measurements { readings, remarks };
         let mut found = identify(&robot, &measured, &options, Watch::nobody()).unwrap();
