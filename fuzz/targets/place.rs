@@ -80,7 +80,7 @@ fuzz_target!(|bytes: &[u8]| {
             assert!(best.deflection - best.lower_bound <= options.gap.unwrap_or(1e-4) * best.deflection * (1.0 + 1e-12), "{best:?}");
             let [x, z] = best.centre;
             assert!(x.hypot(z) <= (arm.l2 + arm.l3) * (1.0 + 1e-8), "{best:?}");
-            let Hold::Plane { posture: [shoulder, elbow] } = best.hold else { panic!("in the plane: {best:?}") };
+            let Hold::Plane { posture: [shoulder, elbow], .. } = best.hold else { panic!("in the plane: {best:?}") };
             let reached = arm.forward(shoulder, elbow);
             let missed = (reached.x - best.worst_point[0]).hypot(reached.y - best.worst_point[2]);
             // At the rim a slack of 1e-9 on the length is its square root on the angle.

@@ -81,7 +81,8 @@ def test_places():
         x, z = rim.get_xdata(), rim.get_ydata()
         assert ((x.min() + x.max()) / 2, (z.min() + z.max()) / 2) == pytest.approx((found.x_m, found.z_m), abs=1e-6)
         assert max(np.ptp(x), np.ptp(z)) <= 0.6 + 1e-9
-        assert "assumed" in ax.get_title(loc="left")
+        # In the plane the paper's springs, in space what is published.
+        assert ("published" if "model" in options else "assumed") in ax.get_title(loc="left")
     with pytest.raises(ValueError, match="one flat zone"):
         part = {"faces": "top", "angle": 0, "model": "spatial"}
         plot.place(stiffarm.place("KR 210 R2700 extra", task="box:0.3x0.2x0.1", **part))
@@ -106,7 +107,7 @@ def test_compliances():
     # What the drives give adds up to the whole.
     assert sum(patch.get_width() for patch in ax.patches) == pytest.approx(found.principal_um_per_n[2])
     assert "µm/N" in ax.get_xlabel() and len(ax.texts) == 6
-    assert "stiffness of the drives assumed" in ax.get_title(loc="left")
+    assert "stiffness of the drives: published" in ax.get_title(loc="left")
 
 
 def test_maps_of_one_scale_with_tolerance_force_and_margins():

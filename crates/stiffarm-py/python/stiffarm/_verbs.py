@@ -267,8 +267,10 @@ def compare(
     a, b : Robot or str
         Robots, or paths of job files for `place` (TOML), which may say more: one robot with two tools takes two of them. What a job
         file says comes before the keywords, which are asked of both.
-    {progress}
     {options}
+    progress : bool or callable, optional
+        True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
+        parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
 
     Returns
     -------
@@ -302,8 +304,10 @@ def identify(
         Whatever has ``to_csv`` (pandas) or ``write_csv`` (polars) will do.
     robot : Robot or str
         The robot that was measured.
-    {progress}
     {options}
+    progress : bool or callable, optional
+        True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
+        parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
 
     Returns
     -------
@@ -330,8 +334,10 @@ def measure(
     ----------
     robot : Robot or str
         Which.
-    {progress}
     {options}
+    progress : bool or callable, optional
+        True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
+        parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
 
     Returns
     -------
