@@ -9,7 +9,7 @@ use clap_complete::Shell;
 use stiffarm::catalogue::files;
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
-use stiffarm::request::{Pair, Refusal, Request, Spelling, Verb, job, number, open_range};
+use stiffarm::request::{Kind, Pair, Refusal, Request, Spelling, Verb, job, number, open_range};
 
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
@@ -24,13 +24,15 @@ const ABOUT: &str =
 const PAPER: &str = "Make every table and figure of the paper under its number, in the folder given with -o";
 
 /// The verbs of the library, with a line of help each.
-const VERBS: [(Verb, &str); 8] = [
+const VERBS: [(Verb, &str); 10] = [
     (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
     (Verb::Place, "Find the best place of one zone, with a proof"),
     (Verb::Map, "Map the deflection over everything a robot reaches"),
     (Verb::Compliance, "Six-axis compliance at one posture, and which drive gives how much"),
     (Verb::Study, "Compare two architectures over link ratio and task size"),
     (Verb::Compare, "Two setups side by side: robots, tools, places; each may be a job file for place"),
+    (Verb::Force, "Cutting force of a process: mean, extremes, moment and power"),
+    (Verb::Mill, "Read a toolpath, and tell what is understood of it"),
     (Verb::Measure, "Plan which postures and loads to measure, so that identify finds the drives"),
     (Verb::Identify, "Find how stiff the drives of a robot are, from deflections that were measured"),
 ];
@@ -172,17 +174,22 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
     Ok((Task::Ask(request), common))
 }
 
-/// The job in a file, where it is one; nothing where it is a robot's.
+/// The job in a file, where it is one; nothing where it is a robot's, a process or a path.
 fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
     let path = Path::new(name);
-    // One robot or one table may stand here as well; of two setups neither stands alone.
+    // One robot, table, process or path may stand here as well; of two setups neither stands alone.
     let takes_another = positional_rows(verb).count() == 1;
     if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
         let others = if verb == Verb::Compare { "or two setups" } else { "robots are named by --robots" };
         let why = format!("'{name}' is no job file; expected a name that ends in .toml, {others}");
         return if takes_another { Ok(None) } else { Err(Failure::Usage(why)) };
     }
-    let text = files::text(path)?;
+    let takes_file = positional_rows(verb).any(|row| row.kind == Kind::File);
+    let text = match files::text(path) {
+        // A file that the command itself reads, and tells what is wrong with it.
+        Err(_) if takes_file => return Ok(None),
+        read => read?,
+    };
     if takes_another && !job::is_job(&text) {
         return Ok(None);
     }
@@ -201,7 +208,7 @@ fn save(request: &Request, file: &Path, common: &Common) -> Result<(), Failure> 
         return Err(Failure::Usage(format!("--save-job cannot write {shown}: expected a name that ends in .toml")));
     }
     let mut inputs = request.robots();
-    inputs.extend(request.robot());
+    inputs.extend([request.robot(), request.path(), request.process()].into_iter().flatten());
     inputs.extend(request.setups().into_iter().flatten());
     inputs.extend(request.data());
     inputs.extend(request.compared());

@@ -5,12 +5,14 @@ use std::path::{Path, PathBuf};
 
 use stiffarm::catalogue::files::{LoadError, Unreadable, shown};
 use stiffarm::catalogue::import::ImportError;
+use stiffarm::cutting::CuttingError;
 use stiffarm::map::MapError;
 use stiffarm::model::ModelError;
 use stiffarm::place::PlaceError;
 use stiffarm::rank::RankError;
 use stiffarm::request::{Refusal, SetupError};
 use stiffarm::robot::NoArmPlane;
+use stiffarm::toolpath::PathFault;
 
 /// Every way in which a command ends without an answer.
 #[derive(Debug, thiserror::Error)]
@@ -87,6 +89,20 @@ pub(crate) enum Failure {
         error: ImportError,
         /// Whether the user has said at which links the arm begins and ends.
         ends_are_given: bool,
+    },
+    /// A toolpath that is not read.
+    #[error(transparent)]
+    Path(#[from] PathFault),
+    /// A process file with faults.
+    #[error("{0}")]
+    ProcessFile(stiffarm::catalogue::Faults),
+    /// A process of which no force is told.
+    #[error("{file}: {error}")]
+    Process {
+        /// Which.
+        file: String,
+        /// Why.
+        error: CuttingError,
     },
     /// Wrong usage that clap cannot see.
     #[error("{0}")]
@@ -237,6 +253,8 @@ impl Failure {
             Self::Unreadable(unreadable) => unreadable.advice(),
             Self::RobotFile(_) => "`stiffarm robots show BT200L -o example.toml` writes a complete robot file to compare with",
             Self::Import { error, ends_are_given } => import_hint(error, *ends_are_given),
+            Self::Path(_) => "`stiffarm mill --help` lists what can be said of a path whose file is silent; a CAM program can write what is refused as plain moves",
+            Self::ProcessFile(_) | Self::Process { .. } => "docs/examples/endmill.toml is a complete process file to compare with",
             Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
             Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",
             Self::Measure { .. } => "--help behind the command tells its options: --loads, --window, --load-mm, --marker-mm",

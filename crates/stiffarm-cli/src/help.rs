@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 16] = [
+const ABOUT: [About; 18] = [
     About {
         name: "rank",
         files: "the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -142,6 +142,22 @@ const ABOUT: [About; 16] = [
                 "stiffarm identify measurements.csv --robot \"R-2000iC/165F\" --marker-mm \"top=0,100,150;side=0,-100,150\" -o fit.svg",
                 "two markers, and a figure of what remains",
             ),
+        ],
+    },
+    About {
+        name: "force",
+        files: "the force over a revolution as .csv or .parquet, the answer as .json, .md or .txt, the force across the tool axis as .svg, \
+                .pdf or .png",
+        is_long: false,
+        examples: &[("stiffarm force endmill.toml -o force.svg", "a process file, and its figure")],
+    },
+    About {
+        name: "mill",
+        files: "what is understood as .csv, .parquet, .json, .md or .txt",
+        is_long: false,
+        examples: &[
+            ("stiffarm mill part.nc --dry", "lengths, moves, extents, feed rates, what was assumed and what ignored"),
+            ("stiffarm mill points.csv --columns x_mm,y_mm,z_mm,i,j,k --dry --format json", "a table without a header"),
         ],
     },
     About {

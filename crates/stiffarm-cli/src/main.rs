@@ -52,6 +52,8 @@ fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
             Verb::Compare => commands::compare::run(asked, common),
             Verb::Identify => commands::identify::run(asked, common),
             Verb::Measure => commands::measure::run(asked, common),
+            Verb::Mill => commands::mill::run(asked, common),
+            Verb::Force => commands::force::run(asked, common),
             Verb::List => commands::robots::listed(&[], asked, common),
         },
         Task::List(words, asked) => commands::robots::listed(words, asked, common),

@@ -5,9 +5,9 @@ use std::ffi::OsStr;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command};
-use stiffarm::request::{Absent, Pair, SETTINGS, Setting, Spelling, Verb};
+use stiffarm::request::{Absent, Kind, Pair, SETTINGS, Setting, Spelling, Verb};
 
-/// The id of the argument that takes a job file, or what the verb is about.
+/// The id of the argument that takes a job file, or what the verb has without a name: a robot, a table, a path.
 const POSITIONAL: &str = "positional";
 /// The id of `--save-job`.
 pub(crate) const SAVE_JOB: &str = "save-job";
@@ -88,14 +88,18 @@ fn argument(setting: &'static Setting) -> Arg {
         arg = arg.value_parser(Words(setting.kind.words()));
     }
     match setting.absent {
-        Absent::Default(text) => arg.default_value(text),
+        Absent::Default(text) if setting.kind != Kind::Flag => arg.default_value(text),
         _ => arg,
     }
 }
 
 /// What an option takes, and how often: the library counts.
 fn takes(setting: &Setting, arg: Arg) -> Arg {
-    arg.value_name(setting.value).action(ArgAction::Append).allow_hyphen_values(setting.kind.may_be_negative())
+    let arg = arg.value_name(setting.value).action(ArgAction::Append);
+    if setting.kind == Kind::Flag {
+        return arg.num_args(0).default_missing_value("true");
+    }
+    arg.allow_hyphen_values(setting.kind.may_be_negative())
 }
 
 /// Tells the words there are in help; the library checks them.
@@ -135,7 +139,7 @@ pub(crate) fn typed(matches: &ArgMatches) -> Vec<Pair> {
     names.into_iter().filter(given).flat_map(|name| -> Vec<Pair> { texts(name) }).collect()
 }
 
-/// What stands without names: the robot, the table, two setups, or a job file.
+/// What stands without names: the robot, the table, the path, two setups, or a job file.
 pub(crate) fn positionals_of(matches: &ArgMatches) -> Vec<&String> {
     matches.get_many::<String>(POSITIONAL).into_iter().flatten().collect()
 }

@@ -16,6 +16,7 @@ mod drawn;
 mod json;
 mod numbers;
 mod palette;
+mod paths;
 mod pool;
 mod robot;
 mod verbs;
@@ -47,6 +48,8 @@ mod _stiffarm {
     use super::drawn::drawn_place;
     #[pymodule_export]
     use super::palette::{colours, looks};
+    #[pymodule_export]
+    use super::paths::{force, mill};
     #[pymodule_export]
     use super::pool::set_threads;
     #[pymodule_export]

@@ -31,7 +31,7 @@ use crate::waiting::Progress;
 
 type Answer<'py> = PyResult<Bound<'py, PyAny>>;
 /// An answer, and its rows as columns for data frames.
-type WithColumns<'py> = PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>)>;
+pub(crate) type WithColumns<'py> = PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>)>;
 
 /// A robot's place among those given, its rank and whether that is tied, and its mean ratio.
 type Stood = (usize, Option<usize>, Option<bool>, Option<f64>);
@@ -42,7 +42,7 @@ pub(crate) fn of<E: ToString>(robot: &Arms) -> impl Fn(E) -> PyErr {
 }
 
 /// Rows as columns: numbers as arrays in which NaN stands for what is absent, everything else as lists in which None does.
-fn columns<'py>(py: Python<'py>, rows: &Rows) -> PyResult<Bound<'py, PyDict>> {
+pub(crate) fn columns<'py>(py: Python<'py>, rows: &Rows) -> PyResult<Bound<'py, PyDict>> {
     let columns = PyDict::new(py);
     for (i, column) in rows.columns().iter().enumerate() {
         let cells = rows.iter().map(|row| row[i].clone());

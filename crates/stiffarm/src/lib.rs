@@ -15,11 +15,11 @@
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
 //!
 //! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only at
-//! the borders: [`catalogue`] reads robot files, [`request`] what people ask, [`answer`] tells what was found.
+//! the borders: [`catalogue`] reads robot and process files, [`toolpath`] paths, [`request`] what people ask, [`answer`] tells what was found.
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
-//! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
+//! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
+//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`stock`], [`mill`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`measure`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
@@ -31,6 +31,9 @@
 //!   comparison analysis and architecture limitations*.
 //! - **\[OPW\]** M. Brandstoetter, A. Angerer, M. Hofbaur, *An analytical solution of the inverse kinematics problem of
 //!   industrial serial manipulators with an ortho-parallel basis and a spherical wrist*, 2014.
+//! - **\[Altintas\]** Y. Altintas, *Manufacturing Automation: Metal Cutting Mechanics, Machine Tool Vibrations, and CNC Design*, 2nd ed.,
+//!   2012, chapter 2.
+//! - **\[Kienzle\]** O. Kienzle, *Die Bestimmung von Kraeften und Leistungen an spanenden Werkzeugen*, VDI-Z 94 (1952).
 //! - **\[theory\]** `docs/theory.md` of this repository: the formulas with their derivation.
 
 pub mod advice;
@@ -42,6 +45,7 @@ pub mod catalogue;
 pub mod cell;
 pub mod clearance;
 pub mod compliance;
+pub mod cutting;
 pub mod drive;
 mod enclose;
 mod follow;
@@ -54,6 +58,7 @@ pub mod limits;
 pub mod load;
 pub mod map;
 pub mod measure;
+pub mod mill;
 pub mod model;
 pub mod palette;
 pub mod part;
@@ -67,9 +72,11 @@ pub mod request;
 pub mod robot;
 mod root;
 pub mod spatial;
+pub mod stock;
 pub mod study;
 pub mod task;
 mod tolerances;
+pub mod toolpath;
 pub mod uncertainty;
 pub mod watch;
 mod work;

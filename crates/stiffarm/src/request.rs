@@ -11,6 +11,7 @@ mod kind;
 mod measure;
 mod notation;
 mod options;
+mod path;
 mod refusal;
 mod settings;
 mod sides;

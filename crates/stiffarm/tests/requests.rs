@@ -133,6 +133,11 @@ fn told(request: &Request) -> String {
             let (data, robot) = (request.data().ok(), request.robot().ok());
             format!("{data:?} {robot:?} {:?} {:?}", request.points(), request.identification())
         }
+        Verb::Mill => {
+            let (path, format) = (request.path().ok(), request.path_format("a").ok());
+            format!("{path:?} {format:?} {} {:?} {:?}", request.is_dry(), request.read_options(), request.steps())
+        }
+        Verb::Force => format!("{:?}", request.process().ok()),
     });
     told.join(" ")
 }

@@ -12,6 +12,7 @@ mod canvas;
 pub(crate) mod compare;
 mod contour;
 pub(crate) mod face;
+pub(crate) mod hodograph;
 pub(crate) mod identify;
 mod labels;
 mod legend;

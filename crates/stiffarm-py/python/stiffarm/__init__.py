@@ -11,6 +11,7 @@ A robot and a task go in; each verb is one function:
 `compare`      which of two setups is better, and is that proved?
 `identify`     how stiff are the drives, by measured deflections?
 `measure`      which postures and loads must be measured for that?
+`force`        with what force does a process push on its tool?
 ============== ==========================================================
 
 Units stand in the names: ``force_n``, ``tool_mm``, ``deflection_mm``. The numbers are those of the program `stiffarm`, to
@@ -27,21 +28,24 @@ from ._answers import (
     Comparison,
     Compliance,
     Compliances,
+    Force,
     Identification,
     Map,
     MeasurementPlan,
     Placement,
     Ranking,
     Study,
+    Toolpath,
 )
 from ._stiffarm import Robot, StiffarmError, __version__, set_threads
-from ._verbs import cell, compare, compliance, identify, map, measure, place, rank, robots, study
+from ._verbs import cell, compare, compliance, force, identify, map, measure, mill, place, rank, robots, study
 
 __all__ = [
     "Answer",
     "Comparison",
     "Compliance",
     "Compliances",
+    "Force",
     "Identification",
     "Map",
     "MeasurementPlan",
@@ -50,13 +54,16 @@ __all__ = [
     "Robot",
     "StiffarmError",
     "Study",
+    "Toolpath",
     "__version__",
     "cell",
     "compare",
     "compliance",
+    "force",
     "identify",
     "map",
     "measure",
+    "mill",
     "place",
     "rank",
     "robots",

@@ -10,9 +10,9 @@ import numpy as np
 from ._given import Array
 from ._stiffarm import Robot, StiffarmError
 from .types import (
-    AdviceDict, Boundary, CellDict, ComparedTable, ComparisonDict, ComplianceDict, ExpectedDrive, FaceDict, FurtherSpring, IdentificationDict,
+    AdviceDict, Boundary, CellDict, ComparedTable, ComparisonDict, ComplianceDict, ExpectedDrive, FaceDict, ForceDict, FurtherSpring, IdentificationDict,
     IdentifiedDrive, MapDict, MeasurementPlanDict, MeasurementRun, Placed, PlacementDict, RankingDict, RankingRow, ReadingRemainder, Resolution,
-    Schema, StudyDict, StudyRow, TriedModel, Winner,
+    Schema, StudyDict, StudyRow, ToolpathDict, TriedModel, Winner,
 )  # fmt: skip
 
 if TYPE_CHECKING:
@@ -572,3 +572,71 @@ class Map(_Table[MapDict]):
     def _words(self) -> str:
         nz, nx = self.values_mm.shape
         return f"{self.robot}: {nx} x {nz} points, {self.force_n:g} N, {self.model} model"
+
+
+class Force(_Table[ForceDict]):
+    """The force of a process on its tool: along the feed, across (left of the feed), axial (away from the work)."""
+
+    _arrays = ("mean_n", "max_n", "min_n")
+
+    schema: Schema
+    process: str
+    #: Where the force comes from.
+    law: str
+    material: str | None
+    #: How well its numbers are known: ``"published"`` or ``"unverified"``.
+    material_status: str | None
+    material_source: str | None
+    #: (3,) over a revolution; None where the force may point anywhere.
+    mean_n: Array | None
+    max_n: Array | None
+    min_n: Array | None
+    #: The largest size of the force over a revolution.
+    largest_n: float
+    moment_nm: float
+    power_w: float | None
+    spindle_rpm: float | None
+    entry_deg: float | None
+    exit_deg: float | None
+    assumed: list[str]
+
+    def _words(self) -> str:
+        mean = "in any direction" if self.mean_n is None else f"mean {np.round(self.mean_n, 2).tolist()} N"
+        return f"{self.process}: {mean}, at most {self.largest_n:.2f} N"
+
+
+class Toolpath(_Table[ToolpathDict]):
+    """What is understood of a toolpath."""
+
+    _arrays = ("box_m",)
+
+    schema: Schema
+    path: str
+    #: ``"gcode"``, ``"apt"``, ``"csv"`` or ``"built-in"``.
+    format: str
+    lines: int | None
+    feed_length_m: float
+    rapid_length_m: float
+    feed_moves: int
+    rapid_moves: int
+    #: Moves that are no part of the path.
+    machine_moves: int
+    arcs: int
+    full_circles: int
+    arc_length_m: float
+    #: (2, 3) two corners of the box about all feed moves.
+    box_m: Array | None
+    feed_mm_per_min: list[float] | None
+    time_s: float | None
+    tilt_deg: float
+    turn_deg: float
+    samples: int
+    chord_error_mm: float
+    arc_miss_mm: float
+    #: What the file leaves open and how it was taken.
+    assumed: list[str]
+    #: Words that move nothing.
+    ignored: list[str]
+
+    def _words(self) -> str:
+        return f"{self.path}: {self.feed_moves} feed moves, {self.feed_length_m * 1e3:.3f} mm, {self.arcs} arcs"

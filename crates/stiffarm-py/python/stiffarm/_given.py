@@ -45,6 +45,13 @@ def whole(name: str, value: object, least: int, most: int) -> int:
     return found
 
 
+def truth(name: str, value: object) -> bool:
+    """Yes or no."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise StiffarmError(f"{name}={_short(value)}; expected True or False")
+    return bool(value)
+
+
 def numbers(name: str, values: object) -> Array:
     """Float64 in one aligned piece; copied only where it is not that already."""
     _refuse_masked(name, values)

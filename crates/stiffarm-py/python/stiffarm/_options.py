@@ -34,6 +34,8 @@ class Option(NamedTuple):
         if self.default is None:
             return None
         parts = self.default.split(",") if self.is_list else [self.default]
+        if self.kind == "flag":
+            return self.default == "true"
         values = [float(part) if self.kind in ("number", "force") else int(part) if self.kind == "whole" else part for part in parts]
         return values[0] if len(values) == 1 else tuple(values)
 
@@ -71,6 +73,8 @@ def _text(option: Option, value: object) -> str | None:
         return ",".join(_given.texts(name, value)) or None
     if kind == "marker":
         return ";".join(_given.texts(name, value)) or None
+    if kind == "flag":
+        return str(_given.truth(name, value)).lower()
     if kind in ("text", "file", "date", "word", "robot", "task", "shape", "posture", "mount"):
         return _given.listed(name, value) if option.is_list else _given.text(name, value)
     if isinstance(value, str):

@@ -14,11 +14,13 @@ __all__ = [
     "__version__",
     "distinct",
     "drawn_place",
+    "force",
     "identify",
     "map",
     "compare",
     "matrices",
     "measure",
+    "mill",
     "options",
     "looks",
     "order",
@@ -127,4 +129,6 @@ def order(
 def map(
     robot: Robot, asked: dict[str, str], progress: _Told | None = None
 ) -> tuple[dict[str, Any], dict[str, npt.NDArray[np.float64]], dict[str, Any]]: ...
+def force(process: str) -> tuple[dict[str, Any], dict[str, Any]]: ...
+def mill(path: str, asked: dict[str, str]) -> tuple[dict[str, Any], dict[str, Any]]: ...
 def study(asked: dict[str, str], progress: _Told | None = None) -> tuple[dict[str, Any], dict[str, Any]]: ...

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, overload
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Comparison, Compliance, Compliances, Identification, Map, MeasurementPlan, Placement, Ranking, Study
+from ._answers import Comparison, Compliance, Compliances, Force, Identification, Map, MeasurementPlan, Placement, Ranking, Study, Toolpath
 from ._given import RobotLike
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
@@ -19,6 +19,7 @@ from .types import (
     IdentifyOptions,
     MapOptions,
     MeasureOptions,
+    MillOptions,
     PlaceOptions,
     PlacementDict,
     RankOptions,
@@ -352,3 +353,48 @@ def measure(
     asked = _options.spelt("measure", options)
     with told("planning", progress) as tell:
         return MeasurementPlan(*_stiffarm.measure(_given.robot(robot), asked, tell))
+
+
+def force(process: str | os.PathLike[str]) -> Force:
+    """The cutting force of a process, on the tool: mean over a revolution, extremes, moment and power.
+
+    Parameters
+    ----------
+    process : path
+        A process file (TOML): tool, material, engagement and spindle, or a force as it is.
+
+    Returns
+    -------
+    Force
+        Along the feed, across it (left of the feed, seen from the spindle) and axial (away from the work).
+
+    Raises
+    ------
+    StiffarmError
+        Where the file has faults: all of them, with their lines.
+    """
+    return Force(*_stiffarm.force(str(_given.path("process", process))))
+
+
+@_options.takes("mill", MillOptions)
+def mill(path: str | os.PathLike[str], **options: Unpack[MillOptions]) -> Toolpath:
+    """What is understood of a toolpath, with ``dry=True``.
+
+    Parameters
+    ----------
+    path : path or str
+        G-code, APT or CLS, a CSV table; or a path built in, with sizes in m: ``"circle:0.3"``, ``"rect:0.4x0.2"``, ``"line:0.5"``,
+        ``"raster:rect:0.4x0.2@0.02"``.
+    {options}
+
+    Returns
+    -------
+    Toolpath
+        Lengths, moves, extents, feed rates; what was assumed and what ignored.
+
+    Raises
+    ------
+    StiffarmError
+        Where the path is refused: its line, the word and what was expected.
+    """
+    return Toolpath(*_stiffarm.mill(os.fspath(path), _options.spelt("mill", options)))

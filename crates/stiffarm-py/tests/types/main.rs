@@ -15,7 +15,7 @@ use serde_json::Value;
 use stiffarm::request::{Absent, Kind, Setting, Verb};
 
 /// What is an argument of its own in Python.
-const NOT_KEYWORDS: [&str; 4] = ["robot", "robots", "joints-deg", "data"];
+const NOT_KEYWORDS: [&str; 5] = ["robot", "robots", "joints-deg", "data", "path"];
 const NONE: &[&str] = &[];
 const HEAD: &str = r#""""What goes in and what comes out, for type checkers: the options of every verb, and the keys of every answer.
 
@@ -55,6 +55,7 @@ fn written() -> String {
         ("Compare", "compare", Verb::Compare, &["a", "b"]),
         ("Identify", "identify", Verb::Identify, NONE),
         ("Measure", "measure", Verb::Measure, NONE),
+        ("Mill", "mill", Verb::Mill, NONE),
         // A sweep takes several forces.
         ("Sweep", "cluster.sweep", Verb::Place, &["task", "force-n"]),
     ];
@@ -156,6 +157,11 @@ fn write_answers(text: &mut String) {
         [("drives", "ExpectedDrive"), ("runs", "MeasurementRun"), ("compared", "ComparedTable"), with_schema[0]];
     class(text, ("MeasurementPlanDict", "TypedDict"), "`stiffarm.MeasurementPlan.to_dict`.", &plan, &within);
 
+    let forces = Fields::of(&samples::cutting_forces());
+    class(text, ("ForceDict", "TypedDict"), "`stiffarm.Force.to_dict`.", &forces, &with_schema);
+    let paths = Fields::of(&samples::toolpaths());
+    class(text, ("ToolpathDict", "TypedDict"), "`stiffarm.Toolpath.to_dict`.", &paths, &with_schema);
+
     let compliance = Fields::of(&compliances);
     class(text, ("ComplianceDict", "TypedDict"), "`stiffarm.Compliance.to_dict`.", &compliance, &with_schema);
 }
@@ -183,6 +189,7 @@ fn python_type(setting: &Setting) -> String {
     let usual = match (setting.kind, setting.is_list()) {
         (Kind::Number { .. }, false) => "float".into(),
         (Kind::Whole { .. }, false) => "int".into(),
+        (Kind::Flag, _) => "bool".into(),
         (Kind::Word(known), false) => words(known),
         (Kind::Word(known), true) => format!("str | Iterable[{}]", words(known)),
         (

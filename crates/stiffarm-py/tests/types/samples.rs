@@ -5,10 +5,11 @@ use std::path::Path;
 use serde_json::Value;
 use stiffarm::advice::{advise, advise_best};
 use stiffarm::answer::{
-    CompareAnswer, ComplianceAnswer, IdentifyAnswer, MapAnswer, MeasureAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
+    CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, MapAnswer, MeasureAnswer, PathAnswer, PlaceAnswer,
+    RankAnswer, StudyAnswer,
 };
 use stiffarm::catalogue::measurements::{self, Measurements};
-use stiffarm::catalogue::{find, read};
+use stiffarm::catalogue::{find, read, read_process};
 use stiffarm::compliance::compliance;
 use stiffarm::identify::{Identification, identify};
 use stiffarm::map::map;
@@ -18,6 +19,7 @@ use stiffarm::rank::rank;
 use stiffarm::request::{Pair, Request, Spelling, Verb};
 use stiffarm::robot::Robot;
 use stiffarm::study::study;
+use stiffarm::toolpath::{self, Builtin, Format, Survey};
 use stiffarm::watch::Watch;
 
 type Typed<'a> = &'a [(&'a str, &'a str)];
@@ -215,4 +217,35 @@ pub(crate) fn measurement_plans() -> Vec<Value> {
     let mut unseen = of(&[], Some(("mine.csv".into(), 6, 1e-12, 0.5)));
     unseen.plan.random = f64::INFINITY;
     vec![unseen.json(), of(&[("load-mm", "0,50,200"), ("loads", "down,left")], None).json()]
+}
+
+pub(crate) fn cutting_forces() -> Vec<Value> {
+    let of = |text: &str| {
+        let process = read_process(text, "process.toml").unwrap();
+        let force = process.process.force().unwrap();
+        CuttingAnswer { file: "process.toml".into(), process, force }.json()
+    };
+    let milling =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/examples").join("endmill.toml"));
+    let silent = "[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = \"al7075-t6\"\n
+[engagement]\nap_mm = 2\nae_mm = 16\nside = \"slot\"\nfeed_per_tooth_mm = 0.1\n";
+    vec![of(&milling.unwrap()), of(silent), of("[worst]\nforce_n = 400\n")]
+}
+
+pub(crate) fn toolpaths() -> Vec<Value> {
+    let read = |text: &str| {
+        let asked = asked(Verb::Mill, &[("path", "part.nc"), ("dry", "true")]);
+        let (options, mut survey) = (asked.read_options(), Survey::new(asked.steps()));
+        let mut each = |one: &_| survey.add(one);
+        let found =
+            toolpath::read(&mut text.as_bytes(), "part.nc", Format::Gcode, &options, &mut each, &mut |_| Ok(()));
+        PathAnswer { path: "part.nc".into(), understood: Some(found.unwrap()), survey }.json()
+    };
+    let mut survey = Survey::new(asked(Verb::Mill, &[("path", "line:0.3")]).steps());
+    "line:0.3".parse::<Builtin>().unwrap().moves(None).iter().for_each(|one| survey.add(one));
+    vec![
+        read("M8\nG1 X10 F100\n"),
+        read("G21\n"),
+        PathAnswer { path: "line:0.3".into(), understood: None, survey }.json(),
+    ]
 }

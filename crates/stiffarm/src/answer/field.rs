@@ -25,6 +25,14 @@ pub enum Unit {
     NewtonMetrePerRadian,
     /// kg.
     Kilogram,
+    /// N m.
+    NewtonMetre,
+    /// s.
+    Second,
+    /// W.
+    Watt,
+    /// mm/min, from m/s.
+    MillimetrePerMinute,
     /// As it was given, in the unit named.
     Given(&'static str),
 }
@@ -33,9 +41,16 @@ impl Unit {
     /// A number in SI as it is told; what is zero has no sign.
     pub fn told(self, si: f64) -> f64 {
         match self {
-            Self::One | Self::Metre | Self::Newton | Self::NewtonMetrePerRadian | Self::Kilogram | Self::Given(_) => {
-                si + 0.0
-            }
+            Self::One
+            | Self::Metre
+            | Self::Newton
+            | Self::NewtonMetrePerRadian
+            | Self::Kilogram
+            | Self::NewtonMetre
+            | Self::Second
+            | Self::Watt
+            | Self::Given(_) => si + 0.0,
+            Self::MillimetrePerMinute => si * 60e3 + 0.0,
             Self::Millimetre | Self::Milliradian => si * 1e3 + 0.0,
             Self::Degree => si.to_degrees() + 0.0,
             Self::MicrometrePerNewton => si * 1e6 + 0.0,
@@ -326,6 +341,41 @@ fields! {
     COMPARED: "compared", Kind::Nested, "What the table that was given is worth.";
     REMARKS: "remarks", Kind::Nested, "What is odd.";
     ENTRY: "row", Kind::Text, "Which row of a matrix.";
+    PATH: "path", Kind::Text, "The toolpath as it was asked for.";
+    PATH_FORMAT: "format", Kind::Text, "How it is written: gcode, apt, csv or built-in.";
+    LINES: "lines", Kind::Count, "Lines that were read.";
+    FEED_LENGTH: "feed_length_m", Kind::Number(Unit::Metre), "Length of all moves at a feed rate.";
+    RAPID_LENGTH: "rapid_length_m", Kind::Number(Unit::Metre), "Length of all rapid moves whose beginning is known.";
+    FEED_MOVES: "feed_moves", Kind::Count, "Moves at a feed rate.";
+    RAPID_MOVES: "rapid_moves", Kind::Count, "Rapid moves whose beginning is known.";
+    APART: "machine_moves", Kind::Count, "Moves that are no part of the path: from where the file does not tell, or by coordinates of the machine.";
+    ARCS: "arcs", Kind::Count, "Feed moves that are arcs or helices.";
+    FULL_CIRCLES: "full_circles", Kind::Count, "Of these, those of a whole turn or more.";
+    ARC_LENGTH: "arc_length_m", Kind::Number(Unit::Metre), "Length of the arcs.";
+    BOX: "box_m", Kind::Numbers { unit: Unit::Metre, columns: &["box_x0_m", "box_y0_m", "box_z0_m", "box_x1_m", "box_y1_m", "box_z1_m"], nested: 3 },
+        "Two corners of the box about all feed moves, in the axes of the path.";
+    FEEDS: "feed_mm_per_min", numbers(Unit::MillimetrePerMinute, &["feed_min_mm_per_min", "feed_max_mm_per_min"]), "The smallest and the largest feed rate; null where none is said.";
+    FEED_TIME: "time_s", Kind::Number(Unit::Second), "Time of all feed moves; null where a feed rate is missing.";
+    TILT: "tilt_deg", Kind::Number(Unit::Degree), "The largest angle between tool axis and z while it feeds.";
+    AXIS_TURN: "turn_deg", Kind::Number(Unit::Degree), "The largest angle of the tool axis to where it first feeds.";
+    CHORD_ERROR: "chord_error_mm", Kind::Number(Unit::Millimetre), "By how much chords between samples are off the arcs at most.";
+    ARC_MISS: "arc_miss_mm", Kind::Number(Unit::Millimetre), "By how much the ends of an arc miss one radius at most.";
+    ASSUMED: "assumed", Kind::Nested, "What the file leaves open and how it was taken, with the line that came first.";
+    IGNORED: "ignored", Kind::Nested, "Words of the file that move nothing, each kind once.";
+    PROCESS: "process", Kind::Text, "The process file.";
+    LAW: "law", Kind::Text, "Where the force comes from.";
+    MATERIAL: "material", Kind::Text, "The material whose numbers come with the program; null where they are given.";
+    MATERIAL_STATUS: "material_status", Kind::Text, "How well its numbers are known: published or unverified.";
+    MATERIAL_SOURCE: "material_source", Kind::Text, "Who says so.";
+    MEAN_FORCE: "mean_n", numbers(Unit::Newton, &["mean_feed_n", "mean_across_n", "mean_axial_n"]), "Mean force over a revolution, on the tool: along the feed, across (left of it), axial (away from the work); null where it may point anywhere.";
+    MAX_FORCE: "max_n", numbers(Unit::Newton, &["max_feed_n", "max_across_n", "max_axial_n"]), "The largest of each over a revolution.";
+    MIN_FORCE: "min_n", numbers(Unit::Newton, &["min_feed_n", "min_across_n", "min_axial_n"]), "The smallest of each over a revolution.";
+    PEAK_FORCE: "largest_n", Kind::Number(Unit::Newton), "The largest size of the force over a revolution.";
+    MOMENT: "moment_nm", Kind::Number(Unit::NewtonMetre), "Mean moment on the tool about its axis, positive about the axis away from the work.";
+    POWER: "power_w", Kind::Number(Unit::Watt), "Mean power of the spindle; null where its speed or the moment is not known.";
+    SPINDLE_SPEED: "spindle_rpm", Kind::Number(Unit::Given("rpm")), "Speed of the spindle.";
+    ENTRY_ANGLE: "entry_deg", Kind::Number(Unit::Degree), "Where a tooth enters, from the left of the feed in the sense of the rotation.";
+    EXIT_ANGLE: "exit_deg", Kind::Number(Unit::Degree), "Where a tooth leaves.";
 }
 
 #[cfg(test)]
@@ -345,6 +395,10 @@ mod tests {
                 Some(Unit::MicroradianPerNewtonMetre) => "_urad_per_nm",
                 Some(Unit::NewtonMetrePerRadian) => "_nm_per_rad",
                 Some(Unit::Kilogram) => "_kg",
+                Some(Unit::NewtonMetre) => "_nm",
+                Some(Unit::Second) => "_s",
+                Some(Unit::Watt) => "_w",
+                Some(Unit::MillimetrePerMinute) => "_mm_per_min",
                 Some(Unit::Given(unit)) => unit,
                 Some(Unit::One) | None => "",
             };
@@ -369,6 +423,7 @@ mod tests {
             (Unit::Milliradian, 0.5, 500.0),
             (Unit::MicroradianPerNewtonMetre, 0.7e-6, 0.7),
             (Unit::Metre, 1.5, 1.5),
+            (Unit::MillimetrePerMinute, 0.01, 600.0),
         ] {
             assert!((unit.told(si) - told).abs() < 1e-12, "{unit:?}");
         }

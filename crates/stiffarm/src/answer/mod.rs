@@ -10,6 +10,7 @@ mod angles;
 mod cell;
 pub mod compare;
 pub mod compliance;
+pub mod cutting;
 pub mod field;
 mod force;
 pub mod identify;
@@ -18,6 +19,7 @@ mod looks;
 pub mod map;
 mod margins;
 pub mod measure;
+pub mod path;
 pub mod place;
 pub mod rank;
 mod record;
@@ -32,12 +34,14 @@ use serde_json::{Value, json};
 
 pub use compare::CompareAnswer;
 pub use compliance::ComplianceAnswer;
+pub use cutting::CuttingAnswer;
 pub use field::{Field, Kind, Unit};
 pub use identify::IdentifyAnswer;
 pub use ledger::LedgerAnswer;
 pub use looks::{Look, looks};
 pub use map::MapAnswer;
 pub use measure::MeasureAnswer;
+pub use path::PathAnswer;
 pub use place::{PlaceAnswer, Verdict};
 pub use rank::RankAnswer;
 pub use record::{Datum, Record, columns_of};
@@ -58,15 +62,22 @@ pub const ORIGIN: &str = "the base";
 
 /// What a program must know to read an answer.
 pub fn schema(verb: &str, origin: &str) -> Value {
-    json!({
-        "version": SCHEMA, "verb": verb, "origin": origin, "axes": "x forward, y left, z up", "units": "the ending of each key",
-    })
+    schema_of(verb, origin, "x forward, y left, z up")
+}
+
+fn schema_of(verb: &str, origin: &str, axes: &str) -> Value {
+    json!({ "version": SCHEMA, "verb": verb, "origin": origin, "axes": axes, "units": "the ending of each key" })
 }
 
 /// An answer as JSON: its schema, then its fields.
 pub fn with_schema(verb: &str, origin: &str, record: &Record) -> Value {
+    under(schema(verb, origin), record)
+}
+
+/// A record behind its schema.
+fn under(schema: Value, record: &Record) -> Value {
     let mut object = Object::new();
-    object.insert("schema".into(), schema(verb, origin));
+    object.insert("schema".into(), schema);
     if let Value::Object(fields) = record.json() {
         object.extend(fields);
     }

@@ -116,11 +116,11 @@ pub fn load(path: &Path) -> Result<Loaded, LoadError> {
     Ok(Loaded { robot: read(&text, &name)?, notes: Vec::new() })
 }
 
-/// The text of a file, without the mark that some editors put before UTF-8.
+/// A regular file, to be read bit by bit: a toolpath may be larger than what [`text`] takes.
 ///
 /// # Errors
-/// Where it is no regular file, larger than [`MOST_BYTES`], no UTF-8, or the system refuses.
-pub fn text(path: &Path) -> Result<String, Unreadable> {
+/// Where it is no regular file, or the system refuses.
+pub fn open(path: &Path) -> Result<File, Unreadable> {
     let because = |why| Unreadable { path: path.into(), why };
     // Asked before it is opened: a pipe is not open before somebody writes into it.
     let kind = fs::metadata(path).map_err(|error| because(refused(path, error)))?.file_type();
@@ -130,9 +130,18 @@ pub fn text(path: &Path) -> Result<String, Unreadable> {
     if !kind.is_file() {
         return Err(because(Why::Irregular));
     }
+    File::open(path).map_err(|error| because(Why::System(error)))
+}
+
+/// The text of a file, without the mark that some editors put before UTF-8.
+///
+/// # Errors
+/// Where it is no regular file, larger than [`MOST_BYTES`], no UTF-8, or the system refuses.
+pub fn text(path: &Path) -> Result<String, Unreadable> {
+    let because = |why| Unreadable { path: path.into(), why };
     let mut bytes = Vec::new();
     // Not by the length it tells: what the system itself makes up has none.
-    let read = File::open(path).and_then(|file| file.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes));
+    let read = open(path)?.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes);
     read.map_err(|error| because(Why::System(error)))?;
     if MOST_BYTES < bytes.len() {
         return Err(because(Why::Large));

@@ -1,4 +1,4 @@
-//! Robot files and the robots that come with the program.
+//! Robot files and the robots that come with the program; process files, and the materials that do.
 
 mod doubts;
 mod fault;
@@ -7,6 +7,7 @@ mod filter;
 pub mod import;
 mod index;
 pub mod measurements;
+mod process_file;
 mod reader;
 mod robot_file;
 mod write;
@@ -15,6 +16,7 @@ pub use doubts::doubts;
 pub use fault::{Fault, Faults};
 pub use filter::{Filter, NothingLeft};
 pub use index::{Entry, entries, find, matching, names, suggestions};
+pub use process_file::{Material, ProcessFile, materials, read_process};
 pub(crate) use robot_file::is_date;
 pub use robot_file::read;
 pub use write::write;

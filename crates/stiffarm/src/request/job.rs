@@ -22,6 +22,7 @@ use toml::de::{DeTable, DeValue};
 use super::{Kind, Pair, Refusal, Request, Setting, Spelling, Verb};
 use crate::catalogue::{self, files, quoted};
 use crate::plain::on_one_line;
+use crate::toolpath::Builtin;
 
 /// Keys that are a matter of the program which reads the file; their values are not checked here.
 pub const PROGRAM: [&str; 5] = ["format", "output", "threads", "quiet", "check"];
@@ -91,10 +92,14 @@ impl Reader<'_> {
             let texts = texts(setting, value).map_err(|expected| {
                 self.fault(*place, format!("{} for '{}': {expected}", described(value), on_one_line(name)))
             })?;
-            let kind = setting.map(|setting| setting.kind);
-            let is_file = name == "output" || kind == Some(Kind::File);
+            let is_path = name == "output" || setting.is_some_and(|setting| setting.kind == Kind::Robot);
+            let is_file = setting.is_some_and(|setting| setting.kind == Kind::File);
             let pairs = texts.into_iter().map(|text| {
-                let text = if is_file || kind == Some(Kind::Robot) { self.rebased(is_file, text) } else { text };
+                let text = match () {
+                    () if is_file => self.of_folder(text),
+                    () if is_path => self.rebased(name == "output", text),
+                    () => text,
+                };
                 Pair { name: name.clone(), text, at: self.at(*place) }
             });
             if of_program { job.program.extend(pairs) } else { job.pairs.extend(pairs) }
@@ -135,6 +140,11 @@ impl Reader<'_> {
         };
         let known = Verb::JOBS.into_iter().find(|verb| value.as_str() == Some(verb.name()));
         known.ok_or_else(|| self.fault(*place, format!("{} for 'verb': {expected}", described(value))))
+    }
+
+    /// A file counts from the folder of the job; a path built in is none.
+    fn of_folder(&self, text: String) -> String {
+        if Builtin::is_meant(&text) { text } else { self.folder.join(text).to_string_lossy().into_owned() }
     }
 
     /// A path that is relative counts from the folder of the file.
@@ -196,7 +206,7 @@ fn scalar(kind: Option<Kind>, value: &DeValue) -> Result<String, String> {
         DeValue::String(text) => Ok(text.to_string()),
         DeValue::Integer(integer) if integer.radix() == 10 => Ok(integer.as_str().replace('_', "")),
         DeValue::Float(float) => Ok(float.as_str().replace('_', "")),
-        DeValue::Boolean(flag) if kind.is_none() => Ok(flag.to_string()),
+        DeValue::Boolean(flag) if matches!(kind, None | Some(Kind::Flag)) => Ok(flag.to_string()),
         _ if kind.is_none() => Ok(String::new()),
         _ if only_number => Err("expected a number".into()),
         _ => Err("expected a text in quotes".into()),
@@ -240,10 +250,9 @@ fn literal(kind: Kind, text: &str, folder: &Path) -> String {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite()).map(|x| x.to_string());
     match kind {
         Kind::Robot => quoted(&seen_from(folder, text.trim())),
-        Kind::File => {
-            let path = seen_from(folder, &Path::new(".").join(text).to_string_lossy());
-            quoted(path.strip_prefix("./").unwrap_or(&path))
-        }
+        Kind::File if Builtin::is_meant(text) => quoted(text),
+        Kind::File => quoted(&file_from(folder, text.trim())),
+        Kind::Flag => text.trim().into(),
         Kind::Tool | Kind::Point | Kind::Force if text.contains(',') => {
             let parts: Vec<String> = text.split(',').map(|part| number(part).expect("all are numbers")).collect();
             format!("[{}]", parts.join(", "))
@@ -256,6 +265,12 @@ fn literal(kind: Kind, text: &str, folder: &Path) -> String {
 /// A text as TOML.
 pub fn text(text: &str) -> String {
     quoted(text)
+}
+
+/// A file as it is seen from the folder of a job file.
+fn file_from(folder: &Path, text: &str) -> String {
+    let (Ok(path), Ok(folder)) = (absolute(text), absolute(folder.join("."))) else { return text.into() };
+    path.strip_prefix(&folder).map_or_else(|_| path.to_string_lossy(), Path::to_string_lossy).into_owned()
 }
 
 /// A path as it is seen from the folder of a job file; a name as it is.

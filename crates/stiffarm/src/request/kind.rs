@@ -20,6 +20,10 @@ pub enum Kind {
     Text,
     /// A robot's name, or a path.
     Robot,
+    /// A file's name, or what stands for one.
+    File,
+    /// Yes where it is given.
+    Flag,
     /// One of some words, each with a line of help.
     Word(&'static [(&'static str, &'static str)]),
     /// A number.
@@ -71,8 +75,6 @@ pub enum Kind {
     Marker,
     /// In which direction something can be loaded.
     Way,
-    /// A file that is read.
-    File,
     /// Year, month and day.
     Date,
     /// A zone with its size.
@@ -126,6 +128,7 @@ pub(super) const fn degrees_of(most: f64, of: &'static str) -> Kind {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Value {
     Text(String),
+    Truth(bool),
     Word(&'static str),
     Number(f64),
     Whole(usize),
@@ -165,13 +168,14 @@ impl Kind {
             self,
             Self::Text
                 | Self::Robot
+                | Self::File
+                | Self::Flag
                 | Self::Word(_)
                 | Self::Task
                 | Self::Shape
                 | Self::Posture
                 | Self::Spindle
                 | Self::Mount
-                | Self::File
                 | Self::Date
         )
     }
@@ -189,9 +193,11 @@ impl Kind {
     /// What a text stands for, or what was expected.
     pub(super) fn read(self, text: &str) -> Result<Value, String> {
         match self {
+            Self::File if text.trim().is_empty() => Err("expected a file's name".into()),
             Self::Text | Self::Robot | Self::File => Ok(Value::Text(text.into())),
             Self::Date if is_date(text) => Ok(Value::Text(text.into())),
             Self::Date => Err("expected a day as year-month-day, such as 2026-05-31".into()),
+            Self::Flag => text.parse().map(Value::Truth).map_err(|_| "expected true or false".into()),
             Self::Word(words) => {
                 let known = words.iter().find(|(word, _)| *word == text);
                 known.map(|(word, _)| Value::Word(word)).ok_or_else(|| expected(words))

@@ -22,13 +22,17 @@ pub enum Verb {
     Identify,
     /// Which measurements to make.
     Measure,
+    /// A part along a toolpath.
+    Mill,
+    /// The force of a process.
+    Force,
     /// Which robots there are.
     List,
 }
 
 impl Verb {
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Rank,
         Self::Place,
         Self::Map,
@@ -37,10 +41,12 @@ impl Verb {
         Self::Compare,
         Self::Identify,
         Self::Measure,
+        Self::Mill,
+        Self::Force,
         Self::List,
     ];
     /// Those that a job file may ask.
-    pub const JOBS: [Self; 8] = [
+    pub const JOBS: [Self; 10] = [
         Self::Rank,
         Self::Place,
         Self::Map,
@@ -49,6 +55,8 @@ impl Verb {
         Self::Compare,
         Self::Identify,
         Self::Measure,
+        Self::Mill,
+        Self::Force,
     ];
 
     /// As it is typed.
@@ -62,6 +70,8 @@ impl Verb {
             Self::Compare => "compare",
             Self::Identify => "identify",
             Self::Measure => "measure",
+            Self::Mill => "mill",
+            Self::Force => "force",
             Self::List => "robots list",
         }
     }
@@ -291,6 +301,8 @@ const CELL: Setting = Setting { verbs: ONLY_PLACING, of: Of::Spatial, heading: "
 const DRAWN: &str = "Figure";
 /// Of the figure alone.
 const FIGURE: Setting = Setting { verbs: PLACING, heading: DRAWN, ..ROW };
+/// Of a toolpath.
+const PATH: Setting = Setting { verbs: &[Verb::Mill], heading: "Where the file is silent", ..ROW };
 /// Of the catalogue.
 const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: FILTERS, ..ROW };
 
@@ -1039,7 +1051,7 @@ pub static SETTINGS: &[Setting] = &[
     },
     Setting {
         name: "width-mm",
-        verbs: &[Verb::Rank, Verb::Place, Verb::Map, Verb::Study, Verb::Compare, Verb::Identify],
+        verbs: &[Verb::Rank, Verb::Place, Verb::Map, Verb::Study, Verb::Compare, Verb::Identify, Verb::Force],
         kind: number_of(40.0, 2000.0, "mm"),
         unit: "mm",
         value: "MM",
@@ -1087,5 +1099,158 @@ pub static SETTINGS: &[Setting] = &[
         help: "Only robots of these statuses: identified, data-sheet, derived, estimated; separated by commas",
         example: "data-sheet,derived",
         ..FILTER
+    },
+    Setting {
+        name: "path",
+        kind: Kind::File,
+        value: "PATH",
+        absent: Absent::Required,
+        help: "A toolpath: G-code, APT or CLS, or a CSV table; or a path built in, with sizes in m: circle:D, rect:AxB, line:L, raster:ZONE@STEP",
+        heading: "",
+        example: "circle:0.3",
+        is_positional: true,
+        ..PATH
+    },
+    Setting {
+        name: "dry",
+        kind: Kind::Flag,
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "Only tell what was understood of the path: lengths, moves, extents, feed rates, what was assumed and ignored",
+        heading: "",
+        example: "true",
+        ..PATH
+    },
+    Setting {
+        name: "read-as",
+        kind: Kind::Word(&[("gcode", "RS-274"), ("apt", "APT or CLS"), ("csv", "A table of points")]),
+        value: "FORMAT",
+        absent: Absent::Means("by the ending of its name"),
+        help: "How the path is written",
+        example: "gcode",
+        ..PATH
+    },
+    Setting {
+        name: "unit",
+        kind: Kind::Word(&[("mm", ""), ("inch", "")]),
+        value: "UNIT",
+        absent: Absent::Means("mm"),
+        help: "Of lengths, where the file names none",
+        example: "inch",
+        ..PATH
+    },
+    Setting {
+        name: "arc-centres",
+        kind: Kind::Word(&[
+            ("incremental", "I, J, K count from the beginning of the arc"),
+            ("absolute", "They count from the origin"),
+        ]),
+        value: "FROM",
+        absent: Absent::Means("the reading in which arcs close"),
+        help: "What centres of arcs in G-code count from",
+        example: "absolute",
+        ..PATH
+    },
+    Setting {
+        name: "arc-sense",
+        kind: Kind::Word(&[
+            ("left", "Clockwise about their axis, as Siemens NX writes them"),
+            ("right", "Counter-clockwise, as SOLIDWORKS CAM does"),
+        ]),
+        value: "HAND",
+        absent: Absent::Means("that of the program which wrote the file"),
+        help: "In which sense arcs of APT turn",
+        example: "left",
+        ..PATH
+    },
+    Setting {
+        name: "cutter-compensation",
+        kind: Kind::Word(&[
+            ("refuse", "A path under G41 or G42 is refused"),
+            ("centre", "It is read as if it were that of the tool's centre"),
+        ]),
+        value: "HOW",
+        absent: Absent::Default("refuse"),
+        help: "What is done about a path that is not that of the tool's centre",
+        example: "centre",
+        ..PATH
+    },
+    Setting {
+        name: "incremental-cycles",
+        kind: Kind::Word(&[
+            ("nist", "R from the present level, Z from R, read anew at every hole (RS274/NGC)"),
+            ("r-plane", "R from the level at which the cycle began, Z from R"),
+            ("initial", "R and Z from the level at which the cycle began"),
+        ]),
+        value: "FROM",
+        absent: Absent::Means("such cycles are refused"),
+        help: "What R and Z of drilling cycles count from under G91",
+        example: "initial",
+        ..PATH
+    },
+    Setting {
+        name: "rotary",
+        kind: Kind::Word(&[
+            ("head-ac", "The spindle, by C about z and A about the turned x"),
+            ("head-bc", "The spindle, by C about z and B about the turned y"),
+            ("table-ac", "The part, by A about x and on it C about z"),
+            ("table-bc", "The part, by B about y and on it C about z"),
+        ]),
+        value: "MACHINE",
+        absent: Absent::Means("angles that turn anything are refused"),
+        help: "What A, B and C turn; X, Y and Z are the tip in the part",
+        example: "table-ac",
+        ..PATH
+    },
+    Setting {
+        name: "columns",
+        count: SEVERAL,
+        value: "NAMES",
+        absent: Absent::Means("the header"),
+        help: "Names of the columns of a CSV file without a header, separated by commas: x_mm, y_mm, z_mm, i, j, k or nx, ny, nz, feed_mm_per_min, rapid; - for one that moves nothing",
+        example: "x_mm,y_mm,z_mm",
+        ..PATH
+    },
+    Setting {
+        name: "feed-mm-per-min",
+        kind: number_of(1e-3, 1e6, "mm/min"),
+        unit: "mm/min",
+        value: "F",
+        help: "Feed rate, where the file says none",
+        example: "1000",
+        ..PATH
+    },
+    Setting {
+        name: "chord-mm",
+        kind: number_of(1e-6, 100.0, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Default("0.01"),
+        help: "By how much the chord between two samples may be off an arc",
+        heading: "Samples",
+        example: "0.1",
+        ..PATH
+    },
+    Setting {
+        name: "step-mm",
+        kind: number_of(1e-3, 10_000.0, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Default("10"),
+        help: "Longest way between two samples",
+        heading: "Samples",
+        example: "5",
+        ..PATH
+    },
+    Setting {
+        name: "process",
+        verbs: &[Verb::Force],
+        kind: Kind::File,
+        value: "PROCESS",
+        absent: Absent::Required,
+        help: "A process file (TOML): tool, material, engagement and spindle, or a force as it is",
+        example: "endmill.toml",
+        is_positional: true,
+        ..ROW
     },
 ];

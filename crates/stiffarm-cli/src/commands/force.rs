@@ -1,0 +1,61 @@
+//! `stiffarm force`: with what force does a process push on its tool?
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use stiffarm::answer::{CuttingAnswer, Rows};
+use stiffarm::catalogue::{files, read_process};
+use stiffarm::request::Request;
+
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::figures::Plate;
+use crate::figures::hodograph::Hodograph;
+use crate::look::Look;
+use crate::output::{Answer, Outputs, pretty};
+use crate::table::{prose, shown};
+
+pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let name = asked.process()?;
+    let outputs = Outputs::open::<ForceOutput>(common, &[Path::new(&name)])?;
+    let file = files::shown(Path::new(&name));
+    let process = read_process(&files::text(Path::new(&name))?, &file).map_err(Failure::ProcessFile)?;
+    let force = process.process.force().map_err(|error| Failure::Process { file: file.clone(), error })?;
+    outputs.deliver(&ForceOutput(CuttingAnswer { file, process, force }, Plate::of(asked)?))
+}
+
+struct ForceOutput(CuttingAnswer, Plate);
+
+impl Answer for ForceOutput {
+    const COMMAND: &'static str = "force";
+    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf"];
+
+    fn text(&self, look: Look) -> String {
+        format!("{}\n{}", shown(&self.0.table(), look), prose(self.0.notes(), look))
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.0.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.0.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        let CuttingAnswer { file, force, .. } = &self.0;
+        let mean = force.mean?;
+        Some(Ok(Hodograph {
+            title: format!("Force on the tool over a revolution, {file}"),
+            subtitle: self.0.heading(),
+            revolution: force.revolution.iter().map(|[feed, across, _]| [*feed, *across]).collect(),
+            mean: [mean[0], mean[1]],
+            plate: self.1,
+        }
+        .svg()))
+    }
+
+    fn plate(&self) -> Plate {
+        self.1
+    }
+}

@@ -1,0 +1,139 @@
+//! Does the program tell what it understands of toolpaths and processes, and refuse the rest with advice?
+
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use tempfile::TempDir;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+fn stiffarm(folder: &Path, words: &[&str]) -> Output {
+    Command::cargo_bin("stiffarm").unwrap().current_dir(folder).args(words).output().unwrap()
+}
+
+fn json(folder: &Path, words: &[&str]) -> Value {
+    let output = stiffarm(folder, &[words, &["--format", "json"]].concat());
+    assert!(output.status.success(), "{words:?}: {output:?}");
+    serde_json::from_slice(&output.stdout).expect("JSON")
+}
+
+fn close(found: &Value, expected: f64, within: f64) {
+    let found = found.as_f64().expect("a number");
+    assert!((found - expected).abs() <= within, "{found} is not {expected}");
+}
+
+#[test]
+fn a_path_is_told_under_the_names_that_scripts_rely_on() {
+    let path = "crates/stiffarm/tests/paths/contour_ij.nc";
+    let told = json(Path::new(ROOT), &["mill", path, "--dry"]);
+    assert_eq!((&told["format"], &told["feed_moves"], &told["arcs"]), (&"gcode".into(), &13.into(), &4.into()));
+    close(&told["feed_length_m"], 0.448_504, 6e-7);
+    close(&told["rapid_length_m"], 0.111, 1e-12);
+    close(&told["box_m"][0][0], -0.055_123, 1e-12);
+    close(&told["box_m"][1][2], 0.002, 1e-12);
+    assert!(told["ignored"].as_array().unwrap().iter().any(|word| word == "M6 (line 5)"));
+    assert!(told["assumed"][0].as_str().unwrap().starts_with("the part frame is that of G54"));
+    let table = stiffarm(Path::new(ROOT), &["mill", path, "--dry"]);
+    let table = String::from_utf8(table.stdout).unwrap();
+    assert!(table.contains("4 (0 full circles), 97.810 mm") && table.contains("M6 (line 5)"), "{table}");
+    let built_in = json(Path::new(ROOT), &["mill", "rect:0.4x0.2", "--feed-mm-per-min", "600", "--dry"]);
+    close(&built_in["time_s"], 120.0, 1e-9);
+}
+
+#[test]
+fn a_job_file_asks_the_same_as_what_is_typed() {
+    let folder = TempDir::new().unwrap();
+    fs::create_dir(folder.path().join("parts")).unwrap();
+    fs::write(folder.path().join("parts/a.txt"), "G90\nG1 X1. Y0 Z0 F10\nX2.\n").unwrap();
+    let typed = ["mill", "parts/a.txt", "--read-as", "gcode", "--unit", "inch", "--dry"];
+    let told = json(folder.path(), &typed);
+    close(&told["feed_length_m"], 0.0508, 1e-12);
+    let saved = stiffarm(folder.path(), &[&typed[..], &["--save-job", "parts/job.toml"]].concat());
+    assert!(saved.status.success(), "{saved:?}");
+    let job = fs::read_to_string(folder.path().join("parts/job.toml")).unwrap();
+    assert!(job.contains("path = \"a.txt\"") && job.contains("dry = true"), "{job}");
+    let again = json(folder.path(), &["mill", "parts/job.toml"]);
+    assert_eq!(again["feed_length_m"], told["feed_length_m"]);
+}
+
+#[test]
+fn what_is_refused_names_line_and_word_and_gives_advice() {
+    let folder = TempDir::new().unwrap();
+    let write = |name: &str, text: &[u8]| fs::write(folder.path().join(name), text).unwrap();
+    write("a.nc", b"G21\nG1 X1\n");
+    write("b.nc", b"G21\nG65 P1\n");
+    write("c.xyz", b"1 2 3\n");
+    write("d.nc", &[0x7f, b'E', b'L', b'F', 0, 0, 1]);
+    write("e.nc", b"");
+    write("p.toml", b"[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = 'al7075'\n");
+    for (words, code, says) in [
+        (&["mill", "a.nc", "--dry"][..], 1, "error: a.nc:2: G1: no feed rate"),
+        (&["mill", "a.nc"], 2, "--dry tells what is understood"),
+        (&["mill", "b.nc", "--dry"], 1, "error: b.nc:2: G65: macros are not run"),
+        (&["mill", "c.xyz", "--dry"], 2, "does not say by its ending how it is written; expected .nc"),
+        (&["mill", "d.nc", "--dry"], 1, "error: d.nc:1: the line: it holds a zero byte"),
+        (&["mill", "e.nc", "--dry"], 1, "error: e.nc: nothing in it moves the tool"),
+        (&["mill", "f.nc", "--dry"], 1, "error: cannot read f.nc"),
+        (&["mill", ".", "--read-as", "gcode", "--dry"], 1, "it is a folder"),
+        (&["mill", "line:-1", "--dry"], 1, "error: path 'line:-1' is not understood"),
+        (&["mill", "--dry"], 2, "<PATH> is missing"),
+        (&["force", "p.toml"], 1, "engagement: missing; expected a table with ap_mm"),
+        (
+            &["force", "p.toml"],
+            1,
+            "p.toml:5: material.preset: no material of this name is known; did you mean al7075-t6?",
+        ),
+        (&["force", "a.nc"], 1, "error: a.nc:1: "),
+        (&["force"], 2, "<PROCESS> is missing"),
+    ] {
+        let output = stiffarm(folder.path(), words);
+        let errors = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(code), "{words:?}: {errors}");
+        assert!(errors.contains(says) && errors.contains("hint: "), "{words:?}: {errors}");
+        assert!(output.stdout.is_empty(), "{words:?}");
+    }
+}
+
+/// Half a million lines, of which nothing is kept; no answer may need their memory.
+#[test]
+fn a_long_path_is_read_in_little_memory() {
+    let folder = TempDir::new().unwrap();
+    let lines: String = (0..500_000).map(|i| format!("G1 X{}.{:03} Y0.5\n", i % 100, i % 997)).collect();
+    fs::write(folder.path().join("long.nc"), format!("G21 G90 F1000\n{lines}")).unwrap();
+    let script = format!(
+        "ulimit -v 300000; {} mill long.nc --dry --threads 1 --format json",
+        assert_cmd::cargo::cargo_bin("stiffarm").display()
+    );
+    let output = Command::new("bash").current_dir(folder.path()).args(["-c", &script]).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    let told: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(told["lines"], 500_001);
+}
+
+#[test]
+fn a_process_is_told_with_its_figure() {
+    let folder = TempDir::new().unwrap();
+    let slot = "spindle_rpm = 12000\n[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = \"AL 7075 T6\"\n[engagement]\nap_mm = 2\nside = \"slot\"\nfeed_per_tooth_mm = 0.1\n";
+    fs::write(folder.path().join("slot.toml"), slot).unwrap();
+    let told = json(folder.path(), &["force", "slot.toml"]);
+    // By hand: -N a K_rc c / 4 - N a K_re / pi, and so on.
+    let pi = std::f64::consts::PI;
+    close(&told["mean_n"][0], -8.0 * 16.88 / 4.0 - 8.0 * 26.6 / pi, 1e-9);
+    close(&told["mean_n"][1], 8.0 * 76.701 / 4.0 + 8.0 * 27.7 / pi, 1e-9);
+    close(&told["mean_n"][2], 8.0 * 22.2 / pi + 8.0 * 0.7 / 2.0, 1e-9);
+    close(&told["exit_deg"], 180.0, 1e-9);
+    close(&told["power_w"], told["moment_nm"].as_f64().unwrap() * 400.0 * pi, 1e-9);
+    assert_eq!(told["material_status"], "published");
+    assert_eq!(told["assumed"][0], "straight teeth: the helix is not given");
+    for name in ["slot.svg", "slot.png", "slot.pdf", "slot.csv"] {
+        let made = stiffarm(folder.path(), &["force", "slot.toml", "-q", "-o", name]);
+        assert!(made.status.success() && folder.path().join(name).is_file(), "{made:?}");
+    }
+    let rows = fs::read_to_string(folder.path().join("slot.csv")).unwrap();
+    assert!(rows.starts_with("angle_deg,feed_n,across_n,axial_n\n") && rows.lines().count() == 721);
+    let example = json(Path::new(ROOT), &["force", "docs/examples/endmill.toml"]);
+    assert_eq!(example["material"], "al7075-t6");
+}

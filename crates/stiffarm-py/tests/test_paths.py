@@ -1,0 +1,39 @@
+"""Are toolpaths and forces in Python those of the program?"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stiffarm
+
+ROOT = Path(__file__).parents[3]
+PROCESS = ROOT / "docs/examples/endmill.toml"
+
+
+def test_the_force_of_a_process_is_the_programs(program) -> None:
+    force = stiffarm.force(PROCESS)
+    assert force.to_dict() == program("force", str(PROCESS))
+    assert np.all(force.min_n <= force.mean_n) and np.all(force.mean_n <= force.max_n)
+    frame = force.to_pandas()
+    # Evenly over a revolution: the mean of the columns is the mean that is told in closed form.
+    assert np.allclose(frame[["feed_n", "across_n", "axial_n"]].mean(), force.mean_n, rtol=1e-4)
+
+
+def test_a_path_is_understood_as_the_program_does(program) -> None:
+    for path in ("circle:0.3", str(ROOT / "crates/stiffarm/tests/paths/contour_ij.nc")):
+        assert stiffarm.mill(path, dry=True).to_dict() == program("mill", path, "--dry")
+    assert stiffarm.mill("circle:0.3", dry=True).feed_length_m == pytest.approx(0.3 * np.pi, rel=1e-14)
+
+
+def test_what_is_refused_says_line_and_word() -> None:
+    path = ROOT / "crates/stiffarm/tests/paths/thread_mill_g91_g42_inch.gcode"
+    with pytest.raises(stiffarm.StiffarmError, match="G42: cutter compensation"):
+        stiffarm.mill(path, dry=True)
+    assert stiffarm.mill(path, dry=True, cutter_compensation="centre").arcs == 10
+    with pytest.raises(stiffarm.StiffarmError, match="dry=True"):
+        stiffarm.mill("circle:0.3")
+    with pytest.raises(stiffarm.StiffarmError, match="expected True or False"):
+        stiffarm.mill("circle:0.3", dry="yes")  # type: ignore[arg-type]

@@ -1,0 +1,322 @@
+//! A mill, tooth by tooth: mean over a revolution, and the extremes between the teeth.
+//!
+//! The tooth at the angle `phi`, counted from the left of the feed in the sense of the rotation (clockwise from above), cuts a chip of
+//! `h = c sin(phi)` from the entry to the exit. In the axes of the cut, x along the feed and y to its left, with `F_t` against
+//! the tooth's motion and `F_r` into the tool,
+//!
+//! ```text
+//! F_x = -F_t cos(phi) - F_r sin(phi)      F_y = F_t sin(phi) - F_r cos(phi)      F_z = F_a
+//! ```
+//!
+//! Of the mean over a revolution the helix makes no difference: each disc of the tool has the same one, later. \[Altintas\]
+
+use std::f64::consts::{PI, TAU};
+
+use super::edge::Edge;
+use super::quadrature::integral;
+use super::{ANGLES, CuttingError, CuttingForce};
+
+/// On which side of the tool the material is, as its engagement says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// From no chip to the full one, against the motion of the work.
+    Up,
+    /// From the full chip to none, along with the work.
+    Down,
+    /// The whole width of the tool.
+    Slot,
+}
+
+impl Side {
+    /// As it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Up => "up",
+            Self::Down => "down",
+            Self::Slot => "slot",
+        }
+    }
+}
+
+/// Where the teeth cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Engagement {
+    /// Axial depth, m.
+    pub depth: f64,
+    /// From the left of the feed in the sense of the rotation, rad, `0 <= entry < exit <= pi`.
+    pub entry: f64,
+    /// Where the tooth leaves, rad.
+    pub exit: f64,
+    /// Along the feed, m.
+    pub feed_per_tooth: f64,
+}
+
+impl Engagement {
+    /// The angles of a radial width, m, of a tool of a diameter, m.
+    pub fn angles(side: Side, width: f64, diameter: f64) -> [f64; 2] {
+        let wrapped = (1.0 - 2.0 * width / diameter).clamp(-1.0, 1.0).acos();
+        match side {
+            Side::Up => [0.0, wrapped],
+            Side::Down => [PI - wrapped, PI],
+            Side::Slot => [0.0, PI],
+        }
+    }
+}
+
+/// A mill in its work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Milling {
+    /// m.
+    pub diameter: f64,
+    /// How many.
+    pub teeth: usize,
+    /// Angle of the helix, rad, 0 for straight teeth.
+    pub helix: f64,
+    /// Where it cuts.
+    pub engagement: Engagement,
+    /// What the edge feels.
+    pub edge: Edge,
+}
+
+/// Force along feed, across and axial, N, and moment about the axis, N m.
+type Felt = [f64; 4];
+
+impl Milling {
+    fn check(&self) -> Result<(), CuttingError> {
+        let Engagement { depth, entry, exit, feed_per_tooth } = self.engagement;
+        let value = |what, value: f64, is_well: bool, expected| {
+            if is_well { Ok(()) } else { Err(CuttingError::Value { what, value, expected }) }
+        };
+        value("a diameter", self.diameter, 0.0 < self.diameter && self.diameter <= 1.0, "more than 0 and at most 1 m")?;
+        value("a number of teeth", self.teeth as f64, (1..=1000).contains(&self.teeth), "1 to 1000")?;
+        value("a helix angle", self.helix, (0.0..=1.4).contains(&self.helix), "0 to 1.4 rad")?;
+        value("a depth of cut", depth, 0.0 < depth && depth <= 1.0, "more than 0 and at most 1 m")?;
+        value("an entry angle", entry, 0.0 <= entry && entry < exit, "at least 0 and less than the exit angle")?;
+        value("an exit angle", exit, exit <= PI + 1e-9, "at most pi rad")?;
+        value(
+            "a feed per tooth",
+            feed_per_tooth,
+            0.0 < feed_per_tooth && feed_per_tooth <= 0.1,
+            "more than 0 and at most 0.1 m",
+        )
+    }
+
+    /// What one tooth feels at an angle, per m of axial depth.
+    fn tooth(&self, phi: f64) -> Felt {
+        let (s, c) = phi.sin_cos();
+        let [t, r, a] = self.edge.per_depth(self.engagement.feed_per_tooth * s);
+        [-t * c - r * s, t * s - r * c, a, t * self.diameter / 2.0]
+    }
+
+    /// Mean over a revolution, `N a / (2 pi)` times the integral over the angles of the cut.
+    ///
+    /// Of [`Edge::Linear`] in closed form, with `[...]` from entry to exit:
+    ///
+    /// ```text
+    /// x: -K_tc c [sin^2/2] - K_te [sin] - K_rc c [phi/2 - sin(2 phi)/4] + K_re [cos]
+    /// y:  K_tc c [phi/2 - sin(2 phi)/4] - K_te [cos] - K_rc c [sin^2/2] - K_re [sin]
+    /// z: -K_ac c [cos] + K_ae [phi]          moment: D/2 (-K_tc c [cos] + K_te [phi])
+    /// ```
+    fn mean(&self) -> Felt {
+        let Engagement { depth, entry, exit, feed_per_tooth: c } = self.engagement;
+        let over = match self.edge {
+            Edge::Power { .. } => integral(|phi| self.tooth(phi), entry, exit, 64),
+            Edge::Linear { chip: [tc, rc, ac], rubbing: [te, re, ae] } => {
+                let between = |f: fn(f64) -> f64| f(exit) - f(entry);
+                let [half_square, sine, cosine, angle] =
+                    [between(|x| x.sin().powi(2) / 2.0), between(f64::sin), between(f64::cos), exit - entry];
+                let area = between(|x| x / 2.0 - (2.0 * x).sin() / 4.0);
+                [
+                    -tc * c * half_square - te * sine - rc * c * area + re * cosine,
+                    tc * c * area - te * cosine - rc * c * half_square - re * sine,
+                    -ac * c * cosine + ae * angle,
+                    self.diameter / 2.0 * (-tc * c * cosine + te * angle),
+                ]
+            }
+        };
+        over.map(|part| part * self.teeth as f64 * depth / TAU)
+    }
+
+    /// The angle by which the top of the cut lags behind its bottom, rad: `2 a tan(helix) / D`.
+    fn lag(&self) -> f64 {
+        2.0 * self.engagement.depth * self.helix.tan() / self.diameter
+    }
+
+    /// What the tool feels when the bottom of its first tooth stands at an angle.
+    ///
+    /// Along a tooth the angle falls evenly by the lag: the integral over the depth is one over the angle.
+    fn at(&self, angle: f64) -> Felt {
+        let Engagement { depth, entry, exit, .. } = self.engagement;
+        let (lag, mut sum) = (self.lag(), [0.0; 4]);
+        for tooth in 0..self.teeth {
+            let bottom = (angle + TAU * tooth as f64 / self.teeth as f64).rem_euclid(TAU);
+            if lag < 1e-9 {
+                if entry <= bottom && bottom <= exit {
+                    let felt = self.tooth(bottom);
+                    (0..4).for_each(|i| sum[i] += depth * felt[i]);
+                }
+                continue;
+            }
+            // The same edge one or more turns earlier, where it winds about the tool.
+            for turns in 0..=(lag / TAU).ceil() as usize {
+                let bottom = bottom - TAU * turns as f64 + TAU * (lag / TAU).ceil();
+                let (from, to) = ((bottom - lag).max(entry), bottom.min(exit));
+                if from < to {
+                    let felt = integral(|phi| self.tooth(phi), from, to, 4);
+                    (0..4).for_each(|i| sum[i] += depth / lag * felt[i]);
+                }
+            }
+        }
+        sum
+    }
+
+    /// Angles of the spindle at which the force may be extreme: a fine grid over a pitch, and straight teeth where they enter and leave.
+    fn telling_angles(&self) -> Vec<f64> {
+        const FINE: usize = 720;
+        let pitch = TAU / self.teeth as f64;
+        let Engagement { entry, exit, .. } = self.engagement;
+        let mut angles: Vec<f64> = (0..FINE).map(|i| pitch * i as f64 / FINE as f64).collect();
+        for edge in [entry, exit, entry + self.lag(), exit + self.lag()] {
+            angles.extend([edge - 1e-9, edge, edge + 1e-9].map(|angle| angle.rem_euclid(pitch)));
+        }
+        angles
+    }
+
+    /// Mean, extremes and a revolution; `sense` is 1 where the tool turns clockwise from above, else -1.
+    pub(super) fn force(&self, sense: f64) -> Result<CuttingForce, CuttingError> {
+        self.check()?;
+        // Turned the other way the picture is mirrored at the feed: what is left is right.
+        let turned = |[x, y, z, m]: Felt| ([x, sense * y, z], sense * m);
+        let (mean, moment) = turned(self.mean());
+        let mut range = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        let mut largest = 0.0_f64;
+        for angle in self.telling_angles() {
+            let (force, _) = turned(self.at(angle));
+            for i in 0..3 {
+                range[0][i] = range[0][i].min(force[i]);
+                range[1][i] = range[1][i].max(force[i]);
+            }
+            largest = largest.max(force.iter().map(|part| part * part).sum::<f64>().sqrt());
+        }
+        let revolution = (0..ANGLES).map(|i| turned(self.at(TAU * i as f64 / ANGLES as f64)).0).collect();
+        Ok(CuttingForce { mean: Some(mean), range: Some(range), largest, moment, power: None, revolution })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LINEAR: Edge = Edge::Linear { chip: [767.01e6, 168.8e6, 222e6], rubbing: [27.7e3, 26.6e3, 0.7e3] };
+    const POWER: Edge = Edge::Power { specific: 2220e6, exponent: 0.14, ratios: [0.4, 0.2] };
+
+    fn mill(side: Side, width: f64, helix: f64, edge: Edge) -> Milling {
+        let [entry, exit] = Engagement::angles(side, width, 0.016);
+        let engagement = Engagement { depth: 0.002, entry, exit, feed_per_tooth: 1e-4 };
+        Milling { diameter: 0.016, teeth: 4, helix, engagement, edge }
+    }
+
+    fn close(a: &[f64], b: &[f64], within: f64) {
+        let scale = b.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+        assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= within * scale), "{a:?} is not {b:?}");
+    }
+
+    /// The four lines of every textbook: N a K c / 4 and so on, here in N and mm.
+    #[test]
+    fn a_slot_is_as_by_hand() {
+        let (n, a, c) = (4.0, 2.0, 0.1);
+        let by_hand = [
+            -n * a * 168.8 * c / 4.0 - n * a * 26.6 / PI,
+            n * a * 767.01 * c / 4.0 + n * a * 27.7 / PI,
+            n * a * 222.0 * c / PI + n * a * 0.7 / 2.0,
+        ];
+        let found = mill(Side::Slot, 0.016, 0.0, LINEAR).force(1.0).unwrap();
+        close(&found.mean.unwrap(), &by_hand, 1e-13);
+        // Tangential force times radius: N D a (K_tc c + pi K_te / 2) / (2 pi), in N m.
+        let moment = n * 16.0 * a * (767.01 * c + PI * 27.7 / 2.0) / TAU / 1e3;
+        close(&[found.moment], &[moment], 1e-13);
+    }
+
+    /// The closed mean against the sum over a revolution of the tool itself, straight and with a helix that winds further than a pitch.
+    #[test]
+    fn the_mean_is_that_of_the_revolution() {
+        for edge in [LINEAR, POWER] {
+            for (side, width) in
+                [(Side::Slot, 0.016), (Side::Up, 0.008), (Side::Down, 0.008), (Side::Down, 0.001), (Side::Up, 0.0137)]
+            {
+                for helix in [0.0, 0.5, 1.3] {
+                    let one = mill(side, width, helix, edge);
+                    let mean = one.mean();
+                    // Straight teeth: over the angles of the cut, where nothing jumps. Else over the revolution, which is periodic.
+                    let summed = if helix == 0.0 {
+                        let Engagement { entry, exit, depth, .. } = one.engagement;
+                        integral(|phi| one.tooth(phi), entry, exit, 200).map(|part| part * 4.0 * depth / TAU)
+                    } else {
+                        let Engagement { entry, exit, .. } = one.engagement;
+                        let mut breaks: Vec<f64> = [entry, exit, entry + one.lag(), exit + one.lag()]
+                            .map(|at| at.rem_euclid(TAU / 4.0))
+                            .to_vec();
+                        breaks.extend([0.0, TAU / 4.0]);
+                        breaks.sort_by(f64::total_cmp);
+                        let mut sum = [0.0; 4];
+                        for pair in breaks.windows(2) {
+                            let part = integral(|angle| one.at(angle), pair[0], pair[1], 40);
+                            (0..4).for_each(|i| sum[i] += part[i] * 4.0 / TAU);
+                        }
+                        sum
+                    };
+                    // Under Kienzle's law the four pieces of `at` see the power at thin chips; the tool is held to less there.
+                    let within = if matches!(edge, Edge::Power { .. }) { 1e-6 } else { 1e-9 };
+                    close(&mean, &summed, within);
+                }
+            }
+        }
+    }
+
+    /// One straight tooth in a slot: across, the force is largest where the chip is thickest; along the feed at the ends, by rubbing.
+    #[test]
+    fn extremes_of_one_straight_tooth_are_as_by_hand() {
+        let one = Milling { teeth: 1, ..mill(Side::Slot, 0.016, 0.0, LINEAR) };
+        let found = one.force(1.0).unwrap();
+        let [low, high] = found.range.unwrap();
+        close(&[high[2], low[2]], &[2.0 * (222.0 * 0.1 + 0.7), 0.0], 1e-9);
+        // At the exit phi = pi: F_x = a K_te; F_y there is a K_re.
+        let grid: Vec<Felt> = (0..=100_000).map(|i| one.at(PI * f64::from(i) / 1e5)).collect();
+        for i in 0..3 {
+            let most = grid.iter().map(|felt| felt[i]).fold(f64::MIN, f64::max).max(0.0);
+            let least = grid.iter().map(|felt| felt[i]).fold(f64::MAX, f64::min).min(0.0);
+            close(&[low[i], high[i]], &[least, most], 1e-4);
+        }
+        // Four teeth in a slot: two always cut, so that the force across never vanishes.
+        let four = mill(Side::Slot, 0.016, 0.0, LINEAR).force(1.0).unwrap().range.unwrap();
+        assert!(0.0 < four[0][1]);
+    }
+
+    /// Up milling with one sense is the mirror image of up milling with the other.
+    #[test]
+    fn a_tool_that_turns_the_other_way_is_pushed_to_the_other_side() {
+        let one = mill(Side::Up, 0.004, 0.6, LINEAR);
+        let [cw, ccw] = [1.0, -1.0].map(|sense| one.force(sense).unwrap());
+        let ([x, y, z], mirrored) = (cw.mean.unwrap(), ccw.mean.unwrap());
+        assert_eq!(mirrored, [x, -y, z]);
+        assert_eq!(cw.moment, -ccw.moment);
+        assert_eq!(cw.range.unwrap()[1][1], -ccw.range.unwrap()[0][1]);
+    }
+
+    #[test]
+    fn engagements_that_are_none_are_refused() {
+        let good = mill(Side::Up, 0.004, 0.6, LINEAR);
+        let cut = |change: fn(&mut Milling)| {
+            let mut one = good;
+            change(&mut one);
+            one.force(1.0)
+        };
+        assert!(cut(|_| ()).is_ok());
+        assert!(cut(|one| one.engagement.depth = f64::NAN).is_err());
+        assert!(cut(|one| one.engagement.exit = one.engagement.entry).is_err());
+        assert!(cut(|one| one.engagement.feed_per_tooth = 0.0).is_err());
+        assert!(cut(|one| one.teeth = 0).is_err());
+        assert!(cut(|one| one.diameter = f64::INFINITY).is_err());
+        assert!(cut(|one| one.helix = 2.0).is_err());
+    }
+}

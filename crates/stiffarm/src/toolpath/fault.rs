@@ -1,0 +1,77 @@
+//! Why is a toolpath refused, and where?
+
+use std::io;
+
+use crate::plain::on_one_line;
+use crate::watch::Stopped;
+
+/// A file of which no path is made: the line, the word, and what was expected.
+#[derive(Debug, thiserror::Error)]
+pub enum PathFault {
+    /// A word that cannot be modelled, or makes no sense.
+    #[error("{file}:{line}: {word}: {why}")]
+    Refused {
+        /// The file as the user named it.
+        file: String,
+        /// From 1.
+        line: usize,
+        /// The word or statement.
+        word: String,
+        /// What is wrong and what was expected.
+        why: String,
+    },
+    /// A file with nothing in it that moves the tool.
+    #[error("{file}: {why}")]
+    Empty {
+        /// The file as the user named it.
+        file: String,
+        /// What was expected.
+        why: String,
+    },
+    /// It cannot be read to its end.
+    #[error("{file}:{line}: cannot read on: {error}")]
+    Input {
+        /// The file as the user named it.
+        file: String,
+        /// The line that could not be read.
+        line: usize,
+        /// Why.
+        error: io::Error,
+    },
+    /// It is no longer wanted.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+    /// A built-in path that cannot be understood.
+    #[error("path '{text}' is not understood: {why}")]
+    Notation {
+        /// What was given.
+        text: String,
+        /// What was expected.
+        why: String,
+    },
+}
+
+/// A word and what is wrong with it; file and line are known to who reads lines.
+#[derive(Debug)]
+pub(super) struct Wrong {
+    pub(super) word: String,
+    pub(super) why: String,
+}
+
+impl Wrong {
+    pub(super) fn new(word: impl Into<String>, why: impl Into<String>) -> Self {
+        Self { word: word.into(), why: why.into() }
+    }
+
+    pub(super) fn at(self, file: &str, line: usize) -> PathFault {
+        PathFault::Refused { file: file.into(), line, word: shown(&self.word), why: self.why }
+    }
+}
+
+/// A text from a file as it may stand in a message: short and on one line.
+pub(super) fn shown(text: &str) -> String {
+    const MOST: usize = 60;
+    let short: String = text.chars().take(MOST).collect();
+    let more = if text.chars().nth(MOST).is_some() { "..." } else { "" };
+    format!("{}{more}", on_one_line(&short))
+}

@@ -1,0 +1,93 @@
+//! The lines of a file one after the other, in bounded memory, whatever stands in it.
+
+use std::io::BufRead;
+
+use super::fault::{PathFault, Wrong};
+
+/// No machine reads longer lines, bytes.
+const LONGEST: usize = 1 << 16;
+
+/// Reads lines; tells how far it is.
+pub(super) struct Lines<'a> {
+    input: &'a mut dyn BufRead,
+    file: &'a str,
+    buffer: Vec<u8>,
+    /// Of the line read last, from 1.
+    pub(super) number: usize,
+    /// Read so far.
+    pub(super) bytes: u64,
+}
+
+impl<'a> Lines<'a> {
+    pub(super) fn of(input: &'a mut dyn BufRead, file: &'a str) -> Self {
+        Self { input, file, buffer: Vec::new(), number: 0, bytes: 0 }
+    }
+
+    /// The next line without its end, and its number from 1; `None` after the last one.
+    ///
+    /// # Errors
+    /// A line that is too long or holds a zero byte: no text. What the system refuses.
+    pub(super) fn next(&mut self) -> Result<Option<(usize, &[u8])>, PathFault> {
+        self.buffer.clear();
+        self.number += 1;
+        loop {
+            let found = self.input.fill_buf().map_err(|error| PathFault::Input {
+                file: self.file.into(),
+                line: self.number,
+                error,
+            })?;
+            let (taken, is_whole) = match found.iter().position(|byte| *byte == b'\n') {
+                Some(at) => (at + 1, true),
+                None => (found.len(), found.is_empty()),
+            };
+            if LONGEST < self.buffer.len() + taken {
+                return Err(self.wrong(format!("it is longer than {LONGEST} bytes; expected a toolpath as text")));
+            }
+            self.buffer.extend_from_slice(&found[..taken]);
+            self.input.consume(taken);
+            self.bytes += taken as u64;
+            if is_whole {
+                break;
+            }
+        }
+        if self.buffer.is_empty() {
+            self.number -= 1;
+            return Ok(None);
+        }
+        if self.number == 1 && self.buffer.starts_with(b"\xef\xbb\xbf") {
+            self.buffer.drain(..3);
+        }
+        if self.buffer.contains(&0) {
+            return Err(self.wrong("it holds a zero byte; expected a toolpath as text (UTF-8 or ASCII)".into()));
+        }
+        while self.buffer.last().is_some_and(u8::is_ascii_whitespace) {
+            self.buffer.pop();
+        }
+        Ok(Some((self.number, &self.buffer)))
+    }
+
+    fn wrong(&self, why: String) -> PathFault {
+        Wrong::new("the line", why).at(self.file, self.number)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_come_without_their_ends_and_too_long_ones_are_refused() {
+        let mut text: &[u8] = b"\xef\xbb\xbfa \r\n\nb";
+        let mut lines = Lines::of(&mut text, "x");
+        for expected in [(1, &b"a"[..]), (2, b""), (3, b"b")] {
+            assert_eq!(lines.next().unwrap().unwrap(), expected);
+        }
+        assert!(lines.next().unwrap().is_none());
+        assert_eq!((lines.number, lines.bytes), (3, 9));
+        let long = vec![b'x'; LONGEST + 2];
+        let mut long = long.as_slice();
+        assert!(Lines::of(&mut long, "x").next().unwrap_err().to_string().starts_with("x:1: the line: it is longer"));
+        let mut zero: &[u8] = b"a\0b";
+        assert!(Lines::of(&mut zero, "x").next().unwrap_err().to_string().contains("zero byte"));
+    }
+}
