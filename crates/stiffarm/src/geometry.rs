@@ -142,6 +142,15 @@ impl Geometry {
         wrist
     }
 
+    /// How far a pose of the flange lies outside of what the links reach, m, limits left aside; 0 where they do.
+    pub(crate) fn beyond(&self, flange: &Pose) -> f64 {
+        let wrist = flange.translation.vector - flange.rotation * Vector3::z() * self.c4;
+        let ahead = (wrist.xy().norm_squared() - self.b * self.b).max(0.0).sqrt();
+        let from = |forwards: f64| (forwards - self.a1).hypot(wrist.z - self.c1);
+        let outside = |far: f64| (far - self.c2 - self.l3()).max((self.c2 - self.l3()).abs() - far).max(0.0);
+        outside(from(ahead)).min(outside(from(-ahead)))
+    }
+
     /// The six joint angles as reported from model angles, rad; whole turns are left as they are.
     pub fn reported(&self, theta: &[f64; 6], third_axis: ThirdAxis) -> [f64; 6] {
         std::array::from_fn(|i| {

@@ -2,6 +2,7 @@
 
 mod forces;
 mod in_plane;
+mod push;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -10,6 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 pub(crate) use forces::Forces;
 pub use forces::Largest;
 pub(crate) use in_plane::Sector;
+pub use push::Push;
 
 /// The largest force that is taken, N.
 const MOST: f64 = 1e6;

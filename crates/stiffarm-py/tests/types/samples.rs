@@ -238,7 +238,7 @@ pub(crate) fn toolpaths() -> Vec<Value> {
         let (options, mut survey) = (asked.read_options(), Survey::new(asked.steps()));
         let mut each = |one: &_| survey.add(one);
         let found =
-            toolpath::read(&mut text.as_bytes(), "part.nc", Format::Gcode, &options, &mut each, &mut |_| Ok(()));
+            toolpath::read(&mut text.as_bytes(), "part.nc", Format::GCode, &options, &mut each, &mut |_| Ok(()));
         PathAnswer { path: "part.nc".into(), understood: Some(found.unwrap()), survey }.json()
     };
     let mut survey = Survey::new(asked(Verb::Mill, &[("path", "line:0.3")]).steps());

@@ -376,6 +376,29 @@ fields! {
     SPINDLE_SPEED: "spindle_rpm", Kind::Number(Unit::Given("rpm")), "Speed of the spindle.";
     ENTRY_ANGLE: "entry_deg", Kind::Number(Unit::Degree), "Where a tooth enters, from the left of the feed in the sense of the rotation.";
     EXIT_ANGLE: "exit_deg", Kind::Number(Unit::Degree), "Where a tooth leaves.";
+    CUTTING_FORCE: "force", Kind::Text, "Where the force on the tool comes from.";
+    PART: "part", Kind::Nested, "The path as it was cut: samples, lengths and time.";
+    SAMPLES_OF_PATH: "samples", Kind::Count, "Samples along the path.";
+    PATH_LENGTH: "length_m", Kind::Number(Unit::Metre), "Length of the path, rapid ways and all.";
+    CUTTING_LENGTH: "cutting_length_m", Kind::Number(Unit::Metre), "Length of what feeds.";
+    TIME: "time_s", Kind::Number(Unit::Second), "Time of what feeds; null where a feed rate is not said.";
+    ROLL_CHOICE: "roll", Kind::Nested, "How the tool is turned about its axis.";
+    ROLL_MODE: "mode", Kind::Text, "free, constant, linear or fixed.";
+    ROLL_FROM: "from_deg", Kind::Number(Unit::Degree), "The smallest roll: of the tool's x axis from the part's.";
+    ROLL_TO: "to_deg", Kind::Number(Unit::Degree), "The largest roll.";
+    REARRANGED: "rearranged", Kind::Count, "How often the arm takes another configuration, clear of the work.";
+    ERROR_PART: "error", Kind::Text, "What of the displacement counts: total, across or axial.";
+    SPEED_SHARE: "speed_share", Kind::Number(Unit::One), "Of the joints' speeds what is used at most; null where the robot file tells none.";
+    AT: "at_m", numbers(Unit::Metre, &["at_x_m", "at_y_m", "at_z_m"]), "Where the path's origin stands.";
+    AT_YAW: "at_yaw_deg", Kind::Number(Unit::Degree), "By how much the part is turned about the vertical.";
+    PATH_WORST: "worst_mm", Kind::Number(Unit::Millimetre), "The largest error along the path.";
+    PATH_LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of the mode that was asked for, and where the place was sought no place, have less.";
+    ROLL_LOWER_BOUND: "roll_lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of that mode have less at this place.";
+    RMS: "rms_mm", Kind::Number(Unit::Millimetre), "The root mean square of the error over what feeds.";
+    WORST_SAMPLE: "worst_sample", Kind::Count, "The sample with the largest error, from 0.";
+    WORST_LINE: "worst_line", Kind::Count, "Its line in the file; 0 of a path built in.";
+    SEARCH: "search", Kind::Nested, "How finely a place was looked for; null where it was given.";
+    SAMPLES_OF_SEARCH: "samples", Kind::Count, "Samples that stood for the path in the search.";
 }
 
 #[cfg(test)]

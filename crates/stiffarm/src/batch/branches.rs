@@ -144,16 +144,13 @@ impl SpatialArm {
         let [.., fourth, fifth, sixth] = self.angular_limits.joints;
         let (axis_6, wrist_to_tool) = (seen.axis_6, seen.wrist_to_tool);
         let posture = PostureLanes { s2, c2, s23, c23, axis_5, axis_6, wrist_to_tool };
-        let worst = seen.counted.of(&seen.seen, &self.translation(&posture));
+        let worst = seen.counted.of(&seen.seen, self, &posture);
         let straight = same_branch.clearance.sin();
         let any_split = s2.all(if self.angular_limits.any_wrist_split { 1.0 } else { -1.0 });
         let flipped = match self.coupling {
             // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
             Coupling::Serial | Coupling::QuasiSerial => worst,
-            Coupling::Any(_) => {
-                let flipped = self.translation(&PostureLanes { axis_5: axis_5 * -1.0, ..posture });
-                seen.counted.of(&seen.seen, &flipped)
-            }
+            Coupling::Any(_) => seen.counted.of(&seen.seen, self, &PostureLanes { axis_5: axis_5 * -1.0, ..posture }),
         };
         let worst = [worst, flipped];
         for wrist in 0..2 {

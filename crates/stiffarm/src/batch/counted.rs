@@ -6,9 +6,11 @@
 use nalgebra::Vector3;
 use pulp::Simd;
 
+use super::SpatialArm;
 use super::lanes::{Lanes, Mask};
+use super::posture::{DriveSum, PostureLanes};
 use super::vectors::{Symmetric, Triple};
-use crate::load::{Component, Forces};
+use crate::load::{Component, Forces, Push};
 
 /// Newton steps of the root on a rim. They come from below, where what is computed is too large: after so many by less than 2e-8 of
 /// the value where the root is nearly a triple one, and by rounding elsewhere.
@@ -26,8 +28,8 @@ pub(super) trait Counted: Copy {
     /// Seen from the axes of the arm, which are turned about the vertical by the angle of sine `s` and cosine `c`.
     fn seen<S: Simd>(&self, s: Lanes<S>, c: Lanes<S>) -> Self::Seen<S>;
 
-    /// Of a compliance in the axes of the arm.
-    fn of<S: Simd>(&self, seen: &Self::Seen<S>, compliance: &Symmetric<S>) -> Lanes<S>;
+    /// Of an arm in a posture.
+    fn of<S: Simd>(&self, seen: &Self::Seen<S>, arm: &SpatialArm, posture: &PostureLanes<S>) -> Lanes<S>;
 }
 
 /// The largest in any direction.
@@ -41,8 +43,8 @@ impl Counted for AnyDirection {
     fn seen<S: Simd>(&self, _: Lanes<S>, _: Lanes<S>) {}
 
     #[inline(always)]
-    fn of<S: Simd>(&self, (): &(), compliance: &Symmetric<S>) -> Lanes<S> {
-        compliance.largest()
+    fn of<S: Simd>(&self, (): &(), arm: &SpatialArm, posture: &PostureLanes<S>) -> Lanes<S> {
+        arm.translation(posture).largest()
     }
 }
 
@@ -75,7 +77,58 @@ impl Counted for Forces {
     }
 
     #[inline(always)]
-    fn of<S: Simd>(&self, seen: &SeenForces<S>, compliance: &Symmetric<S>) -> Lanes<S> {
+    fn of<S: Simd>(&self, seen: &SeenForces<S>, arm: &SpatialArm, posture: &PostureLanes<S>) -> Lanes<S> {
+        self.of_compliance(seen, &arm.translation(posture))
+    }
+}
+
+/// Vectors of a push in the axes of the arm.
+#[derive(Clone, Copy)]
+pub(super) struct SeenPush<S: Simd> {
+    force: Triple<S>,
+    moment: Triple<S>,
+    counted: Triple<S>,
+}
+
+/// How far the drives move the tool point under a push.
+struct Moved<'a, S: Simd> {
+    push: &'a SeenPush<S>,
+    sum: Triple<S>,
+}
+
+impl<S: Simd> DriveSum<S> for Moved<'_, S> {
+    #[inline(always)]
+    fn add(&mut self, k: Lanes<S>, column: Triple<S>, axis: Triple<S>) {
+        let turn = k * (column.dot(self.push.force) + axis.dot(self.push.moment));
+        self.sum = self.sum + column * turn;
+    }
+}
+
+/// In m, not per N.
+impl Counted for Push {
+    type Seen<S: Simd> = SeenPush<S>;
+
+    #[inline(always)]
+    fn seen<S: Simd>(&self, s: Lanes<S>, c: Lanes<S>) -> SeenPush<S> {
+        SeenPush {
+            force: turned(&self.force, s, c),
+            moment: turned(&self.moment, s, c),
+            counted: turned(&self.counted.unwrap_or_else(Vector3::zeros), s, c),
+        }
+    }
+
+    #[inline(always)]
+    fn of<S: Simd>(&self, seen: &SeenPush<S>, arm: &SpatialArm, posture: &PostureLanes<S>) -> Lanes<S> {
+        let mut moved = Moved { push: seen, sum: Triple([posture.s2.all(0.0); 3]) };
+        arm.add_drives(posture, &mut moved);
+        if self.counted.is_some() { moved.sum.dot(seen.counted).abs() } else { moved.sum.length() }
+    }
+}
+
+impl Forces {
+    /// Of a compliance in the axes of the arm.
+    #[inline(always)]
+    fn of_compliance<S: Simd>(&self, seen: &SeenForces<S>, compliance: &Symmetric<S>) -> Lanes<S> {
         match (self.component(), self.is_one()) {
             (Component::Along, true) => compliance.times(seen.axis).dot(seen.axis),
             (Component::Total, true) => compliance.times(seen.axis).length(),
@@ -85,9 +138,7 @@ impl Counted for Forces {
             (Component::Total, false) => self.quadratic(seen, compliance, &compliance.squared()).abs().sqrt(),
         }
     }
-}
 
-impl Forces {
     /// A vector this far along the axis, or the opposite one, lies in the band; of a vector of that length.
     #[inline(always)]
     fn holds_along<S: Simd>(&self, along: Lanes<S>, length: Lanes<S>) -> Mask<S> {
@@ -229,7 +280,7 @@ mod tests {
             let (s, c) = all(angle).sin_cos();
             let mut found = [0.0; 8];
             // What is given in base axes is seen by the arm turned back.
-            forces.of(&forces.seen(s, c), &upright.turned(-s, c)).store(&mut found[..S::F64_LANES]);
+            forces.of_compliance(&forces.seen(s, c), &upright.turned(-s, c)).store(&mut found[..S::F64_LANES]);
             found[0]
         }
     }

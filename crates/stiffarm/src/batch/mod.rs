@@ -17,6 +17,7 @@ mod branches;
 mod counted;
 mod joints;
 mod lanes;
+mod on_path;
 mod orientation;
 mod poses;
 mod posture;
@@ -37,6 +38,7 @@ use crate::tolerances::{CLEARANCE, PROOF_CLEARANCE};
 
 pub(crate) use angular_interval::AngularInterval;
 use angular_limits::AngularLimits;
+pub(crate) use on_path::{Pushing, RollGrid};
 pub(crate) use orientation::RolledTool;
 pub(crate) use poses::AtRoll;
 pub use poses::Best;

@@ -2,7 +2,11 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use pulp::Simd;
+
 use super::SpatialArm;
+use super::lanes::Lanes;
+use super::vectors::Triple;
 use crate::load::Forces;
 
 /// The vectors that poses of the tool with one orientation share, base axes.
@@ -37,6 +41,23 @@ impl ToolOrientation {
 }
 
 impl RolledTool {
+    /// Axis of joint 6, the flange's x, and the vector from the wrist centre to the tool point at rolls of these sines and cosines.
+    #[inline(always)]
+    pub(super) fn at<S: Simd>(&self, simd: S, s: Lanes<S>, c: Lanes<S>) -> [Triple<S>; 3] {
+        let Self { still, cos, sin, .. } = self;
+        let parts = [
+            [&still.axis_6, &cos.axis_6, &sin.axis_6],
+            [&still.flange_x, &cos.flange_x, &sin.flange_x],
+            [&still.wrist_to_tool, &cos.wrist_to_tool, &sin.wrist_to_tool],
+        ];
+        let mut vectors = [Triple::splat(simd, &still.axis_6); 3];
+        for i in 0..3 {
+            let [still, cos, sin] = parts[i];
+            vectors[i] = Triple::splat(simd, still) + Triple::splat(simd, cos) * c + Triple::splat(simd, sin) * s;
+        }
+        vectors
+    }
+
     /// The same under some forces only.
     #[must_use]
     pub(crate) fn under(self, forces: Option<Forces>) -> Self {

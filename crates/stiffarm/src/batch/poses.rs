@@ -150,20 +150,9 @@ impl<C: Counted> WithSimd for AtRolls<'_, C> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let RolledTool { still, cos, sin, .. } = self.rolled_tool;
         for rolls in self.rolls.chunks(S::F64_LANES) {
             let (s, c) = Lanes::load(simd, rolls).sin_cos();
-            let turned = [
-                [&still.axis_6, &cos.axis_6, &sin.axis_6],
-                [&still.flange_x, &cos.flange_x, &sin.flange_x],
-                [&still.wrist_to_tool, &cos.wrist_to_tool, &sin.wrist_to_tool],
-            ];
-            let mut vectors = [Triple::splat(simd, self.point); 3];
-            for i in 0..3 {
-                let [still, cos, sin] = turned[i];
-                vectors[i] = Triple::splat(simd, still) + Triple::splat(simd, cos) * c + Triple::splat(simd, sin) * s;
-            }
-            let [axis_6, flange_x, wrist_to_tool] = vectors;
+            let [axis_6, flange_x, wrist_to_tool] = self.rolled_tool.at(simd, s, c);
             let flange = FlangePoses { point: Triple::splat(simd, self.point), axis_6, flange_x, wrist_to_tool };
             let branches = self.arm.configurations(&flange, &SameBranch::default(), self.counted);
             let mut parts = [[[0.0; WIDEST]; Configuration::COUNT]; 5];

@@ -40,10 +40,32 @@ pub(crate) fn arm_columns<T: Real>(
     [[-(aside + geometry.b), px + geometry.a1, zero], [pz, zero, -px], [fz, zero, -fx]]
 }
 
+/// What the drives add up to.
+pub(super) trait DriveSum<S: Simd> {
+    /// Adds a drive of compliance `k`, rad/(N m): turned by 1 rad it moves the tool point by `column`, m, and turns the tool by `axis`;
+    /// both in the axes of the arm.
+    fn add(&mut self, k: Lanes<S>, column: Triple<S>, axis: Triple<S>);
+}
+
+impl<S: Simd> DriveSum<S> for Symmetric<S> {
+    #[inline(always)]
+    fn add(&mut self, k: Lanes<S>, column: Triple<S>, _: Triple<S>) {
+        self.add_square(k, column);
+    }
+}
+
 impl SpatialArm {
     /// Translations per force at the tool point, in the axes of the arm: x forwards in the arm plane, y across, z up.
     #[inline(always)]
     pub(super) fn translation<S: Simd>(&self, at: &PostureLanes<S>) -> Symmetric<S> {
+        let mut sum = Symmetric::zero(at.s2.all(0.0));
+        self.add_drives(at, &mut sum);
+        sum
+    }
+
+    /// Adds every drive.
+    #[inline(always)]
+    pub(super) fn add_drives<S: Simd>(&self, at: &PostureLanes<S>, sum: &mut impl DriveSum<S>) {
         let PostureLanes { s2, c2, s23, c23, axis_5, axis_6, wrist_to_tool } = *at;
         let Geometry { a2, c2: upper, c3, .. } = self.geometry;
         let zero = s2.all(0.0);
@@ -60,21 +82,24 @@ impl SpatialArm {
             None => s2.all(k[1]),
             Some(compensator) => compensated(k[1], compensator, s2, c2),
         };
-        let mut sum = Symmetric::zero(zero);
+        let one = zero.all(1.0);
+        let (up, left, none) = (Triple([zero, zero, one]), Triple([zero, one, zero]), Triple([zero; 3]));
         match &self.coupling {
             Coupling::Serial | Coupling::QuasiSerial => {
-                sum.add(zero.all(k[0]), column_1);
+                sum.add(zero.all(k[0]), column_1, up);
                 // Drive 2 of a parallelogram turns the upper arm and leaves the forearm's direction as it is.
                 let quasi = self.coupling == Coupling::QuasiSerial;
-                sum.add(k2, if quasi { Triple([ez, zero, -ex]) } else { column_2 });
-                sum.add(zero.all(k[2]), column_3);
-                sum.add(zero.all(k[3]), along.cross(wrist_to_tool));
-                sum.add(zero.all(k[4]), axis_5.cross(wrist_to_tool));
+                let (column_2, axis_2) = if quasi { (Triple([ez, zero, -ex]), none) } else { (column_2, left) };
+                sum.add(k2, column_2, axis_2);
+                sum.add(zero.all(k[2]), column_3, left);
+                sum.add(zero.all(k[3]), along.cross(wrist_to_tool), along);
+                sum.add(zero.all(k[4]), axis_5.cross(wrist_to_tool), axis_5);
                 if !self.tool_is_on_axis_6() {
-                    sum.add(zero.all(k[5]), axis_6.cross(wrist_to_tool));
+                    sum.add(zero.all(k[5]), axis_6.cross(wrist_to_tool), axis_6);
                 }
             }
             Coupling::Any(a) => {
+                let axes = [up, left, left, along, axis_5, axis_6];
                 let joints = [
                     column_1,
                     column_2,
@@ -84,15 +109,15 @@ impl SpatialArm {
                     axis_6.cross(wrist_to_tool),
                 ];
                 for j in 0..6 {
-                    let mut column = Triple([zero; 3]);
+                    let (mut column, mut axis) = (none, none);
                     for i in 0..6 {
                         column = column + joints[i] * a[(i, j)];
+                        axis = axis + axes[i] * a[(i, j)];
                     }
-                    sum.add(if j == 1 { k2 } else { zero.all(k[j]) }, column);
+                    sum.add(if j == 1 { k2 } else { zero.all(k[j]) }, column, axis);
                 }
             }
         }
-        sum
     }
 }
 

@@ -97,7 +97,7 @@ impl<S: Simd> Symmetric<S> {
 
     /// Adds `k v v^T`.
     #[inline(always)]
-    pub(super) fn add(&mut self, k: Lanes<S>, v: Triple<S>) {
+    pub(super) fn add_square(&mut self, k: Lanes<S>, v: Triple<S>) {
         let [x, y, z] = v.0;
         let (kx, ky, kz) = (k * x, k * y, k * z);
         let added = [kx * x, ky * y, kz * z, kx * y, ky * z, kx * z];

@@ -182,12 +182,18 @@ impl Milling {
         angles
     }
 
+    /// The mean alone, force and moment; `sense` as [`Self::force`] has it.
+    pub(super) fn checked_mean(&self, sense: f64) -> Result<([f64; 3], f64), CuttingError> {
+        self.check()?;
+        let [x, y, z, moment] = self.mean();
+        Ok(([x, sense * y, z], sense * moment))
+    }
+
     /// Mean, extremes and a revolution; `sense` is 1 where the tool turns clockwise from above, else -1.
     pub(super) fn force(&self, sense: f64) -> Result<CuttingForce, CuttingError> {
-        self.check()?;
         // Turned the other way the picture is mirrored at the feed: what is left is right.
         let turned = |[x, y, z, m]: Felt| ([x, sense * y, z], sense * m);
-        let (mean, moment) = turned(self.mean());
+        let (mean, moment) = self.checked_mean(sense)?;
         let mut range = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         let mut largest = 0.0_f64;
         for angle in self.telling_angles() {

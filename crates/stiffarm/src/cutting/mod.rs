@@ -96,6 +96,26 @@ pub enum CuttingError {
 pub const ANGLES: usize = 720;
 
 impl Process {
+    /// The mean force along feed, across and axial, N, and the mean moment about the axis, N m, as [`Self::force`] has them, without the rest;
+    /// `None` of a force that may point anywhere.
+    ///
+    /// # Errors
+    /// As [`Self::force`].
+    pub fn mean(&self) -> Result<Option<([f64; 3], f64)>, CuttingError> {
+        let Law::Milling(milling) = &self.law else {
+            let CuttingForce { mean, moment, .. } = self.force()?;
+            return Ok(mean.map(|mean| (mean, moment)));
+        };
+        let (force, moment) = milling.checked_mean(self.sense())?;
+        let worst = force.into_iter().chain([moment]).find(|part| !(part.abs() <= MOST));
+        worst.map_or(Ok(Some((force, moment))), |part| Err(CuttingError::Force(part)))
+    }
+
+    /// A moment against the turning of the tool points up where it turns clockwise from above.
+    fn sense(&self) -> f64 {
+        if self.is_clockwise { 1.0 } else { -1.0 }
+    }
+
     /// The force on the tool.
     ///
     /// # Errors
@@ -109,8 +129,7 @@ impl Process {
             power: None,
             revolution: vec![force],
         };
-        // A moment against the turning of the tool points up where it turns clockwise from above.
-        let sense = if self.is_clockwise { 1.0 } else { -1.0 };
+        let sense = self.sense();
         let mut found = match &self.law {
             Law::Worst(newtons) => CuttingForce {
                 mean: None,

@@ -89,6 +89,7 @@ impl ArmEnclosure {
             wrist_to_tool: fixed(wrist_to_tool),
             axis_6: fixed(axis_6),
             flange_x: fixed(flange_x),
+            push: None,
         };
         let branch = configuration.arm();
         let view = self.view(&tool_frame, [0.0; 2], branch)?;

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use super::affine::{Affine, Vector};
 use super::bounds::NodeBounds;
 use super::links::{ArmView, Links};
-use super::prepared::ArmEnclosure;
+use super::prepared::{ArmEnclosure, PushEnclosure};
 use crate::batch::{Coupling, arm_columns};
 use crate::interval::Interval;
 use crate::inverse::{ArmBranch, Shoulder};
@@ -26,7 +26,7 @@ impl ArmEnclosure {
     ) {
         let (geometry, k) = (&self.arm.geometry, self.arm.k);
         // A force of known direction need not turn any of these joints.
-        if matches!(self.arm.coupling, Coupling::Any(_)) || !self.load.is_worst() {
+        if matches!(self.arm.coupling, Coupling::Any(_)) || !self.load.is_worst() || view.push.is_some() {
             return;
         }
         let [x, y, z] = view.point;
@@ -68,20 +68,22 @@ impl ArmEnclosure {
         axis_5: Option<Vector<N>>,
         bounds: &mut NodeBounds<N>,
     ) {
-        let drives = self.drives(view, links, axis_5);
-        match view.work {
-            None => add_worst_bounds(&drives, bounds),
-            Some(work) => self.add_directed_bounds(view, &work, &drives, bounds),
+        let (drives, axes) = self.drives(view, links, axis_5);
+        match (&view.push, view.work) {
+            (Some(push), _) => add_push_bounds(push, &drives, &axes, bounds),
+            (None, None) => add_worst_bounds(&drives, bounds),
+            (None, Some(work)) => self.add_directed_bounds(view, &work, &drives, bounds),
         }
     }
 
-    /// The compliance of each drive, and what turning it by 1 rad moves the tool point by, in the axes of the arm.
+    /// The compliance of each drive and what turning it by 1 rad moves the tool point by; and the axis about which it turns the tool. All in
+    /// the axes of the arm.
     fn drives<const N: usize>(
         &self,
         view: &ArmView<N>,
         links: &Links<N>,
         axis_5: Option<Vector<N>>,
-    ) -> [(Affine<N>, Vector<N>); 6] {
+    ) -> ([(Affine<N>, Vector<N>); 6], [Vector<N>; 6]) {
         let geometry = &self.arm.geometry;
         let zero = Affine::point(0.0);
         let [ux, uy, uz] = view.wrist_to_tool;
@@ -98,20 +100,25 @@ impl ArmEnclosure {
             axis_5.map_or([unknown; 3], |axis_5| cross(axis_5, view.wrist_to_tool)),
             if self.arm.tool_is_on_axis_6() { [zero; 3] } else { cross(view.axis_6, view.wrist_to_tool) },
         ];
+        let (one, none) = (Affine::point(1.0), [zero; 3]);
+        let (up, left) = ([zero, zero, one], [zero, one, zero]);
+        let mut axes = [up, left, left, along, axis_5.unwrap_or([unknown; 3]), view.axis_6];
         match &self.arm.coupling {
             Coupling::Serial => {}
-            Coupling::QuasiSerial => columns[1] = [ez, zero, -ex],
+            Coupling::QuasiSerial => (columns[1], axes[1]) = ([ez, zero, -ex], none),
             Coupling::Any(a) => {
-                let joints = columns;
-                columns = std::array::from_fn(|drive| {
-                    (0..6).filter(|&joint| a[(joint, drive)] != 0.0).fold([zero; 3], |sum, joint| {
-                        std::array::from_fn(|i| sum[i] + joints[joint][i] * a[(joint, drive)])
+                let mixed = |joints: [Vector<N>; 6]| -> [Vector<N>; 6] {
+                    std::array::from_fn(|drive| {
+                        (0..6).filter(|&joint| a[(joint, drive)] != 0.0).fold(none, |sum, joint| {
+                            std::array::from_fn(|i| sum[i] + joints[joint][i] * a[(joint, drive)])
+                        })
                     })
-                });
+                };
+                (columns, axes) = (mixed(columns), mixed(axes));
             }
         }
         let k = self.drive_compliances(links);
-        std::array::from_fn(|drive| (k[drive], columns[drive]))
+        (std::array::from_fn(|drive| (k[drive], columns[drive])), axes)
     }
 
     /// Under a force of known direction: for any force `f` that may act, and any `d` that may count, `d . C f` is a lower bound.
@@ -156,10 +163,7 @@ impl ArmEnclosure {
         if parts.len() < drives.len() {
             return;
         }
-        let products = along.iter().zip(&parts).map(|((k, x), (_, column))| {
-            let product = *x * dot(**column, counted);
-            if k.radius() == 0.0 { product * k.centre } else { product * *k }
-        });
+        let products = along.iter().zip(&parts).map(|((k, x), (_, column))| times(*x * dot(**column, counted), k));
         bounds.values.push(products.fold(zero, |sum, product| sum + product));
     }
 
@@ -225,6 +229,45 @@ pub(crate) fn add_squares<const N: usize>(moved: &[(Affine<N>, Affine<N>)], boun
     bounds.values.push(squares(moved, |x: &Affine<N>| (x.centre.abs() - x.radius()).max(0.0).copysign(x.centre)));
 }
 
+/// Adds lower bounds, m, for a known force and moment: what is moved along a direction that is fixed in the axes of the arm is no more than
+/// all that is moved, and of what counts along a direction the sign is that in the middle of the node.
+fn add_push_bounds<const N: usize>(
+    push: &PushEnclosure<N>,
+    drives: &[(Affine<N>, Vector<N>); 6],
+    axes: &[Vector<N>; 6],
+    bounds: &mut NodeBounds<N>,
+) {
+    // A product may be negative: of a drive of which nothing is known it says nothing of the sum.
+    if known(drives).len() < drives.len() || axes.iter().flatten().any(Affine::is_unknown) {
+        return;
+    }
+    let turns: Vec<Affine<N>> = drives
+        .iter()
+        .zip(axes)
+        .map(|((k, column), axis)| times(dot(*column, push.force) + dot(*axis, push.moment), k))
+        .collect();
+    let along = |direction: Vector<N>| {
+        let parts = turns.iter().zip(drives).map(|(turn, (_, column))| *turn * dot(*column, direction));
+        parts.fold(Affine::point(0.0), |sum, part| sum + part)
+    };
+    if let Some(counted) = push.counted {
+        let value = along(counted);
+        bounds.values.push(if value.centre < 0.0 { -value } else { value });
+        return;
+    }
+    let middle = turns.iter().zip(drives).fold(Vector3::zeros(), |sum: Vector3<f64>, (turn, (_, column))| {
+        sum + Vector3::from(column.map(|part| part.centre)) * turn.centre
+    });
+    if let Some(direction) = middle.try_normalize(0.0) {
+        bounds.values.push(along(<[f64; 3]>::from(direction).map(Affine::point)));
+    }
+}
+
+/// A product with a compliance, which mostly is a number.
+fn times<const N: usize>(x: Affine<N>, k: &Affine<N>) -> Affine<N> {
+    if k.radius() == 0.0 { x * k.centre } else { x * *k }
+}
+
 /// What has these parts along three vectors.
 fn combined<const N: usize>(axes: &[Vector<N>; 3], parts: &Vector3<f64>) -> Vector<N> {
     std::array::from_fn(|i| axes[0][i] * parts.x + axes[1][i] * parts.y + axes[2][i] * parts.z)
@@ -235,6 +278,6 @@ fn squares<const N: usize>(moved: &[(Affine<N>, Affine<N>)], tangent: impl Fn(&A
     moved.iter().fold(Affine::point(0.0), |sum, (k, x)| {
         let at = tangent(x);
         let square = *x * (2.0 * at) + -(at * at);
-        sum + if k.radius() == 0.0 { square * k.centre } else { square * *k }
+        sum + times(square, k)
     })
 }

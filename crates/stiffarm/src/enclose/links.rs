@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 use super::affine::{Affine, Vector};
 
 use super::bounds::NodeBounds;
-use super::prepared::{ArmEnclosure, ToolFrameEnclosure};
+use super::prepared::{ArmEnclosure, PushEnclosure, ToolFrameEnclosure};
 use crate::interval::Interval;
 use crate::inverse::{ArmBranch, Shoulder};
 use crate::limits::{Limits, ThirdAxis};
@@ -32,6 +32,8 @@ pub(super) struct ArmView<const N: usize> {
     /// The axes of the work; see [`WorkPlaneEnclosure::work`](super::node::WorkPlaneEnclosure::work). Under a force in its worst
     /// direction nobody asks for them.
     pub(super) work: Option<[Vector<N>; 3]>,
+    /// What pushes, where all of it is known.
+    pub(super) push: Option<PushEnclosure<N>>,
 }
 
 /// Directions of the links, unit vectors in the arm plane: sine and cosine of the angle from upright.
@@ -69,7 +71,8 @@ impl ArmEnclosure {
             let (axis_6, flange_x, wrist_to_tool) =
                 (seen(tool_frame.axis_6), seen(tool_frame.flange_x), seen(tool_frame.wrist_to_tool));
             let work = work.map(|axes| axes.map(|axis| seen(axis).map(unit)));
-            return Some(ArmView { point, wrist, first: [any(1.0); 2], axis_6, flange_x, wrist_to_tool, work });
+            let push = tool_frame.push.map(|push| push.map(seen));
+            return Some(ArmView { point, wrist, first: [any(1.0); 2], axis_6, flange_x, wrist_to_tool, work, push });
         }
         let inverse = square.inverse(Interval::spanning(least, f64::INFINITY))?;
         // sqrt(square - b^2)/square, concave in 1/square.
@@ -82,7 +85,8 @@ impl ArmEnclosure {
         let [axis_6, flange_x, wrist_to_tool] =
             [tool_frame.axis_6, tool_frame.flange_x, tool_frame.wrist_to_tool].map(|v| seen_turned(v, s1, c1));
         let work = work.map(|axes| axes.map(|axis| seen_turned(axis, s1, c1).map(unit)));
-        Some(ArmView { point, wrist, first: [c1, s1], axis_6, flange_x, wrist_to_tool, work })
+        let push = tool_frame.push.map(|push| push.map(|v| seen_turned(v, s1, c1)));
+        Some(ArmView { point, wrist, first: [c1, s1], axis_6, flange_x, wrist_to_tool, work, push })
     }
 
     /// The links that put the wrist centre at `[x, z]`. `None` where they cannot; inner `None` where they could point anywhere.

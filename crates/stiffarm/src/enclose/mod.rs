@@ -15,11 +15,11 @@ mod links;
 mod node;
 mod prepared;
 
-pub(crate) use affine::{Affine, sin_cos};
+pub(crate) use affine::{Affine, Vector, sin_cos};
 pub(crate) use arm::Angles;
 pub(crate) use bounds::NodeBounds;
 pub(crate) use compliance::add_squares;
 pub(crate) use continuity::TurnExtent;
 pub(crate) use dual_bound::{Line, least_largest, remaining};
 pub(crate) use node::{Node, middle, variables};
-pub(crate) use prepared::{ArmEnclosure, ToolFrameEnclosure};
+pub(crate) use prepared::{ArmEnclosure, PushEnclosure, ToolFrameEnclosure};

@@ -66,6 +66,12 @@ impl<const N: usize> WorkPlaneEnclosure<N> {
         Self { centre: point, first: none, second: none, tool: [axis(0), axis(1), axis(2)] }
     }
 
+    /// One point, with a tool along these axes.
+    pub(crate) fn of_tool(point: Vector<N>, tool: [Vector<N>; 3]) -> Self {
+        let none = [Affine::point(0.0); 3];
+        Self { centre: point, first: none, second: none, tool }
+    }
+
     /// A point of the work plane, m from its centre along the sides; base axes.
     pub(crate) fn point(&self, [u, v]: [f64; 2]) -> Vector<N> {
         sum(&self.centre, &sum(&scaled(&self.first, u), &scaled(&self.second, v)))

@@ -25,6 +25,23 @@ pub(crate) struct ToolFrameEnclosure<const N: usize> {
     pub(super) wrist_to_tool: Vector<N>,
     pub(super) axis_6: Vector<N>,
     pub(super) flange_x: Vector<N>,
+    /// What pushes on the tool, where all of it is known.
+    pub(super) push: Option<PushEnclosure<N>>,
+}
+
+/// A force, N, a moment, N m, and the direction along which the displacement counts (all of it where `None`), in one and the same axes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PushEnclosure<const N: usize> {
+    pub(crate) force: Vector<N>,
+    pub(crate) moment: Vector<N>,
+    pub(crate) counted: Option<Vector<N>>,
+}
+
+impl<const N: usize> PushEnclosure<N> {
+    /// Each vector changed alike.
+    pub(super) fn map(self, change: impl Fn(Vector<N>) -> Vector<N>) -> Self {
+        Self { force: change(self.force), moment: change(self.moment), counted: self.counted.map(change) }
+    }
 }
 
 /// An arm whose kinematics and limits are evaluated for all placements of a node at once.
@@ -75,7 +92,20 @@ impl ArmEnclosure {
         let plane = WorkPlaneEnclosure::of(elevation, node);
         let [wrist_to_tool, axis_6, flange_x] =
             [self.wrist_to_tool, self.axis_6, self.flange_x].map(|v| plane.carried(v));
-        ToolFrameEnclosure { plane, wrist_to_tool, axis_6, flange_x }
+        ToolFrameEnclosure { plane, wrist_to_tool, axis_6, flange_x, push: None }
+    }
+
+    /// The tool with its tip at a point and along these axes, under what pushes on it; base axes.
+    pub(crate) fn tool_at<const N: usize>(
+        &self,
+        point: Vector<N>,
+        tool: [Vector<N>; 3],
+        push: Option<PushEnclosure<N>>,
+    ) -> ToolFrameEnclosure<N> {
+        let plane = WorkPlaneEnclosure::of_tool(point, tool);
+        let [wrist_to_tool, axis_6, flange_x] =
+            [self.wrist_to_tool, self.axis_6, self.flange_x].map(|v| plane.carried(v));
+        ToolFrameEnclosure { plane, wrist_to_tool, axis_6, flange_x, push }
     }
 
     /// Squared distance, m^2, of the wrist centre from the joint-2 axis, the tool at a point of the work plane.

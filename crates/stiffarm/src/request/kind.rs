@@ -1,8 +1,8 @@
 //! What does an option take, and which value does a text stand for?
 
 use super::notation::{
-    Angle, Force, block, elevation, force, marker, mount, number, open_range, point, shape, spindle, tool, way, window,
-    yaw,
+    Angle, Force, block, elevation, force, marker, mount, number, open_range, point, roll, shape, spindle, tool, way,
+    window, yaw,
 };
 use crate::catalogue::is_date;
 use crate::catalogue::measurements::Marker;
@@ -10,6 +10,7 @@ use crate::cell::{Block, Mount, Window};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::measure::LoadWay;
+use crate::mill::RollMode;
 use crate::spatial::Pose;
 use crate::task::Task;
 
@@ -63,6 +64,8 @@ pub enum Kind {
     Elevation,
     /// `any`, or degrees.
     Yaw,
+    /// How the roll of a tool is chosen: a word, or degrees.
+    Roll,
     /// A height in m, or `none`.
     Floor,
     /// A tool frame in mm and degrees.
@@ -145,6 +148,7 @@ pub(super) enum Value {
     Way(LoadWay),
     Task(Task),
     Posture(Configuration),
+    Roll(RollMode),
 }
 
 impl Kind {
@@ -187,7 +191,7 @@ impl Kind {
 
     /// A job file may have it as a number.
     pub(super) fn may_be_number(self) -> bool {
-        self.is_number() || matches!(self, Self::Angle | Self::Elevation | Self::Floor | Self::Yaw)
+        self.is_number() || matches!(self, Self::Angle | Self::Elevation | Self::Floor | Self::Yaw | Self::Roll)
     }
 
     /// What a text stands for, or what was expected.
@@ -219,6 +223,7 @@ impl Kind {
             Self::Angle => text.parse().map(Value::Angle),
             Self::Elevation => elevation(text).map(Value::Number),
             Self::Yaw => yaw(text).map(Value::Interval),
+            Self::Roll => roll(text).map(Value::Roll),
             Self::Floor if text.trim() == "none" => Ok(Value::Floor(None)),
             Self::Floor => match number(text, -100.0, 100.0, "m from the robot's base") {
                 Ok(height) => Ok(Value::Floor(Some(height))),

@@ -9,6 +9,7 @@ use crate::catalogue::measurements::Marker;
 use crate::cell::{Block, Mount, MountKind, Window};
 use crate::interval::Interval;
 use crate::measure::LoadWay;
+use crate::mill::RollMode;
 use crate::place::{Orientation, Within};
 use crate::spatial::Pose;
 use crate::task::{Task, Zone};
@@ -246,6 +247,23 @@ pub fn yaw(text: &str) -> Result<Interval, String> {
     }
     let angle = degrees(text).map_err(|_| "expected any, or an angle from -360 to 360 degrees".to_owned())?;
     Ok(Interval::point(angle.to_radians()))
+}
+
+/// How the roll of a tool is chosen: `free`, `constant`, `linear`, or degrees.
+///
+/// # Errors
+/// What was expected.
+pub fn roll(text: &str) -> Result<RollMode, String> {
+    match text {
+        "free" => Ok(RollMode::Free),
+        "constant" => Ok(RollMode::Constant),
+        "linear" => Ok(RollMode::Linear),
+        _ => {
+            let angle = degrees(text)
+                .map_err(|_| "expected free, constant, linear, or an angle from -360 to 360 degrees".to_owned())?;
+            Ok(RollMode::Fixed(angle.to_radians()))
+        }
+    }
 }
 
 /// A shape at size 1: a letter of the paper, or a task.

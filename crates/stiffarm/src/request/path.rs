@@ -1,9 +1,15 @@
 //! What does a request ask of a toolpath, and of a process?
 
 use super::kind::Value;
-use super::{Refusal, Request};
+use super::wishes::number;
+use super::{Force, Refusal, Request};
+use crate::cell::{Block, Window};
+use crate::load::Load;
+use crate::mill::{Acting, ErrorPart, MillOptions, PartPlacement};
+use crate::place::{Margins, Within};
 use crate::toolpath::{
-    ArcCentres, ArcSense, CutterCompensation, Format, IncrementalCycles, LengthUnit, ReadOptions, Rotary, Steps,
+    ArcCentres, ArcSense, Builtin, CutterCompensation, Format, IncrementalCycles, LengthUnit, ReadOptions, Rotary,
+    Steps,
 };
 
 impl Request {
@@ -20,7 +26,86 @@ impl Request {
     /// # Errors
     /// Where it is missing.
     pub fn process(&self) -> Result<String, Refusal> {
-        self.texts("process").pop().ok_or_else(|| self.missing("process"))
+        self.given_process().ok_or_else(|| self.missing("process"))
+    }
+
+    /// The same, where one is given.
+    pub fn given_process(&self) -> Option<String> {
+        self.texts("process").pop()
+    }
+
+    /// What pushes on the tool, where that is said as a force.
+    ///
+    /// # Errors
+    /// A force of zero, or of more than 1 MN.
+    pub fn acting(&self) -> Result<Option<Acting>, Refusal> {
+        let force = self.one("force-n", |value| if let Value::Force(force) = value { Some(force) } else { None });
+        let Some(force) = force else { return Ok(None) };
+        let (acting, load) = match force {
+            Force::Size(newtons) => (Acting::Any(newtons), Load::worst(newtons)),
+            Force::Along(force) => (Acting::Known { force, moment: 0.0 }, Load::along_tool(force, None)),
+        };
+        load.map(|_| Some(acting)).map_err(|error| self.refused("force-n", error.to_string()))
+    }
+
+    /// Where the path's origin stands, where that is given.
+    pub fn at(&self) -> Option<PartPlacement> {
+        match *self.all("at", number).as_slice() {
+            [x, y, z] => Some(PartPlacement { at: [x, y, z], yaw: 0.0 }),
+            [x, y, z, yaw] => Some(PartPlacement { at: [x, y, z], yaw: yaw.to_radians() }),
+            _ => None,
+        }
+    }
+
+    /// The corners of the block from which a part is cut, m.
+    ///
+    /// # Errors
+    /// A block that is open somewhere.
+    pub fn stock(&self) -> Result<Option<[[f64; 3]; 2]>, Refusal> {
+        let block = self.one("stock-mm", |value| if let Value::Block(block) = value { Some(block) } else { None });
+        let Some(Block { x, y, z }) = block else { return Ok(None) };
+        let sides = [x, y, z];
+        if !sides.iter().all(|side| side.is_bounded()) {
+            return Err(self.refused("stock-mm", "expected both ends of all three ranges, in mm".into()));
+        }
+        Ok(Some([sides.map(|side| side.min() / 1e3), sides.map(|side| side.max() / 1e3)]))
+    }
+
+    /// What else is asked of a path that is milled.
+    pub fn mill_options(&self) -> MillOptions {
+        let usual = MillOptions::usual();
+        let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
+        let roll = |value| if let Value::Roll(roll) = value { Some(roll) } else { None };
+        MillOptions {
+            roll: self.one("roll", roll).unwrap_or(usual.roll),
+            part: match self.word("error") {
+                Some("across") => ErrorPart::Across,
+                Some("axial") => ErrorPart::Axial,
+                _ => ErrorPart::Total,
+            },
+            limit_margin: radians("limit-margin-deg", usual.limit_margin),
+            singular_margin: radians("singular-margin-deg", usual.singular_margin),
+            share_of_speed: self.number("speed-share").unwrap_or(usual.share_of_speed),
+        }
+    }
+
+    /// Where all of a path must stand, and what it keeps besides.
+    ///
+    /// # Errors
+    /// A window with y.
+    pub fn path_window(&self) -> Result<(Within, Margins), Refusal> {
+        let within = match self.windows().as_slice() {
+            [] => None,
+            [Window::Ring { ahead, z }] => Some(Within { x: *ahead, z: *z }),
+            _ => {
+                let why = "a path is placed straight ahead; expected x0..x1,z0..z1 in m, such as 1.0..,0.5..2";
+                return Err(self.refused("within", why.into()));
+            }
+        };
+        let usual = Margins::usual();
+        let is_low = within.is_some_and(|within| within.z.min().is_finite());
+        let margins = Margins { front: within.is_none(), floor: usual.floor.filter(|_| !is_low), ..usual };
+        Ok((within.unwrap_or(Within::ANYWHERE), margins))
     }
 
     /// Only what was understood of the path is told.
@@ -33,6 +118,10 @@ impl Request {
     /// # Errors
     /// Where neither says it.
     pub fn path_format(&self, name: &str) -> Result<Format, Refusal> {
+        // A path built in is not written at all.
+        if Builtin::is_meant(name) {
+            return Ok(Format::Csv);
+        }
         let said = self.word("read-as").and_then(|word| Format::ALL.into_iter().find(|format| format.name() == word));
         said.or_else(|| Format::of_name(name)).ok_or_else(|| {
             let why = format!("does not say by its ending how it is written; expected {}, or read-as", Format::ENDINGS);

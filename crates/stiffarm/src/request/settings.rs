@@ -1,5 +1,7 @@
 //! Which options are there? One row each, from which every face builds its parser, its help and its refusals.
 
+mod milling;
+
 use super::kind::{ANY, Count, Kind, count, count_of, degrees_of, number_of, one_or};
 use crate::cell::MOST_BLOCKS;
 
@@ -193,7 +195,8 @@ const MEASURE: &[Verb] = &[Verb::Measure];
 /// Those that have to do with measurements.
 const MEASURING: &[Verb] = &[Verb::Identify, Verb::Measure];
 /// Those that bend drives.
-const SPRINGING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Compare, Verb::Measure];
+const SPRINGING: &[Verb] =
+    &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Compare, Verb::Measure, Verb::Mill];
 const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compare];
 /// Those that place zones and nothing else.
 const ONLY_PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Compare];
@@ -301,13 +304,24 @@ const CELL: Setting = Setting { verbs: ONLY_PLACING, of: Of::Spatial, heading: "
 const DRAWN: &str = "Figure";
 /// Of the figure alone.
 const FIGURE: Setting = Setting { verbs: PLACING, heading: DRAWN, ..ROW };
-/// Of a toolpath.
-const PATH: Setting = Setting { verbs: &[Verb::Mill], heading: "Where the file is silent", ..ROW };
 /// Of the catalogue.
 const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: FILTERS, ..ROW };
 
 /// Every option, each once for the verbs in which it means the same.
-pub static SETTINGS: &[Setting] = &[
+pub static SETTINGS: &[Setting] = &joined::<{ OF_ZONES.len() + milling::ROWS.len() }>(OF_ZONES, milling::ROWS);
+
+/// One list of two.
+const fn joined<const N: usize>(first: &[Setting], second: &[Setting]) -> [Setting; N] {
+    let (mut all, mut i) = ([ROW; N], 0);
+    while i < N {
+        all[i] = if i < first.len() { first[i] } else { second[i - first.len()] };
+        i += 1;
+    }
+    all
+}
+
+/// What is asked of robots, zones and measurements.
+const OF_ZONES: &[Setting] = &[
     Setting {
         name: "robot",
         verbs: &[Verb::Place, Verb::Map, Verb::Compliance, Verb::Measure],
@@ -1099,158 +1113,5 @@ pub static SETTINGS: &[Setting] = &[
         help: "Only robots of these statuses: identified, data-sheet, derived, estimated; separated by commas",
         example: "data-sheet,derived",
         ..FILTER
-    },
-    Setting {
-        name: "path",
-        kind: Kind::File,
-        value: "PATH",
-        absent: Absent::Required,
-        help: "A toolpath: G-code, APT or CLS, or a CSV table; or a path built in, with sizes in m: circle:D, rect:AxB, line:L, raster:ZONE@STEP",
-        heading: "",
-        example: "circle:0.3",
-        is_positional: true,
-        ..PATH
-    },
-    Setting {
-        name: "dry",
-        kind: Kind::Flag,
-        value: "YES",
-        absent: Absent::Default("false"),
-        help: "Only tell what was understood of the path: lengths, moves, extents, feed rates, what was assumed and ignored",
-        heading: "",
-        example: "true",
-        ..PATH
-    },
-    Setting {
-        name: "read-as",
-        kind: Kind::Word(&[("gcode", "RS-274"), ("apt", "APT or CLS"), ("csv", "A table of points")]),
-        value: "FORMAT",
-        absent: Absent::Means("by the ending of its name"),
-        help: "How the path is written",
-        example: "gcode",
-        ..PATH
-    },
-    Setting {
-        name: "unit",
-        kind: Kind::Word(&[("mm", ""), ("inch", "")]),
-        value: "UNIT",
-        absent: Absent::Means("mm"),
-        help: "Of lengths, where the file names none",
-        example: "inch",
-        ..PATH
-    },
-    Setting {
-        name: "arc-centres",
-        kind: Kind::Word(&[
-            ("incremental", "I, J, K count from the beginning of the arc"),
-            ("absolute", "They count from the origin"),
-        ]),
-        value: "FROM",
-        absent: Absent::Means("the reading in which arcs close"),
-        help: "What centres of arcs in G-code count from",
-        example: "absolute",
-        ..PATH
-    },
-    Setting {
-        name: "arc-sense",
-        kind: Kind::Word(&[
-            ("left", "Clockwise about their axis, as Siemens NX writes them"),
-            ("right", "Counter-clockwise, as SOLIDWORKS CAM does"),
-        ]),
-        value: "HAND",
-        absent: Absent::Means("that of the program which wrote the file"),
-        help: "In which sense arcs of APT turn",
-        example: "left",
-        ..PATH
-    },
-    Setting {
-        name: "cutter-compensation",
-        kind: Kind::Word(&[
-            ("refuse", "A path under G41 or G42 is refused"),
-            ("centre", "It is read as if it were that of the tool's centre"),
-        ]),
-        value: "HOW",
-        absent: Absent::Default("refuse"),
-        help: "What is done about a path that is not that of the tool's centre",
-        example: "centre",
-        ..PATH
-    },
-    Setting {
-        name: "incremental-cycles",
-        kind: Kind::Word(&[
-            ("nist", "R from the present level, Z from R, read anew at every hole (RS274/NGC)"),
-            ("r-plane", "R from the level at which the cycle began, Z from R"),
-            ("initial", "R and Z from the level at which the cycle began"),
-        ]),
-        value: "FROM",
-        absent: Absent::Means("such cycles are refused"),
-        help: "What R and Z of drilling cycles count from under G91",
-        example: "initial",
-        ..PATH
-    },
-    Setting {
-        name: "rotary",
-        kind: Kind::Word(&[
-            ("head-ac", "The spindle, by C about z and A about the turned x"),
-            ("head-bc", "The spindle, by C about z and B about the turned y"),
-            ("table-ac", "The part, by A about x and on it C about z"),
-            ("table-bc", "The part, by B about y and on it C about z"),
-        ]),
-        value: "MACHINE",
-        absent: Absent::Means("angles that turn anything are refused"),
-        help: "What A, B and C turn; X, Y and Z are the tip in the part",
-        example: "table-ac",
-        ..PATH
-    },
-    Setting {
-        name: "columns",
-        count: SEVERAL,
-        value: "NAMES",
-        absent: Absent::Means("the header"),
-        help: "Names of the columns of a CSV file without a header, separated by commas: x_mm, y_mm, z_mm, i, j, k or nx, ny, nz, feed_mm_per_min, rapid; - for one that moves nothing",
-        example: "x_mm,y_mm,z_mm",
-        ..PATH
-    },
-    Setting {
-        name: "feed-mm-per-min",
-        kind: number_of(1e-3, 1e6, "mm/min"),
-        unit: "mm/min",
-        value: "F",
-        help: "Feed rate, where the file says none",
-        example: "1000",
-        ..PATH
-    },
-    Setting {
-        name: "chord-mm",
-        kind: number_of(1e-6, 100.0, "mm"),
-        unit: "mm",
-        value: "MM",
-        absent: Absent::Default("0.01"),
-        help: "By how much the chord between two samples may be off an arc",
-        heading: "Samples",
-        example: "0.1",
-        ..PATH
-    },
-    Setting {
-        name: "step-mm",
-        kind: number_of(1e-3, 10_000.0, "mm"),
-        unit: "mm",
-        value: "MM",
-        absent: Absent::Default("10"),
-        help: "Longest way between two samples",
-        heading: "Samples",
-        example: "5",
-        ..PATH
-    },
-    Setting {
-        name: "process",
-        verbs: &[Verb::Force],
-        kind: Kind::File,
-        value: "PROCESS",
-        absent: Absent::Required,
-        help: "A process file (TOML): tool, material, engagement and spindle, or a force as it is",
-        example: "endmill.toml",
-        is_positional: true,
-        ..ROW
     },
 ];

@@ -125,7 +125,7 @@ impl Request {
             }
             // In space all six drives count, and nobody's are alike. Of what no size is known that is all that can be said.
             None if robot.stiffness_is_assumed
-                && (self.is_spatial() || matches!(self.verb, Verb::Compliance | Verb::Measure)) =>
+                && (self.is_spatial() || matches!(self.verb, Verb::Compliance | Verb::Measure | Verb::Mill)) =>
             {
                 Ok(with_prior(&robot).unwrap_or(robot))
             }
@@ -203,7 +203,7 @@ impl Request {
         options.map_err(|unasked| self.unanswered(unasked))
     }
 
-    fn windows(&self) -> Vec<Window> {
+    pub(super) fn windows(&self) -> Vec<Window> {
         self.all("within", |value| if let Value::Window(window) = value { Some(window) } else { None })
     }
 
@@ -249,7 +249,7 @@ impl Request {
     }
 
     /// What an option means has no answer.
-    pub(super) fn refused(&self, name: &str, why: String) -> Refusal {
+    pub(crate) fn refused(&self, name: &str, why: String) -> Refusal {
         let at = self.find(name).map_or(&self.reader, |given| &given.at).clone();
         let name = self.verb.setting(name).map_or_else(|| at.bare(name), |setting| at.name(setting));
         Refusal::Unanswered { at, name, why }
@@ -382,7 +382,7 @@ impl Request {
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
-fn number(value: Value) -> Option<f64> {
+pub(super) fn number(value: Value) -> Option<f64> {
     if let Value::Number(number) = value { Some(number) } else { None }
 }
 

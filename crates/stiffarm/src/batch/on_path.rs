@@ -1,0 +1,140 @@
+//! By how much is the tool pushed off at one place of a path, in every configuration and at every roll of a grid?
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector3;
+use pulp::{Arch, Simd, WithSimd};
+
+use super::branches::FlangePoses;
+use super::counted::{AnyDirection, Counted};
+use super::lanes::Lanes;
+use super::posture::PostureLanes;
+use super::vectors::Triple;
+use super::{RolledTool, SameBranch, SpatialArm};
+use crate::inverse::Configuration;
+use crate::load::Push;
+use crate::tolerances::CLEARANCE;
+
+/// More numbers than any register holds.
+const WIDEST: usize = 8;
+
+/// Rolls at which errors are wanted.
+#[derive(Clone, Debug)]
+pub(crate) struct RollGrid {
+    cos: Vec<f64>,
+    sin: Vec<f64>,
+}
+
+impl RollGrid {
+    /// So many rolls of a whole turn in equal steps, from zero.
+    pub(crate) fn turn(count: usize) -> Self {
+        Self::at((0..count).map(|i| TAU * i as f64 / count as f64))
+    }
+
+    /// These rolls, rad.
+    pub(crate) fn at(rolls: impl IntoIterator<Item = f64>) -> Self {
+        let (sin, cos) = rolls.into_iter().map(f64::sin_cos).unzip();
+        Self { cos, sin }
+    }
+
+    /// How many.
+    pub(crate) fn len(&self) -> usize {
+        self.cos.len()
+    }
+
+    /// Between two of a whole turn, rad.
+    pub(crate) fn step(&self) -> f64 {
+        TAU / self.len() as f64
+    }
+}
+
+/// What pushes on the tool, base axes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Pushing {
+    /// Nothing: 0 m wherever the pose is held.
+    Nothing,
+    /// So many N in any direction: the largest displacement counts.
+    Any(f64),
+    /// A known force and moment.
+    Known(Push),
+}
+
+impl SpatialArm {
+    /// What counts of the displacement, m, at a point, m, base axes, for every roll of a grid: `found[configuration][roll]`; infinite
+    /// where a limit, the distance from singular postures or a length forbids the posture, or nothing holds joint 2.
+    pub(crate) fn errors_at_rolls(
+        &self,
+        rolled_tool: &RolledTool,
+        point: &Vector3<f64>,
+        pushing: &Pushing,
+        grid: &RollGrid,
+        found: &mut [Vec<f32>; Configuration::COUNT],
+    ) {
+        found.iter_mut().for_each(|errors| errors.resize(grid.len(), f32::INFINITY));
+        let same_branch = &SameBranch { clearance: self.clearance, beside_axis_1: CLEARANCE, ..SameBranch::default() };
+        let arch = Arch::new();
+        match *pushing {
+            Pushing::Nothing => {
+                let counted = Nothing;
+                arch.dispatch(OnGrid { arm: self, counted, factor: 1.0, rolled_tool, point, grid, same_branch, found });
+            }
+            Pushing::Any(factor) => {
+                let counted = AnyDirection;
+                arch.dispatch(OnGrid { arm: self, counted, factor, rolled_tool, point, grid, same_branch, found });
+            }
+            Pushing::Known(counted) => {
+                arch.dispatch(OnGrid { arm: self, counted, factor: 1.0, rolled_tool, point, grid, same_branch, found });
+            }
+        }
+    }
+}
+
+/// Nothing moves.
+#[derive(Clone, Copy)]
+struct Nothing;
+
+impl Counted for Nothing {
+    type Seen<S: Simd> = ();
+
+    #[inline(always)]
+    fn seen<S: Simd>(&self, _: Lanes<S>, _: Lanes<S>) {}
+
+    #[inline(always)]
+    fn of<S: Simd>(&self, (): &(), _: &SpatialArm, posture: &PostureLanes<S>) -> Lanes<S> {
+        posture.s2.all(0.0)
+    }
+}
+
+struct OnGrid<'a, C> {
+    arm: &'a SpatialArm,
+    counted: C,
+    factor: f64,
+    rolled_tool: &'a RolledTool,
+    point: &'a Vector3<f64>,
+    grid: &'a RollGrid,
+    same_branch: &'a SameBranch,
+    found: &'a mut [Vec<f32>; Configuration::COUNT],
+}
+
+impl<C: Counted> WithSimd for OnGrid<'_, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let point = Triple::splat(simd, self.point);
+        for from in (0..self.grid.len()).step_by(S::F64_LANES) {
+            let to = self.grid.len().min(from + S::F64_LANES);
+            let (s, c) = (Lanes::load(simd, &self.grid.sin[from..to]), Lanes::load(simd, &self.grid.cos[from..to]));
+            let [axis_6, flange_x, wrist_to_tool] = self.rolled_tool.at(simd, s, c);
+            let flange = FlangePoses { point, axis_6, flange_x, wrist_to_tool };
+            let branches = self.arm.configurations(&flange, self.same_branch, self.counted);
+            for index in 0..Configuration::COUNT {
+                let mut errors = [0.0; WIDEST];
+                (branches[index].allowed() * self.factor).store(&mut errors[..S::F64_LANES]);
+                for lane in 0..to - from {
+                    self.found[index][from + lane] = errors[lane] as f32;
+                }
+            }
+        }
+    }
+}

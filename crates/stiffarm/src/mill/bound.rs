@@ -1,0 +1,302 @@
+//! How much better could any other roll be? Lower bounds on the error along a path, by enclosures of the error over intervals of the roll.
+//!
+//! No path of rolls is better than any of its samples at that sample's best roll: a few samples, those that bound, are enough. Within a
+//! run one configuration is kept. Joints between samples are left aside, so the bound holds for every path of rolls, and may lie
+//! below the best of them.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::f64::consts::TAU;
+
+use nalgebra::{Point3, Vector3};
+
+use super::fault::MillError;
+use super::follow::{Stand, part_from_tool};
+use super::ladder::Ladder;
+use super::solve::{Question, RollMode};
+use super::stations::{ErrorPart, Station, cutting_axes};
+use crate::batch::Pushing;
+use crate::enclose::{Affine, ArmEnclosure, NodeBounds, PushEnclosure, Vector, sin_cos};
+use crate::interval::Interval;
+use crate::inverse::{Configuration, Wrist};
+use crate::tolerances::BOUND;
+
+/// Intervals of the roll that are enclosed first.
+const FIRST: usize = 24;
+/// Intervals that are enclosed of one sample at most.
+const MOST_CELLS: usize = 600;
+/// The bound of a sample is good enough this near to the error that is known, as a part of it.
+const ENOUGH: f64 = 1e-3;
+/// Samples of a run whose bounds are sought.
+const SAMPLES: usize = 3;
+/// Runs of which bounds are sought: those with the largest errors.
+const RUNS: usize = 3;
+/// Samples that bound a constant roll, and its intervals.
+const BINDING: usize = 24;
+const MOST_CONSTANT: usize = 4000;
+
+/// Lower bounds for a part that stands somewhere.
+pub(super) struct Floor<'a> {
+    question: &'a Question<'a>,
+    stand: Stand,
+    enclosure: ArmEnclosure,
+    wrists_are_alike: bool,
+}
+
+/// An interval of the roll with its bound; the heap hands out the least.
+struct Cell {
+    lower: f64,
+    roll: Interval,
+}
+
+impl PartialEq for Cell {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+impl Eq for Cell {}
+impl PartialOrd for Cell {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Cell {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.lower.total_cmp(&self.lower)
+    }
+}
+
+impl<'a> Floor<'a> {
+    pub(super) fn new(question: &'a Question<'a>, stand: &Stand) -> Self {
+        let enclosure = ArmEnclosure::new(question.arm, [false; 6]);
+        Self { question, stand: *stand, enclosure, wrists_are_alike: question.arm.wrists_are_alike() }
+    }
+
+    /// No rolls of the mode that is asked for have a smaller largest error than this, m, which is at most `known`.
+    pub(super) fn lower_bound(&self, ladder: &Ladder, known: f64) -> Result<f64, MillError> {
+        match self.question.options.roll {
+            // All configurations were followed.
+            RollMode::Fixed(_) => Ok(known),
+            RollMode::Constant => self.of_constant(ladder, known),
+            RollMode::Free | RollMode::Linear => self.of_free(ladder, known),
+        }
+    }
+
+    /// The largest of the bounds of some runs; of each the least over configurations of the largest over its samples.
+    fn of_free(&self, ladder: &Ladder, known: f64) -> Result<f64, MillError> {
+        let mut runs: Vec<(f64, [Vec<(f32, usize)>; Configuration::COUNT])> = Vec::new();
+        for run in ladder.runs() {
+            // The best roll of every rung, the worst rungs first.
+            let rungs = |c: usize| {
+                let of = |k: usize| (ladder.rungs[k].errors[c].iter().copied().fold(f32::INFINITY, f32::min), k);
+                let mut all: Vec<(f32, usize)> = run.clone().map(of).collect();
+                all.sort_by(|a, b| b.0.total_cmp(&a.0));
+                all.truncate(SAMPLES);
+                all
+            };
+            let worst: [Vec<(f32, usize)>; Configuration::COUNT] = std::array::from_fn(rungs);
+            let least = worst.iter().map(|all| all[0].0).fold(f32::INFINITY, f32::min);
+            runs.push((f64::from(least), worst));
+        }
+        runs.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut lower = 0.0_f64;
+        for (_, worst) in runs.iter().take(RUNS) {
+            let mut of_run = f64::INFINITY;
+            for (c, rungs) in worst.iter().enumerate() {
+                let mut of_configuration = 0.0_f64;
+                for (_, k) in rungs {
+                    let i = worst_station(ladder, *k, c)?;
+                    of_configuration = of_configuration.max(self.of_sample(&ladder.stations[i], c, known)?);
+                    if known <= of_configuration {
+                        break;
+                    }
+                }
+                of_run = of_run.min(of_configuration);
+            }
+            lower = lower.max(of_run);
+        }
+        Ok(lower.min(known))
+    }
+
+    /// The least error of one sample in a configuration at any roll; no further than `known`.
+    fn of_sample(&self, station: &Station, c: usize, known: f64) -> Result<f64, MillError> {
+        let enough = known * (1.0 - ENOUGH);
+        let bound = |roll: Interval| Ok::<_, MillError>(self.over(station, Configuration::ALL[c], roll)?);
+        self.least(bound, enough, MOST_CELLS).map(|lower| if enough <= lower { known.min(lower) } else { lower })
+    }
+
+    /// The least bound over all rolls, by splitting the intervals with the least one.
+    fn least(
+        &self,
+        bound: impl Fn(Interval) -> Result<Option<f64>, MillError>,
+        enough: f64,
+        most: usize,
+    ) -> Result<f64, MillError> {
+        let mut queue = BinaryHeap::new();
+        let width = TAU / FIRST as f64;
+        let mut cells: Vec<Interval> =
+            (0..FIRST).map(|i| Interval::spanning(width * i as f64, width * (i + 1) as f64)).collect();
+        let (mut count, mut least) = (0, f64::INFINITY);
+        loop {
+            for roll in cells.drain(..) {
+                count += 1;
+                match bound(roll)? {
+                    None => {}
+                    Some(lower) if enough <= lower => least = least.min(lower),
+                    Some(lower) => queue.push(Cell { lower, roll }),
+                }
+            }
+            let Some(Cell { lower, roll }) = queue.pop() else { return Ok(least * (1.0 - BOUND)) };
+            if most < count {
+                return Ok(lower.min(least) * (1.0 - BOUND));
+            }
+            cells
+                .extend([Interval::spanning(roll.min(), roll.middle()), Interval::spanning(roll.middle(), roll.max())]);
+        }
+    }
+
+    /// A constant roll is one for all: of every interval the largest bound of the samples that bound.
+    fn of_constant(&self, ladder: &Ladder, known: f64) -> Result<f64, MillError> {
+        let runs = ladder.runs();
+        // For every roll of the grid and every configuration the rung with the largest error, as long as few are enough.
+        let mut binding: Vec<Vec<[usize; Configuration::COUNT]>> = vec![Vec::new(); runs.len()];
+        for (run, binding) in runs.iter().zip(&mut binding) {
+            for roll in (0..ladder.grid.len()).step_by(3) {
+                let worst = |c: usize| {
+                    let error = |k: &usize| ladder.rungs[*k].errors[c][roll];
+                    run.clone().max_by(|a, b| error(a).total_cmp(&error(b))).unwrap_or(run.start)
+                };
+                let rungs = std::array::from_fn(worst);
+                if binding.len() < BINDING && !binding.contains(&rungs) {
+                    binding.push(rungs);
+                }
+            }
+        }
+        let bound = |roll: Interval| {
+            let mut of_all = 0.0_f64;
+            for binding in &binding {
+                let mut of_run: Option<f64> = None;
+                for c in 0..Configuration::COUNT {
+                    let mut worst = Some(0.0_f64);
+                    let mut seen: Vec<usize> = Vec::new();
+                    for k in binding.iter().map(|rungs| rungs[c]) {
+                        if seen.contains(&k) {
+                            continue;
+                        }
+                        seen.push(k);
+                        let station = &ladder.stations[worst_station(ladder, k, c)?];
+                        let lower = self.over(station, Configuration::ALL[c], roll)?;
+                        worst = worst.zip(lower).map(|(worst, lower)| worst.max(lower));
+                        if worst.is_none_or(|worst| known <= worst) {
+                            break;
+                        }
+                    }
+                    of_run = of_run.into_iter().chain(worst).reduce(f64::min);
+                }
+                let Some(of_run) = of_run else { return Ok(None) };
+                of_all = of_all.max(of_run);
+            }
+            Ok(Some(of_all))
+        };
+        Ok(self.least(bound, known * (1.0 - ENOUGH), MOST_CONSTANT)?.min(known))
+    }
+
+    /// A lower bound on the error of a sample, m, in a configuration at every roll of an interval; `None` where it is not held there.
+    fn over(&self, station: &Station, configuration: Configuration, roll: Interval) -> Result<Option<f64>, MillError> {
+        let pose = self.stand.base_from_part;
+        let turn = pose.rotation.to_rotation_matrix();
+        let fixed = |v: Vector3<f64>| -> Vector<1> { <[f64; 3]>::from(turn * v).map(Affine::point) };
+        let moved =
+            |v: Vector3<f64>| -> Vector<1> { <[f64; 3]>::from((pose * Point3::from(v)).coords).map(Affine::point) };
+        let held = Held { station, configuration, roll: sin_cos::<1>(roll, 0), part: self.question.options.part };
+        held.lower_bound(&self.enclosure, self.wrists_are_alike, moved, fixed)
+    }
+}
+
+/// A sample that is held in a configuration at the rolls of an interval.
+pub(super) struct Held<'s, const N: usize> {
+    pub(super) station: &'s Station,
+    pub(super) configuration: Configuration,
+    /// Sine and cosine.
+    pub(super) roll: (Affine<N>, Affine<N>),
+    pub(super) part: ErrorPart,
+}
+
+impl<const N: usize> Held<'_, N> {
+    /// A lower bound on the error, m, where the part stands as `moved` takes its points to the base and `turned` its directions; `None`
+    /// where the sample is not held at all.
+    fn lower_bound(
+        &self,
+        enclosure: &ArmEnclosure,
+        wrists_are_alike: bool,
+        moved: impl Fn(Vector3<f64>) -> Vector<N>,
+        turned: impl Fn(Vector3<f64>) -> Vector<N>,
+    ) -> Result<Option<f64>, MillError> {
+        let is_flipped = self.configuration.wrist == Wrist::Flip;
+        let wrists = if wrists_are_alike { [true; 2] } else { [!is_flipped, is_flipped] };
+        let found = self.of_wrists(enclosure, wrists, moved, turned)?;
+        Ok(found.filter(|(_, wrists)| wrists[usize::from(is_flipped)]).map(|(lower, _)| lower))
+    }
+
+    /// The same of both wrists at once where they are alike.
+    pub(super) fn either_wrist(
+        &self,
+        enclosure: &ArmEnclosure,
+        wrists_are_alike: bool,
+        moved: impl Fn(Vector3<f64>) -> Vector<N>,
+        turned: impl Fn(Vector3<f64>) -> Vector<N>,
+    ) -> Result<Option<f64>, MillError> {
+        if wrists_are_alike {
+            return Ok(self.of_wrists(enclosure, [true; 2], moved, turned)?.map(|(lower, _)| lower));
+        }
+        self.lower_bound(enclosure, false, moved, turned)
+    }
+
+    /// A lower bound, and which of the wrists are possible.
+    fn of_wrists(
+        &self,
+        enclosure: &ArmEnclosure,
+        mut wrists: [bool; 2],
+        moved: impl Fn(Vector3<f64>) -> Vector<N>,
+        turned: impl Fn(Vector3<f64>) -> Vector<N>,
+    ) -> Result<Option<(f64, [bool; 2])>, MillError> {
+        let Station { sample, acting, .. } = self.station;
+        let none = part_from_tool(&sample.pose, 0.0).ok_or(MillError::Roll { line: sample.line })?;
+        let (x, y) = (none.rotation * Vector3::x(), none.rotation * Vector3::y());
+        let (s, c) = self.roll;
+        let (x, y, z) = (turned(x), turned(y), turned(-sample.pose.axis));
+        let tool = [std::array::from_fn(|i| c * x[i] + s * y[i]), std::array::from_fn(|i| c * y[i] - s * x[i]), z];
+        let pushing = acting.map_or(Pushing::Nothing, |acting| acting.pushing(&cutting_axes(sample), self.part));
+        let (push, factor) = match pushing {
+            Pushing::Nothing => (None, 0.0),
+            Pushing::Any(newtons) => (None, newtons),
+            Pushing::Known(push) => {
+                let (force, moment, counted) = (turned(push.force), turned(push.moment), push.counted.map(&turned));
+                (Some(PushEnclosure { force, moment, counted }), 1.0)
+            }
+        };
+        let frame = enclosure.tool_at(moved(sample.pose.tip), tool, push);
+        let mut bounds = NodeBounds::<N>::default();
+        let held =
+            enclosure.add_constraints(&frame, [0.0; 2], self.configuration.arm(), None, &mut wrists, &mut bounds);
+        let lower = bounds.values.iter().map(Affine::min).fold(0.0, f64::max) * factor;
+        Ok(held.map(|_| (lower, wrists)))
+    }
+}
+
+/// The station of a rung whose error at its best roll is largest, in a configuration.
+fn worst_station(ladder: &Ladder, k: usize, c: usize) -> Result<usize, MillError> {
+    let mut errors = std::array::from_fn(|_| Vec::new());
+    let mut worst = (f32::NEG_INFINITY, ladder.rungs[k].samples.start);
+    if ladder.rungs[k].samples.len() == 1 {
+        return Ok(worst.1);
+    }
+    for i in ladder.rungs[k].samples.clone() {
+        ladder.errors_at(i, &ladder.grid, &mut errors)?;
+        let least = errors[c].iter().copied().fold(f32::INFINITY, f32::min);
+        if worst.0 < least {
+            worst = (least, i);
+        }
+    }
+    Ok(worst.1)
+}

@@ -1,0 +1,104 @@
+//! Why a path is not milled.
+
+use crate::compliance::PostureError;
+use crate::watch::Stopped;
+
+/// A question that makes no sense.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MillError {
+    /// Six joints are needed, a tool that an arm carries, a compensator that drive 2 holds.
+    #[error(transparent)]
+    Posture(#[from] PostureError),
+    /// Not wanted any more.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+    /// The tool axis lies along the part's x axis, from which the roll counts.
+    #[error(
+        "line {line}: the tool axis lies along the part's x axis, from which the roll counts; expected a path turned in its frame"
+    )]
+    Roll {
+        /// Of the file.
+        line: usize,
+    },
+    /// Margins that leave nothing of a joint's range.
+    #[error("margins of {:.1} deg leave nothing of the range of some joint", limit.to_degrees())]
+    Margins {
+        /// rad.
+        limit: f64,
+    },
+    /// Nothing of the path feeds.
+    #[error("nothing of the path feeds: there is nothing to mill")]
+    NothingFeeds,
+    /// A number out of its range.
+    #[error("{what} of {value}; expected {expected}")]
+    Value {
+        /// Which.
+        what: &'static str,
+        /// As it was given.
+        value: f64,
+        /// What was expected.
+        expected: &'static str,
+    },
+}
+
+/// Where and why a robot cannot follow a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blocked {
+    /// The line of the file at which it ends.
+    pub line: usize,
+    /// From the beginning of the path, m.
+    pub way: f64,
+    /// Where the tip would be, m from the base.
+    pub tip: [f64; 3],
+    /// Why.
+    pub why: Why,
+    /// How many samples no posture holds at any roll.
+    pub samples: usize,
+}
+
+/// What is in the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Why {
+    /// Out of reach at every roll, by so much at the best, m.
+    Reach {
+        /// m.
+        beyond: f64,
+    },
+    /// At every roll that is reached, limits with their margins forbid the posture; most often that of this joint, from 1.
+    Limit {
+        /// From 1.
+        joint: usize,
+    },
+    /// At every roll that is reached within limits, wrist or arm are nearer to straight than the margin, or the limits of several joints
+    /// forbid the posture.
+    Narrow,
+    /// From the sample before no posture leads on: joints would have to jump, or to turn beyond their ranges.
+    Jump,
+    /// The same for the speeds of the joints at this feed rate.
+    Fast,
+}
+
+impl std::fmt::Display for Blocked {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let [x, y, z] = self.tip;
+        if 0 < self.line {
+            write!(f, "line {}, ", self.line)?;
+        }
+        write!(f, "{:.1} mm along the path, tip at {x:.3}, {y:.3}, {z:.3} m: ", self.way * 1e3)?;
+        match self.why {
+            Why::Reach { beyond } => write!(f, "out of reach by {:.1} mm at every roll", beyond * 1e3)?,
+            Why::Limit { joint } => write!(f, "the range of joint {joint} with its margin forbids it at every roll")?,
+            Why::Narrow => {
+                f.write_str("limits and the distance from straight postures together forbid it at every roll")?
+            }
+            Why::Jump => f.write_str("no posture leads on from the sample before without a jump of some joint")?,
+            Why::Fast => {
+                f.write_str("no posture leads on from the sample before at this feed rate: some joint is too slow")?
+            }
+        }
+        match self.samples {
+            0 => Ok(()),
+            count => write!(f, "; {count} samples are held at no roll"),
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! What pushes on the tool along a path: as the path says, as a process has it, or as what is left of the stock lets it.
+
+use nalgebra::Vector3;
+
+use super::stations::{Acting, Station, cutting_axes, stations};
+use crate::cutting::{CuttingError, Engagement, Law, Milling, Process, Side};
+use crate::stock::{Engaged, Stock, StockError};
+use crate::toolpath::{Given, Move, Sample, Steps};
+
+/// Below this part of its way across a move goes straight down.
+const STRAIGHT_DOWN: f64 = 1e-6;
+
+/// Where the force comes from where the path says none.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Forcing {
+    /// The same everywhere.
+    Same(Acting),
+    /// A process; of a mill the mean over a revolution, at the depth and width that the path gives where it gives any.
+    Process(Process),
+}
+
+/// Stations under a force, and what is to be said of that.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Forced {
+    /// Along the path.
+    pub stations: Vec<Station>,
+    /// In words.
+    pub remarks: Vec<String>,
+}
+
+/// A force that cannot be had.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ForcedError {
+    /// A tool or an engagement that is none.
+    #[error("{}{error}", if *line == 0 { String::new() } else { format!("line {line}: ") })]
+    Cutting {
+        /// Of the path; 0 where it is no matter of the path.
+        line: usize,
+        /// What is wrong.
+        error: CuttingError,
+    },
+    /// Heights know no such path.
+    #[error(transparent)]
+    Stock(#[from] StockError),
+    /// What is left of a stock is asked for, and nothing mills.
+    #[error(
+        "a stock tells how much of a mill is in the work; expected a process with a mill: [tool], [engagement] and a material"
+    )]
+    NoMill,
+}
+
+/// Cuts moves into stations, each under its force: that which the path gives; else that of the process, at the depth and width that the path
+/// gives, or at what of the tool is in the stock.
+///
+/// # Errors
+/// An engagement of which no force is known; a stock and no mill, or a path that is none of three axes through it.
+pub fn forced(
+    moves: &[Move],
+    steps: &Steps,
+    forcing: &Forcing,
+    stock: Option<&mut Stock>,
+) -> Result<Forced, ForcedError> {
+    let at = |line: usize| move |error| ForcedError::Cutting { line, error };
+    let usual = match forcing {
+        Forcing::Same(acting) => *acting,
+        Forcing::Process(process) => acting(process).map_err(at(0))?,
+    };
+    let mut remarks = Vec::new();
+    let cut = match (stock, forcing) {
+        (None, _) => None,
+        (Some(stock), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
+            Some(through(stock, moves, steps, milling, &mut remarks)?)
+        }
+        (Some(_), _) => return Err(ForcedError::NoMill),
+    };
+    let (mut next, mut fault) = (0, None);
+    let stations = stations(moves, steps, |sample| {
+        let engaged = cut.as_ref().map(|cut| cut[next]);
+        next += 1;
+        let found = given_force(sample).map(Ok).unwrap_or_else(|| match (forcing, engaged) {
+            (_, Some(None)) => Err(None),
+            (Forcing::Process(process), Some(Some(engaged))) => in_stock(process, &engaged).map_err(Some),
+            (Forcing::Process(process), None) => as_given(process, &sample.given).unwrap_or(Ok(usual)).map_err(Some),
+            (Forcing::Same(_), _) => Ok(usual),
+        });
+        match found {
+            Ok(acting) => Some(acting),
+            Err(None) => None,
+            Err(Some(error)) => {
+                fault.get_or_insert(at(sample.line)(error));
+                None
+            }
+        }
+    });
+    fault.map_or(Ok(Forced { stations, remarks }), Err)
+}
+
+/// What of a mill is in the stock at every sample.
+fn through(
+    stock: &mut Stock,
+    moves: &[Move],
+    steps: &Steps,
+    milling: &Milling,
+    remarks: &mut Vec<String>,
+) -> Result<Vec<Option<Engaged>>, ForcedError> {
+    let (mut found, mut plunging, mut in_pieces) = (Vec::new(), 0, 0);
+    let mut each = |sample: &Sample, engaged: Option<Engaged>| {
+        let goes_down = sample.direction.is_some_and(|way| way.z < 0.0 && way.xy().norm() < STRAIGHT_DOWN);
+        plunging += usize::from(sample.is_cutting && goes_down);
+        in_pieces += usize::from(engaged.is_some_and(|engaged| 1 < engaged.pieces));
+        found.push(engaged);
+    };
+    let hit = stock.follow(moves, steps, milling.diameter / 2.0, &mut each)?;
+    remarks.extend(hit.map(|line| format!("line {line}: a rapid move goes through the stock")));
+    if 0 < plunging {
+        remarks
+            .push(format!("{plunging} samples feed straight down: no force of a mill is known there, none is taken"));
+    }
+    if 0 < in_pieces {
+        remarks.push(format!(
+            "{in_pieces} samples are in the work with several pieces of the rim: taken from the first to the last"
+        ));
+    }
+    Ok(found)
+}
+
+/// The mean force of a process.
+fn acting(process: &Process) -> Result<Acting, CuttingError> {
+    let found = process.mean()?;
+    Ok(found.map_or_else(
+        || Acting::Any(if let Law::Worst(newtons) = process.law { newtons } else { 0.0 }),
+        |(force, moment)| Acting::Known { force, moment },
+    ))
+}
+
+/// A mill of a process at what of it is in the stock.
+fn in_stock(process: &Process, engaged: &Engaged) -> Result<Acting, CuttingError> {
+    let Law::Milling(milling) = &process.law else { return acting(process) };
+    let engagement = engaged.engagement(milling.engagement.feed_per_tooth);
+    acting(&Process { law: Law::Milling(Milling { engagement, ..milling.clone() }), ..process.clone() })
+}
+
+/// A mill of a process at the depth and width that a path gives, where it gives any.
+fn as_given(process: &Process, given: &Given) -> Option<Result<Acting, CuttingError>> {
+    let Law::Milling(milling) = &process.law else { return None };
+    if given.axial_depth.is_none() && given.radial_width.is_none() {
+        return None;
+    }
+    if [given.axial_depth, given.radial_width].contains(&Some(0.0)) {
+        return Some(Ok(Acting::Known { force: [0.0; 3], moment: 0.0 }));
+    }
+    let mut engagement = milling.engagement;
+    engagement.depth = given.axial_depth.unwrap_or(engagement.depth);
+    if let Some(width) = given.radial_width {
+        // The side on which the material is stays that of the process; a slot that becomes narrower is one of up milling.
+        let side = if 0.0 < engagement.entry { Side::Down } else { Side::Up };
+        [engagement.entry, engagement.exit] = Engagement::angles(side, width, milling.diameter);
+    }
+    Some(acting(&Process { law: Law::Milling(Milling { engagement, ..milling.clone() }), ..process.clone() }))
+}
+
+/// The force that a path gives in its own axes, along those of the cut.
+fn given_force(sample: &Sample) -> Option<Acting> {
+    let force: Vector3<f64> = sample.given.force?;
+    Some(Acting::Known { force: (cutting_axes(sample).transpose() * force).into(), moment: 0.0 })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::read_process;
+    use crate::toolpath::Builtin;
+
+    const SLOT: &str = "[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\nktc_n_per_mm2 = 767.01\nkrc_n_per_mm2 = 168.8\n\
+        kac_n_per_mm2 = 222\nkte_n_per_mm = 27.7\nkre_n_per_mm = 26.6\nkae_n_per_mm = 0.7\n[engagement]\nap_mm = 2\n\
+        ae_mm = 16\nside = \"slot\"\nfeed_per_tooth_mm = 0.1\n";
+
+    fn process() -> Process {
+        read_process(SLOT, "slot.toml").unwrap().process
+    }
+
+    fn force(station: &Station) -> [f64; 3] {
+        station.acting.unwrap().force().unwrap()
+    }
+
+    /// A slot by hand: `F_x = -N a K_rc c / 4 - N a K_re / pi`, `F_y = N a K_tc c / 4 + N a K_te / pi`, `F_z = N a K_ac c / pi + N a K_ae / 2`.
+    #[test]
+    fn a_slot_pushes_as_four_lines_by_hand_say() {
+        let moves = "line:0.1".parse::<Builtin>().unwrap().moves(Some(0.01));
+        let found = forced(&moves, &Steps::USUAL, &Forcing::Process(process()), None).unwrap();
+        let pi = std::f64::consts::PI;
+        let expected = [
+            -(4.0 * 2.0 * 168.8 * 0.1 / 4.0) - 4.0 * 2.0 * 26.6 / pi,
+            4.0 * 2.0 * 767.01 * 0.1 / 4.0 + 4.0 * 2.0 * 27.7 / pi,
+            4.0 * 2.0 * 222.0 * 0.1 / pi + 4.0 * 2.0 * 0.7 / 2.0,
+        ];
+        for station in &found.stations {
+            assert!(
+                (0..3).all(|i| (force(station)[i] - expected[i]).abs() < 1e-9),
+                "{:?} {expected:?}",
+                force(station)
+            );
+        }
+        assert!(found.remarks.is_empty());
+    }
+
+    /// What the path gives overrules the process: half the depth is half the force, and a force is turned into the axes of the cut.
+    #[test]
+    fn what_the_path_gives_overrules_the_process() {
+        let mut moves = "rect:0.1x0.1".parse::<Builtin>().unwrap().moves(Some(0.01));
+        moves[1].given.axial_depth = Some(1e-3);
+        moves[2].given.force = Some(Vector3::new(10.0, 20.0, 30.0));
+        moves[3].given.radial_width = Some(4e-3);
+        let found = forced(&moves, &Steps::USUAL, &Forcing::Process(process()), None).unwrap();
+        let of =
+            |one: &Move| force(found.stations.iter().find(|it| it.sample.direction == one.direction(0.5)).unwrap());
+        let [whole, half, turned, narrow] = [0, 1, 2, 3].map(|i| of(&moves[i]));
+        assert!((0..3).all(|i| (whole[i] - 2.0 * half[i]).abs() < 1e-9));
+        let feed = moves[2].direction(0.5).unwrap();
+        let left = Vector3::z().cross(&feed);
+        let part = Vector3::new(10.0, 20.0, 30.0);
+        assert!((turned[0] - part.dot(&feed)).abs() < 1e-12 && (turned[1] - part.dot(&left)).abs() < 1e-12);
+        assert!((turned[2] - 30.0).abs() < 1e-12);
+        assert!(narrow[2] < 0.5 * whole[2]);
+    }
+
+    /// Along the edge of a block half of the mill is in the work, beyond it nothing: by hand.
+    #[test]
+    fn in_a_stock_half_a_mill_pushes_as_half_and_air_not_at_all() {
+        let moves = "line:0.2".parse::<Builtin>().unwrap().moves(Some(0.01));
+        let (from, to) = (moves[0].from.tip, moves[0].to.tip);
+        let y = from.y;
+        // The line runs along x; to its left the block, its edge under the axis, 2 mm high, ending in the middle.
+        let middle = f64::midpoint(from.x, to.x);
+        let mut stock =
+            Stock::block([from.x - 0.05, y, from.z - 0.01], [middle, y + 0.05, from.z + 2e-3], 2e-4).unwrap();
+        let found = forced(&moves, &Steps::USUAL, &Forcing::Process(process()), Some(&mut stock)).unwrap();
+        let pi = std::f64::consts::PI;
+        // Left of the feed the tooth enters, seen clockwise: from 0 to 90 deg. Mean by hand: N a / (2 pi) times the integral.
+        let n_a = 4.0 * 2.0;
+        let expected = n_a / (2.0 * pi) * ((0.5 - 0.0) * -767.01 * 0.1 - 27.7 - 168.8 * 0.1 * pi / 4.0 - 26.6);
+        for station in &found.stations {
+            let x = station.sample.pose.tip.x;
+            match station.acting {
+                None => assert!(middle - 1e-3 < x, "{x}"),
+                Some(acting) if x < middle - 0.02 && from.x + 1e-3 < x => {
+                    let [feed, ..] = acting.force().unwrap();
+                    // The rim is looked at in cells of 0.2 mm of 8 mm.
+                    assert!((feed / expected - 1.0).abs() < 0.05, "{feed} {expected}");
+                }
+                Some(_) => {}
+            }
+        }
+        assert!(found.stations.iter().any(|station| station.acting.is_none()));
+        let same = Forcing::Same(Acting::Any(5.0));
+        assert_eq!(forced(&moves, &Steps::USUAL, &same, Some(&mut stock)), Err(ForcedError::NoMill));
+    }
+}

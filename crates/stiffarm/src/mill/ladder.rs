@@ -1,0 +1,281 @@
+//! Which roll, and which configuration, at every place of a path? A shortest path over a ladder of rolls.
+//!
+//! A rung holds some samples in a row: so many that the wrist could turn by a few steps of the grid meanwhile, or no roll would ever
+//! change. A node is a configuration and a roll of a rung, and costs the largest error of its samples. An edge joins nodes of
+//! one configuration whose joints lie near enough to one another for the machine's speeds, and for the line between to be followed.
+//! Where whole turns of joints 1, 4 and 6 matter, each is a node of its own.
+
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::climb::{Climb, Sought};
+use super::fault::{Blocked, MillError, Why};
+use super::follow::{Arrangement, Pushed, Stand};
+use super::stations::{ErrorPart, Station, cutting_axes};
+use crate::batch::{Pushing, RollGrid, SpatialArm};
+use crate::inverse::{Configuration, postures, within_limits};
+use crate::watch::Watch;
+
+/// The roll may turn by so many steps of the grid from rung to rung, where speeds are known.
+const STEPS_A_RUNG: f64 = 3.0;
+/// Of one rung, m.
+const LONGEST_RUNG: f64 = 0.02;
+/// More rungs need more memory than a machine has to spare: what is longer gets longer rungs.
+const MOST_RUNGS: usize = 10_000;
+/// The joints that may turn by more than a turn, from 0.
+pub(super) const WINDING: [usize; 3] = [0, 3, 5];
+
+/// Some samples in a row.
+#[derive(Clone, Debug)]
+pub(super) struct Rung {
+    /// Which.
+    pub(super) samples: Range<usize>,
+    /// The one that stands for them.
+    pub(super) at: usize,
+    /// How long the way from the rung before takes, s, where that is known.
+    pub(super) time: Option<f64>,
+    /// The arm may be arranged anew before it.
+    pub(super) is_fresh: bool,
+    /// The largest error of the samples, m, by configuration and roll; infinite where one of them is not held.
+    pub(super) errors: [Vec<f32>; Configuration::COUNT],
+}
+
+/// The rungs of a path, for a part that stands somewhere.
+#[derive(Clone, Debug)]
+pub(super) struct Ladder<'a> {
+    pub(super) arm: &'a SpatialArm,
+    pub(super) stations: &'a [Station],
+    pub(super) stand: Stand,
+    pub(super) part: ErrorPart,
+    pub(super) grid: RollGrid,
+    pub(super) rungs: Vec<Rung>,
+    /// Largest speed of each joint that is used, rad/s, where the robot says one.
+    pub(super) speeds: Option<[f64; 6]>,
+}
+
+/// The joints of a rung's nodes, rad, as the robot reports them, each turned down to the least that its range allows.
+pub(super) type Joints = Vec<Option<[f64; 6]>>;
+
+impl<'a> Ladder<'a> {
+    /// Evaluates every node.
+    pub(super) fn new(
+        arm: &'a SpatialArm,
+        stations: &'a [Station],
+        stand: Stand,
+        (part, grid): (ErrorPart, RollGrid),
+        share_of_speed: f64,
+        watch: Watch,
+    ) -> Result<Self, MillError> {
+        let speeds = arm.limits.speeds.map(|speeds| speeds.map(|speed| share_of_speed * speed));
+        let mut ladder = Self { arm, stations, stand, part, grid, rungs: Vec::new(), speeds };
+        ladder.rungs = ladder.rungs_of_stations();
+        let parts = watch.parts(Some(ladder.rungs.len()));
+        let errors: Result<Vec<_>, MillError> = ladder
+            .rungs
+            .par_iter()
+            .map(|rung| {
+                parts.one_more()?;
+                ladder.errors(rung, &ladder.grid)
+            })
+            .collect();
+        for (rung, errors) in ladder.rungs.iter_mut().zip(errors?) {
+            rung.errors = errors;
+        }
+        Ok(ladder)
+    }
+
+    /// Without rungs: for single stations.
+    pub(super) fn bare(arm: &'a SpatialArm, stations: &'a [Station], stand: Stand, part: ErrorPart) -> Self {
+        Self { arm, stations, stand, part, grid: RollGrid::turn(1), rungs: Vec::new(), speeds: None }
+    }
+
+    /// Groups samples: until the wrist could turn by some steps of the grid, or as far as a rung may reach.
+    fn rungs_of_stations(&self) -> Vec<Rung> {
+        let slowest = self.speeds.map(|speeds| speeds[3..].iter().copied().fold(f64::INFINITY, f64::min));
+        let wanted = slowest.map_or(0.0, |speed| STEPS_A_RUNG * self.grid.step() / speed);
+        let least = self.stations.len().div_ceil(MOST_RUNGS);
+        let mut rungs: Vec<Rung> = Vec::new();
+        let (mut from, mut time, mut length) = (0, 0.0, 0.0);
+        for i in 1..=self.stations.len() {
+            let Some(station) = self.stations.get(i) else {
+                rungs.push(self.rung(from..i, rungs.last()));
+                break;
+            };
+            time += station.time.unwrap_or(f64::INFINITY);
+            length += station.sample.way - self.stations[i - 1].sample.way;
+            let is_full = wanted <= time && least <= i - from;
+            if station.is_fresh || is_full || LONGEST_RUNG < length && least <= i - from {
+                rungs.push(self.rung(from..i, rungs.last()));
+                (from, time, length) = (i, 0.0, 0.0);
+            }
+        }
+        rungs
+    }
+
+    fn rung(&self, samples: Range<usize>, before: Option<&Rung>) -> Rung {
+        let at = usize::midpoint(samples.start, samples.end - 1);
+        let times = before.map(|before| self.stations[before.at + 1..=at].iter().map(|station| station.time));
+        let time = times.and_then(Iterator::sum::<Option<f64>>);
+        let is_fresh = self.stations[samples.start].is_fresh;
+        Rung { samples, at, time, is_fresh, errors: std::array::from_fn(|_| Vec::new()) }
+    }
+
+    /// The largest error of a rung's samples at every node.
+    fn errors(&self, rung: &Rung, grid: &RollGrid) -> Result<[Vec<f32>; Configuration::COUNT], MillError> {
+        let mut found: [Vec<f32>; Configuration::COUNT] = std::array::from_fn(|_| vec![0.0; grid.len()]);
+        let mut one: [Vec<f32>; Configuration::COUNT] = std::array::from_fn(|_| Vec::new());
+        for i in rung.samples.clone() {
+            self.errors_at(i, grid, &mut one)?;
+            for (found, one) in found.iter_mut().zip(&one) {
+                found.iter_mut().zip(one).for_each(|(most, error)| *most = most.max(*error));
+            }
+        }
+        Ok(found)
+    }
+
+    /// The error of one station at every configuration and these rolls, m.
+    pub(super) fn errors_at(
+        &self,
+        i: usize,
+        grid: &RollGrid,
+        found: &mut [Vec<f32>; Configuration::COUNT],
+    ) -> Result<(), MillError> {
+        let Station { sample, acting, .. } = &self.stations[i];
+        let stand = &self.stand;
+        let turned = |roll: f64| {
+            let pose = stand.base_from_tool(sample, roll)?;
+            Ok::<_, MillError>(*pose.rotation.to_rotation_matrix().matrix())
+        };
+        let tools = [turned(0.0)?, turned(TAU / 4.0)?, turned(TAU / 2.0)?];
+        let rolled_tool = self.arm.rolled_tool(tools.each_ref());
+        let point = (stand.base_from_part * nalgebra::Point3::from(sample.pose.tip)).coords;
+        let axes = stand.base_from_part.rotation.to_rotation_matrix().matrix() * cutting_axes(sample);
+        let pushing = acting.map_or(Pushing::Nothing, |acting| acting.pushing(&axes, self.part));
+        self.arm.errors_at_rolls(&rolled_tool, &point, &pushing, grid, found);
+        Ok(())
+    }
+
+    /// The largest error of a rung's samples at rolls, rad, of one configuration, m; infinite where one of them is not held.
+    pub(super) fn errors_of(&self, k: usize, at: Arrangement, rolls: &[f64]) -> Result<Vec<f64>, MillError> {
+        let grid = RollGrid::at(rolls.iter().copied());
+        let found = self.errors(&self.rungs[k], &grid)?;
+        Ok(found[at.configuration.index()].iter().map(|error| f64::from(*error)).collect())
+    }
+
+    /// The joints of a rung's nodes whose error is no larger than `most`.
+    pub(super) fn joints(&self, rung: &Rung, most: f32) -> Joints {
+        let count = self.grid.len();
+        let mut found = vec![None; Configuration::COUNT * count];
+        for roll in 0..count {
+            if !(0..Configuration::COUNT).any(|c| rung.errors[c][roll] <= most) {
+                continue;
+            }
+            for (configuration, q) in self.postures(rung.at, self.grid.step() * roll as f64) {
+                let c = configuration.index();
+                if rung.errors[c][roll] <= most {
+                    found[c * count + roll] = Some(self.turned_down(q));
+                }
+            }
+        }
+        found
+    }
+
+    /// Every posture that holds a station at a roll within limits and margins.
+    pub(super) fn postures(&self, i: usize, roll: f64) -> Vec<(Configuration, [f64; 6])> {
+        // A roll that is none was refused when the errors were computed.
+        let Ok(tool) = self.stand.base_from_tool(&self.stations[i].sample, roll) else { return Vec::new() };
+        let flange = tool * self.arm.flange_from_tool.inverse();
+        let (geometry, limits) = (&self.arm.geometry, &self.arm.limits);
+        let held = |(configuration, theta): (Configuration, [f64; 6])| {
+            Some((configuration, within_limits(geometry, limits, &theta)?))
+        };
+        postures(geometry, &flange).found.into_iter().filter_map(held).collect()
+    }
+
+    fn turned_down(&self, mut q: [f64; 6]) -> [f64; 6] {
+        for joint in WINDING {
+            let range = self.arm.limits.joints[joint];
+            if range.is_bounded() {
+                q[joint] += TAU * ((range.min() - q[joint]) / TAU - 1e-12).ceil();
+            }
+        }
+        q
+    }
+
+    /// The first sample to which a joint turns faster than is allowed.
+    pub(super) fn too_fast(&self, found: &[Pushed]) -> Option<usize> {
+        let speeds = self.speeds?;
+        let is_fast = |i: &usize| {
+            let Some(time) = self.stations[*i].time else { return false };
+            let turn = |joint: usize| (found[*i].joints[joint] - found[*i - 1].joints[joint]).abs();
+            (0..6).any(|joint| speeds[joint] * time + 1e-6 < turn(joint))
+        };
+        (1..found.len()).filter(|i| !self.stations[*i].is_fresh).find(is_fast)
+    }
+
+    /// Why no path leads to a rung.
+    pub(super) fn why_blocked(&self, k: usize, watch: Watch) -> Result<Blocked, MillError> {
+        let rung = &self.rungs[k];
+        if rung.errors.iter().flatten().all(|error| *error == f32::INFINITY) {
+            return self.worst_blocked();
+        }
+        let slow = Ladder { speeds: None, ..self.clone() };
+        let climb = Climb::new(&slow, Sought::LeastError, f32::MAX, false);
+        let is_fast = self.speeds.is_some() && climb.path(watch)?.is_ok();
+        Ok(self.blocked_at(rung.samples.start, if is_fast { Why::Fast } else { Why::Jump }))
+    }
+
+    /// The first sample that no posture holds at any roll, and how many they are.
+    pub(super) fn worst_blocked(&self) -> Result<Blocked, MillError> {
+        let (mut first, mut count) = (None, 0);
+        let mut errors = std::array::from_fn(|_| Vec::new());
+        for i in 0..self.stations.len() {
+            self.errors_at(i, &self.grid, &mut errors)?;
+            if errors.iter().flatten().all(|error| *error == f32::INFINITY) {
+                count += 1;
+                first = first.or(Some(i));
+            }
+        }
+        let Some(first) = first else { return Ok(self.blocked_at(0, Why::Jump)) };
+        let why = self.why_not_held(first)?;
+        Ok(Blocked { samples: count, ..self.blocked_at(first, why) })
+    }
+
+    pub(super) fn blocked_at(&self, i: usize, why: Why) -> Blocked {
+        self.stand.blocked(&self.stations[i].sample, why)
+    }
+
+    /// What forbids a sample at every roll.
+    fn why_not_held(&self, i: usize) -> Result<Why, MillError> {
+        let (geometry, limits) = (&self.arm.geometry, &self.arm.limits);
+        let (mut beyond, mut is_reached, mut forbidding) = (f64::INFINITY, false, [0; 6]);
+        for roll in 0..self.grid.len() {
+            let tool = self.stand.base_from_tool(&self.stations[i].sample, self.grid.step() * roll as f64)?;
+            let flange = tool * self.arm.flange_from_tool.inverse();
+            let found = postures(geometry, &flange).found;
+            is_reached |= !found.is_empty();
+            if found.is_empty() {
+                beyond = beyond.min(geometry.beyond(&flange));
+            }
+            for (_, theta) in &found {
+                // A joint forbids a posture alone where the others allow it.
+                for joint in 0..6 {
+                    let mut freed = limits.clone();
+                    freed.joints[joint] = crate::interval::Interval::ALL;
+                    if within_limits(geometry, limits, theta).is_none()
+                        && within_limits(geometry, &freed, theta).is_some()
+                    {
+                        forbidding[joint] += 1;
+                    }
+                }
+            }
+        }
+        if !is_reached {
+            return Ok(Why::Reach { beyond });
+        }
+        let most = (0..6).max_by_key(|joint| forbidding[*joint]).filter(|joint| 0 < forbidding[*joint]);
+        Ok(most.map_or(Why::Narrow, |joint| Why::Limit { joint: joint + 1 }))
+    }
+}

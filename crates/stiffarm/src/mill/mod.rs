@@ -1,0 +1,146 @@
+//! Verb: how far is the tool pushed off along a path that a robot mills, at the best roll of the tool about its axis?
+//!
+//! The tool is round: how far it is turned about its axis is free (functional redundancy). What is sought is the path of rolls whose
+//! largest error is least (`climb`, over the nodes of `ladder`), smoothed (`smooth`), with a lower bound that no path of rolls beats
+//! (`bound`). Every number that is told is that of `follow`: one posture after the other, as [`crate::compliance`] has it.
+
+mod bound;
+mod climb;
+mod fault;
+mod follow;
+mod forces;
+mod ladder;
+mod place;
+mod smooth;
+mod solve;
+mod stations;
+
+use nalgebra::Point3;
+
+use bound::Floor;
+pub use fault::{Blocked, MillError, Why};
+pub use follow::{Arrangement, Pushed, Stand, part_from_tool};
+pub use forces::{Forced, ForcedError, Forcing, forced};
+pub use place::{PartPlacement, PathPlaced, PathResolution, place_path};
+use solve::Question;
+pub use solve::{MillOptions, RollMode};
+pub use stations::{Acting, ErrorPart, Station, cutting_axes, stations};
+
+use crate::batch::SpatialArm;
+use crate::compliance::check_held;
+use crate::robot::Robot;
+use crate::tolerances::CLEARANCE;
+use crate::watch::Watch;
+
+/// What was found of a path for a part that stands somewhere.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Milled {
+    /// It is followed.
+    Followed(Followed),
+    /// It is not: where and why.
+    Blocked(Blocked),
+}
+
+/// A path that is followed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Followed {
+    /// The robot at every station.
+    pub samples: Vec<Pushed>,
+    /// The largest error, m, and the station at which it is.
+    pub worst: (f64, usize),
+    /// No path of rolls of the mode that was asked for has a smaller largest error, m.
+    pub lower_bound: f64,
+    /// The root of the mean square of the error over the way that feeds, m.
+    pub rms: f64,
+}
+
+impl MillOptions {
+    /// The best roll from sample to sample; 5 deg from limits and from straight postures; the whole displacement counts; no more than 80 % of
+    /// the joints' speeds.
+    pub fn usual() -> Self {
+        let margin = 5.0_f64.to_radians();
+        Self {
+            roll: RollMode::Free,
+            part: ErrorPart::Total,
+            limit_margin: margin,
+            singular_margin: margin,
+            share_of_speed: 0.8,
+        }
+    }
+
+    fn check(&self) -> Result<(), MillError> {
+        let roll = if let RollMode::Fixed(roll) = self.roll { roll } else { 0.0 };
+        for (what, value, least, most, expected) in [
+            ("a roll, rad", roll, -1e3, 1e3, "a finite angle"),
+            ("a distance from joint limits, rad", self.limit_margin, 0.0, 1.6, "0 to 1.6 rad"),
+            ("a distance from straight postures, rad", self.singular_margin, 0.0, 1.0, "0 to 1 rad"),
+            ("a share of the joints' speeds", self.share_of_speed, 1e-3, 1.0, "0.001 to 1"),
+        ] {
+            if !(least <= value && value <= most) {
+                return Err(MillError::Value { what, value, expected });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The arm with margins taken from its limits.
+fn arm_with_margins(robot: &Robot, stand: &Stand, options: &MillOptions) -> Result<SpatialArm, MillError> {
+    options.check()?;
+    check_held(robot)?;
+    let arm = SpatialArm::new(robot, &stand.flange_from_tool)?;
+    let limit = options.limit_margin;
+    arm.with_margins(limit, options.singular_margin.max(CLEARANCE)).ok_or(MillError::Margins { limit })
+}
+
+/// Follows a path with the best rolls, the part standing somewhere.
+///
+/// # Errors
+/// Numbers that make no sense, a path that feeds nowhere; what was stopped. A path that cannot be followed is an answer.
+pub fn mill(
+    robot: &Robot,
+    stand: &Stand,
+    stations: &[Station],
+    options: &MillOptions,
+    watch: Watch,
+) -> Result<Milled, MillError> {
+    let arm = &arm_with_margins(robot, stand, options)?;
+    if !stations.iter().any(|station| station.sample.is_cutting) {
+        return Err(MillError::NothingFeeds);
+    }
+    let question = Question { robot, arm, stations, options };
+    let (ladder, solved) = question.solve(stand, watch)?;
+    let samples = match solved {
+        Ok(samples) => samples,
+        Err(blocked) => return Ok(Milled::Blocked(blocked)),
+    };
+    let worst = samples.iter().map(|sample| sample.error).enumerate();
+    let worst = worst.fold((0.0, 0), |worst, (i, error)| if worst.0 < error { (error, i) } else { worst });
+    let lower_bound = Floor::new(&question, stand).lower_bound(&ladder, worst.0)?;
+    let rms = rms(stations, &samples);
+    Ok(Milled::Followed(Followed { samples, worst, lower_bound, rms }))
+}
+
+/// The root of the mean square of the error over the way that feeds, m: each piece counts by its length and the mean of its ends.
+fn rms(stations: &[Station], samples: &[Pushed]) -> f64 {
+    let (mut sum, mut length) = (0.0, 0.0);
+    for i in 1..stations.len() {
+        if !stations[i].sample.is_cutting || !stations[i - 1].sample.is_cutting {
+            continue;
+        }
+        let piece = stations[i].sample.way - stations[i - 1].sample.way;
+        sum += piece * (samples[i - 1].error.powi(2) + samples[i].error.powi(2)) / 2.0;
+        length += piece;
+    }
+    if 0.0 < length { (sum / length).sqrt() } else { 0.0 }
+}
+
+impl Stand {
+    /// Where the tip stands at a station, m from the base.
+    pub fn tip(&self, station: &Station) -> [f64; 3] {
+        (self.base_from_part * Point3::from(station.sample.pose.tip)).coords.into()
+    }
+}
+
+#[cfg(test)]
+mod tests;

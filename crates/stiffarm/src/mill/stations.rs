@@ -1,0 +1,135 @@
+//! A path made ready for milling: samples in the part frame, what pushes on the tool at each, and how long the way to the next takes.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::batch::Pushing;
+use crate::load::Push;
+use crate::toolpath::{Move, Sample, Steps, samples};
+
+/// What of the displacement of the tip counts as error.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ErrorPart {
+    /// All of it: the one that cannot flatter.
+    #[default]
+    Total,
+    /// Across the feed, at a right angle to the tool axis: the error of a contour that is milled with the side of the tool.
+    Across,
+    /// Along the tool axis: the error of depth.
+    Axial,
+}
+
+impl ErrorPart {
+    /// As it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Total => "total",
+            Self::Across => "across",
+            Self::Axial => "axial",
+        }
+    }
+}
+
+/// What pushes on the tool, in the axes of the cut: feed, across (to its left, seen from the spindle), axial (away from the work).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Acting {
+    /// So many N, in any direction.
+    Any(f64),
+    /// A force and a moment.
+    Known {
+        /// N.
+        force: [f64; 3],
+        /// N m about the axis away from the work.
+        moment: f64,
+    },
+}
+
+impl Acting {
+    /// The force along the three axes, N; `None` where it may point anywhere.
+    pub fn force(&self) -> Option<[f64; 3]> {
+        if let Self::Known { force, .. } = self { Some(*force) } else { None }
+    }
+
+    /// With the axes of the cut as columns, in any axes. Where the force may point anywhere and only a part of the displacement counts,
+    /// that part is as large as all that a force along it moves.
+    pub(crate) fn pushing(&self, axes: &Matrix3<f64>, part: ErrorPart) -> Pushing {
+        let counted = match part {
+            ErrorPart::Total => None,
+            ErrorPart::Across => Some(axes.column(1).into()),
+            ErrorPart::Axial => Some(axes.column(2).into()),
+        };
+        match (self, counted) {
+            (Self::Any(newtons), None) => Pushing::Any(*newtons),
+            (Self::Any(newtons), Some(direction)) => {
+                let direction: Vector3<f64> = direction;
+                Pushing::Known(Push { force: direction * *newtons, moment: Vector3::zeros(), counted: None })
+            }
+            (Self::Known { force, moment }, counted) => {
+                let moment = axes.column(2) * *moment;
+                Pushing::Known(Push { force: axes * Vector3::from(*force), moment, counted })
+            }
+        }
+    }
+}
+
+/// The tool at one place of its path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// Where.
+    pub sample: Sample,
+    /// What pushes; `None` in air.
+    pub acting: Option<Acting>,
+    /// How long the way from the station before takes, s; `None` at the beginning, in rapid moves, and where the feed rate is not said.
+    pub time: Option<f64>,
+    /// The arm may come here in any configuration and at any roll: the path begins, goes on elsewhere, or is clear of the work.
+    pub is_fresh: bool,
+}
+
+/// Feed, across and axial as columns, part frame. Where the tool goes along its axis, or only turns, any direction across it stands
+/// for the feed: the part's x axis, laid across.
+pub fn cutting_axes(sample: &Sample) -> Matrix3<f64> {
+    let a = sample.pose.axis;
+    let across = |v: Vector3<f64>| (v - v.dot(&a) * a).try_normalize(1e-6);
+    let feed = sample.direction.and_then(across).or_else(|| across(Vector3::x()));
+    let feed = feed.unwrap_or_else(|| across(Vector3::y()).unwrap_or_else(Vector3::zeros));
+    Matrix3::from_columns(&[feed, a.cross(&feed), a])
+}
+
+/// How near to the highest point of a rapid way the arm counts as clear of the work, m.
+const CLEAR: f64 = 1e-6;
+
+/// Cuts moves into stations; `acting` is asked at every sample what pushes on the tool, and counts where it feeds.
+pub fn stations(moves: &[Move], steps: &Steps, mut acting: impl FnMut(&Sample) -> Option<Acting>) -> Vec<Station> {
+    let (mut found, mut way) = (Vec::<Station>::new(), 0.0);
+    for one in moves {
+        for (piece, sample) in samples(one, steps, way).enumerate() {
+            let before = found.last().map(|before| before.sample);
+            let goes_on = before.is_some_and(|before| (before.pose.tip - sample.pose.tip).norm() < CLEAR || 0 < piece);
+            let time = before.filter(|_| goes_on && sample.is_cutting).and_then(|before| match sample.feed {
+                Some(feed) => Some((sample.way - before.way) / feed),
+                None => (sample.way == before.way).then_some(0.0),
+            });
+            let acting = acting(&sample).filter(|_| sample.is_cutting);
+            found.push(Station { sample, acting, time, is_fresh: !goes_on });
+        }
+        way += one.length();
+    }
+    mark_clear(&mut found);
+    found
+}
+
+/// At the highest place of every rapid way, along the tool axis, the arm may be arranged anew.
+fn mark_clear(stations: &mut [Station]) {
+    let mut from = 0;
+    while from < stations.len() {
+        let to = (from..stations.len()).find(|i| stations[*i].sample.is_cutting).unwrap_or(stations.len());
+        let height = |i: usize| stations[i].sample.pose.tip.dot(&stations[i].sample.pose.axis);
+        let highest = (from..to).max_by(|a, b| height(*a).total_cmp(&height(*b)));
+        // A rapid way that stays at the height of the cut is clear of nothing.
+        let beside = [from.checked_sub(1), Some(to).filter(|to| *to < stations.len())];
+        let cut = beside.into_iter().flatten().map(height).fold(f64::NEG_INFINITY, f64::max);
+        if let Some(highest) = highest.filter(|highest| cut + CLEAR < height(*highest)) {
+            stations[highest].is_fresh = true;
+        }
+        from = (to..stations.len()).find(|i| !stations[*i].sample.is_cutting).unwrap_or(stations.len());
+    }
+}

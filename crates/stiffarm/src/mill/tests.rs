@@ -1,0 +1,227 @@
+//! What is told of a path, against what single postures, other paths and hand calculations say.
+
+use nalgebra::{UnitQuaternion, Vector3};
+
+use super::*;
+use crate::catalogue::paper_robots;
+use crate::compliance::compliance;
+use crate::inverse::reached;
+use crate::load::Load;
+use crate::spatial::Pose;
+use crate::toolpath::{Builtin, Move, Steps};
+
+fn robot() -> Robot {
+    paper_robots().into_iter().find(|robot| robot.name == "KR 210 R2700 extra").expect("a robot of the paper")
+}
+
+/// A spindle across axis 6, so that the roll matters.
+fn stand() -> Stand {
+    Stand {
+        base_from_part: Pose::new(Vector3::new(1.6, 0.2, 0.6), Vector3::z() * 0.4),
+        flange_from_tool: Pose::new(Vector3::new(0.2, 0.0, 0.15), Vector3::y() * 1.2),
+    }
+}
+
+fn moves(text: &str) -> Vec<Move> {
+    text.parse::<Builtin>().unwrap().moves(Some(0.02))
+}
+
+const KNOWN: Acting = Acting::Known { force: [300.0, -120.0, 80.0], moment: 4.0 };
+
+fn path(text: &str, acting: Acting) -> Vec<Station> {
+    stations(&moves(text), &Steps::USUAL, |_| Some(acting))
+}
+
+fn followed(stand: &Stand, stations: &[Station], options: &MillOptions) -> Followed {
+    match mill(&robot(), stand, stations, options, Watch::nobody()).unwrap() {
+        Milled::Followed(found) => found,
+        Milled::Blocked(blocked) => panic!("{blocked}"),
+    }
+}
+
+fn with(roll: RollMode) -> MillOptions {
+    MillOptions { roll, ..MillOptions::usual() }
+}
+
+/// The joints put the tool where the path has it, and it is pushed as the compliance at these joints says under the same force and moment,
+/// given by their directions in the tool's own axes.
+#[test]
+fn every_sample_is_reached_and_pushed_as_its_posture_says() {
+    let (robot, stand) = (robot(), stand());
+    let stations = path("circle:0.3", KNOWN);
+    let found = followed(&stand, &stations, &with(RollMode::Free));
+    let mut most = 0.0_f64;
+    for (station, pushed) in stations.iter().zip(&found.samples) {
+        let posture = compliance(&robot, &pushed.joints, &stand.flange_from_tool).unwrap();
+        let tip = stand.base_from_part * Point3::from(station.sample.pose.tip);
+        assert!((posture.tool.translation.vector - tip.coords).norm() < 1e-9);
+        let z = posture.tool.rotation * Vector3::z();
+        assert!((z + stand.base_from_part.rotation * station.sample.pose.axis).norm() < 1e-9);
+        let feed = stand.base_from_part.rotation * station.sample.direction.unwrap();
+        let force = 300.0 * feed - 120.0 * (-z).cross(&feed) - 80.0 * z;
+        let c = posture.compliance.0;
+        let moved = c.fixed_view::<3, 3>(0, 0) * force + c.fixed_view::<3, 3>(0, 3) * (-4.0 * z);
+        assert!((moved - pushed.moved.unwrap()).norm() < 1e-12);
+        assert!((pushed.error - moved.norm()).abs() < 1e-12);
+        let [along, across, axial] = pushed.parts.unwrap();
+        assert!((along - moved.dot(&feed)).abs() < 1e-12 && (axial + moved.dot(&z)).abs() < 1e-12);
+        assert!((along.hypot(across).hypot(axial) / moved.norm() - 1.0).abs() < 1e-12);
+        assert!((pushed.shares.unwrap().iter().sum::<f64>() - 1.0).abs() < 1e-12);
+        most = most.max(moved.norm());
+    }
+    assert!((found.worst.0 / most - 1.0).abs() < 1e-12);
+    for pair in found.samples.windows(2) {
+        assert!((0..6).all(|i| (pair[1].joints[i] - pair[0].joints[i]).abs() < 0.5));
+    }
+}
+
+/// Every roll in steps of a degree and every configuration, one posture after the other: none has a smaller largest error than the bound,
+/// and the best constant one is found.
+#[test]
+fn constant_and_free_rolls_are_those_of_a_search_through_all() {
+    let (robot, stand) = (robot(), stand());
+    let margin = 5.0_f64.to_radians();
+    for (path_of, acting) in [("line:0.4", KNOWN), ("circle:0.25", Acting::Any(400.0))] {
+        let stations = path(path_of, acting);
+        let constant = followed(&stand, &stations, &with(RollMode::Constant));
+        let free = followed(&stand, &stations, &with(RollMode::Free));
+        let mut best_constant = f64::INFINITY;
+        let mut pointwise = vec![f64::INFINITY; stations.len()];
+        for roll in (0..360).map(|degree| f64::from(degree).to_radians()) {
+            let mut worst = [0.0_f64; 8];
+            for (i, station) in stations.iter().enumerate() {
+                let tool = stand.base_from_part * part_from_tool(&station.sample.pose, roll).unwrap();
+                let held = reached(&robot, &(tool * stand.flange_from_tool.inverse()));
+                let mut errors = [f64::INFINITY; 8];
+                for (configuration, q) in held {
+                    let posture = compliance(&robot, &q, &stand.flange_from_tool).unwrap();
+                    let crate::robot::Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!() };
+                    let theta = geometry.model_angles(&q, limits.third_axis);
+                    let room = limits.joints.iter().zip(&q).all(|(range, q)| margin <= range.room(*q));
+                    if !room || geometry.singular_margin(&theta) < margin {
+                        continue;
+                    }
+                    let error = match acting {
+                        Acting::Any(newtons) => posture.under(Load::worst(newtons).unwrap()).value * newtons,
+                        Acting::Known { force, moment } => {
+                            let axes =
+                                stand.base_from_part.rotation.to_rotation_matrix() * cutting_axes(&station.sample);
+                            let c = posture.compliance.0;
+                            (c.fixed_view::<3, 3>(0, 0) * axes * Vector3::from(force)
+                                + c.fixed_view::<3, 3>(0, 3) * axes.column(2) * moment)
+                                .norm()
+                        }
+                    };
+                    errors[configuration.index()] = error;
+                }
+                pointwise[i] = errors.iter().copied().fold(pointwise[i], f64::min);
+                (0..8).for_each(|c| worst[c] = worst[c].max(errors[c]));
+            }
+            best_constant = worst.iter().copied().fold(best_constant, f64::min);
+        }
+        let floor = pointwise.iter().copied().fold(0.0, f64::max);
+        // A degree off the best roll costs up to 2e-3 of the error here.
+        assert!(
+            (constant.worst.0 / best_constant - 1.0).abs() < 2e-3,
+            "{path_of}: {} {best_constant}",
+            constant.worst.0
+        );
+        assert!(
+            constant.lower_bound <= best_constant && 0.99 * constant.worst.0 < constant.lower_bound,
+            "{path_of}: {} {}",
+            constant.lower_bound,
+            constant.worst.0
+        );
+        assert!(free.lower_bound <= floor * (1.0 + 1e-9), "{path_of}: {} {floor}", free.lower_bound);
+        assert!(
+            floor * (1.0 - 3e-3) < free.worst.0 && free.worst.0 <= constant.worst.0 * 1.0001,
+            "{path_of}: {} {floor}",
+            free.worst.0
+        );
+        assert!(0.97 * floor < free.lower_bound, "{path_of}: {} {floor}", free.lower_bound);
+    }
+}
+
+/// Turned about the joint-1 axis, all is the same; linear rolls are no better than free ones and no worse than constant ones.
+#[test]
+fn a_part_turned_about_the_first_axis_is_milled_as_before() {
+    let stations = path("rect:0.3x0.2", KNOWN);
+    let one = stand();
+    let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -0.5);
+    let turned = Pose::from_parts(nalgebra::Translation3::identity(), turn) * one.base_from_part;
+    let other = Stand { base_from_part: turned, ..one };
+    let (a, b) =
+        (followed(&one, &stations, &with(RollMode::Constant)), followed(&other, &stations, &with(RollMode::Constant)));
+    for (a, b) in a.samples.iter().zip(&b.samples) {
+        let (a, b) = (a.parts.unwrap(), b.parts.unwrap());
+        assert!((0..3).all(|i| (a[i] - b[i]).abs() < 1e-12), "{a:?} {b:?}");
+    }
+    let [free, linear] = [RollMode::Free, RollMode::Linear].map(|roll| followed(&one, &stations, &with(roll)).worst.0);
+    // A smooth path may give away 1 %.
+    assert!(free <= linear * 1.011 && linear <= a.worst.0 * 1.000_1, "{free} {linear} {}", a.worst.0);
+}
+
+/// Only the part that is asked for counts, and a force that may point anywhere moves it as far as one along it does.
+#[test]
+fn parts_of_the_error_are_those_of_the_whole() {
+    let stations = path("line:0.3", KNOWN);
+    let roll = followed(&stand(), &stations, &with(RollMode::Constant)).samples[0].arrangement.roll;
+    let fixed = |part| MillOptions { part, ..with(RollMode::Fixed(roll)) };
+    let all = followed(&stand(), &stations, &fixed(ErrorPart::Total));
+    for (part, i) in [(ErrorPart::Across, 1), (ErrorPart::Axial, 2)] {
+        let some = followed(&stand(), &stations, &fixed(part));
+        let same = |(a, b): (&Pushed, &Pushed)| (a.parts.unwrap()[i].abs() - b.error).abs() < 1e-15;
+        assert!(some.samples[0].arrangement == all.samples[0].arrangement || some.worst.0 < all.worst.0);
+        if some.samples[0].arrangement == all.samples[0].arrangement {
+            assert!(all.samples.iter().zip(&some.samples).all(same));
+        }
+        let any = followed(&stand(), &path("line:0.3", Acting::Any(100.0)), &fixed(part));
+        for (pushed, station) in any.samples.iter().zip(&stations) {
+            let posture = compliance(&robot(), &pushed.joints, &stand().flange_from_tool).unwrap();
+            let axis = stand().base_from_part.rotation * Vector3::from(cutting_axes(&station.sample).column(i));
+            let expected = (posture.compliance.translation() * axis).norm() * 100.0;
+            assert!((pushed.error / expected - 1.0).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn what_is_not_followed_says_where_and_why() {
+    let (robot, one) = (robot(), stand());
+    let stations = path("line:0.4", KNOWN);
+    let options = with(RollMode::Free);
+    let at = |stand: Stand, stations: &[Station], options: &MillOptions| match mill(
+        &robot,
+        &stand,
+        stations,
+        options,
+        Watch::nobody(),
+    )
+    .unwrap()
+    {
+        Milled::Blocked(blocked) => blocked,
+        Milled::Followed(found) => panic!("{:?}", found.worst),
+    };
+    let far = Stand { base_from_part: Pose::translation(9.0, 0.0, 0.0), ..one };
+    let blocked = at(far, &stations, &options);
+    let Why::Reach { beyond } = blocked.why else { panic!("{blocked}") };
+    // From the joint-2 axis 8.65 m ahead and 0.675 m down to the tip; links, flange and tool reach about 2.9 m.
+    assert!(5.0 < beyond && beyond < 6.5 && blocked.samples == stations.len(), "{blocked}");
+    // Joint 2 keeps 9 of its 135 degrees.
+    let narrow = MillOptions { limit_margin: 1.1, ..options };
+    assert!(matches!(at(one, &stations, &narrow).why, Why::Narrow | Why::Limit { .. }));
+    // A joint that turns by a tenth of a degree a second.
+    let mut slow = robot.clone();
+    let crate::robot::Arm::SixAxis { limits, .. } = &mut slow.arm else { unreachable!() };
+    limits.speeds = Some([1.7e-3; 6]);
+    let blocked = mill(&slow, &one, &stations, &options, Watch::nobody()).unwrap();
+    assert!(matches!(blocked, Milled::Blocked(Blocked { why: Why::Fast, .. })), "{blocked:?}");
+    let mut aside = stations.clone();
+    aside[3].sample.pose.axis = Vector3::x();
+    assert!(matches!(mill(&robot, &one, &aside, &options, Watch::nobody()), Err(MillError::Roll { .. })));
+    let air: Vec<Station> = stations
+        .iter()
+        .map(|station| Station { sample: crate::toolpath::Sample { is_cutting: false, ..station.sample }, ..*station })
+        .collect();
+    assert_eq!(mill(&robot, &one, &air, &options, Watch::nobody()), Err(MillError::NothingFeeds));
+}

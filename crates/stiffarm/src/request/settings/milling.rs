@@ -1,0 +1,301 @@
+//! What is asked of a part that is milled, of its toolpath and of a process.
+
+use super::{Absent, Kind, ROW, SEVERAL, SPINDLE, Setting, Verb, WHOSE, count_of, number_of};
+
+const MILL: &[Verb] = &[Verb::Mill];
+/// Of a path that is milled.
+const MILLED: Setting = Setting { verbs: MILL, excludes: &["dry"], ..ROW };
+/// Of a toolpath.
+const PATH: Setting = Setting { verbs: MILL, heading: "Where the file is silent", ..ROW };
+
+pub(super) const ROWS: &[Setting] = &[
+    Setting {
+        name: "path",
+        kind: Kind::File,
+        value: "PATH",
+        absent: Absent::Required,
+        help: "A toolpath: G-code, APT or CLS, or a CSV table; or a path built in, with sizes in m: circle:D, rect:AxB, line:L, raster:ZONE@STEP",
+        heading: "",
+        example: "circle:0.3",
+        is_positional: true,
+        ..PATH
+    },
+    Setting {
+        name: "dry",
+        kind: Kind::Flag,
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "Only tell what was understood of the path: lengths, moves, extents, feed rates, what was assumed and ignored",
+        heading: "",
+        example: "true",
+        ..PATH
+    },
+    Setting {
+        name: "robot",
+        kind: Kind::Robot,
+        value: "ROBOT",
+        help: "The robot that mills: a name, or the path of a robot file",
+        example: "KR 210 R2700 extra",
+        ..MILLED
+    },
+    Setting {
+        name: "process",
+        kind: Kind::File,
+        value: "PROCESS",
+        excludes: &["dry", "force-n"],
+        help: "A process file (TOML): tool, material and engagement, or a force as it is; the mean force over a revolution acts",
+        example: "endmill.toml",
+        ..MILLED
+    },
+    Setting {
+        name: "force-n",
+        kind: Kind::Force,
+        unit: "N",
+        value: "F",
+        excludes: &["dry", "process"],
+        help: "Cutting force on the tool: FEED,ACROSS,AXIAL (across: left of the feed, seen from the spindle; axial: away from the work), or its size, in its worst direction",
+        example: "300,-120,80",
+        ..MILLED
+    },
+    Setting {
+        name: "stock-mm",
+        kind: Kind::Block,
+        unit: "mm",
+        value: "BOX",
+        needs: &[(Verb::Mill, "process")],
+        help: "The block from which the part is cut, in the path's frame: x0..x1,y0..y1,z0..z1; entry, exit and depth of the cut are then computed along the path (three axes, flat mills)",
+        example: "-50..50,-50..50,-20..0",
+        ..MILLED
+    },
+    Setting {
+        name: "at",
+        keyword: "at_m_deg",
+        kind: number_of(-1e3, 1e3, "m, and deg of yaw"),
+        count: count_of(3, 4, "numbers", "x,y,z in m, or x,y,z and the yaw in deg"),
+        value: "X,Y,Z,YAW",
+        absent: Absent::Means("the best place within --within"),
+        help: "Where the path's origin stands, m from the robot's base, and by how many degrees the part is turned about the vertical",
+        example: "1.6,0,0.6,30",
+        ..MILLED
+    },
+    Setting {
+        name: "within",
+        keyword: "within_m",
+        kind: Kind::Within,
+        value: "RANGES",
+        absent: Absent::Means("in front of the joint-1 axis, above the floor"),
+        excludes: &["dry", "at"],
+        help: "Where all of the path must stand, m from the robot's base: x0..x1,z0..z1; either end may be left open",
+        example: "1.0..,0.5..2",
+        ..MILLED
+    },
+    Setting {
+        name: "roll",
+        kind: Kind::Roll,
+        unit: "deg",
+        value: "MODE",
+        absent: Absent::Default("free"),
+        help: "How the tool is turned about its axis: free (from sample to sample, as is best), constant (the best of all), linear (changing evenly), or so many degrees of its x axis from the part's",
+        example: "constant",
+        ..MILLED
+    },
+    Setting {
+        name: "error",
+        kind: Kind::Word(&[
+            ("total", "The whole displacement of the tip"),
+            ("across", "Its part across the feed and the tool axis: the contour that the side of the tool leaves"),
+            ("axial", "Its part along the tool axis: depth"),
+        ]),
+        value: "PART",
+        absent: Absent::Default("total"),
+        help: "What of the displacement counts",
+        example: "across",
+        ..MILLED
+    },
+    Setting {
+        name: "tolerance-mm",
+        kind: number_of(1e-4, 1e3, "mm"),
+        unit: "mm",
+        value: "MM",
+        help: "Largest error that passes",
+        example: "0.3",
+        ..MILLED
+    },
+    Setting {
+        name: "speed-share",
+        kind: number_of(1e-3, 1.0, "of the joints' speeds"),
+        value: "SHARE",
+        absent: Absent::Default("0.8"),
+        help: "Of the largest speed of every joint what is used while cutting, where the robot file tells speeds",
+        example: "0.5",
+        ..MILLED
+    },
+    Setting {
+        name: "limit-margin-deg",
+        kind: number_of(0.0, 90.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Default("5"),
+        help: "What every joint keeps from either end of its range",
+        heading: "Margins",
+        example: "10",
+        ..MILLED
+    },
+    Setting {
+        name: "singular-margin-deg",
+        kind: number_of(0.0, 45.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Default("5"),
+        help: "What wrist and arm keep from straight",
+        heading: "Margins",
+        example: "10",
+        ..MILLED
+    },
+    Setting {
+        name: "tool-mm",
+        kind: Kind::Tool,
+        unit: "mm, deg",
+        value: "X,Y,Z",
+        absent: Absent::Means("the flange centre"),
+        excludes: &["dry", "tool"],
+        help: "Tool frame in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes; z out of the spindle to the tip",
+        heading: "Robot",
+        example: "0,0,150",
+        ..MILLED
+    },
+    Setting { name: "tool", verbs: MILL, of: super::Of::Any, heading: "Robot", ..SPINDLE },
+    Setting { verbs: MILL, absent: Absent::Means("as the robot file has it, else prior"), example: "paper", ..WHOSE },
+    Setting {
+        name: "read-as",
+        kind: Kind::Word(&[("gcode", "RS-274"), ("apt", "APT or CLS"), ("csv", "A table of points")]),
+        value: "FORMAT",
+        absent: Absent::Means("by the ending of its name"),
+        help: "How the path is written",
+        example: "gcode",
+        ..PATH
+    },
+    Setting {
+        name: "unit",
+        kind: Kind::Word(&[("mm", ""), ("inch", "")]),
+        value: "UNIT",
+        absent: Absent::Means("mm"),
+        help: "Of lengths, where the file names none",
+        example: "inch",
+        ..PATH
+    },
+    Setting {
+        name: "arc-centres",
+        kind: Kind::Word(&[
+            ("incremental", "I, J, K count from the beginning of the arc"),
+            ("absolute", "They count from the origin"),
+        ]),
+        value: "FROM",
+        absent: Absent::Means("the reading in which arcs close"),
+        help: "What centres of arcs in G-code count from",
+        example: "absolute",
+        ..PATH
+    },
+    Setting {
+        name: "arc-sense",
+        kind: Kind::Word(&[
+            ("left", "Clockwise about their axis, as Siemens NX writes them"),
+            ("right", "Counter-clockwise, as SOLIDWORKS CAM does"),
+        ]),
+        value: "HAND",
+        absent: Absent::Means("that of the program which wrote the file"),
+        help: "In which sense arcs of APT turn",
+        example: "left",
+        ..PATH
+    },
+    Setting {
+        name: "cutter-compensation",
+        kind: Kind::Word(&[
+            ("refuse", "A path under G41 or G42 is refused"),
+            ("centre", "It is read as if it were that of the tool's centre"),
+        ]),
+        value: "HOW",
+        absent: Absent::Default("refuse"),
+        help: "What is done about a path that is not that of the tool's centre",
+        example: "centre",
+        ..PATH
+    },
+    Setting {
+        name: "incremental-cycles",
+        kind: Kind::Word(&[
+            ("nist", "R from the present level, Z from R, read anew at every hole (RS274/NGC)"),
+            ("r-plane", "R from the level at which the cycle began, Z from R"),
+            ("initial", "R and Z from the level at which the cycle began"),
+        ]),
+        value: "FROM",
+        absent: Absent::Means("such cycles are refused"),
+        help: "What R and Z of drilling cycles count from under G91",
+        example: "initial",
+        ..PATH
+    },
+    Setting {
+        name: "rotary",
+        kind: Kind::Word(&[
+            ("head-ac", "The spindle, by C about z and A about the turned x"),
+            ("head-bc", "The spindle, by C about z and B about the turned y"),
+            ("table-ac", "The part, by A about x and on it C about z"),
+            ("table-bc", "The part, by B about y and on it C about z"),
+        ]),
+        value: "MACHINE",
+        absent: Absent::Means("angles that turn anything are refused"),
+        help: "What A, B and C turn; X, Y and Z are the tip in the part",
+        example: "table-ac",
+        ..PATH
+    },
+    Setting {
+        name: "columns",
+        count: SEVERAL,
+        value: "NAMES",
+        absent: Absent::Means("the header"),
+        help: "Names of the columns of a CSV file without a header, separated by commas: x_mm, y_mm, z_mm, i, j, k or nx, ny, nz, feed_mm_per_min, rapid; - for one that moves nothing",
+        example: "x_mm,y_mm,z_mm",
+        ..PATH
+    },
+    Setting {
+        name: "feed-mm-per-min",
+        kind: number_of(1e-3, 1e6, "mm/min"),
+        unit: "mm/min",
+        value: "F",
+        help: "Feed rate, where the file says none",
+        example: "1000",
+        ..PATH
+    },
+    Setting {
+        name: "chord-mm",
+        kind: number_of(1e-6, 100.0, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Default("0.01"),
+        help: "By how much the chord between two samples may be off an arc",
+        heading: "Samples",
+        example: "0.1",
+        ..PATH
+    },
+    Setting {
+        name: "step-mm",
+        kind: number_of(1e-3, 10_000.0, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Default("10"),
+        help: "Longest way between two samples",
+        heading: "Samples",
+        example: "5",
+        ..PATH
+    },
+    Setting {
+        name: "process",
+        verbs: &[Verb::Force],
+        kind: Kind::File,
+        value: "PROCESS",
+        absent: Absent::Required,
+        help: "A process file (TOML): tool, material, engagement and spindle, or a force as it is",
+        example: "endmill.toml",
+        is_positional: true,
+        ..ROW
+    },
+];
