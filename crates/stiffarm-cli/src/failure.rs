@@ -3,6 +3,8 @@
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
+use stiffarm::answer::MillAnswerError;
+use stiffarm::catalogue::ToolpathError;
 use stiffarm::catalogue::files::{LoadError, Unreadable, shown};
 use stiffarm::catalogue::import::ImportError;
 use stiffarm::cutting::CuttingError;
@@ -93,6 +95,9 @@ pub(crate) enum Failure {
     /// A toolpath that is not read.
     #[error(transparent)]
     Path(#[from] PathFault),
+    /// A path that has no answer.
+    #[error(transparent)]
+    Mill(MillAnswerError),
     /// A process file with faults.
     #[error("{0}")]
     ProcessFile(stiffarm::catalogue::Faults),
@@ -191,6 +196,24 @@ impl From<LoadError> for Failure {
     }
 }
 
+impl From<ToolpathError> for Failure {
+    fn from(error: ToolpathError) -> Self {
+        match error {
+            ToolpathError::File(error) => error.into(),
+            ToolpathError::Path(error) => error.into(),
+        }
+    }
+}
+
+impl From<MillAnswerError> for Failure {
+    fn from(error: MillAnswerError) -> Self {
+        match error {
+            MillAnswerError::Request(refusal) => refusal.into(),
+            error => Self::Mill(error),
+        }
+    }
+}
+
 impl From<SetupError> for Failure {
     fn from(error: SetupError) -> Self {
         match error {
@@ -254,6 +277,7 @@ impl Failure {
             Self::RobotFile(_) => "`stiffarm robots show BT200L -o example.toml` writes a complete robot file to compare with",
             Self::Import { error, ends_are_given } => import_hint(error, *ends_are_given),
             Self::Path(_) => "`stiffarm mill --help` lists what can be said of a path whose file is silent; a CAM program can write what is refused as plain moves",
+            Self::Mill(_) => "`stiffarm mill --help` tells what a path, a process and a stock may be",
             Self::ProcessFile(_) | Self::Process { .. } => "docs/examples/endmill.toml is a complete process file to compare with",
             Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
             Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",

@@ -1,19 +1,20 @@
 //! Toolpaths and processes.
 
-use std::io::BufReader;
 use std::path::Path;
 
 use pyo3::prelude::*;
-use stiffarm::answer::{CuttingAnswer, PathAnswer};
-use stiffarm::catalogue::{files, read_process};
+use stiffarm::answer::{CuttingAnswer, MillAnswer, PathAnswer};
+use stiffarm::catalogue::{files, read_process, read_toolpath};
 use stiffarm::request::Verb;
-use stiffarm::toolpath::{Builtin, PathFault, Survey, read};
+use stiffarm::toolpath::{Move, Survey};
 
 use crate::asked::Asked;
 use crate::json::to_python;
 use crate::pool::detached;
 use crate::refused;
+use crate::robot::Robot;
 use crate::verbs::{WithColumns, columns};
+use crate::waiting::Progress;
 
 /// The force of a process.
 #[pyfunction]
@@ -26,28 +27,44 @@ pub(crate) fn force<'py>(py: Python<'py>, process: &str) -> WithColumns<'py> {
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 
-/// What is understood of a toolpath.
+/// A toolpath: what is understood of it, or the error along it.
 #[pyfunction]
-pub(crate) fn mill<'py>(py: Python<'py>, path: &str, asked: Asked) -> WithColumns<'py> {
+#[pyo3(signature = (path, asked, robot = None, progress = None))]
+pub(crate) fn mill<'py>(
+    py: Python<'py>,
+    path: &str,
+    asked: Asked,
+    robot: Option<&Robot>,
+    progress: Progress,
+) -> WithColumns<'py> {
     let asked = asked.with(Verb::Mill, &[("path", path)])?;
-    if !asked.is_dry() {
-        return Err(refused(
-            "mill computes no error along a path yet: robot, force and roll are missing; dry=True tells what is understood of the path",
-        ));
+    let format = asked.path_format(path).map_err(refused)?;
+    let options = asked.read_options();
+    if asked.is_dry() {
+        let mut survey = Survey::new(asked.steps());
+        let understood = detached(py, &progress, |watch| {
+            read_toolpath(path, format, &options, &mut |one| survey.add(one), &mut |_, _| watch.go_on())
+        })?;
+        let answer = PathAnswer { path: path.into(), understood: understood.map_err(refused)?, survey };
+        return Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?));
     }
-    let (options, mut survey) = (asked.read_options(), Survey::new(asked.steps()));
-    let understood = if Builtin::is_meant(path) {
-        path.parse::<Builtin>().map_err(refused)?.moves(options.feed).iter().for_each(|one| survey.add(one));
-        None
-    } else {
-        let format = asked.path_format(path).map_err(refused)?;
-        let mut input = BufReader::new(files::open(Path::new(path)).map_err(refused)?);
-        let shown = files::shown(Path::new(path));
-        let mut each = |one: &_| survey.add(one);
-        let found: Result<_, PathFault> =
-            detached(py, &None, |watch| read(&mut input, &shown, format, &options, &mut each, &mut |_| watch.go_on()))?;
-        Some(found.map_err(refused)?)
-    };
-    let answer = PathAnswer { path: path.into(), understood, survey };
+    let robot = robot.ok_or_else(|| refused("robot is missing; expected the robot that mills, or dry=True"))?.0.clone();
+    let process = asked.given_process().map(|file| {
+        let named = files::shown(Path::new(&file));
+        let text = files::text(Path::new(&file)).map_err(refused)?;
+        Ok::<_, PyErr>((named.clone(), read_process(&text, &named).map_err(refused)?))
+    });
+    let process = process.transpose()?;
+    let answer = detached(py, &progress, |watch| {
+        let mut moves = Vec::new();
+        let each = &mut |one: &Move| moves.push(*one);
+        let understood = read_toolpath(path, format, &options, each, &mut |_, _| watch.go_on());
+        let assumed = understood.map_err(|error| error.to_string())?.into_iter().flat_map(|told| told.assumed);
+        let answer = MillAnswer::of(&asked, &robot, (path.into(), &moves), process, watch);
+        let mut answer = answer.map_err(|error| error.to_string())?;
+        answer.remarks.extend(assumed);
+        Ok::<_, String>(answer)
+    })?;
+    let answer = answer.map_err(refused)?;
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }

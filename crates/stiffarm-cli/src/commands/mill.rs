@@ -1,57 +1,73 @@
-//! `stiffarm mill PATH --dry`: what is understood of a toolpath.
+//! `stiffarm mill PATH`: the error along a toolpath; with `--dry` what is understood of it.
 
-use std::fs::File;
-use std::io::{self, BufReader, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::{PathAnswer, Rows};
-use stiffarm::catalogue::files;
+use stiffarm::answer::{MillAnswer, PathAnswer, Rows};
+use stiffarm::catalogue::{files, read_process, read_toolpath};
+use stiffarm::mill::RollMap;
 use stiffarm::request::Request;
-use stiffarm::toolpath::{Builtin, Progress, Survey, read};
+use stiffarm::toolpath::{Move, Survey, Understood};
+use stiffarm::watch::Watch;
 
-use super::progress;
+use super::{progress, watched};
 use crate::args::Common;
 use crate::failure::Failure;
+use crate::figures::Plate;
+use crate::figures::milled::MilledFigure;
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
-use crate::table::shown;
+use crate::selection;
+use crate::table::{prose, shown};
 
-/// Of the buffer through which a path is read, bytes.
-const BUFFER: usize = 1 << 16;
+/// Places along the path of which the map of rolls shows every roll.
+const MAPPED: usize = 360;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let path = asked.path()?;
-    if !asked.is_dry() {
-        return Err(Failure::Usage(
-            "mill computes no error along a path yet: robot, force and roll are missing; --dry tells what is understood of the path".into(),
-        ));
+    if asked.is_dry() {
+        let outputs = Outputs::open::<PathOutput>(common, &[Path::new(&path)])?;
+        let mut survey = Survey::new(asked.steps());
+        let understood = read_moves(asked, &path, common, &mut |one| survey.add(one))?;
+        return outputs.deliver(&PathOutput(PathAnswer { path, understood, survey }));
     }
-    let outputs = Outputs::open::<PathOutput>(common, &[Path::new(&path)])?;
-    outputs.deliver(&PathOutput(understood(asked, path, common)?))
+    let (name, process) = (asked.robot()?, asked.given_process());
+    let inputs: Vec<&Path> = [&path, &name].into_iter().chain(&process).map(Path::new).collect();
+    let outputs = Outputs::open::<MillOutput>(common, &inputs)?;
+    let robot = selection::robot(&name, common)?;
+    let process = process.map(|file| {
+        let named = files::shown(Path::new(&file));
+        let read = read_process(&files::text(Path::new(&file))?, &named).map_err(Failure::ProcessFile)?;
+        Ok::<_, Failure>((named, read))
+    });
+    let process = process.transpose()?;
+    let mut moves: Vec<Move> = Vec::new();
+    let understood = read_moves(asked, &path, common, &mut |one| moves.push(*one))?;
+    let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, &moves), process, watch);
+    let mut answer = watched("milling", common, milled)?;
+    answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
+    let shortfall = answer.shortfall().filter(|_| common.check);
+    outputs.deliver(&MillOutput { answer, plate: Plate::of(asked)? })?;
+    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
 }
 
 /// Reads the path, move by move.
-fn understood(asked: &Request, path: String, common: &Common) -> Result<PathAnswer, Failure> {
-    let options = asked.read_options();
-    let mut survey = Survey::new(asked.steps());
-    if Builtin::is_meant(&path) {
-        path.parse::<Builtin>()?.moves(options.feed).iter().for_each(|one| survey.add(one));
-        return Ok(PathAnswer { path, understood: None, survey });
-    }
-    let format = asked.path_format(&path)?;
-    let file: File = files::open(Path::new(&path))?;
-    let length = file.metadata().map_or(0, |found| found.len());
-    let bar = progress(length as usize, "reading", common);
-    let shown = files::shown(Path::new(&path));
-    let mut input = BufReader::with_capacity(BUFFER, file);
-    let mut each = |one: &_| survey.add(one);
-    let mut told = |far: Progress| {
-        bar.set_position(far.bytes);
+fn read_moves(
+    asked: &Request,
+    path: &str,
+    common: &Common,
+    each: &mut dyn FnMut(&Move),
+) -> Result<Option<Understood>, Failure> {
+    let format = asked.path_format(path)?;
+    let bar = progress(1, "reading", common);
+    let mut told = |done: u64, all: u64| {
+        bar.set_length(all);
+        bar.set_position(done);
         Ok(())
     };
-    let found = read(&mut input, &shown, format, &options, &mut each, &mut told);
+    let found = read_toolpath(path, format, &asked.read_options(), each, &mut told);
     bar.finish_and_clear();
-    Ok(PathAnswer { path, understood: Some(found?), survey })
+    Ok(found?)
 }
 
 struct PathOutput(PathAnswer);
@@ -69,5 +85,43 @@ impl Answer for PathOutput {
 
     fn rows(&self) -> Rows<'_> {
         self.0.rows()
+    }
+}
+
+struct MillOutput {
+    answer: MillAnswer,
+    plate: Plate,
+}
+
+impl MillOutput {
+    /// Every roll at places along the path.
+    fn rolls(&self) -> Result<RollMap, Failure> {
+        let why = || Failure::Usage(format!("nothing to draw: {}", self.answer.reason().unwrap_or_default()));
+        self.answer.roll_map(MAPPED)?.ok_or_else(why)
+    }
+}
+
+impl Answer for MillOutput {
+    const COMMAND: &'static str = "mill";
+    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf"];
+
+    fn text(&self, look: Look) -> String {
+        format!("{}\n{}", shown(&self.answer.table(), look), prose(&self.answer.notes(), look))
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.answer.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        Some(self.rolls().map(|rolls| MilledFigure { answer: &self.answer, rolls: &rolls, plate: self.plate }.svg()))
+    }
+
+    fn plate(&self) -> Plate {
+        self.plate
     }
 }

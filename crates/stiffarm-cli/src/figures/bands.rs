@@ -96,6 +96,19 @@ impl Bands {
         self.colours.on(self.share(f64::midpoint(self.limit(i), self.limit(i + 1))))
     }
 
+    /// The colour of the band that holds a value.
+    pub(super) fn of_value(&self, value: f64) -> String {
+        let [under, over] = self.colours.beyond();
+        if value < self.ends[0] && self.beyond[0] {
+            return under.into();
+        }
+        if self.ends[1] < value && self.beyond[1] {
+            return over.into();
+        }
+        let i = (0..self.count).rev().find(|i| self.limit(*i) <= value).unwrap_or(0);
+        self.colour(i)
+    }
+
     /// How far a value lies from the first limit to the last.
     fn share(&self, value: f64) -> f64 {
         (value - self.ends[0]) / (self.ends[1] - self.ends[0])

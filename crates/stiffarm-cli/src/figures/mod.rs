@@ -18,6 +18,7 @@ mod labels;
 mod legend;
 pub(crate) mod map;
 mod marks;
+pub(crate) mod milled;
 mod plate;
 pub(crate) mod ranking;
 pub(crate) mod reach;

@@ -12,6 +12,7 @@ A robot and a task go in; each verb is one function:
 `identify`     how stiff are the drives, by measured deflections?
 `measure`      which postures and loads must be measured for that?
 `force`        with what force does a process push on its tool?
+`mill`         how far is the tool pushed off along a toolpath?
 ============== ==========================================================
 
 Units stand in the names: ``force_n``, ``tool_mm``, ``deflection_mm``. The numbers are those of the program `stiffarm`, to
@@ -32,6 +33,7 @@ from ._answers import (
     Identification,
     Map,
     MeasurementPlan,
+    Milled,
     Placement,
     Ranking,
     Study,
@@ -49,6 +51,7 @@ __all__ = [
     "Identification",
     "Map",
     "MeasurementPlan",
+    "Milled",
     "Placement",
     "Ranking",
     "Robot",

@@ -11,8 +11,8 @@ from ._given import Array
 from ._stiffarm import Robot, StiffarmError
 from .types import (
     AdviceDict, Boundary, CellDict, ComparedTable, ComparisonDict, ComplianceDict, ExpectedDrive, FaceDict, ForceDict, FurtherSpring, IdentificationDict,
-    IdentifiedDrive, MapDict, MeasurementPlanDict, MeasurementRun, Placed, PlacementDict, RankingDict, RankingRow, ReadingRemainder, Resolution,
-    Schema, StudyDict, StudyRow, ToolpathDict, TriedModel, Winner,
+    IdentifiedDrive, MapDict, MeasurementPlanDict, MeasurementRun, MilledDict, PathLength, Placed, PlaceSearch, PlacementDict, RankingDict, RankingRow, ReadingRemainder, Resolution,
+    RollChoice, Schema, StudyDict, StudyRow, ToolpathDict, TriedModel, Winner,
 )  # fmt: skip
 
 if TYPE_CHECKING:
@@ -640,3 +640,55 @@ class Toolpath(_Table[ToolpathDict]):
 
     def _words(self) -> str:
         return f"{self.path}: {self.feed_moves} feed moves, {self.feed_length_m * 1e3:.3f} mm, {self.arcs} arcs"
+
+
+class Milled(_Table[MilledDict]):
+    """The error along a toolpath; its data frame has a row for every sample."""
+
+    _arrays = ("at_m", "worst_joints_deg", "worst_shares")
+
+    schema: Schema
+    robot: str
+    stiffness_source: str
+    path: str
+    #: Where the force on the tool comes from.
+    force: str
+    part: PathLength
+    roll: RollChoice
+    #: What of the displacement counts: ``"total"``, ``"across"`` or ``"axial"``.
+    error: str
+    asked_limit_margin_deg: float
+    asked_singular_margin_deg: float
+    speed_share: float | None
+    #: (3,) where the path's origin stands; None where no place was found.
+    at_m: Array | None
+    at_yaw_deg: float | None
+    feasible: bool
+    reason: str | None
+    worst_mm: float | None
+    #: No rolls, and where the place was sought no place, have less.
+    lower_bound_mm: float | None
+    roll_lower_bound_mm: float | None
+    rms_mm: float | None
+    #: The sample with the largest error, from 0, and its line in the file.
+    worst_sample: int | None
+    worst_line: int | None
+    worst_joints_deg: Array | None
+    worst_shares: Array | None
+    limit_margin_deg: float | None
+    singular_margin_deg: float | None
+    tolerance_mm: float | None
+    margin_mm: float | None
+    search: PlaceSearch | None
+    remarks: list[str]
+
+    @property
+    def passes(self) -> bool | None:
+        """The key ``pass``: whether the tolerance is kept; None where none was given."""
+        verdict: bool | None = self._data.get("pass")
+        return verdict
+
+    def _words(self) -> str:
+        if self.worst_mm is None:
+            return f"{self.robot} along {self.path}: {self.reason}"
+        return f"{self.robot} along {self.path}: at most {self.worst_mm:.4f} mm, no less than {self.lower_bound_mm:.4f} mm"

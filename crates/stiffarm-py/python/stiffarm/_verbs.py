@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, overload
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Comparison, Compliance, Compliances, Force, Identification, Map, MeasurementPlan, Placement, Ranking, Study, Toolpath
+from ._answers import Comparison, Compliance, Compliances, Force, Identification, Map, MeasurementPlan, Milled, Placement, Ranking, Study, Toolpath
 from ._given import RobotLike
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
@@ -376,25 +376,60 @@ def force(process: str | os.PathLike[str]) -> Force:
     return Force(*_stiffarm.force(str(_given.path("process", process))))
 
 
+@overload
+def mill(
+    path: str | os.PathLike[str],
+    robot: None = None,
+    *,
+    progress: ProgressLike = None,
+    **options: Unpack[MillOptions],
+) -> Toolpath: ...
+@overload
+def mill(
+    path: str | os.PathLike[str],
+    robot: RobotLike,
+    *,
+    progress: ProgressLike = None,
+    **options: Unpack[MillOptions],
+) -> Milled: ...
 @_options.takes("mill", MillOptions)
-def mill(path: str | os.PathLike[str], **options: Unpack[MillOptions]) -> Toolpath:
-    """What is understood of a toolpath, with ``dry=True``.
+def mill(
+    path: str | os.PathLike[str],
+    robot: RobotLike | None = None,
+    *,
+    progress: ProgressLike = None,
+    **options: Unpack[MillOptions],
+) -> Milled | Toolpath:
+    """The error along a toolpath that a robot mills; with ``dry=True`` what is understood of the path, and no robot.
 
     Parameters
     ----------
     path : path or str
         G-code, APT or CLS, a CSV table; or a path built in, with sizes in m: ``"circle:0.3"``, ``"rect:0.4x0.2"``, ``"line:0.5"``,
         ``"raster:rect:0.4x0.2@0.02"``.
+    robot : Robot or str, optional
+        The robot that mills: a name, or the path of a robot file.
+    progress : bool or callable, optional
+        True shows on stderr how much of the work is done (None does on a terminal); a callable gets how much and of how much (or None).
     {options}
 
     Returns
     -------
-    Toolpath
-        Lengths, moves, extents, feed rates; what was assumed and what ignored.
+    Milled or Toolpath
+        The largest error, proved and where it is, the place of the part, and every sample as a row of ``to_pandas()``; of a dry run
+        lengths, moves, extents, feed rates, what was assumed and what ignored.
 
     Raises
     ------
     StiffarmError
-        Where the path is refused: its line, the word and what was expected.
+        Where the path is refused: its line, the word and what was expected; where something makes no sense.
     """
-    return Toolpath(*_stiffarm.mill(os.fspath(path), _options.spelt("mill", options)))
+    asked = _options.spelt("mill", options)
+    if options.get("dry"):
+        if robot is not None:
+            raise StiffarmError("robot goes with a path that is milled; dry=True only reads it")
+        return Toolpath(*_stiffarm.mill(os.fspath(path), asked))
+    if robot is None:
+        raise StiffarmError("robot is missing; expected the robot that mills, or dry=True")
+    with told("milling", progress) as tell:
+        return Milled(*_stiffarm.mill(os.fspath(path), asked, _given.robot(robot), tell))

@@ -160,6 +160,12 @@ fn write_answers(text: &mut String) {
     let forces = Fields::of(&samples::cutting_forces());
     class(text, ("ForceDict", "TypedDict"), "`stiffarm.Force.to_dict`.", &forces, &with_schema);
     let paths = Fields::of(&samples::toolpaths());
+    let milled = Fields::of(&samples::milled());
+    class(text, ("PathLength", "TypedDict"), "How long a path is.", milled.under("part"), &[]);
+    class(text, ("RollChoice", "TypedDict"), "How the tool is turned about its axis.", milled.under("roll"), &[]);
+    class(text, ("PlaceSearch", "TypedDict"), "How finely a place was looked for.", milled.under("search"), &[]);
+    let within = [("part", "PathLength"), ("roll", "RollChoice"), ("search", "PlaceSearch"), with_schema[0]];
+    class(text, ("MilledDict", "_Pass"), "`stiffarm.Milled.to_dict`.", &milled, &within);
     class(text, ("ToolpathDict", "TypedDict"), "`stiffarm.Toolpath.to_dict`.", &paths, &with_schema);
 
     let compliance = Fields::of(&compliances);
@@ -204,6 +210,7 @@ fn python_type(setting: &Setting) -> String {
             | Kind::Date,
             false,
         ) => "str".into(),
+        (Kind::Roll, _) => "str | float".into(),
         (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Marker | Kind::Way, true) => {
             "str | Iterable[str]".into()
         }

@@ -5,8 +5,8 @@ use std::path::Path;
 use serde_json::Value;
 use stiffarm::advice::{advise, advise_best};
 use stiffarm::answer::{
-    CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, MapAnswer, MeasureAnswer, PathAnswer, PlaceAnswer,
-    RankAnswer, StudyAnswer,
+    CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, MapAnswer, MeasureAnswer, MillAnswer, PathAnswer,
+    PlaceAnswer, RankAnswer, StudyAnswer,
 };
 use stiffarm::catalogue::measurements::{self, Measurements};
 use stiffarm::catalogue::{find, read, read_process};
@@ -31,7 +31,7 @@ fn asked(verb: Verb, typed: Typed) -> Request {
     let pair = |(name, text): &(&str, &str)| Pair { name: (*name).into(), text: (*text).into(), at: Spelling::Typed };
     let robot = [("robot", "KR 210 R2700 extra")];
     let pairs: Vec<Pair> = match verb {
-        Verb::Study | Verb::Rank | Verb::Identify => typed.iter().map(pair).collect(),
+        Verb::Study | Verb::Rank | Verb::Identify | Verb::Mill => typed.iter().map(pair).collect(),
         _ => typed.iter().chain(&robot).map(pair).collect(),
     };
     Request::read(verb, &pairs, Spelling::Typed).unwrap()
@@ -247,5 +247,29 @@ pub(crate) fn toolpaths() -> Vec<Value> {
         read("M8\nG1 X10 F100\n"),
         read("G21\n"),
         PathAnswer { path: "line:0.3".into(), understood: None, survey }.json(),
+    ]
+}
+
+pub(crate) fn milled() -> Vec<Value> {
+    let of = |typed: Typed| {
+        let usual = [("path", "line:0.2"), ("robot", "it"), ("step-mm", "50")];
+        let asked = asked(Verb::Mill, &[typed, &usual].concat());
+        let moves = "line:0.2".parse::<Builtin>().unwrap().moves(Some(0.01));
+        let slot = "[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = \"al7075-t6\"\n
+[engagement]\nap_mm = 2\nae_mm = 16\nside = \"slot\"\nfeed_per_tooth_mm = 0.1\n";
+        let process = read_process(slot, "process.toml").unwrap();
+        let process = asked.acting().unwrap().is_none().then(|| ("process.toml".into(), process));
+        let mut answer =
+            MillAnswer::of(&asked, &kuka(), ("line:0.2".into(), &moves), process, Watch::nobody()).unwrap();
+        if !typed.contains(&("force-n", "400")) {
+            answer.remarks.push("a remark".into());
+        }
+        answer.json()
+    };
+    let tool = ("tool", "spindle:250@90");
+    vec![
+        of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("tolerance-mm", "0.5")]),
+        of(&[tool, ("force-n", "300,-120,80"), ("at", "9,0,0")]),
+        of(&[tool, ("roll", "constant"), ("within", "1..,0.5..")]),
     ]
 }

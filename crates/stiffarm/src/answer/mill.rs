@@ -10,7 +10,7 @@ use crate::catalogue::ProcessFile;
 use crate::cutting::{Law, Process};
 use crate::mill::{
     Acting, Blocked, ErrorPart, Followed, ForcedError, Forcing, MillError, MillOptions, Milled, PartPlacement,
-    PathPlaced, PathResolution, Pushed, RollMode, Stand, Station, forced, mill, place_path,
+    PathPlaced, PathResolution, Pushed, RollMap, RollMode, Stand, Station, forced, mill, place_path, roll_map,
 };
 use crate::request::{Refusal, Request};
 use crate::robot::Robot;
@@ -136,6 +136,17 @@ impl MillAnswer {
             Some(Milled::Followed(found)) => Some(found),
             _ => None,
         }
+    }
+
+    /// What every other roll would have done at so many places along the path; `None` where it is not followed.
+    ///
+    /// # Errors
+    /// As [`mill`].
+    pub fn roll_map(&self, places: usize) -> Result<Option<RollMap>, MillAnswerError> {
+        let Some((placement, found)) = self.placement.zip(self.followed()) else { return Ok(None) };
+        let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: self.flange_from_tool };
+        let map = roll_map(&self.robot, &stand, &self.stations, &self.options, (found, places));
+        map.map(Some).map_err(|error| MillAnswerError::Mill { robot: self.robot.name.clone(), error })
     }
 
     fn blocked(&self) -> Option<&Blocked> {

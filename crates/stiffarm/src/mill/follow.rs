@@ -122,7 +122,7 @@ pub(super) fn follow(
 }
 
 /// The joints with which the arm holds a sample.
-fn held(
+pub(super) fn held(
     arm: &SpatialArm,
     stand: &Stand,
     sample: &Sample,
@@ -139,7 +139,7 @@ fn held(
 }
 
 /// What happens at one sample.
-fn pushed(
+pub(super) fn pushed(
     robot: &Robot,
     stand: &Stand,
     station: &Station,

@@ -1065,7 +1065,16 @@ const OF_ZONES: &[Setting] = &[
     },
     Setting {
         name: "width-mm",
-        verbs: &[Verb::Rank, Verb::Place, Verb::Map, Verb::Study, Verb::Compare, Verb::Identify, Verb::Force],
+        verbs: &[
+            Verb::Rank,
+            Verb::Place,
+            Verb::Map,
+            Verb::Study,
+            Verb::Compare,
+            Verb::Identify,
+            Verb::Force,
+            Verb::Mill,
+        ],
         kind: number_of(40.0, 2000.0, "mm"),
         unit: "mm",
         value: "MM",
