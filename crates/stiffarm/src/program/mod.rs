@@ -24,7 +24,7 @@ pub use fault::ProgramFault;
 use crate::geometry::Geometry;
 use crate::limits::ThirdAxis;
 use crate::spatial::Pose;
-use steps::{Program, Step};
+use steps::Program;
 
 /// The robot at one place of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -11,6 +11,7 @@ mod cycles;
 mod machine;
 mod modal;
 mod motion;
+pub(super) mod rewrite;
 mod words;
 
 use nalgebra::Vector3;
