@@ -36,10 +36,26 @@ const TURNED: Field = |p| 0.002 * Vector3::new(p.y, -p.x, 0.0);
 const WAVES: Field = |p| Vector3::new(0.0, 1e-5, 1e-4 * (p.x * 100.0).sin() + 1e-4 * (p.y * 100.0).cos());
 
 fn told(text: &str, format: Format, options: &ReadOptions, field: Field) -> Result<(String, Rewritten), PathFault> {
+    told_by(&how(&[]), text, format, options, field)
+}
+
+/// Straight moves that are sampled at their ends only.
+fn by_ends(text: &str, format: Format, field: Field) -> String {
+    let how = Rewriting { steps: Steps { longest: 1.0, ..STEPS }, ..how(&[]) };
+    told_by(&how, text, format, &asked(), field).unwrap_or_else(|why| panic!("{why}\n{text}")).0
+}
+
+fn told_by(
+    how: &Rewriting,
+    text: &str,
+    format: Format,
+    options: &ReadOptions,
+    field: Field,
+) -> Result<(String, Rewritten), PathFault> {
     let original = Original { input: &mut text.as_bytes(), file: "p", format, options };
     let mut output = Vec::new();
     let mut corrected = |sample: &Sample| ToolPose { tip: sample.pose.tip + field(sample.pose.tip), ..sample.pose };
-    let rewritten = rewrite(original, &mut output, &how(&[]), &mut corrected, &mut |_| Ok(()))?;
+    let rewritten = rewrite(original, &mut output, how, &mut corrected, &mut |_| Ok(()))?;
     Ok((String::from_utf8(output).expect("text"), rewritten))
 }
 
@@ -51,7 +67,8 @@ fn led(text: &str, format: Format, options: &ReadOptions, field: Field) -> (Stri
     let feeds: Vec<&Move> = after.iter().filter(|one| one.kind == MoveKind::Feed).collect();
     let mut put = Vec::new();
     for (i, one) in before.iter().enumerate().filter(|(_, one)| one.kind == MoveKind::Feed) {
-        let goes_on = i.checked_sub(1).is_some_and(|before_it| before[before_it].kind == MoveKind::Feed);
+        let last = i.checked_sub(1).map(|last| before[last]);
+        let goes_on = last.is_some_and(|last| last.kind == MoveKind::Feed && last.to == one.from);
         let found: Vec<Sample> = samples(one, &STEPS, 0.0).collect();
         // The first feed move starts where the rapid one ended.
         let from = if goes_on || field == NOWHERE { 0 } else { found.len() - 1 };
@@ -67,8 +84,9 @@ fn led(text: &str, format: Format, options: &ReadOptions, field: Field) -> (Stri
     }
     let length =
         |moves: &[Move]| -> f64 { moves.iter().filter(|one| one.kind == MoveKind::Feed).map(Move::length).sum() };
+    // Chords that are off an arc of 2 mm by 0.01 mm are shorter by 0.2 %.
     let grows = length(&after) / length(&before) - 1.0;
-    assert!(grows.abs() < 2e-3, "{grows}\n{output}");
+    assert!(grows.abs() < 5e-3, "{grows}\n{output}");
     (output, rewritten)
 }
 
@@ -168,12 +186,13 @@ fn drilling_cycles_stay_as_they_are_and_are_counted() {
 
 #[test]
 fn words_change_where_they_stand_and_missing_ones_come_behind_them() {
-    let (output, _) = gcode("%\nO1 (A)\nG21 G90\nG0 X0 Y0 Z5\nN7 g1 x10. F600 (go) M8\nY20\nG0 Z5\nM30\n%\n", ASIDE);
+    let output =
+        by_ends("%\nO1 (A)\nG21 G90\nG0 X0 Y0 Z5\nN7 g1 x10. F600 (go) M8\nY20\nG0 Z5\nM30\n%\n", Format::GCode, ASIDE);
     let expected = "%\nO1 (A)\n(Feed moves are corrected. Arcs are straight moves, off by at most 0.0110 mm)\n\
         (Rapid moves and drilling cycles are not corrected)\nG21 G90\nG0 X0 Y0 Z5\n\
         N7 g1 x10.05 Y-0.03 Z5.02 F600 (go) M8\nY19.97\nG0 Z5\nM30\n%\n";
     assert_eq!(output, expected);
-    let (output, _) = gcode("G20G90G0X0Y0Z1\nG1X1.F10\nZ0\n", ASIDE);
+    let output = by_ends("G20G90G0X0Y0Z1\nG1X1.F10\nZ0\n", Format::GCode, ASIDE);
     // 50, -30 and 20 um in inches.
     assert_eq!(body(&output), ["G20G90G0X0Y0Z1", "G1X1.00197Y-0.00118Z1.00079F10", "Z0.00079"]);
 }
@@ -212,25 +231,20 @@ fn differences_count_from_where_the_machine_stands() {
         let ends = [text, &output].map(|text| path(text, Format::GCode, &asked()).last().unwrap().to.tip);
         assert!((ends[0] + field(ends[0]) - ends[1]).norm() < 2e-7, "{output}");
         assert!(rewritten.aside < 2e-4);
-        if field == ASIDE {
-            assert_eq!(
-                body(&output)[2],
-                "G1 X10.05 F600 Y-0.03 Z0.02".replace(" F600 Y-0.03 Z0.02", " Y-0.03 Z0.02 F600")
-            );
-            assert_eq!(body(&output)[3], "Y10");
-        }
     }
+    let output = by_ends(text, Format::GCode, ASIDE);
+    assert_eq!(body(&output)[2..4], ["G1 X10.05 Y-0.03 Z0.02 F600", "Y10"]);
 }
 
 #[test]
 fn a_point_that_is_named_again_stays_corrected() {
-    let (output, _) = gcode("G21 G90 G0 X0 Y0 Z0\nG1 X10 F600\nG1 X10\nX10 Y5\n", ASIDE);
+    let output = by_ends("G21 G90 G0 X0 Y0 Z0\nG1 X10 F600\nG1 X10\nX10 Y5\n", Format::GCode, ASIDE);
     assert_eq!(body(&output)[1..], ["G1 X10.05 Y-0.03 Z0.02 F600", "G1 X10.05", "X10.05 Y4.97"]);
     let apt = "UNITS/MM\nFEDRAT/MMPM,600\nGOTO/0,0,0\nGOTO/10,0,0\nGOTO/10,0,0\nGOTO/10,5,0\nFINI\n";
-    let (output, _) = led(apt, Format::Apt, &asked(), ASIDE);
+    let output = by_ends(apt, Format::Apt, ASIDE);
     assert!(output.ends_with("GOTO/10.05,-0.03,0.02\nGOTO/10.05,-0.03,0.02\nGOTO/10.05,4.97,0.02\nFINI\n"), "{output}");
     let csv = "x_mm,y_mm,z_mm\n0,0,0\n10,0,0\n10,0,0\n10,5,0\n";
-    let (output, _) = led(csv, Format::Csv, &asked(), ASIDE);
+    let output = by_ends(csv, Format::Csv, ASIDE);
     assert_eq!(output, "x_mm,y_mm,z_mm\n0.05,-0.03,0.02\n10.05,-0.03,0.02\n10.05,-0.03,0.02\n10.05,4.97,0.02\n");
 }
 

@@ -59,7 +59,8 @@ pub struct Rewritten {
 /// Reads a file and writes it line by line with its feed moves through the corrected places: `corrected` is asked for every sample
 /// of every move, in the order of [`read`](super::read) and [`samples`](super::samples()); what it answers of rapid moves and of
 /// drilling cycles is not written, since these stay as they are. Order, remarks, block numbers, feed rates and ends of lines stay,
-/// a move that needs no change stays byte by byte. Arcs become straight moves. What is written is read at once, so that moves by
+/// a move that needs no change stays byte by byte. Arcs become straight moves. From where a rapid move ended, uncorrected, a feed move
+/// comes to the corrected path by its first sample. What is written is read at once, so that moves by
 /// differences count from where the machine will really stand.
 ///
 /// # Errors

@@ -419,6 +419,7 @@ impl Edit<'_> {
             at = word.span.end;
         }
         bytes.extend_from_slice(&self.text[at..]);
+        bytes.truncate(bytes.trim_ascii_end().len());
         bytes
     }
 }
