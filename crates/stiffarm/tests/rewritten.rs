@@ -32,6 +32,10 @@ type Field = fn(Vector3<f64>) -> Vector3<f64>;
 const NOWHERE: Field = |_| Vector3::zeros();
 const ASIDE: Field = |_| Vector3::new(5e-5, -3e-5, 2e-5);
 const TURNED: Field = |p| 0.002 * Vector3::new(p.y, -p.x, 0.0);
+fn is_nowhere(field: Field) -> bool {
+    field(Vector3::new(0.012, 0.034, 0.056)) == Vector3::zeros()
+}
+
 /// 0.1 mm up and down every 60 mm: straight lines do not stay straight.
 const WAVES: Field = |p| Vector3::new(0.0, 1e-5, 1e-4 * (p.x * 100.0).sin() + 1e-4 * (p.y * 100.0).cos());
 
@@ -71,7 +75,7 @@ fn led(text: &str, format: Format, options: &ReadOptions, field: Field) -> (Stri
         let goes_on = last.is_some_and(|last| last.kind == MoveKind::Feed && last.to == one.from);
         let found: Vec<Sample> = samples(one, &STEPS, 0.0).collect();
         // The first feed move starts where the rapid one ended.
-        let from = if goes_on || field == NOWHERE { 0 } else { found.len() - 1 };
+        let from = if goes_on || is_nowhere(field) { 0 } else { found.len() - 1 };
         put.extend(found[from..].iter().map(|sample| (sample.pose.tip + field(sample.pose.tip), one.feed)));
     }
     for (p, feed) in &put {
@@ -320,7 +324,7 @@ fn frames_differences_continuations_and_arcs_of_apt_are_written_as_they_are_read
         let (output, rewritten) = led(text, Format::Apt, &asked(), field);
         assert!(output.starts_with("TOOL PATH/A,TOOL,B\n$$ Feed moves are corrected."), "{output}");
         assert!(output.contains("\n$$ CIRCLE/40.,10.,0,0,0,-1.,10.\n") && rewritten.arcs == 1, "{output}");
-        assert_eq!(output.contains("GOTO/10,0,$\n 0 $$ far\n"), field == NOWHERE, "{output}");
+        assert_eq!(output.contains("GOTO/10,0,$\n 0 $$ far\n"), is_nowhere(field), "{output}");
     }
 }
 

@@ -61,3 +61,22 @@ pub(super) fn told(pose: &Pose, names: [&str; 3]) -> String {
 pub(super) fn ascii(text: &str) -> String {
     on_one_line(text).chars().map(|sign| if sign.is_ascii() { sign } else { '?' }).collect()
 }
+
+/// A file as it grows, line by line.
+#[derive(Default)]
+pub(super) struct Text(pub(super) String);
+
+impl Text {
+    pub(super) fn line(&mut self, line: &str) {
+        self.0.push_str(line);
+        self.0.push('\n');
+    }
+
+    /// Lines with something before each.
+    pub(super) fn lines(&mut self, before: &str, lines: &[String]) {
+        for line in lines {
+            self.0.push_str(before);
+            self.line(line);
+        }
+    }
+}

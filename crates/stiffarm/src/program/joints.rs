@@ -1,9 +1,7 @@
 //! A table of joints as the robot reports them, and of the poses they make: the reference for programs.
 
-use std::fmt::Write;
-
 use super::angles::{fixed, quaternion};
-use super::head::{Dialect, sentences};
+use super::head::{Dialect, Text, sentences};
 use super::steps::Program;
 use super::{Language, ProgramFile};
 
@@ -26,9 +24,9 @@ pub(super) fn files(program: &Program) -> Vec<ProgramFile> {
     // Quaternions have no gimbal.
     lines.pop();
     lines.push("x_mm to qz: the tool in the part, at these joints; qw qx qy qz a quaternion.".into());
-    let mut text: String = lines.iter().map(|line| format!("# {line}\n")).collect();
-    text += COLUMNS;
-    text.push('\n');
+    let mut text = Text::default();
+    text.lines("# ", &lines);
+    text.line(COLUMNS);
     for step in &program.steps {
         let t = step.part_from_tool.translation;
         let joints = step.joints.map(f64::to_degrees);
@@ -40,8 +38,7 @@ pub(super) fn files(program: &Program) -> Vec<ProgramFile> {
             .map(|number| fixed(number, DECIMALS))
             .collect();
         let feed = fixed(step.speed * 60e3, 4);
-        writeln!(text, "{},{},{feed},{}", step.line, numbers.join(","), u8::from(step.is_cutting))
-            .expect("a String takes all");
+        text.line(&format!("{},{},{feed},{}", step.line, numbers.join(","), u8::from(step.is_cutting)));
     }
-    vec![ProgramFile { name: format!("{}.{}", program.name_of(None), Language::JointsCsv.ending()), text }]
+    vec![ProgramFile { name: format!("{}.{}", program.name_of(None), Language::JointsCsv.ending()), text: text.0 }]
 }

@@ -1,9 +1,7 @@
 //! KUKA: `R = Rz(A) Ry(B) Rx(C)`, mm, deg, m/s.
 
-use std::fmt::Write;
-
 use super::angles::{OF_ANGLE, OF_JOINT, Zyx, fixed, mm};
-use super::head::{Dialect, sentences};
+use super::head::{Dialect, Text, sentences};
 use super::steps::{Program, Step};
 use super::{Language, ProgramFile};
 use crate::spatial::Pose;
@@ -12,22 +10,23 @@ use crate::spatial::Pose;
 const START_PERCENT: u32 = 10;
 
 pub(super) fn files(program: &Program) -> Vec<ProgramFile> {
-    let file = |name: &str, text| ProgramFile { name: format!("{name}.{}", Language::Krl.ending()), text };
+    let file =
+        |name: &str, text: Text| ProgramFile { name: format!("{name}.{}", Language::Krl.ending()), text: text.0 };
     let mut files = Vec::new();
     if 1 < program.parts.len() {
         let name = program.name_of(None);
         let mut text = begun(program, &name);
         for (part, _) in program.named_parts() {
-            text += &format!("{part}()\n");
+            text.line(&format!("{part}()"));
         }
-        text += "END\n";
+        text.line("END");
         files.push(file(&name, text));
     }
     files.extend(program.named_parts().map(|(name, steps)| file(&name, part(program, &name, steps))));
     files
 }
 
-fn begun(program: &Program, name: &str) -> String {
+fn begun(program: &Program, name: &str) -> Text {
     let setup = program.setup;
     let dialect = Dialect {
         angles: ["A", "B", "C"],
@@ -35,33 +34,35 @@ fn begun(program: &Program, name: &str) -> String {
         tool: ("Tool, $TOOL in the flange frame", setup.flange_from_tool),
         flange_x: "down",
     };
-    let head: String = sentences(program, &dialect).iter().map(|line| format!("; {line}\n")).collect();
-    format!("DEF {name}()\n{head}")
+    let mut text = Text::default();
+    text.line(&format!("DEF {name}()"));
+    text.lines("; ", &sentences(program, &dialect));
+    text
 }
 
-fn part(program: &Program, name: &str, steps: &[Step]) -> String {
+fn part(program: &Program, name: &str, steps: &[Step]) -> Text {
     let (setup, style) = (program.setup, program.style);
     let mut text = begun(program, name);
     let blend = if style.blend == 0.0 { "" } else { " C_DIS" };
-    text += "BAS(#INITMOV,0)\n";
-    text += &format!("BAS(#VEL_PTP,{START_PERCENT})\n");
-    text += &format!("$BASE={{{}}}\n", frame(&setup.base_from_part));
-    text += &format!("$TOOL={{{}}}\n", frame(&setup.flange_from_tool));
-    text += &format!("$APO.CDIS={}\n", mm(style.blend));
+    text.line("BAS(#INITMOV,0)");
+    text.line(&format!("BAS(#VEL_PTP,{START_PERCENT})"));
+    text.line(&format!("$BASE={{{}}}", frame(&setup.base_from_part)));
+    text.line(&format!("$TOOL={{{}}}", frame(&setup.flange_from_tool)));
+    text.line(&format!("$APO.CDIS={}", mm(style.blend)));
     let joints: Vec<String> =
         (1..).zip(steps[0].joints).map(|(i, q)| format!("A{i} {}", fixed(q.to_degrees(), OF_JOINT))).collect();
-    text += &format!("PTP {{{}}}\n", joints.join(","));
+    text.line(&format!("PTP {{{}}}", joints.join(",")));
     let mut speed = None;
     for (i, step) in steps.iter().enumerate().skip(1) {
-        if speed != Some(step.speed) {
-            speed = Some(step.speed);
-            writeln!(text, "$VEL.CP={}", fixed(step.speed, 6)).expect("a String takes all");
+        if speed.replace(step.speed) != Some(step.speed) {
+            text.line(&format!("$VEL.CP={}", fixed(step.speed, 6)));
         }
         // The last place is gone to exactly: no corner follows.
         let blend = if i + 1 == steps.len() { "" } else { blend };
-        writeln!(text, "LIN {{{}}}{blend}", frame(&step.part_from_tool)).expect("a String takes all");
+        text.line(&format!("LIN {{{}}}{blend}", frame(&step.part_from_tool)));
     }
-    text + "END\n"
+    text.line("END");
+    text
 }
 
 fn frame(pose: &Pose) -> String {

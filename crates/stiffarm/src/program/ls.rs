@@ -1,12 +1,11 @@
 //! Fanuc: `R = Rz(R) Ry(P) Rx(W)`, mm, deg, mm/s; positions behind the program, the first in joints.
 
 use std::f64::consts::PI;
-use std::fmt::Write;
 
 use nalgebra::{Translation3, Vector3};
 
 use super::angles::{OF_ANGLE, OF_JOINT, fixed, mm};
-use super::head::{Dialect, sentences};
+use super::head::{Dialect, Text, sentences};
 use super::steps::{Program, Step};
 use super::{Language, ProgramFile, Setup};
 use crate::spatial::Pose;
@@ -36,13 +35,23 @@ pub(super) fn files(program: &Program) -> Vec<ProgramFile> {
 
 /// Lines and positions as a file.
 fn whole(name: &str, lines: &[String], positions: &str) -> String {
-    let mut text = format!("/PROG  {}\n/ATTR\n", name.to_ascii_uppercase());
-    text += &format!("OWNER\t\t= MNEDITOR;\nCOMMENT\t\t= \"\";\nLINE_COUNT\t= {};\n", lines.len());
-    text += "PROTECT\t\t= READ_WRITE;\nDEFAULT_GROUP\t= 1,*,*,*,*;\nCONTROL_CODE\t= 00000000 00000000;\n/MN\n";
+    let mut text = Text::default();
+    text.line(&format!("/PROG  {}", name.to_ascii_uppercase()));
+    text.line("/ATTR");
+    text.line("OWNER\t\t= MNEDITOR;");
+    text.line("COMMENT\t\t= \"\";");
+    text.line(&format!("LINE_COUNT\t= {};", lines.len()));
+    text.line("PROTECT\t\t= READ_WRITE;");
+    text.line("DEFAULT_GROUP\t= 1,*,*,*,*;");
+    text.line("CONTROL_CODE\t= 00000000 00000000;");
+    text.line("/MN");
     for (number, line) in (1..).zip(lines) {
-        writeln!(text, "{number:4}:{line} ;").expect("a String takes all");
+        text.line(&format!("{number:4}:{line} ;"));
     }
-    text + "/POS\n" + positions + "/END\n"
+    text.line("/POS");
+    text.0.push_str(positions);
+    text.line("/END");
+    text.0
 }
 
 fn head(program: &Program) -> Vec<String> {
@@ -87,12 +96,12 @@ fn moves(program: &Program, steps: &[Step]) -> Vec<String> {
 }
 
 fn positions(program: &Program, steps: &[Step]) -> String {
-    let mut text = String::new();
+    let mut text = Text::default();
     for (i, step) in (1..).zip(steps) {
         let body = if i == 1 { in_joints(step) } else { in_space(program, step) };
-        write!(text, "P[{i}]{{\n   GP1:\n\tUF : {NUMBER}, UT : {NUMBER},{body}\n}};\n").expect("a String takes all");
+        text.line(&format!("P[{i}]{{\n   GP1:\n\tUF : {NUMBER}, UT : {NUMBER},{body}\n}};"));
     }
-    text
+    text.0
 }
 
 fn in_joints(step: &Step) -> String {

@@ -1,12 +1,11 @@
 //! ABB: quaternions, mm, deg, mm/s; configurations by quarter turns.
 
 use std::f64::consts::FRAC_PI_2;
-use std::fmt::Write;
 
 use nalgebra::Vector3;
 
 use super::angles::{OF_JOINT, OF_QUATERNION, fixed, mm, quaternion};
-use super::head::{Dialect, sentences};
+use super::head::{Dialect, Text, sentences};
 use super::steps::{Program, Step};
 use super::{Language, ProgramFile, Setup};
 use crate::spatial::Pose;
@@ -18,28 +17,29 @@ const EXTERNAL: &str = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 const OTHER_SPEEDS: &str = "500,5000,1000";
 
 pub(super) fn files(program: &Program) -> Vec<ProgramFile> {
-    let file = |name: &str, text| ProgramFile { name: format!("{name}.{}", Language::Rapid.ending()), text };
     let name = program.name_of(None);
-    let head = format!("MODULE {name}_module\n{}", head(program));
-    if program.parts.len() == 1 {
-        let text = format!("{head}{}{}ENDMODULE\n", data(program), procedure(program, &name, &program.steps));
-        return vec![file(&name, text)];
+    let is_one = program.parts.len() == 1;
+    let mut main = begun(program, &name);
+    data(program, &mut main);
+    if is_one {
+        procedure(program, &name, &program.steps, &mut main);
+        return vec![ended(&name, main)];
     }
-    let mut main = format!("{head}{}  PROC {name}()\n", data(program));
+    main.line(&format!("  PROC {name}()"));
     for (part, _) in program.named_parts() {
-        main += &format!("    {part};\n");
+        main.line(&format!("    {part};"));
     }
-    main += "  ENDPROC\nENDMODULE\n";
-    let mut files = vec![file(&name, main)];
+    main.line("  ENDPROC");
+    let mut files = vec![ended(&name, main)];
     for (part, steps) in program.named_parts() {
-        let comments = self::head(program);
-        let text = format!("MODULE {part}_module\n{comments}{}ENDMODULE\n", procedure(program, &part, steps));
-        files.push(file(&part, text));
+        let mut text = begun(program, &part);
+        procedure(program, &part, steps, &mut text);
+        files.push(ended(&part, text));
     }
     files
 }
 
-fn head(program: &Program) -> String {
+fn begun(program: &Program, name: &str) -> Text {
     let setup = program.setup;
     let dialect = Dialect {
         angles: ["Rz", "Ry", "Rx"],
@@ -47,29 +47,36 @@ fn head(program: &Program) -> String {
         tool: ("Tool, in the flange frame (tool0)", setup.flange_from_tool),
         flange_x: "down",
     };
-    let mut lines = sentences(program, &dialect);
+    let mut head = sentences(program, &dialect);
     // Quaternions have no gimbal.
-    lines.pop();
-    lines.iter().map(|line| format!("  ! {line}\n")).collect()
+    head.pop();
+    let mut text = Text::default();
+    text.line(&format!("MODULE {name}_module"));
+    text.lines("  ! ", &head);
+    text
+}
+
+fn ended(name: &str, mut text: Text) -> ProgramFile {
+    text.line("ENDMODULE");
+    ProgramFile { name: format!("{name}.{}", Language::Rapid.ending()), text: text.0 }
 }
 
 /// Tool and work object, under names of the program.
-fn data(program: &Program) -> String {
+fn data(program: &Program, text: &mut Text) {
     let (setup, name) = (program.setup, &program.style.name);
     let (tool, part) = (frame(&setup.flange_from_tool), frame(&setup.base_from_part));
-    format!(
-        "  ! The load [1,[0,0,1],...] only stands in for the one that is to be identified.\n  \
-         PERS tooldata {name}_tool:=[TRUE,[{tool}],[1,[0,0,1],[1,0,0,0],0,0,0]];\n  \
-         PERS wobjdata {name}_wobj:=[FALSE,TRUE,\"\",[{part}],[[0,0,0],[1,0,0,0]]];\n"
-    )
+    text.line("  ! The load [1,[0,0,1],...] only stands in for the one that is to be identified.");
+    text.line(&format!("  PERS tooldata {name}_tool:=[TRUE,[{tool}],[1,[0,0,1],[1,0,0,0],0,0,0]];"));
+    text.line(&format!("  PERS wobjdata {name}_wobj:=[FALSE,TRUE,\"\",[{part}],[[0,0,0],[1,0,0,0]]];"));
 }
 
-fn procedure(program: &Program, name: &str, steps: &[Step]) -> String {
+fn procedure(program: &Program, name: &str, steps: &[Step], text: &mut Text) {
     let (setup, style) = (program.setup, program.style);
     let with = format!("{0}_tool\\WObj:={0}_wobj", style.name);
     let joints = steps[0].joints.map(|q| fixed(q.to_degrees(), OF_JOINT)).join(",");
-    let mut text = format!("  PROC {name}()\n    ConfL\\On;\n");
-    text += &format!("    MoveAbsJ [[{joints}],{EXTERNAL}],v100,fine,{with};\n");
+    text.line(&format!("  PROC {name}()"));
+    text.line("    ConfL\\On;");
+    text.line(&format!("    MoveAbsJ [[{joints}],{EXTERNAL}],v100,fine,{with};"));
     let zone = if style.blend == 0.0 {
         "fine".to_owned()
     } else {
@@ -81,9 +88,9 @@ fn procedure(program: &Program, name: &str, steps: &[Step]) -> String {
         let zone = if i + 1 == steps.len() { "fine" } else { &zone };
         let target = format!("[{},[{}],{EXTERNAL}]", frame(&step.part_from_tool), configuration(setup, &step.joints));
         let speed = fixed(step.speed * 1e3, 3);
-        writeln!(text, "    MoveL {target},[{speed},{OTHER_SPEEDS}],{zone},{with};").expect("a String takes all");
+        text.line(&format!("    MoveL {target},[{speed},{OTHER_SPEEDS}],{zone},{with};"));
     }
-    text + "  ENDPROC\n"
+    text.line("  ENDPROC");
 }
 
 fn frame(pose: &Pose) -> String {

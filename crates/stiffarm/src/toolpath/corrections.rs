@@ -6,6 +6,9 @@ use super::samples::{Sample, Steps, samples};
 /// By how much the tool axis may be off between two places that are written, rad: 1 um at 100 mm.
 const TURN: f64 = 1e-5;
 
+/// Who takes the moves of a reader.
+pub(super) type Sink<'a> = &'a mut dyn FnMut(&Move);
+
 /// A place in place of a sample.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::io::{BufRead, Write};
 
-use super::corrections::Corrections;
+use super::corrections::{Corrections, Sink};
 use super::emitted::{Emitted, Line};
 use super::fault::{PathFault, Wrong};
 use super::lines::Lines;
@@ -116,9 +116,6 @@ fn send(bytes: &mut Vec<u8>, output: &mut dyn Write, file: &str, line: usize) ->
     bytes.clear();
     Ok(())
 }
-
-/// Who takes a move.
-type Sink<'a> = &'a mut dyn FnMut(&Move);
 
 /// The rewriter of one format.
 enum Rewriter<'a> {

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use nalgebra::{Point3, Vector3};
 
-use super::super::corrections::{Corrections, Place, between};
+use super::super::corrections::{Corrections, Place, Sink, between};
 use super::super::emitted::{Emitted, Lengths, Line, OF_AXIS, number, refused_as_written, remark};
 use super::super::fault::Wrong;
 use super::super::moves::{Move, MoveKind, ToolPose};
@@ -38,7 +38,7 @@ impl<'a> Rewriter<'a> {
     pub(in super::super) fn new(
         options: &'a ReadOptions,
         head: Vec<String>,
-        (sink, unheard): (&'a mut dyn FnMut(&Move), &'a mut dyn FnMut(&Move)),
+        (sink, unheard): (Sink<'a>, Sink<'a>),
     ) -> Self {
         let (original, written) = (Reader::new(options, sink), Reader::new(options, unheard));
         Self { original, written, head, begun: (Vec::new(), String::new()), has_vectors: false }
@@ -83,7 +83,7 @@ impl<'a> Rewriter<'a> {
             _ => None,
         };
         match statements {
-            Some(statements) => self.replace(line, &before, statements, emitted)?,
+            Some(statements) => self.replace(line, &before, &statements, emitted)?,
             None if matches!(name.as_str(), "CIRCLE" | "MOVARC") => {
                 for one in &before {
                     emitted.bytes.extend_from_slice(b"$$ ");
@@ -133,7 +133,7 @@ impl<'a> Rewriter<'a> {
         &mut self,
         line: &Line,
         before: &[Vec<u8>],
-        statements: Vec<Vec<u8>>,
+        statements: &[Vec<u8>],
         emitted: &mut Emitted,
     ) -> Result<(), Wrong> {
         let is_same = statements.is_empty();
@@ -149,7 +149,7 @@ impl<'a> Rewriter<'a> {
             emitted.keep(line);
         } else {
             emitted.changed += before.len();
-            emitted.replace(line, &statements);
+            emitted.replace(line, statements);
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use super::super::corrections::{Corrections, Place, between};
+use super::super::corrections::{Corrections, Place, Sink, between};
 use super::super::emitted::{Emitted, Lengths, Line, OF_AXIS, number, refused_as_written, remark};
 use super::super::fault::Wrong;
 use super::super::moves::{Move, MoveKind, ToolPose};
@@ -43,7 +43,7 @@ impl<'a> Rewriter<'a> {
     pub(in super::super) fn new(
         options: &'a ReadOptions,
         head: Vec<String>,
-        (sink, unheard): (&'a mut dyn FnMut(&Move), &'a mut dyn FnMut(&Move)),
+        (sink, unheard): (Sink<'a>, Sink<'a>),
     ) -> Self {
         let (original, written) = (Reader::new(options, sink), Reader::new(options, unheard));
         Self { original, written, head, first: None }

@@ -8,6 +8,7 @@
 mod arcs;
 mod codes;
 mod cycles;
+mod edit;
 mod machine;
 mod modal;
 mod motion;

@@ -2,14 +2,14 @@
 
 use std::cell::RefCell;
 
-use super::super::corrections::{Corrections, Place, between};
+use super::super::corrections::{Corrections, Place, Sink, between};
 use super::super::emitted::{Emitted, Lengths, Line, OF_AXIS, number, refused_as_written, remark};
 use super::super::fault::Wrong;
 use super::super::moves::{Course, Move, MoveKind, ToolPose};
 use super::super::options::{ReadOptions, Rotary};
 use super::Reader;
 use super::codes::{FeedMode, Meaning, Motion, of_g};
-use super::words::{Placed, placed};
+use super::edit::{Edit, Fate};
 
 /// M codes that act when the block's motion is over: stops, ends, and what machines switch off then.
 const AFTER_THE_MOTION: [f64; 7] = [0.0, 1.0, 2.0, 5.0, 9.0, 30.0, 60.0];
@@ -37,26 +37,11 @@ pub(in super::super) struct Rewriter<'a> {
     has_vectors: bool,
 }
 
-/// What becomes of a word.
-enum Fate {
-    Kept,
-    Number(String),
-    Dropped,
-}
-
-/// A block that is edited: its words, and what becomes of each.
-struct Edit<'a> {
-    text: &'a [u8],
-    words: Vec<(Placed, Fate)>,
-    /// Words that were not there.
-    new: Vec<String>,
-}
-
 impl<'a> Rewriter<'a> {
     pub(in super::super) fn new(
         options: &'a ReadOptions,
         head: Vec<String>,
-        (sink, unheard): (&'a mut dyn FnMut(&Move), &'a mut dyn FnMut(&Move)),
+        (sink, unheard): (Sink<'a>, Sink<'a>),
     ) -> Self {
         let (original, written) = (Reader::new(options, sink), Reader::new(options, unheard));
         Self { original, written, head, has_vectors: false }
@@ -91,12 +76,11 @@ impl<'a> Rewriter<'a> {
             [] if self.is_motion() && self.stays() => Some(self.held(line)?),
             _ => None,
         };
-        match blocks {
-            Some(blocks) => emitted.replace(line, &blocks),
-            None => {
-                self.kept(line, &moves, path)?;
-                emitted.keep(line);
-            }
+        if let Some(blocks) = blocks {
+            emitted.replace(line, &blocks);
+        } else {
+            self.kept(line, &moves, path)?;
+            emitted.keep(line);
         }
         Ok(())
     }
@@ -181,13 +165,13 @@ impl<'a> Rewriter<'a> {
         blocks.push(self.write(edit.bytes(), line)?);
         self.tell_turn(&first, path);
         for place in &places[1..] {
-            let words = self.words_to(place, Some(one), angles)?;
+            let words = self.words_to(place, one, angles);
             if !words.is_empty() {
                 blocks.push(self.write(self.further(line, &words), line)?);
                 self.tell_turn(place, path);
             }
         }
-        let mut words = self.words_to(&last, Some(one), angles)?;
+        let mut words = self.words_to(&last, one, angles);
         words.extend(later);
         if !words.is_empty() {
             blocks.push(self.write(self.further(line, &words), line)?);
@@ -198,9 +182,9 @@ impl<'a> Rewriter<'a> {
 
     /// The whole block, led to one place.
     fn block(&mut self, line: &Line, place: &Place, one: Option<&Move>) -> Result<Vec<u8>, Wrong> {
-        let mut edit = self.edit(line)?;
+        let mut edit = Edit::of(line)?;
         self.make_straight(&mut edit);
-        self.lead(&mut edit, place, one)?;
+        self.lead(&mut edit, place, one);
         self.write(edit.bytes(), line)
     }
 
@@ -212,7 +196,7 @@ impl<'a> Rewriter<'a> {
         one: &Move,
         angles: [f64; 3],
     ) -> Result<(Edit<'l>, Vec<String>), Wrong> {
-        let mut edit = self.edit(line)?;
+        let mut edit = Edit::of(line)?;
         self.make_straight(&mut edit);
         let mut later = Vec::new();
         for (word, fate) in &mut edit.words {
@@ -227,7 +211,7 @@ impl<'a> Rewriter<'a> {
                 *fate = Fate::Dropped;
             }
         }
-        self.lead(&mut edit, place, Some(one))?;
+        self.lead(&mut edit, place, Some(one));
         for (i, told) in self.turned(place, angles) {
             edit.set(b'A' + i as u8, told);
         }
@@ -235,11 +219,6 @@ impl<'a> Rewriter<'a> {
             edit.set(b'F', self.inverse(place, one));
         }
         Ok((edit, later))
-    }
-
-    fn edit<'l>(&self, line: &Line<'l>) -> Result<Edit<'l>, Wrong> {
-        let words = placed(line.text)?.into_iter().map(|word| (word, Fate::Kept)).collect();
-        Ok(Edit { text: line.text, words, new: Vec::new() })
     }
 
     /// G1 in place of an arc, and where what is written leaves another motion in force.
@@ -265,7 +244,7 @@ impl<'a> Rewriter<'a> {
     }
 
     /// X, Y, Z, and I, J, K of a place into the block.
-    fn lead(&self, edit: &mut Edit, place: &Place, one: Option<&Move>) -> Result<(), Wrong> {
+    fn lead(&self, edit: &mut Edit, place: &Place, one: Option<&Move>) {
         let lengths = Lengths::of(self.original.unit);
         for (axis, letter) in (b'X'..=b'Z').enumerate() {
             let wanted = self.counted(place, axis);
@@ -290,7 +269,6 @@ impl<'a> Rewriter<'a> {
                 }
             }
         }
-        Ok(())
     }
 
     /// A coordinate of a place as the program counts it, m.
@@ -304,7 +282,7 @@ impl<'a> Rewriter<'a> {
     }
 
     /// The words of a block that leads on to a place.
-    fn words_to(&self, place: &Place, one: Option<&Move>, angles: [f64; 3]) -> Result<Vec<String>, Wrong> {
+    fn words_to(&self, place: &Place, one: &Move, angles: [f64; 3]) -> Vec<String> {
         let lengths = Lengths::of(self.original.unit);
         let mut words = Vec::new();
         for (axis, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
@@ -318,10 +296,10 @@ impl<'a> Rewriter<'a> {
         }
         let turned = self.turned(place, angles);
         words.extend(turned.into_iter().map(|(i, told)| format!("{}{told}", ['A', 'B', 'C'][i])));
-        if let (FeedMode::Inverse, Some(one), false) = (self.original.feed_mode, one, words.is_empty()) {
+        if self.original.feed_mode == FeedMode::Inverse && !words.is_empty() {
             words.push(format!("F{}", self.inverse(place, one)));
         }
-        Ok(words)
+        words
     }
 
     /// A, B and C where the block turns them, at a share of its way; `before` are those at its beginning.
@@ -368,58 +346,5 @@ impl<'a> Rewriter<'a> {
 
     fn tell_turn(&self, place: &Place, path: &mut Corrections) {
         path.turn_lost = path.turn_lost.max(between(&self.standing(), &place.pose));
-    }
-}
-
-impl Edit<'_> {
-    /// Gives a letter another number, where it stands or as a new word.
-    fn set(&mut self, letter: u8, told: String) {
-        match self.words.iter_mut().find(|(word, _)| word.letter == letter) {
-            Some((_, fate)) => *fate = Fate::Number(told),
-            None => self.new.push(format!("{}{told}", char::from(letter))),
-        }
-    }
-
-    /// The block with its words as they are now. New ones stand behind the last word of a place, else where the first one was that is
-    /// dropped, else behind the last code.
-    fn bytes(&self) -> Vec<u8> {
-        let last = |letters: &[u8]| self.words.iter().rposition(|(word, _)| letters.contains(&word.letter));
-        let dropped = self.words.iter().position(|(_, fate)| matches!(fate, Fate::Dropped));
-        let behind = last(b"XYZ").or(dropped).or(last(b"G")).or(last(b"N"));
-        let is_spaced =
-            self.words.windows(2).any(|pair| pair[0].0.span.end < pair[1].0.span.start) || self.words.len() < 2;
-        let gap: &[u8] = if is_spaced { b" " } else { b"" };
-        let mut bytes = Vec::new();
-        let add = |bytes: &mut Vec<u8>| {
-            for word in &self.new {
-                if bytes.last().is_some_and(|byte| !byte.is_ascii_whitespace()) {
-                    bytes.extend_from_slice(gap);
-                }
-                bytes.extend_from_slice(word.as_bytes());
-            }
-        };
-        let mut at = 0;
-        for (i, (word, fate)) in self.words.iter().enumerate() {
-            let before = &self.text[at..word.span.start];
-            let is_blank = before.iter().all(u8::is_ascii_whitespace);
-            if !(is_blank && matches!(fate, Fate::Dropped)) {
-                bytes.extend_from_slice(before);
-            }
-            match fate {
-                Fate::Kept => bytes.extend_from_slice(&self.text[word.span.clone()]),
-                Fate::Number(told) => {
-                    bytes.push(self.text[word.span.start]);
-                    bytes.extend_from_slice(told.as_bytes());
-                }
-                Fate::Dropped => {}
-            }
-            if behind == Some(i) {
-                add(&mut bytes);
-            }
-            at = word.span.end;
-        }
-        bytes.extend_from_slice(&self.text[at..]);
-        bytes.truncate(bytes.trim_ascii_end().len());
-        bytes
     }
 }
