@@ -3,8 +3,8 @@
 
 use libfuzzer_sys::fuzz_target;
 use stiffarm::toolpath::{
-    ArcSense, CutterCompensation, Format, IncrementalCycles, Move, MoveKind, Original, PathFault, ReadOptions, Rewriting,
-    Rotary, Steps, read, rewrite,
+    ArcSense, CutterCompensation, Format, IncrementalCycles, Move, MoveKind, Original, PathFault, ReadOptions,
+    Rewriting, Rotary, Steps, read, rewrite,
 };
 
 const STEPS: Steps = Steps { chord: 1e-4, longest: 1.0, turn: 0.1 };
