@@ -15,11 +15,11 @@
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
 //!
 //! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only at
-//! the borders: [`catalogue`] reads robot and process files, [`toolpath`] paths, [`request`] what people ask, [`answer`] tells what was found.
+//! the borders: [`catalogue`] reads robot and process files, [`toolpath`] paths, [`program`] writes those of controllers, [`request`] what people ask, [`answer`] tells what was found.
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`stock`], [`mill`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
+//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`mill`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`measure`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
@@ -66,6 +66,7 @@ pub mod place;
 pub mod plain;
 pub mod plane;
 pub mod prior;
+pub mod program;
 pub mod rank;
 mod real;
 pub mod request;

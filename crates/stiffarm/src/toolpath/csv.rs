@@ -1,5 +1,7 @@
 //! Tables of points: columns whose names say what they hold and in which unit.
 
+pub(super) mod rewrite;
+
 use nalgebra::Vector3;
 
 use super::Ending;

@@ -38,6 +38,16 @@ pub enum PathFault {
         /// Why.
         error: io::Error,
     },
+    /// What is made of it cannot be written.
+    #[error("{file}:{line}: what is made of it cannot be written: {error}")]
+    Output {
+        /// The file as the user named it.
+        file: String,
+        /// The line that was to be written.
+        line: usize,
+        /// Why.
+        error: io::Error,
+    },
     /// It is no longer wanted.
     #[error(transparent)]
     Stopped(#[from] Stopped),

@@ -1,6 +1,7 @@
 //! The lines of a file one after the other, in bounded memory, whatever stands in it.
 
 use std::io::BufRead;
+use std::ops::Range;
 
 use super::fault::{PathFault, Wrong};
 
@@ -12,6 +13,8 @@ pub(super) struct Lines<'a> {
     input: &'a mut dyn BufRead,
     file: &'a str,
     buffer: Vec<u8>,
+    /// Where in the buffer the line stands without its end.
+    text: Range<usize>,
     /// Of the line read last, from 1.
     pub(super) number: usize,
     /// Read so far.
@@ -20,7 +23,7 @@ pub(super) struct Lines<'a> {
 
 impl<'a> Lines<'a> {
     pub(super) fn of(input: &'a mut dyn BufRead, file: &'a str) -> Self {
-        Self { input, file, buffer: Vec::new(), number: 0, bytes: 0 }
+        Self { input, file, buffer: Vec::new(), text: 0..0, number: 0, bytes: 0 }
     }
 
     /// The next line without its end, and its number from 1; `None` after the last one.
@@ -54,16 +57,19 @@ impl<'a> Lines<'a> {
             self.number -= 1;
             return Ok(None);
         }
-        if self.number == 1 && self.buffer.starts_with(b"\xef\xbb\xbf") {
-            self.buffer.drain(..3);
-        }
         if self.buffer.contains(&0) {
             return Err(self.wrong("it holds a zero byte; expected a toolpath as text (UTF-8 or ASCII)".into()));
         }
-        while self.buffer.last().is_some_and(u8::is_ascii_whitespace) {
-            self.buffer.pop();
-        }
-        Ok(Some((self.number, &self.buffer)))
+        let start = if self.number == 1 && self.buffer.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        self.text = start..start + self.buffer[start..].trim_ascii_end().len();
+        Ok(Some((self.number, &self.buffer[self.text.clone()])))
+    }
+
+    /// The line read last, as it stands in the file: what stands before its text, the text, its end.
+    pub(super) fn last(&self) -> [&[u8]; 3] {
+        let (rest, ending) = self.buffer.split_at(self.text.end);
+        let (mark, text) = rest.split_at(self.text.start);
+        [mark, text, ending]
     }
 
     fn wrong(&self, why: String) -> PathFault {

@@ -19,13 +19,16 @@
 
 mod apt;
 mod builtin;
+mod corrections;
 mod csv;
+mod emitted;
 mod fault;
 mod gcode;
 mod lines;
 mod moves;
 mod notes;
 mod options;
+mod rewrite;
 mod samples;
 mod survey;
 
@@ -35,6 +38,7 @@ pub use builtin::Builtin;
 pub use fault::PathFault;
 pub use moves::{Arc, Course, Given, Move, MoveKind, ToolPose};
 pub use options::{ArcCentres, ArcSense, CutterCompensation, IncrementalCycles, LengthUnit, ReadOptions, Rotary};
+pub use rewrite::{Original, Rewriting, Rewritten, rewrite};
 pub use samples::{Sample, Steps, samples};
 pub use survey::Survey;
 

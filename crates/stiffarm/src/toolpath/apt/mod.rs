@@ -2,6 +2,7 @@
 //! program that wrote it (found from its head, checked against the tangent before it), cycles that say their levels.
 
 mod circle;
+pub(super) mod rewrite;
 mod speeds;
 mod statement;
 
@@ -76,6 +77,12 @@ struct Cycle {
     feeds_out: bool,
 }
 
+/// The part of a line that says something, and whether the statement goes on in the next one.
+fn without_remark(line: &str) -> (&str, bool) {
+    let text = line.split("$$").next().unwrap_or_default().trim();
+    text.strip_suffix('$').map_or((text, false), |text| (text, true))
+}
+
 /// What is in force, statement after statement.
 #[expect(clippy::struct_excessive_bools, reason = "each is what one statement leaves in force")]
 pub(super) struct Reader<'a> {
@@ -141,11 +148,10 @@ impl<'a> Reader<'a> {
     pub(super) fn line(&mut self, text: &[u8], line: usize) -> Result<(), Wrong> {
         // Names and remarks may be in any script; what moves the tool is ASCII.
         let text = String::from_utf8_lossy(text);
-        let text = text.split("$$").next().unwrap_or_default().trim();
-        if text.is_empty() || self.has_ended {
+        let (text, goes_on) = without_remark(&text);
+        if text.is_empty() && !goes_on || self.has_ended {
             return Ok(());
         }
-        let (text, goes_on) = text.strip_suffix('$').map_or((text, false), |text| (text, true));
         let (mut whole, first) = self.begun.take().unwrap_or((String::new(), line));
         whole.push_str(text);
         if goes_on {

@@ -8,9 +8,11 @@
 mod arcs;
 mod codes;
 mod cycles;
+mod edit;
 mod machine;
 mod modal;
 mod motion;
+pub(super) mod rewrite;
 mod words;
 
 use nalgebra::Vector3;

@@ -1,5 +1,7 @@
 //! A line of G-code to its words: letters with numbers, comments and blanks left out.
 
+use std::ops::Range;
+
 use super::super::fault::Wrong;
 
 /// No block needs more of one kind.
@@ -156,6 +158,36 @@ impl Block {
         }
         Ok(end)
     }
+}
+
+/// A word where it stands in its line.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Placed {
+    /// In capitals.
+    pub(super) letter: u8,
+    pub(super) number: f64,
+    pub(super) span: Range<usize>,
+}
+
+/// The words of a line that [`Block::read`] has read, in their order.
+///
+/// # Errors
+/// Where that refuses the line.
+pub(super) fn placed(line: &[u8]) -> Result<Vec<Placed>, Wrong> {
+    let (mut words, mut at) = (Vec::new(), 0);
+    while at < line.len() {
+        match line[at].to_ascii_uppercase() {
+            letter @ b'A'..=b'Z' => {
+                let (number, _, end) = number(line, at + 1)?;
+                words.push(Placed { letter, number, span: at..end });
+                at = end;
+            }
+            b'(' => at += line[at..].iter().position(|byte| *byte == b')').map_or(line.len() - at, |end| end + 1),
+            b';' => break,
+            _ => at += 1,
+        }
+    }
+    Ok(words)
 }
 
 /// Powers of ten that are exact.

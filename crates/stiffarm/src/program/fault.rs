@@ -1,0 +1,64 @@
+//! Why is no program written, and of which line?
+
+/// What a program cannot hold: the line of the path or the key, what was found, and what was expected.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ProgramFault {
+    /// Nothing to write.
+    #[error("{stations} places of the robot; expected at least 2, from where to where")]
+    TooFew {
+        /// That there are.
+        stations: usize,
+    },
+    /// The name of the program.
+    #[error("the program's name '{name}': expected a letter, then letters, digits and _, at most {most} of them")]
+    Name {
+        /// As it was given, on one line.
+        name: String,
+        /// How many signs.
+        most: usize,
+    },
+    /// An option of the writer.
+    #[error("{key} = {value}: expected {expected}")]
+    Option {
+        /// Which.
+        key: &'static str,
+        /// As it was given.
+        value: String,
+        /// What makes sense.
+        expected: &'static str,
+    },
+    /// A joint angle.
+    #[error("line {line}: joint {joint} at {} deg: expected a number of at most {most_deg} deg", angle.to_degrees())]
+    Joint {
+        /// Of the path.
+        line: usize,
+        /// From 1.
+        joint: usize,
+        /// rad.
+        angle: f64,
+        /// deg.
+        most_deg: f64,
+    },
+    /// A cutting move without a feed rate.
+    #[error(
+        "line {line}: no feed rate: expected one in the path (F, FEDRAT, a column feed_mm_per_min), or feed-mm-per-min for all of it"
+    )]
+    NoFeed {
+        /// Of the path.
+        line: usize,
+    },
+    /// A feed rate that the language cannot say.
+    #[error("line {line}: a feed rate of {} mm/s: expected {} to {} mm/s for {language}", feed * 1e3, least * 1e3, most * 1e3)]
+    Feed {
+        /// Of the path.
+        line: usize,
+        /// m/s.
+        feed: f64,
+        /// m/s.
+        least: f64,
+        /// m/s.
+        most: f64,
+        /// Which.
+        language: &'static str,
+    },
+}

@@ -1,0 +1,82 @@
+//! What must a person know before a program runs? The head of each file says it, in ASCII.
+
+use super::angles::{Zyx, fixed, mm};
+use super::steps::Program;
+use crate::plain::on_one_line;
+use crate::spatial::Pose;
+
+/// What a language adds to the head.
+pub(super) struct Dialect<'a> {
+    /// How it names the turns about z, y and x.
+    pub(super) angles: [&'a str; 3],
+    /// In which frame the part stands, and what it is called.
+    pub(super) frame: (&'a str, Pose),
+    /// The same of the tool.
+    pub(super) tool: (&'a str, Pose),
+    /// Where x points in the flange frame while the forearm is level.
+    pub(super) flange_x: &'a str,
+}
+
+/// The sentences of the head.
+pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
+    let setup = program.setup;
+    let frame = |what: &str, pose: &Pose| format!("{what}: {}", told(pose, dialect.angles));
+    let mut head = vec![
+        format!("Robot: {}", ascii(setup.robot)),
+        frame(dialect.frame.0, &dialect.frame.1),
+        frame(dialect.tool.0, &dialect.tool.1),
+        format!(
+            "Flange frame: z out along axis 6; with the forearm level and the wrist straight, x points {}.",
+            dialect.flange_x
+        ),
+    ];
+    head.push(match setup.stiffness {
+        Some(source) => format!("The deflection under the cutting force is taken out. Stiffness: {}", ascii(source)),
+        None => "The deflection under the cutting force is not taken out.".into(),
+    });
+    head.push(
+        "Elastic and absolute-accuracy correction of the controller must be off: the poses are those of the joints without it."
+            .into(),
+    );
+    head.push("Mass of tool and load: not from here, set them on the controller.".into());
+    let at_gimbal = program.steps.iter().filter(|step| step.angles.is_at_gimbal).count();
+    let [_, y, x] = dialect.angles;
+    head.push(match at_gimbal {
+        0 => format!("No pose has {y} at 90 or -90 deg, where the angles are not unique."),
+        count => format!("{count} poses have {y} at 90 or -90 deg, where the angles are not unique: {x} is set to 0."),
+    });
+    head
+}
+
+/// A pose in words.
+pub(super) fn told(pose: &Pose, names: [&str; 3]) -> String {
+    let t = pose.translation;
+    let angles = Zyx::of(&pose.rotation).degrees();
+    let turned: Vec<String> =
+        names.iter().zip(angles).map(|(name, angle)| format!("{name} {}", fixed(angle, 5))).collect();
+    format!("X {} Y {} Z {} mm {} deg", mm(t.x), mm(t.y), mm(t.z), turned.join(" "))
+}
+
+/// A text as every controller reads it, on one line.
+pub(super) fn ascii(text: &str) -> String {
+    on_one_line(text).chars().map(|sign| if sign.is_ascii() { sign } else { '?' }).collect()
+}
+
+/// A file as it grows, line by line.
+#[derive(Default)]
+pub(super) struct Text(pub(super) String);
+
+impl Text {
+    pub(super) fn line(&mut self, line: &str) {
+        self.0.push_str(line);
+        self.0.push('\n');
+    }
+
+    /// Lines with something before each.
+    pub(super) fn lines(&mut self, before: &str, lines: &[String]) {
+        for line in lines {
+            self.0.push_str(before);
+            self.line(line);
+        }
+    }
+}

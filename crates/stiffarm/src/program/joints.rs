@@ -1,0 +1,44 @@
+//! A table of joints as the robot reports them, and of the poses they make: the reference for programs.
+
+use super::angles::{fixed, quaternion};
+use super::head::{Dialect, Text, sentences};
+use super::steps::Program;
+use super::{Language, ProgramFile};
+
+/// Decimals of every number: 1e-8 deg, 0.01 nm. A table is read in double precision.
+const DECIMALS: usize = 8;
+
+/// The header.
+const COLUMNS: &str =
+    "line,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,feed_mm_per_min,cutting";
+
+pub(super) fn files(program: &Program) -> Vec<ProgramFile> {
+    let setup = program.setup;
+    let dialect = Dialect {
+        angles: ["Rz", "Ry", "Rx"],
+        frame: ("Part, in the robot's base", setup.base_from_part),
+        tool: ("Tool, in the flange frame", setup.flange_from_tool),
+        flange_x: "down",
+    };
+    let mut lines = sentences(program, &dialect);
+    // Quaternions have no gimbal.
+    lines.pop();
+    lines.push("x_mm to qz: the tool in the part, at these joints; qw qx qy qz a quaternion.".into());
+    let mut text = Text::default();
+    text.lines("# ", &lines);
+    text.line(COLUMNS);
+    for step in &program.steps {
+        let t = step.part_from_tool.translation;
+        let joints = step.joints.map(f64::to_degrees);
+        let place = [t.x, t.y, t.z].map(|x| x * 1e3);
+        let numbers: Vec<String> = joints
+            .into_iter()
+            .chain(place)
+            .chain(quaternion(&step.part_from_tool.rotation))
+            .map(|number| fixed(number, DECIMALS))
+            .collect();
+        let feed = fixed(step.speed * 60e3, 4);
+        text.line(&format!("{},{},{feed},{}", step.line, numbers.join(","), u8::from(step.is_cutting)));
+    }
+    vec![ProgramFile { name: format!("{}.{}", program.name_of(None), Language::JointsCsv.ending()), text: text.0 }]
+}

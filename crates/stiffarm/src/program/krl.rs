@@ -1,0 +1,72 @@
+//! KUKA: `R = Rz(A) Ry(B) Rx(C)`, mm, deg, m/s.
+
+use super::angles::{OF_ANGLE, OF_JOINT, Zyx, fixed, mm};
+use super::head::{Dialect, Text, sentences};
+use super::steps::{Program, Step};
+use super::{Language, ProgramFile};
+use crate::spatial::Pose;
+
+/// What a controller goes by that is at hand before the start, percent.
+const START_PERCENT: u32 = 10;
+
+pub(super) fn files(program: &Program) -> Vec<ProgramFile> {
+    let file =
+        |name: &str, text: Text| ProgramFile { name: format!("{name}.{}", Language::Krl.ending()), text: text.0 };
+    let mut files = Vec::new();
+    if 1 < program.parts.len() {
+        let name = program.name_of(None);
+        let mut text = begun(program, &name);
+        for (part, _) in program.named_parts() {
+            text.line(&format!("{part}()"));
+        }
+        text.line("END");
+        files.push(file(&name, text));
+    }
+    files.extend(program.named_parts().map(|(name, steps)| file(&name, part(program, &name, steps))));
+    files
+}
+
+fn begun(program: &Program, name: &str) -> Text {
+    let setup = program.setup;
+    let dialect = Dialect {
+        angles: ["A", "B", "C"],
+        frame: ("Work object, $BASE in the robot's base (ROBROOT)", setup.base_from_part),
+        tool: ("Tool, $TOOL in the flange frame", setup.flange_from_tool),
+        flange_x: "down",
+    };
+    let mut text = Text::default();
+    text.line(&format!("DEF {name}()"));
+    text.lines("; ", &sentences(program, &dialect));
+    text
+}
+
+fn part(program: &Program, name: &str, steps: &[Step]) -> Text {
+    let (setup, style) = (program.setup, program.style);
+    let mut text = begun(program, name);
+    let blend = if style.blend == 0.0 { "" } else { " C_DIS" };
+    text.line("BAS(#INITMOV,0)");
+    text.line(&format!("BAS(#VEL_PTP,{START_PERCENT})"));
+    text.line(&format!("$BASE={{{}}}", frame(&setup.base_from_part)));
+    text.line(&format!("$TOOL={{{}}}", frame(&setup.flange_from_tool)));
+    text.line(&format!("$APO.CDIS={}", mm(style.blend)));
+    let joints: Vec<String> =
+        (1..).zip(steps[0].joints).map(|(i, q)| format!("A{i} {}", fixed(q.to_degrees(), OF_JOINT))).collect();
+    text.line(&format!("PTP {{{}}}", joints.join(",")));
+    let mut speed = None;
+    for (i, step) in steps.iter().enumerate().skip(1) {
+        if speed.replace(step.speed) != Some(step.speed) {
+            text.line(&format!("$VEL.CP={}", fixed(step.speed, 6)));
+        }
+        // The last place is gone to exactly: no corner follows.
+        let blend = if i + 1 == steps.len() { "" } else { blend };
+        text.line(&format!("LIN {{{}}}{blend}", frame(&step.part_from_tool)));
+    }
+    text.line("END");
+    text
+}
+
+fn frame(pose: &Pose) -> String {
+    let t = pose.translation;
+    let [a, b, c] = Zyx::of(&pose.rotation).degrees().map(|angle| fixed(angle, OF_ANGLE));
+    format!("X {},Y {},Z {},A {a},B {b},C {c}", mm(t.x), mm(t.y), mm(t.z))
+}

@@ -1,0 +1,171 @@
+//! Fanuc: `R = Rz(R) Ry(P) Rx(W)`, mm, deg, mm/s; positions behind the program, the first in joints.
+
+use std::f64::consts::PI;
+
+use nalgebra::{Translation3, Vector3};
+
+use super::angles::{OF_ANGLE, OF_JOINT, fixed, mm};
+use super::head::{Dialect, Text, sentences};
+use super::steps::{Program, Step};
+use super::{Language, ProgramFile, Setup};
+use crate::spatial::Pose;
+
+/// User frame and user tool of the program, which the controller holds under this number.
+const NUMBER: u32 = 1;
+
+/// Remarks are no longer.
+const REMARK: usize = 32;
+
+pub(super) fn files(program: &Program) -> Vec<ProgramFile> {
+    let file = |name: &str, text| ProgramFile { name: format!("{name}.{}", Language::Ls.ending()), text };
+    let mut files = Vec::new();
+    if 1 < program.parts.len() {
+        let name = program.name_of(None);
+        let mut lines = head(program);
+        lines.extend(program.named_parts().map(|(part, _)| format!("CALL {}", part.to_ascii_uppercase())));
+        files.push(file(&name, whole(&name, &lines, "")));
+    }
+    files.extend(program.named_parts().map(|(name, steps)| {
+        let mut lines = head(program);
+        lines.extend(moves(program, steps));
+        file(&name, whole(&name, &lines, &positions(program, steps)))
+    }));
+    files
+}
+
+/// Lines and positions as a file.
+fn whole(name: &str, lines: &[String], positions: &str) -> String {
+    let mut text = Text::default();
+    text.line(&format!("/PROG  {}", name.to_ascii_uppercase()));
+    text.line("/ATTR");
+    text.line("OWNER\t\t= MNEDITOR;");
+    text.line("COMMENT\t\t= \"\";");
+    text.line(&format!("LINE_COUNT\t= {};", lines.len()));
+    text.line("PROTECT\t\t= READ_WRITE;");
+    text.line("DEFAULT_GROUP\t= 1,*,*,*,*;");
+    text.line("CONTROL_CODE\t= 00000000 00000000;");
+    text.line("/MN");
+    for (number, line) in (1..).zip(lines) {
+        text.line(&format!("{number:4}:{line} ;"));
+    }
+    text.line("/POS");
+    text.0.push_str(positions);
+    text.line("/END");
+    text.0
+}
+
+fn head(program: &Program) -> Vec<String> {
+    let setup = program.setup;
+    let dialect = Dialect {
+        angles: ["R", "P", "W"],
+        frame: ("Set UFRAME 1, in WORLD at the height of joint 2, to", world_from_part(setup)),
+        tool: ("Set UTOOL 1, in the flange frame, to", flange_from_tool(setup)),
+        flange_x: "up",
+    };
+    let mut sentences = sentences(program, &dialect);
+    sentences.push("Speeds are rounded to 0.1 mm/s.".into());
+    if 0.0 < program.style.blend {
+        sentences.push("CNT100 rounds corners as speed has it, not by a length.".into());
+    }
+    sentences.push(
+        "CONFIG: N is taken for a wrist that bends down with joint 4 at 0. If the pendant shows other letters at P[1], they go into all."
+            .into(),
+    );
+    sentences.iter().flat_map(|sentence| wrapped(sentence)).map(|line| format!("  !{line}")).collect()
+}
+
+/// From WORLD, whose origin is where axis 1 passes joint 2's height.
+fn world_from_part(setup: &Setup) -> Pose {
+    Pose::translation(0.0, 0.0, -setup.geometry.c1) * setup.base_from_part
+}
+
+/// From Fanuc's flange frame, half a turn about z from ours.
+fn flange_from_tool(setup: &Setup) -> Pose {
+    Pose::rotation(Vector3::z() * PI) * setup.flange_from_tool
+}
+
+fn moves(program: &Program, steps: &[Step]) -> Vec<String> {
+    let ending = if program.style.blend == 0.0 { "CNT0" } else { "CNT100" };
+    let mut lines = vec![format!("  UFRAME_NUM={NUMBER}"), format!("  UTOOL_NUM={NUMBER}")];
+    lines.push("J P[1] 10% FINE".into());
+    for (i, step) in (2..).zip(&steps[1..]) {
+        let ending = if i == steps.len() { "FINE" } else { ending };
+        lines.push(format!("L P[{i}] {}mm/sec {ending}", fixed(step.speed * 1e3, 1)));
+    }
+    lines
+}
+
+fn positions(program: &Program, steps: &[Step]) -> String {
+    let mut text = Text::default();
+    for (i, step) in (1..).zip(steps) {
+        let body = if i == 1 { in_joints(step) } else { in_space(program, step) };
+        text.line(&format!("P[{i}]{{\n   GP1:\n\tUF : {NUMBER}, UT : {NUMBER},{body}\n}};"));
+    }
+    text.0
+}
+
+fn in_joints(step: &Step) -> String {
+    let [a, b, c, d, e, f] = step.joints.map(|q| fixed(q.to_degrees(), OF_JOINT));
+    format!("\n\tJ1= {a} deg,\tJ2= {b} deg,\tJ3= {c} deg,\n\tJ4= {d} deg,\tJ5= {e} deg,\tJ6= {f} deg")
+}
+
+fn in_space(program: &Program, step: &Step) -> String {
+    let Translation3 { vector: t } = step.part_from_tool.translation;
+    let [r, p, w] = step.angles.degrees().map(|angle| fixed(angle, OF_ANGLE));
+    format!(
+        "\t\tCONFIG : '{}',\n\tX = {} mm,\tY = {} mm,\tZ = {} mm,\n\tW = {w} deg,\tP = {p} deg,\tR = {r} deg",
+        configuration(program, &step.joints),
+        mm(t.x),
+        mm(t.y),
+        mm(t.z)
+    )
+}
+
+/// Wrist, elbow, front, then the whole turns of joints 1, 4 and 6 from +-180 deg.
+fn configuration(program: &Program, joints: &[f64; 6]) -> String {
+    let setup = program.setup;
+    let theta = setup.geometry.model_angles(joints, setup.third_axis);
+    let letters = program.style.fanuc_letters.clone().unwrap_or_else(|| {
+        let [_, shoulder, elbow, wrist, _] = setup.geometry.points(&theta).map(Vector3::from);
+        let (s, c) = theta[0].sin_cos();
+        let (ahead, across) = (Vector3::new(c, s, 0.0), Vector3::new(-s, c, 0.0));
+        let is_front = 0.0 <= wrist.dot(&ahead);
+        // The elbow stands over the line from joint 2 to the wrist centre, seen along the way forwards.
+        let over = across.dot(&(wrist - shoulder).cross(&(elbow - shoulder)));
+        let is_up = (over < 0.0) == is_front;
+        let letter = |yes: bool, a: char, b: char| if yes { a } else { b };
+        format!(
+            "{} {} {}",
+            letter(0.0 <= theta[4].sin(), 'N', 'F'),
+            letter(is_up, 'U', 'D'),
+            letter(is_front, 'T', 'B')
+        )
+    });
+    let turns = |joint: usize| fixed((joints[joint] / (2.0 * PI)).round(), 0);
+    format!("{letters}, {}, {}, {}", turns(0), turns(3), turns(5))
+}
+
+/// A sentence in remarks that are short enough.
+fn wrapped(sentence: &str) -> Vec<String> {
+    let mut lines: Vec<String> = vec![String::new()];
+    for word in sentence.replace(';', ",").split(' ') {
+        let mut word = word;
+        loop {
+            let last = lines.len() - 1;
+            let line = &mut lines[last];
+            let gap = usize::from(!line.is_empty());
+            if line.len() + gap + word.len() <= REMARK {
+                line.push_str(&" "[..gap]);
+                line.push_str(word);
+                break;
+            }
+            if line.is_empty() {
+                // One word longer than a remark: it is ASCII, and may be cut anywhere.
+                line.push_str(&word[..REMARK]);
+                word = &word[REMARK..];
+            }
+            lines.push(String::new());
+        }
+    }
+    lines
+}

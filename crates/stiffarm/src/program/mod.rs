@@ -1,0 +1,156 @@
+//! What does a robot's controller read, so that it follows these joints? KUKA KRL, ABB RAPID, Fanuc LS, and a table of joints.
+//!
+//! The pose that is written of a place is the forward kinematics of the joints that are commanded there. Every program begins with a
+//! move in joints, so that its configuration is settled, and goes on with straight moves of the tool in the frame of the part.
+//! A controller that corrects elastic or other errors on its own would do so twice: the head of each file says that it must not.
+//!
+//! Frames: the base is that of the robot's geometry, z up, x forward, on the floor. In the flange frame z points out along axis 6;
+//! where the forearm is level and the model's angles 4, 5 and 6 are zero, x points down: KUKA's and ABB's own convention. Fanuc's x
+//! points up there, and its world frame stands on axis 1 at the height of joint 2: LS files speak in those.
+//!
+//! SI inside; with the other borders the only module that knows mm and degrees.
+
+mod angles;
+mod fault;
+mod head;
+mod joints;
+mod krl;
+mod ls;
+mod rapid;
+mod steps;
+
+pub use fault::ProgramFault;
+
+use crate::geometry::Geometry;
+use crate::limits::ThirdAxis;
+use crate::spatial::Pose;
+use steps::Program;
+
+/// The robot at one place of a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// The line of the path that asks for it; for messages.
+    pub line: usize,
+    /// Joint angles that are commanded, as the robot reports them, rad.
+    pub joints: [f64; 6],
+    /// Of the way to it from the station before, m/s; `None` where nobody says it.
+    pub feed: Option<f64>,
+    /// The way to it is at a feed rate, rather than as fast as may be.
+    pub is_cutting: bool,
+}
+
+/// Which robot holds which tool, and where the part stands.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup<'a> {
+    /// Its name, for the heads of files.
+    pub robot: &'a str,
+    /// Of the robot.
+    pub geometry: &'a Geometry,
+    /// What it reports as joint 3.
+    pub third_axis: ThirdAxis,
+    /// The part in the robot's base frame.
+    pub base_from_part: Pose,
+    /// The tool in the flange frame.
+    pub flange_from_tool: Pose,
+    /// Whose stiffness the joints take the deflection out with, in words; `None` where they do not.
+    pub stiffness: Option<&'a str>,
+}
+
+impl Setup<'_> {
+    /// The tool in the part at joint angles as reported, rad.
+    pub fn part_from_tool(&self, joints: &[f64; 6]) -> Pose {
+        let flange = self.geometry.forward(&self.geometry.model_angles(joints, self.third_axis));
+        self.base_from_part.inverse() * flange * self.flange_from_tool
+    }
+}
+
+/// How a program is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Style {
+    /// Of the program and its files.
+    pub name: String,
+    /// Of moves through the air, m/s.
+    pub rapid: f64,
+    /// How far from a place the tool may leave its path to round a corner, m; at 0 it goes through every place exactly.
+    pub blend: f64,
+    /// The most moves in one file; `None` writes one file. Programs of several files have a main one that calls the others.
+    pub moves_per_file: Option<usize>,
+    /// The letters of a Fanuc's configuration, such as `N U T`, in place of those that follow from the joints.
+    pub fanuc_letters: Option<String>,
+}
+
+/// A language of controllers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// KUKA.
+    Krl,
+    /// ABB.
+    Rapid,
+    /// Fanuc.
+    Ls,
+    /// A table of joint angles and poses: the reference for the others.
+    JointsCsv,
+}
+
+impl Language {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Krl, Self::Rapid, Self::Ls, Self::JointsCsv];
+
+    /// As people call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Krl => "KUKA KRL",
+            Self::Rapid => "ABB RAPID",
+            Self::Ls => "Fanuc LS",
+            Self::JointsCsv => "joints as CSV",
+        }
+    }
+
+    /// Of its files, without the point.
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Self::Krl => "src",
+            Self::Rapid => "mod",
+            Self::Ls => "ls",
+            Self::JointsCsv => "csv",
+        }
+    }
+
+    /// Feed rates that it can say, m/s: three decimals of mm/s, one for Fanuc.
+    const fn feeds(self) -> [f64; 2] {
+        match self {
+            Self::Krl | Self::Rapid => [1e-5, 3.0],
+            Self::Ls => [1e-3, 2.0],
+            Self::JointsCsv => [1e-6, 10.0],
+        }
+    }
+}
+
+/// One file of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProgramFile {
+    /// With its ending.
+    pub name: String,
+    /// What stands in it: ASCII.
+    pub text: String,
+}
+
+/// A program that follows the stations in their order; the main file first. A station that stands where the one before it stands is
+/// written once.
+///
+/// # Errors
+/// What the language cannot say, with the line of the path or the option.
+pub fn write(
+    language: Language,
+    setup: &Setup,
+    stations: &[Station],
+    style: &Style,
+) -> Result<Vec<ProgramFile>, ProgramFault> {
+    let program = Program::of(language, setup, stations, style)?;
+    Ok(match language {
+        Language::Krl => krl::files(&program),
+        Language::Rapid => rapid::files(&program),
+        Language::Ls => ls::files(&program),
+        Language::JointsCsv => joints::files(&program),
+    })
+}

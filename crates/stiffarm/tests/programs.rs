@@ -1,0 +1,395 @@
+//! Do the programs of controllers, read back by formulas of their own, lead the tool where the commanded joints put it?
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use nalgebra::{Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
+use stiffarm::geometry::Geometry;
+use stiffarm::limits::ThirdAxis;
+use stiffarm::program::{Language, ProgramFault, ProgramFile, Setup, Station, Style, write};
+use stiffarm::spatial::Pose;
+
+/// What a pose may be off: 1 um, 1 urad.
+const NEAR: f64 = 1e-6;
+
+fn kuka() -> Geometry {
+    let offset = [0.0, -FRAC_PI_2, 0.0, 0.0, 0.0, 0.0];
+    let sign = [-1.0, 1.0, 1.0, -1.0, 1.0, -1.0];
+    Geometry { a1: 0.35, a2: 0.041, b: 0.02, c1: 0.675, c2: 1.15, c3: 1.2, c4: 0.215, offset, sign }
+}
+
+fn setup(geometry: &Geometry) -> Setup<'_> {
+    Setup {
+        robot: "KR 210",
+        geometry,
+        third_axis: ThirdAxis::Elbow,
+        base_from_part: Pose::new(Vector3::new(1.4, -0.3, 0.8), Vector3::new(0.1, -0.2, 0.7)),
+        flange_from_tool: Pose::new(Vector3::new(0.05, 0.02, 0.31), Vector3::new(0.0, 0.6, 0.0)),
+        stiffness: Some("robot file"),
+    }
+}
+
+fn style() -> Style {
+    Style { name: "part".into(), rapid: 0.5, blend: 0.001, moves_per_file: None, fanuc_letters: None }
+}
+
+fn stations(count: usize, seed: u64) -> Vec<Station> {
+    let mut rng = fastrand::Rng::with_seed(seed);
+    let one = |i| Station {
+        line: i + 1,
+        joints: std::array::from_fn(|_| 2.0 * TAU * (rng.f64() - 0.5)),
+        feed: Some(0.001 * (1 + i % 7) as f64),
+        is_cutting: i % 5 != 0,
+    };
+    (0..count).map(one).collect()
+}
+
+/// By definition: the product of three turns, written out.
+fn about(axis: usize, deg: f64) -> Matrix3<f64> {
+    let (s, c) = (deg * PI / 180.0).sin_cos();
+    match axis {
+        0 => Matrix3::new(1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c),
+        1 => Matrix3::new(c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c),
+        _ => Matrix3::new(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0),
+    }
+}
+
+fn of_angles([x, y, z, a, b, c]: [f64; 6]) -> (Vector3<f64>, Matrix3<f64>) {
+    (Vector3::new(x, y, z) * 1e-3, about(2, a) * about(1, b) * about(0, c))
+}
+
+/// The matrix of a quaternion, entry by entry.
+fn of_quaternion(p: [f64; 3], [w, x, y, z]: [f64; 4]) -> (Vector3<f64>, Matrix3<f64>) {
+    let r = Matrix3::new(
+        1.0 - 2.0 * (y * y + z * z),
+        2.0 * (x * y - w * z),
+        2.0 * (x * z + w * y),
+        2.0 * (x * y + w * z),
+        1.0 - 2.0 * (x * x + z * z),
+        2.0 * (y * z - w * x),
+        2.0 * (x * z - w * y),
+        2.0 * (y * z + w * x),
+        1.0 - 2.0 * (x * x + y * y),
+    );
+    (Vector3::from(p) * 1e-3, r)
+}
+
+fn assert_near(found: &(Vector3<f64>, Matrix3<f64>), expected: &Pose, what: &str) {
+    let off = (found.0 - expected.translation.vector).norm();
+    let turned = found.1 * expected.rotation.to_rotation_matrix().matrix().transpose();
+    // The turn of a small rotation is its skew part.
+    let turn = 0.5 * Vector3::new(turned.m32 - turned.m23, turned.m13 - turned.m31, turned.m21 - turned.m12).norm();
+    assert!(off < NEAR && turn < NEAR && 2.9 < turned.trace(), "{what}: {off} m, {turn} rad");
+}
+
+/// All numbers of a text in their order, words aside.
+fn numbers(text: &str) -> Vec<f64> {
+    text.split(|c: char| !(c.is_ascii_digit() || "+-.".contains(c))).filter_map(|part| part.parse().ok()).collect()
+}
+
+fn six(text: &str) -> [f64; 6] {
+    numbers(text).try_into().unwrap_or_else(|found| panic!("{text}: {found:?}"))
+}
+
+/// `{X 1,Y 2,...}` without the numbers that are part of names.
+fn krl_frame(line: &str) -> [f64; 6] {
+    let (_, inner) = line.split_once('{').unwrap();
+    let parts: Vec<&str> = inner.split_once('}').unwrap().0.split(',').collect();
+    let names: Vec<&str> = parts.iter().map(|part| part.split_once(' ').unwrap().0).collect();
+    assert!(names == ["X", "Y", "Z", "A", "B", "C"] || names == ["A1", "A2", "A3", "A4", "A5", "A6"], "{line}");
+    std::array::from_fn(|i| parts[i].split_once(' ').unwrap().1.parse().unwrap())
+}
+
+fn one_file(language: Language, setup: &Setup, stations: &[Station], style: &Style) -> String {
+    let mut files = write(language, setup, stations, style).unwrap_or_else(|why| panic!("{why}"));
+    assert_eq!(files.len(), 1);
+    let ProgramFile { name, text } = files.remove(0);
+    assert_eq!(name, format!("part.{}", language.ending()));
+    assert!(text.is_ascii());
+    text
+}
+
+#[test]
+fn krl_leads_the_tool_where_the_joints_put_it() {
+    let geometry = kuka();
+    let (setup, stations) = (setup(&geometry), stations(200, 1));
+    let text = one_file(Language::Krl, &setup, &stations, &style());
+    let starting = |start: &'static str| text.lines().filter(move |line| line.starts_with(start));
+    let lines: Vec<&str> = starting("LIN ").collect();
+    assert_eq!(lines.len(), 199);
+    for (line, station) in lines.iter().zip(&stations[1..]) {
+        assert_near(&of_angles(krl_frame(line)), &setup.part_from_tool(&station.joints), line);
+    }
+    assert!(lines[..198].iter().all(|line| line.ends_with(" C_DIS")) && lines[198].ends_with('}'));
+    let base = krl_frame(starting("$BASE=").next().unwrap());
+    assert_near(&of_angles(base), &setup.base_from_part, "$BASE");
+    let tool = krl_frame(starting("$TOOL=").next().unwrap());
+    assert_near(&of_angles(tool), &setup.flange_from_tool, "$TOOL");
+    let start = krl_frame(starting("PTP ").next().unwrap()).map(f64::to_radians);
+    assert_reached(&setup, &start, &stations[0]);
+    // Feed of the second place: 0.002 m/s, and 0.5 m/s through the air.
+    assert!(text.contains("$APO.CDIS=1.0000\n") && text.contains("$VEL.CP=0.002000\n"));
+    assert!(text.contains("$VEL.CP=0.500000\n"));
+}
+
+fn assert_reached(setup: &Setup, joints: &[f64; 6], station: &Station) {
+    let found = setup.part_from_tool(joints);
+    let found = (found.translation.vector, *found.rotation.to_rotation_matrix().matrix());
+    assert_near(&found, &setup.part_from_tool(&station.joints), "joints");
+}
+
+#[test]
+fn rapid_leads_the_tool_where_the_joints_put_it_and_says_in_which_quarters_joints_stand() {
+    let geometry = kuka();
+    let (setup, stations) = (setup(&geometry), stations(200, 2));
+    let text = one_file(Language::Rapid, &setup, &stations, &style());
+    let lines: Vec<&str> = text.lines().filter(|line| line.contains("MoveL ")).collect();
+    assert_eq!(lines.len(), 199);
+    for (line, station) in lines.iter().zip(&stations[1..]) {
+        let n = numbers(line);
+        let q = [n[3], n[4], n[5], n[6]];
+        assert!(0.0 <= q[0]);
+        assert_near(&of_quaternion([n[0], n[1], n[2]], q), &setup.part_from_tool(&station.joints), line);
+        for (cf, joint) in [(n[7], 0), (n[8], 3), (n[9], 5)] {
+            let deg = station.joints[joint].to_degrees();
+            assert!(cf * 90.0 <= deg && deg < cf * 90.0 + 90.0, "{line}");
+        }
+        assert!((0.0..=7.0).contains(&n[10]));
+    }
+    let data = |start: &str| {
+        let line = text.lines().find(|line| line.trim().starts_with(start)).unwrap();
+        numbers(line.split_once(":=").unwrap().1)
+    };
+    let (tool, part) = (data("PERS tooldata"), data("PERS wobjdata"));
+    let pose = |n: &[f64]| of_quaternion([n[0], n[1], n[2]], [n[3], n[4], n[5], n[6]]);
+    assert_near(&pose(&tool), &setup.flange_from_tool, "tooldata");
+    assert_near(&pose(&part), &setup.base_from_part, "wobjdata");
+    let start = numbers(text.lines().find(|line| line.contains("MoveAbsJ")).unwrap());
+    let start: [f64; 6] = std::array::from_fn(|i| start[i].to_radians());
+    assert_reached(&setup, &start, &stations[0]);
+    assert!(lines[198].contains(",fine,part_tool\\WObj:=part_wobj;"));
+}
+
+/// Each posture by what it looks like: ahead and over the arm; overhead, reaching back; bent back behind the upper arm.
+#[test]
+fn configurations_are_those_that_a_person_sees() {
+    let geometry = Geometry { offset: [0.0; 6], sign: [1.0; 6], ..kuka() };
+    let setup = setup(&geometry);
+    let told = |deg: [f64; 6]| {
+        let two = [[0.0; 6], deg].map(|deg| Station {
+            line: 1,
+            joints: deg.map(f64::to_radians),
+            feed: Some(0.01),
+            is_cutting: true,
+        });
+        let rapid = one_file(Language::Rapid, &setup, &two, &style());
+        let line = numbers(rapid.lines().find(|line| line.contains("MoveL ")).unwrap());
+        let ls = one_file(Language::Ls, &setup, &two, &style());
+        let (_, letters) = ls.rsplit_once("CONFIG : '").unwrap();
+        (line[7..11].to_vec(), letters.split_once('\'').unwrap().0.to_owned())
+    };
+    // Upper arm up, forearm level ahead, tool down.
+    assert_eq!(told([10.0, 1.0, 89.0, 0.0, 90.0, 0.0]), (vec![0.0, 0.0, 0.0, 0.0], "N U T, 0, 0, 0".into()));
+    // The same with the wrist turned over.
+    assert_eq!(told([10.0, 1.0, 89.0, 180.0, -90.0, -100.0]), (vec![0.0, 2.0, -2.0, 1.0], "F U T, 0, 1, 0".into()));
+    // Upper arm level ahead, forearm up and over it backwards: elbow in front, wrist behind the upper arm's line, still ahead.
+    let (quarters, letters) = told([-10.0, 100.0, -120.0, 0.0, 45.0, 200.0]);
+    assert_eq!((quarters, letters.as_str()), (vec![-1.0, 0.0, 2.0, 2.0], "N D T, 0, 0, 1"));
+    // Both leaning back over the head: the wrist centre is behind axis 1, the elbow over the line to it.
+    let (quarters, letters) = told([-170.0, -60.0, -30.0, 0.0, 45.0, 0.0]);
+    assert_eq!((quarters, letters.as_str()), (vec![-2.0, 0.0, 0.0, 6.0], "N U B, 0, 0, 0"));
+}
+
+#[test]
+fn ls_leads_the_tool_where_the_joints_put_it_in_the_frames_of_a_fanuc() {
+    let geometry = kuka();
+    let (setup, stations) = (setup(&geometry), stations(200, 3));
+    let text = one_file(Language::Ls, &setup, &stations, &style());
+    let (program, positions) = text.split_once("/POS\n").unwrap();
+    let positions: Vec<&str> = positions.split("};\n").filter(|part| part.starts_with("P[")).collect();
+    assert_eq!(positions.len(), 200);
+    for (i, (text, station)) in positions.iter().zip(&stations).enumerate() {
+        assert!(text.starts_with(&format!("P[{}]{{\n   GP1:\n\tUF : 1, UT : 1,", i + 1)), "{text}");
+        let value = |name: &str| numbers(text.split_once(&format!("{name}= ")).unwrap().1)[0];
+        if i == 0 {
+            let joints = std::array::from_fn(|i| value(&format!("\tJ{}", i + 1)).to_radians());
+            assert_reached(&setup, &joints, station);
+        } else {
+            let [x, y, z, w, p, r] = ["\tX ", "\tY ", "\tZ ", "\tW ", "\tP ", "\tR "].map(value);
+            assert_near(&of_angles([x, y, z, r, p, w]), &setup.part_from_tool(&station.joints), text);
+        }
+    }
+    // What UFRAME and UTOOL are to be, from the remarks of the head.
+    let remarks = program.lines().filter_map(|line| line.split_once("  !")).map(|(_, remark)| remark);
+    let head = remarks.map(|remark| remark.trim_end_matches(" ;")).collect::<Vec<_>>().join(" ");
+    let frame = |start: &str| {
+        let (_, rest) = head.split_once(start).unwrap();
+        let [x, y, z, r, p, w] = six(rest.split_once(" deg").unwrap().0);
+        of_angles([x, y, z, r, p, w])
+    };
+    let up = Pose::translation(0.0, 0.0, 0.675);
+    let user = frame("at the height of joint 2, to: ");
+    assert_near(&(user.0 + up.translation.vector, user.1), &setup.base_from_part, "UFRAME");
+    // At the zero of a Fanuc, forearm level ahead, the pendant shows W 180, P -90, R 0.
+    let (_, shown) = of_angles([0.0, 0.0, 0.0, 0.0, -90.0, 180.0]);
+    let level = geometry.forward(&[0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0]).rotation;
+    let tool = frame("UTOOL 1, in the flange frame, to: ");
+    let found = Rotation3::from_matrix_unchecked(shown * tool.1);
+    let expected = level * setup.flange_from_tool.rotation;
+    assert!(expected.angle_to(&UnitQuaternion::from_rotation_matrix(&found)) < NEAR);
+    // Lines are numbered and counted.
+    let lines: Vec<&str> = program.split_once("/MN\n").unwrap().1.lines().collect();
+    assert!(program.contains(&format!("LINE_COUNT\t= {};", lines.len())));
+    assert!(lines.iter().enumerate().all(|(i, line)| line.starts_with(&format!("{:4}:", i + 1))));
+    assert!(lines[lines.len() - 199].ends_with(":L P[2] 2.0mm/sec CNT100 ;"), "{:?}", lines.last());
+    assert!(lines.last().unwrap().contains(":L P[200] ") && lines.last().unwrap().ends_with(" FINE ;"));
+}
+
+#[test]
+fn the_table_of_joints_holds_the_joints_and_their_poses() {
+    let geometry = kuka();
+    let (setup, stations) = (setup(&geometry), stations(100, 4));
+    let text = one_file(Language::JointsCsv, &setup, &stations, &style());
+    let rows: Vec<Vec<f64>> = text.lines().filter(|line| !line.starts_with(['#', 'l'])).map(numbers).collect();
+    assert_eq!(rows.len(), 100);
+    for (i, (row, station)) in rows.iter().zip(&stations).enumerate() {
+        assert_eq!((row[0], row.len()), (station.line as f64, 16));
+        let joints: [f64; 6] = std::array::from_fn(|i| row[1 + i].to_radians());
+        assert_reached(&setup, &joints, station);
+        let pose = of_quaternion([row[7], row[8], row[9]], [row[10], row[11], row[12], row[13]]);
+        assert_near(&pose, &setup.part_from_tool(&joints), "pose");
+        let feed = if station.is_cutting { station.feed.unwrap() * 60e3 } else { 30e3 };
+        assert!((row[14] - feed).abs() < 1e-3 && row[15] == f64::from(u8::from(station.is_cutting && i != 0)));
+    }
+}
+
+/// Tools that point along x of the part, up and down, and a hair beside: the gimbal of all Euler angles.
+#[test]
+fn at_the_gimbal_and_close_to_it_poses_are_as_exact() {
+    let geometry = kuka();
+    let joints = [0.2, -1.1, 1.4, 0.3, 0.9, -0.4];
+    let mut rng = fastrand::Rng::with_seed(5);
+    for beside in [0.0, 1e-12, 1e-9, 1e-8, 3e-8, 1e-7, 1e-5, 1e-3] {
+        for up in [-1.0, 1.0] {
+            let (roll, yaw) = (TAU * rng.f64(), TAU * rng.f64());
+            let wanted = about(2, yaw.to_degrees())
+                * about(1, up * (90.0 - f64::to_degrees(beside)))
+                * about(0, roll.to_degrees());
+            let mut setup = setup(&geometry);
+            let flange = geometry.forward(&geometry.model_angles(&joints, ThirdAxis::Elbow));
+            let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(wanted));
+            let target = Pose::from_parts(Translation3::new(0.1, 0.2, 0.3), rotation);
+            setup.flange_from_tool = flange.inverse() * setup.base_from_part * target;
+            let station = |joints| Station { line: 1, joints, feed: Some(0.01), is_cutting: true };
+            let two = [station([0.0; 6]), station(joints)];
+            let krl = one_file(Language::Krl, &setup, &two, &style());
+            let line = krl.lines().find(|line| line.starts_with("LIN")).unwrap();
+            assert_near(&of_angles(krl_frame(line)), &target, &format!("{beside} beside: {line}"));
+            if beside <= 1e-9 {
+                assert_eq!(krl_frame(line)[5], 0.0);
+                assert!(
+                    krl.contains("1 poses have B at 90 or -90 deg, where the angles are not unique: C is set to 0.")
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn long_programs_are_cut_where_the_tool_is_in_the_air_and_hang_together() {
+    let geometry = kuka();
+    let (setup, stations) = (setup(&geometry), stations(50, 6));
+    let style = Style { moves_per_file: Some(12), ..style() };
+    let poses =
+        |text: &str| -> Vec<[f64; 6]> { text.lines().filter(|line| line.starts_with("LIN ")).map(krl_frame).collect() };
+    let files = write(Language::Krl, &setup, &stations, &style).unwrap();
+    let whole = poses(&one_file(Language::Krl, &setup, &stations, &self::style()));
+    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!(names, ["part.src", "part_1.src", "part_2.src", "part_3.src", "part_4.src", "part_5.src"]);
+    assert!(files[0].text.contains("\npart_1()\npart_2()\npart_3()\npart_4()\npart_5()\nEND\n"));
+    let parts: Vec<Vec<[f64; 6]>> = files[1..].iter().map(|file| poses(&file.text)).collect();
+    // Every fifth way is through the air: 10, 20, 30, 40, and the rest.
+    assert_eq!(parts.iter().map(Vec::len).collect::<Vec<_>>(), [10, 10, 10, 10, 9]);
+    assert_eq!(parts.concat(), whole);
+    // Each begins, in joints, where the one before it ended.
+    let start = krl_frame(files[2].text.lines().find(|line| line.starts_with("PTP ")).unwrap()).map(f64::to_radians);
+    assert_reached(&setup, &start, &stations[10]);
+    for language in [Language::Rapid, Language::Ls] {
+        let files = write(language, &setup, &stations, &style).unwrap();
+        let moves = |text: &str| text.lines().filter(|line| line.contains("MoveL ") || line.contains(":L P[")).count();
+        assert_eq!(files.iter().map(|file| moves(&file.text)).collect::<Vec<_>>(), [0, 10, 10, 10, 10, 9]);
+        let calls = files[0].text.lines().filter(|line| line.contains("part_") || line.contains("CALL PART_"));
+        assert!(5 <= calls.count());
+    }
+}
+
+#[test]
+fn a_place_that_stays_is_written_once() {
+    let geometry = kuka();
+    let (setup, mut stations) = (setup(&geometry), stations(4, 7));
+    stations[2].joints = stations[1].joints;
+    stations[2].feed = None;
+    let text = one_file(Language::Krl, &setup, &stations, &style());
+    assert_eq!(text.matches("\nLIN ").count(), 2);
+}
+
+#[test]
+fn heads_say_what_must_be_known_and_nothing_leaves_its_comment() {
+    let geometry = kuka();
+    let mut setup = setup(&geometry);
+    setup.robot = "KR\nEND; \u{fc}";
+    for language in Language::ALL {
+        let text = one_file(language, &setup, &stations(5, 8), &style());
+        let text = text
+            .replace(" ;\n", "\n")
+            .lines()
+            .map(|line| line.split_once('!').map_or(line, |(_, it)| it))
+            .collect::<Vec<_>>()
+            .join(" ");
+        assert!(text.contains("KR\\nEND"), "{text}");
+        assert!(text.contains("absolute-accuracy correction of the controller must be off"), "{text}");
+        assert!(text.contains("Stiffness: robot file"));
+    }
+}
+
+#[test]
+fn what_a_program_cannot_hold_is_refused_with_its_line() {
+    let geometry = kuka();
+    let (setup, good) = (setup(&geometry), stations(5, 9));
+    let told = |stations: &[Station], style: &Style, language: Language| -> String {
+        write(language, &setup, stations, style).expect_err("it is wrong").to_string()
+    };
+    let with = |change: fn(&mut Station)| {
+        let mut stations = good.clone();
+        change(&mut stations[3]);
+        stations
+    };
+    for (change, expected) in [
+        ((|s| s.feed = None) as fn(&mut Station), "line 4: no feed rate: expected one in the path"),
+        (|s| s.feed = Some(0.0), "line 4: a feed rate of 0 mm/s: expected 0.01 to 3000 mm/s for KUKA KRL"),
+        (|s| s.feed = Some(f64::NAN), "line 4: a feed rate of NaN mm/s"),
+        (|s| s.feed = Some(9.0), "line 4: a feed rate of 9000 mm/s"),
+        (|s| s.joints[2] = f64::NAN, "line 4: joint 3 at NaN deg: expected a number of at most 2000 deg"),
+        (|s| s.joints[5] = 1e5, "line 4: joint 6 at"),
+    ] {
+        let found = told(&with(change), &style(), Language::Krl);
+        assert!(found.starts_with(expected), "{found}");
+    }
+    let named = |name: &str| Style { name: name.into(), ..style() };
+    for name in ["", "1a", "a-b", "a\nb", "seventeen_letters"] {
+        assert!(matches!(write(Language::Krl, &setup, &good, &named(name)), Err(ProgramFault::Name { .. })));
+    }
+    for (style, expected) in [
+        (Style { rapid: 4.0, ..style() }, "rapid = 4 m/s: expected a speed"),
+        (Style { rapid: f64::NAN, ..style() }, "rapid = NaN m/s"),
+        (Style { blend: -1.0, ..style() }, "blend = -1000 mm: expected 0 to 200 mm"),
+        (Style { moves_per_file: Some(1), ..style() }, "moves per file = 1: expected at least 2"),
+        (Style { fanuc_letters: Some("N U\n".into()), ..style() }, "fanuc letters = N U\\n: expected one of N F"),
+    ] {
+        let found = told(&good, &style, Language::Ls);
+        assert!(found.starts_with(expected), "{found}");
+    }
+    assert_eq!(
+        told(&good[..1], &style(), Language::Krl),
+        "1 places of the robot; expected at least 2, from where to where"
+    );
+}
