@@ -425,7 +425,7 @@ impl MillAnswer {
             format!("at first; arranged anew {again} times, clear of the work")
         };
         lines.push(line("posture", format!("{} {how}", found.samples[0].arrangement.configuration)));
-        lines.extend(pushed.shares.map(|shares| line("share of drives 1-6 there", percentages(&shares))));
+        lines.extend(pushed.shares.as_ref().map(|shares| line("share of drives 1-6 there", percentages(shares))));
         let margins =
             [least(found, |pushed| pushed.limit_margin), least(found, |pushed| pushed.singular_margin)].map(degrees);
         lines.push(line(
@@ -436,7 +436,7 @@ impl MillAnswer {
             let verdict = Verdict::of(found.worst.0, tolerance);
             let margin = fixed(verdict.margin_mm, 4);
             lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm", verdict.word())));
-            if !verdict.passes {
+            if !verdict.passes && 0 < station.sample.line {
                 let over =
                     self.stations.iter().zip(&found.samples).filter(|(_, pushed)| tolerance < pushed.error * 1e3);
                 let lines_over: std::collections::BTreeSet<usize> =

@@ -8,7 +8,6 @@ use pulp::{Arch, Simd, WithSimd};
 use super::branches::FlangePoses;
 use super::counted::{AnyDirection, Counted};
 use super::lanes::Lanes;
-use super::posture::PostureLanes;
 use super::vectors::Triple;
 use super::{RolledTool, SameBranch, SpatialArm};
 use crate::inverse::Configuration;
@@ -74,8 +73,9 @@ impl SpatialArm {
         let same_branch = &SameBranch { clearance: self.clearance, beside_axis_1: CLEARANCE, ..SameBranch::default() };
         let arch = Arch::new();
         match *pushing {
+            // A push of nothing moves nothing: a kernel of its own would be compiled for every instruction set, and hardly ever run.
             Pushing::Nothing => {
-                let counted = Nothing;
+                let counted = Push { force: Vector3::zeros(), moment: Vector3::zeros(), counted: None };
                 arch.dispatch(OnGrid { arm: self, counted, factor: 1.0, rolled_tool, point, grid, same_branch, found });
             }
             Pushing::Any(factor) => {
@@ -86,22 +86,6 @@ impl SpatialArm {
                 arch.dispatch(OnGrid { arm: self, counted, factor: 1.0, rolled_tool, point, grid, same_branch, found });
             }
         }
-    }
-}
-
-/// Nothing moves.
-#[derive(Clone, Copy)]
-struct Nothing;
-
-impl Counted for Nothing {
-    type Seen<S: Simd> = ();
-
-    #[inline(always)]
-    fn seen<S: Simd>(&self, _: Lanes<S>, _: Lanes<S>) {}
-
-    #[inline(always)]
-    fn of<S: Simd>(&self, (): &(), _: &SpatialArm, posture: &PostureLanes<S>) -> Lanes<S> {
-        posture.s2.all(0.0)
     }
 }
 

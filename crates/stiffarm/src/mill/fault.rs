@@ -26,6 +26,19 @@ pub enum MillError {
         /// rad.
         limit: f64,
     },
+    /// Which way the tool gives is not known.
+    #[error("a force that may point anywhere cannot be compensated; expected FEED,ACROSS,AXIAL in N, or a process")]
+    AnyDirection,
+    /// The loaded posture was not found.
+    #[error(
+        "line {line}: the loaded posture does not settle, the joints still turn by {change:.1e} rad a round; the force is too large for these drives"
+    )]
+    Unsettled {
+        /// Of the file.
+        line: usize,
+        /// rad.
+        change: f64,
+    },
     /// Nothing of the path feeds.
     #[error("nothing of the path feeds: there is nothing to mill")]
     NothingFeeds,

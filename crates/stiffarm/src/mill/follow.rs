@@ -32,6 +32,11 @@ pub struct Stand {
 }
 
 impl Stand {
+    /// Feed, across and axial as columns, base axes.
+    pub(super) fn cutting_axes(&self, sample: &Sample) -> Matrix3<f64> {
+        self.base_from_part.rotation.to_rotation_matrix().matrix() * cutting_axes(sample)
+    }
+
     /// The tool in the base frame at a sample and a roll, rad.
     pub(super) fn base_from_tool(&self, sample: &Sample, roll: f64) -> Result<Pose, MillError> {
         let pose = part_from_tool(&sample.pose, roll).ok_or(MillError::Roll { line: sample.line })?;
@@ -162,17 +167,10 @@ pub(super) fn pushed(
         singular_margin,
     };
     let Some(acting) = station.acting else { return Ok(found) };
-    let axes = stand.base_from_part.rotation.to_rotation_matrix().matrix() * cutting_axes(&station.sample);
-    let counted = match part {
-        ErrorPart::Total => None,
-        ErrorPart::Across => Some(Vector3::from(axes.column(1))),
-        ErrorPart::Axial => Some(axes.column(2).into()),
-    };
+    let axes = stand.cutting_axes(&station.sample);
+    let counted = part.direction(&axes);
     let wrench = match acting {
-        Acting::Known { force, moment } => {
-            let (force, moment) = (axes * Vector3::from(force), moment * axes.column(2));
-            Wrench(Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z))
-        }
+        Acting::Known { force, moment } => wrench(&axes, force, moment),
         // In the direction in which most of what counts is moved.
         Acting::Any(newtons) => {
             let c = posture.compliance.translation();
@@ -189,6 +187,12 @@ pub(super) fn pushed(
     found.error = along.dot(&moved).abs();
     found.shares = (sum != 0.0).then(|| by_drive.map(|drive| drive / sum));
     Ok(found)
+}
+
+/// A force and a moment along the axes of the cut, in the axes in which those are given.
+pub(super) fn wrench(axes: &Matrix3<f64>, force: [f64; 3], moment: f64) -> Wrench {
+    let (force, moment) = (axes * Vector3::from(force), moment * axes.column(2));
+    Wrench(Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z))
 }
 
 /// The smallest distance of a joint from an end of its range, and of wrist and arm from straight, rad.

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::climb::{Climb, Sought};
 use super::fault::{Blocked, MillError, Why};
 use super::follow::{Arrangement, Pushed, Stand};
-use super::stations::{ErrorPart, Station, cutting_axes};
+use super::stations::{ErrorPart, Station};
 use crate::batch::{Pushing, RollGrid, SpatialArm};
 use crate::inverse::{Configuration, postures, within_limits};
 use crate::watch::Watch;
@@ -151,7 +151,7 @@ impl<'a> Ladder<'a> {
         let tools = [turned(0.0)?, turned(TAU / 4.0)?, turned(TAU / 2.0)?];
         let rolled_tool = self.arm.rolled_tool(tools.each_ref());
         let point = (stand.base_from_part * nalgebra::Point3::from(sample.pose.tip)).coords;
-        let axes = stand.base_from_part.rotation.to_rotation_matrix().matrix() * cutting_axes(sample);
+        let axes = stand.cutting_axes(sample);
         let pushing = acting.map_or(Pushing::Nothing, |acting| acting.pushing(&axes, self.part));
         self.arm.errors_at_rolls(&rolled_tool, &point, &pushing, grid, found);
         Ok(())

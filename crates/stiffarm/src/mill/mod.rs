@@ -6,6 +6,7 @@
 
 mod bound;
 mod climb;
+mod compensate;
 mod fault;
 mod follow;
 mod forces;
@@ -19,6 +20,7 @@ mod stations;
 use nalgebra::Point3;
 
 use bound::Floor;
+pub use compensate::{Compensated, Remaining, compensate, remaining};
 pub use fault::{Blocked, MillError, Why};
 pub use follow::{Arrangement, Pushed, Stand, part_from_tool};
 pub use forces::{Forced, ForcedError, Forcing, forced};

@@ -42,7 +42,7 @@ const ROUNDS: usize = 4;
 /// Samples in between that are looked at.
 const BETWEEN: usize = 6;
 /// Nodes of the proof, how many are bounded at a time, and the width of the finest roll that is enclosed, rad.
-const MOST_NODES: usize = 6000;
+const MOST_NODES: usize = 4000;
 const AT_A_TIME: usize = 32;
 const FINEST_ROLL: f64 = TAU / 96.0;
 /// A bound this near to the value, as a part of it, is good enough.
@@ -182,6 +182,7 @@ pub fn place_path(
     }
     let samples = search.keys.len();
     let Some((value, place, milled)) = best else { return Ok(Err(nearest)) };
+    search.put_binding_first(&place)?;
     let (lower_bound, nodes) = search.lower_bound(value, watch)?;
     let placement = search.placement(&place);
     let resolution = PathResolution { step, samples, nodes };
@@ -370,6 +371,20 @@ impl Ord for Node {
 }
 
 impl Search<'_> {
+    /// The samples that bind at a place are enclosed first: they are those that bind elsewhere, too.
+    fn put_binding_first(&mut self, place: &Place) -> Result<(), MillError> {
+        let ladder = Ladder::bare(&self.arm, self.stations, self.stand(place), self.options.part);
+        let (grid, mut errors) = (RollGrid::turn(ROLLS[1]), std::array::from_fn(|_| Vec::new()));
+        let mut keys: Vec<(f32, usize)> = Vec::with_capacity(self.keys.len());
+        for &i in &self.keys {
+            ladder.errors_at(i, &grid, &mut errors)?;
+            keys.push((errors.iter().flatten().copied().fold(f32::INFINITY, f32::min), i));
+        }
+        keys.sort_by(|a, b| b.0.total_cmp(&a.0));
+        self.keys = keys.into_iter().map(|(_, i)| i).collect();
+        Ok(())
+    }
+
     /// No place has a smaller largest error than this, m, which is at most `known`; and how many nodes that took.
     fn lower_bound(&self, known: f64, watch: Watch) -> Result<(f64, usize), MillError> {
         let Some(ranges) = self.ranges() else { return Ok((0.0, 0)) };

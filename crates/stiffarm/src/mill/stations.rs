@@ -19,6 +19,15 @@ pub enum ErrorPart {
 }
 
 impl ErrorPart {
+    /// The direction that counts, of the axes of the cut as columns; `None` where all of the displacement does.
+    pub(super) fn direction(self, axes: &Matrix3<f64>) -> Option<Vector3<f64>> {
+        match self {
+            Self::Total => None,
+            Self::Across => Some(axes.column(1).into()),
+            Self::Axial => Some(axes.column(2).into()),
+        }
+    }
+
     /// As it is asked for.
     pub const fn name(self) -> &'static str {
         match self {
@@ -52,15 +61,9 @@ impl Acting {
     /// With the axes of the cut as columns, in any axes. Where the force may point anywhere and only a part of the displacement counts,
     /// that part is as large as all that a force along it moves.
     pub(crate) fn pushing(&self, axes: &Matrix3<f64>, part: ErrorPart) -> Pushing {
-        let counted = match part {
-            ErrorPart::Total => None,
-            ErrorPart::Across => Some(axes.column(1).into()),
-            ErrorPart::Axial => Some(axes.column(2).into()),
-        };
-        match (self, counted) {
+        match (self, part.direction(axes)) {
             (Self::Any(newtons), None) => Pushing::Any(*newtons),
             (Self::Any(newtons), Some(direction)) => {
-                let direction: Vector3<f64> = direction;
                 Pushing::Known(Push { force: direction * *newtons, moment: Vector3::zeros(), counted: None })
             }
             (Self::Known { force, moment }, counted) => {

@@ -225,3 +225,60 @@ fn what_is_not_followed_says_where_and_why() {
         .collect();
     assert_eq!(mill(&robot, &one, &air, &options, Watch::nobody()), Err(MillError::NothingFeeds));
 }
+
+/// The springs of the commanded joints, loaded by the force: its posture sought by Newton's steps on finite differences, with nothing of the
+/// library but forward kinematics and Jacobian, stands at the target. Of a robot whose drives are softer by known factors what is left is
+/// what these factors say.
+#[test]
+fn a_compensated_path_stands_where_it_should_when_it_is_loaded() {
+    let (robot, stand) = (robot(), stand());
+    let stations = path("circle:0.3", KNOWN);
+    let found = followed(&stand, &stations, &with(RollMode::Constant));
+    let done = compensate(&robot, &stand, &stations, &found.samples, ErrorPart::Total).unwrap();
+    let crate::robot::Arm::SixAxis { geometry, limits, drives } = &robot.arm else { unreachable!() };
+    let loaded_tip = |commanded: &[f64; 6], factors: &[f64; 6], station: &Station| {
+        let axes = stand.base_from_part.rotation.to_rotation_matrix() * cutting_axes(&station.sample);
+        let Some(Acting::Known { force, moment }) = station.acting else { unreachable!() };
+        let (force, moment) = (axes * Vector3::from(force), axes.column(2) * moment);
+        let wrench = nalgebra::Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
+        let start = geometry.model_angles(commanded, limits.third_axis);
+        // Each drive holds its own joint here: theta = start + k J^T w.
+        let residual = |theta: &nalgebra::Vector6<f64>| {
+            let theta: [f64; 6] = (*theta).into();
+            let tip = (geometry.forward(&theta) * stand.flange_from_tool).translation.vector;
+            let torque = geometry.jacobian(&theta, &tip).transpose() * wrench;
+            nalgebra::Vector6::from_fn(|i, _| theta[i] - start[i] - drives.compliance.0[i] * factors[i] * torque[i])
+        };
+        let mut theta = nalgebra::Vector6::from(start);
+        for _ in 0..6 {
+            let here = residual(&theta);
+            let slope = nalgebra::Matrix6::from_fn(|i, j| {
+                let mut moved = theta;
+                moved[j] += 1e-6;
+                (residual(&moved)[i] - here[i]) / 1e-6
+            });
+            theta -= slope.try_inverse().unwrap() * here;
+        }
+        let theta: [f64; 6] = theta.into();
+        (geometry.forward(&theta) * stand.flange_from_tool).translation.vector
+    };
+    let mut softer = 0.0_f64;
+    let factors = [1.2, 0.9, 1.3, 1.0, 0.8, 1.1];
+    for (i, station) in stations.iter().enumerate() {
+        let target = (stand.base_from_part * Point3::from(station.sample.pose.tip)).coords;
+        let off = (loaded_tip(&done.joints[i], &[1.0; 6], station) - target).norm();
+        assert!(off < 1e-9, "{off:e}");
+        let uncorrected = (loaded_tip(&found.samples[i].joints, &[1.0; 6], station) - target).norm();
+        // The deflection is that of the unloaded posture: what loading changes is of second order.
+        assert!((uncorrected / found.samples[i].error - 1.0).abs() < 2e-3, "{uncorrected} {}", found.samples[i].error);
+        softer = softer.max((loaded_tip(&done.joints[i], &factors, station) - target).norm());
+    }
+    assert!(done.by_joints < 1e-9 && done.by_tips < 0.02 * found.worst.0, "{done:?}");
+    assert!(0.5 * found.worst.0 < done.largest && done.largest < 1.1 * found.worst.0 && done.beyond.is_empty());
+    let left = remaining(&robot, &stand, &stations, &found.samples, (ErrorPart::Total, &[factors])).unwrap();
+    assert!((left.p95 / softer - 1.0).abs() < 0.01 && left.median == left.p95 && left.draws == 1, "{left:?} {softer}");
+    let any = path("line:0.1", Acting::Any(100.0));
+    let held = followed(&stand, &any, &with(RollMode::Constant));
+    let refused = compensate(&robot, &stand, &any, &held.samples, ErrorPart::Total);
+    assert_eq!(refused, Err(MillError::AnyDirection));
+}

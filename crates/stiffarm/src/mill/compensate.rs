@@ -1,0 +1,202 @@
+//! Which joints must be commanded, so that the loaded robot stands where the path has it, and how much is left?
+//!
+//! For compliant drives and a known force `w` exactly
+//!
+//! ```text
+//! q_cmd = q_t - A kappa A^T J(q_t)^T w
+//! ```
+//!
+//! at the joints `q_t` of the target: loaded there, the springs give way by what was taken off. A file that holds only positions loses the
+//! rotation of the commanded pose: what that leaves is found from the loaded posture itself. How well the drives are known decides what
+//! is left in truth: `(C_true - C_model) w`.
+
+use nalgebra::{Matrix3x6, Point3, Vector3, Vector6};
+use rayon::prelude::*;
+
+use super::fault::MillError;
+use super::follow::{Pushed, Stand, wrench};
+use super::stations::{Acting, ErrorPart, Station};
+use crate::compliance::{PostureError, compliance};
+use crate::inverse::{Configuration, postures};
+use crate::robot::{Arm, Robot};
+use crate::spatial::{Pose, Wrench};
+use crate::toolpath::ToolPose;
+
+/// Rounds in which the loaded posture is sought, and the joints' change that ends them, rad.
+const ROUNDS: usize = 40;
+const SETTLED: f64 = 1e-12;
+
+/// A path whose deflection is taken out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compensated {
+    /// Joints to be commanded at every station, as the robot reports them, rad.
+    pub joints: Vec<[f64; 6]>,
+    /// The tool in the part at these joints.
+    pub poses: Vec<ToolPose>,
+    /// The largest way by which a tip is led aside, m.
+    pub largest: f64,
+    /// The largest error that is left where the joints are commanded, m: rounding, since they are exact.
+    pub by_joints: f64,
+    /// The largest error that is left where only tips are commanded, each with the tool turned as in the path, m.
+    pub by_tips: f64,
+    /// Stations at which a commanded joint lies beyond its range.
+    pub beyond: Vec<usize>,
+}
+
+/// What is left where drives are not as the model has them, m: of the largest error along the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Remaining {
+    /// Half of the draws leave less.
+    pub median: f64,
+    /// 95 of a hundred do.
+    pub p95: f64,
+    /// How many draws there were.
+    pub draws: usize,
+}
+
+/// Takes the deflection out of a path that is followed.
+///
+/// # Errors
+/// A force that may point anywhere at some station: nobody knows which way the tool gives; a planar robot.
+pub fn compensate(
+    robot: &Robot,
+    stand: &Stand,
+    stations: &[Station],
+    followed: &[Pushed],
+    part: ErrorPart,
+) -> Result<Compensated, MillError> {
+    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else {
+        return Err(PostureError::Planar(robot.name.clone()).into());
+    };
+    let one = |(station, pushed): (&Station, &Pushed)| {
+        let target = geometry.model_angles(&pushed.joints, limits.third_axis);
+        let Some(wrench) = known_wrench(stand, station)? else {
+            return Ok((pushed.joints, station.sample.pose, 0.0, 0.0));
+        };
+        let turned = joint_deflection(robot, &target, stand, &wrench)?;
+        let commanded: [f64; 6] = std::array::from_fn(|i| target[i] - turned[i]);
+        let (from, to) =
+            (geometry.reported(&target, limits.third_axis), geometry.reported(&commanded, limits.third_axis));
+        // Whole turns stay as they are.
+        let joints = std::array::from_fn(|i| pushed.joints[i] + to[i] - from[i]);
+        let tool = stand.base_from_part.inverse() * geometry.forward(&commanded) * stand.flange_from_tool;
+        let pose = ToolPose { tip: tool.translation.vector, axis: -(tool.rotation * Vector3::z()) };
+        let left = |commanded: &[f64; 6]| error_left(robot, stand, station, (commanded, &wrench), part);
+        let by_joints = left(&commanded)?;
+        // Only the tip of that pose, with the tool turned as the path has it.
+        let asked = stand.base_from_tool(&station.sample, pushed.arrangement.roll)?;
+        let tip = (stand.base_from_part * Point3::from(pose.tip)).coords;
+        let flange = Pose::from_parts(tip.into(), asked.rotation) * stand.flange_from_tool.inverse();
+        let by_tips = match held(geometry, &flange, pushed.arrangement.configuration) {
+            Some(theta) => left(&theta)?,
+            None => f64::INFINITY,
+        };
+        Ok((joints, pose, by_joints, by_tips))
+    };
+    let all: Vec<_> = stations.par_iter().zip(followed).map(one).collect::<Result<_, MillError>>()?;
+    let most = |of: &dyn Fn(&([f64; 6], ToolPose, f64, f64)) -> f64| all.iter().map(of).fold(0.0, f64::max);
+    let aside = |(i, one): (usize, &([f64; 6], ToolPose, f64, f64))| (one.1.tip - stations[i].sample.pose.tip).norm();
+    let is_beyond = |i: &usize| (0..6).any(|joint| !limits.joints[joint].contains(all[*i].0[joint], 1e-9));
+    Ok(Compensated {
+        largest: all.iter().enumerate().map(aside).fold(0.0, f64::max),
+        by_joints: most(&|one| one.2),
+        by_tips: most(&|one| one.3),
+        beyond: (0..all.len()).filter(is_beyond).collect(),
+        joints: all.iter().map(|one| one.0).collect(),
+        poses: all.iter().map(|one| one.1).collect(),
+    })
+}
+
+/// What is left of the largest error where the drives are drawn: every factor is that of a drive's compliance.
+///
+/// # Errors
+/// As [`compensate`].
+pub fn remaining(
+    robot: &Robot,
+    stand: &Stand,
+    stations: &[Station],
+    followed: &[Pushed],
+    (part, factors): (ErrorPart, &[[f64; 6]]),
+) -> Result<Remaining, MillError> {
+    // What each drive gives of the displacement: the rest is a sum.
+    let mut gives: Vec<(Matrix3x6<f64>, Option<Vector3<f64>>)> = Vec::new();
+    for (station, pushed) in stations.iter().zip(followed) {
+        let Some(wrench) = known_wrench(stand, station)? else { continue };
+        let posture = compliance(robot, &pushed.joints, &stand.flange_from_tool)?;
+        let drives = posture.by_drive.map(|drive| drive.deflection(&wrench).0);
+        gives.push((Matrix3x6::from_columns(&drives), part.direction(&stand.cutting_axes(&station.sample))));
+    }
+    let left = |factors: &[f64; 6]| {
+        let off = Vector6::from_fn(|i, _| factors[i] - 1.0);
+        let error = |(gives, counted): &(Matrix3x6<f64>, Option<Vector3<f64>>)| {
+            let moved = gives * off;
+            counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs())
+        };
+        gives.iter().map(error).fold(0.0, f64::max)
+    };
+    let mut all: Vec<f64> = factors.par_iter().map(left).collect();
+    all.sort_by(f64::total_cmp);
+    let at = |share: f64| all.get(((all.len() as f64 - 1.0) * share).round() as usize).copied().unwrap_or(0.0);
+    Ok(Remaining { median: at(0.5), p95: at(0.95), draws: all.len() })
+}
+
+/// The known force on the tool, base axes; `None` in air.
+fn known_wrench(stand: &Stand, station: &Station) -> Result<Option<Wrench>, MillError> {
+    match station.acting {
+        None => Ok(None),
+        Some(Acting::Any(_)) => Err(MillError::AnyDirection),
+        Some(Acting::Known { force, moment }) => Ok(Some(wrench(&stand.cutting_axes(&station.sample), force, moment))),
+    }
+}
+
+/// By how much the joints (model angles) give way under a wrench, rad: `A kappa A^T J^T w`.
+fn joint_deflection(
+    robot: &Robot,
+    theta: &[f64; 6],
+    stand: &Stand,
+    wrench: &Wrench,
+) -> Result<Vector6<f64>, MillError> {
+    let Arm::SixAxis { geometry, drives, .. } = &robot.arm else {
+        return Err(PostureError::Planar(robot.name.clone()).into());
+    };
+    let tip = (geometry.forward(theta) * stand.flange_from_tool).translation.vector;
+    let kappa = drives.compliance_at(theta[1]).ok_or_else(|| PostureError::Unstable(robot.name.clone()))?;
+    let torques = drives.transmission.0.transpose() * geometry.jacobian(theta, &tip).transpose() * wrench.0;
+    Ok(drives.transmission.0 * torques.component_mul(&Vector6::from(kappa)))
+}
+
+/// What counts of the distance of the loaded tip from its target, m: the posture in which the springs hold the wrench, sought round by round.
+fn error_left(
+    robot: &Robot,
+    stand: &Stand,
+    station: &Station,
+    (commanded, wrench): (&[f64; 6], &Wrench),
+    part: ErrorPart,
+) -> Result<f64, MillError> {
+    let Arm::SixAxis { geometry, .. } = &robot.arm else {
+        return Err(PostureError::Planar(robot.name.clone()).into());
+    };
+    let mut theta = *commanded;
+    for round in 0.. {
+        let turned = joint_deflection(robot, &theta, stand, wrench)?;
+        let next: [f64; 6] = std::array::from_fn(|i| commanded[i] + turned[i]);
+        let change = (0..6).map(|i| (next[i] - theta[i]).abs()).fold(0.0, f64::max);
+        theta = next;
+        if change <= SETTLED {
+            break;
+        }
+        if ROUNDS <= round {
+            return Err(MillError::Unsettled { line: station.sample.line, change });
+        }
+    }
+    let tip = (geometry.forward(&theta) * stand.flange_from_tool).translation.vector;
+    let off = tip - (stand.base_from_part * Point3::from(station.sample.pose.tip)).coords;
+    Ok(part
+        .direction(&stand.cutting_axes(&station.sample))
+        .map_or_else(|| off.norm(), |counted| counted.dot(&off).abs()))
+}
+
+/// The model angles of a configuration that reaches a pose of the flange.
+fn held(geometry: &crate::geometry::Geometry, flange: &Pose, configuration: Configuration) -> Option<[f64; 6]> {
+    postures(geometry, flange).found.into_iter().find(|(known, _)| *known == configuration).map(|(_, theta)| theta)
+}
