@@ -23,7 +23,7 @@ fn ranking(names: &[&str], tasks: &[&str]) -> Ranking {
 
 /// What is told of a ranking whose bounds are moved by hand.
 fn answer(ranking: Ranking, tolerance_mm: Option<f64>) -> RankAnswer {
-    RankAnswer { ranking, options: PlaceOptions::under(Load::PAPER), tolerance_mm, advice: Vec::new() }
+    RankAnswer::of(ranking, PlaceOptions::under(Load::PAPER), tolerance_mm, Vec::new())
 }
 
 /// The two have the same lengths and limits.

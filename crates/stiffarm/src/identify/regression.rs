@@ -92,7 +92,9 @@ pub(super) struct Solution {
 /// Least squares with values that are not negative (Lawson and Hanson's active set), all columns seen. `None` where there is no solution
 /// in numbers.
 pub(super) fn solve(system: &System) -> Option<Solution> {
-    let scale: Vec<f64> = system.a.column_iter().map(|column| column.norm().recip()).collect();
+    // A column of nothing keeps its zero.
+    let scale = |norm: f64| if 0.0 < norm { norm.recip() } else { 1.0 };
+    let scale: Vec<f64> = system.a.column_iter().map(|column| scale(column.norm())).collect();
     let mut scaled = system.a.clone();
     for (mut column, scale) in scaled.column_iter_mut().zip(&scale) {
         column *= *scale;

@@ -12,8 +12,6 @@ impl Request {
     /// # Panics
     /// Of a verb that plans nothing.
     pub fn measurement_plan(&self) -> Options {
-        let whole = |value| if let Value::Whole(whole) = value { Some(whole) } else { None };
-        let count = |name: &str| self.one(name, whole).expect("the row has a default");
         let number = |name: &str| self.number(name).expect("the row has a default");
         let points = self.points();
         let load_at = Vector3::from(points.load.unwrap_or_default());
@@ -25,8 +23,8 @@ impl Request {
             load_at,
             markers: if markers.is_empty() { vec![load_at] } else { markers },
             sigma: number("sigma-mm") / 1e3,
-            runs: count("runs"),
-            candidates: count("candidates"),
+            runs: self.count("runs"),
+            candidates: self.count("candidates"),
             window: window.map(|block| [block.x, block.y, block.z]),
             work: Vec::new(),
             tool: self.held().tool().translation.vector,

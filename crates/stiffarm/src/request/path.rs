@@ -1,6 +1,5 @@
 //! What does a request ask of a toolpath, and of a process?
 
-use super::kind::Value;
 use super::{Refusal, Request};
 use crate::toolpath::{
     ArcCentres, ArcSense, CutterCompensation, Format, IncrementalCycles, LengthUnit, ReadOptions, Rotary, Steps,
@@ -25,7 +24,7 @@ impl Request {
 
     /// Only what was understood of the path is told.
     pub fn is_dry(&self) -> bool {
-        self.one("dry", |value| if let Value::Truth(truth) = value { Some(truth) } else { None }) == Some(true)
+        self.is_wished("dry")
     }
 
     /// How the path of this name is written: as was said, or as its name ends.

@@ -924,6 +924,9 @@ pub static SETTINGS: &[Setting] = &[
             ("base", "These, and the base tilts about the level axes through its origin"),
             ("tool", "The drives, and the tool bends about the axes across the flange's"),
             ("base-and-tool", "Drives, base and tool"),
+            ("compensator", "The drives, and the spring of the gravity compensator whose ends the robot file has"),
+            ("compensator-and-preload", "The same, and its preload"),
+            ("regions", "The drives, drive 2 with a compliance for each of some ranges of joint 2 (--regions)"),
             (
                 "auto",
                 "The simplest of these that none is clearly better than, by postures left out and Schwarz's criterion",
@@ -933,6 +936,26 @@ pub static SETTINGS: &[Setting] = &[
         absent: Absent::Default("drives"),
         help: "What is taken to spring",
         example: "auto",
+        ..ROW
+    },
+    Setting {
+        name: "regions",
+        verbs: IDENTIFY,
+        kind: Kind::Whole { min: 2, max: 6 },
+        value: "N",
+        absent: Absent::Default("2"),
+        help: "In how many ranges of joint 2, of as many postures each, drive 2 has a compliance of its own in the model \"regions\"",
+        example: "3",
+        ..ROW
+    },
+    Setting {
+        name: "prior",
+        verbs: IDENTIFY,
+        kind: Kind::Flag,
+        value: "YES",
+        absent: Absent::Default("false"),
+        example: "true",
+        help: "Update what is known of drives of robots of this payload and reach, rather than leave it aside: the robot file has the posterior; drives that the rows do not show keep the prior with its scatter",
         ..ROW
     },
     Setting {
