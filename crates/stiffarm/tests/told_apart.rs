@@ -64,7 +64,8 @@ fn nobody_is_advised_who_is_not_told_apart() {
     let table = open.table();
     assert_eq!((table.headings[5].as_str(), table.rows[1][5].as_str()), ("B:0.5", "2.298="));
     // Where the tolerance is not kept, that is said first.
-    let failing = RankAnswer { tolerance_mm: Some(0.1), ..open };
+    let mut failing = open.clone();
+    failing.tolerance_mm = Some(0.1);
     assert!(failing.sentences()[0].contains("no robot is advised") && !failing.sentences()[0].contains("told apart"));
 }
 

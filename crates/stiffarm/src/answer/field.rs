@@ -347,7 +347,7 @@ fields! {
     OF_LOAD: "load", Kind::Text, "In which direction is loaded.";
     EXPECTED: "expected_mm", Kind::Number(Unit::Millimetre), "How far the marker is expected to move.";
     CRITERION: "criterion", Kind::Text, "What a plan is judged by.";
-    CRITERION_VALUE: "value", Kind::Number(Unit::One), "Mean variance of the displacement under 1 N over the work, (um/N)^2.";
+    CRITERION_VALUE: "value", Kind::Number(Unit::One), "By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in parts of the compliances.";
     CRITERION_BOUND: "lower_bound", Kind::Number(Unit::One), "No plan of so many runs of the candidates has less.";
     EFFICIENCY: "efficiency", Kind::Number(Unit::One), "The bound over the value: 1 is proved best.";
     RANDOM_EFFICIENCY: "random_efficiency", Kind::Number(Unit::One), "The same of the median random choice; null where that leaves some drive unseen.";

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::kind::Value;
 use super::{Request, Verb};
-use crate::measure::Options;
+use crate::measure::{Criterion, Options};
 
 impl Request {
     /// What is asked of a plan; the postures of the work are left out.
@@ -18,6 +18,11 @@ impl Request {
         let markers: Vec<Vector3<f64>> = points.markers.iter().map(|marker| marker.at.into()).collect();
         let window = self.one("window", |value| if let Value::Block(block) = value { Some(block) } else { None });
         Options {
+            criterion: match self.word("criterion") {
+                Some("a") => Criterion::A,
+                Some("d") => Criterion::D,
+                _ => Criterion::Prediction,
+            },
             ways: self.all("loads", |value| if let Value::Way(way) = value { Some(way) } else { None }),
             newtons: number("force-n"),
             load_at,

@@ -1011,6 +1011,20 @@ pub static SETTINGS: &[Setting] = &[
         ..ROW
     },
     Setting {
+        name: "criterion",
+        verbs: MEASURE,
+        kind: Kind::Word(&[
+            ("prediction", "How well the deflection over the work is predicted"),
+            ("a", "The mean variance of the compliances, each in parts of its own"),
+            ("d", "The volume of the ellipsoid of their errors"),
+        ]),
+        value: "CRITERION",
+        absent: Absent::Default("prediction"),
+        help: "By what a plan is judged; each is certified against every other choice of the candidates",
+        example: "d",
+        ..ROW
+    },
+    Setting {
         name: "candidates",
         verbs: MEASURE,
         kind: Kind::Whole { min: 10, max: 1_000_000 },
