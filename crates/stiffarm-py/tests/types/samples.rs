@@ -31,7 +31,7 @@ fn asked(verb: Verb, typed: Typed) -> Request {
     let pair = |(name, text): &(&str, &str)| Pair { name: (*name).into(), text: (*text).into(), at: Spelling::Typed };
     let robot = [("robot", "KR 210 R2700 extra")];
     let pairs: Vec<Pair> = match verb {
-        Verb::Study | Verb::Rank | Verb::Identify => typed.iter().map(pair).collect(),
+        Verb::Study | Verb::Rank | Verb::Identify | Verb::Mill => typed.iter().map(pair).collect(),
         _ => typed.iter().chain(&robot).map(pair).collect(),
     };
     Request::read(verb, &pairs, Spelling::Typed).unwrap()
@@ -254,7 +254,7 @@ pub(crate) fn toolpaths() -> Vec<Value> {
     "line:0.3".parse::<Builtin>().unwrap().moves(None).iter().for_each(|one| survey.add(one));
     vec![
         read("M8\nG1 X10 F100\n"),
-        read("G21\n"),
+        read("G0 X10\n"),
         PathAnswer { path: "line:0.3".into(), understood: None, survey }.json(),
     ]
 }

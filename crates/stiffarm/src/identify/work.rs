@@ -56,9 +56,14 @@ impl<'a> Work<'a> {
         let mut a = DMatrix::zeros(3 * readings.len(), springs.len());
         let mut y = DVector::zeros(3 * readings.len());
         let mut joint_2 = Vec::with_capacity(readings.len());
+        let mut last: Option<([f64; 6], Bent)> = None;
         for (i, reading) in readings.iter().enumerate() {
             watch.go_on()?;
-            let bent = Bent::at(robot, &reading.q)?;
+            // Markers of one posture follow one another.
+            let bent = match last.take() {
+                Some((q, bent)) if q == reading.q => bent,
+                _ => Bent::at(robot, &reading.q)?,
+            };
             let load = turned(&reading.load.0, options.load_axes, &bent);
             let moved = if options.moved_axes == Axes::Flange { bent.turned(reading.moved) } else { reading.moved };
             let (at, marker) = (bent.point(&reading.load_at), bent.point(&reading.marker_at));
@@ -71,6 +76,7 @@ impl<'a> Work<'a> {
             let is_second = |spring: &Spring| matches!(spring, Spring::Drive(1) | Spring::Region(_));
             let second = springs.iter().position(|spring| is_second(spring) && !is_idle(*spring));
             joint_2.extend(second.map(|second| (second, bent.theta_2)));
+            last = Some((reading.q, bent));
         }
         let sigmas: Vec<f64> = readings.iter().filter_map(|reading| reading.sigma).collect();
         let noise = (sigmas.len() == readings.len()).then(|| {
@@ -184,14 +190,17 @@ impl<'a> Work<'a> {
                 self.weights.iter().zip(&robust.weights).map(|(noise, fit)| noise * fit.sqrt()).collect()
             }
         };
-        let (_, solution) = self.solved(&held, &weights)?;
+        let solution = match options.estimator {
+            Estimator::LeastSquares => plain,
+            Estimator::Huber => self.solved(&held, &weights)?.1,
+        };
         if solution.free.is_empty() {
             return Err(IdentifyError::Against);
         }
         let spread = self.spread(&solution)?;
         let sought: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
         let mut estimates = self.estimates(&sought, &solution, &spread, &robust, &groups);
-        let (used, own) = self.used(&mut estimates, &weights)?;
+        let (used, own) = self.used(&mut estimates, &weights, (&solution, &spread))?;
         let told = self.told(&sought, &solution, &spread, &robust, &weights);
         let after_used = rms(&own);
         let written = robot_with(self.robot, &estimates, &used, options, (told.postures, after_used));
@@ -288,7 +297,12 @@ impl<'a> Work<'a> {
 
     /// Solves again with all that is not identified held at what is assumed of it, until nothing more must be; what that leaves of the
     /// displacements, and the covariance.
-    fn used(&self, estimates: &mut [Estimate], weights: &[f64]) -> Result<(Matrix6<f64>, Vec<f64>), IdentifyError> {
+    fn used(
+        &self,
+        estimates: &mut [Estimate],
+        weights: &[f64],
+        found: (&Solution, &Spread),
+    ) -> Result<(Matrix6<f64>, Vec<f64>), IdentifyError> {
         let count = self.springs.len();
         loop {
             let held: Vec<Option<f64>> =
@@ -297,8 +311,15 @@ impl<'a> Work<'a> {
             if sought.is_empty() {
                 return Ok((Matrix6::zeros(), self.residual(&self.assumed)));
             }
-            let (_, solution) = self.solved(&held, weights)?;
-            let spread = self.spread(&solution)?;
+            let again;
+            let (solution, spread) = if sought.len() == count {
+                found
+            } else {
+                let (_, solution) = self.solved(&held, weights)?;
+                let spread = self.spread(&solution)?;
+                again = (solution, spread);
+                (&again.0, &again.1)
+            };
             let mut is_settled = true;
             for (at, &i) in sought.iter().enumerate() {
                 let unknown = match solution.free.iter().position(|&free| free == at) {
