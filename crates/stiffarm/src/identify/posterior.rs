@@ -254,7 +254,8 @@ mod tests {
         (mean, covariance)
     }
 
-    /// Laplace's law is that of the mode: the mean lies a few tenths of a standard deviation times that deviation beside it.
+    /// Laplace's law is that of the mode. Of one drive `|y - a e^x|^2 / 2 sigma^2` has the derivatives `1 / sd^2` and `3 / sd^2` there, so that the
+    /// mean lies `3 / 2 sd^2` below it.
     #[test]
     fn two_drives_have_the_law_that_quadrature_has() {
         let mut rng = fastrand::Rng::with_seed(3);
@@ -273,7 +274,7 @@ mod tests {
             let (mean, covariance) = by_quadrature(&prior, &system, sigma);
             for i in 0..2 {
                 let sd = covariance[(i, i)].sqrt();
-                assert!((found.mean[i] - mean[i]).abs() < 0.25 * sd, "{} and {} +- {sd}", found.mean[i], mean[i]);
+                assert!((found.mean[i] - mean[i]).abs() < 2.0 * sd * sd, "{} and {} +- {sd}", found.mean[i], mean[i]);
                 let own = found.covariance[(i, i)].sqrt();
                 assert!((own / sd - 1.0).abs() < 0.2 && own < 0.8 * prior.covariance[(i, i)].sqrt(), "{own} and {sd}");
             }
