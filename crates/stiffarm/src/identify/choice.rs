@@ -100,7 +100,7 @@ impl<'a> Question<'a> {
         let found = if self.options.with_prior { updated(&work, fitted, self.options)? } else { fitted.found };
         // A robot file has one compliance of drive 2.
         let robot = if model == Springs::Regions { self.of_model(Springs::Drives)?.robot } else { found.robot };
-        Ok(Identification { model, robot, ..found })
+        Ok(Identification { robot, model, ..found })
     }
 
     /// The simplest model that none is clearly better than.

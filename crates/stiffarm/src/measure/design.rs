@@ -24,7 +24,7 @@ const NOTHING: f64 = 1e-16;
 type Packed = [f64; 21];
 
 /// What is to be small: convex functions of the information, of degree -1, so that one certificate serves all.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Aim {
     /// `tr(W M^-1)`, by `W` of all drives.
     Trace(Matrix6<f64>),
@@ -35,7 +35,7 @@ pub(super) enum Aim {
 
 impl Aim {
     /// Of `d_i / phi`, by which a share grows: what never makes it worse.
-    const fn power(self) -> f64 {
+    const fn power(&self) -> f64 {
         match self {
             Self::Trace(_) => 0.5,
             Self::Determinant(_) => 1.0,
@@ -83,8 +83,8 @@ impl Kept {
     }
 
     /// With a criterion.
-    pub(super) fn aiming(self, aim: Aim) -> Self {
-        Self { aim, ..self }
+    pub(super) fn aiming(self, aim: &Aim) -> Self {
+        Self { aim: aim.clone(), ..self }
     }
 
     fn of_drives(&self, matrix: &Matrix6<f64>) -> DMatrix<f64> {
@@ -288,9 +288,9 @@ mod tests {
         let (mut rng, parts) = (fastrand::Rng::with_seed(6), Watch::nobody().parts(None));
         let mut exact_ones = 0;
         let aims = [Aim::Trace(Matrix6::identity()), Aim::Determinant([1.0, 2.0, 0.5, 1.0, 1.0, 1.0])];
-        for aim in (0..20).flat_map(|_| aims) {
+        for aim in (0..20).flat_map(|_| aims.clone()) {
             let information = random(&mut rng, 7, 3);
-            let kept = Kept::of(&information).unwrap().aiming(aim);
+            let kept = Kept::of(&information).unwrap().aiming(&aim);
             let shares = kept.shares(&information, &parts).unwrap();
             let chosen = kept.exact(&information, &shares, 4, &parts).unwrap();
             let mut best = f64::INFINITY;
@@ -317,7 +317,7 @@ mod tests {
         let information: Vec<Matrix6<f64>> =
             (0..3).map(|j| Matrix6::from_fn(|a, b| if a == j && b == j { m[j] } else { 0.0 })).collect();
         let w = Matrix6::from_fn(|a, b| if a == b && a < 3 { weight[a] } else { 0.0 });
-        let kept = Kept::of(&information).unwrap().aiming(Aim::Trace(w));
+        let kept = Kept::of(&information).unwrap().aiming(&Aim::Trace(w));
         assert_eq!(kept.drives, [0, 1, 2]);
         let roots: Vec<f64> = (0..3).map(|j| f64::sqrt(weight[j] / m[j])).collect();
         let sum: f64 = roots.iter().sum();
@@ -337,7 +337,7 @@ mod tests {
         let (m, k) = ([1.0, 4.0, 9.0], [1.0, 0.5, 2.0, 1.0, 1.0, 1.0]);
         let information: Vec<Matrix6<f64>> =
             (0..3).map(|j| Matrix6::from_fn(|a, b| if a == j && b == j { m[j] } else { 0.0 })).collect();
-        let kept = Kept::of(&information).unwrap().aiming(Aim::Determinant(k));
+        let kept = Kept::of(&information).unwrap().aiming(&Aim::Determinant(k));
         let shares = kept.shares(&information, &parts).unwrap();
         assert!(shares.weights.iter().all(|share| (share - 1.0 / 3.0).abs() < 1e-3), "{:?}", shares.weights);
         let least = 3.0 / 36.0_f64.cbrt();
@@ -352,7 +352,7 @@ mod tests {
         let sum: Matrix6<f64> = information.iter().sum();
         let sizes = [1.0, 2.0, 0.5, 3.0, 1.0, 0.7];
         for aim in [Aim::Trace(Matrix6::from_diagonal(&sizes.into())), Aim::Determinant(sizes)] {
-            let kept = Kept::of(&information).unwrap().aiming(aim);
+            let kept = Kept::of(&information).unwrap().aiming(&aim);
             let (value, slope) = kept.judged(&sum).unwrap();
             let step = 1e-6;
             let moved = |by: f64| kept.value(&(sum + information[3] * by)).unwrap();

@@ -298,7 +298,7 @@ impl<'a> Search<'a> {
             }
             Criterion::D => Aim::Determinant(sizes(robot)?),
         };
-        let kept = kept.aiming(aim);
+        let kept = kept.aiming(&aim);
         Ok(Self { robot, options, candidates, kept, work: work.len() })
     }
 
