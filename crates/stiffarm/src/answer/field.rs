@@ -303,7 +303,7 @@ fields! {
     ESTIMATOR: "fit", Kind::Text, "least-squares or huber.";
     FURTHER_SPRINGS: "springs", Kind::Nested, "What springs besides the drives.";
     SPRING_NAME: "spring", Kind::Text, "Its name.";
-    REGION: "joint_2_deg", numbers(Unit::One, &["joint_2_from_deg", "joint_2_to_deg"]), "Where joint 2 stood, as reported, deg; null of what is no region of joint 2.";
+    REGION: "joint_2_deg", numbers(Unit::Degree, &["joint_2_from_deg", "joint_2_to_deg"]), "Where joint 2 stood, as reported, deg; null of what is no region of joint 2.";
     COMPENSATOR: "compensator", Kind::Nested, "What is found of a gravity compensator: its spring, and its preload.";
     IN_UNIT: "unit", Kind::Text, "The unit of its numbers.";
     FOUND: "found", Kind::Number(Unit::One), "What is found; null where it is not seen.";

@@ -83,9 +83,8 @@ impl IdentifyAnswer {
         self.found.estimates.iter().filter(move |estimate| is_other(estimate.spring)).map(|estimate| {
             let region =
                 if let Spring::Region(region) = estimate.spring { Some(self.found.regions[region]) } else { None };
-            let degrees = region.map(|range| range.map(f64::to_degrees));
             let mut record = Record::new();
-            record.put(field::SPRING_NAME, estimate.spring.name()).put(field::REGION, degrees);
+            record.put(field::SPRING_NAME, estimate.spring.name()).put(field::REGION, region);
             record.extend(told(estimate, &self.found));
             record
         })

@@ -83,3 +83,46 @@ impl Compensated {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DMatrix, DVector};
+
+    use super::*;
+
+    #[test]
+    fn the_linear_system_touches_the_curved_one_and_leaves_it_with_the_square_of_the_step() {
+        let spring = GravityCompensator { base: [-0.6, 0.1], arm: [0.0, 0.25], stiffness: 5e6, free_length: 0.3 };
+        let springs = [Spring::Drive(1), Spring::Compensator, Spring::Preload];
+        let readings: Vec<(usize, f64)> = (0..5).map(|i| (0, 0.3 * f64::from(i) - 0.5)).collect();
+        let found = Compensated::of(&spring, &springs, &readings);
+        let raw = System {
+            a: DMatrix::from_fn(15, 3, |i, j| if j == 0 { 1.0 + i as f64 } else { 0.0 }),
+            y: DVector::from_element(15, 1e-6),
+        };
+        let curved = |values: &[f64]| {
+            let mut missed = &raw.y - &raw.a * DVector::from_column_slice(values);
+            found.add_to(&mut missed, values, &raw);
+            missed
+        };
+        let at = [0.4e-6, 5e6, 1.5e6];
+        let mut linear = raw.clone();
+        found.about(&at, &mut linear);
+        let off = |step: f64, which: usize| {
+            let mut values = at;
+            values[which] *= 1.0 + step;
+            (curved(&values) - (&linear.y - &linear.a * DVector::from_column_slice(&values))).norm()
+        };
+        for which in 0..3 {
+            let moved = {
+                let mut values = at;
+                values[which] *= 1.01;
+                (curved(&values) - curved(&at)).norm()
+            };
+            assert!(off(0.0, which) < 1e-12 * raw.y.norm() + 1e-18);
+            // A wrong slope would leave a part of the step, not of its square.
+            assert!(off(0.01, which) < 0.02 * moved, "{which}: {} of {moved}", off(0.01, which));
+            assert!((off(0.02, which) / off(0.01, which) - 4.0).abs() < 0.2);
+        }
+    }
+}
