@@ -154,6 +154,13 @@ fn in_spreadsheet(cell: &str) -> Cow<'_, str> {
     }
 }
 
+/// Tables one below the other, and what stands below them.
+pub(crate) fn sheet(tables: &[Table], notes: &str, look: Look) -> String {
+    let mut text: String = tables.iter().map(|table| shown(table, look) + "\n").collect();
+    text += &prose(notes, look);
+    text
+}
+
 /// Text of an answer: Markdown shows every letter as it is, a terminal lines that fit it.
 pub(crate) fn prose(text: &str, look: Look) -> Cow<'_, str> {
     if !look.markdown {

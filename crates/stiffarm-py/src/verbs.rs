@@ -215,7 +215,7 @@ pub(crate) fn rank<'py>(
         Ok::<_, RankError>((ranking, advice.unwrap_or_default()))
     })?;
     let (ranking, advice) = found.map_err(refused)?;
-    let answer = RankAnswer { ranking, options, tolerance_mm, advice };
+    let answer = RankAnswer::of(ranking, options, tolerance_mm, advice);
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 

@@ -8,7 +8,7 @@ use stiffarm::catalogue::find;
 use stiffarm::catalogue::measurements::{Measurements, Reading};
 use stiffarm::compliance::compliance;
 use stiffarm::identify::{Options, identify};
-use stiffarm::measure::{LoadWay, Options as PlanOptions, plan};
+use stiffarm::measure::{Criterion as PlanCriterion, LoadWay, Options as PlanOptions, plan};
 use stiffarm::prior::with_prior;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::{Pose, Wrench};
@@ -64,6 +64,7 @@ fn planned(criterion: &mut Criterion) {
         ("up", [0.0, 0.0, 1.0]),
     ];
     let options = |candidates: usize| PlanOptions {
+        criterion: PlanCriterion::Prediction,
         ways: ways.map(|(name, along)| LoadWay { name: name.into(), along: along.into() }).into(),
         newtons: 1000.0,
         load_at: at,

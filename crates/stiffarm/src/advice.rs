@@ -159,7 +159,7 @@ fn needed(robot: &Robot, factor: f64) -> [Option<f64>; 6] {
 fn shares(model: &Model, best: &Placement, load: Load) -> Result<[Option<f64>; 6], PlaceError> {
     Ok(match (model, &best.hold) {
         (_, Hold::Space(hold)) => hold.shares.map(Some),
-        (Model::Planar(model), Hold::Plane { posture: [shoulder, elbow], .. }) => {
+        (Model::Planar(model), Hold::Plane { posture: [shoulder, elbow], by_drive, .. }) => {
             let arm = model.arm();
             let (force, counted) = match load.sector()? {
                 None => {
@@ -171,12 +171,7 @@ fn shares(model: &Model, best: &Placement, load: Load) -> Result<[Option<f64>; 6
                     (most.force, most.counted)
                 }
             };
-            // The compliance of two springs is the sum of both alone.
-            let alone = |k2: f64, k3: f64| {
-                let arm = crate::plane::PlanarArm { k2, k3, ..arm.clone() };
-                counted.dot(&(arm.compliance(*shoulder, *elbow) * force))
-            };
-            let (second, third) = (alone(arm.k2, 0.0), alone(0.0, arm.k3));
+            let [second, third] = by_drive.each_ref().map(|part| counted.dot(&(part * force)));
             let whole = second + third;
             let share = |part: f64| Some(if 0.0 < whole { part / whole } else { 0.0 });
             [None, share(second), share(third), None, None, None]

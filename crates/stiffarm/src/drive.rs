@@ -204,10 +204,17 @@ impl GravityCompensator {
 
     /// The stiffness it adds to joint 2, `dK = -dM/dtheta2 = k ((1 - s0/s) u + s0 v^2 / s^3)`, N m/rad; may be negative.
     pub fn stiffness(&self, theta_2: f64) -> f64 {
+        let [of_spring, of_preload] = self.parts(theta_2);
+        self.stiffness * (of_spring + self.free_length * of_preload)
+    }
+
+    /// What of that a unit of the spring's stiffness gives, `u`, m^2, and a unit of stiffness times free length, `v^2 / s^3 - u / s`, m: `dK` is
+    /// linear in the two, whatever the geometry.
+    pub fn parts(&self, theta_2: f64) -> [f64; 2] {
         let (s, c) = theta_2.sin_cos();
         let (u, v) = self.products(s, c);
         let s = self.length(theta_2);
-        self.stiffness * ((1.0 - self.free_length / s) * u + self.free_length * v * v / (s * s * s))
+        [u, v * v / (s * s * s) - u / s]
     }
 }
 

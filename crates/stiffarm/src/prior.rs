@@ -9,7 +9,7 @@
 
 use std::sync::LazyLock;
 
-use nalgebra::{Cholesky, Matrix6, Vector6};
+use nalgebra::{Matrix6, Vector6};
 
 use crate::drive::{Drives, JointCompliance, Knowledge, Scatter};
 use crate::robot::{Arm, COMPLIANCE_SOURCE, Robot};
@@ -96,12 +96,8 @@ pub enum NoPrior {
 /// # Errors
 /// Where its size is not known.
 pub fn with_prior(robot: &Robot) -> Result<Robot, NoPrior> {
-    if matches!(robot.arm, Arm::Planar(_)) {
-        return Err(NoPrior::Planar(robot.name.clone()));
-    }
-    let payload = robot.payload_kg.ok_or_else(|| NoPrior::Size(robot.name.clone()))?;
-    // Makers state the reach of the wrist centre, which is about the stretch of both links.
-    let (median, scatter) = known(&robot.name, payload, robot.reach.unwrap_or_else(|| robot.stretch()));
+    let (payload, reach) = size(robot)?;
+    let (median, scatter) = known(&robot.name, payload, reach);
     let mut changed = robot.clone();
     let source = match &scatter.knowledge {
         Knowledge::Prior => "prior: drives of robots of this payload and reach".to_owned(),
@@ -116,17 +112,43 @@ pub fn with_prior(robot: &Robot) -> Result<Robot, NoPrior> {
     Ok(changed)
 }
 
-/// Median compliances, rad/(N m), and their scatter.
-fn known(name: &str, payload_kg: f64, reach: f64) -> ([f64; 6], Scatter) {
+/// What drives of robots of this size have, whatever is published of this one: median compliances, rad/(N m), and their scatter.
+///
+/// Measurements update this; publications may rest on the same measurements, which would then count twice.
+///
+/// # Errors
+/// Where its size is not known.
+pub fn by_size(robot: &Robot) -> Result<([f64; 6], Scatter), NoPrior> {
+    let (payload, reach) = size(robot)?;
+    Ok(of_size(payload, reach))
+}
+
+/// Payload, kg, and reach, m.
+fn size(robot: &Robot) -> Result<(f64, f64), NoPrior> {
+    if matches!(robot.arm, Arm::Planar(_)) {
+        return Err(NoPrior::Planar(robot.name.clone()));
+    }
+    let payload = robot.payload_kg.ok_or_else(|| NoPrior::Size(robot.name.clone()))?;
+    // Makers state the reach of the wrist centre, which is about the stretch of both links.
+    Ok((payload, robot.reach.unwrap_or_else(|| robot.stretch())))
+}
+
+fn of_size(payload_kg: f64, reach: f64) -> ([f64; 6], Scatter) {
     let size = payload_kg * GRAVITY * reach;
     let axes = *PRIOR;
-    let mut median = axes.map(|axis| 1.0 / (axis.stiffness * (size / axis.x_0).powf(axis.exponent)));
-    let mut scatter = Scatter {
+    let median = axes.map(|axis| 1.0 / (axis.stiffness * (size / axis.x_0).powf(axis.exponent)));
+    let scatter = Scatter {
         global: axes.map(|axis| axis.global),
         common: axes.map(|axis| axis.common),
         own: axes.map(|axis| axis.own),
         knowledge: Knowledge::Prior,
     };
+    (median, scatter)
+}
+
+/// Median compliances, rad/(N m), and their scatter.
+fn known(name: &str, payload_kg: f64, reach: f64) -> ([f64; 6], Scatter) {
+    let (mut median, mut scatter) = of_size(payload_kg, reach);
     let sets: Vec<&Published> = PUBLISHED.iter().filter(|set| set.robot == name).collect();
     if sets.is_empty() {
         return (median, scatter);
@@ -164,22 +186,29 @@ pub fn factors(robot: &Robot, draws: usize) -> Option<Vec<[f64; 6]>> {
     let mut shared = fastrand::Rng::with_seed(SHARED_SEED);
     let mut own = fastrand::Rng::with_seed(seed(&robot.full_name()));
     if let Some(identified) = &drives.identified {
-        let prior = with_prior(robot).ok();
-        let scatter = prior.as_ref().and_then(Robot::scatter);
+        // Of a posterior the covariance tells of drives that the measurements did not show, too.
+        let told: [bool; 6] = std::array::from_fn(|i| identified.drives[i] || 0.0 < identified.covariance[(i, i)]);
+        let scatter = match with_prior(robot) {
+            _ if told.iter().all(|told| *told) => None,
+            Ok(prior) => Some(prior.scatter()?.clone()),
+            // Nothing says how far those may be off that were not identified.
+            Err(NoPrior::Size(_) | NoPrior::Planar(_)) => return None,
+        };
         let k = drives.compliance.0;
         // Relative: of ln k.
         let relative =
             Matrix6::from_fn(
                 |i, j| if 0.0 < k[i] * k[j] { identified.covariance[(i, j)] / (k[i] * k[j]) } else { 0.0 },
             );
-        let jitter = Matrix6::from_diagonal_element(1e-12);
-        let lower = Cholesky::new(relative + jitter).map_or_else(Matrix6::zeros, |found| found.l());
+        // A root that is there where the matrix is singular, too.
+        let eigen = relative.symmetric_eigen();
+        let root = eigen.eigenvectors * Matrix6::from_diagonal(&eigen.eigenvalues.map(|value| value.max(0.0).sqrt()));
         return Some(
             (0..draws)
                 .map(|_| {
-                    let seen = lower * Vector6::from_fn(|_, _| normal(&mut own));
-                    let others = scatter.map_or([0.0; 6], |scatter| scatter.draw(&mut shared, &mut own));
-                    std::array::from_fn(|i| if identified.drives[i] { seen[i] } else { others[i] }.exp())
+                    let seen = root * Vector6::from_fn(|_, _| normal(&mut own));
+                    let others = scatter.as_ref().map_or([0.0; 6], |scatter| scatter.draw(&mut shared, &mut own));
+                    std::array::from_fn(|i| if told[i] { seen[i] } else { others[i] }.exp())
                 })
                 .collect(),
         );

@@ -4,10 +4,10 @@
 //! not sought anew. What is wrong for all robots alike is the same in a draw of each, so it widens the interval of a deflection and
 //! leaves the order as it is.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
-use crate::compliance::{Posture, compliance};
-use crate::model::ModelKind;
+use crate::compliance::Posture;
+use crate::load::{Load, NotInPlane};
 use crate::place::{Hold, Placement};
 use crate::prior::factors;
 use crate::rank::{Ranking, Row};
@@ -36,46 +36,42 @@ impl Spread {
     }
 }
 
-/// Deflections at a place that was found, m, draw by draw; `None` where nothing says how far the drives may be off, or the model cannot tell
-/// (a force of known direction in the arm plane).
-fn draws(robot: &Robot, kind: &ModelKind, is_worst: bool, placed: &Placement) -> Option<Vec<f64>> {
+/// Deflections at a place that was found, m, draw by draw; `None` where nothing says how far the drives may be off, or the arm plane does not
+/// know the force.
+fn draws(robot: &Robot, load: Load, placed: &Placement) -> Option<Vec<f64>> {
     let factors = factors(robot, DRAWS)?;
-    let scaled = |ratio: f64| placed.deflection * ratio;
-    match (&placed.hold, kind) {
-        (Hold::Plane { posture: [shoulder, elbow], .. }, ModelKind::Planar) if is_worst => {
-            let arm = robot.arm_plane().ok()?.arm;
-            let (whole, _) = arm.worst_direction(*shoulder, *elbow);
-            let ratio = |factor: &[f64; 6]| {
-                let mut drawn = arm.clone();
-                (drawn.k2, drawn.k3) = (arm.k2 * factor[1], arm.k3 * factor[2]);
-                drawn.worst_direction(*shoulder, *elbow).0 / whole
-            };
-            (0.0 < whole).then(|| factors.iter().map(ratio).map(scaled).collect())
+    let each = |value: &dyn Fn(&[f64; 6]) -> f64| {
+        let whole = value(&[1.0; 6]);
+        (0.0 < whole).then(|| factors.iter().map(|factor| placed.deflection * (value(factor) / whole)).collect())
+    };
+    match &placed.hold {
+        Hold::Plane { by_drive: [second, third], .. } => {
+            let drawn = |factor: &[f64; 6]| second * factor[1] + third * factor[2];
+            match load.sector() {
+                Ok(None) => each(&|factor| drawn(factor).symmetric_eigenvalues().max()),
+                Ok(Some(sector)) => each(&|factor| sector.largest(&drawn(factor)).value),
+                Err(NotInPlane::Across(_) | NotInPlane::Tool | NotInPlane::Normal) => None,
+            }
         }
-        (Hold::Space(hold), ModelKind::Spatial(tool)) if is_worst => {
-            let posture = compliance(robot, &hold.joints, tool).ok()?;
-            let (whole, _) = posture.compliance.worst();
-            let ratio = |factor: &[f64; 6]| {
-                let parts = posture.by_drive.iter().zip(factor);
-                let drawn = parts.fold(posture.compliance.0 * 0.0, |sum, (part, factor)| sum + part.0 * *factor);
-                crate::spatial::Compliance(drawn).worst().0 / whole
-            };
-            (0.0 < whole).then(|| factors.iter().map(ratio).map(scaled).collect())
-        }
+        Hold::Space(hold) if load.is_worst() => each(&|factor| {
+            hold.by_drive
+                .iter()
+                .zip(factor)
+                .map(|(part, factor)| part * *factor)
+                .sum::<Matrix3<f64>>()
+                .symmetric_eigenvalues()
+                .max()
+        }),
         // Of a force whose direction is known the part of each drive grows with its compliance.
-        (Hold::Space(hold), ModelKind::Spatial(_)) => {
-            let ratio = |factor: &[f64; 6]| {
-                hold.shares.iter().zip(factor).map(|(share, factor)| share * factor).sum::<f64>().abs()
-            };
-            Some(factors.iter().map(ratio).map(scaled).collect())
+        Hold::Space(hold) => {
+            each(&|factor| hold.shares.iter().zip(factor).map(|(share, factor)| share * factor).sum::<f64>().abs())
         }
-        _ => None,
     }
 }
 
 /// Where the deflection at a place lies with 90 %; `None` where nothing says how far the drives may be off.
-pub fn spread(robot: &Robot, kind: &ModelKind, is_worst: bool, placed: &Placement) -> Option<Spread> {
-    draws(robot, kind, is_worst, placed).map(Spread::of)
+pub fn spread(robot: &Robot, load: Load, placed: &Placement) -> Option<Spread> {
+    draws(robot, load, placed).map(Spread::of)
 }
 
 /// Where the displacement of a posture under a force (N, base axes) lies with 90 %, m; `None` where nothing says how far the drives may be off.
@@ -99,11 +95,10 @@ pub struct Chances {
 
 /// Of every row and task; `None` where a robot has no place, is estimated (it cannot win), or nothing says how far its drives may be off.
 pub fn chances(ranking: &Ranking) -> Vec<Vec<Option<Chances>>> {
-    let is_worst = ranking.load.is_worst();
     let tasks = ranking.tasks.len();
     let drawn = |row: &Row, task: usize| {
         let placed = row.placement(task).filter(|_| row.robot.status != Status::Estimated)?;
-        draws(&row.robot, &ranking.model, is_worst, placed)
+        draws(&row.robot, ranking.load, placed)
     };
     let of_tasks: Vec<Vec<Option<Chances>>> =
         (0..tasks).map(|task| of_task(&ranking.rows.iter().map(|row| drawn(row, task)).collect::<Vec<_>>())).collect();
@@ -142,7 +137,7 @@ fn of_task(of_rows: &[Option<Vec<f64>>]) -> Vec<Option<Chances>> {
 mod tests {
     use super::*;
     use crate::catalogue::{find, with_compliance};
-    use crate::load::Load;
+    use crate::model::ModelKind;
     use crate::place::PlaceOptions;
     use crate::prior::with_prior;
     use crate::rank::rank;
@@ -162,7 +157,7 @@ mod tests {
         let placed = crate::place::place_task(&ModelKind::Planar.of(&robot).unwrap(), &task, &options).unwrap();
         let placed = placed.feasible().unwrap();
         let (Hold::Plane { posture: [shoulder, elbow], .. }, Some(found)) =
-            (&placed.hold, draws(&robot, &ModelKind::Planar, true, placed))
+            (&placed.hold, draws(&robot, Load::PAPER, placed))
         else {
             panic!("in the plane")
         };
@@ -172,7 +167,7 @@ mod tests {
             let (sigma, _) = drawn.arm_plane().unwrap().arm.worst_direction(*shoulder, *elbow);
             assert!((sigma * 1000.0 / found - 1.0).abs() < 1e-6, "{sigma} and {found}");
         }
-        let Spread { p05, p95 } = spread(&robot, &ModelKind::Planar, true, placed).unwrap();
+        let Spread { p05, p95 } = spread(&robot, Load::PAPER, placed).unwrap();
         let inside = found.iter().filter(|value| p05 <= **value && **value <= p95).count();
         assert!((1795..=1805).contains(&inside) && p05 < placed.deflection && placed.deflection < p95, "{inside}");
     }

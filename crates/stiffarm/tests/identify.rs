@@ -324,7 +324,7 @@ fn a_base_that_tilts_is_found_and_not_asked_for_where_there_is_none() {
     let made = Made { noise: 20e-6, postures: 40, ..Made::usual(31) };
     let auto = Options { model: Springs::Auto, ..Options::default() };
     let firm = identify(&robot, &made.measured(&robot), &auto, Watch::nobody()).unwrap();
-    assert_eq!((firm.model, firm.tried.len()), (Springs::Drives, 4));
+    assert_eq!((firm.model, firm.tried.len()), (Springs::Drives, 5));
     let mut measured = made.measured(&robot);
     for reading in &mut measured.readings {
         let flange = made::flange(&robot, &reading.q);

@@ -6,7 +6,7 @@ use stiffarm::catalogue::measurements::{Measurements, Reading};
 use stiffarm::compliance::{beyond_limits, compliance};
 use stiffarm::identify::{Options as IdentifyOptions, identify};
 use stiffarm::interval::Interval;
-use stiffarm::measure::{LoadWay, MeasureError, Options, compare, over, plan};
+use stiffarm::measure::{Criterion, LoadWay, MeasureError, Options, compare, over, plan};
 use stiffarm::prior::with_prior;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::{Pose, Wrench};
@@ -24,6 +24,7 @@ fn way(name: &str, along: [f64; 3]) -> LoadWay {
 fn usual() -> Options {
     let at = Vector3::new(0.0, 0.1, 0.25);
     Options {
+        criterion: Criterion::Prediction,
         ways: vec![way("down", [0.0, 0.0, -1.0]), way("left", [0.0, 1.0, 0.0]), way("ahead", [1.0, 0.0, 0.0])],
         newtons: 1000.0,
         load_at: at,
@@ -169,4 +170,30 @@ fn what_cannot_be_planned_is_refused_with_the_reason() {
         Err(MeasureError::NoPlace(_))
     ));
     assert!(plan(&robot, &Options { tool: Vector3::new(50.0, 0.0, 0.0), ..usual() }, Watch::nobody()).is_err());
+}
+
+#[test]
+fn each_criterion_is_certified_and_its_plan_the_best_by_it() {
+    let robot = kuka();
+    let k = robot.drive_compliance().map(|k| k.unwrap());
+    let criteria = [Criterion::Prediction, Criterion::A, Criterion::D];
+    let plans = criteria.map(|criterion| plan(&robot, &Options { criterion, ..usual() }, Watch::nobody()).unwrap());
+    // What a plan is worth by a criterion.
+    let worth = |found: &stiffarm::measure::Plan, criterion: Criterion| {
+        let own: Vec<_> = found.runs.iter().map(|run| (run.q, run.load)).collect();
+        compare(&robot, &Options { criterion, ..usual() }, &own, Watch::nobody()).unwrap()
+    };
+    for (found, criterion) in plans.iter().zip(criteria) {
+        assert!(0.85 < found.efficiency() && found.efficiency() <= 1.0 + 1e-9, "{criterion:?}: {}", found.efficiency());
+        assert!(0.99 < found.shares_efficiency, "{criterion:?}: {}", found.shares_efficiency);
+        let (value, _) = worth(found, criterion);
+        assert!((value / found.value - 1.0).abs() < 1e-9, "{criterion:?}");
+        for other in &plans {
+            assert!(found.lower_bound <= worth(other, criterion).0 * (1.0 + 1e-9), "{criterion:?}");
+        }
+        // A by the errors of the drives, which come of another inverse; the geometric mean of variances is no more than the arithmetic one.
+        let mean = found.errors.iter().zip(k).map(|(error, k)| (error.unwrap() / k).powi(2)).sum::<f64>() / 6.0;
+        let (a, d) = (worth(found, Criterion::A).0, worth(found, Criterion::D).0);
+        assert!((a / mean - 1.0).abs() < 1e-6 && d <= a, "{criterion:?}: {a}, {mean}, {d}");
+    }
 }

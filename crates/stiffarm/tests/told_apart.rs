@@ -23,7 +23,7 @@ fn ranking(names: &[&str], tasks: &[&str]) -> Ranking {
 
 /// What is told of a ranking whose bounds are moved by hand.
 fn answer(ranking: Ranking, tolerance_mm: Option<f64>) -> RankAnswer {
-    RankAnswer { ranking, options: PlaceOptions::under(Load::PAPER), tolerance_mm, advice: Vec::new() }
+    RankAnswer::of(ranking, PlaceOptions::under(Load::PAPER), tolerance_mm, Vec::new())
 }
 
 /// The two have the same lengths and limits.
@@ -64,7 +64,8 @@ fn nobody_is_advised_who_is_not_told_apart() {
     let table = open.table();
     assert_eq!((table.headings[5].as_str(), table.rows[1][5].as_str()), ("B:0.5", "2.298="));
     // Where the tolerance is not kept, that is said first.
-    let failing = RankAnswer { tolerance_mm: Some(0.1), ..open };
+    let mut failing = open.clone();
+    failing.tolerance_mm = Some(0.1);
     assert!(failing.sentences()[0].contains("no robot is advised") && !failing.sentences()[0].contains("told apart"));
 }
 

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::answer::{IdentifyAnswer, Rows};
-use stiffarm::catalogue::{files, measurements};
+use stiffarm::catalogue::measurements;
 use stiffarm::identify::identify;
 use stiffarm::request::Request;
 
@@ -15,22 +15,20 @@ use crate::figures::{Plate, identify as figure};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, say};
 use crate::selection;
-use crate::table::{prose, shown};
+use crate::table::sheet;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let (data, name) = (asked.data()?, asked.robot()?);
-    let path = Path::new(&data);
-    let outputs = Outputs::open::<IdentifyOutput>(common, &[path, Path::new(&name)])?;
+    let outputs = Outputs::open::<IdentifyOutput>(common, &[Path::new(&data), Path::new(&name)])?;
     let robot = selection::robot(&name, common)?;
-    let text = files::text(path)?;
-    let measured = measurements::read(&text, &files::shown(path), &asked.points()).map_err(Failure::Measurements)?;
+    let (measured, data) = super::table_of(&data, asked, measurements::read)?;
     let options = asked.identification();
     let found = watched("identifying", common, |watch| identify(&robot, &measured, &options, watch));
-    let found = found.map_err(|error| Failure::Identify { data: files::shown(path), error })?;
+    let found = found.map_err(|error| Failure::Identify { data: data.clone(), error })?;
     if !common.quiet {
         found.remarks.iter().for_each(|remark| say(&format!("warning: {remark}")));
     }
-    let answer = IdentifyAnswer { found, before: robot, data: files::shown(path), date: options.date };
+    let answer = IdentifyAnswer { found, before: robot, data, date: options.date };
     outputs.deliver(&IdentifyOutput(answer, Plate::of(asked)?))
 }
 
@@ -42,12 +40,8 @@ impl Answer for IdentifyOutput {
 
     fn text(&self, look: Look) -> String {
         let Self(answer, _) = self;
-        format!(
-            "{}\n{}\n{}",
-            shown(&answer.summary(), look),
-            shown(&answer.table(), look),
-            prose(&answer.notes(), look)
-        )
+        let tables = [Some(answer.summary()), Some(answer.table()), answer.updated()];
+        sheet(&tables.into_iter().flatten().collect::<Vec<_>>(), &answer.notes(), look)
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

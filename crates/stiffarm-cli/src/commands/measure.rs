@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::answer::{MeasureAnswer, Rows};
-use stiffarm::catalogue::{files, measurements};
+use stiffarm::catalogue::measurements;
 use stiffarm::measure::{MeasureError, compare, over, plan};
 use stiffarm::request::Request;
 
@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
-use crate::table::{prose, shown};
+use crate::table::sheet;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let (name, mine) = (asked.robot()?, asked.compared());
@@ -46,11 +46,8 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
 
 /// Postures and loads of a table of one's own; of several markers of one run the first.
 fn own_runs(name: &str, asked: &Request) -> Result<(String, Vec<stiffarm::measure::OwnRun>), Failure> {
-    let path = Path::new(name);
-    let text = files::text(path)?;
-    let planned =
-        measurements::read_planned(&text, &files::shown(path), &asked.points()).map_err(Failure::Measurements)?;
-    Ok((files::shown(path), stiffarm::measure::own(&planned)))
+    let (planned, shown) = super::table_of(name, asked, measurements::read_planned)?;
+    Ok((shown, stiffarm::measure::own(&planned)))
 }
 
 struct MeasureOutput(MeasureAnswer);
@@ -60,12 +57,7 @@ impl Answer for MeasureOutput {
 
     fn text(&self, look: Look) -> String {
         let Self(answer) = self;
-        format!(
-            "{}\n{}\n{}",
-            shown(&answer.summary(), look),
-            shown(&answer.table(), look),
-            prose(&answer.notes(), look)
-        )
+        sheet(&[answer.summary(), answer.table()], &answer.notes(), look)
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

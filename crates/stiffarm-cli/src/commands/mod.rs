@@ -19,15 +19,20 @@ pub(crate) mod shell;
 pub(crate) mod study;
 pub(crate) mod validate;
 
+use std::path::Path;
 use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use stiffarm::catalogue::measurements::{Measurements, Points};
+use stiffarm::catalogue::{Faults, files};
+use stiffarm::request::Request;
 use stiffarm::watch::{Waiting, Watch};
 
 use crate::args::Common;
+use crate::failure::Failure;
 
 /// A progress bar on stderr: nothing where stderr is no terminal, or quiet is asked for.
 fn progress(length: usize, doing: &'static str, common: &Common) -> ProgressBar {
@@ -40,6 +45,18 @@ fn progress(length: usize, doing: &'static str, common: &Common) -> ProgressBar 
 
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).expect("a fixed template")
+}
+
+/// A table of measurements, made or planned, and its name as it is shown.
+fn table_of(
+    name: &str,
+    asked: &Request,
+    read: fn(&str, &str, &Points) -> Result<Measurements, Faults>,
+) -> Result<(Measurements, String), Failure> {
+    let path = Path::new(name);
+    let (text, shown) = (files::text(path)?, files::shown(path));
+    let found = read(&text, &shown, &asked.points()).map_err(Failure::Measurements)?;
+    Ok((found, shown))
 }
 
 /// Shows on stderr how much of a work is done, or, where it does not say how much of it is left, for how long it has been going on;

@@ -50,7 +50,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
         None => Vec::new(),
         Some(mm) => watched("placing smaller zones", common, |watch| advise_best(&ranking, &options, mm / 1e3, watch))?,
     };
-    let answer = RankAnswer { ranking, options, tolerance_mm, advice };
+    let answer = RankAnswer::of(ranking, options, tolerance_mm, advice);
     let shortfall = answer.shortfall().filter(|_| common.check);
     outputs.deliver(&RankOutput { answer, common, plate, svg: OnceCell::new() })?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))

@@ -539,8 +539,16 @@ class IdentifyOptions(TypedDict, total=False):
     fit: Literal["least-squares", "huber"]
     """How the compliances are estimated."""
 
-    model: Literal["drives", "base", "tool", "base-and-tool", "auto"]
+    model: Literal["drives", "base", "tool", "base-and-tool", "compensator", "compensator-and-preload", "regions", "auto"]
     """What is taken to spring."""
+
+    regions: int
+    """In how many ranges of joint 2, of as many postures each, drive 2 has a compliance of its own in the model
+    "regions"."""
+
+    prior: bool
+    """Update what is known of drives of robots of this payload and reach, rather than leave it aside: the robot
+    file has the posterior; drives that the rows do not show keep the prior with its scatter."""
 
     date: str | None
     """When was measured, as year-month-day: it is told, and stands in the robot file."""
@@ -581,6 +589,9 @@ class MeasureOptions(TypedDict, total=False):
     runs: int
     """How many postures and loads are to be measured."""
 
+    criterion: Literal["prediction", "a", "d"]
+    """By what a plan is judged; each is certified against every other choice of the candidates."""
+
     candidates: int
     """Among how many of them is chosen."""
 
@@ -597,6 +608,48 @@ class MeasureOptions(TypedDict, total=False):
 
     compare: str | None
     """A table of postures and loads of your own: what it is worth beside the plan."""
+
+
+class MillOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.mill`."""
+
+    dry: bool
+    """Only tell what was understood of the path: lengths, moves, extents, feed rates, what was assumed and
+    ignored."""
+
+    read_as: Literal["gcode", "apt", "csv"] | None
+    """How the path is written [default: by the ending of its name]."""
+
+    unit: Literal["mm", "inch"] | None
+    """Of lengths, where the file names none [default: mm]."""
+
+    arc_centres: Literal["incremental", "absolute"] | None
+    """What centres of arcs in G-code count from [default: the reading in which arcs close]."""
+
+    arc_sense: Literal["left", "right"] | None
+    """In which sense arcs of APT turn [default: that of the program which wrote the file]."""
+
+    cutter_compensation: Literal["refuse", "centre"]
+    """What is done about a path that is not that of the tool's centre."""
+
+    incremental_cycles: Literal["nist", "r-plane", "initial"] | None
+    """What R and Z of drilling cycles count from under G91 [default: such cycles are refused]."""
+
+    rotary: Literal["head-ac", "head-bc", "table-ac", "table-bc"] | None
+    """What A, B and C turn; X, Y and Z are the tip in the part [default: angles that turn anything are refused]."""
+
+    columns: str | Iterable[str] | None
+    """Names of the columns of a CSV file without a header, separated by commas: x_mm, y_mm, z_mm, i, j, k or nx,
+    ny, nz, feed_mm_per_min, rapid; - for one that moves nothing [default: the header]."""
+
+    feed_mm_per_min: float | None
+    """Feed rate [mm/min], where the file says none."""
+
+    chord_mm: float
+    """By how much the chord between two samples may be off an arc [mm]."""
+
+    step_mm: float
+    """Longest way between two samples [mm]."""
 
 
 class SweepOptions(TypedDict, total=False):
@@ -1419,6 +1472,9 @@ class FurtherSpring(TypedDict):
     spring: str
     """Its name."""
 
+    joint_2_deg: list[float] | None
+    """Where joint 2 stood, as reported, deg; null of what is no region of joint 2."""
+
     compliance_urad_per_nm: float | None
     """The compliance found; null where it is not seen."""
 
@@ -1453,8 +1509,11 @@ class TriedModel(TypedDict):
     rms_left_out_mm: float | None
     """The same of each posture by the others; null where a posture alone shows some drive."""
 
-    bic: float
+    bic: float | None
     """Schwarz's criterion; less is better."""
+
+    why_not: str | None
+    """Why they do not."""
 
 
 class ReadingRemainder(TypedDict):
@@ -1477,6 +1536,65 @@ class ReadingRemainder(TypedDict):
 
     sigmas: float
     """What Huber's estimate leaves of it, in standard deviations of a coordinate."""
+
+
+class FoundCompensator(TypedDict):
+    """What is found of a gravity compensator."""
+
+    spring: str
+    """Its name."""
+
+    unit: str
+    """The unit of its numbers."""
+
+    found: float | None
+    """What is found; null where it is not seen."""
+
+    standard_error: float | None
+    """Its standard error."""
+
+    ci95: list[float] | None
+    """Where it lies with 95 %."""
+
+    identified: bool
+    """The measurements show it, to half of itself or better."""
+
+    why_not: str
+    """Why they do not."""
+
+    used: float
+    """What the robot file has."""
+
+
+class UpdatedDrive(TypedDict):
+    """What measurements make of the prior of a drive."""
+
+    drive: int
+    """Which drive, from 1."""
+
+    prior_urad_per_nm: float
+    """Median of the prior."""
+
+    prior_sd_ln: float
+    """Standard deviation of its logarithm."""
+
+    posterior_urad_per_nm: float
+    """Median of the posterior, which the robot file has."""
+
+    posterior_sd_ln: float
+    """Standard deviation of its logarithm."""
+
+    ci95_urad_per_nm: list[float]
+    """Where it lies with 95 %."""
+
+    moved_sd: float
+    """How far the measurements moved it, in standard deviations of the prior."""
+
+    learned: float
+    """What part of the variance of the prior the measurements took away."""
+
+    shown: bool
+    """The measurements tell more of it than the prior, and it is known to half of itself."""
 
 
 class IdentificationDict(TypedDict):
@@ -1510,6 +1628,12 @@ class IdentificationDict(TypedDict):
 
     springs: list[FurtherSpring]
     """What springs besides the drives."""
+
+    compensator: list[FoundCompensator]
+    """What is found of a gravity compensator: its spring, and its preload."""
+
+    posterior: list[UpdatedDrive] | None
+    """What the measurements make of the prior, drive by drive; null where that was not asked for."""
 
     models: list[TriedModel]
     """The models that were tried."""
@@ -1599,7 +1723,8 @@ class ComparedTable(TypedDict):
     """One entry per run, in the order in which they are made."""
 
     value: float
-    """Mean variance of the displacement under 1 N over the work, (um/N)^2."""
+    """By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in
+    parts of the compliances."""
 
     efficiency: float
     """The bound over the value: 1 is proved best."""
@@ -1635,7 +1760,8 @@ class MeasurementPlanDict(TypedDict):
     """What a plan is judged by."""
 
     value: float
-    """Mean variance of the displacement under 1 N over the work, (um/N)^2."""
+    """By the criterion: mean variance of the displacement under 1 N over the work, (um/N)^2, or a variance in
+    parts of the compliances."""
 
     lower_bound: float
     """No plan of so many runs of the candidates has less."""
@@ -1660,6 +1786,127 @@ class MeasurementPlanDict(TypedDict):
 
     compared: ComparedTable | None
     """What the table that was given is worth."""
+
+
+class ForceDict(TypedDict):
+    """`stiffarm.Force.to_dict`."""
+
+    schema: Schema
+
+    process: str
+    """The process file."""
+
+    law: str
+    """Where the force comes from."""
+
+    material: str | None
+    """The material whose numbers come with the program; null where they are given."""
+
+    material_status: str | None
+    """How well its numbers are known: published or unverified."""
+
+    material_source: str | None
+    """Who says so."""
+
+    mean_n: list[float] | None
+    """Mean force over a revolution, on the tool: along the feed, across (left of it), axial (away from the
+    work); null where it may point anywhere."""
+
+    max_n: list[float] | None
+    """The largest of each over a revolution."""
+
+    min_n: list[float] | None
+    """The smallest of each over a revolution."""
+
+    largest_n: float
+    """The largest size of the force over a revolution."""
+
+    moment_nm: float
+    """Mean moment on the tool about its axis, positive about the axis away from the work."""
+
+    power_w: float | None
+    """Mean power of the spindle; null where its speed or the moment is not known."""
+
+    spindle_rpm: float | None
+    """Speed of the spindle."""
+
+    entry_deg: float | None
+    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+
+    exit_deg: float | None
+    """Where a tooth leaves."""
+
+    assumed: list[str]
+    """What the file leaves open and how it was taken, with the line that came first."""
+
+
+class ToolpathDict(TypedDict):
+    """`stiffarm.Toolpath.to_dict`."""
+
+    schema: Schema
+
+    path: str
+    """The toolpath as it was asked for."""
+
+    format: str
+    """How it is written: gcode, apt, csv or built-in."""
+
+    lines: int | None
+    """Lines that were read."""
+
+    feed_length_m: float
+    """Length of all moves at a feed rate."""
+
+    rapid_length_m: float
+    """Length of all rapid moves whose beginning is known."""
+
+    feed_moves: int
+    """Moves at a feed rate."""
+
+    rapid_moves: int
+    """Rapid moves whose beginning is known."""
+
+    machine_moves: int
+    """Moves that are no part of the path: from where the file does not tell, or by coordinates of the machine."""
+
+    arcs: int
+    """Feed moves that are arcs or helices."""
+
+    full_circles: int
+    """Of these, those of a whole turn or more."""
+
+    arc_length_m: float
+    """Length of the arcs."""
+
+    box_m: list[list[float]] | None
+    """Two corners of the box about all feed moves, in the axes of the path."""
+
+    feed_mm_per_min: list[float] | None
+    """The smallest and the largest feed rate; null where none is said."""
+
+    time_s: float | None
+    """Time of all feed moves; null where a feed rate is missing."""
+
+    tilt_deg: float
+    """The largest angle between tool axis and z while it feeds."""
+
+    turn_deg: float
+    """The largest angle of the tool axis to where it first feeds."""
+
+    samples: int
+    """How many they are."""
+
+    chord_error_mm: float
+    """By how much chords between samples are off the arcs at most."""
+
+    arc_miss_mm: float
+    """By how much the ends of an arc miss one radius at most."""
+
+    assumed: list[str]
+    """What the file leaves open and how it was taken, with the line that came first."""
+
+    ignored: list[str]
+    """Words of the file that move nothing, each kind once."""
 
 
 class ComplianceDict(TypedDict):

@@ -138,9 +138,15 @@ fn write_answers(text: &mut String) {
     class(text, ("TriedModel", "TypedDict"), "A model that was tried.", identification.under("models"), &[]);
     let about = "What remains of a row of the measurements.";
     class(text, ("ReadingRemainder", "TypedDict"), about, identification.under("residuals"), &[]);
+    let about = "What is found of a gravity compensator.";
+    class(text, ("FoundCompensator", "TypedDict"), about, identification.under("compensator"), &[]);
+    let about = "What measurements make of the prior of a drive.";
+    class(text, ("UpdatedDrive", "TypedDict"), about, identification.under("posterior"), &[]);
     let within = [
         ("drives", "IdentifiedDrive"),
         ("springs", "FurtherSpring"),
+        ("compensator", "FoundCompensator"),
+        ("posterior", "UpdatedDrive"),
         ("models", "TriedModel"),
         ("residuals", "ReadingRemainder"),
         with_schema[0],

@@ -11,7 +11,7 @@ use stiffarm::answer::{
 use stiffarm::catalogue::measurements::{self, Measurements};
 use stiffarm::catalogue::{find, read, read_process};
 use stiffarm::compliance::compliance;
-use stiffarm::identify::{Identification, identify};
+use stiffarm::identify::{Identification, IdentifyError, identify};
 use stiffarm::map::map;
 use stiffarm::measure::plan;
 use stiffarm::place::{Hold, PlaceError, Placed, place_task};
@@ -97,7 +97,7 @@ pub(crate) fn rankings() -> Vec<Value> {
         let tolerance_mm = asked.tolerance_mm();
         let advised = |mm: f64| advise_best(&ranking, &options, mm / 1e3, Watch::nobody()).unwrap();
         let advice = tolerance_mm.map_or_else(Vec::new, advised);
-        RankAnswer { ranking, options, tolerance_mm, advice }
+        RankAnswer::of(ranking, options, tolerance_mm, advice)
     };
     let estimated = find("Staubli TX340 SH").expect("in the catalogue").robot();
     let plane = ranked(&[kuka(), estimated, two_links()], &[("task", "A:0.3,A:9"), ("tolerance-mm", "2")]);
@@ -170,7 +170,9 @@ pub(crate) fn compliances() -> Vec<Value> {
 pub(crate) fn identifications() -> Vec<Value> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/examples");
     let text = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
-    let robot = read(&text("fanuc_r2000ic.toml"), "robot").unwrap();
+    let spring =
+        "\n[compensator]\nbase_mm = [-400, 0]\narm_mm = [0, 250]\nstiffness_n_per_mm = 100\nfree_length_mm = 300\n";
+    let robot = read(&(text("fanuc_r2000ic.toml") + spring), "robot").unwrap();
     let of = |typed: Typed, sigma: Option<f64>, change: fn(&mut Identification)| {
         let typed = [typed, &[("data", "measured"), ("robot", "it"), ("load-mm", "6.9,245.3,319.3")]].concat();
         let asked = asked(Verb::Identify, &typed);
@@ -191,7 +193,10 @@ pub(crate) fn identifications() -> Vec<Value> {
         }
         // As of rows in which a posture alone shows some drive, and another is not seen at all.
         found.residuals.iter_mut().for_each(|one| one.left_out = None);
-        found.tried.iter_mut().for_each(|one| one.left_out = None);
+        found.tried.iter_mut().filter_map(|one| one.fit.as_mut().ok()).for_each(|fit| fit.left_out = None);
+        if let Some(last) = found.tried.last_mut() {
+            last.fit = Err(IdentifyError::NotFound);
+        }
         found.left_out = None;
         *found.singular_values.last_mut().unwrap() = 0.0;
         found.remarks = vec!["odd".into()];
@@ -203,6 +208,10 @@ pub(crate) fn identifications() -> Vec<Value> {
         of(&all, None, unseen),
         of(&[("model", "auto")], None, |_| ()),
         of(&[("model", "auto")], None, unseen),
+        of(&[("model", "regions")], None, |_| ()),
+        of(&[("model", "compensator")], None, |_| ()),
+        of(&[("model", "compensator")], None, unseen),
+        of(&[("prior", "true")], None, |_| ()),
     ]
 }
 

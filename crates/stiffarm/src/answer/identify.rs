@@ -8,7 +8,7 @@ use super::stiffness::digits;
 use super::words::{self, fixed};
 use super::{Line, Record, Rows, Table, field, line, stiffness, with_schema};
 use crate::catalogue::write;
-use crate::identify::{Estimate, Estimator, Identification, Residual, Spring, Springs, Tried, Unknown};
+use crate::identify::{Estimate, Estimator, Identification, Residual, Spring, Springs, Tried, Unknown, Updated};
 use crate::robot::Robot;
 
 /// So many outliers are named; the JSON has all.
@@ -44,6 +44,8 @@ impl IdentifyAnswer {
             .put(field::MODEL, found.model.name())
             .put(field::DRIVES, self.drives().map(|record| record.json()).collect::<Value>())
             .put(field::FURTHER_SPRINGS, self.further().map(|record| record.json()).collect::<Value>())
+            .put(field::COMPENSATOR, self.compensator().map(|record| record.json()).collect::<Value>())
+            .put(field::POSTERIOR_DRIVES, self.posterior())
             .put(field::MODELS, self.tried())
             .put(field::RMS_BEFORE, found.before)
             .put(field::RMS_AFTER, found.after)
@@ -65,7 +67,7 @@ impl IdentifyAnswer {
     fn drives(&self) -> impl Iterator<Item = Record> + '_ {
         let drives = self.found.estimates.iter().filter_map(|estimate| match estimate.spring {
             Spring::Drive(drive) => Some((drive, estimate)),
-            Spring::Base | Spring::Tool => None,
+            Spring::Region(_) | Spring::Base | Spring::Tool | Spring::Compensator | Spring::Preload => None,
         });
         drives.map(|(drive, estimate)| {
             let mut record = Record::new();
@@ -77,20 +79,66 @@ impl IdentifyAnswer {
 
     /// What springs besides the drives.
     fn further(&self) -> impl Iterator<Item = Record> + '_ {
-        let others = self.found.estimates.iter().filter(|estimate| !matches!(estimate.spring, Spring::Drive(_)));
-        others.map(|estimate| {
+        let is_other = |spring: Spring| spring.is_compliance() && !matches!(spring, Spring::Drive(_));
+        self.found.estimates.iter().filter(move |estimate| is_other(estimate.spring)).map(|estimate| {
+            let region =
+                if let Spring::Region(region) = estimate.spring { Some(self.found.regions[region]) } else { None };
             let mut record = Record::new();
-            record.put(field::SPRING_NAME, estimate.spring.name());
+            record.put(field::SPRING_NAME, estimate.spring.name()).put(field::REGION, region);
             record.extend(told(estimate, &self.found));
             record
         })
+    }
+
+    /// What is found of a gravity compensator.
+    fn compensator(&self) -> impl Iterator<Item = Record> + '_ {
+        self.found.estimates.iter().filter(|estimate| !estimate.spring.is_compliance()).map(|estimate| {
+            let (unit, factor) = told_in(estimate.spring);
+            let why = estimate.unknown.as_ref().map(|why| in_words(why, &self.found));
+            let mut record = Record::new();
+            record
+                .put(field::SPRING_NAME, estimate.spring.name())
+                .put(field::IN_UNIT, unit)
+                .put(field::FOUND, estimate.compliance.map(|x| x * factor))
+                .put(field::FOUND_ERROR, estimate.standard_error.map(|x| x * factor))
+                .put(field::FOUND_INTERVAL, estimate.interval.map(|range| range.map(|x| x * factor)))
+                .put(field::IS_IDENTIFIED, estimate.unknown.is_none())
+                .put(field::NOT_IDENTIFIED, why)
+                .put(field::FOUND_USED, estimate.used * factor);
+            record
+        })
+    }
+
+    /// What the measurements make of the prior.
+    fn posterior(&self) -> Option<Value> {
+        let posterior = self.found.posterior.as_ref()?;
+        let of = |(drive, one): (usize, &Updated)| {
+            let mut record = Record::new();
+            record
+                .put(field::SPRING, drive + 1)
+                .put(field::PRIOR, one.prior)
+                .put(field::PRIOR_SD, one.prior_sd)
+                .put(field::POSTERIOR, one.posterior)
+                .put(field::POSTERIOR_SD, one.sd)
+                .put(field::INTERVAL, one.interval())
+                .put(field::MOVED_BY_DATA, one.moved())
+                .put(field::LEARNED, one.learned())
+                .put(field::IS_SHOWN, one.is_shown());
+            record.json()
+        };
+        Some(posterior.drives.iter().enumerate().map(of).collect())
     }
 
     /// The models among which was chosen.
     fn tried(&self) -> Value {
         let of = |one: &Tried| {
             let mut record = Record::new();
-            record.put(field::MODEL, one.model.name()).put(field::RMS_LEFT_OUT, one.left_out).put(field::BIC, one.bic);
+            let (fit, why) = (one.fit.as_ref().ok(), one.fit.as_ref().err());
+            record
+                .put(field::MODEL, one.model.name())
+                .put(field::RMS_LEFT_OUT, fit.and_then(|fit| fit.left_out))
+                .put(field::BIC, fit.map(|fit| fit.bic))
+                .put(field::NOT_IDENTIFIED, why.map(ToString::to_string));
             record.json()
         };
         self.found.tried.iter().map(of).collect()
@@ -150,8 +198,14 @@ impl IdentifyAnswer {
         ];
         if !found.tried.is_empty() {
             let each = found.tried.iter().map(|one| {
-                let left_out = one.left_out.map_or_else(|| "-".into(), mm);
-                format!("{} {left_out} (BIC {})", one.model.name(), fixed(one.bic, 0))
+                let name = one.model.name();
+                match &one.fit {
+                    Ok(fit) => {
+                        let left_out = fit.left_out.map_or_else(|| "-".into(), mm);
+                        format!("{name} {left_out} (BIC {})", fixed(fit.bic, 0))
+                    }
+                    Err(why) => format!("{name} not told ({why})"),
+                }
             });
             let each = each.collect::<Vec<_>>().join(", ");
             lines.push(line("models, left out", format!("{each}: {} chosen", found.model.name())));
@@ -183,23 +237,27 @@ impl IdentifyAnswer {
         ];
         let mut table = Table::new(headings).with_room(1, &["Huber urad/(N m)", "stiffness MN m/rad"]);
         for estimate in &self.found.estimates {
-            let urad = |k: f64| digits(k * 1e6, 3).to_string();
+            let (unit, factor) = told_in(estimate.spring);
+            let urad = |k: f64| digits(k * factor, 3).to_string();
             let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".into());
             let relative = estimate
                 .compliance
                 .zip(estimate.standard_error)
                 .map(|(k, error)| format!("{} %", fixed(100.0 * error / k, 0)));
+            let sought = estimate.compliance.filter(|k| estimate.spring.is_compliance() && 0.0 < *k);
+            let stiffness = sought.map(f64::recip);
             let says = estimate
                 .unknown
                 .as_ref()
                 .map_or_else(|| "yes".into(), |why| format!("no: {}", in_words(why, &self.found)));
-            let name = estimate.spring.name();
+            let name = self.shown(estimate.spring);
+            let name = if estimate.spring.is_compliance() { name } else { format!("{name} {unit}") };
             table.row([
-                name.strip_prefix("drive ").map_or_else(|| name.clone(), ToOwned::to_owned),
+                name,
                 or_none(estimate.compliance.map(urad)),
                 or_none(estimate.interval.map(|[low, high]| format!("{} .. {}", urad(low), urad(high)))),
                 or_none(relative),
-                or_none(estimate.compliance.filter(|k| 0.0 < *k).map(|k| digits(1e-6 / k, 3).to_string())),
+                or_none(stiffness.map(|stiffness| digits(stiffness * 1e-6, 3).to_string())),
                 or_none(estimate.robust.map(urad)),
                 urad(estimate.used),
                 says,
@@ -208,12 +266,56 @@ impl IdentifyAnswer {
         table
     }
 
+    /// The name of a spring in the table, under the heading drive.
+    fn shown(&self, spring: Spring) -> String {
+        match spring {
+            Spring::Drive(drive) => (drive + 1).to_string(),
+            Spring::Region(region) => {
+                let [from, to] = self.found.regions[region].map(|angle| fixed(angle.to_degrees(), 0));
+                format!("2, joint at {from} .. {to} deg")
+            }
+            Spring::Base | Spring::Tool | Spring::Compensator | Spring::Preload => spring.name(),
+        }
+    }
+
+    /// Prior and posterior of each drive, where the prior was updated.
+    pub fn updated(&self) -> Option<Table> {
+        let posterior = self.found.posterior.as_ref()?;
+        let headings =
+            ["drive", "prior urad/(N m)", "posterior urad/(N m)", "95 % interval", "moved", "learned", "shown"];
+        let mut table = Table::new(headings);
+        let urad = |k: f64| digits(k * 1e6, 3).to_string();
+        for (drive, one) in posterior.drives.iter().enumerate() {
+            let [low, high] = one.interval().map(urad);
+            table.row([
+                (drive + 1).to_string(),
+                format!("{} x/: {}", urad(one.prior), fixed((1.645 * one.prior_sd).exp(), 1)),
+                urad(one.posterior),
+                format!("{low} .. {high}"),
+                format!("{} sd", fixed(one.moved(), 1)),
+                format!("{} %", fixed(100.0 * one.learned(), 0)),
+                if one.is_shown() { "yes" } else { "no" }.into(),
+            ]);
+        }
+        Some(table)
+    }
+
     /// What stands below the table.
     pub fn notes(&self) -> String {
         let found = &self.found;
         let mut notes = String::new();
         let others: Vec<&Estimate> = found.estimates.iter().filter(|estimate| estimate.unknown.is_some()).collect();
-        if !others.is_empty() {
+        if let Some(posterior) = &found.posterior {
+            let _ = writeln!(
+                notes,
+                "prior: drives of robots of this payload and reach, x/: the factor that 90 % stay within; moved: by the measurements, in standard \
+                 deviations of the prior; learned: what part of its variance they took away. A coordinate was taken to scatter by {} mm ({} times what rows \
+                 alone say, as those of a posture err together); the robot file has the posterior: {} mm are then not explained",
+                fixed(posterior.sigma * 1e3, 3),
+                fixed(posterior.clustering, 2),
+                fixed(found.after_used * 1e3, 3),
+            );
+        } else if !others.is_empty() {
             let names: Vec<String> = others.iter().map(|estimate| estimate.spring.name()).collect();
             let keep = if names.len() == 1 { "keeps" } else { "keep" };
             let _ = writeln!(
@@ -226,9 +328,18 @@ impl IdentifyAnswer {
         }
         notes += "error: standard error, the larger of that from the scatter of all remainders and that from leaving out each posture in turn; \
                   beyond 50 % a drive is not identified\n";
-        if found.model != Springs::Drives {
-            notes += "a robot file has drives alone: base and tool are told here, so that the drives are not blamed for them\n";
-        }
+        notes += match found.model {
+            Springs::Base | Springs::Tool | Springs::All => {
+                "a robot file has drives alone: base and tool are told here, so that the drives are not blamed for them\n"
+            }
+            Springs::Regions => {
+                "a robot file has one compliance of drive 2: that of the model drives; regions are told here\n"
+            }
+            Springs::Compensator | Springs::Preload => {
+                "error of the compensator: beside that of drive 2, which pulls at the same joint; its ends are those of the robot file\n"
+            }
+            Springs::Drives | Springs::Auto => "",
+        };
         for remark in &found.remarks {
             let _ = writeln!(notes, "{remark}");
         }
@@ -272,6 +383,18 @@ fn springing(model: Springs) -> &'static str {
         Springs::Base => "the drives spring and the base tilts",
         Springs::Tool => "the drives spring and the tool bends",
         Springs::All => "the drives spring, the base tilts and the tool bends",
+        Springs::Compensator => "the drives and the gravity compensator spring",
+        Springs::Preload => "the drives and the gravity compensator spring, which has a preload",
+        Springs::Regions => "the drives spring, drive 2 in each region of joint 2 by itself",
+    }
+}
+
+/// In which unit a spring is told, and how many of it are one in SI.
+const fn told_in(spring: Spring) -> (&'static str, f64) {
+    match spring {
+        Spring::Compensator => ("N/mm", 1e-3),
+        Spring::Preload => ("N", 1.0),
+        _ => ("urad/(N m)", 1e6),
     }
 }
 

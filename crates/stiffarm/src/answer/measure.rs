@@ -5,13 +5,17 @@ use serde_json::{Value, json};
 use super::stiffness::digits;
 use super::words::{self, fixed};
 use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, Unit, field, line, stiffness, with_schema};
-use crate::measure::{Options, Plan, Run};
+use crate::measure::{Criterion, Options, Plan, Run};
 use crate::robot::Robot;
 
-/// What a plan is judged by.
-const CRITERION: &str = "mean variance of the predicted deflection over the work";
-/// (m/N)^2 in (um/N)^2.
-const SQUARED: f64 = 1e12;
+/// What a plan is judged by, and how many of the unit in which that is told are one in SI: (um/N)^2, or nothing of parts.
+const fn judged(criterion: Criterion) -> (&'static str, f64) {
+    match criterion {
+        Criterion::Prediction => ("mean variance of the predicted deflection over the work", 1e12),
+        Criterion::A => ("A: mean variance of the drives, in parts of their compliances", 1.0),
+        Criterion::D => ("D: volume of the errors of the drives, as a variance in parts of their compliances", 1.0),
+    }
+}
 
 /// The answer of `measure`, with what was asked.
 #[derive(Clone, Debug)]
@@ -32,16 +36,17 @@ impl MeasureAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
         let Self { plan, compared, .. } = self;
+        let (criterion, squared) = judged(self.options.criterion);
         let compared = compared.as_ref().map(|(name, runs, value, efficiency)| {
-            json!({ "file": name, "runs": runs, "value": value * SQUARED, "efficiency": efficiency })
+            json!({ "file": name, "runs": runs, "value": value * squared, "efficiency": efficiency })
         });
         let runs: Value = (0..plan.runs.len()).map(|i| self.run(i).json()).collect();
         let mut record = Record::new();
         stiffness::put_robot(&mut record, &self.robot);
         record
-            .put(field::CRITERION, CRITERION)
-            .put(field::CRITERION_VALUE, plan.value * SQUARED)
-            .put(field::CRITERION_BOUND, plan.lower_bound * SQUARED)
+            .put(field::CRITERION, criterion)
+            .put(field::CRITERION_VALUE, plan.value * squared)
+            .put(field::CRITERION_BOUND, plan.lower_bound * squared)
             .put(field::EFFICIENCY, plan.efficiency())
             .put(field::RANDOM_EFFICIENCY, Some(plan.lower_bound / plan.random).filter(|share| 0.0 < *share))
             .put(field::CANDIDATES, plan.candidates)
@@ -123,8 +128,22 @@ impl MeasureAnswer {
         let Self { robot, options, plan, .. } = self;
         let ways: Vec<&str> = options.ways.iter().map(|way| way.name.as_str()).collect();
         let percent = |share: f64| format!("{} %", fixed(100.0 * share, 1));
-        // Of 1 kN, mm.
-        let predicted = |value: f64| format!("{} mm", fixed(value.sqrt() * 1e6, 4));
+        let predicted = |value: f64| match options.criterion {
+            // Of 1 kN, mm.
+            Criterion::Prediction => format!("{} mm", fixed(value.sqrt() * 1e6, 4)),
+            Criterion::A | Criterion::D => format!("{} %", fixed(100.0 * value.sqrt(), 3)),
+        };
+        let (of, in_words) = match options.criterion {
+            Criterion::Prediction => ("prediction", "for 1 kN, one standard deviation, mean over the work"),
+            Criterion::A => (
+                "drives",
+                "of its compliance, one standard deviation, root mean square over the drives that are shown (A)",
+            ),
+            Criterion::D => (
+                "drives",
+                "of its compliance, one standard deviation, mean radius of the ellipsoid of their errors (D)",
+            ),
+        };
         let random = plan.lower_bound / plan.random;
         let random = if 0.0 < random { percent(random) } else { "nothing: it leaves some drive unseen".into() };
         let mut lines: Vec<Line> = vec![
@@ -133,10 +152,7 @@ impl MeasureAnswer {
             line("loads", format!("{} N {}", options.newtons, ways.join(", "))),
             line("work", format!("{}, {} postures", self.work, plan.work)),
             line("candidates", format!("{} runs; noise {} mm a coordinate", plan.candidates, options.sigma * 1e3)),
-            line(
-                "precision of the prediction",
-                format!("{} for 1 kN, one standard deviation, mean over the work", predicted(plan.value)),
-            ),
+            line(format!("precision of the {of}"), format!("{} {in_words}", predicted(plan.value))),
             line(
                 "no other choice has less than",
                 format!("{} (efficiency {} at least)", predicted(plan.lower_bound), percent(plan.efficiency())),

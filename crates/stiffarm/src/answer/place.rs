@@ -226,7 +226,7 @@ impl PlaceAnswer {
             line(format!("worst deflection {whole}"), format!("{:.4} mm", best.deflection * 1e3)),
             line("no place has less than", proof(best)),
         ];
-        lines.extend(uncertainty::told(uncertainty::of(&self.robot, &self.model, self.options.load, Some(best))));
+        lines.extend(uncertainty::told(uncertainty::of(&self.robot, self.options.load, Some(best))));
         lines
             .extend([line(format!("{centre} from {}", words::origin(&self.robot)), format!("x {x:.4} m, z {z:.4} m"))]);
         match self.options.cell {
@@ -408,7 +408,7 @@ pub(super) fn cell(
         .put(field::X, best.map(|best| best.centre[0]))
         .put(field::Z, best.map(|best| best.centre[1]));
     held(&mut record, best, options.cell.as_ref());
-    uncertainty::put(&mut record, uncertainty::of(robot, model, options.load, best));
+    uncertainty::put(&mut record, uncertainty::of(robot, options.load, best));
     record
         .put(field::TOLERANCE, tolerance_mm)
         .put(

@@ -14,7 +14,7 @@ use crate::model::ModelKind;
 use crate::place::{Margins, PlaceOptions};
 use crate::rank::{Rank, Ranking, Row};
 use crate::robot::Status;
-use crate::uncertainty::chances;
+use crate::uncertainty::{Chances, chances};
 
 /// The answer of `rank`, with what was asked.
 #[derive(Clone, Debug)]
@@ -27,9 +27,22 @@ pub struct RankAnswer {
     pub tolerance_mm: Option<f64>,
     /// What that says of force, stiffness and size, for each row and task where it was sought; empty where it was not.
     pub advice: Vec<Vec<Option<Advice>>>,
+    /// How every row stands at every task, as far as its drives may be off.
+    chances: Vec<Vec<Option<Chances>>>,
 }
 
 impl RankAnswer {
+    /// Of a ranking, with what was asked, the acceptable deflection, mm, and what was sought for it.
+    pub fn of(
+        ranking: Ranking,
+        options: PlaceOptions,
+        tolerance_mm: Option<f64>,
+        advice: Vec<Vec<Option<Advice>>>,
+    ) -> Self {
+        let chances = chances(&ranking);
+        Self { ranking, options, tolerance_mm, advice, chances }
+    }
+
     /// Every field.
     pub fn record(&self) -> Record {
         let Ranking { tasks, load, model, .. } = &self.ranking;
@@ -51,8 +64,7 @@ impl RankAnswer {
 
     fn rows_json(&self) -> Value {
         let ranks = self.ranks();
-        let chances = chances(&self.ranking);
-        let told = self.ranking.rows.iter().zip(&chances).enumerate().map(|(at, (row, chances))| {
+        let told = self.ranking.rows.iter().zip(&self.chances).enumerate().map(|(at, (row, chances))| {
             let cells: Value = self.cells(at, &ranks).map(|cell| cell.json()).collect();
             let mut record = Record::new();
             stiffness::put_robot(&mut record, &row.robot);

@@ -4,18 +4,17 @@ use super::words::fixed;
 use super::{Line, Record, Unit, field, line};
 use crate::drive::Knowledge;
 use crate::load::Load;
-use crate::model::ModelKind;
 use crate::place::Placement;
 use crate::rank::Ranking;
 use crate::robot::{Arm, Robot};
-use crate::uncertainty::{Chances, DRAWS, Spread, chances, spread};
+use crate::uncertainty::{Chances, DRAWS, Spread, spread};
 
 /// So many robots are named.
 const MOST_NAMED: usize = 8;
 
 /// Where the deflection of a placement lies with 90 %.
-pub(super) fn of(robot: &Robot, model: &ModelKind, load: Load, best: Option<&Placement>) -> Option<Spread> {
-    spread(robot, model, load.is_worst(), best?)
+pub(super) fn of(robot: &Robot, load: Load, best: Option<&Placement>) -> Option<Spread> {
+    spread(robot, load, best?)
 }
 
 /// As fields; null where nothing says how far the drives may be off.
@@ -42,19 +41,16 @@ pub(super) fn put_chances(record: &mut Record, of_row: &[Option<Chances>]) {
         .put(field::TIES_WITH_BEST, ties);
 }
 
-/// How many robots tie at each task by what is known of the drives; none where no two say how far these may be off.
-pub(super) fn ties(ranking: &Ranking) -> Vec<usize> {
-    let found = chances(ranking);
-    let of = |task: usize| found.iter().filter(|row| row[task].is_some_and(|one| one.ties)).count();
-    (0..ranking.tasks.len()).map(of).collect()
+/// How many robots tie at a task by what is known of the drives; none where no two say how far these may be off.
+pub(super) fn ties(chances: &[Vec<Option<Chances>>], task: usize) -> usize {
+    chances.iter().filter(|row| row[task].is_some_and(|one| one.ties)).count()
 }
 
 /// How sure the order is, task by task; nothing where no robot says how far its drives may be off.
-pub(super) fn sentences(ranking: &Ranking) -> Vec<String> {
-    let found = chances(ranking);
+pub(super) fn sentences(ranking: &Ranking, chances: &[Vec<Option<Chances>>]) -> Vec<String> {
     let mut told = Vec::new();
     for (task, asked) in ranking.tasks.iter().enumerate() {
-        let of_task = ranking.rows.iter().zip(&found).filter_map(|(row, chances)| Some((row, chances[task]?)));
+        let of_task = ranking.rows.iter().zip(chances).filter_map(|(row, chances)| Some((row, chances[task]?)));
         let mut known: Vec<_> = of_task.collect();
         known.sort_by(|a, b| b.1.win.total_cmp(&a.1.win));
         let Some((_, first)) = known.first() else { continue };

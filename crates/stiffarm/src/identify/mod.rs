@@ -10,23 +10,28 @@
 //! linear in the compliances. Beside a gravity compensator drive 2 has `kappa_2 / (1 + kappa_2 dK(theta_2))` in place of `kappa_2`, which is
 //! solved by Gauss and Newton's steps. Left out, as everywhere: what bends between the drives, and the robot's own weight.
 
+mod choice;
+mod compensated;
+mod model;
+mod posterior;
 mod regression;
 mod springs;
 mod told;
 mod work;
+mod written;
 
 use nalgebra::DMatrix;
 use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 
-use crate::catalogue::measurements::Measurements;
-use crate::prior::with_prior;
 use crate::robot::Robot;
-use crate::watch::{Stopped, Watch};
+use crate::watch::Stopped;
 
+pub use choice::{Fit, Tried, identify};
+pub use model::Springs;
+pub use posterior::{Posterior, Updated};
 pub use springs::Spring;
 pub(crate) use springs::columns_at;
 pub use told::{Combination, Outlier, Residual};
-use work::Work;
 
 /// A drive whose standard error is more than this share of its compliance is not identified.
 pub const MOST_RELATIVE_ERROR: f64 = 0.5;
@@ -65,65 +70,8 @@ impl Estimator {
     }
 }
 
-/// What is taken to spring.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Springs {
-    /// The six drives.
-    #[default]
-    Drives,
-    /// These, and the base tilts.
-    Base,
-    /// The drives, and the tool bends.
-    Tool,
-    /// Drives, base and tool.
-    All,
-    /// The simplest of these that none is clearly better than.
-    Auto,
-}
-
-impl Springs {
-    /// Those that say themselves what springs, the simplest first.
-    const PLAIN: [Self; 4] = [Self::Drives, Self::Base, Self::Tool, Self::All];
-
-    /// As it is asked for.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Drives => "drives",
-            Self::Base => "base",
-            Self::Tool => "tool",
-            Self::All => "base-and-tool",
-            Self::Auto => "auto",
-        }
-    }
-
-    fn springs(self) -> Vec<Spring> {
-        let further: &[Spring] = match self {
-            Self::Drives | Self::Auto => &[],
-            Self::Base => &[Spring::Base],
-            Self::Tool => &[Spring::Tool],
-            Self::All => &[Spring::Base, Spring::Tool],
-        };
-        Spring::DRIVES.into_iter().chain(further.iter().copied()).collect()
-    }
-}
-
-/// A model that was tried.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tried {
-    /// What springs.
-    pub model: Springs,
-    /// What is left of a coordinate where its posture is left out, m; `None` where a posture alone shows some spring.
-    pub left_out: Option<f64>,
-    /// Schwarz's criterion, `n ln(mean square) + p ln n`: less is better.
-    pub bic: f64,
-}
-
-/// A richer model must be better by so much in Schwarz's criterion (very strong evidence), and miss this share less where postures are left out.
-const CLEARLY: f64 = 10.0;
-const MISSES_LESS: f64 = 0.02;
-
 /// What is asked of an identification.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Of the loads.
     pub load_axes: Axes,
@@ -133,8 +81,26 @@ pub struct Options {
     pub estimator: Estimator,
     /// What springs.
     pub model: Springs,
+    /// How many ranges of joint 2 have a compliance of drive 2 of their own, where such a model is tried.
+    pub regions: usize,
+    /// What is known of drives of robots of this size is updated by the measurements, rather than left aside.
+    pub with_prior: bool,
     /// When was measured, as year-month-day.
     pub date: Option<String>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            load_axes: Axes::default(),
+            moved_axes: Axes::default(),
+            estimator: Estimator::default(),
+            model: Springs::default(),
+            regions: 2,
+            with_prior: false,
+            date: None,
+        }
+    }
 }
 
 /// Why nothing can be identified.
@@ -177,6 +143,28 @@ pub enum IdentifyError {
         /// Which robot.
         robot: String,
     },
+    /// A compensator is sought that the robot file does not have.
+    #[error(
+        "{0} has no gravity compensator in its robot file; give [compensator] base_mm, arm_mm, stiffness_n_per_mm and free_length_mm: the ends stay, \
+         the spring is found"
+    )]
+    NoCompensator(String),
+    /// Joint 2 is turned too little.
+    #[error("joint 2 stands at {angles} angles; expected at least {least}, two for each of the {regions} regions")]
+    TooFewAngles {
+        /// How many.
+        angles: usize,
+        /// The fewest.
+        least: usize,
+        /// How many regions.
+        regions: usize,
+    },
+    /// A prior is of drives.
+    #[error("the prior is of the six drives: it goes with the model \"drives\", not with \"{0}\"")]
+    PriorOfDrives(&'static str),
+    /// Nothing is known of drives of such a robot.
+    #[error(transparent)]
+    NoPrior(#[from] crate::prior::NoPrior),
     /// The search did not end.
     #[error("no compliance was found: the numbers leave the range of a computer; look for a wrong unit")]
     NotFound,
@@ -202,7 +190,7 @@ pub enum Unknown {
     Uncertain(f64),
 }
 
-/// What is found of one spring; rad/(N m).
+/// What is found of one spring; rad/(N m), of a compensator N/m and N.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// Which.
@@ -234,6 +222,10 @@ pub struct Identification {
     pub model: Springs,
     /// The models that were tried, where one was to be chosen.
     pub tried: Vec<Tried>,
+    /// From where to where joint 2 stood in each region, as reported, rad; empty where drive 2 has one compliance.
+    pub regions: Vec<[f64; 2]>,
+    /// What the measurements make of the prior, where that was asked for.
+    pub posterior: Option<Posterior>,
     /// Of every spring.
     pub estimates: Vec<Estimate>,
     /// How far a coordinate moved, root mean square, m.
@@ -281,76 +273,6 @@ impl Identification {
             _ => f64::INFINITY,
         }
     }
-}
-
-/// Finds the compliances of the drives, and of what else is taken to spring.
-///
-/// # Errors
-/// Where the rows cannot tell any, and [`IdentifyError::Stopped`] where the work is no longer wanted.
-pub fn identify(
-    robot: &Robot,
-    measured: &Measurements,
-    options: &Options,
-    watch: Watch,
-) -> Result<Identification, IdentifyError> {
-    let models = if options.model == Springs::Auto { Springs::PLAIN.len() } else { 1 };
-    let parts = watch.parts(Some(models));
-    let of_model = |model| {
-        let found = of_model(robot, measured, options, model, watch);
-        parts.one_more()?;
-        found
-    };
-    if options.model != Springs::Auto {
-        return of_model(options.model);
-    }
-    let mut best = of_model(Springs::Drives)?;
-    let mut tried = vec![tried(&best)];
-    for model in Springs::PLAIN.into_iter().skip(1) {
-        let found = match of_model(model) {
-            Ok(found) => found,
-            Err(IdentifyError::Stopped(stopped)) => return Err(stopped.into()),
-            // A model that the rows cannot tell is none to be chosen.
-            Err(_) => continue,
-        };
-        let (one, known) = (self::tried(&found), self::tried(&best));
-        tried.push(one);
-        let misses_less =
-            one.left_out.zip(known.left_out).is_some_and(|(rich, simple)| rich < (1.0 - MISSES_LESS) * simple);
-        if one.bic < known.bic - CLEARLY && misses_less {
-            best = found;
-        }
-    }
-    Ok(Identification { tried, ..best })
-}
-
-fn tried(found: &Identification) -> Tried {
-    let count = (3 * found.residuals.len()) as f64;
-    let springs = found.estimates.iter().filter(|one| one.compliance.is_some_and(|k| 0.0 < k)).count() as f64;
-    Tried {
-        model: found.model,
-        left_out: found.left_out,
-        bic: count * (found.after * found.after).ln() + springs * count.ln(),
-    }
-}
-
-fn of_model(
-    robot: &Robot,
-    measured: &Measurements,
-    options: &Options,
-    model: Springs,
-    watch: Watch,
-) -> Result<Identification, IdentifyError> {
-    let Measurements { readings, remarks } = measured;
-    let springs = &model.springs();
-    let least = springs.len() / 3 + 1;
-    if readings.len() < least {
-        return Err(IdentifyError::TooFew { readings: readings.len(), sought: springs.len(), least });
-    }
-    // What is not identified keeps what is known of it: by its file, else by its size.
-    let before =
-        if robot.stiffness_is_assumed { with_prior(robot).unwrap_or_else(|_| robot.clone()) } else { robot.clone() };
-    let work = Work::of(&before, readings, springs, options, watch)?;
-    Ok(Identification { model, ..work.identification(options, remarks)? })
 }
 
 /// Root mean square.

@@ -20,8 +20,8 @@ impl System {
     /// The same with every block of three rows times a weight.
     pub(super) fn weighted(&self, weights: &[f64]) -> Self {
         let mut weighted = self.clone();
-        for (i, mut row) in weighted.a.row_iter_mut().enumerate() {
-            row *= weights[i / 3];
+        for mut column in weighted.a.column_iter_mut() {
+            column.iter_mut().enumerate().for_each(|(i, x)| *x *= weights[i / 3]);
         }
         for (i, y) in weighted.y.iter_mut().enumerate() {
             *y *= weights[i / 3];
@@ -92,7 +92,9 @@ pub(super) struct Solution {
 /// Least squares with values that are not negative (Lawson and Hanson's active set), all columns seen. `None` where there is no solution
 /// in numbers.
 pub(super) fn solve(system: &System) -> Option<Solution> {
-    let scale: Vec<f64> = system.a.column_iter().map(|column| column.norm().recip()).collect();
+    // A column of nothing keeps its zero.
+    let scale = |norm: f64| if 0.0 < norm { norm.recip() } else { 1.0 };
+    let scale: Vec<f64> = system.a.column_iter().map(|column| scale(column.norm())).collect();
     let mut scaled = system.a.clone();
     for (mut column, scale) in scaled.column_iter_mut().zip(&scale) {
         column *= *scale;
@@ -110,7 +112,9 @@ pub(super) fn solve(system: &System) -> Option<Solution> {
     let values: Vec<f64> = x.iter().zip(&scale).map(|(x, scale)| x * scale).collect();
     let residual = &system.y - &system.a * DVector::from_column_slice(&values);
     let own = system.a.select_columns(&free);
-    let r = triangle(&own);
+    // The triangle of all columns is known but for their scale.
+    let whole = || DMatrix::from_fn(columns, columns, |i, j| r[(i, j)] / scale[j]);
+    let r = if free.len() == columns { whole() } else { triangle(&own) };
     let z = r.transpose().solve_lower_triangular(&own.transpose())?.transpose();
     Some(Solution { values, free, residual, r, z })
 }
@@ -238,8 +242,12 @@ pub(super) fn robust(system: &System, start: &Solution, bound: f64) -> Option<Ro
     let mut weights = vec![1.0; readings];
     let mut found = DVector::from_iterator(free.len(), free.iter().map(|&i| start.values[i]));
     let mut ratios = vec![0.0; readings];
+    // Rows one after the other in memory.
+    let rows = z.transpose();
+    let count = free.len();
     for _ in 0..200 {
-        let missed = &system.y - z * (r * &found);
+        let along = r * &found;
+        let missed = &system.y - rows.tr_mul(&along);
         let lengths: Vec<f64> = (0..readings).map(|i| missed.rows(3 * i, 3).norm()).collect();
         let mut sorted = lengths.clone();
         let middle = sorted.len() / 2;
@@ -247,13 +255,17 @@ pub(super) fn robust(system: &System, start: &Solution, bound: f64) -> Option<Ro
         ratios = lengths.iter().map(|length| if 0.0 < scale { length / scale } else { 0.0 }).collect();
         weights = ratios.iter().map(|ratio| (bound / ratio).min(1.0)).collect();
         // In the orthonormal basis the weighted normal equations are as well conditioned as the weights.
-        let mut weighted = z.clone();
-        for (i, mut row) in weighted.row_iter_mut().enumerate() {
-            row *= weights[i / 3];
+        let (mut normal, mut right) = (DMatrix::zeros(count, count), DVector::zeros(count));
+        for (i, row) in rows.as_slice().chunks_exact(count).enumerate() {
+            let weight = weights[i / 3];
+            for a in 0..count {
+                right[a] += weight * row[a] * system.y[i];
+                (0..=a).for_each(|b| normal[(a, b)] += weight * row[a] * row[b]);
+            }
         }
-        let normal = Cholesky::new(weighted.tr_mul(z))?;
-        let lower = normal.l();
-        let right = lower.solve_lower_triangular(&weighted.tr_mul(&system.y))?;
+        // Cholesky's factor is of the lower triangle.
+        let lower = Cholesky::new(normal)?.l();
+        let right = lower.solve_lower_triangular(&right)?;
         let next = not_negative(&(lower.transpose() * r), &right)?;
         let change = next.iter().zip(found.iter()).map(|(a, b)| (a - b).abs() / b.abs().max(f64::MIN_POSITIVE));
         let is_done = change.fold(0.0, f64::max) < 1e-9 || (&next - &found).amax() == 0.0;

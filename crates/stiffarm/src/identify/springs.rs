@@ -8,15 +8,21 @@ use crate::geometry::Geometry;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 
-/// A spring of which the compliance is sought, rad/(N m).
+/// A spring of which the compliance is sought, rad/(N m), or that of a gravity compensator, of which the stiffness is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spring {
     /// A drive, counted from 0.
     Drive(usize),
+    /// Drive 2 while joint 2 is in one of several ranges, counted from 0.
+    Region(usize),
     /// The base tilts about the two horizontal axes through its origin, alike about both.
     Base,
     /// The tool bends about the two axes across the flange's, alike about both, at the flange centre.
     Tool,
+    /// The spring of the gravity compensator, N/m.
+    Compensator,
+    /// Its stiffness times its free length, N: how much less it pulls than a spring without.
+    Preload,
 }
 
 impl Spring {
@@ -28,9 +34,17 @@ impl Spring {
     pub fn name(self) -> String {
         match self {
             Self::Drive(drive) => format!("drive {}", drive + 1),
+            Self::Region(region) => format!("drive 2, region {}", region + 1),
             Self::Base => "base".into(),
             Self::Tool => "tool".into(),
+            Self::Compensator => "compensator".into(),
+            Self::Preload => "compensator's preload".into(),
         }
+    }
+
+    /// What is sought of it is a compliance, rad/(N m).
+    pub const fn is_compliance(self) -> bool {
+        !matches!(self, Self::Compensator | Self::Preload)
     }
 }
 
@@ -74,11 +88,14 @@ impl Bent {
         };
         match spring {
             Spring::Drive(drive) => [Some(self.drives.column(drive).into()), None],
+            Spring::Region(_) => [Some(self.drives.column(1).into()), None],
             Spring::Base => [about(Vector3::x(), Vector3::zeros()), about(Vector3::y(), Vector3::zeros())],
             Spring::Tool => {
                 let centre = self.flange.translation.vector;
-                [Vector3::x(), Vector3::y()].map(|axis| about(self.turned(axis), centre)).map(|axis| axis)
+                [Vector3::x(), Vector3::y()].map(|axis| about(self.turned(axis), centre))
             }
+            // It turns nothing itself: it changes what drive 2 gives.
+            Spring::Compensator | Spring::Preload => [None, None],
         }
     }
 
@@ -99,6 +116,23 @@ impl Bent {
         }
         moved
     }
+}
+
+/// From where to where joint 2 stands in each of the regions that are among the springs, as reported, rad: ranges with as many angles in each.
+pub(super) fn ranges(readings: &[Reading], springs: &[Spring]) -> Result<Vec<[f64; 2]>, IdentifyError> {
+    let regions = springs.iter().filter(|spring| matches!(spring, Spring::Region(_))).count();
+    if regions == 0 {
+        return Ok(Vec::new());
+    }
+    let mut angles: Vec<f64> = readings.iter().map(|reading| reading.q[1]).collect();
+    angles.sort_by(f64::total_cmp);
+    angles.dedup();
+    let least = 2 * regions;
+    if angles.len() < least {
+        return Err(IdentifyError::TooFewAngles { angles: angles.len(), least, regions });
+    }
+    let first = |region: usize| region * angles.len() / regions;
+    Ok((0..regions).map(|region| [angles[first(region)], angles[first(region + 1) - 1]]).collect())
 }
 
 /// A row of a posture is where the robot may not be: the joints, from 1; 0 is the angle between the links.

@@ -1,35 +1,46 @@
 //! From readings to a system of equations, its solution, and what that says of each spring.
 
-use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
+use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
+use super::compensated::Compensated;
+use super::model::Springs;
 use super::regression::{Robust, Solution, Spread, System, robust, solve, spread, unseen};
-use super::springs::{Bent, Spring, beyond};
+use super::springs::{Bent, Spring, beyond, ranges};
+use super::written::robot_with;
 use super::{
-    Axes, Estimate, Estimator, HUBER_BOUND, Identification, IdentifyError, MOST_RELATIVE_ERROR, Options, Springs,
-    Unknown, bound, rms, student, told,
+    Axes, Estimate, Estimator, HUBER_BOUND, Identification, IdentifyError, MOST_RELATIVE_ERROR, Options, Unknown,
+    bound, rms, student, told,
 };
 use crate::catalogue::measurements::Reading;
-use crate::drive::{Identified, JointCompliance};
-use crate::robot::{Arm, COMPLIANCE_SOURCE, Robot, StiffnessSource};
+use crate::robot::{Arm, Robot};
 use crate::watch::Watch;
+
+/// An identification, how well its values are known, and how much each reading counted.
+pub(super) struct Fitted {
+    pub found: Identification,
+    pub spread: Spread,
+    pub weights: Vec<f64>,
+}
 
 /// What is known of the readings before anything is solved.
 pub(super) struct Work<'a> {
-    robot: &'a Robot,
-    readings: &'a [Reading],
-    springs: &'a [Spring],
-    /// Displacements per compliance, rows not weighted.
-    system: System,
-    /// What a compensator adds to drive 2 at every reading, N m/rad.
-    added: Option<Vec<f64>>,
+    pub robot: &'a Robot,
+    pub readings: &'a [Reading],
+    pub springs: &'a [Spring],
+    /// Displacements per compliance, rows not weighted, without a compensator.
+    pub system: System,
+    /// A compensator beside drive 2.
+    compensated: Option<Compensated>,
+    /// From where to where joint 2 stood in each region, as reported, rad.
+    regions: Vec<[f64; 2]>,
     /// By its noise, mean square 1.
-    weights: Vec<f64>,
+    pub weights: Vec<f64>,
     /// Of the noise that is told, m.
-    noise: Option<f64>,
+    pub noise: Option<f64>,
     /// What every spring has where nothing is identified.
-    assumed: Vec<f64>,
+    pub assumed: Vec<f64>,
     /// Who waits for it.
-    watch: Watch<'a>,
+    pub watch: Watch<'a>,
 }
 
 impl<'a> Work<'a> {
@@ -41,20 +52,31 @@ impl<'a> Work<'a> {
         watch: Watch<'a>,
     ) -> Result<Self, IdentifyError> {
         let Arm::SixAxis { drives, .. } = &robot.arm else { return Err(IdentifyError::Planar(robot.name.clone())) };
+        let regions = ranges(readings, springs)?;
         let mut a = DMatrix::zeros(3 * readings.len(), springs.len());
         let mut y = DVector::zeros(3 * readings.len());
-        let mut added = Vec::new();
+        let mut joint_2 = Vec::with_capacity(readings.len());
+        let mut last: Option<([f64; 6], Bent)> = None;
         for (i, reading) in readings.iter().enumerate() {
             watch.go_on()?;
-            let bent = Bent::at(robot, &reading.q)?;
+            // Markers of one posture follow one another.
+            let bent = match last.take() {
+                Some((q, bent)) if q == reading.q => bent,
+                _ => Bent::at(robot, &reading.q)?,
+            };
             let load = turned(&reading.load.0, options.load_axes, &bent);
             let moved = if options.moved_axes == Axes::Flange { bent.turned(reading.moved) } else { reading.moved };
             let (at, marker) = (bent.point(&reading.load_at), bent.point(&reading.marker_at));
-            for (j, spring) in springs.iter().enumerate() {
+            let region = regions.iter().position(|[_, last]| reading.q[1] <= *last);
+            let is_idle = |spring: Spring| matches!(spring, Spring::Region(other) if Some(other) != region);
+            for (j, spring) in springs.iter().enumerate().filter(|(_, spring)| !is_idle(**spring)) {
                 a.fixed_view_mut::<3, 1>(3 * i, j).copy_from(&bent.column(*spring, (&load, &at), &marker));
             }
             y.fixed_rows_mut::<3>(3 * i).copy_from(&moved);
-            added.extend(drives.compensator.map(|compensator| compensator.stiffness(bent.theta_2)));
+            let is_second = |spring: &Spring| matches!(spring, Spring::Drive(1) | Spring::Region(_));
+            let second = springs.iter().position(|spring| is_second(spring) && !is_idle(*spring));
+            joint_2.extend(second.map(|second| (second, bent.theta_2)));
+            last = Some((reading.q, bent));
         }
         let sigmas: Vec<f64> = readings.iter().filter_map(|reading| reading.sigma).collect();
         let noise = (sigmas.len() == readings.len()).then(|| {
@@ -62,8 +84,13 @@ impl<'a> Work<'a> {
             mean.sqrt().recip()
         });
         let weight = |reading: &Reading| noise.zip(reading.sigma).map_or(1.0, |(noise, sigma)| noise / sigma);
+        let of_spring =
+            |what: fn(&crate::drive::GravityCompensator) -> f64| drives.compensator.as_ref().map_or(0.0, what);
         let assumed = springs.iter().map(|spring| match spring {
             Spring::Drive(drive) => drives.compliance.0[*drive],
+            Spring::Region(_) => drives.compliance.0[1],
+            Spring::Compensator => of_spring(|spring| spring.stiffness),
+            Spring::Preload => of_spring(|spring| spring.stiffness * spring.free_length),
             Spring::Base | Spring::Tool => 0.0,
         });
         Ok(Self {
@@ -71,7 +98,8 @@ impl<'a> Work<'a> {
             readings,
             springs,
             system: System { a, y },
-            added: drives.compensator.map(|_| added),
+            compensated: drives.compensator.as_ref().map(|found| Compensated::of(found, springs, &joint_2)),
+            regions,
             weights: readings.iter().map(weight).collect(),
             noise,
             assumed: assumed.collect(),
@@ -79,56 +107,71 @@ impl<'a> Work<'a> {
         })
     }
 
-    /// The system that is linear about a compliance of drive 2: itself, where there is no compensator.
-    fn about(&self, k: f64) -> Result<System, IdentifyError> {
+    /// The system that is linear about some values: itself, where there is no compensator.
+    pub(super) fn about(&self, values: &[f64]) -> Result<System, IdentifyError> {
         let mut system = self.system.clone();
-        let (Some(added), Some(second)) =
-            (&self.added, self.springs.iter().position(|spring| *spring == Spring::Drive(1)))
-        else {
-            return Ok(system);
-        };
-        for (i, added) in added.iter().enumerate() {
-            let held = 1.0 + k * added;
-            if !(0.0 < held) {
+        if let Some(compensated) = &self.compensated {
+            if let Some(i) = compensated.unheld(values) {
                 return Err(IdentifyError::Unstable { row: self.readings[i].row, robot: self.robot.name.clone() });
             }
-            let column: Vector3<f64> = system.a.fixed_view::<3, 1>(3 * i, second).into();
-            // kappa / (1 + kappa dK) about k: slope 1 / held^2, and what that misses at zero.
-            system.a.fixed_view_mut::<3, 1>(3 * i, second).copy_from(&(column / (held * held)));
-            let mut y = system.y.fixed_rows_mut::<3>(3 * i);
-            y -= column * (k / held - k / (held * held));
+            compensated.about(values, &mut system);
         }
         Ok(system)
+    }
+
+    /// With columns of a compensator, which have other units, as long as the longest of a compliance.
+    fn comparable(&self, mut system: System) -> System {
+        let lengths: Vec<f64> = system.a.column_iter().map(|column| column.norm()).collect();
+        let of_compliances = self.springs.iter().zip(&lengths).filter(|(spring, _)| spring.is_compliance());
+        let longest = of_compliances.map(|(_, length)| *length).fold(0.0, f64::max);
+        for (i, length) in lengths.iter().enumerate().filter(|(_, length)| 0.0 < **length) {
+            if !self.springs[i].is_compliance() {
+                system.a.column_mut(i).scale_mut(longest / length);
+            }
+        }
+        system
     }
 
     /// Solves for the springs that are not held, all rows weighted.
     fn solved(&self, held: &[Option<f64>], weights: &[f64]) -> Result<(System, Solution), IdentifyError> {
         const STEPS: usize = 60;
-        let second =
-            self.springs.iter().position(|spring| *spring == Spring::Drive(1)).filter(|_| self.added.is_some());
-        let mut k = second.map_or(0.0, |second| held[second].unwrap_or(self.assumed[second]));
+        let start = |(held, assumed): (&Option<f64>, &f64)| held.unwrap_or(*assumed);
+        let mut values: Vec<f64> = held.iter().zip(&self.assumed).map(start).collect();
+        let sought: Vec<usize> = (0..held.len()).filter(|&i| held[i].is_none()).collect();
         for _ in 0..STEPS {
             self.watch.go_on()?;
-            let system = self.about(k)?.weighted(weights).holding(held);
+            let system = self.about(&values)?.weighted(weights).holding(held);
             let solution = solve(&system).ok_or(IdentifyError::NotFound)?;
-            let next = second
-                .filter(|&second| held[second].is_none())
-                .map_or(k, |second| solution.values[held[..second].iter().filter(|held| held.is_none()).count()]);
-            if (next - k).abs() <= 1e-12 * k.abs() {
+            let Some(compensated) = &self.compensated else { return Ok((system, solution)) };
+            let target = values_of(&sought, &solution.values, held);
+            let is_near = |(a, b): (&f64, &f64)| (a - b).abs() <= SETTLED * a.abs().max(b.abs());
+            if values.iter().zip(&target).all(is_near) {
                 return Ok((system, solution));
             }
-            k = next;
+            // Towards it, as far as joint 2 is held.
+            let step = |share: f64| -> Vec<f64> {
+                values.iter().zip(&target).map(|(value, target)| value + share * (target - value)).collect()
+            };
+            let shares = (0..20).map(|halved| 0.5_f64.powi(halved));
+            let mut steps = shares.map(step).filter(|values| compensated.unheld(values).is_none());
+            values = steps.next().ok_or(IdentifyError::NotFound)?;
         }
         Err(IdentifyError::NotFound)
     }
 
-    pub(super) fn identification(
-        &self,
-        options: &Options,
-        remarks: &[String],
-    ) -> Result<Identification, IdentifyError> {
+    /// How well the values of a solution are known.
+    fn spread(&self, solution: &Solution) -> Result<Spread, IdentifyError> {
+        let postures: Vec<usize> = self.readings.iter().map(|reading| reading.posture).collect();
+        spread(solution, &postures).ok_or(IdentifyError::TooFew {
+            readings: self.readings.len(),
+            sought: self.springs.len(),
+            least: self.springs.len() / 3 + 1,
+        })
+    }
+
+    pub(super) fn identification(&self, options: &Options, remarks: &[String]) -> Result<Fitted, IdentifyError> {
         let count = self.springs.len();
-        let groups = unseen(&self.system);
+        let groups = unseen(&self.comparable(self.about(&self.assumed)?));
         let mut held: Vec<Option<f64>> = vec![None; count];
         groups.iter().flatten().for_each(|&i| held[i] = Some(self.assumed[i]));
         if held.iter().all(Option::is_some) {
@@ -147,49 +190,42 @@ impl<'a> Work<'a> {
                 self.weights.iter().zip(&robust.weights).map(|(noise, fit)| noise * fit.sqrt()).collect()
             }
         };
-        let (_, solution) = self.solved(&held, &weights)?;
+        let solution = match options.estimator {
+            Estimator::LeastSquares => plain,
+            Estimator::Huber => self.solved(&held, &weights)?.1,
+        };
         if solution.free.is_empty() {
             return Err(IdentifyError::Against);
         }
-        let postures: Vec<usize> = self.readings.iter().map(|reading| reading.posture).collect();
-        let readings = self.readings.len();
-        let spread = spread(&solution, &postures).ok_or(IdentifyError::TooFew {
-            readings,
-            sought: count,
-            least: count / 3 + 1,
-        })?;
+        let spread = self.spread(&solution)?;
         let sought: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
         let mut estimates = self.estimates(&sought, &solution, &spread, &robust, &groups);
-        let (used, own) = self.used(&mut estimates, &weights)?;
+        let (used, own) = self.used(&mut estimates, &weights, (&solution, &spread))?;
         let told = self.told(&sought, &solution, &spread, &robust, &weights);
-        let robot = self.robot_with(&estimates, &used, options, told.postures);
+        let after_used = rms(&own);
+        let written = robot_with(self.robot, &estimates, &used, options, (told.postures, after_used));
         let mut remarks = remarks.to_vec();
         remarks.extend(self.odd_postures());
         let residual = self.residual(&values_of(&sought, &solution.values, &held));
         let before = rms(self.system.y.as_slice());
-        Ok(Identification {
-            robot,
+        let found = Identification {
+            robot: written,
             estimator: options.estimator,
             before,
             after: rms(&residual),
-            after_used: rms(&own),
+            after_used,
             remarks,
             estimates,
             ..told
-        })
+        };
+        Ok(Fitted { found, spread, weights })
     }
 
     /// What compliances leave of the displacements, m, not weighted.
-    fn residual(&self, values: &[f64]) -> Vec<f64> {
-        let second = self.springs.iter().position(|spring| *spring == Spring::Drive(1));
+    pub(super) fn residual(&self, values: &[f64]) -> Vec<f64> {
         let mut missed = &self.system.y - &self.system.a * DVector::from_column_slice(values);
-        if let (Some(added), Some(second)) = (&self.added, second) {
-            let k = values[second];
-            for (i, added) in added.iter().enumerate() {
-                let column: Vector3<f64> = self.system.a.fixed_view::<3, 1>(3 * i, second).into();
-                let mut missed = missed.fixed_rows_mut::<3>(3 * i);
-                missed += column * (k - k / (1.0 + k * added));
-            }
+        if let Some(compensated) = &self.compensated {
+            compensated.add_to(&mut missed, values, &self.system);
         }
         missed.as_slice().to_vec()
     }
@@ -245,6 +281,9 @@ impl<'a> Work<'a> {
         if let Some(group) = group.filter(|group| 1 < group.len()) {
             return Unknown::OnlyWith(group.iter().copied().filter(|&other| other != i).collect());
         }
+        if !self.springs[i].is_compliance() {
+            return Unknown::NotTurned;
+        }
         // A marker at the load point is moved wherever the load turns the spring.
         let turned = self.readings.iter().any(|reading| {
             let Ok(bent) = Bent::at(self.robot, &reading.q) else { return false };
@@ -258,7 +297,12 @@ impl<'a> Work<'a> {
 
     /// Solves again with all that is not identified held at what is assumed of it, until nothing more must be; what that leaves of the
     /// displacements, and the covariance.
-    fn used(&self, estimates: &mut [Estimate], weights: &[f64]) -> Result<(Matrix6<f64>, Vec<f64>), IdentifyError> {
+    fn used(
+        &self,
+        estimates: &mut [Estimate],
+        weights: &[f64],
+        found: (&Solution, &Spread),
+    ) -> Result<(Matrix6<f64>, Vec<f64>), IdentifyError> {
         let count = self.springs.len();
         loop {
             let held: Vec<Option<f64>> =
@@ -267,14 +311,15 @@ impl<'a> Work<'a> {
             if sought.is_empty() {
                 return Ok((Matrix6::zeros(), self.residual(&self.assumed)));
             }
-            let (_, solution) = self.solved(&held, weights)?;
-            let postures: Vec<usize> = self.readings.iter().map(|reading| reading.posture).collect();
-            let readings = self.readings.len();
-            let spread = spread(&solution, &postures).ok_or(IdentifyError::TooFew {
-                readings,
-                sought: count,
-                least: count / 3 + 1,
-            })?;
+            let again;
+            let (solution, spread) = if sought.len() == count {
+                found
+            } else {
+                let (_, solution) = self.solved(&held, weights)?;
+                let spread = self.spread(&solution)?;
+                again = (solution, spread);
+                (&again.0, &again.1)
+            };
             let mut is_settled = true;
             for (at, &i) in sought.iter().enumerate() {
                 let unknown = match solution.free.iter().position(|&free| free == at) {
@@ -309,55 +354,6 @@ impl<'a> Work<'a> {
             let covariance = Matrix6::from_fn(|i, j| covariance[(i.min(j), i.max(j))]);
             return Ok((covariance, self.residual(&values_of(&sought, &solution.values, &held))));
         }
-    }
-
-    /// The robot with what was identified.
-    fn robot_with(
-        &self,
-        estimates: &[Estimate],
-        covariance: &Matrix6<f64>,
-        options: &Options,
-        postures: usize,
-    ) -> Robot {
-        let mut robot = self.robot.clone();
-        let Arm::SixAxis { drives, .. } = &mut robot.arm else { return robot };
-        let mut seen = [false; 6];
-        let mut k = drives.compliance.0;
-        for estimate in estimates {
-            if let Spring::Drive(drive) = estimate.spring {
-                (seen[drive], k[drive]) = (estimate.unknown.is_none(), estimate.used);
-            }
-        }
-        if seen == [false; 6] {
-            return robot;
-        }
-        // As a robot file has them, so that what is written is what is read.
-        let rounded = |x: f64, per: f64| format!("{:.9e}", x * per).parse::<f64>().map_or(x, |rounded| rounded / per);
-        drives.compliance = JointCompliance(k.map(|k| rounded(k, 1e6)));
-        let values: Vec<f64> = estimates.iter().map(|estimate| estimate.used).collect();
-        drives.scatter = None;
-        drives.identified = Some(Identified {
-            drives: seen,
-            covariance: covariance
-                .map(|variance| format!("{:.9e}", variance * 1e12).parse::<f64>().map_or(variance, |x| x * 1e-12)),
-            postures,
-            date: options.date.clone(),
-            residual: rounded(rms(&self.residual(&values)), 1e3),
-        });
-        robot.stiffness_is_assumed = false;
-        let drives: Vec<String> = (1..=6).filter(|&drive| seen[drive - 1]).map(|drive| drive.to_string()).collect();
-        let others = match (drives.len(), self.robot.stiffness_source()) {
-            (6, _) => "",
-            (_, StiffnessSource::Prior | StiffnessSource::Published) => "; the others by the prior",
-            _ => "; the others as they were before",
-        };
-        let source = format!(
-            "drives {} identified in {postures} postures by {}{others}",
-            drives.join(", "),
-            options.estimator.name()
-        );
-        robot.source.insert(COMPLIANCE_SOURCE.into(), source);
-        robot
     }
 
     /// Postures where the robot cannot be, by its limits.
@@ -401,7 +397,11 @@ impl<'a> Work<'a> {
             }
         }
         let postures = self.readings.iter().map(|reading| reading.posture).max().map_or(0, |last| last + 1);
-        let (singular_values, least_seen) = told::seen(&self.system.weighted(&self.weights));
+        // Of compliances alone: what else is sought has other units.
+        let compliances = self.springs.iter().filter(|spring| spring.is_compliance()).count();
+        let a = self.system.a.columns(0, compliances).into_owned();
+        let system = System { a, y: self.system.y.clone() };
+        let (singular_values, least_seen) = told::seen(&system.weighted(&self.weights));
         let left_out: Option<Vec<f64>> = spread
             .left_out
             .iter()
@@ -414,6 +414,8 @@ impl<'a> Work<'a> {
             estimator: Estimator::LeastSquares,
             model: Springs::Drives,
             tried: Vec::new(),
+            regions: self.regions.clone(),
+            posterior: None,
             estimates: Vec::new(),
             before: 0.0,
             after: 0.0,
@@ -430,6 +432,9 @@ impl<'a> Work<'a> {
         }
     }
 }
+
+/// The values of a system with a compensator are found when none changes by more than this share of itself.
+const SETTLED: f64 = 1e-11;
 
 /// All values, those that are held among them.
 fn values_of(sought: &[usize], found: &[f64], held: &[Option<f64>]) -> Vec<f64> {

@@ -4,6 +4,8 @@
 //! it lets the deflection over the work be predicted: `phi(M) = tr(W M^-1)`, the mean variance of what a unit force moves there, with `W` the mean of
 //! `A^T A` over the work and three forces (the test poses of Klimchik and others, averaged).
 //!
+//! Two others: the mean variance of the drives in parts of their compliance (A), and the volume of the ellipsoid of those errors (D).
+//!
 //! Shares of many candidates first, `w_i <- w_i sqrt(d_i / phi)` with `d_i = tr(M^-1 W M^-1 M_i)`. As `phi` is convex and of degree -1, every
 //! design `M*` of the candidates has `phi(M*) >= phi^2 / max d`: what is reached is certified. Then whole runs, by exchange, told against the same bound.
 
@@ -16,6 +18,7 @@ use nalgebra::{Matrix6, Vector3, Vector6};
 
 use crate::catalogue::measurements::Measurements;
 use crate::compliance::{PostureError, check_tool, compliance};
+use crate::drive::JointCompliance;
 use crate::identify::columns_at;
 use crate::interval::Interval;
 use crate::robot::{Arm, Robot};
@@ -23,7 +26,7 @@ use crate::spatial::{Pose, Wrench};
 use crate::watch::{Parts, Stopped, Watch};
 
 use candidates::Candidates;
-use design::{Chosen, Shares};
+use design::{Aim, Chosen, Shares};
 pub use zone::over;
 
 /// A direction in which the user can load.
@@ -35,9 +38,34 @@ pub struct LoadWay {
     pub along: Vector3<f64>,
 }
 
+/// By what a plan is judged.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Criterion {
+    /// How well the deflection over the work is predicted.
+    #[default]
+    Prediction,
+    /// The mean variance of the compliances, each in parts of its own.
+    A,
+    /// The volume of the ellipsoid of their errors, as the variance of a drive that had its mean radius.
+    D,
+}
+
+impl Criterion {
+    /// As it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Prediction => "prediction",
+            Self::A => "a",
+            Self::D => "d",
+        }
+    }
+}
+
 /// What is asked of a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
+    /// By what it is judged.
+    pub criterion: Criterion,
     /// In which directions the user can load.
     pub ways: Vec<LoadWay>,
     /// By how much, N.
@@ -78,7 +106,8 @@ pub struct Run {
 pub struct Plan {
     /// In the order in which they are run.
     pub runs: Vec<Run>,
-    /// Mean variance of the displacement under a unit force over the work, (m/N)^2.
+    /// By the criterion: mean variance of the displacement under a unit force over the work, (m/N)^2, or that of the drives, in parts of their
+    /// compliances.
     pub value: f64,
     /// No plan of so many of the candidates has less.
     pub lower_bound: f64,
@@ -206,6 +235,27 @@ fn columns(
         .collect())
 }
 
+/// `W`: the mean of `A^T A` over postures of the work and three forces on its tool point.
+fn predicted(robot: &Robot, work: &[[f64; 6]], tool: &Vector3<f64>) -> Result<Matrix6<f64>, MeasureError> {
+    let mut weight = Matrix6::zeros();
+    for q in work {
+        for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
+            for rows in columns(robot, q, &Wrench::force(axis), (*tool, &[*tool]))? {
+                weight += rows.iter().map(|row| row * row.transpose()).sum::<Matrix6<f64>>();
+            }
+        }
+    }
+    Ok(weight / (3 * work.len()) as f64)
+}
+
+/// What errors of the drives are parts of: their compliances, rad/(N m), and of a rigid drive the paper's.
+fn sizes(robot: &Robot) -> Result<[f64; 6], MeasureError> {
+    let Arm::SixAxis { drives, .. } = &robot.arm else { return Err(PostureError::Planar(robot.name.clone()).into()) };
+    let JointCompliance(usual) = JointCompliance::PAPER;
+    let JointCompliance(k) = drives.compliance;
+    Ok(std::array::from_fn(|drive| if 0.0 < k[drive] { k[drive] } else { usual[drive] }))
+}
+
 /// How far markers move, m, with the compliances that the robot has.
 fn expected(robot: &Robot, q: &[f64; 6], load: &Wrench, options: &Options) -> Result<Vec<Vector3<f64>>, MeasureError> {
     let Arm::SixAxis { drives, .. } = &robot.arm else { return Err(PostureError::Planar(robot.name.clone()).into()) };
@@ -240,15 +290,15 @@ impl<'a> Search<'a> {
         } else {
             options.work.clone()
         };
-        let mut weight = Matrix6::zeros();
-        for q in &work {
-            for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
-                for rows in columns(robot, q, &Wrench::force(axis), (options.tool, &[options.tool]))? {
-                    weight += rows.iter().map(|row| row * row.transpose()).sum::<Matrix6<f64>>();
-                }
+        let aim = match options.criterion {
+            Criterion::Prediction => Aim::Trace(predicted(robot, &work, &options.tool)?),
+            Criterion::A => {
+                let count = kept.drives.len() as f64;
+                Aim::Trace(Matrix6::from_diagonal(&Vector6::from(sizes(robot)?.map(|k| k.powi(-2) / count))))
             }
-        }
-        let kept = kept.weighing(&(weight / (3 * work.len()) as f64));
+            Criterion::D => Aim::Determinant(sizes(robot)?),
+        };
+        let kept = kept.aiming(&aim);
         Ok(Self { robot, options, candidates, kept, work: work.len() })
     }
 

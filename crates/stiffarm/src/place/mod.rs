@@ -5,7 +5,7 @@ mod margins;
 mod planar;
 mod spatial;
 
-use nalgebra::Vector2;
+use nalgebra::{Matrix2, Matrix3, Vector2};
 
 pub use fault::{Misfit, PlaceError};
 pub use margins::{Column, MarginOf, Margins, column_radius};
@@ -203,6 +203,8 @@ pub enum Hold {
     Plane {
         /// Shoulder and elbow angle at the worst point, rad.
         posture: [f64; 2],
+        /// What the drives 2 and 3 give of the compliance there, m/N.
+        by_drive: [Matrix2<f64>; 2],
         /// The least that is kept from a limit or a straight arm anywhere in the zone, rad; `None` of [`find`].
         margin: Option<(f64, MarginOf)>,
     },
@@ -225,6 +227,8 @@ pub struct SpaceHold {
     pub joints: [f64; 6],
     /// What each drive gives of the deflection there, adding up to 1.
     pub shares: [f64; 6],
+    /// What each drive gives of the compliance of the translation there, m/N, before the zone is turned by the bearing.
+    pub by_drive: [Matrix3<f64>; 6],
     /// The smallest distance of any joint to its limits anywhere in the zone, rad, proved, and that joint from 1; 0 is the angle
     /// between the links.
     pub limit_margin: (f64, usize),

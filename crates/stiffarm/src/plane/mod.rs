@@ -158,6 +158,11 @@ impl PlanarArm {
         [[0.0; 2], [self.l2 * shoulder.cos(), self.l2 * shoulder.sin()], self.forward(shoulder, elbow).into()]
     }
 
+    /// What the drives 2 and 3 give of [`Self::compliance`]: the compliance of two springs is the sum of both alone.
+    pub fn by_drive(&self, shoulder: f64, elbow: f64) -> [Matrix2<f64>; 2] {
+        [[self.k2, 0.0], [0.0, self.k3]].map(|[k2, k3]| Self { k2, k3, ..self.clone() }.compliance(shoulder, elbow))
+    }
+
     /// Cartesian compliance at the wrist centre, m/N, base axes (x, z): `C = (J A) k (J A)^T`.
     ///
     /// `J = [e x p, e x (p - E)]` with the elbow at `E`; no inverse, so every posture has one.

@@ -36,9 +36,14 @@ impl Request {
                 Some("base") => Springs::Base,
                 Some("tool") => Springs::Tool,
                 Some("base-and-tool") => Springs::All,
+                Some("compensator") => Springs::Compensator,
+                Some("compensator-and-preload") => Springs::Preload,
+                Some("regions") => Springs::Regions,
                 Some("auto") => Springs::Auto,
                 _ => Springs::Drives,
             },
+            regions: self.count("regions"),
+            with_prior: self.is_wished("prior"),
             date: self.texts("date").pop(),
         }
     }

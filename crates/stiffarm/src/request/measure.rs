@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::kind::Value;
 use super::{Request, Verb};
-use crate::measure::Options;
+use crate::measure::{Criterion, Options};
 
 impl Request {
     /// What is asked of a plan; the postures of the work are left out.
@@ -12,21 +12,24 @@ impl Request {
     /// # Panics
     /// Of a verb that plans nothing.
     pub fn measurement_plan(&self) -> Options {
-        let whole = |value| if let Value::Whole(whole) = value { Some(whole) } else { None };
-        let count = |name: &str| self.one(name, whole).expect("the row has a default");
         let number = |name: &str| self.number(name).expect("the row has a default");
         let points = self.points();
         let load_at = Vector3::from(points.load.unwrap_or_default());
         let markers: Vec<Vector3<f64>> = points.markers.iter().map(|marker| marker.at.into()).collect();
         let window = self.one("window", |value| if let Value::Block(block) = value { Some(block) } else { None });
         Options {
+            criterion: match self.word("criterion") {
+                Some("a") => Criterion::A,
+                Some("d") => Criterion::D,
+                _ => Criterion::Prediction,
+            },
             ways: self.all("loads", |value| if let Value::Way(way) = value { Some(way) } else { None }),
             newtons: number("force-n"),
             load_at,
             markers: if markers.is_empty() { vec![load_at] } else { markers },
             sigma: number("sigma-mm") / 1e3,
-            runs: count("runs"),
-            candidates: count("candidates"),
+            runs: self.count("runs"),
+            candidates: self.count("candidates"),
             window: window.map(|block| [block.x, block.y, block.z]),
             work: Vec::new(),
             tool: self.held().tool().translation.vector,

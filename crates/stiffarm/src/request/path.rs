@@ -110,7 +110,7 @@ impl Request {
 
     /// Only what was understood of the path is told.
     pub fn is_dry(&self) -> bool {
-        self.one("dry", |value| if let Value::Truth(truth) = value { Some(truth) } else { None }) == Some(true)
+        self.is_wished("dry")
     }
 
     /// How the path of this name is written: as was said, or as its name ends.

@@ -938,6 +938,9 @@ const OF_ZONES: &[Setting] = &[
             ("base", "These, and the base tilts about the level axes through its origin"),
             ("tool", "The drives, and the tool bends about the axes across the flange's"),
             ("base-and-tool", "Drives, base and tool"),
+            ("compensator", "The drives, and the spring of the gravity compensator whose ends the robot file has"),
+            ("compensator-and-preload", "The same, and its preload"),
+            ("regions", "The drives, drive 2 with a compliance for each of some ranges of joint 2 (--regions)"),
             (
                 "auto",
                 "The simplest of these that none is clearly better than, by postures left out and Schwarz's criterion",
@@ -947,6 +950,26 @@ const OF_ZONES: &[Setting] = &[
         absent: Absent::Default("drives"),
         help: "What is taken to spring",
         example: "auto",
+        ..ROW
+    },
+    Setting {
+        name: "regions",
+        verbs: IDENTIFY,
+        kind: Kind::Whole { min: 2, max: 6 },
+        value: "N",
+        absent: Absent::Default("2"),
+        help: "In how many ranges of joint 2, of as many postures each, drive 2 has a compliance of its own in the model \"regions\"",
+        example: "3",
+        ..ROW
+    },
+    Setting {
+        name: "prior",
+        verbs: IDENTIFY,
+        kind: Kind::Flag,
+        value: "YES",
+        absent: Absent::Default("false"),
+        example: "true",
+        help: "Update what is known of drives of robots of this payload and reach, rather than leave it aside: the robot file has the posterior; drives that the rows do not show keep the prior with its scatter",
         ..ROW
     },
     Setting {
@@ -999,6 +1022,20 @@ const OF_ZONES: &[Setting] = &[
         absent: Absent::Default("20"),
         help: "How many postures and loads are to be measured",
         example: "30",
+        ..ROW
+    },
+    Setting {
+        name: "criterion",
+        verbs: MEASURE,
+        kind: Kind::Word(&[
+            ("prediction", "How well the deflection over the work is predicted"),
+            ("a", "The mean variance of the compliances, each in parts of its own"),
+            ("d", "The volume of the ellipsoid of their errors"),
+        ]),
+        value: "CRITERION",
+        absent: Absent::Default("prediction"),
+        help: "By what a plan is judged; each is certified against every other choice of the candidates",
+        example: "d",
         ..ROW
     },
     Setting {

@@ -352,6 +352,17 @@ impl Request {
         self.one(name, number)
     }
 
+    /// What is asked for by saying so.
+    pub(super) fn is_wished(&self, name: &str) -> bool {
+        self.one(name, |value| if let Value::Truth(truth) = value { Some(truth) } else { None }) == Some(true)
+    }
+
+    /// A number of things, of a row that has a default.
+    pub(super) fn count(&self, name: &str) -> usize {
+        let whole = |value| if let Value::Whole(whole) = value { Some(whole) } else { None };
+        self.one(name, whole).expect("the row has a default")
+    }
+
     fn words(&self, name: &str) -> Vec<&'static str> {
         self.all(name, |value| if let Value::Word(word) = value { Some(word) } else { None })
     }

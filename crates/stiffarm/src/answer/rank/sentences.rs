@@ -19,7 +19,7 @@ impl RankAnswer {
         sentences.extend(self.estimated_rivals());
         sentences.extend(self.tolerance_mm.map(|tolerance| self.within_tolerance(tolerance)));
         sentences.extend(self.advice_of_the_best());
-        sentences.extend(uncertainty::sentences(&self.ranking));
+        sentences.extend(uncertainty::sentences(&self.ranking, &self.chances));
         sentences
     }
 
@@ -88,10 +88,10 @@ impl RankAnswer {
                 list(&winners)
             );
         }
-        let ties = uncertainty::ties(ranking);
-        let is_alone = |task: usize| ranking.rivals(task).is_empty() && ties[task] < 2;
+        let ties = |task: usize| uncertainty::ties(&self.chances, task);
+        let is_alone = |task: usize| ranking.rivals(task).is_empty() && ties(task) < 2;
         let decided = self.tasks_by_robot(|task| ranking.best_published(task).filter(|_| is_alone(task)));
-        let told = |task: usize| self.not_told_apart(task).or_else(|| self.tied_by_drives(task, ties[task]));
+        let told = |task: usize| self.not_told_apart(task).or_else(|| self.tied_by_drives(task, ties(task)));
         let open: Vec<String> = (0..ranking.tasks.len()).filter_map(told).collect();
         let under = format!("Under {}", words::acting(ranking.load));
         match (decided.as_slice(), open.is_empty()) {

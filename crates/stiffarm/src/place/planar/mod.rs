@@ -63,7 +63,7 @@ pub(super) fn place(
         Some(solution) => {
             let clearance = clearance::of(model, zone, &solution, options.margins.floor);
             let margin = smallest_margin(model, zone, &solution);
-            let hold = Hold::Plane { posture: solution.worst_posture, margin };
+            let hold = solution.hold(model, margin);
             Placed::Feasible(Placement { clearance, hold, ..solution.into_placement(model, zone) })
         }
         None => allowed.infeasible(zone, options)?,
@@ -212,6 +212,11 @@ impl<'a> Allowed<'a> {
 }
 
 impl Solution {
+    fn hold(&self, model: &PlanarModel, margin: Option<(f64, MarginOf)>) -> Hold {
+        let [shoulder, elbow] = self.worst_posture;
+        Hold::Plane { posture: self.worst_posture, by_drive: model.arm.by_drive(shoulder, elbow), margin }
+    }
+
     fn into_placement(self, model: &PlanarModel, zone: Zone) -> Placement {
         let [ahead, up] = model.axis_from_base;
         let [x, z] = self.centre;
@@ -228,7 +233,7 @@ impl Solution {
             from_axis_1: model.knows_base().then(|| (centre[0].abs() - half.x).max(0.0).hypot(model.aside())),
             outside: model.knows_base().then(|| Outside::of(centre, half)),
             clearance: None,
-            hold: Hold::Plane { posture: self.worst_posture, margin: None },
+            hold: self.hold(model, None),
             faces: Vec::new(),
         }
     }

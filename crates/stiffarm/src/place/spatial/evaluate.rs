@@ -11,6 +11,7 @@ use crate::angle::wrapped;
 use crate::compliance::compliance;
 use crate::follow::{Followed, NotFollowed, PlacedZone};
 use crate::inverse::Configuration;
+use crate::spatial::Compliance;
 use crate::task::Zone;
 use crate::tolerances;
 use crate::watch::Stopped;
@@ -137,6 +138,7 @@ impl Search<'_> {
             outside: Outside { below: reaches(2), behind: reaches(0) },
             worst_joints: followed.joints[at],
             worst_shares: evaluated[at].shares_of(&most),
+            worst_by_drive: evaluated[at].by_drive.each_ref().map(Compliance::translation),
             // The arm's limits are narrower by the margin that was asked for.
             limit_margin: (followed.limit_margin.0 + self.options.margins.limit, followed.limit_margin.1),
             singular_margin: followed.singular_margin,

@@ -13,6 +13,8 @@ mod site;
 
 use std::f64::consts::FRAC_PI_2;
 
+use nalgebra::Matrix3;
+
 pub use field::ZonePoint;
 pub(super) use field::deflection_field;
 pub(super) use part::place as place_part;
@@ -128,6 +130,7 @@ struct Solution {
     outside: Outside,
     worst_joints: [f64; 6],
     worst_shares: [f64; 6],
+    worst_by_drive: [Matrix3<f64>; 6],
     limit_margin: (f64, usize),
     singular_margin: f64,
     clearance: Option<Clearance>,
@@ -161,6 +164,7 @@ impl Solution {
             configuration: self.configuration,
             joints: self.worst_joints,
             shares: self.worst_shares,
+            by_drive: self.worst_by_drive,
             limit_margin: self.limit_margin,
             singular_margin: self.singular_margin,
             resolution: self.resolution,
