@@ -34,6 +34,10 @@ pub(crate) trait Answer {
     fn robot_file(&self) -> Option<String> {
         None
     }
+    /// What a machine reads, by the ending of its file, where the command makes that.
+    fn program(&self, _ending: &str) -> Option<Result<Vec<u8>, Failure>> {
+        None
+    }
     /// A figure as SVG, where the command has one.
     fn svg(&self) -> Option<Result<String, Failure>> {
         None
@@ -202,7 +206,10 @@ impl<'a, A: Answer> Body<'a, A> {
             "png" => Self::Bytes(figures::png(&picture(answer.svg())?, answer.plate().pixels()).map_err(figure)?),
             "pdf" => Self::Bytes(figures::pdf(&picture(answer.svg())?).map_err(figure)?),
             "html" => Self::Bytes(picture(answer.view())?.html().into()),
-            _ => Self::of_format(answer, Format::Table),
+            other => match answer.program(other) {
+                Some(program) => Self::Bytes(program?),
+                None => Self::of_format(answer, Format::Table),
+            },
         })
     }
 

@@ -235,6 +235,12 @@ impl Scatter {
     }
 }
 
+/// Factors on compliances of which is only said that their logarithms are off by so much, as a standard deviation, each drive on its own.
+pub fn factors_of(deviation: f64, draws: usize) -> Vec<[f64; 6]> {
+    let mut rng = fastrand::Rng::with_seed(SHARED_SEED);
+    (0..draws).map(|_| std::array::from_fn(|_| (deviation * normal(&mut rng)).exp())).collect()
+}
+
 /// By Fowler, Noll and Vo: the same on every machine.
 fn seed(name: &str) -> u64 {
     name.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))

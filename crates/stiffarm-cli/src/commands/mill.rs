@@ -1,13 +1,14 @@
 //! `stiffarm mill PATH`: the error along a toolpath; with `--dry` what is understood of it.
 
-use std::io::{self, Write};
+use std::io::{self, BufReader, Write};
 use std::path::Path;
 
 use stiffarm::answer::{MillAnswer, PathAnswer, Rows};
 use stiffarm::catalogue::{files, read_process, read_toolpath};
 use stiffarm::mill::RollMap;
+use stiffarm::program::Language;
 use stiffarm::request::Request;
-use stiffarm::toolpath::{Move, Survey, Understood};
+use stiffarm::toolpath::{Builtin, Move, Original, Survey, Understood};
 use stiffarm::watch::Watch;
 
 use super::{progress, watched};
@@ -16,7 +17,7 @@ use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
 use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty};
+use crate::output::{Answer, Outputs, pretty, say};
 use crate::selection;
 use crate::table::{prose, shown};
 
@@ -47,7 +48,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let mut answer = watched("milling", common, milled)?;
     answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
     let shortfall = answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&MillOutput { answer, plate: Plate::of(asked)? })?;
+    outputs.deliver(&MillOutput { answer, asked, plate: Plate::of(asked)? })?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
 }
 
@@ -88,12 +89,33 @@ impl Answer for PathOutput {
     }
 }
 
-struct MillOutput {
+struct MillOutput<'a> {
     answer: MillAnswer,
+    asked: &'a Request,
     plate: Plate,
 }
 
-impl MillOutput {
+impl MillOutput<'_> {
+    /// The path's own file with its tips led aside.
+    fn rewritten(&self) -> Result<Vec<u8>, Failure> {
+        let name = &self.answer.path;
+        if Builtin::is_meant(name) {
+            let why = format!(
+                "{name} is built in: there is no file to write back; -o path.src, path.mod or path.ls writes a robot program"
+            );
+            return Err(Failure::Usage(why));
+        }
+        let (path, options) = (Path::new(name), self.asked.read_options());
+        let (format, mut input) = (self.asked.path_format(name)?, BufReader::new(files::open(path)?));
+        let original = Original { input: &mut input, file: &files::shown(path), format, options: &options };
+        let mut output = Vec::new();
+        let found = self.answer.rewritten(original, &self.asked.steps(), &mut output)?;
+        if 0 < found.of_cycles {
+            say(&format!("warning: {} moves of drilling cycles stay uncompensated", found.of_cycles));
+        }
+        Ok(output)
+    }
+
     /// Every roll at places along the path.
     fn rolls(&self) -> Result<RollMap, Failure> {
         let why = || Failure::Usage(format!("nothing to draw: {}", self.answer.reason().unwrap_or_default()));
@@ -101,9 +123,18 @@ impl MillOutput {
     }
 }
 
-impl Answer for MillOutput {
+impl Answer for MillOutput<'_> {
     const COMMAND: &'static str = "mill";
-    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf"];
+    const FURTHER: &'static [&'static str] =
+        &["svg", "png", "pdf", "src", "mod", "ls", "nc", "gcode", "ngc", "tap", "apt", "cls"];
+
+    fn program(&self, ending: &str) -> Option<Result<Vec<u8>, Failure>> {
+        let language = [Language::Krl, Language::Rapid, Language::Ls].into_iter().find(|one| one.ending() == ending);
+        Some(match language {
+            Some(language) => self.answer.program(language).map(String::into_bytes).map_err(Into::into),
+            None => self.rewritten(),
+        })
+    }
 
     fn text(&self, look: Look) -> String {
         format!("{}\n{}", shown(&self.answer.table(), look), prose(&self.answer.notes(), look))

@@ -412,6 +412,14 @@ fields! {
     RMS: "rms_mm", Kind::Number(Unit::Millimetre), "The root mean square of the error over what feeds.";
     WORST_SAMPLE: "worst_sample", Kind::Count, "The sample with the largest error, from 0.";
     WORST_LINE: "worst_line", Kind::Count, "Its line in the file; 0 of a path built in.";
+    PATH_COMPENSATION: "compensation", Kind::Nested, "What compensation makes of the path; null where it was not asked for.";
+    LARGEST_CORRECTION: "largest_correction_mm", Kind::Number(Unit::Millimetre), "By how much a tip is led aside at most.";
+    LEFT_BY_JOINTS: "left_by_joints_mm", Kind::Number(Unit::Millimetre), "The largest error that is left by the model where joints, or whole poses, are commanded.";
+    LEFT_BY_TIPS: "left_by_tips_mm", Kind::Number(Unit::Millimetre), "The same where tips alone are, the tool turned as in the path; null where one is not reached.";
+    LEFT_MEDIAN: "left_median_mm", Kind::Number(Unit::Millimetre), "Half of the draws of the drives leave less; null where nothing says how far they may be off.";
+    LEFT_P95: "left_p95_mm", Kind::Number(Unit::Millimetre), "95 of a hundred draws leave less.";
+    UNCERTAIN: "uncertainty", Kind::Text, "Who says how far the drives may be off.";
+    BEYOND_LIMITS: "beyond_limits", Kind::Count, "Samples at which a joint is commanded beyond its range.";
     SEARCH: "search", Kind::Nested, "How finely a place was looked for; null where it was given.";
     SAMPLES_OF_SEARCH: "samples", Kind::Count, "Samples that stood for the path in the search.";
 }

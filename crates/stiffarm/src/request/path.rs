@@ -89,6 +89,16 @@ impl Request {
         }
     }
 
+    /// The deflection is to be taken out.
+    pub fn is_compensated(&self) -> bool {
+        self.one("compensate", |value| if let Value::Truth(truth) = value { Some(truth) } else { None }) == Some(true)
+    }
+
+    /// By how much the logarithm of every drive's compliance may be off, where that is said.
+    pub fn stiffness_uncertainty(&self) -> Option<f64> {
+        self.number("stiffness-uncertainty")
+    }
+
     /// Where all of a path must stand, and what it keeps besides.
     ///
     /// # Errors

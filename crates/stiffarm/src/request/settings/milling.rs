@@ -122,6 +122,27 @@ pub(super) const ROWS: &[Setting] = &[
         ..MILLED
     },
     Setting {
+        name: "compensate",
+        kind: Kind::Flag,
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "Take the deflection out: tell what is left of it, and which joints and tips are to be commanded; -o writes programs with them",
+        heading: "Compensation",
+        example: "true",
+        ..MILLED
+    },
+    Setting {
+        name: "stiffness-uncertainty",
+        kind: number_of(0.0, 2.0, "(relative)"),
+        value: "SHARE",
+        absent: Absent::Means("as the robot file or the prior has it"),
+        needs: &[(Verb::Mill, "compensate")],
+        help: "By how much the compliance of every drive may be off: one standard deviation of its logarithm, for what compensation leaves",
+        heading: "Compensation",
+        example: "0.2",
+        ..MILLED
+    },
+    Setting {
         name: "speed-share",
         kind: number_of(1e-3, 1.0, "of the joints' speeds"),
         value: "SHARE",

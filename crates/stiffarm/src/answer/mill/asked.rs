@@ -1,0 +1,152 @@
+//! What a request asks of a path: from its options to stations, a place, and what happens there.
+
+use std::io::Write;
+
+use serde_json::Value;
+
+use super::super::place::Verdict;
+use super::super::stiffness::stiffness;
+use super::super::words::{degrees, percentages, robot as named, tool};
+use super::super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, with_schema};
+use super::{Compensation, MillAnswer, MillAnswerError};
+use crate::catalogue::ProcessFile;
+use crate::cutting::{Law, Process};
+use crate::mill::{
+    Acting, Blocked, Compensated, ErrorPart, Followed, ForcedError, Forcing, MillError, MillOptions, Milled,
+    PartPlacement, PathPlaced, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, compensate,
+    forced, mill, place_path, remaining, roll_map,
+};
+use crate::prior::{factors, factors_of};
+use crate::program::{self, Language, ProgramFault, Setup, Style};
+use crate::request::{Refusal, Request};
+use crate::robot::{Arm, Robot};
+use crate::spatial::Pose;
+use crate::stock::{Stock, StockError};
+use crate::toolpath::{Move, Original, PathFault, Rewriting, Rewritten, Sample, Steps, ToolPose, rewrite};
+use crate::uncertainty::DRAWS;
+use crate::watch::Watch;
+
+/// Cells of a stock in the radius of a mill.
+const CELLS_IN_A_RADIUS: f64 = 40.0;
+
+impl MillAnswer {
+    /// What a request asks of a robot, a path and its moves, and a process (with the name of its file) where there is one.
+    ///
+    /// # Errors
+    /// What makes no sense together; what nobody waited for.
+    pub fn of(
+        asked: &Request,
+        robot: &Robot,
+        (path, moves): (String, &[Move]),
+        process: Option<(String, ProcessFile)>,
+        watch: Watch,
+    ) -> Result<Self, MillAnswerError> {
+        let robot = asked.equipped(robot.clone())?;
+        let (options, flange_from_tool) = (asked.mill_options(), asked.held().tool());
+        let (forcing, force, mut remarks) = forcing(asked, process)?;
+        let mut stock = match (asked.stock()?, &forcing) {
+            (Some([low, high]), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
+                Some(Stock::block(low, high, milling.diameter / 2.0 / CELLS_IN_A_RADIUS)?)
+            }
+            (Some(_), _) => return Err(ForcedError::NoMill.into()),
+            (None, _) => None,
+        };
+        let forced = forced(moves, &asked.steps(), &forcing, stock.as_mut())?;
+        remarks.extend(forced.remarks);
+        let stations = forced.stations;
+        let failed = |error| MillAnswerError::Mill { robot: robot.name.clone(), error };
+        let (placement, sought, milled) = match asked.at() {
+            Some(placement) => {
+                let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
+                let milled = mill(&robot, &stand, &stations, &options, watch).map_err(failed)?;
+                (Some(placement), None, Some(milled))
+            }
+            None => {
+                let (within, margins) = asked.path_window()?;
+                let placed = place_path(&robot, &flange_from_tool, &stations, (&options, &margins, within), watch);
+                match placed.map_err(failed)? {
+                    Ok(PathPlaced { placement, milled, lower_bound, resolution }) => {
+                        (Some(placement), Some((resolution, lower_bound)), Some(milled))
+                    }
+                    Err(blocked) => (None, None, blocked.map(Milled::Blocked)),
+                }
+            }
+        };
+        let tolerance_mm = asked.tolerance_mm();
+        let compensation = match (&milled, placement) {
+            (Some(Milled::Followed(found)), Some(placement)) if asked.is_compensated() => {
+                let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
+                Some(compensation(asked, &robot, &stand, (&stations, found, options.part)).map_err(failed)?)
+            }
+            _ => None,
+        };
+        Ok(Self {
+            robot,
+            path,
+            force,
+            flange_from_tool,
+            options,
+            stations,
+            placement,
+            sought,
+            milled,
+            compensation,
+            tolerance_mm,
+            remarks,
+        })
+    }
+}
+
+/// Takes the deflection out of a path, and tells what is left.
+fn compensation(
+    asked: &Request,
+    robot: &Robot,
+    stand: &Stand,
+    (stations, found, part): (&[Station], &Followed, ErrorPart),
+) -> Result<Compensation, MillError> {
+    let done = compensate(robot, stand, stations, &found.samples, part)?;
+    let draws = match asked.stiffness_uncertainty() {
+        Some(share) => {
+            Some((factors_of(share, DRAWS), format!("every drive within {} % or so", fixed(100.0 * share, 0))))
+        }
+        None => factors(robot, DRAWS).map(|draws| (draws, "the drives as they may be".to_owned())),
+    };
+    let remaining = draws
+        .map(|(draws, who)| {
+            Ok::<_, MillError>((remaining(robot, stand, stations, &found.samples, (part, &draws))?, who))
+        })
+        .transpose()?;
+    Ok(Compensation { done, remaining })
+}
+
+/// Where the force comes from, in words too, and what is to be said of it.
+fn forcing(
+    asked: &Request,
+    process: Option<(String, ProcessFile)>,
+) -> Result<(Forcing, String, Vec<String>), MillAnswerError> {
+    if let Some((name, file)) = process {
+        let mut remarks = file.assumed;
+        let unverified = file.material.filter(|material| material.status == "unverified");
+        remarks.extend(unverified.map(|material| {
+            format!("the force coefficients of {} are UNVERIFIED: {}", material.name, material.source)
+        }));
+        return Ok((Forcing::Process(file.process), name, remarks));
+    }
+    let acting = asked.acting()?.ok_or_else(|| {
+        let why = "missing; expected --force-n with a size or FEED,ACROSS,AXIAL in N, or --process with a process file"
+            .to_owned();
+        asked.refused("force-n", why)
+    })?;
+    let told = match acting {
+        Acting::Any(newtons) => format!("{} N in its worst direction", fixed(newtons, 1)),
+        Acting::Known { force: [feed, across, axial], .. } => {
+            format!(
+                "{} N along the feed, {} N across (left), {} N axial (away from the work)",
+                fixed(feed, 1),
+                fixed(across, 1),
+                fixed(axial, 1)
+            )
+        }
+    };
+    Ok((Forcing::Same(acting), told, Vec::new()))
+}

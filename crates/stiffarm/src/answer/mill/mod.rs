@@ -1,0 +1,172 @@
+//! What is told of a path that is milled: the error along it, how the tool is turned, where the part stands.
+
+mod asked;
+mod programs;
+mod record;
+mod table;
+
+use std::io::Write;
+
+use serde_json::Value;
+
+use super::place::Verdict;
+use super::stiffness::stiffness;
+use super::words::{degrees, percentages, robot as named, tool};
+use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, with_schema};
+use crate::catalogue::ProcessFile;
+use crate::cutting::{Law, Process};
+use crate::mill::{
+    Acting, Blocked, Compensated, ErrorPart, Followed, ForcedError, Forcing, MillError, MillOptions, Milled,
+    PartPlacement, PathPlaced, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, compensate,
+    forced, mill, place_path, remaining, roll_map,
+};
+use crate::prior::{factors, factors_of};
+use crate::program::{self, Language, ProgramFault, Setup, Style};
+use crate::request::{Refusal, Request};
+use crate::robot::{Arm, Robot};
+use crate::spatial::Pose;
+use crate::stock::{Stock, StockError};
+use crate::toolpath::{Move, Original, PathFault, Rewriting, Rewritten, Sample, Steps, ToolPose, rewrite};
+use crate::uncertainty::DRAWS;
+use crate::watch::Watch;
+
+/// The answer of `mill`, with what was asked.
+#[derive(Clone, Debug)]
+pub struct MillAnswer {
+    /// Which robot.
+    pub robot: Robot,
+    /// The path as it was asked for.
+    pub path: String,
+    /// Where the force comes from, in words.
+    pub force: String,
+    /// The tool in the flange frame.
+    pub flange_from_tool: Pose,
+    /// What else was asked.
+    pub options: MillOptions,
+    /// The path, cut and under its forces.
+    pub stations: Vec<Station>,
+    /// Where the part stands; `None` where no place was found.
+    pub placement: Option<PartPlacement>,
+    /// How finely that was looked for, and what no other place beats, m; `None` where it was given.
+    pub sought: Option<(PathResolution, f64)>,
+    /// What was found; `None` where there is no place at all.
+    pub milled: Option<Milled>,
+    /// What compensation makes of it, where it was asked for and the path is followed.
+    pub compensation: Option<Compensation>,
+    /// The largest error that passes, mm.
+    pub tolerance_mm: Option<f64>,
+    /// What is to be said of path and forces.
+    pub remarks: Vec<String>,
+}
+
+/// A path whose deflection is taken out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compensation {
+    /// What is commanded.
+    pub done: Compensated,
+    /// What is left where the drives are not as the model has them, and who says how far they may be off; `None` where nobody does.
+    pub remaining: Option<(Remaining, String)>,
+}
+
+/// A path that has no answer.
+#[derive(Debug, thiserror::Error)]
+pub enum MillAnswerError {
+    /// What is asked makes no sense.
+    #[error(transparent)]
+    Request(#[from] Refusal),
+    /// Of a stock nothing can be told.
+    #[error("stock: {0}")]
+    Stock(#[from] StockError),
+    /// Of a process no force is known.
+    #[error(transparent)]
+    Force(#[from] ForcedError),
+    /// There is no program to write.
+    #[error("no program: {0}")]
+    NoProgram(String),
+    /// A language cannot say it.
+    #[error("{0}")]
+    Program(#[from] ProgramFault),
+    /// A path that is not written back.
+    #[error(transparent)]
+    Path(#[from] PathFault),
+    /// The robot cannot be judged, or was not waited for.
+    #[error("{robot}: {error}")]
+    Mill {
+        /// Which.
+        robot: String,
+        /// Why.
+        error: MillError,
+    },
+}
+
+impl MillAnswer {
+    /// The path as it is followed, where it is.
+    pub fn followed(&self) -> Option<&Followed> {
+        match &self.milled {
+            Some(Milled::Followed(found)) => Some(found),
+            _ => None,
+        }
+    }
+
+    /// What every other roll would have done at so many places along the path; `None` where it is not followed.
+    ///
+    /// # Errors
+    /// As [`mill`].
+    pub fn roll_map(&self, places: usize) -> Result<Option<RollMap>, MillAnswerError> {
+        let Some((placement, found)) = self.placement.zip(self.followed()) else { return Ok(None) };
+        let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: self.flange_from_tool };
+        let map = roll_map(&self.robot, &stand, &self.stations, &self.options, (found, places));
+        map.map(Some).map_err(|error| MillAnswerError::Mill { robot: self.robot.name.clone(), error })
+    }
+
+    fn blocked(&self) -> Option<&Blocked> {
+        match &self.milled {
+            Some(Milled::Blocked(blocked)) => Some(blocked),
+            _ => None,
+        }
+    }
+
+    /// Why there is no answer, where there is none.
+    pub fn reason(&self) -> Option<String> {
+        match (self.followed(), self.blocked()) {
+            (Some(_), _) => None,
+            (None, Some(blocked)) if self.sought.is_some() || self.placement.is_none() => {
+                Some(format!("no place was found at which the path is followed; at the best one tried: {blocked}"))
+            }
+            (None, Some(blocked)) => Some(blocked.to_string()),
+            (None, None) => Some("no place was found at which even the outermost samples are held: the window, the margins or the reach leave none".into()),
+        }
+    }
+
+    /// What no path of rolls beats, and where the place was sought, no place; m.
+    pub fn lower_bound(&self) -> Option<f64> {
+        let found = self.followed()?;
+        Some(self.sought.map_or(found.lower_bound, |(_, of_all)| of_all.min(found.lower_bound)))
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        with_schema("mill", super::ORIGIN, &self.record())
+    }
+
+    /// Why the answer is no, where it is.
+    pub fn shortfall(&self) -> Option<String> {
+        if let Some(reason) = self.reason() {
+            return Some(format!("{}: {reason}", self.robot.name));
+        }
+        let (found, tolerance) = (self.followed()?, self.tolerance_mm?);
+        let fails = !Verdict::of(found.worst.0, tolerance).passes;
+        fails.then(|| {
+            format!(
+                "{}: {} mm along {}, tolerance {tolerance} mm",
+                self.robot.name,
+                fixed(found.worst.0 * 1e3, 4),
+                self.path
+            )
+        })
+    }
+}
+
+fn least(found: &Followed, of: impl Fn(&Pushed) -> f64) -> f64 {
+    found.samples.iter().map(of).fold(f64::INFINITY, f64::min)
+}

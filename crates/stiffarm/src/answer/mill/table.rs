@@ -1,0 +1,207 @@
+//! A path that is milled, as people read it.
+
+use std::io::Write;
+
+use serde_json::Value;
+
+use super::super::place::Verdict;
+use super::super::stiffness::stiffness;
+use super::super::words::{degrees, percentages, robot as named, tool};
+use super::super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, with_schema};
+use super::{Compensation, MillAnswer, least};
+use crate::catalogue::ProcessFile;
+use crate::cutting::{Law, Process};
+use crate::mill::{
+    Acting, Blocked, Compensated, ErrorPart, Followed, ForcedError, Forcing, MillError, MillOptions, Milled,
+    PartPlacement, PathPlaced, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, compensate,
+    forced, mill, place_path, remaining, roll_map,
+};
+use crate::prior::{factors, factors_of};
+use crate::program::{self, Language, ProgramFault, Setup, Style};
+use crate::request::{Refusal, Request};
+use crate::robot::{Arm, Robot};
+use crate::spatial::Pose;
+use crate::stock::{Stock, StockError};
+use crate::toolpath::{Move, Original, PathFault, Rewriting, Rewritten, Sample, Steps, ToolPose, rewrite};
+use crate::uncertainty::DRAWS;
+use crate::watch::Watch;
+
+impl MillAnswer {
+    /// For people.
+    pub fn table(&self) -> Table {
+        let mut lines: Vec<Line> = vec![
+            line("robot", named(&self.robot)),
+            line("stiffness", stiffness(&self.robot)),
+            line("tool", tool(&self.flange_from_tool)),
+            line("path", self.length()),
+            line("force on the tool", &self.force),
+            line("what counts", counted(self.options.part)),
+        ];
+        lines.push(line("keeps", self.kept()));
+        lines.extend(self.place_lines());
+        match self.followed() {
+            None => lines.extend(self.reason().map(|reason| line("not followed", reason))),
+            Some(found) => lines.extend(self.lines(found)),
+        }
+        lines.extend(self.remarks.iter().map(|remark| line("note", remark)));
+        Table::of_lines(lines)
+    }
+
+    fn length(&self) -> String {
+        let part = self.part();
+        let json = part.json();
+        let number = |key: &str| json[key].as_f64();
+        let metres = |key: &str| number(key).map_or_else(String::new, |x| format!("{} m", fixed(x, 3)));
+        let time = number("time_s")
+            .map_or("time not known: no feed rate".into(), |time| format!("{} s of feeding", fixed(time, 1)));
+        format!(
+            "{}: {} long, {} of it cutting, {time}, {} samples",
+            self.path,
+            metres("length_m"),
+            metres("cutting_length_m"),
+            self.stations.len()
+        )
+    }
+
+    fn kept(&self) -> String {
+        let MillOptions { limit_margin, singular_margin, share_of_speed, .. } = self.options;
+        let speeds = if self.speeds().is_some() {
+            format!("{} % of the joints' speeds while cutting", fixed(100.0 * share_of_speed, 0))
+        } else {
+            "no test of the joints' speeds: the robot file tells none".into()
+        };
+        format!(
+            "{} from joint limits, {} from straight postures; {speeds}",
+            degrees(limit_margin),
+            degrees(singular_margin)
+        )
+    }
+
+    fn place_lines(&self) -> Vec<Line> {
+        let Some(PartPlacement { at: [x, y, z], yaw }) = self.placement else { return Vec::new() };
+        let name = if self.sought.is_some() { "best place of its origin" } else { "its origin stands at" };
+        let told = format!(
+            "x {} m, y {} m, z {} m from the base, turned by {}",
+            fixed(x, 4),
+            fixed(y, 4),
+            fixed(z, 4),
+            degrees(yaw)
+        );
+        vec![line(name, told)]
+    }
+
+    fn lines(&self, found: &Followed) -> Vec<Line> {
+        let (station, pushed) = (&self.stations[found.worst.1], &found.samples[found.worst.1]);
+        let mm = |metres: f64| format!("{} mm", fixed(metres * 1e3, 4));
+        let at = if station.sample.line == 0 { String::new() } else { format!(", line {}", station.sample.line) };
+        let mut lines = vec![
+            line(
+                "largest error",
+                format!("{} at {} mm of the way{at}", mm(found.worst.0), fixed(station.sample.way * 1e3, 1)),
+            ),
+            line("root mean square", mm(found.rms)),
+        ];
+        let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
+        let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
+        lines.push(line("no rolls have less than", proved(found.lower_bound)));
+        if let Some((resolution, lower)) = self.sought {
+            lines.push(line(
+                "no place has less than",
+                format!("{}, by {} boxes of places", proved(lower), resolution.nodes),
+            ));
+        }
+        let json = self.roll().json();
+        let angle = |key: &str| json[key].as_f64().map_or_else(String::new, |angle| format!("{} deg", fixed(angle, 1)));
+        let turned = match self.options.roll {
+            RollMode::Free | RollMode::Linear => {
+                format!("{}, {} to {}", self.options.roll.name(), angle("from_deg"), angle("to_deg"))
+            }
+            RollMode::Constant | RollMode::Fixed(_) => format!("{}, {}", self.options.roll.name(), angle("from_deg")),
+        };
+        lines.push(line("roll", format!("{turned}, of the tool's x axis from the part's")));
+        let again = json["rearranged"].as_u64().unwrap_or(0);
+        let how = if again == 0 {
+            "all along".into()
+        } else {
+            format!("at first; arranged anew {again} times, clear of the work")
+        };
+        lines.push(line("posture", format!("{} {how}", found.samples[0].arrangement.configuration)));
+        lines.extend(pushed.shares.as_ref().map(|shares| line("share of drives 1-6 there", percentages(shares))));
+        let margins =
+            [least(found, |pushed| pushed.limit_margin), least(found, |pushed| pushed.singular_margin)].map(degrees);
+        lines.push(line(
+            "smallest margins",
+            format!("{} to a joint limit, {} to a straight posture", margins[0], margins[1]),
+        ));
+        if let Some(tolerance) = self.tolerance_mm {
+            let verdict = Verdict::of(found.worst.0, tolerance);
+            let margin = fixed(verdict.margin_mm, 4);
+            lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm", verdict.word())));
+            if !verdict.passes && 0 < station.sample.line {
+                let over =
+                    self.stations.iter().zip(&found.samples).filter(|(_, pushed)| tolerance < pushed.error * 1e3);
+                let lines_over: std::collections::BTreeSet<usize> =
+                    over.map(|(station, _)| station.sample.line).collect();
+                let told: Vec<String> = lines_over.iter().take(8).map(ToString::to_string).collect();
+                let more =
+                    if 8 < lines_over.len() { format!(" and {} more", lines_over.len() - 8) } else { String::new() };
+                lines.push(line("lines over it", format!("{}{more}", told.join(", "))));
+            }
+        }
+        lines.extend(self.compensation.iter().flat_map(|compensation| self.compensated_lines(compensation)));
+        lines
+    }
+
+    /// What compensation does, as people read it.
+    fn compensated_lines(&self, Compensation { done, remaining }: &Compensation) -> Vec<Line> {
+        let mm = |metres: f64| format!("{} mm", fixed(metres * 1e3, 4));
+        let by_tips = if done.by_tips.is_finite() { mm(done.by_tips) } else { "not reached".into() };
+        let mut lines = vec![
+            line("compensated", format!("tips are led aside by at most {}", mm(done.largest))),
+            line(
+                "left, by the model",
+                format!("{} where joints or poses are commanded, {by_tips} where tips alone are", mm(done.by_joints)),
+            ),
+        ];
+        match remaining {
+            Some((Remaining { median, p95, draws }, who)) => {
+                let verdict = self.tolerance_mm.map_or_else(String::new, |tolerance| {
+                    format!("; tolerance {tolerance} mm: {}", Verdict::of(*p95, tolerance).word())
+                });
+                let told = format!("{} (half of {draws} draws), {} (95 %): {who}{verdict}", mm(*median), mm(*p95));
+                lines.push(line("left, in truth", told));
+            }
+            None => lines.push(line(
+                "left, in truth",
+                "not known: nothing says how far the drives may be off; --stiffness-uncertainty does",
+            )),
+        }
+        if let Some(first) = done.beyond.first() {
+            let at = self.stations[*first].sample.line;
+            let told = format!(
+                "{} samples command a joint beyond its range, the first at line {at}: no program is written",
+                done.beyond.len()
+            );
+            lines.push(line("BEYOND LIMITS", told));
+        }
+        lines
+    }
+
+    /// What stands below the table.
+    pub fn notes(&self) -> String {
+        let force = if self.stations.iter().any(|station| matches!(station.acting, Some(Acting::Any(_)))) {
+            "the force points in its worst direction at every sample"
+        } else {
+            "a robot follows the mean force over a revolution; the teeth pass far above"
+        };
+        format!("all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at\n")
+    }
+}
+
+fn counted(part: ErrorPart) -> &'static str {
+    match part {
+        ErrorPart::Total => "the whole displacement of the tip",
+        ErrorPart::Across => "its part across the feed and the tool axis",
+        ErrorPart::Axial => "its part along the tool axis",
+    }
+}
