@@ -32,7 +32,7 @@ const VERBS: [(Verb, &str); 10] = [
     (Verb::Study, "Compare two architectures over link ratio and task size"),
     (Verb::Compare, "Two setups side by side: robots, tools, places; each may be a job file for place"),
     (Verb::Force, "Cutting force of a process: mean, extremes, moment and power"),
-    (Verb::Mill, "Read a toolpath, and tell what is understood of it"),
+    (Verb::Mill, "How far is the tool pushed off along a toolpath, at the best rolls and the best place"),
     (Verb::Measure, "Plan which postures and loads to measure, so that identify finds the drives"),
     (Verb::Identify, "Find how stiff the drives of a robot are, from deflections that were measured"),
 ];

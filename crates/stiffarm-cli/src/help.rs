@@ -153,11 +153,19 @@ const ABOUT: [About; 18] = [
     },
     About {
         name: "mill",
-        files: "what is understood as .csv, .parquet, .json, .md or .txt",
-        is_long: false,
+        files: "every sample as .csv or .parquet, the answer as .json, .md or .txt, error, rolls and path as .svg, .pdf or .png, robot programs \
+                as .src (KUKA), .mod (ABB) or .ls (Fanuc), with --compensate the path itself as .nc, .gcode, .ngc, .tap, .apt or .cls",
+        is_long: true,
         examples: &[
             ("stiffarm mill part.nc --dry", "lengths, moves, extents, feed rates, what was assumed and what ignored"),
-            ("stiffarm mill points.csv --columns x_mm,y_mm,z_mm,i,j,k --dry --format json", "a table without a header"),
+            (
+                "stiffarm mill part.nc --robot \"KR 210 R2700 extra\" --tool spindle:250@90 --process endmill.toml --tolerance-mm 0.3",
+                "the best place of the part, the best rolls, and whether the tolerance is held",
+            ),
+            (
+                "stiffarm mill part.nc --robot cell.toml --force-n 300,-120,80 --at 1.6,0,0.8,30 --compensate -o part.src -o part.svg",
+                "the part where it stands, its deflection taken out, and a KRL program",
+            ),
         ],
     },
     About {

@@ -71,7 +71,16 @@ fn what_is_refused_names_line_and_word_and_gives_advice() {
     write("p.toml", b"[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = 'al7075'\n");
     for (words, code, says) in [
         (&["mill", "a.nc", "--dry"][..], 1, "error: a.nc:2: G1: no feed rate"),
-        (&["mill", "a.nc"], 2, "--dry tells what is understood"),
+        (&["mill", "a.nc"], 2, "--robot"),
+        (&["mill", "line:0.2", "--robot", "KR 210 R2700 extra"], 2, "--force-n"),
+        (&["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--dry"], 2, "--dry"),
+        (&["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--force-n", "1e7"], 2, "--force-n"),
+        (&["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--force-n", "9", "--roll", "around"], 2, "free, constant, linear"),
+        (
+            &["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--force-n", "9", "--at", "1.8,0,0.8", "--compensate"],
+            1,
+            "a force that may point anywhere cannot be compensated",
+        ),
         (&["mill", "b.nc", "--dry"], 1, "error: b.nc:2: G65: macros are not run"),
         (&["mill", "c.xyz", "--dry"], 2, "does not say by its ending how it is written; expected .nc"),
         (&["mill", "d.nc", "--dry"], 1, "error: d.nc:1: the line: it holds a zero byte"),
@@ -136,4 +145,79 @@ fn a_process_is_told_with_its_figure() {
     assert!(rows.starts_with("angle_deg,feed_n,across_n,axial_n\n") && rows.lines().count() == 721);
     let example = json(Path::new(ROOT), &["force", "docs/examples/endmill.toml"]);
     assert_eq!(example["material"], "al7075-t6");
+}
+
+const KUKA: &str = "KR 210 R2700 extra";
+
+/// One sample after the other: the joints of the table put a spindle of known length where the path says, and the error is the length of the
+/// displacement that is told.
+#[test]
+fn a_path_is_milled_and_every_sample_is_told() {
+    let folder = TempDir::new().unwrap();
+    let asked = ["mill", "circle:0.2", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8,20"];
+    let further = ["--feed-mm-per-min", "1200", "--tolerance-mm", "0.3", "-o", "samples.csv", "-o", "figure.svg", "-o", "path.src"];
+    let told = json(folder.path(), &[&asked[..], &further[..]].concat());
+    assert_eq!((&told["feasible"], &told["pass"]), (&true.into(), &false.into()));
+    let (worst, lower) = (told["worst_mm"].as_f64().unwrap(), told["lower_bound_mm"].as_f64().unwrap());
+    assert!(0.97 * worst < lower && lower <= worst, "{lower} {worst}");
+    close(&told["part"]["time_s"], 0.2 * std::f64::consts::PI / 0.02, 1e-3);
+    let text = fs::read_to_string(folder.path().join("samples.csv")).unwrap();
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let names: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    let at = |name: &str| names.iter().position(|known| known == name).unwrap();
+    let mut most = 0.0_f64;
+    for row in reader.records() {
+        let row = row.unwrap();
+        let number = |name: &str| row[at(name)].parse::<f64>().unwrap();
+        let size = number("dx_mm").hypot(number("dy_mm")).hypot(number("dz_mm"));
+        assert!((size - number("error_mm")).abs() < 1e-12);
+        assert!((number("x_mm").hypot(number("y_mm")) - 100.0).abs() < 1e-9);
+        most = most.max(size);
+    }
+    close(&told["worst_mm"], most, 1e-12);
+    let figure = fs::read_to_string(folder.path().join("figure.svg")).unwrap();
+    assert!(figure.contains("every roll of the tool") && figure.contains("tolerance"));
+    let program = fs::read_to_string(folder.path().join("path.src")).unwrap();
+    assert!(program.contains("DEF") && program.contains("LIN {X"));
+}
+
+/// The compensated file is read back: every place of it lies as far from the first as is told, and nothing else has changed.
+#[test]
+fn a_compensated_path_is_written_back_into_its_file() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("a.nc"), "(keep me)\nG21 G90\nG0 X0 Y0 Z5\nG1 Z0 F600\nX80\nY40\nM5\nG0 Z5\n").unwrap();
+    let asked = ["mill", "a.nc", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8"];
+    let further = ["--compensate", "--stiffness-uncertainty", "0.2", "--roll", "constant", "-o", "b.nc"];
+    let told = json(folder.path(), &[&asked[..], &further[..]].concat());
+    let number = |key: &str| told["compensation"][key].as_f64().unwrap();
+    let worst = told["worst_mm"].as_f64().unwrap();
+    assert!(number("left_by_joints_mm") < 1e-6 && number("left_by_tips_mm") < 0.05 * worst, "{told}");
+    // A fifth of the compliance, more or less, is a fifth of the error.
+    assert!(0.05 * worst < number("left_median_mm") && number("left_median_mm") < 0.3 * worst, "{told}");
+    assert!(number("left_median_mm") < number("left_p95_mm"));
+    let written = fs::read_to_string(folder.path().join("b.nc")).unwrap();
+    assert!(written.contains("(keep me)") && written.contains("M5") && written.contains("compensated by stiffarm"), "{written}");
+    let (before, after) = (json(folder.path(), &["mill", "a.nc", "--dry"]), json(folder.path(), &["mill", "b.nc", "--dry"]));
+    for corner in 0..2 {
+        for axis in 0..3 {
+            let (a, b) = (before["box_m"][corner][axis].as_f64().unwrap(), after["box_m"][corner][axis].as_f64().unwrap());
+            assert!((a - b).abs() * 1e3 <= number("largest_correction_mm") + 1e-3, "{a} {b}");
+        }
+    }
+    assert_ne!(before["box_m"], after["box_m"]);
+}
+
+/// Without a place the best one is sought: no worse than one by hand, and no better than what is proved.
+#[test]
+fn a_path_without_a_place_gets_the_best_one() {
+    let folder = TempDir::new().unwrap();
+    let asked = ["mill", "line:0.2", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "400", "--step-mm", "40"];
+    let placed = json(folder.path(), &asked);
+    let by_hand = json(folder.path(), &[&asked[..], &["--at", "1.7,0,0.8,20"]].concat());
+    let number = |told: &Value, key: &str| told[key].as_f64().unwrap();
+    assert!(number(&placed, "worst_mm") < number(&by_hand, "worst_mm"));
+    assert!(0.8 * number(&placed, "worst_mm") < number(&placed, "lower_bound_mm"));
+    let nowhere = json(folder.path(), &[&asked[..], &["--within", "6..7,0..1"]].concat());
+    assert_eq!(nowhere["feasible"], false);
+    assert!(nowhere["worst_mm"].is_null() && nowhere["reason"].as_str().unwrap().contains("no place"));
 }

@@ -35,5 +35,21 @@ def test_what_is_refused_says_line_and_word() -> None:
     assert stiffarm.mill(path, dry=True, cutter_compensation="centre").arcs == 10
     with pytest.raises(stiffarm.StiffarmError, match="dry=True"):
         stiffarm.mill("circle:0.3")
+    with pytest.raises(stiffarm.StiffarmError, match="dry=True only reads it"):
+        stiffarm.mill("circle:0.3", "KR 210 R2700 extra", dry=True)  # type: ignore[call-overload]
+    with pytest.raises(stiffarm.StiffarmError, match="force_n"):
+        stiffarm.mill("circle:0.3", "KR 210 R2700 extra")
     with pytest.raises(stiffarm.StiffarmError, match="expected True or False"):
         stiffarm.mill("circle:0.3", dry="yes")  # type: ignore[arg-type]
+
+
+def test_a_milled_path_is_the_programs(program) -> None:
+    options = {"tool": "spindle:250@90", "force_n": (300, -120, 80), "at_m_deg": (1.7, 0, 0.8, 20), "roll": "constant"}
+    milled = stiffarm.mill("circle:0.2", "KR 210 R2700 extra", tolerance_mm=0.3, compensate=True, **options)
+    typed = ["--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8,20", "--roll", "constant"]
+    told = program("mill", "circle:0.2", "--robot", "KR 210 R2700 extra", *typed, "--tolerance-mm", "0.3", "--compensate")
+    assert milled.to_dict() == told
+    frame = milled.to_pandas()
+    assert len(frame) == milled.part["samples"] and frame["error_mm"].max() == milled.worst_mm
+    assert milled.passes is False and milled.at_m.shape == (3,)
+    assert np.allclose(frame[[f"q{i}_deg" for i in range(1, 7)]].iloc[milled.worst_sample], milled.worst_joints_deg)

@@ -19,8 +19,8 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`mill`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
-//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`measure`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
+//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
+//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
 //! # What is left out
 //! In both models links, bearings and the base are rigid; the deflection is elastic and static, without the robot's own weight. The planar

@@ -613,9 +613,74 @@ class MeasureOptions(TypedDict, total=False):
 class MillOptions(TypedDict, total=False):
     """Keywords of `stiffarm.mill`."""
 
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as --stiffness says]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
     dry: bool
     """Only tell what was understood of the path: lengths, moves, extents, feed rates, what was assumed and
     ignored."""
+
+    process: str | None
+    """A process file (TOML): tool, material and engagement, or a force as it is; the mean force over a
+    revolution acts."""
+
+    force_n: float | npt.ArrayLike | None
+    """Cutting force on the tool [N]: FEED,ACROSS,AXIAL (across: left of the feed, seen from the spindle; axial:
+    away from the work), or its size, in its worst direction."""
+
+    stock_mm: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """The block from which the part is cut [mm], in the path's frame: x0..x1,y0..y1,z0..z1; entry, exit and
+    depth of the cut are then computed along the path (three axes, flat mills)."""
+
+    at_m_deg: npt.ArrayLike | None
+    """Where the path's origin stands, m from the robot's base, and by how many degrees the part is turned about
+    the vertical [default: the best place within --within]."""
+
+    within_m: str | Sequence[RangeLike | None] | None
+    """Where all of the path must stand, m from the robot's base: x0..x1,z0..z1; either end may be left open
+    [default: in front of the joint-1 axis, above the floor]."""
+
+    roll: str | float
+    """How the tool is turned about its axis [deg]: free (from sample to sample, as is best), constant (the best
+    of all), linear (changing evenly), or so many degrees of its x axis from the part's."""
+
+    error: Literal["total", "across", "axial"]
+    """What of the displacement counts."""
+
+    tolerance_mm: float | None
+    """Largest error that passes [mm]."""
+
+    compensate: bool
+    """Take the deflection out: tell what is left of it, and which joints and tips are to be commanded; -o writes
+    programs with them."""
+
+    stiffness_uncertainty: float | None
+    """By how much the compliance of every drive may be off: one standard deviation of its logarithm, for what
+    compensation leaves [default: as the robot file or the prior has it]."""
+
+    speed_share: float
+    """Of the largest speed of every joint what is used while cutting, where the robot file tells speeds."""
+
+    limit_margin_deg: float
+    """What every joint keeps from either end of its range [deg]."""
+
+    singular_margin_deg: float
+    """What wrist and arm keep from straight [deg]."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; z out of the spindle
+    to the tip [default: the flange centre]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
 
     read_as: Literal["gcode", "apt", "csv"] | None
     """How the path is written [default: by the ending of its name]."""
@@ -1838,6 +1903,147 @@ class ForceDict(TypedDict):
 
     assumed: list[str]
     """What the file leaves open and how it was taken, with the line that came first."""
+
+
+class PathLength(TypedDict):
+    """How long a path is."""
+
+    samples: int
+    """How many they are."""
+
+    length_m: float
+    """Length of the path, rapid ways and all."""
+
+    cutting_length_m: float
+    """Length of what feeds."""
+
+    time_s: float
+    """Time of all feed moves; null where a feed rate is missing."""
+
+
+class RollChoice(TypedDict):
+    """How the tool is turned about its axis."""
+
+    mode: str
+    """free, constant, linear or fixed."""
+
+    from_deg: float | None
+    """The smallest roll: of the tool's x axis from the part's."""
+
+    to_deg: float | None
+    """The largest roll."""
+
+    posture: str | None
+    """The configuration that holds a point."""
+
+    rearranged: int | None
+    """How often the arm takes another configuration, clear of the work."""
+
+
+class PlaceSearch(TypedDict):
+    """How finely a place was looked for."""
+
+    fine_step_m: float
+    """The last step of the refinement."""
+
+    samples: int
+    """How many they are."""
+
+    boxes: int
+    """Boxes of places behind the lower bound."""
+
+
+class MilledDict(_Pass):
+    """`stiffarm.Milled.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    path: str
+    """The toolpath as it was asked for."""
+
+    force: str
+    """Where the force on the tool comes from."""
+
+    part: PathLength
+    """The path as it was cut: samples, lengths and time."""
+
+    roll: RollChoice
+    """How the tool is turned about its axis."""
+
+    error: str
+    """What of the displacement counts: total, across or axial."""
+
+    asked_limit_margin_deg: float
+    """What every joint was to keep from its limits."""
+
+    asked_singular_margin_deg: float
+    """What wrist and arm were to keep from straight."""
+
+    speed_share: float
+    """Of the joints' speeds what is used at most; null where the robot file tells none."""
+
+    at_m: list[float]
+    """Where the path's origin stands."""
+
+    at_yaw_deg: float
+    """By how much the part is turned about the vertical."""
+
+    feasible: bool
+    """There is a place; null where it is not known."""
+
+    reason: str | None
+    """Why there is no place, or it is not known."""
+
+    worst_mm: float | None
+    """Deflection under the force in its worst direction."""
+
+    lower_bound_mm: float | None
+    """No allowed place has less."""
+
+    roll_lower_bound_mm: float | None
+    """No rolls of that mode have less at this place."""
+
+    rms_mm: float | None
+    """The root mean square of the error over what feeds."""
+
+    worst_sample: int | None
+    """The sample with the largest error, from 0."""
+
+    worst_line: int | None
+    """Its line in the file; 0 of a path built in."""
+
+    worst_joints_deg: list[float] | None
+    """Joint angles at the worst point as the robot reports them."""
+
+    worst_shares: list[float] | None
+    """What each drive gives of the worst deflection; adds up to 1."""
+
+    limit_margin_deg: float | None
+    """The smallest distance of any joint to its limits in the zone."""
+
+    singular_margin_deg: float | None
+    """The smallest angle to a singular posture in the zone."""
+
+    tolerance_mm: float | None
+    """The largest deflection that is acceptable."""
+
+    margin_mm: float | None
+    """What is left of the tolerance."""
+
+    compensation: None
+    """What compensation makes of the path; null where it was not asked for."""
+
+    search: PlaceSearch | None
+    """How finely a place was looked for; null where it was given."""
+
+    remarks: list[str]
+    """What is odd."""
 
 
 class ToolpathDict(TypedDict):

@@ -254,7 +254,7 @@ pub(crate) fn toolpaths() -> Vec<Value> {
     "line:0.3".parse::<Builtin>().unwrap().moves(None).iter().for_each(|one| survey.add(one));
     vec![
         read("M8\nG1 X10 F100\n"),
-        read("G21\nG0 X1\n"),
+        read("G0 X10 Y0 Z0\nG0 X20\n"),
         PathAnswer { path: "line:0.3".into(), understood: None, survey }.json(),
     ]
 }

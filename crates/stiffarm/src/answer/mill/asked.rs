@@ -1,28 +1,18 @@
 //! What a request asks of a path: from its options to stations, a place, and what happens there.
 
-use std::io::Write;
-
-use serde_json::Value;
-
-use super::super::place::Verdict;
-use super::super::stiffness::stiffness;
-use super::super::words::{degrees, percentages, robot as named, tool};
-use super::super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, with_schema};
+use super::super::fixed;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::catalogue::ProcessFile;
 use crate::cutting::{Law, Process};
 use crate::mill::{
-    Acting, Blocked, Compensated, ErrorPart, Followed, ForcedError, Forcing, MillError, MillOptions, Milled,
-    PartPlacement, PathPlaced, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, compensate,
-    forced, mill, place_path, remaining, roll_map,
+    Acting, ErrorPart, Followed, ForcedError, Forcing, MillError, Milled, PathPlaced, Stand, Station, compensate,
+    forced, mill, place_path, remaining,
 };
 use crate::prior::{factors, factors_of};
-use crate::program::{self, Language, ProgramFault, Setup, Style};
-use crate::request::{Refusal, Request};
-use crate::robot::{Arm, Robot};
-use crate::spatial::Pose;
-use crate::stock::{Stock, StockError};
-use crate::toolpath::{Move, Original, PathFault, Rewriting, Rewritten, Sample, Steps, ToolPose, rewrite};
+use crate::request::Request;
+use crate::robot::Robot;
+use crate::stock::Stock;
+use crate::toolpath::Move;
 use crate::uncertainty::DRAWS;
 use crate::watch::Watch;
 

@@ -5,30 +5,21 @@ mod programs;
 mod record;
 mod table;
 
-use std::io::Write;
 
 use serde_json::Value;
 
 use super::place::Verdict;
-use super::stiffness::stiffness;
-use super::words::{degrees, percentages, robot as named, tool};
-use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, with_schema};
-use crate::catalogue::ProcessFile;
-use crate::cutting::{Law, Process};
+use super::{fixed, with_schema};
 use crate::mill::{
-    Acting, Blocked, Compensated, ErrorPart, Followed, ForcedError, Forcing, MillError, MillOptions, Milled,
-    PartPlacement, PathPlaced, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, compensate,
-    forced, mill, place_path, remaining, roll_map,
+    Blocked, Compensated, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement, PathResolution, Pushed,
+    Remaining, RollMap, Stand, Station, roll_map,
 };
-use crate::prior::{factors, factors_of};
-use crate::program::{self, Language, ProgramFault, Setup, Style};
-use crate::request::{Refusal, Request};
-use crate::robot::{Arm, Robot};
+use crate::program::ProgramFault;
+use crate::request::Refusal;
+use crate::robot::Robot;
 use crate::spatial::Pose;
-use crate::stock::{Stock, StockError};
-use crate::toolpath::{Move, Original, PathFault, Rewriting, Rewritten, Sample, Steps, ToolPose, rewrite};
-use crate::uncertainty::DRAWS;
-use crate::watch::Watch;
+use crate::stock::StockError;
+use crate::toolpath::PathFault;
 
 /// The answer of `mill`, with what was asked.
 #[derive(Clone, Debug)]

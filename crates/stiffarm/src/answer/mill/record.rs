@@ -1,30 +1,11 @@
 //! Every field of a path that is milled, and every sample as a row.
 
-use std::io::Write;
-
-use serde_json::Value;
-
 use super::super::place::Verdict;
 use super::super::stiffness::stiffness;
-use super::super::words::{degrees, percentages, robot as named, tool};
-use super::super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, with_schema};
+use super::super::{Cell, Column, ColumnKind, Record, Rows, field};
 use super::{Compensation, MillAnswer, least};
-use crate::catalogue::ProcessFile;
-use crate::cutting::{Law, Process};
-use crate::mill::{
-    Acting, Blocked, Compensated, ErrorPart, Followed, ForcedError, Forcing, MillError, MillOptions, Milled,
-    PartPlacement, PathPlaced, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, compensate,
-    forced, mill, place_path, remaining, roll_map,
-};
-use crate::prior::{factors, factors_of};
-use crate::program::{self, Language, ProgramFault, Setup, Style};
-use crate::request::{Refusal, Request};
-use crate::robot::{Arm, Robot};
-use crate::spatial::Pose;
-use crate::stock::{Stock, StockError};
-use crate::toolpath::{Move, Original, PathFault, Rewriting, Rewritten, Sample, Steps, ToolPose, rewrite};
-use crate::uncertainty::DRAWS;
-use crate::watch::Watch;
+use crate::mill::{Acting, Pushed, Station};
+use crate::robot::Arm;
 
 impl MillAnswer {
     /// Every field but those of single samples.
@@ -69,7 +50,7 @@ impl MillAnswer {
     }
 
     /// How long the path is, and how long it takes.
-    fn part(&self) -> Record {
+    pub(super) fn part(&self) -> Record {
         let cutting = self.stations.windows(2).filter(|pair| pair[1].sample.is_cutting && pair[0].sample.is_cutting);
         let way = |station: Option<&Station>| station.map_or(0.0, |station| station.sample.way);
         let feeding = self.stations.iter().filter(|station| station.sample.is_cutting && !station.is_fresh);
@@ -83,7 +64,7 @@ impl MillAnswer {
     }
 
     /// How the tool is turned about its axis.
-    fn roll(&self) -> Record {
+    pub(super) fn roll(&self) -> Record {
         let rolls = self.followed().map(|found| {
             let all = || found.samples.iter().map(|pushed| pushed.arrangement.roll);
             [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)]
@@ -107,7 +88,7 @@ impl MillAnswer {
     }
 
     /// How finely the place was looked for; absent where it was given.
-    fn search(&self) -> Option<Record> {
+    pub(super) fn search(&self) -> Option<Record> {
         self.sought.map(|(resolution, _)| {
             let mut record = Record::new();
             record
@@ -118,7 +99,7 @@ impl MillAnswer {
         })
     }
 
-    fn speeds(&self) -> Option<[f64; 6]> {
+    pub(super) fn speeds(&self) -> Option<[f64; 6]> {
         match &self.robot.arm {
             Arm::SixAxis { limits, .. } => limits.speeds,
             Arm::Planar(_) => None,
