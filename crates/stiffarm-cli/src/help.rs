@@ -153,7 +153,7 @@ const ABOUT: [About; 18] = [
     },
     About {
         name: "mill",
-        files: "every sample as .csv or .parquet, the answer as .json, .md or .txt, error, rolls and path as .svg, .pdf or .png, robot programs \
+        files: "every sample as .csv or .parquet, the answer as .json, .md or .txt, error, rolls and path as .svg, .pdf or .png, the robot and the path in space as .html, robot programs \
                 as .src (KUKA), .mod (ABB) or .ls (Fanuc), with --compensate the path itself as .nc, .gcode, .ngc, .tap, .apt or .cls",
         is_long: true,
         examples: &[

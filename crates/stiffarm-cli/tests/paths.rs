@@ -75,9 +75,23 @@ fn what_is_refused_names_line_and_word_and_gives_advice() {
         (&["mill", "line:0.2", "--robot", "KR 210 R2700 extra"], 2, "--force-n"),
         (&["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--dry"], 2, "--dry"),
         (&["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--force-n", "1e7"], 2, "--force-n"),
-        (&["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--force-n", "9", "--roll", "around"], 2, "free, constant, linear"),
         (
-            &["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--force-n", "9", "--at", "1.8,0,0.8", "--compensate"],
+            &["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--force-n", "9", "--roll", "around"],
+            2,
+            "free, constant, linear",
+        ),
+        (
+            &[
+                "mill",
+                "line:0.2",
+                "--robot",
+                "KR 210 R2700 extra",
+                "--force-n",
+                "9",
+                "--at",
+                "1.8,0,0.8",
+                "--compensate",
+            ],
             1,
             "a force that may point anywhere cannot be compensated",
         ),
@@ -154,8 +168,30 @@ const KUKA: &str = "KR 210 R2700 extra";
 #[test]
 fn a_path_is_milled_and_every_sample_is_told() {
     let folder = TempDir::new().unwrap();
-    let asked = ["mill", "circle:0.2", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8,20"];
-    let further = ["--feed-mm-per-min", "1200", "--tolerance-mm", "0.3", "-o", "samples.csv", "-o", "figure.svg", "-o", "path.src"];
+    let asked = [
+        "mill",
+        "circle:0.2",
+        "--robot",
+        KUKA,
+        "--tool",
+        "spindle:250@90",
+        "--force-n",
+        "300,-120,80",
+        "--at",
+        "1.7,0,0.8,20",
+    ];
+    let further = [
+        "--feed-mm-per-min",
+        "1200",
+        "--tolerance-mm",
+        "0.3",
+        "-o",
+        "samples.csv",
+        "-o",
+        "figure.svg",
+        "-o",
+        "path.src",
+    ];
     let told = json(folder.path(), &[&asked[..], &further[..]].concat());
     assert_eq!((&told["feasible"], &told["pass"]), (&true.into(), &false.into()));
     let (worst, lower) = (told["worst_mm"].as_f64().unwrap(), told["lower_bound_mm"].as_f64().unwrap());
@@ -185,8 +221,10 @@ fn a_path_is_milled_and_every_sample_is_told() {
 #[test]
 fn a_compensated_path_is_written_back_into_its_file() {
     let folder = TempDir::new().unwrap();
-    fs::write(folder.path().join("a.nc"), "(keep me)\nG21 G90\nG0 X0 Y0 Z5\nG1 Z0 F600\nX80\nY40\nM5\nG0 Z5\n").unwrap();
-    let asked = ["mill", "a.nc", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8"];
+    fs::write(folder.path().join("a.nc"), "(keep me)\nG21 G90\nG0 X0 Y0 Z5\nG1 Z0 F600\nX80\nY40\nM5\nG0 Z5\n")
+        .unwrap();
+    let asked =
+        ["mill", "a.nc", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8"];
     let further = ["--compensate", "--stiffness-uncertainty", "0.2", "--roll", "constant", "-o", "b.nc"];
     let told = json(folder.path(), &[&asked[..], &further[..]].concat());
     let number = |key: &str| told["compensation"][key].as_f64().unwrap();
@@ -196,11 +234,16 @@ fn a_compensated_path_is_written_back_into_its_file() {
     assert!(0.05 * worst < number("left_median_mm") && number("left_median_mm") < 0.3 * worst, "{told}");
     assert!(number("left_median_mm") < number("left_p95_mm"));
     let written = fs::read_to_string(folder.path().join("b.nc")).unwrap();
-    assert!(written.contains("(keep me)") && written.contains("M5") && written.contains("compensated by stiffarm"), "{written}");
-    let (before, after) = (json(folder.path(), &["mill", "a.nc", "--dry"]), json(folder.path(), &["mill", "b.nc", "--dry"]));
+    assert!(
+        written.contains("(keep me)") && written.contains("M5") && written.contains("compensated by stiffarm"),
+        "{written}"
+    );
+    let (before, after) =
+        (json(folder.path(), &["mill", "a.nc", "--dry"]), json(folder.path(), &["mill", "b.nc", "--dry"]));
     for corner in 0..2 {
         for axis in 0..3 {
-            let (a, b) = (before["box_m"][corner][axis].as_f64().unwrap(), after["box_m"][corner][axis].as_f64().unwrap());
+            let (a, b) =
+                (before["box_m"][corner][axis].as_f64().unwrap(), after["box_m"][corner][axis].as_f64().unwrap());
             assert!((a - b).abs() * 1e3 <= number("largest_correction_mm") + 1e-3, "{a} {b}");
         }
     }
@@ -211,7 +254,8 @@ fn a_compensated_path_is_written_back_into_its_file() {
 #[test]
 fn a_path_without_a_place_gets_the_best_one() {
     let folder = TempDir::new().unwrap();
-    let asked = ["mill", "line:0.2", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "400", "--step-mm", "40"];
+    let asked =
+        ["mill", "line:0.2", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "400", "--step-mm", "40"];
     let placed = json(folder.path(), &asked);
     let by_hand = json(folder.path(), &[&asked[..], &["--at", "1.7,0,0.8,20"]].concat());
     let number = |told: &Value, key: &str| told[key].as_f64().unwrap();

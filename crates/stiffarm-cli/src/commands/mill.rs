@@ -3,19 +3,21 @@
 use std::io::{self, BufReader, Write};
 use std::path::Path;
 
-use stiffarm::answer::{MillAnswer, PathAnswer, Rows};
+use stiffarm::answer::{MillAnswer, PathAnswer, Rows, Unit};
 use stiffarm::catalogue::{files, read_process, read_toolpath};
-use stiffarm::mill::RollMap;
+use stiffarm::mill::{RollMap, Stand};
+use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
 use stiffarm::request::Request;
 use stiffarm::toolpath::{Builtin, Move, Original, Survey, Understood};
 use stiffarm::watch::Watch;
 
-use super::{progress, watched};
+use super::{drawing, progress, watched};
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
+use crate::figures::view3d::{Cell, Sheet, View, Zone};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, say};
 use crate::selection;
@@ -23,6 +25,9 @@ use crate::table::{prose, shown};
 
 /// Places along the path of which the map of rolls shows every roll.
 const MAPPED: usize = 360;
+/// Places along the path that a view in space shows, and how high its ribbon stands, m.
+const MOST_POINTS: usize = 3000;
+const RIBBON: f64 = 0.02;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let path = asked.path()?;
@@ -123,10 +128,48 @@ impl MillOutput<'_> {
     }
 }
 
+impl MillOutput<'_> {
+    /// The path as a ribbon at its place, the robot at the worst sample.
+    fn in_space(&self) -> Result<View, Failure> {
+        let answer = &self.answer;
+        let nothing = || Failure::Usage(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
+        let (found, placement) = answer.followed().zip(answer.placement).ok_or_else(nothing)?;
+        let failure = |error: ModelError| Failure::Place { robot: answer.robot.name.clone(), error: error.into() };
+        let model = Model::spatial(&answer.robot, &answer.flange_from_tool).map_err(failure)?;
+        let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: answer.flange_from_tool };
+        let stride = answer.stations.len().div_ceil(MOST_POINTS).max(1);
+        let cell = |i: usize, above: f64| {
+            let (station, pushed) = (&answer.stations[i], &found.samples[i]);
+            let mm = station.sample.is_cutting.then(|| Unit::Millimetre.told(pushed.error));
+            Cell { at: stand.above(station, above), mm }
+        };
+        let row = |above: f64| (0..answer.stations.len()).step_by(stride).map(|i| cell(i, above)).collect();
+        let (error, worst) = found.worst;
+        let zone = Zone {
+            label: format!("{}: {:.3} mm at worst", answer.path, Unit::Millimetre.told(error)),
+            rim: Vec::new(),
+            sheet: Some(Sheet { rows: vec![row(0.0), row(RIBBON)] }),
+            worst: Some(cell(worst, 0.0)),
+        };
+        let pushed = &found.samples[worst];
+        let arm = drawing::arm(&model, Some(ArmPosture::Joints(pushed.joints)), pushed.shares.as_ref());
+        Ok(View {
+            title: format!("{} along {}", answer.robot.full_name(), answer.path),
+            notes: vec![answer.force.clone(), "the arm at the worst sample; the path as a ribbon above its tip".into()],
+            arm,
+            zone: Some(zone),
+            colour_label: "error [mm]".into(),
+            scale: self.plate.ends(),
+            floor: true,
+            ..View::default()
+        })
+    }
+}
+
 impl Answer for MillOutput<'_> {
     const COMMAND: &'static str = "mill";
     const FURTHER: &'static [&'static str] =
-        &["svg", "png", "pdf", "src", "mod", "ls", "nc", "gcode", "ngc", "tap", "apt", "cls"];
+        &["svg", "png", "pdf", "html", "src", "mod", "ls", "nc", "gcode", "ngc", "tap", "apt", "cls"];
 
     fn program(&self, ending: &str) -> Option<Result<Vec<u8>, Failure>> {
         let language = [Language::Krl, Language::Rapid, Language::Ls].into_iter().find(|one| one.ending() == ending);
@@ -150,6 +193,10 @@ impl Answer for MillOutput<'_> {
 
     fn svg(&self) -> Option<Result<String, Failure>> {
         Some(self.rolls().map(|rolls| MilledFigure { answer: &self.answer, rolls: &rolls, plate: self.plate }.svg()))
+    }
+
+    fn view(&self) -> Option<Result<View, Failure>> {
+        Some(self.in_space())
     }
 
     fn plate(&self) -> Plate {

@@ -2,7 +2,7 @@
 
 use stiffarm::answer::{MillAnswer, fixed};
 use stiffarm::mill::{Followed, RollCell, RollMap};
-use stiffarm::palette::{ALARM, DEFLECTION, FAINT, GREY, INK, LIMIT, OTHERS, PAPER, TOLERANCE};
+use stiffarm::palette::{AIR, ALARM, DEFLECTION, FAINT, GREY, INK, LIMIT, OTHERS, PAPER, TOLERANCE};
 
 use super::Plate;
 use super::axes::{Axis, Frame, heading};
@@ -231,6 +231,7 @@ impl MilledFigure<'_> {
         entries.push(Entry::new("worst sample", |canvas, at| canvas.circle(at, 4.0, &format!(r#"fill="{ALARM}""#))));
         entries.push(Entry::line("roll that is taken", format!(r#"stroke="{INK}" stroke-width="1.8""#)));
         for (cell, words, colour) in [
+            (RollCell::Air, "in air: nothing pushes", AIR),
             (RollCell::Limit, "beyond a joint limit with its margin", FAINT),
             (RollCell::Singular, "too near to a straight posture", OTHERS),
             (RollCell::Reach, "out of reach", PAPER),
@@ -246,6 +247,7 @@ impl MilledFigure<'_> {
 fn colour(cell: RollCell, bands: &Bands) -> String {
     match cell {
         RollCell::Error(error) => bands.of_value(error * 1e3),
+        RollCell::Air => AIR.into(),
         RollCell::Reach => PAPER.into(),
         RollCell::Limit => FAINT.into(),
         RollCell::Singular => OTHERS.into(),

@@ -666,6 +666,9 @@ class Milled(_Table[MilledDict]):
     feasible: bool
     reason: str | None
     worst_mm: float | None
+    #: Where it lies with 90 %, as the drives may be.
+    worst_mm_p05: float | None
+    worst_mm_p95: float | None
     #: No rolls, and where the place was sought no place, have less.
     lower_bound_mm: float | None
     roll_lower_bound_mm: float | None

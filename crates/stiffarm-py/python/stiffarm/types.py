@@ -2003,6 +2003,13 @@ class MilledDict(_Pass):
     worst_mm: float | None
     """Deflection under the force in its worst direction."""
 
+    worst_mm_p05: float | None
+    """Five of a hundred drives as they may be give less, the path followed as it is told; null where nothing
+    says how they may be."""
+
+    worst_mm_p95: float | None
+    """Five of a hundred give more."""
+
     lower_bound_mm: float | None
     """No allowed place has less."""
 

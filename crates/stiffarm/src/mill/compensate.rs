@@ -14,13 +14,14 @@ use nalgebra::{Matrix3x6, Point3, Vector3, Vector6};
 use rayon::prelude::*;
 
 use super::fault::MillError;
-use super::follow::{Pushed, Stand, wrench};
+use super::follow::{Pushed, Stand, wrench, wrench_of};
 use super::stations::{Acting, ErrorPart, Station};
 use crate::compliance::{PostureError, compliance};
 use crate::inverse::{Configuration, postures};
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::toolpath::ToolPose;
+use crate::uncertainty::Spread;
 
 /// Rounds in which the loaded posture is sought, and the joints' change that ends them, rad.
 const ROUNDS: usize = 40;
@@ -118,26 +119,69 @@ pub fn remaining(
     followed: &[Pushed],
     (part, factors): (ErrorPart, &[[f64; 6]]),
 ) -> Result<Remaining, MillError> {
-    // What each drive gives of the displacement: the rest is a sum.
-    let mut gives: Vec<(Matrix3x6<f64>, Option<Vector3<f64>>)> = Vec::new();
-    for (station, pushed) in stations.iter().zip(followed) {
-        let Some(wrench) = known_wrench(stand, station)? else { continue };
-        let posture = compliance(robot, &pushed.joints, &stand.flange_from_tool)?;
-        let drives = posture.by_drive.map(|drive| drive.deflection(&wrench).0);
-        gives.push((Matrix3x6::from_columns(&drives), part.direction(&stand.cutting_axes(&station.sample))));
-    }
-    let left = |factors: &[f64; 6]| {
-        let off = Vector6::from_fn(|i, _| factors[i] - 1.0);
-        let error = |(gives, counted): &(Matrix3x6<f64>, Option<Vector3<f64>>)| {
+    let gives = given_by_drives(robot, stand, stations, followed, part)?;
+    let all = largest_errors(&gives, factors, |factor| factor - 1.0);
+    Ok(Remaining { median: quantile(&all, 0.5), p95: quantile(&all, 0.95), draws: all.len() })
+}
+
+/// Where the largest error along a path lies with 90 %, m, where the drives are drawn; the path stays as it is. Of a force that may point
+/// anywhere that which does most for the drives as they are told.
+///
+/// # Errors
+/// As [`super::mill`].
+pub fn spread(
+    robot: &Robot,
+    stand: &Stand,
+    stations: &[Station],
+    followed: &[Pushed],
+    (part, factors): (ErrorPart, &[[f64; 6]]),
+) -> Result<Spread, MillError> {
+    let gives = given_by_drives(robot, stand, stations, followed, part)?;
+    let all = largest_errors(&gives, factors, |factor| factor);
+    Ok(Spread { p05: quantile(&all, 0.05), p95: quantile(&all, 0.95) })
+}
+
+/// What each drive gives of a displacement, m, and the direction that counts.
+type Given = (Matrix3x6<f64>, Option<Vector3<f64>>);
+
+fn given_by_drives(
+    robot: &Robot,
+    stand: &Stand,
+    stations: &[Station],
+    followed: &[Pushed],
+    part: ErrorPart,
+) -> Result<Vec<Given>, MillError> {
+    let of = |(station, pushed): (&Station, &Pushed)| {
+        let acting = station.acting?;
+        let axes = stand.cutting_axes(&station.sample);
+        let counted = part.direction(&axes);
+        let posture = compliance(robot, &pushed.joints, &stand.flange_from_tool);
+        Some(posture.map(|posture| {
+            let wrench = wrench_of(acting, &posture, &axes, counted.as_ref());
+            (Matrix3x6::from_columns(&posture.by_drive.map(|drive| drive.deflection(&wrench).0)), counted)
+        }))
+    };
+    Ok(stations.iter().zip(followed).filter_map(of).collect::<Result<_, _>>()?)
+}
+
+/// The largest error of every draw, ascending: a sum over the drives, each times what `part` makes of its factor.
+fn largest_errors(gives: &[Given], factors: &[[f64; 6]], part: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
+    let largest = |factors: &[f64; 6]| {
+        let off = Vector6::from_fn(|i, _| part(factors[i]));
+        let error = |(gives, counted): &Given| {
             let moved = gives * off;
             counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs())
         };
         gives.iter().map(error).fold(0.0, f64::max)
     };
-    let mut all: Vec<f64> = factors.par_iter().map(left).collect();
+    let mut all: Vec<f64> = factors.par_iter().map(largest).collect();
     all.sort_by(f64::total_cmp);
-    let at = |share: f64| all.get(((all.len() as f64 - 1.0) * share).round() as usize).copied().unwrap_or(0.0);
-    Ok(Remaining { median: at(0.5), p95: at(0.95), draws: all.len() })
+    all
+}
+
+/// Of values in ascending order; 0 of none.
+fn quantile(all: &[f64], share: f64) -> f64 {
+    all.get(((all.len() as f64 - 1.0) * share).round() as usize).copied().unwrap_or(0.0)
 }
 
 /// The known force on the tool, base axes; `None` in air.

@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3
 use super::fault::{Blocked, MillError, Why};
 use super::stations::{Acting, ErrorPart, Station, cutting_axes};
 use crate::batch::SpatialArm;
-use crate::compliance::{PostureError, compliance};
+use crate::compliance::{Posture, PostureError, compliance};
 use crate::geometry::Geometry;
 use crate::inverse::{Configuration, postures, within_limits};
 use crate::limits::Limits;
@@ -169,15 +169,7 @@ pub(super) fn pushed(
     let Some(acting) = station.acting else { return Ok(found) };
     let axes = stand.cutting_axes(&station.sample);
     let counted = part.direction(&axes);
-    let wrench = match acting {
-        Acting::Known { force, moment } => wrench(&axes, force, moment),
-        // In the direction in which most of what counts is moved.
-        Acting::Any(newtons) => {
-            let c = posture.compliance.translation();
-            let softest = counted.map_or_else(|| posture.compliance.worst().1, |counted| (c * counted).normalize());
-            Wrench::force(softest * newtons)
-        }
-    };
+    let wrench = wrench_of(acting, &posture, &axes, counted.as_ref());
     let (moved, _) = posture.compliance.deflection(&wrench);
     let along = counted.unwrap_or_else(|| moved.try_normalize(0.0).unwrap_or_else(Vector3::z));
     let by_drive = posture.by_drive.map(|drive| drive.deflection(&wrench).0.dot(&along));
@@ -187,6 +179,23 @@ pub(super) fn pushed(
     found.error = along.dot(&moved).abs();
     found.shares = (sum != 0.0).then(|| by_drive.map(|drive| drive / sum));
     Ok(found)
+}
+
+/// What acts at a posture, base axes; of a force that may point anywhere that which moves most of what counts.
+pub(super) fn wrench_of(
+    acting: Acting,
+    posture: &Posture,
+    axes: &Matrix3<f64>,
+    counted: Option<&Vector3<f64>>,
+) -> Wrench {
+    match acting {
+        Acting::Known { force, moment } => wrench(axes, force, moment),
+        Acting::Any(newtons) => {
+            let c = posture.compliance.translation();
+            let softest = counted.map_or_else(|| posture.compliance.worst().1, |counted| (c * counted).normalize());
+            Wrench::force(softest * newtons)
+        }
+    }
 }
 
 /// A force and a moment along the axes of the cut, in the axes in which those are given.

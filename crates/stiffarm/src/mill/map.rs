@@ -31,6 +31,8 @@ pub struct RollMap {
 pub enum RollCell {
     /// The error, m.
     Error(f64),
+    /// Held, and nothing pushes.
+    Air,
     /// Out of reach.
     Reach,
     /// A limit with its margin forbids it.
@@ -63,6 +65,7 @@ pub fn roll_map(
     let cell = |i: usize, roll: f64| {
         let arrangement = Arrangement { roll, ..followed.samples[i].arrangement };
         Ok(match held(&arm, stand, &stations[i].sample, arrangement)? {
+            Ok(_) if stations[i].acting.is_none() => RollCell::Air,
             Ok(q) => RollCell::Error(pushed(robot, stand, &stations[i], options.part, (arrangement, &q))?.error),
             Err(Why::Reach { .. }) => RollCell::Reach,
             Err(_) => {

@@ -20,7 +20,7 @@ mod stations;
 use nalgebra::Point3;
 
 use bound::Floor;
-pub use compensate::{Compensated, Remaining, compensate, remaining};
+pub use compensate::{Compensated, Remaining, compensate, remaining, spread};
 pub use fault::{Blocked, MillError, Why};
 pub use follow::{Arrangement, Pushed, Stand, part_from_tool};
 pub use forces::{Forced, ForcedError, Forcing, forced};
@@ -34,6 +34,7 @@ use crate::batch::SpatialArm;
 use crate::compliance::check_held;
 use crate::robot::Robot;
 use crate::tolerances::CLEARANCE;
+use crate::toolpath::ToolPose;
 use crate::watch::Watch;
 
 /// What was found of a path for a part that stands somewhere.
@@ -140,9 +141,10 @@ fn rms(stations: &[Station], samples: &[Pushed]) -> f64 {
 }
 
 impl Stand {
-    /// Where the tip stands at a station, m from the base.
-    pub fn tip(&self, station: &Station) -> [f64; 3] {
-        (self.base_from_part * Point3::from(station.sample.pose.tip)).coords.into()
+    /// A point so far above the tip of a station along the tool axis, m from the base.
+    pub fn above(&self, station: &Station, height: f64) -> [f64; 3] {
+        let ToolPose { tip, axis } = station.sample.pose;
+        (self.base_from_part * Point3::from(tip + axis * height)).coords.into()
     }
 }
 

@@ -5,8 +5,8 @@ use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::catalogue::ProcessFile;
 use crate::cutting::{Law, Process};
 use crate::mill::{
-    Acting, ErrorPart, Followed, ForcedError, Forcing, MillError, Milled, PathPlaced, Stand, Station, compensate,
-    forced, mill, place_path, remaining,
+    self, Acting, ErrorPart, Followed, ForcedError, Forcing, MillError, Milled, PathPlaced, Stand, Station, compensate,
+    forced, place_path, remaining,
 };
 use crate::prior::{factors, factors_of};
 use crate::request::Request;
@@ -48,7 +48,7 @@ impl MillAnswer {
         let (placement, sought, milled) = match asked.at() {
             Some(placement) => {
                 let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
-                let milled = mill(&robot, &stand, &stations, &options, watch).map_err(failed)?;
+                let milled = mill::mill(&robot, &stand, &stations, &options, watch).map_err(failed)?;
                 (Some(placement), None, Some(milled))
             }
             None => {
@@ -63,13 +63,18 @@ impl MillAnswer {
             }
         };
         let tolerance_mm = asked.tolerance_mm();
-        let compensation = match (&milled, placement) {
-            (Some(Milled::Followed(found)), Some(placement)) if asked.is_compensated() => {
-                let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
-                Some(compensation(asked, &robot, &stand, (&stations, found, options.part)).map_err(failed)?)
+        let (mut spread, mut compensated) = (None, None);
+        if let (Some(Milled::Followed(found)), Some(placement)) = (&milled, placement) {
+            let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
+            let drawn = |draws: Vec<[f64; 6]>| {
+                mill::spread(&robot, &stand, &stations, &found.samples, (options.part, &draws)).map_err(failed)
+            };
+            spread = factors(&robot, DRAWS).map(drawn).transpose()?;
+            if asked.is_compensated() {
+                let what = (&stations[..], found, options.part);
+                compensated = Some(compensation(asked, &robot, &stand, what).map_err(failed)?);
             }
-            _ => None,
-        };
+        }
         Ok(Self {
             robot,
             path,
@@ -80,7 +85,8 @@ impl MillAnswer {
             placement,
             sought,
             milled,
-            compensation,
+            spread,
+            compensation: compensated,
             tolerance_mm,
             remarks,
         })

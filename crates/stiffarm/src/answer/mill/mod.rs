@@ -5,7 +5,6 @@ mod programs;
 mod record;
 mod table;
 
-
 use serde_json::Value;
 
 use super::place::Verdict;
@@ -20,6 +19,7 @@ use crate::robot::Robot;
 use crate::spatial::Pose;
 use crate::stock::StockError;
 use crate::toolpath::PathFault;
+use crate::uncertainty::Spread;
 
 /// The answer of `mill`, with what was asked.
 #[derive(Clone, Debug)]
@@ -42,6 +42,8 @@ pub struct MillAnswer {
     pub sought: Option<(PathResolution, f64)>,
     /// What was found; `None` where there is no place at all.
     pub milled: Option<Milled>,
+    /// Where the largest error lies with 90 %, as the drives may be; `None` where nothing says how they may be, or nothing is followed.
+    pub spread: Option<Spread>,
     /// What compensation makes of it, where it was asked for and the path is followed.
     pub compensation: Option<Compensation>,
     /// The largest error that passes, mm.

@@ -3,7 +3,7 @@
 use super::super::place::Verdict;
 use super::super::stiffness::stiffness;
 use super::super::words::{degrees, percentages, robot as named, tool};
-use super::super::{Line, Table, fixed, line};
+use super::super::{Line, Table, fixed, line, uncertainty};
 use super::{Compensation, MillAnswer, least};
 use crate::mill::{Acting, ErrorPart, Followed, MillOptions, PartPlacement, Remaining, RollMode};
 
@@ -82,6 +82,7 @@ impl MillAnswer {
             ),
             line("root mean square", mm(found.rms)),
         ];
+        lines.extend(uncertainty::told(self.spread));
         let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
         lines.push(line("no rolls have less than", proved(found.lower_bound)));
