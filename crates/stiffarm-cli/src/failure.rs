@@ -4,7 +4,6 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use stiffarm::answer::MillAnswerError;
-use stiffarm::catalogue::ToolpathError;
 use stiffarm::catalogue::files::{LoadError, Unreadable, shown};
 use stiffarm::catalogue::import::ImportError;
 use stiffarm::cutting::CuttingError;
@@ -14,7 +13,7 @@ use stiffarm::place::PlaceError;
 use stiffarm::rank::RankError;
 use stiffarm::request::{Refusal, SetupError};
 use stiffarm::robot::NoArmPlane;
-use stiffarm::toolpath::PathFault;
+use stiffarm::toolpath::{PathFault, ToolpathError};
 
 /// Every way in which a command ends without an answer.
 #[derive(Debug, thiserror::Error)]

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use pyo3::prelude::*;
 use stiffarm::answer::{CuttingAnswer, MillAnswer, PathAnswer};
-use stiffarm::catalogue::{files, read_process, read_toolpath};
+use stiffarm::catalogue::{files, read_process};
 use stiffarm::request::Verb;
-use stiffarm::toolpath::{Move, Survey};
+use stiffarm::toolpath::{Move, Survey, read_toolpath};
 
 use crate::asked::Asked;
 use crate::json::to_python;

@@ -4,12 +4,12 @@ use std::io::{self, BufReader, Write};
 use std::path::Path;
 
 use stiffarm::answer::{MillAnswer, PathAnswer, Rows, Unit};
-use stiffarm::catalogue::{files, read_process, read_toolpath};
+use stiffarm::catalogue::{files, read_process};
 use stiffarm::mill::{RollMap, Stand};
 use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
 use stiffarm::request::Request;
-use stiffarm::toolpath::{Builtin, Move, Original, Survey, Understood};
+use stiffarm::toolpath::{Builtin, Move, Original, Survey, Understood, read_toolpath};
 use stiffarm::watch::Watch;
 
 use super::{drawing, progress, watched};

@@ -10,7 +10,6 @@ pub mod measurements;
 mod process_file;
 mod reader;
 mod robot_file;
-mod toolpath_file;
 mod write;
 
 pub use doubts::doubts;
@@ -20,7 +19,6 @@ pub use index::{Entry, entries, find, matching, names, suggestions};
 pub use process_file::{Material, ProcessFile, materials, read_process};
 pub(crate) use robot_file::is_date;
 pub use robot_file::read;
-pub use toolpath_file::{ToolpathError, read_toolpath};
 pub use write::write;
 pub(crate) use write::{microradians, quoted};
 

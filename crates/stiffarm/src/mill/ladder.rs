@@ -10,9 +10,8 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::climb::{Climb, Sought};
-use super::fault::{Blocked, MillError, Why};
-use super::follow::{Arrangement, Pushed, Stand};
+use super::fault::MillError;
+use super::follow::{Arrangement, Stand};
 use super::stations::{ErrorPart, Station};
 use crate::batch::{Pushing, RollGrid, SpatialArm};
 use crate::inverse::{Configuration, postures, within_limits};
@@ -202,80 +201,5 @@ impl<'a> Ladder<'a> {
             }
         }
         q
-    }
-
-    /// The first sample to which a joint turns faster than is allowed.
-    pub(super) fn too_fast(&self, found: &[Pushed]) -> Option<usize> {
-        let speeds = self.speeds?;
-        let is_fast = |i: &usize| {
-            let Some(time) = self.stations[*i].time else { return false };
-            let turn = |joint: usize| (found[*i].joints[joint] - found[*i - 1].joints[joint]).abs();
-            (0..6).any(|joint| speeds[joint] * time + 1e-6 < turn(joint))
-        };
-        (1..found.len()).filter(|i| !self.stations[*i].is_fresh).find(is_fast)
-    }
-
-    /// Why no path leads to a rung.
-    pub(super) fn why_blocked(&self, k: usize, watch: Watch) -> Result<Blocked, MillError> {
-        let rung = &self.rungs[k];
-        if rung.errors.iter().flatten().all(|error| *error == f32::INFINITY) {
-            return self.worst_blocked();
-        }
-        let slow = Ladder { speeds: None, ..self.clone() };
-        let climb = Climb::new(&slow, Sought::LeastError, f32::MAX, false);
-        let is_fast = self.speeds.is_some() && climb.path(watch)?.is_ok();
-        Ok(self.blocked_at(rung.samples.start, if is_fast { Why::Fast } else { Why::Jump }))
-    }
-
-    /// The first sample that no posture holds at any roll, and how many they are.
-    pub(super) fn worst_blocked(&self) -> Result<Blocked, MillError> {
-        let (mut first, mut count) = (None, 0);
-        let mut errors = std::array::from_fn(|_| Vec::new());
-        for i in 0..self.stations.len() {
-            self.errors_at(i, &self.grid, &mut errors)?;
-            if errors.iter().flatten().all(|error| *error == f32::INFINITY) {
-                count += 1;
-                first = first.or(Some(i));
-            }
-        }
-        let Some(first) = first else { return Ok(self.blocked_at(0, Why::Jump)) };
-        let why = self.why_not_held(first)?;
-        Ok(Blocked { samples: count, ..self.blocked_at(first, why) })
-    }
-
-    pub(super) fn blocked_at(&self, i: usize, why: Why) -> Blocked {
-        self.stand.blocked(&self.stations[i].sample, why)
-    }
-
-    /// What forbids a sample at every roll.
-    fn why_not_held(&self, i: usize) -> Result<Why, MillError> {
-        let (geometry, limits) = (&self.arm.geometry, &self.arm.limits);
-        let (mut beyond, mut is_reached, mut forbidding) = (f64::INFINITY, false, [0; 6]);
-        for roll in 0..self.grid.len() {
-            let tool = self.stand.base_from_tool(&self.stations[i].sample, self.grid.step() * roll as f64)?;
-            let flange = tool * self.arm.flange_from_tool.inverse();
-            let found = postures(geometry, &flange).found;
-            is_reached |= !found.is_empty();
-            if found.is_empty() {
-                beyond = beyond.min(geometry.beyond(&flange));
-            }
-            for (_, theta) in &found {
-                // A joint forbids a posture alone where the others allow it.
-                for joint in 0..6 {
-                    let mut freed = limits.clone();
-                    freed.joints[joint] = crate::interval::Interval::ALL;
-                    if within_limits(geometry, limits, theta).is_none()
-                        && within_limits(geometry, &freed, theta).is_some()
-                    {
-                        forbidding[joint] += 1;
-                    }
-                }
-            }
-        }
-        if !is_reached {
-            return Ok(Why::Reach { beyond });
-        }
-        let most = (0..6).max_by_key(|joint| forbidding[*joint]).filter(|joint| 0 < forbidding[*joint]);
-        Ok(most.map_or(Why::Narrow, |joint| Why::Limit { joint: joint + 1 }))
     }
 }

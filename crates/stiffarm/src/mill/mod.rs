@@ -4,6 +4,7 @@
 //! largest error is least (`climb`, over the nodes of `ladder`), smoothed (`smooth`), with a lower bound that no path of rolls beats
 //! (`bound`). Every number that is told is that of `follow`: one posture after the other, as [`crate::compliance`] has it.
 
+mod blocked;
 mod bound;
 mod climb;
 mod compensate;

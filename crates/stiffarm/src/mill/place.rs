@@ -5,29 +5,27 @@
 //! some in between), then step by step from the best, then along the whole path, whose worst sample joins the others. Proved: a
 //! lower bound by branch and bound over the places, on the same samples, each at its own best roll.
 
-use std::collections::BinaryHeap;
+mod proof;
+
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 
-use super::bound::Held;
 use super::fault::{Blocked, MillError};
 use super::follow::Stand;
+use super::ladder::Ladder;
 use super::solve::{MillOptions, RollMode};
 use super::stations::Station;
 use super::{Milled, arm_with_margins, mill};
 use crate::batch::{RollGrid, SpatialArm};
-use crate::enclose::{Affine, ArmEnclosure, Vector, sin_cos};
+use crate::enclose::ArmEnclosure;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::place::{Margins, Within};
 use crate::robot::Robot;
 use crate::spatial::Pose;
-use crate::tolerances::BOUND;
 use crate::watch::Watch;
-
-use super::ladder::Ladder;
 
 /// Places along each of the two lengths, and turns, of the coarse search.
 const COARSE: [usize; 3] = [18, 14, 24];
@@ -41,12 +39,6 @@ const HALVINGS: usize = 8;
 const ROUNDS: usize = 4;
 /// Samples in between that are looked at.
 const BETWEEN: usize = 6;
-/// Nodes of the proof, how many are bounded at a time, and the width of the finest roll that is enclosed, rad.
-const MOST_NODES: usize = 4000;
-const AT_A_TIME: usize = 32;
-const FINEST_ROLL: f64 = TAU / 96.0;
-/// A bound this near to the value, as a part of it, is good enough.
-const ENOUGH: f64 = 0.01;
 
 /// Where the origin of a path stands: m from the base, and the turn about the vertical, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -103,6 +95,8 @@ struct Search<'a> {
     middle: Vector3<f64>,
     /// Stations that stand for the path.
     keys: Vec<usize>,
+    /// Of every station, how often the arm may have been arranged anew before it.
+    runs: Vec<usize>,
 }
 
 /// Ahead, up, yaw; the middle of the path stands straight ahead.
@@ -137,6 +131,7 @@ pub fn place_path(
         column: margins.radius(robot),
         middle,
         keys: keys(stations, &middle),
+        runs: runs(stations),
     };
     let (mut best, mut nearest): (Option<(f64, Place, Milled)>, Option<Blocked>) = (None, None);
     let mut starts = search.coarse(watch)?;
@@ -187,6 +182,15 @@ pub fn place_path(
     let placement = search.placement(&place);
     let resolution = PathResolution { step, samples, nodes };
     Ok(Ok(PathPlaced { placement, milled, lower_bound, resolution }))
+}
+
+/// Of every station, how often the arm may have been arranged anew before it.
+fn runs(stations: &[Station]) -> Vec<usize> {
+    let count = |run: &mut usize, station: &Station| {
+        *run += usize::from(station.is_fresh);
+        Some(*run)
+    };
+    stations.iter().scan(0, count).collect()
 }
 
 /// The middle of the box about all that feeds.
@@ -343,172 +347,5 @@ impl Search<'_> {
             steps = steps.map(|step| step / 2.0);
         }
         Ok((best, steps[0] * 2.0))
-    }
-}
-
-/// Places that are bounded together; the heap hands out the least bound.
-struct Node {
-    lower: f64,
-    /// Ahead, up, yaw.
-    ranges: [Interval; 3],
-}
-
-impl PartialEq for Node {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == std::cmp::Ordering::Equal
-    }
-}
-impl Eq for Node {}
-impl PartialOrd for Node {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Node {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        other.lower.total_cmp(&self.lower)
-    }
-}
-
-impl Search<'_> {
-    /// The samples that bind at a place are enclosed first: they are those that bind elsewhere, too.
-    fn put_binding_first(&mut self, place: &Place) -> Result<(), MillError> {
-        let ladder = Ladder::bare(&self.arm, self.stations, self.stand(place), self.options.part);
-        let (grid, mut errors) = (RollGrid::turn(ROLLS[1]), std::array::from_fn(|_| Vec::new()));
-        let mut keys: Vec<(f32, usize)> = Vec::with_capacity(self.keys.len());
-        for &i in &self.keys {
-            ladder.errors_at(i, &grid, &mut errors)?;
-            keys.push((errors.iter().flatten().copied().fold(f32::INFINITY, f32::min), i));
-        }
-        keys.sort_by(|a, b| b.0.total_cmp(&a.0));
-        self.keys = keys.into_iter().map(|(_, i)| i).collect();
-        Ok(())
-    }
-
-    /// No place has a smaller largest error than this, m, which is at most `known`; and how many nodes that took.
-    fn lower_bound(&self, known: f64, watch: Watch) -> Result<(f64, usize), MillError> {
-        let Some(ranges) = self.ranges() else { return Ok((0.0, 0)) };
-        let enough = known * (1.0 - ENOUGH);
-        let parts = watch.parts(None);
-        let mut queue = BinaryHeap::from([Node { lower: 0.0, ranges }]);
-        let (mut nodes, mut fathomed) = (0, f64::INFINITY);
-        while let Some(first) = queue.pop() {
-            if MOST_NODES < nodes {
-                let lower = first.lower.min(fathomed);
-                return Ok((lower.min(known) * (1.0 - BOUND), nodes));
-            }
-            let more = (1..AT_A_TIME).map_while(|_| queue.pop());
-            let halves: Vec<Node> = [first].into_iter().chain(more).flat_map(|node| self.halves(&node)).collect();
-            nodes += halves.len();
-            let bounded = |node: &Node| {
-                parts.one_more()?;
-                self.bounded(node, enough)
-            };
-            let bounds: Vec<Option<f64>> = halves.par_iter().map(bounded).collect::<Result<_, MillError>>()?;
-            for (node, bound) in halves.into_iter().zip(bounds) {
-                match bound {
-                    None => {}
-                    Some(lower) if enough <= lower => fathomed = fathomed.min(lower),
-                    Some(lower) => queue.push(Node { lower: lower.max(node.lower), ..node }),
-                }
-            }
-        }
-        Ok((fathomed.min(known) * (1.0 - BOUND), nodes))
-    }
-
-    /// Across what moves the path most.
-    fn halves(&self, node: &Node) -> [Node; 2] {
-        let size =
-            self.keys.iter().map(|i| (self.stations[*i].sample.pose.tip - self.middle).norm()).fold(0.05, f64::max);
-        let moves = |i: usize| {
-            node.ranges[i].width() * if i == 2 { size + self.flange_from_tool.translation.vector.norm() } else { 1.0 }
-        };
-        let longest = (0..3).max_by(|a, b| moves(*a).total_cmp(&moves(*b))).unwrap_or(0);
-        let half = |from: f64, to: f64| {
-            let mut ranges = node.ranges;
-            ranges[longest] = Interval::spanning(from, to);
-            Node { lower: node.lower, ranges }
-        };
-        let range = node.ranges[longest];
-        [half(range.min(), range.middle()), half(range.middle(), range.max())]
-    }
-
-    /// A lower bound over the places of a node, no further than `enough`; `None` where none of them holds the path.
-    fn bounded(&self, node: &Node, enough: f64) -> Result<Option<f64>, MillError> {
-        let turn = sin_cos::<4>(node.ranges[2], 2);
-        let length = |i: usize| {
-            let mut length = Affine::point(node.ranges[i].middle());
-            length.deviations[i] = node.ranges[i].width() / 2.0;
-            length
-        };
-        let centre: Vector<4> = [length(0), Affine::point(0.0), length(1)];
-        let turned = |v: Vector3<f64>| -> Vector<4> {
-            let (s, c) = turn;
-            [c * v.x - s * v.y, s * v.x + c * v.y, Affine::point(v.z)]
-        };
-        let moved = |p: Vector3<f64>| -> Vector<4> {
-            let aside = turned(p - self.middle);
-            std::array::from_fn(|i| centre[i] + aside[i])
-        };
-        for i in &self.keys {
-            let [x, y, z] = moved(self.stations[*i].sample.pose.tip);
-            let out =
-                |part: &Affine<4>, range: Interval| part.max() < range.min() - 1e-9 || range.max() + 1e-9 < part.min();
-            let away = (x.square() + y.square()).max();
-            if out(&x, self.within.x) || out(&z, self.within.z) || away < self.column * self.column - 1e-9 {
-                return Ok(None);
-            }
-        }
-        // Every sample at its own roll, the path in one configuration.
-        let mut best: Option<f64> = None;
-        let alike = self.arm.wrists_are_alike();
-        for configuration in Configuration::ALL.into_iter().step_by(if alike { 2 } else { 1 }) {
-            let mut worst = Some(0.0_f64);
-            for i in &self.keys {
-                let lower = self.over_rolls(&self.stations[*i], configuration, enough, &moved, &turned)?;
-                worst = worst.zip(lower).map(|(worst, lower)| worst.max(lower));
-                if worst.is_none_or(|worst| enough <= worst) {
-                    break;
-                }
-            }
-            best = best.into_iter().chain(worst).reduce(f64::min);
-        }
-        Ok(best)
-    }
-
-    /// The least bound of a sample over all rolls; `None` where it is held at none.
-    fn over_rolls(
-        &self,
-        station: &Station,
-        configuration: Configuration,
-        enough: f64,
-        moved: &impl Fn(Vector3<f64>) -> Vector<4>,
-        turned: &impl Fn(Vector3<f64>) -> Vector<4>,
-    ) -> Result<Option<f64>, MillError> {
-        let mut open = match self.options.roll {
-            RollMode::Fixed(roll) => vec![Interval::point(roll)],
-            _ => (0..6).map(|i| Interval::spanning(TAU * f64::from(i) / 6.0, TAU * f64::from(i + 1) / 6.0)).collect(),
-        };
-        let mut least: Option<f64> = None;
-        while let Some(roll) = open.pop() {
-            let held = Held { station, configuration, roll: sin_cos::<4>(roll, 3), part: self.options.part };
-            // Both wrists stand for one another where they are alike.
-            let bound = held.either_wrist(&self.enclosure, self.arm.wrists_are_alike(), moved, turned)?;
-            match bound {
-                None => {}
-                Some(lower) if enough <= lower || roll.width() < FINEST_ROLL => {
-                    least = least.into_iter().chain([lower]).reduce(f64::min);
-                    // Nothing below can be told of this sample any more.
-                    if lower == 0.0 {
-                        return Ok(least);
-                    }
-                }
-                Some(_) => open.extend([
-                    Interval::spanning(roll.min(), roll.middle()),
-                    Interval::spanning(roll.middle(), roll.max()),
-                ]),
-            }
-        }
-        Ok(least)
     }
 }

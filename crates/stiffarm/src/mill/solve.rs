@@ -130,7 +130,7 @@ impl Question<'_> {
         let mut first = None;
         for course in courses.iter().take(MOST_TRIED) {
             match self.follow(stand, |i| course.at(self.stations, i))? {
-                Ok(found) => match ladder.too_fast(&found) {
+                Ok(found) => match ladder.too_fast(&found, 1.0) {
                     None => return Ok(Ok(found)),
                     Some(i) => first = first.or(Some(ladder.blocked_at(i, Why::Fast))),
                 },
@@ -161,8 +161,15 @@ impl Question<'_> {
                 let all = ladder.of_stations(rungs);
                 self.follow(stand, |i| all[i])
             };
-            let found = [followed(&fine)?, followed(&rough)?];
-            let best = found.into_iter().flatten().chain(constant.clone()).min_by(|a, b| {
+            // Between the rungs joints may turn faster than from rung to rung: never faster than the machine can.
+            let full_speed = 1.0 / self.options.share_of_speed;
+            let keeps_speeds = |found: &Vec<Pushed>| ladder.too_fast(found, full_speed).is_none();
+            let found: Vec<Vec<Pushed>> =
+                [followed(&fine)?, followed(&rough)?].into_iter().flatten().filter(keeps_speeds).collect();
+            if found.is_empty() && !is_wound {
+                continue;
+            }
+            let best = found.into_iter().chain(constant.clone()).min_by(|a, b| {
                 // Errors that hardly differ are alike: then the first, which is the smoothest.
                 if (worst(a) / worst(b) - 1.0).abs() <= SPARE {
                     std::cmp::Ordering::Equal

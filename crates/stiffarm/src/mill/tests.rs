@@ -5,8 +5,10 @@ use nalgebra::{UnitQuaternion, Vector3};
 use super::*;
 use crate::catalogue::paper_robots;
 use crate::compliance::compliance;
+use crate::interval::Interval;
 use crate::inverse::reached;
 use crate::load::Load;
+use crate::place::{Margins, Within};
 use crate::spatial::Pose;
 use crate::toolpath::{Builtin, Move, Steps};
 
@@ -281,4 +283,45 @@ fn a_compensated_path_stands_where_it_should_when_it_is_loaded() {
     let held = followed(&stand, &any, &with(RollMode::Constant));
     let refused = compensate(&robot, &stand, &any, &held.samples, ErrorPart::Total);
     assert_eq!(refused, Err(MillError::AnyDirection));
+}
+
+/// Places by chance, each with its best rolls: none is better than what is proved of all, nor than the one that was found by more than the
+/// last step leaves.
+#[test]
+fn no_place_by_chance_is_better_than_what_is_proved() {
+    let robot = robot();
+    let moves = moves("rect:0.2x0.1");
+    let coarse = Steps { longest: 0.05, ..Steps::USUAL };
+    let stations = stations(&moves, &coarse, |_| Some(KNOWN));
+    let (options, margins) = (with(RollMode::Constant), Margins::usual());
+    let within = Within { x: Interval::new(1.2, 2.4).unwrap(), z: Interval::new(0.4, 1.6).unwrap() };
+    let tool = stand().flange_from_tool;
+    let found = place_path(&robot, &tool, &stations, (&options, &margins, within), Watch::nobody());
+    let found = found.unwrap().expect("there is a place");
+    let Milled::Followed(best) = &found.milled else { panic!("it is followed") };
+    assert!(
+        found.lower_bound <= best.worst.0 && 0.7 * best.worst.0 < found.lower_bound,
+        "{} {}",
+        found.lower_bound,
+        best.worst.0
+    );
+    let mut rng = fastrand::Rng::with_seed(81);
+    let (mut followed, mut least) = (0, f64::INFINITY);
+    for _ in 0..120 {
+        let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+        let placement = PartPlacement { at: [part(1.3, 2.3), 0.0, part(0.4, 1.6)], yaw: part(-3.2, 3.2) };
+        let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: tool };
+        let is_inside = |station: &Station| {
+            let [x, _, z] = stand.above(station, 0.0);
+            within.x.contains(x, 0.0) && within.z.contains(z, 0.0)
+        };
+        if !stations.iter().all(is_inside) {
+            continue;
+        }
+        if let Milled::Followed(other) = mill(&robot, &stand, &stations, &options, Watch::nobody()).unwrap() {
+            assert!(found.lower_bound <= other.worst.0, "{placement:?}: {} {}", found.lower_bound, other.worst.0);
+            (followed, least) = (followed + 1, least.min(other.worst.0));
+        }
+    }
+    assert!(20 < followed && best.worst.0 <= least * 1.001, "{followed}: {} {least}", best.worst.0);
 }

@@ -23,6 +23,7 @@ mod corrections;
 mod csv;
 mod emitted;
 mod fault;
+mod file;
 mod gcode;
 mod lines;
 mod moves;
@@ -36,6 +37,7 @@ use std::io::BufRead;
 
 pub use builtin::Builtin;
 pub use fault::PathFault;
+pub use file::{ToolpathError, read_toolpath};
 pub use moves::{Arc, Course, Given, Move, MoveKind, ToolPose};
 pub use options::{ArcCentres, ArcSense, CutterCompensation, IncrementalCycles, LengthUnit, ReadOptions, Rotary};
 pub use rewrite::{Original, Rewriting, Rewritten, rewrite};

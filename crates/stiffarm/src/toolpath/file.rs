@@ -3,8 +3,8 @@
 use std::io::BufReader;
 use std::path::Path;
 
-use super::files::{self, Unreadable};
-use crate::toolpath::{Builtin, Format, Move, PathFault, ReadOptions, Understood, read};
+use super::{Builtin, Format, Move, PathFault, ReadOptions, Understood, read};
+use crate::catalogue::files::{self, Unreadable};
 use crate::watch::Stopped;
 
 /// Of the buffer through which a path is read, bytes.
