@@ -96,6 +96,7 @@ impl Request {
         request.check_parts()?;
         request.check_force()?;
         request.check_markers()?;
+        request.check_dry()?;
         Ok(request)
     }
 
@@ -156,6 +157,20 @@ impl Request {
             Some(other) => {
                 let other = other.at.name(other.setting);
                 Err(Refusal::Excludes { at, name, other })
+            }
+        }
+    }
+
+    /// Of a path that is only read nothing is milled.
+    fn check_dry(&self) -> Result<(), Refusal> {
+        if self.verb != Verb::Mill || !self.is_dry() {
+            return Ok(());
+        }
+        match self.given.iter().find(|given| !settings::milling::is_of_reading(given.setting)) {
+            None => Ok(()),
+            Some(Given { setting, at, .. }) => {
+                let other = self.verb.setting("dry").map_or_else(String::new, |dry| at.name(dry));
+                Err(Refusal::Excludes { at: at.clone(), name: at.name(setting), other })
             }
         }
     }

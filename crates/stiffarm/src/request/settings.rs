@@ -1,6 +1,6 @@
 //! Which options are there? One row each, from which every face builds its parser, its help and its refusals.
 
-mod milling;
+pub(super) mod milling;
 
 use super::kind::{ANY, Count, Kind, count, count_of, degrees_of, number_of, one_or};
 use crate::cell::MOST_BLOCKS;

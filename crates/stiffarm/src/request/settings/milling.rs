@@ -4,9 +4,17 @@ use super::{Absent, Kind, ROW, SEVERAL, SPINDLE, Setting, Verb, WHOSE, count_of,
 
 const MILL: &[Verb] = &[Verb::Mill];
 /// Of a path that is milled.
-const MILLED: Setting = Setting { verbs: MILL, excludes: &["dry"], ..ROW };
+const MILLED: Setting = Setting { verbs: MILL, ..ROW };
 /// Of a toolpath.
-const PATH: Setting = Setting { verbs: MILL, heading: "Where the file is silent", ..ROW };
+const PATH: Setting = Setting { verbs: MILL, heading: SILENT, ..ROW };
+/// The headings of what matters to reading alone.
+const SILENT: &str = "Where the file is silent";
+const SAMPLES: &str = "Samples";
+
+/// It has a meaning where a path is only read.
+pub(in crate::request) fn is_of_reading(setting: &Setting) -> bool {
+    [SILENT, SAMPLES].contains(&setting.heading) || ["path", "dry"].contains(&setting.name)
+}
 
 pub(super) const ROWS: &[Setting] = &[
     Setting {
@@ -42,7 +50,7 @@ pub(super) const ROWS: &[Setting] = &[
         name: "process",
         kind: Kind::File,
         value: "PROCESS",
-        excludes: &["dry", "force-n"],
+        excludes: &["force-n"],
         help: "A process file (TOML): tool, material and engagement, or a force as it is; the mean force over a revolution acts",
         example: "endmill.toml",
         ..MILLED
@@ -52,7 +60,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Force,
         unit: "N",
         value: "F",
-        excludes: &["dry", "process"],
+        excludes: &["process"],
         help: "Cutting force on the tool: FEED,ACROSS,AXIAL (across: left of the feed, seen from the spindle; axial: away from the work), or its size, in its worst direction",
         example: "300,-120,80",
         ..MILLED
@@ -74,6 +82,7 @@ pub(super) const ROWS: &[Setting] = &[
         count: count_of(3, 4, "numbers", "x,y,z in m, or x,y,z and the yaw in deg"),
         value: "X,Y,Z,YAW",
         absent: Absent::Means("the best place within --within"),
+        excludes: &["within"],
         help: "Where the path's origin stands, m from the robot's base, and by how many degrees the part is turned about the vertical",
         example: "1.6,0,0.6,30",
         ..MILLED
@@ -84,7 +93,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Within,
         value: "RANGES",
         absent: Absent::Means("in front of the joint-1 axis, above the floor"),
-        excludes: &["dry", "at"],
+        excludes: &["at"],
         help: "Where all of the path must stand, m from the robot's base: x0..x1,z0..z1; either end may be left open",
         example: "1.0..,0.5..2",
         ..MILLED
@@ -179,7 +188,7 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "mm, deg",
         value: "X,Y,Z",
         absent: Absent::Means("the flange centre"),
-        excludes: &["dry", "tool"],
+        excludes: &["tool"],
         help: "Tool frame in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes; z out of the spindle to the tip",
         heading: "Robot",
         example: "0,0,150",
@@ -293,7 +302,7 @@ pub(super) const ROWS: &[Setting] = &[
         value: "MM",
         absent: Absent::Default("0.01"),
         help: "By how much the chord between two samples may be off an arc",
-        heading: "Samples",
+        heading: SAMPLES,
         example: "0.1",
         ..PATH
     },
@@ -304,7 +313,7 @@ pub(super) const ROWS: &[Setting] = &[
         value: "MM",
         absent: Absent::Default("10"),
         help: "Longest way between two samples",
-        heading: "Samples",
+        heading: SAMPLES,
         example: "5",
         ..PATH
     },
