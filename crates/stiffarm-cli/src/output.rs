@@ -206,6 +206,7 @@ impl<'a, A: Answer> Body<'a, A> {
             "png" => Self::Bytes(figures::png(&picture(answer.svg())?, answer.plate().pixels()).map_err(figure)?),
             "pdf" => Self::Bytes(figures::pdf(&picture(answer.svg())?).map_err(figure)?),
             "html" => Self::Bytes(picture(answer.view())?.html().into()),
+            "txt" => Self::of_format(answer, Format::Table),
             other => match answer.program(other) {
                 Some(program) => Self::Bytes(program?),
                 None => Self::of_format(answer, Format::Table),

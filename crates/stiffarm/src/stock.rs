@@ -155,7 +155,7 @@ impl Stock {
         let depth_at = |k: usize| {
             let (s, c) = (PI * (k as f64 + 0.5) / RIM as f64).sin_cos();
             let at = tip.xy() + reach * (s * ahead + c * left);
-            self.height(at.x, at.y).map(|height| height - tip.z).filter(|depth| 1e-9 < *depth)
+            self.height(at.x, at.y).map(|height| height - tip.z.max(self.bottom)).filter(|depth| 1e-9 < *depth)
         };
         let mut depths: Vec<Option<f64>> = (0..RIM).map(depth_at).collect();
         self.leave_touched(&mut depths, radius);

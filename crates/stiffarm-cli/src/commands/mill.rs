@@ -9,7 +9,7 @@ use stiffarm::mill::{RollMap, Stand};
 use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
 use stiffarm::request::Request;
-use stiffarm::toolpath::{Builtin, Move, Original, Survey, Understood, read_toolpath};
+use stiffarm::toolpath::{Builtin, Format, Move, Original, Survey, Understood, read_toolpath};
 use stiffarm::watch::Watch;
 
 use super::{drawing, progress, watched};
@@ -102,7 +102,7 @@ struct MillOutput<'a> {
 
 impl MillOutput<'_> {
     /// The path's own file with its tips led aside.
-    fn rewritten(&self) -> Result<Vec<u8>, Failure> {
+    fn rewritten(&self, ending: &str) -> Result<Vec<u8>, Failure> {
         let name = &self.answer.path;
         if Builtin::is_meant(name) {
             let why = format!(
@@ -111,6 +111,15 @@ impl MillOutput<'_> {
             return Err(Failure::Usage(why));
         }
         let (path, options) = (Path::new(name), self.asked.read_options());
+        let written = Format::of_name(&format!("a.{ending}"));
+        let read = self.asked.path_format(name)?;
+        if written != Some(read) {
+            let why = format!(
+                "{name} is {}: it is not written as .{ending}; choose an ending of its own format",
+                read.name()
+            );
+            return Err(Failure::Usage(why));
+        }
         let (format, mut input) = (self.asked.path_format(name)?, BufReader::new(files::open(path)?));
         let original = Original { input: &mut input, file: &files::shown(path), format, options: &options };
         let mut output = Vec::new();
@@ -175,7 +184,7 @@ impl Answer for MillOutput<'_> {
         let language = [Language::Krl, Language::Rapid, Language::Ls].into_iter().find(|one| one.ending() == ending);
         Some(match language {
             Some(language) => self.answer.program(language).map(String::into_bytes).map_err(Into::into),
-            None => self.rewritten(),
+            None => self.rewritten(ending),
         })
     }
 

@@ -31,7 +31,8 @@ pub enum MillError {
     AnyDirection,
     /// The loaded posture was not found.
     #[error(
-        "line {line}: the loaded posture does not settle, the joints still turn by {change:.1e} rad a round; the force is too large for these drives"
+        "{}the loaded posture does not settle, the joints still turn by {change:.1e} rad a round; the force is too large for these drives",
+        if *line == 0 { String::new() } else { format!("line {line}: ") }
     )]
     Unsettled {
         /// Of the file.

@@ -73,6 +73,10 @@ pub fn forced(
         }
         (Some(_), _) => return Err(ForcedError::NoMill),
     };
+    remarks.extend(cut.iter().filter(|cut| cut.iter().all(Option::is_none)).map(|_| {
+        "the path never meets the stock: nothing pushes on the tool; is the block given in the path's own frame?"
+            .to_owned()
+    }));
     let (mut next, mut fault) = (0, None);
     let stations = stations(moves, steps, |sample| {
         let engaged = cut.as_ref().map(|cut| cut[next]);
@@ -92,7 +96,49 @@ pub fn forced(
             }
         }
     });
-    fault.map_or(Ok(Forced { stations, remarks }), Err)
+    if let Some(fault) = fault {
+        return Err(fault);
+    }
+    remarks.extend(about_feeds(&stations, forcing));
+    Ok(Forced { stations, remarks })
+}
+
+/// What of a force does not go with the way that the tool feeds.
+fn about_feeds(stations: &[Station], forcing: &Forcing) -> Vec<String> {
+    let pushed = || stations.iter().filter(|station| station.acting.is_some());
+    let along_axis = |station: &&Station| {
+        station.sample.direction.is_some_and(|way| way.cross(&station.sample.pose.axis).norm() < STRAIGHT_DOWN)
+    };
+    let mut found = Vec::new();
+    let is_sideways = |station: &&Station| {
+        station.acting.and_then(|acting| acting.force()).is_some_and(|[f, c, _]| f != 0.0 || c != 0.0)
+    };
+    let plunges = pushed().filter(along_axis).filter(is_sideways).count();
+    if 0 < plunges {
+        found.push(format!(
+            "{plunges} samples feed along the tool axis: which way a force along the feed points is not known there, the part's x axis is taken"
+        ));
+    }
+    let Forcing::Process(process) = forcing else { return found };
+    let aside = pushed().filter(|station| !along_axis(station)).count();
+    if matches!(process.law, Law::Drilling { .. }) && 0 < aside {
+        found.push(format!("{aside} samples feed across the tool axis: the thrust of a drill is taken there, too"));
+    }
+    if let (Law::Milling(milling), Some(spindle)) = (&process.law, process.spindle) {
+        let meant = milling.engagement.feed_per_tooth * milling.teeth as f64 * spindle / std::f64::consts::TAU;
+        let other = pushed().filter_map(|station| station.sample.feed).filter(|feed| 0.1 < (feed / meant - 1.0).abs());
+        let [low, high] = other.fold([f64::INFINITY, 0.0], |[low, high], feed| [feed.min(low), feed.max(high)]);
+        if low <= high {
+            let per_minute = |feed: f64| (feed * 60e3).round();
+            found.push(format!(
+                "the path feeds at {} to {} mm/min where the process means {}: the force is that of its feed per tooth",
+                per_minute(low),
+                per_minute(high),
+                per_minute(meant)
+            ));
+        }
+    }
+    found
 }
 
 /// What of a mill is in the stock at every sample.

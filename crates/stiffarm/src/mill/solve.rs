@@ -79,7 +79,7 @@ impl Question<'_> {
     pub(super) fn solve(&self, stand: &Stand, watch: Watch) -> Result<(Ladder<'_>, Outcome), MillError> {
         let ladder = self.ladder(stand, self.stations, ROLLS, watch)?;
         let found = match self.options.roll {
-            RollMode::Fixed(roll) => self.at_one_roll(stand, roll),
+            RollMode::Fixed(roll) => self.at_one_roll(&ladder, stand, roll),
             RollMode::Constant => self.best_of(&ladder, &ladder.fine_constant_rolls()?, stand),
             RollMode::Linear => self.best_of(&ladder, &ladder.linear_rolls(), stand),
             RollMode::Free => self.free(&ladder, stand, watch),
@@ -107,11 +107,16 @@ impl Question<'_> {
     }
 
     /// The best configuration of a given roll: all are followed.
-    fn at_one_roll(&self, stand: &Stand, roll: f64) -> Result<Outcome, MillError> {
+    fn at_one_roll(&self, ladder: &Ladder, stand: &Stand, roll: f64) -> Result<Outcome, MillError> {
         let mut best: Option<Vec<Pushed>> = None;
         let mut farthest: Option<Blocked> = None;
         for configuration in Configuration::ALL {
-            match self.follow(stand, |_| Arrangement { configuration, roll })? {
+            let followed = self.follow(stand, |_| Arrangement { configuration, roll })?;
+            let in_time = followed.and_then(|found| match ladder.too_fast(&found, 1.0) {
+                None => Ok(found),
+                Some(i) => Err(ladder.blocked_at(i, Why::Fast)),
+            });
+            match in_time {
                 Ok(found) if best.as_ref().is_none_or(|best| worst(&found) < worst(best)) => best = Some(found),
                 Ok(_) => {}
                 Err(blocked) if farthest.is_none_or(|other| other.way < blocked.way) => farthest = Some(blocked),

@@ -131,12 +131,12 @@ impl<'a> Rewriter<'a> {
         match format {
             Format::GCode => {
                 head.push(format!("Feed moves are corrected. Arcs are straight moves, off by at most {chord:.4} mm"));
-                head.push("Rapid moves and drilling cycles are not corrected".into());
+                head.push("Rapid moves and drilling cycles are not corrected; from a rapid move the path is reached by its first sample".into());
                 Self::GCode(Box::new(gcode::rewrite::Rewriter::new(options, head, sinks)))
             }
             Format::Apt => {
                 head.push(format!("Feed moves are corrected. Arcs are straight moves, off by at most {chord:.4} mm"));
-                head.push("Rapid moves and drilling cycles are not corrected".into());
+                head.push("Rapid moves and drilling cycles are not corrected; from a rapid move the path is reached by its first sample".into());
                 Self::Apt(Box::new(apt::rewrite::Rewriter::new(options, head, sinks)))
             }
             Format::Csv => Self::Csv(Box::new(csv::rewrite::Rewriter::new(options, head, sinks))),

@@ -17,7 +17,9 @@ use crate::uncertainty::DRAWS;
 use crate::watch::Watch;
 
 /// Cells of a stock in the radius of a mill.
-const CELLS_IN_A_RADIUS: f64 = 40.0;
+const CELLS_IN_A_RADIUS: f64 = 160.0;
+/// Cells of a stock at most: 80 MB.
+const MOST_CELLS: f64 = 1e7;
 
 impl MillAnswer {
     /// What a request asks of a robot, a path and its moves, and a process (with the name of its file) where there is one.
@@ -36,7 +38,14 @@ impl MillAnswer {
         let (forcing, force, mut remarks) = forcing(asked, process)?;
         let mut stock = match (asked.stock()?, &forcing) {
             (Some([low, high]), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
-                Some(Stock::block(low, high, milling.diameter / 2.0 / CELLS_IN_A_RADIUS)?)
+                let area = (high[0] - low[0]) * (high[1] - low[1]);
+                let cell = (milling.diameter / 2.0 / CELLS_IN_A_RADIUS).max((area / MOST_CELLS).sqrt());
+                remarks.push(format!(
+                    "stock in cells of {} mm: cuts narrower than {} mm are not seen, and forces of narrow ones are known to a few percent",
+                    fixed(cell * 1e3, 3),
+                    fixed(cell * 1.5e3, 3)
+                ));
+                Some(Stock::block(low, high, cell)?)
             }
             (Some(_), _) => return Err(ForcedError::NoMill.into()),
             (None, _) => None,

@@ -155,7 +155,9 @@ impl MillAnswer {
             Some(Acting::Known { force, moment }) => (Some(force), number(moment)),
             _ => (None, Cell::Absent),
         };
-        let moved = pushed.moved.map(<[f64; 3]>::from);
+        // As the tip is told: in the axes of the part.
+        let turn = self.placement.map(|placement| placement.base_from_part().rotation.inverse());
+        let moved = pushed.moved.zip(turn).map(|(moved, turn)| <[f64; 3]>::from(turn * moved));
         let degrees = |x: f64| number(x.to_degrees());
         let mut cells = vec![Cell::Count(sample.line as i64), number(sample.way)];
         cells.extend(all(sample.pose.tip.as_slice(), 1e3));

@@ -100,7 +100,10 @@ impl MillAnswer {
             }
             RollMode::Constant | RollMode::Fixed(_) => format!("{}, {}", self.options.roll.name(), angle("from_deg")),
         };
-        lines.push(line("roll", format!("{turned}, of the tool's x axis from the part's")));
+        lines.push(line(
+            "roll",
+            format!("{turned}, of the tool's x axis from the part's, clockwise seen from the spindle"),
+        ));
         let again = json["rearranged"].as_u64().unwrap_or(0);
         let how = if again == 0 {
             "all along".into()
@@ -176,7 +179,9 @@ impl MillAnswer {
         } else {
             "a robot follows the mean force over a revolution; the teeth pass far above"
         };
-        format!("all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at\n")
+        format!(
+            "all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at; collisions with part, floor and cell are not looked for\n"
+        )
     }
 }
 

@@ -104,7 +104,7 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "deg",
         value: "MODE",
         absent: Absent::Default("free"),
-        help: "How the tool is turned about its axis: free (from sample to sample, as is best), constant (the best of all), linear (changing evenly), or so many degrees of its x axis from the part's",
+        help: "How the tool is turned about its axis: free (from sample to sample, as is best), constant (the best of all), linear (changing evenly), or so many degrees of its x axis from the part's, clockwise seen from the spindle",
         example: "constant",
         ..MILLED
     },

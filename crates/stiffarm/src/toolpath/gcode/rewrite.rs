@@ -2,6 +2,8 @@
 
 use std::cell::RefCell;
 
+use nalgebra::Vector3;
+
 use super::super::corrections::{Corrections, Place, Sink, between};
 use super::super::emitted::{Emitted, Lengths, Line, OF_AXIS, number, refused_as_written, remark};
 use super::super::fault::Wrong;
@@ -35,6 +37,8 @@ pub(in super::super) struct Rewriter<'a> {
     head: Vec<String>,
     /// Straight moves have said a tool axis by I J K.
     has_vectors: bool,
+    /// Where the tool stood before the block, as the file is.
+    before: Vector3<f64>,
 }
 
 impl<'a> Rewriter<'a> {
@@ -44,7 +48,7 @@ impl<'a> Rewriter<'a> {
         (sink, unheard): (Sink<'a>, Sink<'a>),
     ) -> Self {
         let (original, written) = (Reader::new(options, sink), Reader::new(options, unheard));
-        Self { original, written, head, has_vectors: false }
+        Self { original, written, head, has_vectors: false, before: Vector3::zeros() }
     }
 
     /// Reads a line, and writes what becomes of it.
@@ -59,6 +63,7 @@ impl<'a> Rewriter<'a> {
         path: &mut Corrections,
     ) -> Result<(), Wrong> {
         let is_over = self.original.ended.is_some();
+        self.before = self.original.machine.tip;
         self.original.line(line.text, line.number)?;
         if is_over {
             emitted.keep(line);
@@ -74,6 +79,15 @@ impl<'a> Rewriter<'a> {
         let blocks = match moves[..] {
             [one] if one.kind == MoveKind::Feed && self.is_motion() => Some(self.led(line, &one, path)?),
             [] if self.is_motion() && self.stays() => Some(self.held(line)?),
+            // Words that a rapid move or a cycle leaves out would keep what was corrected before.
+            [one] if one.kind == MoveKind::Rapid && self.is_across() => {
+                path.skip(&one);
+                Some(vec![self.restored(line, &[0, 1, 2])?])
+            }
+            [_, ..] if self.is_hole() => {
+                moves.iter().for_each(|one| path.skip(one));
+                Some(vec![self.restored(line, &[0, 1])?])
+            }
             _ => None,
         };
         if let Some(blocks) = blocks {
@@ -87,6 +101,59 @@ impl<'a> Rewriter<'a> {
 
     /// The block asks for a straight move or an arc at a feed rate.
     fn is_motion(&self) -> bool {
+        matches!(self.original.motion, Motion::Line | Motion::Clockwise | Motion::CounterClockwise) && self.is_plain()
+    }
+
+    /// It asks for a rapid move across, from where something was corrected. One that only rises stays: it would be led aside in the work.
+    fn is_across(&self) -> bool {
+        self.original.motion == Motion::Rapid
+            && self.is_plain()
+            && self.original.block.has_any(b"XY")
+            && self.is_aside(&[0, 1, 2])
+    }
+
+    /// It asks for a hole, beside which the tool would stand.
+    fn is_hole(&self) -> bool {
+        matches!(self.original.motion, Motion::Cycle(_))
+            && !self.original.is_incremental
+            && self.is_plain()
+            && self.is_aside(&[0, 1])
+    }
+
+    /// Some axis that the block leaves out, or counts from where the tool stands, would end beside its place.
+    fn is_aside(&self, axes: &[usize]) -> bool {
+        let lengths = Lengths::of(self.original.unit);
+        let (place, original) = (&self.written.machine.tip, &self.original.machine.tip);
+        axes.iter().any(|&axis| {
+            let is_said = self.original.block.has(b'X' + axis as u8) && !self.original.is_incremental;
+            let before = if self.original.is_incremental { self.before[axis] } else { original[axis] };
+            !is_said && !lengths.are_alike(place[axis], before)
+        })
+    }
+
+    /// The block with all of these axes named, so that it ends where it did.
+    fn restored(&mut self, line: &Line, axes: &[usize]) -> Result<Vec<u8>, Wrong> {
+        let mut edit = Edit::of(line)?;
+        let lengths = Lengths::of(self.original.unit);
+        let pose = ToolPose { tip: self.original.machine.tip, axis: self.original.machine.axis };
+        let place = Place { pose, share: 1.0 };
+        for &axis in axes {
+            let letter = b'X' + axis as u8;
+            let wanted = self.counted(&place, axis);
+            let stands = self.original.block.get(letter).map(|number| number * lengths.unit);
+            let is_said = match stands {
+                Some(stands) => lengths.are_alike(stands, wanted),
+                None => lengths.are_alike(self.written.machine.tip[axis], pose.tip[axis]),
+            };
+            if !is_said {
+                edit.set(letter, lengths.told(wanted));
+            }
+        }
+        self.write(edit.bytes(), line)
+    }
+
+    /// It says nothing that takes words of its own.
+    fn is_plain(&self) -> bool {
         let block = &self.original.block;
         let takes_words = |code: &u16| {
             matches!(
@@ -101,8 +168,7 @@ impl<'a> Rewriter<'a> {
                     | Meaning::Dwell
             )
         };
-        matches!(self.original.motion, Motion::Line | Motion::Clockwise | Motion::CounterClockwise)
-            && !block.g.all().iter().any(takes_words)
+        !block.g.all().iter().any(takes_words)
     }
 
     /// It names the place at which the tool stands already: where that was corrected, the words must be, too.
