@@ -13,6 +13,7 @@
 mod asked;
 mod batch;
 mod drawn;
+mod draws;
 mod json;
 mod numbers;
 mod palette;
@@ -46,6 +47,8 @@ mod _stiffarm {
     use super::batch::{matrices, worst};
     #[pymodule_export]
     use super::drawn::drawn_place;
+    #[pymodule_export]
+    use super::draws::draws;
     #[pymodule_export]
     use super::palette::{colours, looks};
     #[pymodule_export]

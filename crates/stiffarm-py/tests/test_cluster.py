@@ -732,6 +732,41 @@ def test_a_scenario_that_fails_for_one_robot_counts_for_none(client, tmp_path):
     assert told == {names[0]: (4, 2, 1.0), names[1]: (4, 0, 0.0)}
 
 
+def test_a_number_of_scenarios_draws_the_drives_as_every_interval_does(client, tmp_path):
+    """The interval of a posture comes from 2000 draws: with the factors that a sweep has, posture by posture, it is the same."""
+    names, options = ["KR 210 R2700 extra", "IRB 6650S-200"], {"model": "spatial", "chunk_rows": 3}
+    made = cluster.sweep(names, tasks="circle:0.1", scenarios=2, client=client, folder=tmp_path / "d", **options)
+    question, rows = _question.read_question(made.folder), made.to_arrow().to_pylist()
+    asked = {"joints_deg": [10.0, -70.0, 100.0, 20.0, 40.0, 0.0], "force_n": [300.0, -500.0, 800.0]}
+    _, drawn = cluster._drawn(cluster._told_apart(names), {"model": "spatial"}, 2000)
+    for r, name in enumerate(names):
+        mine = [[row[f"compliance_factor_{drive}"] for drive in range(1, 7)] for row in rows if row["robot"] == name]
+        assert np.array_equal(mine, drawn[:2, r])
+        nominal = Robot.from_toml(question.robots[r]["toml"])
+        told = stiffarm.compliance(name, stiffness="prior", **asked).to_dict()
+        assert nominal.drive_urad_per_nm == pytest.approx(told["drive_urad_per_nm"], rel=1e-12)
+        moved = []
+        for factors in drawn[:, r]:
+            arm = nominal.with_compliance(drive_urad_per_nm=nominal.drive_urad_per_nm * factors)
+            moved.append(np.linalg.norm(stiffarm.compliance(arm, **asked).to_dict()["deflection_mm"]))
+        fifth, last = np.sort(moved)[[100, 1899]]
+        assert (fifth, last) == pytest.approx((told["deflection_mm_p05"], told["deflection_mm_p95"]), rel=1e-9)
+
+
+def test_a_robot_of_which_nothing_is_known_has_no_draws(client, tmp_path):
+    planar = Robot.from_numbers("planar", l2_mm=1150, l3_mm=1000)
+    options = {"tasks": "A:0.3", "scenarios": 2, "client": client}
+    with pytest.raises(StiffarmError, match="nothing says how far the drives of planar may be off"):
+        cluster.sweep(planar, folder=tmp_path / "n", **options)
+    with pytest.raises(StiffarmError, match="nothing says .* of KR 210 R2700 extra .* stiffness='prior'"):
+        cluster.sweep(ROBOTS[0], folder=tmp_path / "o", **options)
+    found = cluster.sweep([ROBOTS[0], planar], folder=tmp_path / "p", stiffness="prior", **options).to_arrow().to_pylist()
+    assert [row["error"] is None for row in found] == [True, False] * 2 and "planar" in found[1]["error"]
+    for wrong in (0, -1, True, 2.5):
+        with pytest.raises(StiffarmError, match="scenarios"):
+            cluster.sweep(ROBOTS[0], folder=tmp_path / "q", **{**options, "scenarios": wrong})
+
+
 def test_who_holds_the_tolerance_how_often(client, tmp_path):
     """From the rows alone; the ends of the interval are the roots of (p - share)^2 = z^2 p (1 - p) / n."""
     asked = {"tasks": ["A:0.3", "A:9"], "force_n": [700, 1000], "scenarios": cluster.spread(40, robots=4, seed=7), "tolerance_mm": 1.2}

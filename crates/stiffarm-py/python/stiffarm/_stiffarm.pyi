@@ -14,6 +14,7 @@ __all__ = [
     "__version__",
     "distinct",
     "drawn_place",
+    "draws",
     "force",
     "identify",
     "map",
@@ -94,6 +95,7 @@ class Robot:
 def drawn_place(
     robot: Robot, wanted_task: str, asked: dict[str, str], size: int
 ) -> tuple[dict[str, Any], npt.NDArray[np.float64]]: ...
+def draws(robot: Robot, asked: dict[str, str], count: int) -> tuple[Robot, npt.NDArray[np.float64] | None]: ...
 def identify(
     name: str, text: str | None, robot: Robot, asked: dict[str, str], progress: _Told | None = None
 ) -> tuple[dict[str, Any], dict[str, Any], str]: ...

@@ -18,28 +18,52 @@ pub(super) struct System {
 
 impl System {
     /// The same with every block of three rows times a weight.
-    pub(super) fn weighted(&self, weights: &[f64]) -> Self {
-        let mut weighted = self.clone();
-        for mut column in weighted.a.column_iter_mut() {
+    pub(super) fn weighted(mut self, weights: &[f64]) -> Self {
+        if weights.iter().all(|weight| *weight == 1.0) {
+            return self;
+        }
+        for mut column in self.a.column_iter_mut() {
             column.iter_mut().enumerate().for_each(|(i, x)| *x *= weights[i / 3]);
         }
-        for (i, y) in weighted.y.iter_mut().enumerate() {
+        for (i, y) in self.y.iter_mut().enumerate() {
             *y *= weights[i / 3];
         }
-        weighted
+        self
     }
 
     /// What remains where some columns have fixed values.
-    pub(super) fn holding(&self, held: &[Option<f64>]) -> Self {
+    pub(super) fn holding(self, held: &[Option<f64>]) -> Self {
+        if held.iter().all(Option::is_none) {
+            return self;
+        }
         let fixed = DVector::from_iterator(held.len(), held.iter().map(|value| value.unwrap_or(0.0)));
         let free: Vec<usize> = (0..held.len()).filter(|&i| held[i].is_none()).collect();
         Self { a: self.a.select_columns(&free), y: &self.y - &self.a * fixed }
+    }
+
+    /// R of `A = Q R`, and `Q^T y`; with rows of zeros where there are less rows than columns. Rows are taken in blocks that stay in the
+    /// cache, each below the triangle of those before.
+    pub(super) fn reduced(&self) -> (DMatrix<f64>, DVector<f64>) {
+        const BLOCK: usize = 192;
+        let (rows, count) = self.a.shape();
+        let mut r = DMatrix::zeros(0, count + 1);
+        for first in (0..rows).step_by(BLOCK) {
+            let (above, more) = (r.nrows(), BLOCK.min(rows - first));
+            let mut stacked = DMatrix::zeros(above + more, count + 1);
+            stacked.rows_mut(0, above).copy_from(&r);
+            stacked.view_mut((above, 0), (more, count)).copy_from(&self.a.rows(first, more));
+            stacked.view_mut((above, count), (more, 1)).copy_from(&self.y.rows(first, more));
+            r = stacked.qr().r();
+        }
+        let r = r.resize(count, count + 1, 0.0);
+        (r.columns(0, count).into_owned(), r.column(count).into_owned())
     }
 }
 
 /// Columns that the rows do not show: each alone, or together with others of which only a sum is shown.
 pub(super) fn unseen(system: &System) -> Vec<Vec<usize>> {
-    let norms: Vec<f64> = system.a.column_iter().map(|column| column.norm()).collect();
+    let (r, _) = system.reduced();
+    let norms: Vec<f64> = r.column_iter().map(|column| column.norm()).collect();
     let largest = norms.iter().copied().fold(0.0, f64::max);
     let is_seen = |i: &usize| NOTHING * largest < norms[*i];
     let seen: Vec<usize> = (0..norms.len()).filter(is_seen).collect();
@@ -47,11 +71,11 @@ pub(super) fn unseen(system: &System) -> Vec<Vec<usize>> {
     if seen.is_empty() {
         return groups;
     }
-    let mut scaled = system.a.select_columns(&seen);
+    let mut scaled = r.select_columns(&seen);
     for (mut column, &i) in scaled.column_iter_mut().zip(&seen) {
         column /= norms[i];
     }
-    let svd = triangle(&scaled).svd(false, true);
+    let svd = scaled.svd(false, true);
     let Some(vectors) = svd.v_t else { return groups };
     let largest = svd.singular_values.max();
     let mut combined = Vec::new();
@@ -68,12 +92,6 @@ pub(super) fn unseen(system: &System) -> Vec<Vec<usize>> {
     groups
 }
 
-/// The triangle R of `A = Q R`; square, with rows of zeros where there are less rows than columns.
-fn triangle(a: &DMatrix<f64>) -> DMatrix<f64> {
-    let r = a.clone().qr().r();
-    if r.nrows() == r.ncols() { r } else { r.resize(a.ncols(), a.ncols(), 0.0) }
-}
-
 /// A solution, in which some values may stand at zero, their bound.
 #[derive(Clone, Debug)]
 pub(super) struct Solution {
@@ -85,38 +103,51 @@ pub(super) struct Solution {
     pub residual: DVector<f64>,
     /// R of the free columns.
     r: DMatrix<f64>,
-    /// Their orthonormal basis, `A = Z R`.
+    /// Their orthonormal basis, `A = Z R`; transposed, so that a row is one piece of memory.
     z: DMatrix<f64>,
 }
 
 /// Least squares with values that are not negative (Lawson and Hanson's active set), all columns seen. `None` where there is no solution
 /// in numbers.
 pub(super) fn solve(system: &System) -> Option<Solution> {
+    let columns = system.a.ncols();
+    if system.a.nrows() < columns {
+        return None;
+    }
+    let (mut r, right) = system.reduced();
     // A column of nothing keeps its zero.
     let scale = |norm: f64| if 0.0 < norm { norm.recip() } else { 1.0 };
-    let scale: Vec<f64> = system.a.column_iter().map(|column| scale(column.norm())).collect();
-    let mut scaled = system.a.clone();
+    let scale: Vec<f64> = r.column_iter().map(|column| scale(column.norm())).collect();
+    let mut scaled = r.clone();
     for (mut column, scale) in scaled.column_iter_mut().zip(&scale) {
         column *= *scale;
     }
-    let qr = scaled.clone().qr();
-    let mut right = system.y.clone();
-    qr.q_tr_mul(&mut right);
-    let r = qr.r();
-    let columns = r.ncols();
-    if r.nrows() < columns {
-        return None;
-    }
-    let x = not_negative(&r, &right.rows(0, columns).into_owned())?;
+    let x = not_negative(&scaled, &right)?;
     let free: Vec<usize> = (0..columns).filter(|&i| 0.0 < x[i]).collect();
     let values: Vec<f64> = x.iter().zip(&scale).map(|(x, scale)| x * scale).collect();
     let residual = &system.y - &system.a * DVector::from_column_slice(&values);
-    let own = system.a.select_columns(&free);
-    // The triangle of all columns is known but for their scale.
-    let whole = || DMatrix::from_fn(columns, columns, |i, j| r[(i, j)] / scale[j]);
-    let r = if free.len() == columns { whole() } else { triangle(&own) };
-    let z = r.transpose().solve_lower_triangular(&own.transpose())?.transpose();
+    if free.len() < columns {
+        r = r.select_columns(&free).qr().r();
+    }
+    let z = basis(&system.a, &free, &r)?;
     Some(Solution { values, free, residual, r, z })
+}
+
+/// `Z^T` of some columns `A = Z R`, row by row of A; `None` where R is singular.
+fn basis(a: &DMatrix<f64>, free: &[usize], r: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let (rows, count) = (a.nrows(), free.len());
+    let mut z = DMatrix::zeros(count, rows);
+    if r.diagonal().iter().any(|x| *x == 0.0) {
+        return None;
+    }
+    // Where nothing is free, there is no piece to fill.
+    for (row, z) in z.as_mut_slice().chunks_exact_mut(count.max(1)).enumerate() {
+        for (j, &column) in free.iter().enumerate() {
+            let before: f64 = (0..j).map(|i| z[i] * r[(i, j)]).sum();
+            z[j] = (a[(row, column)] - before) / r[(j, j)];
+        }
+    }
+    Some(z)
 }
 
 /// The least `|R x - d|` with `x >= 0`, of a small matrix.
@@ -191,10 +222,17 @@ pub(super) fn spread(solution: &Solution, groups: &[usize]) -> Option<Spread> {
     let mut left_out = vec![None; rows];
     let mut changed: Vec<DVector<f64>> = Vec::new();
     let mut is_alone = vec![false; count];
+    let z = z.as_slice();
     for own in of_posture.iter().filter(|own| !own.is_empty()) {
-        let (block, missed) = (z.select_rows(own), residual.select_rows(own));
-        // (A^T A without the posture)^-1 = R^-1 (I - Z^T Z)^-1 R^-T.
-        let rest = DMatrix::identity(count, count) - block.tr_mul(&block);
+        // (A^T A without the posture)^-1 = R^-1 (I - Z^T Z)^-1 R^-T; the lower triangle is enough.
+        let (mut rest, mut right) = (DMatrix::identity(count, count), DVector::zeros(count));
+        for &row in own {
+            let z = &z[count * row..][..count];
+            for a in 0..count {
+                right[a] += z[a] * residual[row];
+                (0..=a).for_each(|b| rest[(a, b)] -= z[a] * z[b]);
+            }
+        }
         let Some(rest) =
             Cholesky::new(rest.clone()).filter(|found| found.l_dirty().diagonal().iter().all(|x| 1e-6 < *x))
         else {
@@ -208,9 +246,11 @@ pub(super) fn spread(solution: &Solution, groups: &[usize]) -> Option<Spread> {
             }
             continue;
         };
-        let step = rest.solve(&block.tr_mul(&missed));
-        let alone = &missed + &block * &step;
-        own.iter().zip(alone.iter()).for_each(|(&row, missed)| left_out[row] = Some(*missed));
+        let step = rest.solve(&right);
+        for &row in own {
+            let along: f64 = z[count * row..][..count].iter().zip(step.iter()).map(|(z, step)| z * step).sum();
+            left_out[row] = Some(residual[row] + along);
+        }
         changed.push(-(&inverse * step));
     }
     let number = changed.len() as f64;
@@ -242,12 +282,10 @@ pub(super) fn robust(system: &System, start: &Solution, bound: f64) -> Option<Ro
     let mut weights = vec![1.0; readings];
     let mut found = DVector::from_iterator(free.len(), free.iter().map(|&i| start.values[i]));
     let mut ratios = vec![0.0; readings];
-    // Rows one after the other in memory.
-    let rows = z.transpose();
     let count = free.len();
     for _ in 0..200 {
         let along = r * &found;
-        let missed = &system.y - rows.tr_mul(&along);
+        let missed = &system.y - z.tr_mul(&along);
         let lengths: Vec<f64> = (0..readings).map(|i| missed.rows(3 * i, 3).norm()).collect();
         let mut sorted = lengths.clone();
         let middle = sorted.len() / 2;
@@ -256,7 +294,7 @@ pub(super) fn robust(system: &System, start: &Solution, bound: f64) -> Option<Ro
         weights = ratios.iter().map(|ratio| (bound / ratio).min(1.0)).collect();
         // In the orthonormal basis the weighted normal equations are as well conditioned as the weights.
         let (mut normal, mut right) = (DMatrix::zeros(count, count), DVector::zeros(count));
-        for (i, row) in rows.as_slice().chunks_exact(count).enumerate() {
+        for (i, row) in z.as_slice().chunks_exact(count).enumerate() {
             let weight = weights[i / 3];
             for a in 0..count {
                 right[a] += weight * row[a] * system.y[i];
@@ -285,6 +323,20 @@ mod tests {
 
     fn random(rng: &mut fastrand::Rng, rows: usize, columns: usize) -> DMatrix<f64> {
         DMatrix::from_fn(rows, columns, |_, _| rng.f64() - 0.5)
+    }
+
+    /// `R^T R = A^T A` and `R^T (Q^T y) = A^T y`, with less rows than columns, with one block and with several.
+    #[test]
+    fn rows_taken_in_blocks_give_the_normal_equations_of_all_rows() {
+        let mut rng = fastrand::Rng::with_seed(6);
+        for rows in [2, 5, 192, 193, 1000] {
+            let a = random(&mut rng, rows, 5);
+            let y = DVector::from_fn(rows, |_, _| rng.f64() - 0.5);
+            let (r, right) = System { a: a.clone(), y: y.clone() }.reduced();
+            assert_eq!(r, r.upper_triangle());
+            assert!((r.tr_mul(&r) - a.tr_mul(&a)).amax() < 1e-13 * rows as f64);
+            assert!((r.tr_mul(&right) - a.tr_mul(&y)).amax() < 1e-13 * rows as f64);
+        }
     }
 
     /// Of all choices of columns that stand at zero the best one that is allowed, found by trying all of them.

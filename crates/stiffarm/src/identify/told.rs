@@ -36,10 +36,8 @@ pub struct Outlier {
 
 /// Singular values, descending, and the direction of the smallest.
 pub(super) fn seen(system: &System) -> (Vec<f64>, Combination) {
-    let r = system.a.clone().qr().r();
     let count = system.a.ncols();
-    let square = if r.nrows() == count { r } else { r.resize(count, count, 0.0) };
-    let svd = square.svd(false, true);
+    let svd = system.reduced().0.svd(false, true);
     let mut order: Vec<usize> = (0..count).collect();
     order.sort_by(|&i, &j| svd.singular_values[j].total_cmp(&svd.singular_values[i]));
     let values: Vec<f64> = order.iter().map(|&i| svd.singular_values[i]).collect();

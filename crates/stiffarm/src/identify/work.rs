@@ -1,6 +1,7 @@
 //! From readings to a system of equations, its solution, and what that says of each spring.
 
-use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
+use rayon::prelude::*;
 
 use super::compensated::Compensated;
 use super::model::Springs;
@@ -53,31 +54,23 @@ impl<'a> Work<'a> {
     ) -> Result<Self, IdentifyError> {
         let Arm::SixAxis { drives, .. } = &robot.arm else { return Err(IdentifyError::Planar(robot.name.clone())) };
         let regions = ranges(readings, springs)?;
+        // Markers of one posture follow one another.
+        let runs: Vec<&[Reading]> = readings.chunk_by(|one, next| one.q == next.q).collect();
+        let rows = |run: &&[Reading]| {
+            watch.go_on()?;
+            let bent = Bent::at(robot, &run[0].q)?;
+            Ok(run.iter().map(|reading| Rows::of(reading, &bent, springs, &regions, options)).collect())
+        };
+        let rows: Vec<Vec<Rows>> = runs.par_iter().map(rows).collect::<Result<_, IdentifyError>>()?;
         let mut a = DMatrix::zeros(3 * readings.len(), springs.len());
         let mut y = DVector::zeros(3 * readings.len());
-        let mut joint_2 = Vec::with_capacity(readings.len());
-        let mut last: Option<([f64; 6], Bent)> = None;
-        for (i, reading) in readings.iter().enumerate() {
-            watch.go_on()?;
-            // Markers of one posture follow one another.
-            let bent = match last.take() {
-                Some((q, bent)) if q == reading.q => bent,
-                _ => Bent::at(robot, &reading.q)?,
-            };
-            let load = turned(&reading.load.0, options.load_axes, &bent);
-            let moved = if options.moved_axes == Axes::Flange { bent.turned(reading.moved) } else { reading.moved };
-            let (at, marker) = (bent.point(&reading.load_at), bent.point(&reading.marker_at));
-            let region = regions.iter().position(|[_, last]| reading.q[1] <= *last);
-            let is_idle = |spring: Spring| matches!(spring, Spring::Region(other) if Some(other) != region);
-            for (j, spring) in springs.iter().enumerate().filter(|(_, spring)| !is_idle(**spring)) {
-                a.fixed_view_mut::<3, 1>(3 * i, j).copy_from(&bent.column(*spring, (&load, &at), &marker));
+        for (i, rows) in rows.iter().flatten().enumerate() {
+            for (j, column) in rows.columns.iter().enumerate() {
+                a.fixed_view_mut::<3, 1>(3 * i, j).copy_from(column);
             }
-            y.fixed_rows_mut::<3>(3 * i).copy_from(&moved);
-            let is_second = |spring: &Spring| matches!(spring, Spring::Drive(1) | Spring::Region(_));
-            let second = springs.iter().position(|spring| is_second(spring) && !is_idle(*spring));
-            joint_2.extend(second.map(|second| (second, bent.theta_2)));
-            last = Some((reading.q, bent));
+            y.fixed_rows_mut::<3>(3 * i).copy_from(&rows.moved);
         }
+        let joint_2: Vec<(usize, f64)> = rows.iter().flatten().filter_map(|rows| rows.joint_2).collect();
         let sigmas: Vec<f64> = readings.iter().filter_map(|reading| reading.sigma).collect();
         let noise = (sigmas.len() == readings.len()).then(|| {
             let mean = sigmas.iter().map(|sigma| sigma.powi(-2)).sum::<f64>() / sigmas.len() as f64;
@@ -399,8 +392,7 @@ impl<'a> Work<'a> {
         let postures = self.readings.iter().map(|reading| reading.posture).max().map_or(0, |last| last + 1);
         // Of compliances alone: what else is sought has other units.
         let compliances = self.springs.iter().filter(|spring| spring.is_compliance()).count();
-        let a = self.system.a.columns(0, compliances).into_owned();
-        let system = System { a, y: self.system.y.clone() };
+        let system = System { a: self.system.a.columns(0, compliances).into_owned(), y: self.system.y.clone() };
         let (singular_values, least_seen) = told::seen(&system.weighted(&self.weights));
         let left_out: Option<Vec<f64>> = spread
             .left_out
@@ -430,6 +422,34 @@ impl<'a> Work<'a> {
             postures,
             remarks: Vec::new(),
         }
+    }
+}
+
+/// What a reading says: three rows of the system.
+struct Rows {
+    /// Of each spring.
+    columns: Vec<Vector3<f64>>,
+    /// Along base axes, m.
+    moved: Vector3<f64>,
+    /// Which spring is drive 2, and the model angle of joint 2, rad.
+    joint_2: Option<(usize, f64)>,
+}
+
+impl Rows {
+    fn of(reading: &Reading, bent: &Bent, springs: &[Spring], regions: &[[f64; 2]], options: &Options) -> Self {
+        let load = turned(&reading.load.0, options.load_axes, bent);
+        let moved = if options.moved_axes == Axes::Flange { bent.turned(reading.moved) } else { reading.moved };
+        let (at, marker) = (bent.point(&reading.load_at), bent.point(&reading.marker_at));
+        let region = regions.iter().position(|[_, last]| reading.q[1] <= *last);
+        let is_idle = |spring: Spring| matches!(spring, Spring::Region(other) if Some(other) != region);
+        let column = |spring: &Spring| match is_idle(*spring) {
+            true => Vector3::zeros(),
+            false => bent.column(*spring, (&load, &at), &marker),
+        };
+        let is_second = |spring: &Spring| matches!(spring, Spring::Drive(1) | Spring::Region(_));
+        let second = springs.iter().position(|spring| is_second(spring) && !is_idle(*spring));
+        let joint_2 = second.map(|second| (second, bent.theta_2));
+        Self { columns: springs.iter().map(column).collect(), moved, joint_2 }
     }
 }
 

@@ -104,7 +104,7 @@ def sweep(
     folder: str | os.PathLike[str],
     tasks: str | Iterable[str] = PAPER_TASKS,
     force_n: float | Sequence[float] = 1000.0,
-    scenarios: npt.ArrayLike | None = None,
+    scenarios: int | npt.ArrayLike | None = None,
     client: ClientLike = None,
     workers: int | None = None,
     chunk_rows: int | None = None,
@@ -126,9 +126,12 @@ def sweep(
         As in `stiffarm.rank`: what is one zone under two names is one task, under the first of them.
     force_n : float or list of float
         Cutting forces [N].
-    scenarios : (m, 6) or (m, robots, 6) array_like, optional
-        Factors on the compliance of each drive [1], for all robots or for each: `spread`. A factor that is no positive
-        number becomes rows with an ``error``.
+    scenarios : int, or (m, 6) or (m, robots, 6) array_like, optional
+        A whole number: so many draws of how far the drives may be off, the first of those from which `stiffarm.rank` has its
+        intervals; of the prior (``stiffness="prior"``, which is taken in space where nothing is said) or of an identification.
+        A robot of which nothing is known becomes rows with an ``error``.
+        Else factors on the compliance of each drive [1], for all robots or for each: `spread`. A factor that is no positive
+        number becomes rows with an ``error``. They multiply the compliances that ``stiffness`` asks for.
     client : distributed.Client or str, optional
         A client, or the address of a scheduler. Without it workers of one thread on this machine.
     workers : int, optional
@@ -217,7 +220,7 @@ def _checked(
     tasks: str | Iterable[str],
     forces_n: list[float],
     asked: dict[str, str],
-    scenarios: npt.ArrayLike | None,
+    scenarios: int | npt.ArrayLike | None,
     chunk_rows: int | None,
 ) -> Question:
     """Refuses what would be wrong in every row."""
@@ -233,13 +236,16 @@ def _checked(
     any_robot = Robot("KR 210 R2700 extra")
     for force in forces_n:
         _stiffarm.place(any_robot, "circle:50", {**asked, "force_n": repr(force)}, False)
-    drawn = None if scenarios is None else _given.numbers("scenarios", scenarios)
-    if drawn is not None:
-        for stiffness in asked.keys() & {"drive_urad_per_nm", "stiffness_nm_per_rad", "stiffness"}:
+    drawn: Array | None = None
+    if scenarios is not None:
+        for stiffness in asked.keys() & {"drive_urad_per_nm", "stiffness_nm_per_rad"}:
             # It would be that of every scenario.
             raise StiffarmError(
                 f"{stiffness} and scenarios both say how stiff the drives are; factors apply to Robot.with_compliance"
             )
+        who, drawn = _drawn(who, {**asked, "force_n": repr(forces_n[0])}, scenarios)
+        # The robots have it from here on.
+        asked = {key: value for key, value in asked.items() if key != "stiffness"}
         if drawn.shape[1:] not in ((6,), (len(who), 6)) or not len(drawn):
             raise StiffarmError(
                 f"scenarios of shape {drawn.shape}; expected (m, 6) or (m, {len(who)}, 6): factors on the compliance of "
@@ -249,6 +255,35 @@ def _checked(
             raise StiffarmError("scenarios hold no six factors that are positive numbers")
     rows = CHUNK_ROWS[asked["model"]] if chunk_rows is None else _given.whole("chunk_rows", chunk_rows, 1, 10_000_000)
     return Question(who, wanted, wanted, list(dict.fromkeys(forces_n)), asked, drawn, rows)
+
+
+def _drawn(
+    who: list[dict[str, str | None]], asked: dict[str, str], scenarios: int | npt.ArrayLike
+) -> tuple[list[dict[str, str | None]], Array]:
+    """Robots with the drives that are asked for, and the factors on their compliances."""
+    is_count = isinstance(scenarios, (int, np.integer))
+    count = _given.whole("scenarios", scenarios, 1, 10**6) if is_count else 0
+    told: list[dict[str, str | None]] = []
+    factors: list[Array] = []
+    for robot in who:
+        if robot["toml"] is None:
+            told.append(robot)
+            factors.append(np.full((count, 6), np.nan))
+            continue
+        try:
+            equipped, drawn = _stiffarm.draws(Robot.from_toml(robot["toml"]), asked, count)
+            if is_count and drawn is None:
+                raise StiffarmError(
+                    f"nothing says how far the drives of {robot['robot']} may be off; stiffness='prior' does by its size"
+                )
+            told.append({**robot, "toml": equipped.to_toml()})
+        except StiffarmError as error:
+            told.append({**robot, "toml": None, "error": str(error)})
+            drawn = None
+        factors.append(np.full((count, 6), np.nan) if drawn is None else drawn)
+    if all(robot["toml"] is None for robot in told):
+        raise StiffarmError(f"scenarios: {next(robot['error'] for robot in told)}")
+    return told, np.stack(factors, axis=1) if is_count else _given.numbers("scenarios", scenarios)
 
 
 def _told_apart(robots: RobotLike | Iterable[RobotLike]) -> list[dict[str, str | None]]:
