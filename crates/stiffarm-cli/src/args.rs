@@ -164,7 +164,10 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
         several => drop(pairs.splice(0..0, positional_pairs(verb, several))),
     }
     if common.check && !CHECKED.contains(&verb) {
-        return Err(Failure::Usage(format!("check does not go with {}; it goes with rank, place and mill", verb.name())));
+        return Err(Failure::Usage(format!(
+            "check does not go with {}; it goes with rank, place and mill",
+            verb.name()
+        )));
     }
     let request = Request::read(verb, &pairs, reader)?;
     if let Some(file) = matches.get_one::<String>(SAVE_JOB) {

@@ -14,7 +14,7 @@ pub(crate) const SAVE_JOB: &str = "save-job";
 /// The id of `--check`.
 pub(crate) const CHECK: &str = "check";
 /// The verbs whose answers hold or do not.
-pub(crate) const CHECKED: [Verb; 2] = [Verb::Rank, Verb::Place];
+pub(crate) const CHECKED: [Verb; 3] = [Verb::Rank, Verb::Place, Verb::Mill];
 
 /// The subcommand of a verb with its options; `with_hidden` those of other verbs, too, which help does not tell: the library refuses
 /// them, in the words that every reader has.

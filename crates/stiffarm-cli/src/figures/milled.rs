@@ -95,7 +95,7 @@ impl MilledFigure<'_> {
         }
         let [[left, _], [right, _]] = frame.corners();
         let across = |canvas: &mut Canvas, value: f64, look: &str| {
-            canvas.line([left, frame.y.at(value)], [right, frame.y.at(value)], look)
+            canvas.line([left, frame.y.at(value)], [right, frame.y.at(value)], look);
         };
         across(canvas, bound, &format!(r#"stroke="{LIMIT}" stroke-width="1" stroke-dasharray="2 3""#));
         if let Some(tolerance) = self.answer.tolerance_mm {
@@ -214,7 +214,7 @@ impl MilledFigure<'_> {
                     [x - 7.0, y - 7.0],
                     [x + 7.0, y + 7.0],
                     &format!(r#"fill="{colour}" stroke="{GREY}" stroke-width="0.6""#),
-                )
+                );
             }
         };
         let has = |wanted: RollCell| self.rolls.cells.iter().flatten().any(|cell| *cell == wanted);

@@ -216,7 +216,6 @@ fn python_type(setting: &Setting) -> String {
             | Kind::Date,
             false,
         ) => "str".into(),
-        (Kind::Roll, _) => "str | float".into(),
         (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Marker | Kind::Way, true) => {
             "str | Iterable[str]".into()
         }
@@ -224,7 +223,7 @@ fn python_type(setting: &Setting) -> String {
         (Kind::Block, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),
         (Kind::Force, _) => "float | npt.ArrayLike".into(),
-        (Kind::Angle | Kind::Elevation | Kind::Floor | Kind::Yaw, _) => "str | float".into(),
+        (Kind::Angle | Kind::Elevation | Kind::Floor | Kind::Yaw | Kind::Roll, _) => "str | float".into(),
         _ => "npt.ArrayLike".into(),
     };
     if matches!(setting.absent, Absent::Default(_)) { usual } else { format!("{usual} | None") }

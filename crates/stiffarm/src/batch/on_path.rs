@@ -69,7 +69,9 @@ impl SpatialArm {
         grid: &RollGrid,
         found: &mut [Vec<f32>; Configuration::COUNT],
     ) {
-        found.iter_mut().for_each(|errors| errors.resize(grid.len(), f32::INFINITY));
+        for errors in found.iter_mut() {
+            errors.resize(grid.len(), f32::INFINITY);
+        }
         let same_branch = &SameBranch { clearance: self.clearance, beside_axis_1: CLEARANCE, ..SameBranch::default() };
         let arch = Arch::new();
         match *pushing {

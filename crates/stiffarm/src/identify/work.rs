@@ -442,9 +442,8 @@ impl Rows {
         let (at, marker) = (bent.point(&reading.load_at), bent.point(&reading.marker_at));
         let region = regions.iter().position(|[_, last]| reading.q[1] <= *last);
         let is_idle = |spring: Spring| matches!(spring, Spring::Region(other) if Some(other) != region);
-        let column = |spring: &Spring| match is_idle(*spring) {
-            true => Vector3::zeros(),
-            false => bent.column(*spring, (&load, &at), &marker),
+        let column = |spring: &Spring| {
+            if is_idle(*spring) { Vector3::zeros() } else { bent.column(*spring, (&load, &at), &marker) }
         };
         let is_second = |spring: &Spring| matches!(spring, Spring::Drive(1) | Spring::Region(_));
         let second = springs.iter().position(|spring| is_second(spring) && !is_idle(*spring));

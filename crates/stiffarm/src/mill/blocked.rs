@@ -66,13 +66,13 @@ impl Ladder<'_> {
             }
             for (_, theta) in &found {
                 // A joint forbids a posture alone where the others allow it.
-                for joint in 0..6 {
+                for (joint, count) in forbidding.iter_mut().enumerate() {
                     let mut freed = limits.clone();
                     freed.joints[joint] = Interval::ALL;
                     if within_limits(geometry, limits, theta).is_none()
                         && within_limits(geometry, &freed, theta).is_some()
                     {
-                        forbidding[joint] += 1;
+                        *count += 1;
                     }
                 }
             }

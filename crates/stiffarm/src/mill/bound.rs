@@ -43,6 +43,9 @@ pub(super) struct Floor<'a> {
     wrists_are_alike: bool,
 }
 
+/// The least error of some rungs, m, and which they are.
+type Rungs = Vec<(f32, usize)>;
+
 /// An interval of the roll with its bound; the heap hands out the least.
 struct Cell {
     lower: f64,
@@ -84,17 +87,17 @@ impl<'a> Floor<'a> {
 
     /// The largest of the bounds of some runs; of each the least over configurations of the largest over its samples.
     fn of_free(&self, ladder: &Ladder, known: f64) -> Result<f64, MillError> {
-        let mut runs: Vec<(f64, [Vec<(f32, usize)>; Configuration::COUNT])> = Vec::new();
+        let mut runs: Vec<(f64, [Rungs; Configuration::COUNT])> = Vec::new();
         for run in ladder.runs() {
             // The best roll of every rung, the worst rungs first.
             let rungs = |c: usize| {
                 let of = |k: usize| (ladder.rungs[k].errors[c].iter().copied().fold(f32::INFINITY, f32::min), k);
-                let mut all: Vec<(f32, usize)> = run.clone().map(of).collect();
+                let mut all: Rungs = run.clone().map(of).collect();
                 all.sort_by(|a, b| b.0.total_cmp(&a.0));
                 all.truncate(SAMPLES);
                 all
             };
-            let worst: [Vec<(f32, usize)>; Configuration::COUNT] = std::array::from_fn(rungs);
+            let worst: [Rungs; Configuration::COUNT] = std::array::from_fn(rungs);
             let least = worst.iter().map(|all| all[0].0).fold(f32::INFINITY, f32::min);
             runs.push((f64::from(least), worst));
         }
@@ -121,13 +124,12 @@ impl<'a> Floor<'a> {
     /// The least error of one sample in a configuration at any roll; no further than `known`.
     fn of_sample(&self, station: &Station, c: usize, known: f64) -> Result<f64, MillError> {
         let enough = known * (1.0 - ENOUGH);
-        let bound = |roll: Interval| Ok::<_, MillError>(self.over(station, Configuration::ALL[c], roll)?);
-        self.least(bound, enough, MOST_CELLS).map(|lower| if enough <= lower { known.min(lower) } else { lower })
+        let bound = |roll: Interval| self.over(station, Configuration::ALL[c], roll);
+        Self::least(bound, enough, MOST_CELLS).map(|lower| if enough <= lower { known.min(lower) } else { lower })
     }
 
     /// The least bound over all rolls, by splitting the intervals with the least one.
     fn least(
-        &self,
         bound: impl Fn(Interval) -> Result<Option<f64>, MillError>,
         enough: f64,
         most: usize,
@@ -198,7 +200,7 @@ impl<'a> Floor<'a> {
             }
             Ok(Some(of_all))
         };
-        Ok(self.least(bound, known * (1.0 - ENOUGH), MOST_CONSTANT)?.min(known))
+        Ok(Self::least(bound, known * (1.0 - ENOUGH), MOST_CONSTANT)?.min(known))
     }
 
     /// A lower bound on the error of a sample, m, in a configuration at every roll of an interval; `None` where it is not held there.

@@ -122,7 +122,7 @@ impl<'a, 'l> Climb<'a, 'l> {
             }
         }
         let (best, least) = values.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
-        (*least < f64::INFINITY).then_some(Reached { joints, best, before, values })
+        (*least < f64::INFINITY).then_some(Reached { joints, values, before, best })
     }
 
     /// The least value with which a node is reached that stands at joints `q` and has an error, and from which node.

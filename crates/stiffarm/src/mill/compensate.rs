@@ -20,6 +20,7 @@ use crate::compliance::{PostureError, compliance};
 use crate::inverse::{Configuration, postures};
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
+use crate::tolerances::LIMIT;
 use crate::toolpath::ToolPose;
 use crate::uncertainty::Spread;
 
@@ -55,6 +56,14 @@ pub struct Remaining {
     pub draws: usize,
 }
 
+/// What is commanded at one station, and what that leaves, m.
+struct Commanded {
+    joints: [f64; 6],
+    pose: ToolPose,
+    by_joints: f64,
+    by_tips: f64,
+}
+
 /// Takes the deflection out of a path that is followed.
 ///
 /// # Errors
@@ -72,7 +81,7 @@ pub fn compensate(
     let one = |(station, pushed): (&Station, &Pushed)| {
         let target = geometry.model_angles(&pushed.joints, limits.third_axis);
         let Some(wrench) = known_wrench(stand, station)? else {
-            return Ok((pushed.joints, station.sample.pose, 0.0, 0.0));
+            return Ok(Commanded { joints: pushed.joints, pose: station.sample.pose, by_joints: 0.0, by_tips: 0.0 });
         };
         let turned = joint_deflection(robot, &target, stand, &wrench)?;
         let commanded: [f64; 6] = std::array::from_fn(|i| target[i] - turned[i]);
@@ -92,19 +101,19 @@ pub fn compensate(
             Some(theta) => left(&theta)?,
             None => f64::INFINITY,
         };
-        Ok((joints, pose, by_joints, by_tips))
+        Ok(Commanded { joints, pose, by_joints, by_tips })
     };
-    let all: Vec<_> = stations.par_iter().zip(followed).map(one).collect::<Result<_, MillError>>()?;
-    let most = |of: &dyn Fn(&([f64; 6], ToolPose, f64, f64)) -> f64| all.iter().map(of).fold(0.0, f64::max);
-    let aside = |(i, one): (usize, &([f64; 6], ToolPose, f64, f64))| (one.1.tip - stations[i].sample.pose.tip).norm();
-    let is_beyond = |i: &usize| (0..6).any(|joint| !limits.joints[joint].contains(all[*i].0[joint], 1e-9));
+    let all: Vec<Commanded> = stations.par_iter().zip(followed).map(one).collect::<Result<_, MillError>>()?;
+    let most = |of: fn(&Commanded) -> f64| all.iter().map(of).fold(0.0, f64::max);
+    let aside = |(one, station): (&Commanded, &Station)| (one.pose.tip - station.sample.pose.tip).norm();
+    let is_beyond = |i: &usize| (0..6).any(|joint| !limits.joints[joint].contains(all[*i].joints[joint], LIMIT));
     Ok(Compensated {
-        largest: all.iter().enumerate().map(aside).fold(0.0, f64::max),
-        by_joints: most(&|one| one.2),
-        by_tips: most(&|one| one.3),
+        largest: all.iter().zip(stations).map(aside).fold(0.0, f64::max),
+        by_joints: most(|one| one.by_joints),
+        by_tips: most(|one| one.by_tips),
         beyond: (0..all.len()).filter(is_beyond).collect(),
-        joints: all.iter().map(|one| one.0).collect(),
-        poses: all.iter().map(|one| one.1).collect(),
+        joints: all.iter().map(|one| one.joints).collect(),
+        poses: all.iter().map(|one| one.pose).collect(),
     })
 }
 

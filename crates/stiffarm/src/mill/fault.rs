@@ -103,11 +103,11 @@ impl std::fmt::Display for Blocked {
             Why::Reach { beyond } => write!(f, "out of reach by {:.1} mm at every roll", beyond * 1e3)?,
             Why::Limit { joint } => write!(f, "the range of joint {joint} with its margin forbids it at every roll")?,
             Why::Narrow => {
-                f.write_str("limits and the distance from straight postures together forbid it at every roll")?
+                f.write_str("limits and the distance from straight postures together forbid it at every roll")?;
             }
             Why::Jump => f.write_str("no posture leads on from the sample before without a jump of some joint")?,
             Why::Fast => {
-                f.write_str("no posture leads on from the sample before at this feed rate: some joint is too slow")?
+                f.write_str("no posture leads on from the sample before at this feed rate: some joint is too slow")?;
             }
         }
         match self.samples {

@@ -81,12 +81,17 @@ pub fn forced(
     let stations = stations(moves, steps, |sample| {
         let engaged = cut.as_ref().map(|cut| cut[next]);
         next += 1;
-        let found = given_force(sample).map(Ok).unwrap_or_else(|| match (forcing, engaged) {
-            (_, Some(None)) => Err(None),
-            (Forcing::Process(process), Some(Some(engaged))) => in_stock(process, &engaged).map_err(Some),
-            (Forcing::Process(process), None) => as_given(process, &sample.given).unwrap_or(Ok(usual)).map_err(Some),
-            (Forcing::Same(_), _) => Ok(usual),
-        });
+        let found = given_force(sample).map_or_else(
+            || match (forcing, engaged) {
+                (_, Some(None)) => Err(None),
+                (Forcing::Process(process), Some(Some(engaged))) => in_stock(process, &engaged).map_err(Some),
+                (Forcing::Process(process), None) => {
+                    as_given(process, &sample.given).unwrap_or(Ok(usual)).map_err(Some)
+                }
+                (Forcing::Same(_), _) => Ok(usual),
+            },
+            Ok,
+        );
         match found {
             Ok(acting) => Some(acting),
             Err(None) => None,
@@ -183,7 +188,7 @@ fn acting(process: &Process) -> Result<Acting, CuttingError> {
 fn in_stock(process: &Process, engaged: &Engaged) -> Result<Acting, CuttingError> {
     let Law::Milling(milling) = &process.law else { return acting(process) };
     let engagement = engaged.engagement(milling.engagement.feed_per_tooth);
-    acting(&Process { law: Law::Milling(Milling { engagement, ..milling.clone() }), ..process.clone() })
+    acting(&Process { law: Law::Milling(Milling { engagement, ..*milling }), ..process.clone() })
 }
 
 /// A mill of a process at the depth and width that a path gives, where it gives any.
@@ -202,7 +207,7 @@ fn as_given(process: &Process, given: &Given) -> Option<Result<Acting, CuttingEr
         let side = if 0.0 < engagement.entry { Side::Down } else { Side::Up };
         [engagement.entry, engagement.exit] = Engagement::angles(side, width, milling.diameter);
     }
-    Some(acting(&Process { law: Law::Milling(Milling { engagement, ..milling.clone() }), ..process.clone() }))
+    Some(acting(&Process { law: Law::Milling(Milling { engagement, ..*milling }), ..process.clone() }))
 }
 
 /// The force that a path gives in its own axes, along those of the cut.

@@ -118,9 +118,8 @@ impl Question<'_> {
             });
             match in_time {
                 Ok(found) if best.as_ref().is_none_or(|best| worst(&found) < worst(best)) => best = Some(found),
-                Ok(_) => {}
                 Err(blocked) if farthest.is_none_or(|other| other.way < blocked.way) => farthest = Some(blocked),
-                Err(_) => {}
+                Ok(_) | Err(_) => {}
             }
         }
         match (best, farthest) {

@@ -54,21 +54,18 @@ impl MillAnswer {
         remarks.extend(forced.remarks);
         let stations = forced.stations;
         let failed = |error| MillAnswerError::Mill { robot: robot.name.clone(), error };
-        let (placement, sought, milled) = match asked.at() {
-            Some(placement) => {
-                let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
-                let milled = mill::mill(&robot, &stand, &stations, &options, watch).map_err(failed)?;
-                (Some(placement), None, Some(milled))
-            }
-            None => {
-                let (within, margins) = asked.path_window()?;
-                let placed = place_path(&robot, &flange_from_tool, &stations, (&options, &margins, within), watch);
-                match placed.map_err(failed)? {
-                    Ok(PathPlaced { placement, milled, lower_bound, resolution }) => {
-                        (Some(placement), Some((resolution, lower_bound)), Some(milled))
-                    }
-                    Err(blocked) => (None, None, blocked.map(Milled::Blocked)),
+        let (placement, sought, milled) = if let Some(placement) = asked.at() {
+            let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
+            let milled = mill::mill(&robot, &stand, &stations, &options, watch).map_err(failed)?;
+            (Some(placement), None, Some(milled))
+        } else {
+            let (within, margins) = asked.path_window()?;
+            let placed = place_path(&robot, &flange_from_tool, &stations, (&options, &margins, within), watch);
+            match placed.map_err(failed)? {
+                Ok(PathPlaced { placement, milled, lower_bound, resolution }) => {
+                    (Some(placement), Some((resolution, lower_bound)), Some(milled))
                 }
+                Err(blocked) => (None, None, blocked.map(Milled::Blocked)),
             }
         };
         let tolerance_mm = asked.tolerance_mm();

@@ -85,7 +85,9 @@ impl<'a> Rewriter<'a> {
                 Some(vec![self.restored(line, &[0, 1, 2])?])
             }
             [_, ..] if self.is_hole() => {
-                moves.iter().for_each(|one| path.skip(one));
+                for one in &moves {
+                    path.skip(one);
+                }
                 Some(vec![self.restored(line, &[0, 1])?])
             }
             _ => None,
