@@ -6,7 +6,7 @@ use stiffarm::toolpath::{
     ArcSense, CutterCompensation, Format, IncrementalCycles, Move, PathFault, ReadOptions, Rotary, Steps, Survey, read,
 };
 
-/// The first byte says how the rest is read: the format, and whether the user says what a file may leave open.
+// The first byte says how the rest is read: the format, and whether the user says what a file may leave open.
 fuzz_target!(|bytes: &[u8]| {
     let Some((&how, mut text)) = bytes.split_first() else { return };
     let format = Format::ALL[usize::from(how % 3)];

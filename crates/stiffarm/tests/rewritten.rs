@@ -193,7 +193,7 @@ fn words_change_where_they_stand_and_missing_ones_come_behind_them() {
     let output =
         by_ends("%\nO1 (A)\nG21 G90\nG0 X0 Y0 Z5\nN7 g1 x10. F600 (go) M8\nY20\nG0 Z5\nM30\n%\n", Format::GCode, ASIDE);
     let expected = "%\nO1 (A)\n(Feed moves are corrected. Arcs are straight moves, off by at most 0.0110 mm)\n\
-        (Rapid moves and drilling cycles are not corrected)\nG21 G90\nG0 X0 Y0 Z5\n\
+        (Rapid moves and drilling cycles are not corrected, from a rapid move the path is reached by its first sample)\nG21 G90\nG0 X0 Y0 Z5\n\
         N7 g1 x10.05 Y-0.03 Z5.02 F600 (go) M8\nY19.97\nG0 Z5\nM30\n%\n";
     assert_eq!(output, expected);
     let output = by_ends("G20G90G0X0Y0Z1\nG1X1.F10\nZ0\n", Format::GCode, ASIDE);

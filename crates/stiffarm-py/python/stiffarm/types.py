@@ -646,7 +646,8 @@ class MillOptions(TypedDict, total=False):
 
     roll: str | float
     """How the tool is turned about its axis [deg]: free (from sample to sample, as is best), constant (the best
-    of all), linear (changing evenly), or so many degrees of its x axis from the part's."""
+    of all), linear (changing evenly), or so many degrees of its x axis from the part's, clockwise seen from
+    the spindle."""
 
     error: Literal["total", "across", "axial"]
     """What of the displacement counts."""

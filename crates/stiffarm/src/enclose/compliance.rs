@@ -237,6 +237,9 @@ fn add_push_bounds<const N: usize>(
     axes: &[Vector<N>; 6],
     bounds: &mut NodeBounds<N>,
 ) {
+    if push.counted.is_none() {
+        add_work_bound(push, drives, axes, bounds);
+    }
     // A product may be negative: of a drive of which nothing is known it says nothing of the sum.
     if known(drives).len() < drives.len() || axes.iter().flatten().any(Affine::is_unknown) {
         return;
@@ -261,6 +264,32 @@ fn add_push_bounds<const N: usize>(
     if let Some(direction) = middle.try_normalize(0.0) {
         bounds.values.push(along(<[f64; 3]>::from(direction).map(Affine::point)));
     }
+}
+
+/// Adds that the work of the force is no more than its size times what is moved:
+/// `|delta| |F| >= sum k x (x + y)` with `x = v . F` and `y = omega . M`. Of a drive of which nothing is known `x (x + y) >= -|M|^2 / 4`.
+fn add_work_bound<const N: usize>(
+    push: &PushEnclosure<N>,
+    drives: &[(Affine<N>, Vector<N>); 6],
+    axes: &[Vector<N>; 6],
+    bounds: &mut NodeBounds<N>,
+) {
+    let [force, moment] = push.sizes;
+    if force == 0.0 || drives.iter().any(|(k, _)| k.is_unknown()) {
+        return;
+    }
+    let mut work = Affine::point(0.0);
+    for ((k, column), axis) in drives.iter().zip(axes) {
+        let (x, y) = (dot(*column, push.force), dot(*axis, push.moment));
+        let is_known = !x.is_unknown() && (!y.is_unknown() || moment == 0.0);
+        let part = match is_known {
+            true if moment == 0.0 => x.square(),
+            true => x.square() + x * y,
+            false => Affine::point(-moment * moment / 4.0),
+        };
+        work = work + times(part, k);
+    }
+    bounds.values.push(work * (1.0 / force));
 }
 
 /// A product with a compliance, which mostly is a number.

@@ -35,12 +35,19 @@ pub(crate) struct PushEnclosure<const N: usize> {
     pub(crate) force: Vector<N>,
     pub(crate) moment: Vector<N>,
     pub(crate) counted: Option<Vector<N>>,
+    /// The size of force and moment, whatever their directions.
+    pub(crate) sizes: [f64; 2],
 }
 
 impl<const N: usize> PushEnclosure<N> {
     /// Each vector changed alike.
     pub(super) fn map(self, change: impl Fn(Vector<N>) -> Vector<N>) -> Self {
-        Self { force: change(self.force), moment: change(self.moment), counted: self.counted.map(change) }
+        Self {
+            force: change(self.force),
+            moment: change(self.moment),
+            counted: self.counted.map(change),
+            sizes: self.sizes,
+        }
     }
 }
 

@@ -274,7 +274,8 @@ impl<const N: usize> Held<'_, N> {
             Pushing::Any(newtons) => (None, newtons),
             Pushing::Known(push) => {
                 let (force, moment, counted) = (turned(push.force), turned(push.moment), push.counted.map(&turned));
-                (Some(PushEnclosure { force, moment, counted }), 1.0)
+                let sizes = [push.force.norm(), push.moment.norm()];
+                (Some(PushEnclosure { force, moment, counted, sizes }), 1.0)
             }
         };
         let frame = enclosure.tool_at(moved(sample.pose.tip), tool, push);
