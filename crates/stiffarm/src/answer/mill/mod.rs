@@ -104,7 +104,7 @@ impl MillAnswer {
     /// What every other roll would have done at so many places along the path; `None` where it is not followed.
     ///
     /// # Errors
-    /// As [`mill`].
+    /// As [`crate::mill::mill`].
     pub fn roll_map(&self, places: usize) -> Result<Option<RollMap>, MillAnswerError> {
         let Some((placement, found)) = self.placement.zip(self.followed()) else { return Ok(None) };
         let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: self.flange_from_tool };
