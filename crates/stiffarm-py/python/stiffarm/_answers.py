@@ -10,9 +10,9 @@ import numpy as np
 from ._given import Array
 from ._stiffarm import Robot, StiffarmError
 from .types import (
-    AdviceDict, Boundary, CellDict, ComparedTable, ComparisonDict, ComplianceDict, ExpectedDrive, FaceDict, ForceDict, FurtherSpring, IdentificationDict,
+    AdviceDict, Boundary, CellDict, ComparedTable, ComparisonDict, ComplianceDict, ExpectedDrive, FaceDict, ForceDict, FoundCompensator, FurtherSpring, IdentificationDict,
     IdentifiedDrive, MapDict, MeasurementPlanDict, MeasurementRun, MilledDict, PathLength, Placed, PlaceSearch, PlacementDict, RankingDict, RankingRow, ReadingRemainder, Resolution,
-    RollChoice, Schema, StudyDict, StudyRow, ToolpathDict, TriedModel, Winner,
+    RollChoice, Schema, StudyDict, StudyRow, ToolpathDict, TriedModel, UpdatedDrive, Winner,
 )  # fmt: skip
 
 if TYPE_CHECKING:
@@ -419,6 +419,10 @@ class Identification(_Table[IdentificationDict]):
     model: str
     #: What springs besides the drives.
     springs: list[FurtherSpring]
+    #: A gravity compensator's spring and preload, where they were sought.
+    compensator: list[FoundCompensator]
+    #: What the measurements made of the prior of each drive, where that was asked for.
+    posterior: list[UpdatedDrive] | None
     #: Those that were tried, where one was to be chosen.
     models: list[TriedModel]
     postures: int
