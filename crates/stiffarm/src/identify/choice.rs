@@ -108,6 +108,7 @@ impl<'a> Question<'a> {
         let models = models(&self.known);
         let parts = self.watch.parts(Some(models.len()));
         let mut best = self.of_model(Springs::Drives)?;
+        parts.one_more()?;
         let mut known = fit(&best);
         let mut tried = vec![Tried { model: Springs::Drives, fit: Ok(known) }];
         for model in models.into_iter().skip(1) {
