@@ -58,6 +58,15 @@ pub enum Unasked {
     /// On a wall only the vertical has one direction.
     #[error("on a mount that leans the tool points down or up")]
     Leaning,
+    /// Only a flat zone has a middle that means something.
+    #[error("is the middle of one flat zone; expected one task that is no part")]
+    Middle,
+    /// Of a place that is given nothing is searched.
+    #[error("free is searched; at one place give degrees, 0 has the first side ahead")]
+    FreeAtOnePlace,
+    /// The same of a wall.
+    #[error("a range is searched; at one place give one angle, such as 0..0")]
+    YawAtOnePlace,
     /// A figure needs a range with a width.
     #[error("both ends are the same; expected such as 0..5")]
     Scale,
@@ -67,8 +76,9 @@ impl Unasked {
     /// The option that says it.
     pub(super) const fn setting(self) -> &'static str {
         match self {
-            Self::LongSide => "angle",
-            Self::Yaw => "yaw-deg",
+            Self::LongSide | Self::FreeAtOnePlace => "angle",
+            Self::Middle => "at",
+            Self::Yaw | Self::YawAtOnePlace => "yaw-deg",
             Self::CellInPlane => "within",
             Self::Leaning => "tool-direction",
             Self::Floor => "floor",

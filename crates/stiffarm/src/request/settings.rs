@@ -557,9 +557,25 @@ const OF_ZONES: &[Setting] = &[
         ..ROW
     },
     Setting {
+        name: "at",
+        keyword: "at_m",
+        verbs: PLACING,
+        kind: number_of(-1e3, 1e3, "m"),
+        count: count_of(2, 2, "numbers", "x,z in m"),
+        unit: "m",
+        value: "X,Z",
+        absent: Absent::Means("the best place within --within"),
+        needs: A_ZONE,
+        excludes: &["within"],
+        help: "The one place where the middle of the zone stands: so far ahead of the robot's base and so far above it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given",
+        example: "1.5,0.8",
+        ..ROW
+    },
+    Setting {
         name: "within",
         keyword: "within_m",
         verbs: PLACING,
+        excludes: &["at"],
         kind: Kind::Within,
         value: "RANGES",
         absent: Absent::Means("in front of the joint-1 axis, above the floor"),

@@ -12,12 +12,16 @@ use crate::inverse::Configuration;
 use crate::load::Load;
 use crate::map::{Extent, Held as HeldTool, MapOptions, Spacing};
 use crate::model::ModelKind;
-use crate::place::{Column, Margins, PlaceOptions, Within};
+use crate::place::{Column, Margins, Orientation, PlaceOptions, Within};
 use crate::plane::Elbow;
 use crate::prior::{as_in_the_paper, with_prior};
 use crate::robot::{Robot, Status};
 use crate::study::{Contender, StudyOptions};
 use crate::task::{Task, Zone};
+use crate::work::{WorkPlacement, WorkPlane};
+
+/// Of a zone that stands at one place on either side, m: for rounding.
+const ROOM: f64 = 1e-9;
 
 /// What the figure of a map in space shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -153,7 +157,7 @@ impl Request {
     }
 
     fn wanted(&self) -> Wanted {
-        let within = match self.windows().as_slice() {
+        let within = match self.all("within", window).as_slice() {
             [Window::Ring { ahead, z }] => Some(Within { x: *ahead, z: *z }),
             _ => None,
         };
@@ -180,12 +184,13 @@ impl Request {
         let floor = |value| if let Value::Floor(floor) = value { Some(floor) } else { None };
         let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
         // Whoever says where a zone may stand means it, below the base and behind the robot, too.
+        // The middle alone says nothing of the floor.
         let is_low = within.is_some_and(|within| within.z.min().is_finite());
         Margins {
             limit: radians("limit-margin-deg", usual.limit),
             singular: radians("singular-margin-deg", usual.singular),
             column: self.number("clear-of-base-m").map_or(usual.column, Column::Radius),
-            front: within.is_none(),
+            front: within.is_none() && !self.is_given("at"),
             floor: self.one("floor", floor).unwrap_or(usual.floor.filter(|_| !is_low)),
         }
     }
@@ -198,20 +203,53 @@ impl Request {
     /// # Panics
     /// Of a verb that places nothing.
     pub fn place_options(&self, zone: Option<Zone>) -> Result<PlaceOptions, Refusal> {
-        let options = self.wanted().options(&self.model(), &self.held(), zone);
-        let options = options.and_then(|options| self.cell().of(&options, self.is_spatial()));
-        options.map_err(|unasked| self.unanswered(unasked))
+        let unanswered = |unasked| self.unanswered(unasked);
+        let mut options = self.wanted().options(&self.model(), &self.held(), zone).map_err(unanswered)?;
+        let windows = match *self.all("at", number).as_slice() {
+            [x, z] => vec![self.only_place(&mut options, [x, z], zone).map_err(unanswered)?],
+            _ => self.windows(),
+        };
+        self.cell(windows).of(&options, self.is_spatial()).map_err(unanswered)
+    }
+
+    /// Options under which the middle of a zone stands at one place, and the window that it fills there.
+    fn only_place(&self, options: &mut PlaceOptions, at: [f64; 2], zone: Option<Zone>) -> Result<Window, Unasked> {
+        let zone = zone.filter(|_| self.works().iter().all(|task| task.part.is_none())).ok_or(Unasked::Middle)?;
+        let angle = match options.orientation {
+            Orientation::Axes => 0.0,
+            Orientation::Fixed(angle) => angle,
+            Orientation::Free => return Err(Unasked::FreeAtOnePlace),
+        };
+        options.orientation = Orientation::Fixed(angle);
+        let half: [f64; 2] = match &mut options.stance {
+            None => zone.half_extents(angle).into(),
+            Some(stance) => {
+                if !stance.is_vertical() && self.held().yaw.is_none() {
+                    stance.yaw = Interval::point(0.0);
+                }
+                if !stance.is_vertical() && 0.0 < stance.yaw.width() {
+                    return Err(Unasked::YawAtOnePlace);
+                }
+                let yaw = if stance.is_vertical() { 0.0 } else { stance.yaw.min() };
+                let work = WorkPlacement { x: 0.0, y: 0.0, z: 0.0, yaw, angle, roll: 0.0 };
+                let [x, _, z] = WorkPlane::of(stance.elevation, &work).half_extents(zone);
+                [x, z]
+            }
+        };
+        let [ahead, z] = [0, 1].map(|i| Interval::spanning(at[i] - half[i] - ROOM, at[i] + half[i] + ROOM));
+        options.within = Some(Within { x: ahead, z });
+        Ok(Window::Ring { ahead, z })
     }
 
     pub(super) fn windows(&self) -> Vec<Window> {
-        self.all("within", |value| if let Value::Window(window) = value { Some(window) } else { None })
+        self.all("within", window)
     }
 
     /// What is asked of the cell.
-    fn cell(&self) -> CellWish {
+    fn cell(&self, windows: Vec<Window>) -> CellWish {
         CellWish {
             mount: self.one("mount", |value| if let Value::Mount(mount) = value { Some(mount) } else { None }),
-            windows: self.windows(),
+            windows,
             keep_out: self.all("keep-out", |value| if let Value::Block(block) = value { Some(block) } else { None }),
             clearance: self.number("clearance-mm").map(|mm| mm / 1e3),
             has_floor: self.is_given("floor"),
@@ -395,6 +433,11 @@ impl Request {
 #[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
 pub(super) fn number(value: Value) -> Option<f64> {
     if let Value::Number(number) = value { Some(number) } else { None }
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
+fn window(value: Value) -> Option<Window> {
+    if let Value::Window(window) = value { Some(window) } else { None }
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "picks from values that are handed over")]
