@@ -61,6 +61,11 @@ pub fn postures(geometry: &Geometry, flange: &Pose) -> Postures {
     found
 }
 
+/// The model angles of one configuration that puts the flange at a pose, rad; `None` where it does not reach.
+pub(crate) fn posture_of(geometry: &Geometry, flange: &Pose, configuration: Configuration) -> Option<[f64; 6]> {
+    postures(geometry, flange).found.into_iter().find(|(known, _)| *known == configuration).map(|(_, theta)| theta)
+}
+
 /// Both elbow sides that put the wrist centre `x` forwards and `z` above the joint-2 axis, with `theta2`, `theta3`; one
 /// where the arm is stretched or folded.
 fn two_links(geometry: &Geometry, x: f64, z: f64) -> [Option<(Elbow, f64, f64)>; 2] {

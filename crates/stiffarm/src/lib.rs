@@ -18,7 +18,7 @@
 //! the borders: [`catalogue`] reads robot and process files, [`toolpath`] paths, [`program`] writes those of controllers, [`request`] what people ask, [`answer`] tells what was found.
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
-//! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
+//! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, `frontier`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
 //! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
 //!
@@ -49,6 +49,7 @@ pub mod cutting;
 pub mod drive;
 mod enclose;
 mod follow;
+mod frontier;
 pub mod geometry;
 pub mod identify;
 pub mod interval;

@@ -29,11 +29,15 @@ pub struct Spread {
 
 impl Spread {
     /// Of draws, at least one.
-    fn of(mut draws: Vec<f64>) -> Self {
+    pub(crate) fn of(mut draws: Vec<f64>) -> Self {
         draws.sort_by(f64::total_cmp);
-        let at = |share: f64| draws[((draws.len() - 1) as f64 * share).round() as usize];
-        Self { p05: at(0.05), p95: at(0.95) }
+        Self { p05: quantile(&draws, 0.05), p95: quantile(&draws, 0.95) }
     }
+}
+
+/// The value below which a share of some lies, ascending, at least one.
+pub(crate) fn quantile(values: &[f64], share: f64) -> f64 {
+    values[((values.len() - 1) as f64 * share).round() as usize]
 }
 
 /// Deflections at a place that was found, m, draw by draw; `None` where nothing says how far the drives may be off, or the arm plane does not

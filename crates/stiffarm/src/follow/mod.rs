@@ -8,7 +8,7 @@ use crate::angle::wrapped;
 use crate::batch::SpatialArm;
 use crate::enclose::Angles;
 use crate::interval::Interval;
-use crate::inverse::{Configuration, postures, third_within_limits};
+use crate::inverse::{Configuration, posture_of, third_within_limits};
 use crate::limits::ThirdAxis;
 use crate::task::Zone;
 use crate::tolerances::{CLEARANCE, LIMIT};
@@ -111,8 +111,8 @@ impl PlacedZone<'_> {
         let tool_from_flange = self.arm.flange_from_tool.inverse();
         let mut thetas = Vec::with_capacity(grid.points.len());
         for &at in &grid.points {
-            let found = postures(&self.arm.geometry, &(plane.pose(&self.work, at) * tool_from_flange)).found;
-            thetas.push(found.into_iter().find(|(found, _)| *found == self.configuration).ok_or(impossible)?.1);
+            let flange = plane.pose(&self.work, at) * tool_from_flange;
+            thetas.push(posture_of(&self.arm.geometry, &flange, self.configuration).ok_or(impossible)?);
         }
         // An odd number of rows and columns: the middle one is the centre.
         let centre = thetas[thetas.len() / 2];

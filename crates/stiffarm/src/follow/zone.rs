@@ -1,13 +1,12 @@
 //! How far do the joints turn within a zone? Enclosed, so that nothing between two samples is missed.
 
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::batch::SpatialArm;
 use crate::enclose::{Affine, Angles, ArmEnclosure, sin_cos};
+use crate::frontier::{self, Frontier};
 use crate::interval::Interval;
-use crate::inverse::{Configuration, postures};
+use crate::inverse::{Configuration, posture_of};
 use crate::spatial::Pose;
 use crate::task::Zone;
 use crate::tolerances;
@@ -35,21 +34,9 @@ struct Part {
     least: f64,
 }
 
-impl PartialEq for Part {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Part {}
-impl PartialOrd for Part {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Part {
-    /// The heap hands out the greatest first: what is least.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.least.total_cmp(&self.least)
+impl frontier::Node for Part {
+    fn key(&self) -> [f64; 2] {
+        [self.least, 0.0]
     }
 }
 
@@ -81,7 +68,7 @@ impl<'a> HeldZone<'a> {
     /// It is too low by at most [`tolerances::FOLLOWED`] or the part [`tolerances::FOLLOWED_PART`] of it, unless it is at least
     /// `enough`. `value` takes the angles less than half a turn from those at the centre.
     pub(super) fn least(&self, enough: f64, value: impl Fn(&Angles) -> f64) -> f64 {
-        let mut queue = BinaryHeap::new();
+        let mut queue = Frontier::new();
         let mut found = f64::INFINITY;
         let whole = match self.zone {
             Zone::Circle { diameter } => [Interval::spanning(0.0, diameter / 2.0), Interval::spanning(-PI, PI)],
@@ -159,9 +146,7 @@ impl<'a> HeldZone<'a> {
     /// The angles at a point of the zone, m from its centre.
     fn angles_at(&self, at: [f64; 2]) -> Option<[f64; 7]> {
         let flange = self.plane.pose(&self.work, at) * self.tool_from_flange;
-        let found = postures(&self.arm.geometry, &flange).found;
-        let [t1, t2, t3, t4, t5, t6] =
-            found.into_iter().find(|(configuration, _)| *configuration == self.configuration)?.1;
+        let [t1, t2, t3, t4, t5, t6] = posture_of(&self.arm.geometry, &flange, self.configuration)?;
         let mut angles = [t1, t2, t3, t4, t5, t6, t2 + t3];
         for (angle, centre) in angles.iter_mut().zip(self.centre) {
             *angle -= ((*angle - centre) / TAU).round() * TAU;
@@ -194,6 +179,7 @@ impl<'a> HeldZone<'a> {
 mod tests {
     use super::*;
     use crate::catalogue::paper_robots;
+    use crate::inverse::postures;
 
     /// The witness samples the zone densely: the library's least is below every sample, and no more than its tolerance below.
     #[test]

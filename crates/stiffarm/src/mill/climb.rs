@@ -98,7 +98,7 @@ impl<'a, 'l> Climb<'a, 'l> {
     pub(super) fn joins(&self, (k, from): (usize, Arrangement), (next, to): (usize, Arrangement)) -> bool {
         let held = |k: usize, arrangement: Arrangement| {
             let found = self.ladder.postures(self.ladder.rungs[k].at, arrangement.roll);
-            found.into_iter().find(|(known, _)| *known == arrangement.configuration).map(|(_, q)| q)
+            found.into_iter().find_map(|(known, q)| (known == arrangement.configuration).then_some(q))
         };
         match (held(k, from), held(next, to)) {
             (Some(from), Some(to)) => self.motion(&from, &to, self.ladder.rungs[next].time).is_some(),

@@ -17,12 +17,12 @@ use super::fault::MillError;
 use super::follow::{Pushed, Stand, wrench, wrench_of};
 use super::stations::{Acting, ErrorPart, Station};
 use crate::compliance::{PostureError, compliance};
-use crate::inverse::{Configuration, postures};
+use crate::inverse::posture_of;
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::tolerances::LIMIT;
 use crate::toolpath::ToolPose;
-use crate::uncertainty::Spread;
+use crate::uncertainty::{Spread, quantile};
 
 /// Rounds in which the loaded posture is sought, and the joints' change that ends them, rad.
 const ROUNDS: usize = 40;
@@ -97,7 +97,7 @@ pub fn compensate(
         let asked = stand.base_from_tool(&station.sample, pushed.arrangement.roll)?;
         let tip = (stand.base_from_part * Point3::from(pose.tip)).coords;
         let flange = Pose::from_parts(tip.into(), asked.rotation) * stand.flange_from_tool.inverse();
-        let by_tips = match held(geometry, &flange, pushed.arrangement.configuration) {
+        let by_tips = match posture_of(geometry, &flange, pushed.arrangement.configuration) {
             Some(theta) => left(&theta)?,
             None => f64::INFINITY,
         };
@@ -129,7 +129,7 @@ pub fn remaining(
     (part, factors): (ErrorPart, &[[f64; 6]]),
 ) -> Result<Remaining, MillError> {
     let gives = given_by_drives(robot, stand, stations, followed, part)?;
-    let all = largest_errors(&gives, factors, |factor| factor - 1.0);
+    let all = largest_errors(&gives, factors, |factor| factor - 1.0)?;
     Ok(Remaining { median: quantile(&all, 0.5), p95: quantile(&all, 0.95), draws: all.len() })
 }
 
@@ -146,8 +146,7 @@ pub fn spread(
     (part, factors): (ErrorPart, &[[f64; 6]]),
 ) -> Result<Spread, MillError> {
     let gives = given_by_drives(robot, stand, stations, followed, part)?;
-    let all = largest_errors(&gives, factors, |factor| factor);
-    Ok(Spread { p05: quantile(&all, 0.05), p95: quantile(&all, 0.95) })
+    Ok(Spread::of(largest_errors(&gives, factors, |factor| factor)?))
 }
 
 /// What each drive gives of a displacement, m, and the direction that counts.
@@ -174,7 +173,14 @@ fn given_by_drives(
 }
 
 /// The largest error of every draw, ascending: a sum over the drives, each times what `part` makes of its factor.
-fn largest_errors(gives: &[Given], factors: &[[f64; 6]], part: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
+fn largest_errors(
+    gives: &[Given],
+    factors: &[[f64; 6]],
+    part: impl Fn(f64) -> f64 + Sync,
+) -> Result<Vec<f64>, MillError> {
+    if factors.is_empty() {
+        return Err(MillError::Value { what: "a number of draws", value: 0.0, expected: "at least one" });
+    }
     let largest = |factors: &[f64; 6]| {
         let off = Vector6::from_fn(|i, _| part(factors[i]));
         let error = |(gives, counted): &Given| {
@@ -185,12 +191,7 @@ fn largest_errors(gives: &[Given], factors: &[[f64; 6]], part: impl Fn(f64) -> f
     };
     let mut all: Vec<f64> = factors.par_iter().map(largest).collect();
     all.sort_by(f64::total_cmp);
-    all
-}
-
-/// Of values in ascending order; 0 of none.
-fn quantile(all: &[f64], share: f64) -> f64 {
-    all.get(((all.len() as f64 - 1.0) * share).round() as usize).copied().unwrap_or(0.0)
+    Ok(all)
 }
 
 /// The known force on the tool, base axes; `None` in air.
@@ -247,9 +248,4 @@ fn error_left(
     Ok(part
         .direction(&stand.cutting_axes(&station.sample))
         .map_or_else(|| off.norm(), |counted| counted.dot(&off).abs()))
-}
-
-/// The model angles of a configuration that reaches a pose of the flange.
-fn held(geometry: &crate::geometry::Geometry, flange: &Pose, configuration: Configuration) -> Option<[f64; 6]> {
-    postures(geometry, flange).found.into_iter().find(|(known, _)| *known == configuration).map(|(_, theta)| theta)
 }

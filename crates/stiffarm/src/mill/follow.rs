@@ -12,7 +12,7 @@ use super::stations::{Acting, ErrorPart, Station, cutting_axes};
 use crate::batch::SpatialArm;
 use crate::compliance::{Posture, PostureError, compliance};
 use crate::geometry::Geometry;
-use crate::inverse::{Configuration, postures, within_limits};
+use crate::inverse::{Configuration, posture_of, within_limits};
 use crate::limits::Limits;
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
@@ -134,8 +134,7 @@ pub(super) fn held(
     arrangement: Arrangement,
 ) -> Result<Result<[f64; 6], Why>, MillError> {
     let flange = stand.base_from_tool(sample, arrangement.roll)? * stand.flange_from_tool.inverse();
-    let found = postures(&arm.geometry, &flange).found;
-    let theta = found.into_iter().find(|(known, _)| *known == arrangement.configuration).map(|(_, theta)| theta);
+    let theta = posture_of(&arm.geometry, &flange, arrangement.configuration);
     let Some(theta) = theta else { return Ok(Err(Why::Reach { beyond: 0.0 })) };
     if !(arm.clearance - LIMIT <= arm.geometry.singular_margin(&theta)) {
         return Ok(Err(Why::Narrow));

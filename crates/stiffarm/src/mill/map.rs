@@ -9,7 +9,7 @@ use super::follow::{Arrangement, Stand, held, pushed};
 use super::solve::MillOptions;
 use super::stations::Station;
 use super::{Followed, arm_with_margins};
-use crate::inverse::postures;
+use crate::inverse::posture_of;
 use crate::robot::Robot;
 
 /// Rolls of a map: steps of 2 deg.
@@ -70,9 +70,8 @@ pub fn roll_map(
             Err(Why::Reach { .. }) => RollCell::Reach,
             Err(_) => {
                 let flange = stand.base_from_tool(&stations[i].sample, roll)? * stand.flange_from_tool.inverse();
-                let found = postures(&arm.geometry, &flange).found;
-                let theta = found.iter().find(|(known, _)| *known == arrangement.configuration);
-                let is_clear = theta.is_some_and(|(_, theta)| arm.clearance <= arm.geometry.singular_margin(theta));
+                let theta = posture_of(&arm.geometry, &flange, arrangement.configuration);
+                let is_clear = theta.is_some_and(|theta| arm.clearance <= arm.geometry.singular_margin(&theta));
                 if is_clear { RollCell::Limit } else { RollCell::Singular }
             }
         })

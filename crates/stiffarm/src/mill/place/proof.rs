@@ -1,6 +1,5 @@
 //! No place of a part is better: branch and bound over boxes of places, each sample at its own best roll.
 
-use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
@@ -9,6 +8,7 @@ use rayon::prelude::*;
 use super::{Place, ROLLS, Search};
 use crate::batch::RollGrid;
 use crate::enclose::{Affine, Vector, sin_cos};
+use crate::frontier::{self, Frontier};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::mill::bound::Held;
@@ -26,27 +26,16 @@ const FINEST_ROLL: f64 = TAU / 96.0;
 /// A bound this near to the value, as a part of it, is good enough.
 const ENOUGH: f64 = 0.01;
 
-/// Places that are bounded together; the heap hands out the least bound.
+/// Places that are bounded together.
 struct Node {
     lower: f64,
     /// Ahead, up, yaw.
     ranges: [Interval; 3],
 }
 
-impl PartialEq for Node {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == std::cmp::Ordering::Equal
-    }
-}
-impl Eq for Node {}
-impl PartialOrd for Node {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Node {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        other.lower.total_cmp(&self.lower)
+impl frontier::Node for Node {
+    fn key(&self) -> [f64; 2] {
+        [self.lower, 0.0]
     }
 }
 
@@ -71,7 +60,7 @@ impl Search<'_> {
         let Some(ranges) = self.ranges() else { return Ok((0.0, 0)) };
         let enough = known * (1.0 - ENOUGH);
         let parts = watch.parts(None);
-        let mut queue = BinaryHeap::from([Node { lower: 0.0, ranges }]);
+        let mut queue = Frontier::from_iter([Node { lower: 0.0, ranges }]);
         let (mut nodes, mut fathomed) = (0, f64::INFINITY);
         while let Some(first) = queue.pop() {
             if MOST_NODES < nodes {

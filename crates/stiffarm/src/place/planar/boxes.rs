@@ -1,10 +1,10 @@
 //! Places and sets of them: how these are split, and what all places of a set have in common.
 
-use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector2;
 
+use crate::frontier;
 use crate::interval::Interval;
 use crate::plane::{SLACK, Shape};
 use crate::task::Zone;
@@ -40,22 +40,10 @@ pub(super) struct Node {
     pub(super) turn: Interval,
 }
 
-impl PartialEq for Node {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Node {}
-impl PartialOrd for Node {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Node {
-    /// The heap hands out the greatest first: the least lower bound, of those the smallest box, or the largest where nothing is known.
-    fn cmp(&self, other: &Self) -> Ordering {
-        let by_size = other.u.width().total_cmp(&self.u.width());
-        other.lower.total_cmp(&self.lower).then(if self.lower == 0.0 { by_size.reverse() } else { by_size })
+impl frontier::Node for Node {
+    /// The least lower bound, of those the smallest box, or the largest where nothing is known.
+    fn key(&self) -> [f64; 2] {
+        [self.lower, if self.lower == 0.0 { -self.u.width() } else { self.u.width() }]
     }
 }
 

@@ -4,7 +4,6 @@
 //! `u = a p + b e x p` and the forearm `g = p - u`, drives move it along `e x p` (drive 2 of a serial arm), `e x u` (of a parallelogram) and
 //! `e x g`; one formula serves numbers, and affine forms over a part of the zone or over a box of places.
 
-use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix2, Vector2};
@@ -13,6 +12,7 @@ use super::boxes::{Node, Spot, Worst};
 use super::turned;
 use crate::drive::Architecture;
 use crate::enclose::{Affine, Line, NodeBounds, add_squares, least_largest, sin_cos};
+use crate::frontier::{self, Frontier};
 use crate::interval::Interval;
 use crate::load::Sector;
 use crate::plane::{Elbow, PlanarArm};
@@ -162,7 +162,7 @@ impl Directed {
         for point in points(zone) {
             look(&mut best, point);
         }
-        let mut queue: BinaryHeap<Part> =
+        let mut queue: Frontier<Part> =
             Part::all(zone).into_iter().map(|part| part.bounded(self, elbow, zone, spot)).collect();
         let mut parts = 0;
         while let Some(part) = queue.pop() {
@@ -251,20 +251,10 @@ struct Part {
     ranges: [Interval; 2],
 }
 
-impl PartialEq for Part {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == std::cmp::Ordering::Equal
-    }
-}
-impl Eq for Part {}
-impl PartialOrd for Part {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Part {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.most.total_cmp(&other.most)
+impl frontier::Node for Part {
+    /// The largest comes first.
+    fn key(&self) -> [f64; 2] {
+        [-self.most, 0.0]
     }
 }
 

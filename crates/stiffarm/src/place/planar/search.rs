@@ -4,7 +4,7 @@
 //! plane. The nearest and farthest distance then depend on `(u, v)` alone, and a turn only shifts the two absolute
 //! angles. Where nothing else ties the turn down it needs no search: the limits leave an interval of turns, or none.
 
-use std::collections::{BinaryHeap, VecDeque};
+use std::collections::VecDeque;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector2;
@@ -16,6 +16,7 @@ use super::boxes::{
 use super::directed::Effort;
 use super::objective::{Distances, Objective};
 use super::{Orientation, PlaceError, Question, Solution, Within, exact, turned};
+use crate::frontier::Frontier;
 use crate::interval::Interval;
 use crate::plane::{ElbowSide, PlanarArm, SLACK, Shape};
 use crate::task::Zone;
@@ -88,7 +89,7 @@ impl<'a> Search<'a> {
         if found.is_some() {
             return Ok(Some(true));
         }
-        let mut queue = VecDeque::from(queue.into_vec());
+        let mut queue: VecDeque<Node> = queue.into_nodes().collect();
         for _ in 0..MOST_BOXES_FOR_SCALE {
             self.parts.one_more()?;
             let Some(node) = queue.pop_front() else { return Ok(Some(false)) };
@@ -169,9 +170,9 @@ impl<'a> Search<'a> {
     }
 
     /// The whole search space, and the best of the places that would be exact if only the ring limited the zone.
-    fn seeds(&self, zone: Zone) -> (Option<Found>, BinaryHeap<Node>) {
+    fn seeds(&self, zone: Zone) -> (Option<Found>, Frontier<Node>) {
         let mut best: Option<Found> = None;
-        let mut queue = BinaryHeap::new();
+        let mut queue = Frontier::new();
         let sigma = self.arm.radial();
         for (i, side) in self.sides.iter().enumerate() {
             let stances = exact::stances(&sigma, side.ring, zone);

@@ -1,7 +1,5 @@
 //! How much better could another place be? A lower bound by branch and bound over nodes, each held in one arm branch.
 
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::Question;
@@ -9,6 +7,7 @@ use crate::batch::SpatialArm;
 use crate::enclose::{
     Affine, ArmEnclosure, Line, Node, NodeBounds, ToolFrameEnclosure, TurnExtent, least_largest, remaining, variables,
 };
+use crate::frontier::{self, Frontier};
 use crate::interval::Interval;
 use crate::inverse::ArmBranch;
 use crate::place::{Orientation, Within};
@@ -55,21 +54,9 @@ pub(super) struct HeldNode {
     is_whole: bool,
 }
 
-impl PartialEq for HeldNode {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for HeldNode {}
-impl PartialOrd for HeldNode {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for HeldNode {
-    /// The heap hands out the greatest first: the least lower bound.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.lower.total_cmp(&self.lower)
+impl frontier::Node for HeldNode {
+    fn key(&self) -> [f64; 2] {
+        [self.lower, 0.0]
     }
 }
 
@@ -143,7 +130,7 @@ impl<'a> BranchAndBound<'a> {
     fn run<const N: usize>(&self, upper: f64) -> Result<Proof, Stopped> {
         let enough = upper * (1.0 - GAP);
         let most = if upper.is_finite() { MOST_POSES } else { MOST_POSES_FOR_NONE };
-        let (mut queue, mut boxes, mut poses) = (BinaryHeap::new(), 0, 0);
+        let (mut queue, mut boxes, mut poses) = (Frontier::new(), 0, 0);
         for node in &self.roots {
             for branch in ArmBranch::ALL {
                 let wrists: &[[bool; 2]] =
@@ -186,7 +173,7 @@ impl<'a> BranchAndBound<'a> {
     }
 
     /// The middles of the lowest nodes that lie apart from one another.
-    fn apart(&self, first: HeldNode, mut queue: BinaryHeap<HeldNode>) -> Vec<WorkPlacement> {
+    fn apart(&self, first: HeldNode, mut queue: Frontier<HeldNode>) -> Vec<WorkPlacement> {
         let mut chosen: Vec<[f64; 5]> = Vec::new();
         let mut next = Some(first);
         for _ in 0..MOST_UNFATHOMED {

@@ -3,7 +3,7 @@
 use nalgebra::Point2;
 
 use crate::compliance::{PostureError, compliance};
-use crate::inverse::postures;
+use crate::inverse::posture_of;
 use crate::model::{ModelError, SpatialModel};
 use crate::place::{PlaceError, PlaceOptions, Placement, SpaceHold};
 use crate::work::{WorkPlacement, WorkPlane};
@@ -33,9 +33,8 @@ pub(in crate::place) fn deflection_field(
     let tool_from_flange = arm.flange_from_tool.inverse();
     let evaluated = |at: Point2<f64>| {
         let pose = plane.pose(&work, at.into());
-        let found = postures(&arm.geometry, &(pose * tool_from_flange)).found;
-        let held = found.into_iter().find(|(configuration, _)| *configuration == hold.configuration);
-        let deflection = held.map(|(_, theta)| {
+        let held = posture_of(&arm.geometry, &(pose * tool_from_flange), hold.configuration);
+        let deflection = held.map(|theta| {
             let q = arm.geometry.reported(&theta, arm.limits.third_axis);
             let posture = compliance(robot, &q, &arm.flange_from_tool)?;
             Ok::<_, PostureError>(posture.most(forces.as_ref()).value * options.load.newtons())

@@ -18,7 +18,7 @@ use crate::angle::wrapped;
 use crate::batch::SpatialArm;
 use crate::cell::Cell;
 use crate::interval::Interval;
-use crate::inverse::{Configuration, postures};
+use crate::inverse::{Configuration, posture_of};
 use crate::place::Orientation;
 use crate::robot::Robot;
 use crate::task::Zone;
@@ -245,10 +245,10 @@ impl Search<'_> {
     fn rough_clearance(&self, work: &crate::work::WorkPlacement, configuration: Configuration) -> Option<f64> {
         let plane = WorkPlane::of(self.options.elevation, work);
         let tool_from_flange = self.arm.flange_from_tool.inverse();
-        let held = Grid::of(self.zone, 2).points.into_iter().filter_map(|at| {
-            let found = postures(&self.arm.geometry, &(plane.pose(work, at) * tool_from_flange)).found;
-            found.into_iter().find(|(found, _)| *found == configuration).map(|(_, theta)| theta)
-        });
+        let held = Grid::of(self.zone, 2)
+            .points
+            .into_iter()
+            .filter_map(|at| posture_of(&self.arm.geometry, &(plane.pose(work, at) * tool_from_flange), configuration));
         Some(self.clearance_over(work, 0.0, &held.collect::<Vec<_>>())?.distance)
     }
 }
