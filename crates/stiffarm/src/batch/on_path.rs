@@ -20,6 +20,7 @@ const WIDEST: usize = 8;
 /// Rolls at which errors are wanted.
 #[derive(Clone, Debug)]
 pub(crate) struct RollGrid {
+    rolls: Vec<f64>,
     cos: Vec<f64>,
     sin: Vec<f64>,
 }
@@ -32,13 +33,19 @@ impl RollGrid {
 
     /// These rolls, rad.
     pub(crate) fn at(rolls: impl IntoIterator<Item = f64>) -> Self {
-        let (sin, cos) = rolls.into_iter().map(f64::sin_cos).unzip();
-        Self { cos, sin }
+        let rolls: Vec<f64> = rolls.into_iter().collect();
+        let (sin, cos) = rolls.iter().map(|roll| roll.sin_cos()).unzip();
+        Self { rolls, cos, sin }
     }
 
     /// How many.
     pub(crate) fn len(&self) -> usize {
-        self.cos.len()
+        self.rolls.len()
+    }
+
+    /// One of them, rad.
+    pub(crate) fn roll(&self, i: usize) -> f64 {
+        self.rolls[i]
     }
 
     /// Between two of a whole turn, rad.

@@ -2,10 +2,10 @@
 
 use super::climb::{Climb, Sought};
 use super::fault::{Blocked, MillError, Why};
-use super::follow::Pushed;
+use super::follow::{Arrangement, Pushed, held};
 use super::ladder::Ladder;
 use crate::interval::Interval;
-use crate::inverse::{postures, within_limits};
+use crate::inverse::{Configuration, postures, within_limits};
 use crate::watch::Watch;
 
 impl Ladder<'_> {
@@ -24,7 +24,7 @@ impl Ladder<'_> {
     pub(super) fn why_blocked(&self, k: usize, watch: Watch) -> Result<Blocked, MillError> {
         let rung = &self.rungs[k];
         if rung.errors.iter().flatten().all(|error| *error == f32::INFINITY) {
-            return self.worst_blocked();
+            return self.never_held();
         }
         let slow = Ladder { speeds: None, ..self.clone() };
         let climb = Climb::new(&slow, Sought::LeastError, f32::MAX, false);
@@ -32,8 +32,8 @@ impl Ladder<'_> {
         Ok(self.blocked_at(rung.samples.start, if is_fast { Why::Fast } else { Why::Jump }))
     }
 
-    /// The first sample that no posture holds at any roll, and how many they are.
-    pub(super) fn worst_blocked(&self) -> Result<Blocked, MillError> {
+    /// The first sample that no posture holds at any roll, and how many they are; `None` where each is held.
+    fn worst_blocked(&self) -> Result<Option<Blocked>, MillError> {
         let (mut first, mut count) = (None, 0);
         let mut errors = std::array::from_fn(|_| Vec::new());
         for i in 0..self.stations.len() {
@@ -43,9 +43,33 @@ impl Ladder<'_> {
                 first = first.or(Some(i));
             }
         }
-        let Some(first) = first else { return Ok(self.blocked_at(0, Why::Jump)) };
+        let Some(first) = first else { return Ok(None) };
         let why = self.why_not_held(first)?;
-        Ok(Blocked { samples: count, ..self.blocked_at(first, why) })
+        Ok(Some(Blocked { samples: count, ..self.blocked_at(first, why) }))
+    }
+
+    /// Why no roll is held all along: a sample that none holds, else the one at which that roll ends which is held the farthest.
+    pub(super) fn never_held(&self) -> Result<Blocked, MillError> {
+        if let Some(blocked) = self.worst_blocked()? {
+            return Ok(blocked);
+        }
+        for run in self.runs() {
+            let nodes = (0..Configuration::COUNT).flat_map(|c| (0..self.grid.len()).map(move |roll| (c, roll)));
+            let ends = |(c, roll): &(usize, usize)| {
+                run.clone().find(|k| self.rungs[*k].errors[*c][*roll] == f32::INFINITY).unwrap_or(run.end)
+            };
+            let farthest = nodes.max_by_key(ends).filter(|node| ends(node) < run.end);
+            let Some(node) = farthest else { continue };
+            let (configuration, roll) = (Configuration::ALL[node.0], self.grid.roll(node.1));
+            for i in self.rungs[ends(&node)].samples.clone() {
+                let arrangement = Arrangement { configuration, roll };
+                // Another posture holds it: the arm would have to jump there.
+                if held(self.arm, &self.stand, &self.stations[i].sample, arrangement)?.is_err() {
+                    return Ok(self.blocked_at(i, Why::Jump));
+                }
+            }
+        }
+        Ok(self.blocked_at(0, Why::Jump))
     }
 
     pub(super) fn blocked_at(&self, i: usize, why: Why) -> Blocked {
@@ -57,7 +81,7 @@ impl Ladder<'_> {
         let (geometry, limits) = (&self.arm.geometry, &self.arm.limits);
         let (mut beyond, mut is_reached, mut forbidding) = (f64::INFINITY, false, [0; 6]);
         for roll in 0..self.grid.len() {
-            let tool = self.stand.base_from_tool(&self.stations[i].sample, self.grid.step() * roll as f64)?;
+            let tool = self.stand.base_from_tool(&self.stations[i].sample, self.grid.roll(roll))?;
             let flange = tool * self.arm.flange_from_tool.inverse();
             let found = postures(geometry, &flange).found;
             is_reached |= !found.is_empty();

@@ -4,9 +4,8 @@
 //! run one configuration is kept. Joints between samples are left aside, so the bound holds for every path of rolls, and may lie
 //! below the best of them.
 
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 use nalgebra::{Point3, Vector3};
 
@@ -17,6 +16,7 @@ use super::solve::{Question, RollMode};
 use super::stations::{ErrorPart, Station, cutting_axes};
 use crate::batch::Pushing;
 use crate::enclose::{Affine, ArmEnclosure, NodeBounds, PushEnclosure, Vector, sin_cos};
+use crate::frontier::{self, Frontier};
 use crate::interval::Interval;
 use crate::inverse::{Configuration, Wrist};
 use crate::tolerances::BOUND;
@@ -46,26 +46,15 @@ pub(super) struct Floor<'a> {
 /// The least error of some rungs, m, and which they are.
 type Rungs = Vec<(f32, usize)>;
 
-/// An interval of the roll with its bound; the heap hands out the least.
+/// An interval of the roll with its bound.
 struct Cell {
     lower: f64,
     roll: Interval,
 }
 
-impl PartialEq for Cell {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Cell {}
-impl PartialOrd for Cell {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Cell {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.lower.total_cmp(&self.lower)
+impl frontier::Node for Cell {
+    fn key(&self) -> [f64; 2] {
+        [self.lower, 0.0]
     }
 }
 
@@ -78,11 +67,18 @@ impl<'a> Floor<'a> {
     /// No rolls of the mode that is asked for have a smaller largest error than this, m, which is at most `known`.
     pub(super) fn lower_bound(&self, ladder: &Ladder, known: f64) -> Result<f64, MillError> {
         match self.question.options.roll {
-            // All configurations were followed.
-            RollMode::Fixed(_) => Ok(known),
+            RollMode::Fixed(_) => Ok(Self::of_one_roll(ladder).min(known)),
             RollMode::Constant => self.of_constant(ladder, known),
             RollMode::Free | RollMode::Linear => self.of_free(ladder, known),
         }
+    }
+
+    /// Every run in its best configuration: nothing is left to enclose but the rounding of the ladder's errors.
+    fn of_one_roll(ladder: &Ladder) -> f64 {
+        const ROUNDING: f64 = 1e-6;
+        let of = |run: &Range<usize>, c: usize| run.clone().map(|k| ladder.rungs[k].errors[c][0]).fold(0.0, f32::max);
+        let least = |run: Range<usize>| (0..Configuration::COUNT).map(|c| of(&run, c)).fold(f32::INFINITY, f32::min);
+        f64::from(ladder.runs().into_iter().map(least).fold(0.0, f32::max)) * (1.0 - ROUNDING)
     }
 
     /// The largest of the bounds of some runs; of each the least over configurations of the largest over its samples.
@@ -134,7 +130,7 @@ impl<'a> Floor<'a> {
         enough: f64,
         most: usize,
     ) -> Result<f64, MillError> {
-        let mut queue = BinaryHeap::new();
+        let mut queue = Frontier::new();
         let width = TAU / FIRST as f64;
         let mut cells: Vec<Interval> =
             (0..FIRST).map(|i| Interval::spanning(width * i as f64, width * (i + 1) as f64)).collect();

@@ -66,7 +66,7 @@ pub struct Blocked {
     pub tip: [f64; 3],
     /// Why.
     pub why: Why,
-    /// How many samples no posture holds at any roll.
+    /// How many samples no posture holds at any roll; 0 where each is held at some, but none along the path.
     pub samples: usize,
 }
 
@@ -100,10 +100,16 @@ impl std::fmt::Display for Blocked {
         }
         write!(f, "{:.1} mm along the path, tip at {x:.3}, {y:.3}, {z:.3} m: ", self.way * 1e3)?;
         match self.why {
-            Why::Reach { beyond } => write!(f, "out of reach by {:.1} mm at every roll", beyond * 1e3)?,
-            Why::Limit { joint } => write!(f, "the range of joint {joint} with its margin forbids it at every roll")?,
+            Why::Reach { beyond } => {
+                write!(f, "out of reach by {:.1} mm at every roll that may be taken", beyond * 1e3)?;
+            }
+            Why::Limit { joint } => {
+                write!(f, "the range of joint {joint} with its margin forbids it at every roll that may be taken")?;
+            }
             Why::Narrow => {
-                f.write_str("limits and the distance from straight postures together forbid it at every roll")?;
+                f.write_str(
+                    "limits and the distance from straight postures together forbid it at every roll that may be taken",
+                )?;
             }
             Why::Jump => f.write_str("no posture leads on from the sample before without a jump of some joint")?,
             Why::Fast => {

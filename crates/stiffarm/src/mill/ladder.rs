@@ -171,7 +171,7 @@ impl<'a> Ladder<'a> {
             if !(0..Configuration::COUNT).any(|c| rung.errors[c][roll] <= most) {
                 continue;
             }
-            for (configuration, q) in self.postures(rung.at, self.grid.step() * roll as f64) {
+            for (configuration, q) in self.postures(rung.at, self.grid.roll(roll)) {
                 let c = configuration.index();
                 if rung.errors[c][roll] <= most {
                     found[c * count + roll] = Some(self.turned_down(q));

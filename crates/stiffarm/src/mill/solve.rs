@@ -1,6 +1,7 @@
 //! The best rolls along a path, for a part that stands somewhere.
 
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 
 use super::climb::{Climb, Node, Sought};
 use super::fault::{Blocked, MillError, Why};
@@ -77,25 +78,16 @@ pub(super) struct Question<'a> {
 impl Question<'_> {
     /// The best rolls for a part that stands somewhere; inner: where and why there are none.
     pub(super) fn solve(&self, stand: &Stand, watch: Watch) -> Result<(Ladder<'_>, Outcome), MillError> {
-        let ladder = self.ladder(stand, self.stations, ROLLS, watch)?;
-        let found = match self.options.roll {
-            RollMode::Fixed(roll) => self.at_one_roll(&ladder, stand, roll),
+        let MillOptions { roll, part, share_of_speed, .. } = *self.options;
+        let grid = if let RollMode::Fixed(roll) = roll { RollGrid::at([roll]) } else { RollGrid::turn(ROLLS) };
+        let ladder = Ladder::new(self.arm, self.stations, *stand, (part, grid), share_of_speed, watch)?;
+        let found = match roll {
+            RollMode::Fixed(_) => self.best_of(&ladder, &ladder.constant_rolls(), stand),
             RollMode::Constant => self.best_of(&ladder, &ladder.fine_constant_rolls()?, stand),
             RollMode::Linear => self.best_of(&ladder, &ladder.linear_rolls(), stand),
             RollMode::Free => self.free(&ladder, stand, watch),
         };
         Ok((ladder, found?))
-    }
-
-    pub(super) fn ladder<'l>(
-        &'l self,
-        stand: &Stand,
-        stations: &'l [Station],
-        rolls: usize,
-        watch: Watch,
-    ) -> Result<Ladder<'l>, MillError> {
-        let MillOptions { part, share_of_speed, .. } = *self.options;
-        Ladder::new(self.arm, stations, *stand, (part, RollGrid::turn(rolls)), share_of_speed, watch)
     }
 
     pub(super) fn follow(
@@ -104,29 +96,6 @@ impl Question<'_> {
         arrangement: impl Fn(usize) -> Arrangement,
     ) -> Result<Outcome, MillError> {
         follow((self.robot, self.arm), stand, self.stations, self.options.part, arrangement)
-    }
-
-    /// The best configuration of a given roll: all are followed.
-    fn at_one_roll(&self, ladder: &Ladder, stand: &Stand, roll: f64) -> Result<Outcome, MillError> {
-        let mut best: Option<Vec<Pushed>> = None;
-        let mut farthest: Option<Blocked> = None;
-        for configuration in Configuration::ALL {
-            let followed = self.follow(stand, |_| Arrangement { configuration, roll })?;
-            let in_time = followed.and_then(|found| match ladder.too_fast(&found, 1.0) {
-                None => Ok(found),
-                Some(i) => Err(ladder.blocked_at(i, Why::Fast)),
-            });
-            match in_time {
-                Ok(found) if best.as_ref().is_none_or(|best| worst(&found) < worst(best)) => best = Some(found),
-                Err(blocked) if farthest.is_none_or(|other| other.way < blocked.way) => farthest = Some(blocked),
-                Ok(_) | Err(_) => {}
-            }
-        }
-        match (best, farthest) {
-            (Some(best), _) => Ok(Ok(best)),
-            (None, Some(blocked)) => Ok(Err(blocked)),
-            (None, None) => Err(MillError::NothingFeeds),
-        }
     }
 
     /// The first of some courses, the best first, that is followed.
@@ -141,7 +110,7 @@ impl Question<'_> {
                 Err(blocked) => first = first.or(Some(blocked)),
             }
         }
-        Ok(Err(first.map_or_else(|| ladder.worst_blocked(), Ok)?))
+        Ok(Err(first.map_or_else(|| ladder.never_held(), Ok)?))
     }
 
     /// The path whose largest error is least, and of those nearly as good the smoothest.
@@ -218,7 +187,7 @@ impl Course {
 
 impl Ladder<'_> {
     /// The rungs of every run: from one that is fresh to the next.
-    pub(super) fn runs(&self) -> Vec<std::ops::Range<usize>> {
+    pub(super) fn runs(&self) -> Vec<Range<usize>> {
         let mut starts: Vec<usize> = (0..self.rungs.len()).filter(|k| *k == 0 || self.rungs[*k].is_fresh).collect();
         starts.push(self.rungs.len());
         starts.windows(2).map(|pair| pair[0]..pair[1]).collect()
@@ -290,14 +259,14 @@ impl Ladder<'_> {
             let (error, configurations) = if of_all(one) <= several * (1.0 + SPARE as f32) {
                 (of_all(one), vec![(0, Configuration::ALL[one])])
             } else {
-                let of = |(run, worst): (&std::ops::Range<usize>, &[f32; 8])| {
+                let of = |(run, worst): (&Range<usize>, &[f32; 8])| {
                     (self.rungs[run.start].samples.start, Configuration::ALL[least(worst)])
                 };
                 (several, runs.iter().zip(&by_run).map(of).collect())
             };
             if error < f32::INFINITY {
                 best = best.min(error);
-                found.push((error, Course { configurations, roll: self.grid.step() * roll as f64, change }));
+                found.push((error, Course { configurations, roll: self.grid.roll(roll), change }));
             }
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -308,7 +277,7 @@ impl Ladder<'_> {
     fn arrangements(&self, path: &[Node]) -> Vec<Arrangement> {
         let mut found: Vec<Arrangement> = Vec::with_capacity(path.len());
         for Node { configuration, roll } in path {
-            let mut roll = self.grid.step() * *roll as f64;
+            let mut roll = self.grid.roll(*roll);
             if let Some(before) = found.last() {
                 roll += TAU * ((before.roll - roll) / TAU).round();
             }
