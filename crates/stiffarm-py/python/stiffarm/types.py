@@ -103,6 +103,11 @@ class PlaceOptions(TypedDict, total=False):
     component: Literal["total", "normal", "along"]
     """What of the displacement counts."""
 
+    at_m: npt.ArrayLike | None
+    """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
+    it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
+    [default: the best place within --within]."""
+
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
     the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
@@ -204,6 +209,11 @@ class RankOptions(TypedDict, total=False):
 
     component: Literal["total", "normal", "along"]
     """What of the displacement counts."""
+
+    at_m: npt.ArrayLike | None
+    """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
+    it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
+    [default: the best place within --within]."""
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
@@ -333,6 +343,11 @@ class MapOptions(TypedDict, total=False):
     component: Literal["total", "normal", "along"]
     """What of the displacement counts."""
 
+    at_m: npt.ArrayLike | None
+    """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
+    it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
+    [default: the best place within --within]."""
+
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
     the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor
@@ -448,6 +463,11 @@ class CompareOptions(TypedDict, total=False):
 
     component: Literal["total", "normal", "along"]
     """What of the displacement counts."""
+
+    at_m: npt.ArrayLike | None
+    """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
+    it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
+    [default: the best place within --within]."""
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
@@ -745,6 +765,11 @@ class SweepOptions(TypedDict, total=False):
 
     component: Literal["total", "normal", "along"]
     """What of the displacement counts."""
+
+    at_m: npt.ArrayLike | None
+    """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
+    it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
+    [default: the best place within --within]."""
 
     within_m: str | Sequence[RangeLike | None] | None
     """Where the zone may stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in
