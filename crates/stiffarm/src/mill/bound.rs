@@ -200,7 +200,12 @@ impl<'a> Floor<'a> {
     }
 
     /// A lower bound on the error of a sample, m, in a configuration at every roll of an interval; `None` where it is not held there.
-    fn over(&self, station: &Station, configuration: Configuration, roll: Interval) -> Result<Option<f64>, MillError> {
+    pub(super) fn over(
+        &self,
+        station: &Station,
+        configuration: Configuration,
+        roll: Interval,
+    ) -> Result<Option<f64>, MillError> {
         let pose = self.stand.base_from_part;
         let turn = pose.rotation.to_rotation_matrix();
         let fixed = |v: Vector3<f64>| -> Vector<1> { <[f64; 3]>::from(turn * v).map(Affine::point) };

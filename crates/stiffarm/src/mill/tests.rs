@@ -2,11 +2,14 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
+use super::climb::{Climb, Sought};
+use super::ladder::Ladder;
 use super::*;
+use crate::batch::RollGrid;
 use crate::catalogue::paper_robots;
 use crate::compliance::compliance;
 use crate::interval::Interval;
-use crate::inverse::reached;
+use crate::inverse::{Configuration, reached};
 use crate::load::Load;
 use crate::place::{Margins, Within};
 use crate::spatial::Pose;
@@ -194,6 +197,84 @@ fn at_a_given_roll_every_run_has_its_own_configuration() {
     };
     assert!((found.worst.0 / of_each - 1.0).abs() < 1e-9, "{} {of_each}", found.worst.0);
     assert!(found.lower_bound <= of_each && (1.0 - 2e-6) * of_each < found.lower_bound, "{}", found.lower_bound);
+}
+
+/// The least error over which some chain of nodes leads from the first rung to the last: thresholds halved, each by marking what is reached.
+#[test]
+fn the_best_path_over_a_ladder_is_that_of_a_search_with_thresholds() {
+    let (robot, one) = (robot(), stand());
+    let options = with(RollMode::Free);
+    let arm = arm_with_margins(&robot, &one, &options).unwrap();
+    for (path_of, acting) in [("line:0.5", KNOWN), ("circle:0.4", Acting::Any(400.0))] {
+        let stations = path(path_of, acting);
+        let grid = RollGrid::turn(36);
+        let ladder = Ladder::new(&arm, &stations, one, (ErrorPart::Total, grid), 0.8, Watch::nobody()).unwrap();
+        let climb = Climb::new(&ladder, Sought::LeastError, f32::MAX, false);
+        let (nodes, least) = climb.path(Watch::nobody()).unwrap().expect("a path");
+        let at = |k: usize, c: usize, roll: usize| {
+            (k, Arrangement { configuration: Configuration::ALL[c], roll: ladder.grid.roll(roll) })
+        };
+        let is_reached = |most: f32| {
+            let held = |k: usize| {
+                let all = (0..8).flat_map(|c| (0..36).map(move |roll| (c, roll)));
+                all.filter(|(c, roll)| ladder.rungs[k].errors[*c][*roll] <= most).collect::<Vec<_>>()
+            };
+            let mut reached = held(0);
+            for k in 1..ladder.rungs.len() {
+                let next = held(k).into_iter().filter(|(c, roll)| {
+                    // No further than the climb looks: eight steps of the grid.
+                    let is_near = |from: usize| (from + 36 - roll + 8) % 36 <= 16;
+                    let mut from = reached.iter().filter(|(other, from)| other == c && is_near(*from));
+                    from.any(|from| climb.joins(at(k - 1, from.0, from.1), at(k, *c, *roll)))
+                });
+                reached = next.collect();
+            }
+            !reached.is_empty()
+        };
+        let mut errors: Vec<f32> = ladder.rungs.iter().flat_map(|rung| rung.errors.iter().flatten().copied()).collect();
+        errors.retain(|error| error.is_finite());
+        errors.sort_by(f32::total_cmp);
+        let threshold = errors[errors.partition_point(|most| !is_reached(*most))];
+        assert!((least / f64::from(threshold) - 1.0).abs() < 1e-9, "{path_of}: {least} {threshold}");
+        let of_nodes = nodes.iter().enumerate().map(|(k, node)| ladder.rungs[k].errors[node.configuration][node.roll]);
+        assert_eq!(of_nodes.fold(0.0, f32::max), threshold, "{path_of}");
+    }
+}
+
+/// What is enclosed over an interval of the roll lies below the error at every roll in it, one posture after the other, and hardly below that of a
+/// narrow one.
+#[test]
+fn a_bound_over_rolls_is_below_each_of_them_and_near_to_the_least() {
+    let (robot, one, options) = (robot(), stand(), with(RollMode::Free));
+    let mut rng = fastrand::Rng::with_seed(132);
+    let (mut tight, mut held) = (0, 0);
+    // The moment does as much as the force.
+    for acting in [KNOWN, Acting::Known { force: [0.0, 90.0, 30.0], moment: 150.0 }, Acting::Any(400.0)] {
+        let stations = path("circle:0.4", acting);
+        let arm = arm_with_margins(&robot, &one, &options).unwrap();
+        let question = Question { robot: &robot, arm: &arm, stations: &stations, options: &options };
+        let floor = Floor::new(&question, &one);
+        for _ in 0..60 {
+            let station = &stations[rng.usize(0..stations.len())];
+            let (from, width) = (rng.f64() * 6.0, [0.3, 1e-3][rng.usize(0..2)]);
+            for configuration in Configuration::ALL {
+                let roll = |i: i32| from + width * f64::from(i) / 8.0;
+                let errors = (0..=8).map(|i| errors_at(&robot, &one, station, roll(i))[configuration.index()]);
+                let least = errors.fold(f64::INFINITY, f64::min);
+                let bound = floor.over(station, configuration, Interval::spanning(from, from + width)).unwrap();
+                let Some(bound) = bound else {
+                    assert!(least == f64::INFINITY, "{configuration}: {least}");
+                    continue;
+                };
+                assert!(bound <= least * (1.0 + 1e-9), "{configuration} {acting:?}: {bound} {least}");
+                if least.is_finite() {
+                    held += 1;
+                    tight += usize::from(width < 0.01 && 0.99 * least < bound);
+                }
+            }
+        }
+    }
+    assert!(100 < held && held < 3 * tight, "{held} {tight}");
 }
 
 /// Turned about the joint-1 axis, all is the same; linear rolls are no better than free ones and no worse than constant ones.
