@@ -57,6 +57,12 @@ impl Interval {
         f64::midpoint(self.min, self.max)
     }
 
+    /// Both halves of a bounded range; the middle belongs to both.
+    #[must_use]
+    pub fn halves(self) -> [Self; 2] {
+        [Self { max: self.middle(), ..self }, Self { min: self.middle(), ..self }]
+    }
+
     /// Both ends are finite.
     pub fn is_bounded(self) -> bool {
         self.min.is_finite() && self.max.is_finite()
@@ -163,6 +169,12 @@ mod tests {
             assert_eq!(stays.turned_towards(Interval::POSITIVE), stays);
         }
         assert_eq!(Interval::ALL.turned_towards(degrees(0.0, 1.0)), Interval::ALL);
+    }
+
+    #[test]
+    fn halves_are_the_whole() {
+        let [first, second] = Interval::spanning(-1.0, 5.0).halves();
+        assert_eq!([first.min(), first.max(), second.min(), second.max()], [-1.0, 2.0, 2.0, 5.0]);
     }
 
     #[test]

@@ -109,8 +109,8 @@ pub fn chances(ranking: &Ranking) -> Vec<Vec<Option<Chances>>> {
     (0..ranking.rows.len()).map(|row| of_tasks.iter().map(|of_task| of_task[row]).collect()).collect()
 }
 
-/// Of every robot at one task, by its draws; `None` where it has none, and where no two robots have.
-fn of_task(of_rows: &[Option<Vec<f64>>]) -> Vec<Option<Chances>> {
+/// Of every robot at one task, by its draws (as many as [`DRAWS`]); `None` where it has none, and where no two robots have.
+pub(crate) fn of_task(of_rows: &[Option<Vec<f64>>]) -> Vec<Option<Chances>> {
     let mut found = vec![None; of_rows.len()];
     let known: Vec<usize> = (0..of_rows.len()).filter(|&row| of_rows[row].is_some()).collect();
     if known.len() < 2 {

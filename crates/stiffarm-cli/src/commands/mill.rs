@@ -3,8 +3,8 @@
 use std::io::{self, BufReader, Write};
 use std::path::Path;
 
-use stiffarm::answer::{MillAnswer, PathAnswer, Rows, Unit};
-use stiffarm::catalogue::{files, read_process};
+use stiffarm::answer::{MillAnswer, PathAnswer, PathRankAnswer, Rows, Unit};
+use stiffarm::catalogue::{ProcessFile, files, read_process};
 use stiffarm::mill::{RollMap, Stand};
 use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
@@ -12,6 +12,7 @@ use stiffarm::request::Request;
 use stiffarm::toolpath::{Builtin, Format, Move, Original, Survey, Understood, read_toolpath};
 use stiffarm::watch::Watch;
 
+use super::path_ranking::PathRankOutput;
 use super::{drawing, progress, watched};
 use crate::args::Common;
 use crate::failure::Failure;
@@ -37,16 +38,14 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
         let understood = read_moves(asked, &path, common, &mut |one| survey.add(one))?;
         return outputs.deliver(&PathOutput(PathAnswer { path, understood, survey }));
     }
+    if asked.ranks_on_path() {
+        return ranked_on_path(asked, path, common);
+    }
     let (name, process) = (asked.robot()?, asked.given_process());
     let inputs: Vec<&Path> = [&path, &name].into_iter().chain(&process).map(Path::new).collect();
     let outputs = Outputs::open::<MillOutput>(common, &inputs)?;
     let robot = selection::robot(&name, common)?;
-    let process = process.map(|file| {
-        let named = files::shown(Path::new(&file));
-        let read = read_process(&files::text(Path::new(&file))?, &named).map_err(Failure::ProcessFile)?;
-        Ok::<_, Failure>((named, read))
-    });
-    let process = process.transpose()?;
+    let process = read_process_of(asked)?;
     let mut moves: Vec<Move> = Vec::new();
     let understood = read_moves(asked, &path, common, &mut |one| moves.push(*one))?;
     let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, &moves), process, watch);
@@ -55,6 +54,33 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let shortfall = answer.shortfall().filter(|_| common.check);
     outputs.deliver(&MillOutput { answer, asked, plate: Plate::of(asked)? })?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+}
+
+/// Several robots on the path, each at its best place.
+fn ranked_on_path(asked: &Request, path: String, common: &Common) -> Result<(), Failure> {
+    let names = asked.robots();
+    let process = asked.given_process();
+    let inputs: Vec<&Path> = [&path].into_iter().chain(&names).chain(&process).map(Path::new).collect();
+    let outputs = Outputs::open::<PathRankOutput>(common, &inputs)?;
+    let robots = selection::keep(selection::robots(&names, common)?, asked, &[])?;
+    let process = read_process_of(asked)?;
+    let mut moves: Vec<Move> = Vec::new();
+    let understood = read_moves(asked, &path, common, &mut |one| moves.push(*one))?;
+    let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch);
+    let mut answer = watched("milling with every robot", common, ranked)?;
+    answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
+    let shortfall = answer.shortfall().filter(|_| common.check);
+    outputs.deliver(&PathRankOutput { answer, plate: Plate::of(asked)? })?;
+    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+}
+
+/// The process that is asked for, with the name of its file.
+fn read_process_of(asked: &Request) -> Result<Option<(String, ProcessFile)>, Failure> {
+    let Some(file) = asked.given_process() else { return Ok(None) };
+    let path = Path::new(&file);
+    let named = files::shown(path);
+    let read = read_process(&files::text(path)?, &named).map_err(Failure::ProcessFile)?;
+    Ok(Some((named, read)))
 }
 
 /// Reads the path, move by move.

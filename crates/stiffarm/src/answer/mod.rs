@@ -42,7 +42,7 @@ pub use ledger::LedgerAnswer;
 pub use looks::{Look, looks};
 pub use map::MapAnswer;
 pub use measure::MeasureAnswer;
-pub use mill::{MillAnswer, MillAnswerError};
+pub use mill::{MillAnswer, MillAnswerError, PathRankAnswer};
 pub use path::PathAnswer;
 pub use place::{PlaceAnswer, Verdict};
 pub use rank::RankAnswer;

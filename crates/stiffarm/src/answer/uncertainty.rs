@@ -7,6 +7,7 @@ use crate::load::Load;
 use crate::place::Placement;
 use crate::rank::Ranking;
 use crate::robot::{Arm, Robot};
+use crate::task::Task;
 use crate::uncertainty::{Chances, DRAWS, Spread, spread};
 
 /// So many robots are named.
@@ -48,36 +49,35 @@ pub(super) fn ties(chances: &[Vec<Option<Chances>>], task: usize) -> usize {
 
 /// How sure the order is, task by task; nothing where no robot says how far its drives may be off.
 pub(super) fn sentences(ranking: &Ranking, chances: &[Vec<Option<Chances>>]) -> Vec<String> {
-    let mut told = Vec::new();
-    for (task, asked) in ranking.tasks.iter().enumerate() {
-        let of_task = ranking.rows.iter().zip(chances).filter_map(|(row, chances)| Some((row, chances[task]?)));
-        let mut known: Vec<_> = of_task.collect();
-        known.sort_by(|a, b| b.1.win.total_cmp(&a.1.win));
-        let Some((_, first)) = known.first() else { continue };
-        let percent = |share: f64| format!("{} %", fixed(100.0 * share, 0));
-        let named = known.iter().take(MOST_NAMED).filter(|(_, one)| 0.005 <= one.win);
-        let named: Vec<String> = named.map(|(row, one)| format!("{} {}", row.robot.name, percent(one.win))).collect();
-        let ties: Vec<&str> =
-            known.iter().filter(|(_, one)| one.ties).map(|(row, _)| row.robot.name.as_str()).collect();
-        let tied = match ties.len() {
-            0 | 1 if first.win < 0.95 => "the stiffness of no two overlaps".to_owned(),
-            0 | 1 => "it wins for sure".into(),
-            count if count <= MOST_NAMED => {
-                format!("the intervals of the stiffness overlap, so these tie: {}", ties.join(", "))
-            }
-            count => {
-                format!(
-                    "the intervals of the stiffness overlap: {count} robots tie, as no other beats them in 95 % of the draws"
-                )
-            }
-        };
-        told.push(format!(
-            "{}: stiffest in so many of {DRAWS} draws of the drives: {}; {tied}.",
-            asked.label,
-            named.join(", ")
-        ));
-    }
-    told
+    let of_task = |task: usize| {
+        let of_rows = ranking.rows.iter().zip(chances);
+        of_rows.filter_map(move |(row, chances)| Some((row.robot.name.as_str(), chances[task]?))).collect()
+    };
+    let told = |(task, asked): (usize, &Task)| sentence(&asked.label, of_task(task));
+    ranking.tasks.iter().enumerate().filter_map(told).collect()
+}
+
+/// The same of one task and the robots of which their chances are known.
+pub(super) fn sentence(label: &str, mut known: Vec<(&str, Chances)>) -> Option<String> {
+    known.sort_by(|a, b| b.1.win.total_cmp(&a.1.win));
+    let (_, first) = known.first()?;
+    let percent = |share: f64| format!("{} %", fixed(100.0 * share, 0));
+    let named = known.iter().take(MOST_NAMED).filter(|(_, one)| 0.005 <= one.win);
+    let named: Vec<String> = named.map(|(name, one)| format!("{name} {}", percent(one.win))).collect();
+    let ties: Vec<&str> = known.iter().filter(|(_, one)| one.ties).map(|(name, _)| *name).collect();
+    let tied = match ties.len() {
+        0 | 1 if first.win < 0.95 => "the stiffness of no two overlaps".to_owned(),
+        0 | 1 => "it wins for sure".into(),
+        count if count <= MOST_NAMED => {
+            format!("the intervals of the stiffness overlap, so these tie: {}", ties.join(", "))
+        }
+        count => {
+            format!(
+                "the intervals of the stiffness overlap: {count} robots tie, as no other beats them in 95 % of the draws"
+            )
+        }
+    };
+    Some(format!("{label}: stiffest in so many of {DRAWS} draws of the drives: {}; {tied}.", named.join(", ")))
 }
 
 /// Where publications of a robot's drives disagree.

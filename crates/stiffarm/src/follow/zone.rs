@@ -107,10 +107,11 @@ impl<'a> HeldZone<'a> {
             Zone::Rectangle { .. } => 1.0,
         };
         let longer = usize::from(sides[0].width() < lever * sides[1].width());
-        let (range, mut halves) = (sides[longer], [sides; 2]);
-        halves[0][longer] = Interval::spanning(range.min(), range.middle());
-        halves[1][longer] = Interval::spanning(range.middle(), range.max());
-        halves
+        sides[longer].halves().map(|half| {
+            let mut part = sides;
+            part[longer] = half;
+            part
+        })
     }
 
     /// All points of a part, m from the centre of the zone.

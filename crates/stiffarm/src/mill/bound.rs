@@ -148,8 +148,7 @@ impl<'a> Floor<'a> {
             if most < count {
                 return Ok(lower.min(least) * (1.0 - BOUND));
             }
-            cells
-                .extend([Interval::spanning(roll.min(), roll.middle()), Interval::spanning(roll.middle(), roll.max())]);
+            cells.extend(roll.halves());
         }
     }
 

@@ -22,7 +22,7 @@ use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::tolerances::LIMIT;
 use crate::toolpath::ToolPose;
-use crate::uncertainty::{Spread, quantile};
+use crate::uncertainty::quantile;
 
 /// Rounds in which the loaded posture is sought, and the joints' change that ends them, rad.
 const ROUNDS: usize = 40;
@@ -129,24 +129,25 @@ pub fn remaining(
     (part, factors): (ErrorPart, &[[f64; 6]]),
 ) -> Result<Remaining, MillError> {
     let gives = given_by_drives(robot, stand, stations, followed, part)?;
-    let all = largest_errors(&gives, factors, |factor| factor - 1.0)?;
+    let mut all = largest_errors(&gives, factors, |factor| factor - 1.0)?;
+    all.sort_by(f64::total_cmp);
     Ok(Remaining { median: quantile(&all, 0.5), p95: quantile(&all, 0.95), draws: all.len() })
 }
 
-/// Where the largest error along a path lies with 90 %, m, where the drives are drawn; the path stays as it is. Of a force that may point
-/// anywhere that which does most for the drives as they are told.
+/// The largest error along a path, m, of every draw of the drives; the path stays as it is. Of a force that may point anywhere that which does
+/// most for the drives as they are told.
 ///
 /// # Errors
 /// As [`super::mill`].
-pub fn spread(
+pub fn drawn_errors(
     robot: &Robot,
     stand: &Stand,
     stations: &[Station],
     followed: &[Pushed],
     (part, factors): (ErrorPart, &[[f64; 6]]),
-) -> Result<Spread, MillError> {
+) -> Result<Vec<f64>, MillError> {
     let gives = given_by_drives(robot, stand, stations, followed, part)?;
-    Ok(Spread::of(largest_errors(&gives, factors, |factor| factor)?))
+    largest_errors(&gives, factors, |factor| factor)
 }
 
 /// What each drive gives of a displacement, m, and the direction that counts.
@@ -172,7 +173,7 @@ fn given_by_drives(
     Ok(stations.iter().zip(followed).filter_map(of).collect::<Result<_, _>>()?)
 }
 
-/// The largest error of every draw, ascending: a sum over the drives, each times what `part` makes of its factor.
+/// The largest error of every draw: a sum over the drives, each times what `part` makes of its factor.
 fn largest_errors(
     gives: &[Given],
     factors: &[[f64; 6]],
@@ -189,9 +190,7 @@ fn largest_errors(
         };
         gives.iter().map(error).fold(0.0, f64::max)
     };
-    let mut all: Vec<f64> = factors.par_iter().map(largest).collect();
-    all.sort_by(f64::total_cmp);
-    Ok(all)
+    Ok(factors.par_iter().map(largest).collect())
 }
 
 /// The known force on the tool, base axes; `None` in air.

@@ -21,7 +21,7 @@ mod stations;
 use nalgebra::Point3;
 
 use bound::Floor;
-pub use compensate::{Compensated, Remaining, compensate, remaining, spread};
+pub use compensate::{Compensated, Remaining, compensate, drawn_errors, remaining};
 pub use fault::{Blocked, MillError, Why};
 pub use follow::{Arrangement, Pushed, Stand, part_from_tool};
 pub use forces::{Forced, ForcedError, Forcing, forced};

@@ -19,7 +19,7 @@ use std::path::{MAIN_SEPARATOR, Path, absolute};
 
 use toml::de::{DeTable, DeValue};
 
-use super::{Kind, Pair, Refusal, Request, Setting, Spelling, Verb};
+use super::{Kind, Pair, Refusal, Request, Setting, Spelling, Verb, on_path};
 use crate::catalogue::{self, files, quoted};
 use crate::plain::on_one_line;
 use crate::toolpath::Builtin;
@@ -93,10 +93,14 @@ impl Reader<'_> {
                 self.fault(*place, format!("{} for '{}': {expected}", described(value), on_one_line(name)))
             })?;
             let is_path = name == "output" || setting.is_some_and(|setting| setting.kind == Kind::Robot);
-            let is_file = setting.is_some_and(|setting| setting.kind == Kind::File);
+            let is_of_file = |text: &String| {
+                setting.is_some_and(|setting| {
+                    setting.kind == Kind::File || setting.kind == Kind::Task && on_path::is_path(text)
+                })
+            };
             let pairs = texts.into_iter().map(|text| {
                 let text = match () {
-                    () if is_file => self.of_folder(text),
+                    () if is_of_file(&text) => self.of_folder(text),
                     () if is_path => self.rebased(name == "output", text),
                     () => text,
                 };

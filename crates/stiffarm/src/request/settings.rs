@@ -202,7 +202,7 @@ const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compare];
 const ONLY_PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Compare];
 /// Those that tell deflections of robots.
 const BENDING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Compare];
-const CHOOSING: &[Verb] = &[Verb::Rank, Verb::List];
+const CHOOSING: &[Verb] = &[Verb::Rank, Verb::Mill, Verb::List];
 const A_ZONE: &[(Verb, &str)] = &[(Verb::Map, "zone")];
 const WITH_FORCE: &[(Verb, &str)] =
     &[(Verb::Rank, "force-n"), (Verb::Place, "force-n"), (Verb::Map, "force-n"), (Verb::Compare, "force-n")];
@@ -360,7 +360,7 @@ const OF_ZONES: &[Setting] = &[
         count: SEVERAL,
         value: "TASK",
         absent: Absent::Default("A:0.1,A:1.0,B:0.1,B:0.5,C:0.05,C:0.15"),
-        help: "Tasks: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with --model spatial a part, box:AxBxC; separated by commas or given several times",
+        help: "Tasks: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with --model spatial a part, box:AxBxC; separated by commas or given several times; or a toolpath alone, with the options of mill",
         example: "A:0.3,rect:0.6x0.4",
         ..ROW
     },
@@ -370,7 +370,7 @@ const OF_ZONES: &[Setting] = &[
         kind: Kind::Task,
         value: "TASK",
         absent: Absent::Required,
-        help: "circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with --model spatial a part: box:AxBxC, or part: and its faces",
+        help: "circle:D, rect:AxB, A:d, B:d, C:d with sizes in m, or with --model spatial a part: box:AxBxC, or part: and its faces; or a toolpath, with the options of mill",
         example: "rect:0.6x0.4",
         ..ROW
     },

@@ -54,7 +54,8 @@ impl Request {
     pub fn robots(&self) -> Vec<String> {
         let is_chosen = self.verb.settings().any(|row| row.heading == FILTERS && self.is_given(row.name));
         let usual = if is_chosen { "all" } else { "paper" };
-        if self.is_given("robots") || self.verb.setting("robots").is_none() {
+        let is_of_one = self.verb.setting("robots").is_none() || self.verb == Verb::Mill && !self.ranks_on_path();
+        if self.is_given("robots") || is_of_one {
             return self.texts("robots");
         }
         vec![usual.into()]

@@ -6,7 +6,7 @@ use crate::catalogue::ProcessFile;
 use crate::cutting::{Law, Process};
 use crate::mill::{
     self, Acting, ErrorPart, Followed, ForcedError, Forcing, MillError, Milled, PathPlaced, Stand, Station, compensate,
-    forced, place_path, remaining,
+    drawn_errors, forced, place_path, remaining,
 };
 use crate::prior::{factors, factors_of};
 use crate::request::Request;
@@ -69,13 +69,13 @@ impl MillAnswer {
             }
         };
         let tolerance_mm = asked.tolerance_mm();
-        let (mut spread, mut compensated) = (None, None);
+        let (mut draws, mut compensated) = (None, None);
         if let (Some(Milled::Followed(found)), Some(placement)) = (&milled, placement) {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
             let drawn = |draws: Vec<[f64; 6]>| {
-                mill::spread(&robot, &stand, &stations, &found.samples, (options.part, &draws)).map_err(failed)
+                drawn_errors(&robot, &stand, &stations, &found.samples, (options.part, &draws)).map_err(failed)
             };
-            spread = factors(&robot, DRAWS).map(drawn).transpose()?;
+            draws = factors(&robot, DRAWS).map(drawn).transpose()?;
             if asked.is_compensated() {
                 let what = (&stations[..], found, options.part);
                 compensated = Some(compensation(asked, &robot, &stand, what).map_err(failed)?);
@@ -91,7 +91,7 @@ impl MillAnswer {
             placement,
             sought,
             milled,
-            spread,
+            draws,
             compensation: compensated,
             tolerance_mm,
             remarks,

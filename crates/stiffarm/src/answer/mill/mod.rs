@@ -2,9 +2,11 @@
 
 mod asked;
 mod programs;
+mod ranking;
 mod record;
 mod table;
 
+pub use ranking::{PathRankAnswer, PathRow};
 use serde_json::Value;
 
 use super::place::Verdict;
@@ -42,8 +44,8 @@ pub struct MillAnswer {
     pub sought: Option<(PathResolution, f64)>,
     /// What was found; `None` where there is no place at all.
     pub milled: Option<Milled>,
-    /// Where the largest error lies with 90 %, as the drives may be; `None` where nothing says how they may be, or nothing is followed.
-    pub spread: Option<Spread>,
+    /// The largest error of every draw of the drives, m; `None` where nothing says how they may be, or nothing is followed.
+    pub draws: Option<Vec<f64>>,
     /// What compensation makes of it, where it was asked for and the path is followed.
     pub compensation: Option<Compensation>,
     /// The largest error that passes, mm.
@@ -110,6 +112,11 @@ impl MillAnswer {
         let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: self.flange_from_tool };
         let map = roll_map(&self.robot, &stand, &self.stations, &self.options, (found, places));
         map.map(Some).map_err(|error| MillAnswerError::Mill { robot: self.robot.name.clone(), error })
+    }
+
+    /// Where the largest error lies with 90 %, as the drives may be, m.
+    pub fn spread(&self) -> Option<Spread> {
+        self.draws.clone().map(Spread::of)
     }
 
     fn blocked(&self) -> Option<&Blocked> {

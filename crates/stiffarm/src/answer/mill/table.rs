@@ -44,7 +44,7 @@ impl MillAnswer {
         )
     }
 
-    fn kept(&self) -> String {
+    pub(super) fn kept(&self) -> String {
         let MillOptions { limit_margin, singular_margin, share_of_speed, .. } = self.options;
         let speeds = if self.speeds().is_some() {
             format!("{} % of the joints' speeds while cutting", fixed(100.0 * share_of_speed, 0))
@@ -82,7 +82,7 @@ impl MillAnswer {
             ),
             line("root mean square", mm(found.rms)),
         ];
-        lines.extend(uncertainty::told(self.spread));
+        lines.extend(uncertainty::told(self.spread()));
         let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
         lines.push(line("no rolls have less than", proved(found.lower_bound)));

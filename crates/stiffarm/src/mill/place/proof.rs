@@ -94,13 +94,11 @@ impl Search<'_> {
             node.ranges[i].width() * if i == 2 { size + self.flange_from_tool.translation.vector.norm() } else { 1.0 }
         };
         let longest = (0..3).max_by(|a, b| moves(*a).total_cmp(&moves(*b))).unwrap_or(0);
-        let half = |from: f64, to: f64| {
+        node.ranges[longest].halves().map(|half| {
             let mut ranges = node.ranges;
-            ranges[longest] = Interval::spanning(from, to);
+            ranges[longest] = half;
             Node { lower: node.lower, ranges }
-        };
-        let range = node.ranges[longest];
-        [half(range.min(), range.middle()), half(range.middle(), range.max())]
+        })
     }
 
     /// A lower bound over the places of a node, no further than `enough`; `None` where none of them holds the path.
@@ -192,10 +190,7 @@ impl Search<'_> {
                         return Ok(least);
                     }
                 }
-                Some(_) => open.extend([
-                    Interval::spanning(roll.min(), roll.middle()),
-                    Interval::spanning(roll.middle(), roll.max()),
-                ]),
+                Some(_) => open.extend(roll.halves()),
             }
         }
         Ok(least)

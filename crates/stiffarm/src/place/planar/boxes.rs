@@ -52,16 +52,12 @@ pub(super) fn split(node: Node) -> [Node; 2] {
     let (u, v) = (node.u.width(), node.v.width());
     // A set of turns that is wider than half a turn is never searched: the limits choose from it.
     let turn = if node.turn.width() <= PI { node.turn.width() } else { 0.0 };
-    let halves = |range: Interval| {
-        let middle = range.middle();
-        [Interval::spanning(range.min(), middle), Interval::spanning(middle, range.max())]
-    };
     if v <= u && turn <= u {
-        halves(node.u).map(|u| Node { u, ..node })
+        node.u.halves().map(|u| Node { u, ..node })
     } else if turn <= v {
-        halves(node.v).map(|v| Node { v, ..node })
+        node.v.halves().map(|v| Node { v, ..node })
     } else {
-        halves(node.turn).map(|turn| Node { turn, ..node })
+        node.turn.halves().map(|turn| Node { turn, ..node })
     }
 }
 

@@ -290,10 +290,9 @@ impl Part {
         let [first, second] = self.ranges;
         let lever = if matches!(zone, Zone::Circle { .. }) { first.max() } else { 1.0 };
         let i = usize::from(first.width() < second.width() * lever);
-        let middle = self.ranges[i].middle();
-        [self.ranges[i].min(), self.ranges[i].max()].map(|end| {
+        self.ranges[i].halves().map(|half| {
             let mut ranges = self.ranges;
-            ranges[i] = Interval::spanning(end, middle);
+            ranges[i] = half;
             Self { ranges, ..*self }
         })
     }

@@ -200,11 +200,11 @@ impl<'a> BranchAndBound<'a> {
     fn split(&self, held: &HeldNode) -> [HeldNode; 2] {
         let moves = |i: &usize| held.node[*i].width() * self.lever[*i];
         let longest = (0..5).max_by(|a, b| moves(a).total_cmp(&moves(b))).expect("five sides");
-        let range = held.node[longest];
-        let mut halves = [*held; 2];
-        halves[0].node[longest] = Interval::spanning(range.min(), range.middle());
-        halves[1].node[longest] = Interval::spanning(range.middle(), range.max());
-        halves
+        held.node[longest].halves().map(|half| {
+            let mut part = *held;
+            part.node[longest] = half;
+            part
+        })
     }
 
     /// A lower bound on every place of the node, no further than `enough`; cuts off the node what is no better than that.

@@ -42,8 +42,19 @@ pub(super) const ROWS: &[Setting] = &[
         name: "robot",
         kind: Kind::Robot,
         value: "ROBOT",
+        excludes: &["robots"],
         help: "The robot that mills: a name, or the path of a robot file",
         example: "KR 210 R2700 extra",
+        ..MILLED
+    },
+    Setting {
+        name: "robots",
+        kind: Kind::Robot,
+        count: SEVERAL,
+        value: "ROBOTS",
+        excludes: &["robot", "at", "compensate"],
+        help: "Robots that are ranked on the path, each at its best place: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times",
+        example: "KR 210*,BT200L",
         ..MILLED
     },
     Setting {
@@ -82,7 +93,7 @@ pub(super) const ROWS: &[Setting] = &[
         count: count_of(3, 4, "numbers", "x,y,z in m, or x,y,z and the yaw in deg"),
         value: "X,Y,Z,YAW",
         absent: Absent::Means("the best place within --within"),
-        excludes: &["within"],
+        excludes: &["within", "robots"],
         help: "Where the path's origin stands, m from the robot's base, and by how many degrees the part is turned about the vertical",
         example: "1.6,0,0.6,30",
         ..MILLED
@@ -133,6 +144,7 @@ pub(super) const ROWS: &[Setting] = &[
     Setting {
         name: "compensate",
         kind: Kind::Flag,
+        excludes: &["robots"],
         value: "YES",
         absent: Absent::Default("false"),
         help: "Take the deflection out: tell what is left of it, and which joints and tips are to be commanded; -o writes programs with them",

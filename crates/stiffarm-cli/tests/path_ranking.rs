@@ -1,0 +1,77 @@
+//! Are robots ranked on a toolpath as each of them mills it alone, and is the path a task of `rank` and `place`?
+
+use std::path::Path;
+use std::process::Output;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+/// A short line in a small window: few places are searched.
+const ASKED: [&str; 8] =
+    ["--force-n", "300,-120,80", "--tool", "spindle:250@90", "--within", "1.6..1.8,0.7..0.9", "--step-mm", "25"];
+
+fn stiffarm(words: &[&str]) -> Output {
+    Command::cargo_bin("stiffarm").unwrap().current_dir(Path::new(ROOT)).args(words).args(ASKED).output().unwrap()
+}
+
+fn json(words: &[&str]) -> Value {
+    let output = stiffarm(&[words, &["--format", "json"]].concat());
+    assert!(output.status.success(), "{words:?}: {output:?}");
+    serde_json::from_slice(&output.stdout).expect("JSON")
+}
+
+fn refused(words: &[&str]) -> String {
+    let output = stiffarm(words);
+    assert_eq!(output.status.code(), Some(2), "{words:?}: {output:?}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+#[test]
+fn every_robot_of_a_ranking_mills_as_it_does_alone_and_the_best_is_first() {
+    let robots = ["KR 210 R2700 extra", "IRB 6650S-200", "BT200L"];
+    let ranked = json(&["rank", "--task", "line:0.05", "--robots", &robots.join(","), "--tolerance-mm", "0.5"]);
+    let rows = ranked["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), robots.len());
+    let mut last = 0.0;
+    for row in rows {
+        let alone = json(&["place", row["robot"].as_str().unwrap(), "--task", "line:0.05", "--tolerance-mm", "0.5"]);
+        for key in ["worst_mm", "worst_mm_p05", "worst_mm_p95", "lower_bound_mm", "rms_mm", "at_m", "feasible", "pass"] {
+            assert_eq!(row[key], alone[key], "{}: {key}", row["robot"]);
+        }
+        let Some(worst) = row["worst_mm"].as_f64() else { continue };
+        assert!(last <= worst, "{rows:?}");
+        last = worst;
+        // By hand: one more than those whose error lies below its bound.
+        let bound = row["lower_bound_mm"].as_f64().unwrap();
+        let better = rows.iter().filter(|other| other["worst_mm"].as_f64().is_some_and(|other| other < bound));
+        assert_eq!(row["rank"], 1 + better.count());
+    }
+    assert!(0.0 < last);
+    let wins = rows.iter().filter_map(|row| row["win_probability"][0].as_f64());
+    assert!((wins.sum::<f64>() - 1.0).abs() < 1e-9, "{rows:?}");
+}
+
+#[test]
+fn a_table_names_every_robot_and_says_what_the_order_rests_on() {
+    let told = stiffarm(&["mill", "line:0.05", "--robots", "KR 210 R2700 extra,BT200L"]);
+    let told = String::from_utf8(told.stdout).unwrap();
+    for words in ["KUKA KR 210 R2700 extra", "BT200L", "at least", "draws of the drives", "is that of", "as published"] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
+}
+
+#[test]
+fn what_does_not_go_with_a_path_is_refused_with_the_option() {
+    for (words, expected) in [
+        (&["rank", "--task", "line:0.05,circle:0.3"][..], "--task has a toolpath beside other tasks"),
+        (&["rank", "--task", "line:0.05", "--model", "planar"], "--model does not go with a toolpath"),
+        (&["rank", "--task", "line:0.05", "--angle", "free"], "--angle"),
+        (&["mill", "line:0.05", "--robots", "paper", "--robot", "BT200L"], "exclude each other"),
+        (&["mill", "line:0.05", "--robot", "BT200L", "--vendor", "KUKA"], "exclude each other"),
+        (&["mill", "line:0.05", "--robots", "paper", "--compensate"], "exclude each other"),
+    ] {
+        let why = refused(words);
+        assert!(why.contains(expected), "{words:?}: {why}");
+    }
+}
