@@ -24,6 +24,7 @@ pub(crate) mod ranking;
 pub(crate) mod reach;
 pub(crate) mod scene;
 pub(crate) mod sheets;
+pub(crate) mod shop;
 mod stairs;
 pub(crate) mod study;
 pub(crate) mod view3d;

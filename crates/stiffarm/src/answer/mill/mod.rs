@@ -4,6 +4,7 @@ mod asked;
 mod programs;
 mod record;
 mod table;
+mod worst;
 
 use serde_json::Value;
 
