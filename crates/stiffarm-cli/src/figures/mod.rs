@@ -79,7 +79,7 @@ pub(crate) enum FigureError {
 }
 
 /// Reads an SVG, with the font that comes with the program.
-fn tree(svg: &str) -> Result<usvg::Tree, FigureError> {
+pub(crate) fn tree(svg: &str) -> Result<usvg::Tree, FigureError> {
     let mut fonts = fontdb::Database::new();
     fonts.load_font_data(dejavu::sans::regular().to_vec());
     fonts.load_font_data(dejavu::sans::bold().to_vec());

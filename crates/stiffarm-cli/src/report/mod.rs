@@ -111,6 +111,14 @@ impl Section {
     }
 }
 
+impl Report {
+    /// Its pictures, in their order.
+    fn figures(&self) -> impl Iterator<Item = &Figure> {
+        let blocks = self.sections.iter().flat_map(|section| &section.blocks);
+        blocks.filter_map(|block| if let Block::Figure(one) = block { Some(one) } else { None })
+    }
+}
+
 /// How figures of a report are laid out; the range of the colours is that which was asked for.
 pub(crate) fn plate(asked: Plate) -> Plate {
     Plate { width_mm: Some(WIDTH_MM), ..asked }
