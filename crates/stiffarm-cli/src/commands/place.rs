@@ -170,6 +170,11 @@ impl PlaceOutput {
         Drawn { face: Some(face), plate, ..self.placed(&map)? }.svg()
     }
 
+    /// The map, where there is no zone to draw.
+    pub(crate) fn map_alone(&self, plate: Plate) -> Result<String, Failure> {
+        Drawn { plate, ..self.placed(&self.mapped()?)? }.svg()
+    }
+
     /// The map with the zone at its place, in space as it is seen from the side; without it where it has none.
     pub(super) fn placed<'a>(&self, map: &'a MapAnswer) -> Result<Drawn<'a>, Failure> {
         if let (Model::Planar(_), _) | (_, Placed::Infeasible { .. }) = (&self.model, &self.answer.placed) {

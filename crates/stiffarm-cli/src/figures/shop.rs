@@ -4,7 +4,6 @@ use stiffarm::answer::{Dimension, Siting};
 use stiffarm::palette::{ARM, BASE, GREY, GROUND, INK, PROSE, ZONE};
 
 use super::Plate;
-use super::axes::heading;
 use super::canvas::{Canvas, Font, Px, path};
 
 /// Left and right of both views, px: on the right stand heights.
@@ -14,7 +13,7 @@ const STEP: f64 = 26.0;
 /// From a view to its first line of lengths, px.
 const FIRST: f64 = 30.0;
 /// No view is higher, px.
-const HIGHEST: f64 = 380.0;
+const HIGHEST: f64 = 230.0;
 /// What is shown around the foot of the robot, m.
 const FOOT: f64 = 0.3;
 /// Shorter lengths are told in the table alone, px.
@@ -22,8 +21,6 @@ const SHORTEST: f64 = 3.0;
 
 /// A zone at its place with its lengths.
 pub(crate) struct ShopFigure<'a> {
-    /// First line.
-    pub title: String,
     /// What is drawn.
     pub siting: &'a Siting,
     /// What was asked of the figure.
@@ -59,17 +56,28 @@ impl ShopFigure<'_> {
     /// The figure as SVG text.
     pub(crate) fn svg(&self) -> String {
         let mut canvas = Canvas::of(&self.plate);
-        let origin = self.siting.origin;
-        let top = heading(&mut canvas, &self.title, &format!("from the side, and from above; lengths in mm, places from {origin}")) + 24.0;
+        let top = 18.0;
         let scale = self.scale(canvas.width, top);
         self.draw_side(&mut canvas, &scale, top);
         self.draw_above(&mut canvas, &scale);
         let of = |axis: usize| self.siting.dimensions.iter().filter(move |one| one.axis == axis);
         for (i, one) in of(2).enumerate() {
-            upright(&mut canvas, one, scale.right + FIRST + 1.6 * STEP * i as f64, &|z| scale.side([0.0, 0.0, z])[1], scale.across(self.siting.extent(0)[1]));
+            upright(
+                &mut canvas,
+                one,
+                scale.right + FIRST + 1.6 * STEP * i as f64,
+                &|z| scale.side([0.0, 0.0, z])[1],
+                scale.across(self.siting.extent(0)[1]),
+            );
         }
         for (i, one) in of(1).enumerate() {
-            upright(&mut canvas, one, scale.right + FIRST + 1.6 * STEP * i as f64, &|y| scale.above([0.0, y, 0.0])[1], scale.across(self.siting.extent(0)[1]));
+            upright(
+                &mut canvas,
+                one,
+                scale.right + FIRST + 1.6 * STEP * i as f64,
+                &|y| scale.above([0.0, y, 0.0])[1],
+                scale.across(self.siting.extent(0)[1]),
+            );
         }
         let below = scale.lower[1];
         for (i, one) in of(0).enumerate() {
@@ -104,8 +112,16 @@ impl ShopFigure<'_> {
         let Siting { foot, floor, rim, .. } = self.siting;
         let ground = floor.unwrap_or(foot[2]);
         let level = scale.side([0.0, 0.0, ground])[1];
-        canvas.rect([ROOM[0] - 14.0, level], [scale.right + 14.0, level + 5.0], &format!(r#"fill="{GROUND}" fill-opacity="0.45""#));
-        canvas.line([ROOM[0] - 14.0, level], [scale.right + 14.0, level], &format!(r#"stroke="{INK}" stroke-width="1.2""#));
+        canvas.rect(
+            [ROOM[0] - 14.0, level],
+            [scale.right + 14.0, level + 5.0],
+            &format!(r#"fill="{GROUND}" fill-opacity="0.45""#),
+        );
+        canvas.line(
+            [ROOM[0] - 14.0, level],
+            [scale.right + 14.0, level],
+            &format!(r#"stroke="{INK}" stroke-width="1.2""#),
+        );
         let name = if floor.is_some() { "floor" } else { "base" };
         canvas.text([ROOM[0] - 18.0, level], name, Font::new(12.0).end().colour(PROSE));
         let [x, y] = scale.side(*foot);
@@ -119,11 +135,15 @@ impl ShopFigure<'_> {
     /// Foot and zone from above.
     fn draw_above(&self, canvas: &mut Canvas, scale: &Scale) {
         let [x, y] = scale.above(self.siting.foot);
-        canvas.circle([x, y], FOOT / 2.0 * scale.per_metre, &format!(r#"fill="{BASE}" stroke="{INK}" stroke-width="0.8""#));
+        canvas.circle(
+            [x, y],
+            FOOT / 2.0 * scale.per_metre,
+            &format!(r#"fill="{BASE}" stroke="{INK}" stroke-width="0.8""#),
+        );
         let arm = FOOT * scale.per_metre;
         axis(canvas, [x - arm, y], [scale.right + 8.0, y]);
         axis(canvas, [x, y - arm], [x, y + arm]);
-        canvas.text([x + 5.0, y - 10.0], "joint-1 axis", Font::new(12.0).colour(PROSE).halo());
+        canvas.text([x + 6.0, y - FOOT / 2.0 * scale.per_metre - 9.0], "joint-1 axis", Font::new(12.0).colour(PROSE));
         draw_zone(canvas, &self.siting.rim.iter().map(|&at| scale.above(at)).collect::<Vec<_>>());
         let centre = scale.above(self.siting.centre);
         for ends in [[[-5.0, 0.0], [5.0, 0.0]], [[0.0, -5.0], [0.0, 5.0]]] {
@@ -135,7 +155,10 @@ impl ShopFigure<'_> {
 
 /// A zone, also where it is seen as a line.
 fn draw_zone(canvas: &mut Canvas, rim: &[Px]) {
-    canvas.path(&path(rim, true), &format!(r#"fill="{ZONE}" fill-opacity="0.14" stroke="{ZONE}" stroke-width="2.5" stroke-linejoin="round""#));
+    canvas.path(
+        &path(rim, true),
+        &format!(r#"fill="{ZONE}" fill-opacity="0.14" stroke="{ZONE}" stroke-width="2.5" stroke-linejoin="round""#),
+    );
 }
 
 /// A dash-dotted line.

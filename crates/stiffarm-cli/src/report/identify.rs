@@ -2,7 +2,7 @@
 
 use stiffarm::request::Request;
 
-use super::robots::sources;
+use super::robots::provenance_of;
 use super::{Block, Report, Section, plate, repeated};
 use crate::commands::identify::IdentifyOutput;
 use crate::figures::identify as figure;
@@ -28,12 +28,11 @@ pub(crate) fn of(found: &IdentifyOutput, asked: &Request) -> Report {
     }
     let mut file = Section::new("Robot file with what was identified").on_new_page();
     file.blocks.push(Block::Code(answer.robot_file()));
-    let mut provenance = Section::new("Where the numbers come from");
-    provenance.text("Of the robot before, with lengths and limits that the identification takes as they are:");
-    provenance.blocks.extend(sources(&answer.before).into_iter().filter(|block| !matches!(block, Block::Heading(_))));
+    let mut provenance = provenance_of(&answer.before);
+    provenance.text("The identification takes lengths and limits as they are.");
     let date = answer.date.as_ref().map_or_else(String::new, |date| format!(", measured {date}"));
     Report {
-        title: format!("How stiff are the drives of {}?", answer.before.full_name()),
+        title: format!("Stiffness of the drives of {}", answer.before.full_name()),
         asked: format!("Identified from {}{date}", answer.data),
         headline: answer.headline(),
         sections: vec![decided, fitting, file, provenance, repeated(asked)],

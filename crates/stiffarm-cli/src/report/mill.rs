@@ -2,8 +2,8 @@
 
 use stiffarm::request::Request;
 
-use super::robots::sources;
-use super::{Block, Report, Section, plate, repeated};
+use super::robots::provenance_of;
+use super::{Report, Section, plate, repeated};
 use crate::commands::mill::MillOutput;
 use crate::failure::Failure;
 use crate::figures::milled::MilledFigure;
@@ -18,7 +18,10 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, Failure>
     if answer.followed().is_some() {
         let rolls = found.rolls()?;
         let svg = MilledFigure { answer, rolls: &rolls, plate: plate(found.plate) }.svg();
-        decided.figure(svg, "The error along the path, every roll of the tool with what forbids the others, and the path from above.");
+        decided.figure(
+            svg,
+            "The error along the path, every roll of the tool with what forbids the others, and the path from above.",
+        );
     }
     decided.table(answer.table());
     let mut sections = vec![decided];
@@ -33,9 +36,7 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, Failure>
         drives.table(table);
         drives
     }));
-    let mut provenance = Section::new("Where the numbers come from");
-    provenance.blocks.extend(sources(&answer.robot).into_iter().filter(|block| !matches!(block, Block::Heading(_))));
-    sections.extend([provenance, repeated(asked)]);
+    sections.extend([provenance_of(&answer.robot), repeated(asked)]);
     Ok(Report {
         title: format!("{} along {}", answer.robot.full_name(), answer.path),
         asked: format!("How far the tool is pushed off; {}", answer.force),

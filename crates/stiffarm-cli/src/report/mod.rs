@@ -127,7 +127,11 @@ pub(crate) fn plate(asked: Plate) -> Plate {
 /// Who says this, and how it is asked again: the last part of every report.
 fn repeated(asked: &Request) -> Section {
     let mut section = Section::new("To ask the same again");
-    section.text(concat!("Computed by stiffarm ", env!("CARGO_PKG_VERSION"), ". The same numbers come from this command, in the folder in which it was asked:"));
+    section.text(concat!(
+        "Computed by stiffarm ",
+        env!("CARGO_PKG_VERSION"),
+        ". The same numbers come from this command, in the folder in which it was asked:"
+    ));
     section.blocks.push(Block::Code(asked.command()));
     section.text("or from this job file, job.toml, in that folder:");
     section.blocks.push(Block::Code(job::write(asked, &[], Path::new("job.toml"))));

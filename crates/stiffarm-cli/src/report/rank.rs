@@ -8,7 +8,7 @@ use stiffarm::request::Request;
 use stiffarm::study::{StudyOptions, study};
 use stiffarm::task::Task;
 
-use super::robots::{provenance, sources};
+use super::robots::provenance;
 use super::{Block, Listing, Report, Section, place, plate, repeated};
 use crate::commands::place::PlaceOutput;
 use crate::commands::rank::{RankOutput, shapes};
@@ -42,7 +42,9 @@ pub(crate) fn of(found: &RankOutput, asked: &Request) -> Result<Report, Failure>
         sections.push(others);
     }
     sections.extend(boundary(answer, found)?);
-    sections.extend([provenance(rows.iter().map(|row| &row.robot)), repeated(asked)]);
+    let (told, others): (Vec<usize>, Vec<usize>) = (0..rows.len()).partition(|at| parts.contains(at));
+    let robots = |of: Vec<usize>| of.into_iter().map(|at| &rows[at].robot).collect::<Vec<_>>();
+    sections.extend([provenance(&robots(told), &robots(others)), repeated(asked)]);
     let how = if *model == ModelKind::Planar { "planar model" } else { "spatial model, all six drives" };
     Ok(Report {
         title: match rows.as_slice() {
@@ -103,20 +105,21 @@ fn robot(found: &RankOutput, (at, row): (usize, &Row), asked: &Request) -> Resul
     section.table(answer.table_of(at));
     let Some(task) = hardest(row) else {
         section.notes(answer.why_not(at));
-        section.blocks.extend(sources(&row.robot));
         return Ok(section);
     };
     if 1 < answer.ranking.tasks.len() {
-        section.text(format!("What follows is of {}, the task of those it can do on which it gives way most.", answer.ranking.tasks[task].label));
+        section.text(format!(
+            "What follows is of {}, the task of those it can do on which it gives way most.",
+            answer.ranking.tasks[task].label
+        ));
     }
-    let output = placed(found, row, task, asked)?;
+    let output = placed(found, (at, task), asked)?;
     place::picture(&output, &mut section)?;
     section.table(output.answer.table());
     if let Some(site) = place::site(&output) {
         section.heading("Where the work must stand");
         section.blocks.extend(site.blocks);
     }
-    section.blocks.extend(sources(&row.robot));
     Ok(section)
 }
 
@@ -127,8 +130,9 @@ fn hardest(row: &Row) -> Option<usize> {
 }
 
 /// A cell of the ranking as the answer of `place` that it is.
-fn placed(found: &RankOutput, row: &Row, task: usize, asked: &Request) -> Result<PlaceOutput, Failure> {
-    let RankAnswer { ranking: Ranking { tasks, model: kind, .. }, options, tolerance_mm, .. } = &found.answer;
+fn placed(found: &RankOutput, (at, task): (usize, usize), asked: &Request) -> Result<PlaceOutput, Failure> {
+    let RankAnswer { ranking: Ranking { tasks, rows, model: kind, .. }, options, tolerance_mm, .. } = &found.answer;
+    let row = &rows[at];
     let failure = |error| Failure::Place { robot: row.robot.name.clone(), error };
     let placed: Placed = row.cells[task].clone().map_err(failure)?;
     let answer = PlaceAnswer {
@@ -138,7 +142,7 @@ fn placed(found: &RankOutput, row: &Row, task: usize, asked: &Request) -> Result
         options: *options,
         placed,
         tolerance_mm: *tolerance_mm,
-        advice: None,
+        advice: found.answer.advice.get(at).and_then(|of_row| of_row.get(task)?.clone()),
     };
     PlaceOutput::told(answer, (asked, found.plate, MAP_POINTS))
 }
@@ -153,7 +157,9 @@ fn boundary(answer: &RankAnswer, found: &RankOutput) -> Result<Option<Section>, 
     let study = StudyAnswer(study(&StudyOptions { tasks, ..StudyOptions::paper() })?);
     let mut section = Section::new("Serial or quasi-serial?").on_new_page();
     section.text("Which architecture suits which size, for arms without joint limits whose drives are all alike: below each boundary one of them gives way less, above it the other.");
-    section.notes(study.notes().lines().map(str::to_owned).filter(|line| line.contains("best ratio") || !line.contains("mu =")));
+    section.notes(
+        study.notes().lines().map(str::to_owned).filter(|line| line.contains("best ratio") || !line.contains("mu =")),
+    );
     let drawn = StudyOutput(study, plate(found.plate)).figure()?;
     section.figure(drawn, "Where the better architecture changes, over the link ratio and the size of the task.");
     Ok(Some(section))

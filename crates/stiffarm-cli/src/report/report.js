@@ -36,5 +36,5 @@ for (const figure of document.querySelectorAll("figure")) {
   show(false);
   button.addEventListener("click", () => show(!figure.classList.contains("large")));
   figure.addEventListener("keydown", event => event.key === "Escape" && show(false));
-  figure.append(button);
+  figure.querySelector("figcaption").append(button);
 }

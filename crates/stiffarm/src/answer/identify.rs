@@ -396,7 +396,7 @@ impl IdentifyAnswer {
 }
 
 /// What springs, in words.
-fn springing(model: Springs) -> &'static str {
+pub(super) fn springing(model: Springs) -> &'static str {
     match model {
         Springs::Drives | Springs::Auto => "the drives spring",
         Springs::Base => "the drives spring and the base tilts",

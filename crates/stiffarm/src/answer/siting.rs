@@ -146,13 +146,25 @@ fn dimensions(siting: &Siting) -> Vec<Dimension> {
         told.push(dimension(2, [floor, up[0]], format!("height of its lowest edge {} the {ground}", above(up[0]))));
         told.push(dimension(2, up, "from there to its highest edge".into()));
     }
-    told.push(dimension(0, [siting.foot[0], across[0]], format!("joint-1 axis to its near edge, {}", side(across[0] - siting.foot[0], ["ahead", "behind"]))));
+    told.push(dimension(
+        0,
+        [siting.foot[0], across[0]],
+        format!("joint-1 axis to its near edge, {}", side(across[0] - siting.foot[0], ["ahead", "behind"])),
+    ));
     if flat(across) {
         return told;
     }
-    told.push(dimension(0, [siting.foot[0], siting.centre[0]], format!("joint-1 axis to its centre, {}", side(siting.centre[0] - siting.foot[0], ["ahead", "behind"]))));
+    told.push(dimension(
+        0,
+        [siting.foot[0], siting.centre[0]],
+        format!("joint-1 axis to its centre, {}", side(siting.centre[0] - siting.foot[0], ["ahead", "behind"])),
+    ));
     told.push(dimension(0, across, "its extent ahead".into()));
-    told.push(dimension(1, [siting.foot[1], siting.centre[1]], format!("its centre to the {beside} of the joint-1 axis")));
+    told.push(dimension(
+        1,
+        [siting.foot[1], siting.centre[1]],
+        format!("its centre to the {beside} of the joint-1 axis"),
+    ));
     if !flat(aside) {
         told.push(dimension(1, aside, "its extent sideways".into()));
     }
@@ -184,7 +196,9 @@ mod tests {
         let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
         let [across, aside, up] = [0, 1, 2].map(|axis| siting.extent(axis));
         // Its first side lies level, its second one stands.
-        assert!((across[0] - (best.centre[0] - 0.2)).abs() < 1e-12 && (across[1] - (best.centre[0] + 0.2)).abs() < 1e-12);
+        assert!(
+            (across[0] - (best.centre[0] - 0.2)).abs() < 1e-12 && (across[1] - (best.centre[0] + 0.2)).abs() < 1e-12
+        );
         assert!((up[0] - (best.centre[1] - 0.3)).abs() < 1e-12 && (up[1] - up[0] - 0.6).abs() < 1e-12);
         assert_eq!(aside[0], aside[1]);
         assert_eq!(siting.lines()[1], ["from there to its highest edge".to_owned(), "600.0 mm".into()]);

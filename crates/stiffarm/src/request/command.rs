@@ -1,6 +1,6 @@
 //! What must be typed to ask the same again?
 
-use super::{Kind, Request};
+use super::{Kind, Request, Setting, parts};
 
 impl Request {
     /// The command line that asks the same, for a POSIX shell, in the folder in which it was asked.
@@ -11,17 +11,28 @@ impl Request {
         }
         for given in self.given.iter().filter(|given| !given.setting.is_positional) {
             let name = given.setting.name;
-            for text in given.texts.iter().map(|text| text.trim()) {
+            for text in typed(given.setting, &given.texts) {
                 words.push(match given.setting.kind {
                     Kind::Flag if text == "true" => format!("--{name}"),
                     Kind::Flag => continue,
                     // A value that begins with a minus is no option.
-                    _ if text.starts_with('-') => format!("--{name}={}", quoted(text)),
-                    _ => format!("--{name} {}", quoted(text)),
+                    _ if text.starts_with('-') => format!("--{name}={}", quoted(&text)),
+                    _ => format!("--{name} {}", quoted(&text)),
                 });
             }
         }
         words.join(" ")
+    }
+}
+
+/// Values as they are typed: with commas between where that is how they are told apart.
+fn typed(setting: &Setting, texts: &[String]) -> Vec<String> {
+    let trimmed: Vec<String> = texts.iter().map(|text| text.trim().to_owned()).collect();
+    let is_joined = setting.is_list() && trimmed.iter().all(|text| !text.contains([',', ';']));
+    if is_joined && parts(setting, &trimmed.join(",")).count() == trimmed.len() {
+        vec![trimmed.join(",")]
+    } else {
+        trimmed
     }
 }
 
@@ -54,6 +65,9 @@ mod tests {
             asked.command(),
             "stiffarm place 'KR 210 R2700 extra' --task rect:0.6x0.4 --model spatial --tool-mm=-5,0,200 --within 1.0..,0.5.."
         );
+        let tasks = [pair("task", "A:0.5"), pair("task", "rect:0.1x0.2"), pair("robots", "BT200L,KR 210*")];
+        let asked = Request::read(Verb::Rank, &tasks, Spelling::Typed).unwrap();
+        assert_eq!(asked.command(), "stiffarm rank --task A:0.5,rect:0.1x0.2 --robots 'BT200L,KR 210*'");
         assert_eq!(quoted("a'b; rm $(x) `y`\n\"&<"), "'a'\\''b; rm $(x) `y`\n\"&<'");
         assert_eq!(quoted(""), "''");
     }

@@ -25,8 +25,6 @@ const LEAST_SCALE: f32 = 0.62;
 const HIGHEST: f32 = 0.86 * HEIGHT;
 /// Around what stands in a box, points.
 const PAD: f32 = 9.0;
-/// A heading stands with so much of what follows, points.
-const FOLLOWING: f32 = 110.0;
 
 /// Fills pages with a report.
 pub(super) fn draw(sheet: &mut Sheet, report: &Report, figures: &[Tree]) {
@@ -86,12 +84,7 @@ fn section(sheet: &mut Sheet, section: &Section, figures: &[Tree], drawn: &mut u
         sheet.new_page();
     }
     sheet.skip(16.0);
-    let follows = match section.blocks.first() {
-        // A figure that needs a page of its own takes its heading along.
-        Some(Block::Figure(_)) => figures.get(*drawn).map_or(FOLLOWING, |tree| LEAST_SCALE * placed(tree) + 60.0),
-        _ => FOLLOWING,
-    };
-    sheet.reserve(follows);
+    sheet.reserve((40.0 + kept(sheet, &section.blocks, &figures[*drawn..])).min(HEIGHT));
     if !sheet.is_fresh() {
         sheet.rule([LEFT, RIGHT], sheet.y, 1.2, FAINT);
         sheet.y += 8.0;
@@ -99,13 +92,16 @@ fn section(sheet: &mut Sheet, section: &Section, figures: &[Tree], drawn: &mut u
     sheet.headings.push((section.title.clone(), sheet.pages.len() - 1, sheet.y));
     sheet.paragraph(LEFT, &section.title, SECTION);
     sheet.skip(4.0);
-    for block in &section.blocks {
+    for (i, block) in section.blocks.iter().enumerate() {
         match block {
             Block::Text(text) => {
                 sheet.paragraph(LEFT, text, TEXT);
                 sheet.skip(5.0);
             }
-            Block::Heading(text) => heading(sheet, text, FOLLOWING),
+            Block::Heading(text) => {
+                let follows = kept(sheet, &section.blocks[i + 1..], &figures[*drawn..]);
+                heading(sheet, text, follows);
+            }
             Block::Notes(lines) => notes(sheet, lines, NOTE),
             Block::Table(listing) => table::draw(sheet, &listing.table),
             Block::Code(text) => code(sheet, text),
@@ -119,9 +115,25 @@ fn section(sheet: &mut Sheet, section: &Section, figures: &[Tree], drawn: &mut u
     }
 }
 
+/// How much of what follows a heading stands on its page: texts, and the first table or figure behind them.
+fn kept(sheet: &Sheet, blocks: &[Block], figures: &[Tree]) -> f32 {
+    let mut height = 0.0;
+    for block in blocks {
+        height += match block {
+            Block::Text(text) => sheet.broken(text, TEXT, WIDTH).len() as f32 * TEXT.leading() + 5.0,
+            Block::Notes(lines) => lines.len() as f32 * NOTE.leading() + 7.0,
+            Block::Heading(_) => HEADING.leading() + 8.0,
+            Block::Table(listing) => return height + table::least(sheet, &listing.table),
+            Block::Figure(_) => return height + figures.first().map_or(0.0, |tree| LEAST_SCALE * placed(tree) + 40.0),
+            Block::Code(_) => return height + 5.0 * CODE.leading(),
+        };
+    }
+    height
+}
+
 fn heading(sheet: &mut Sheet, text: &str, follows: f32) {
     sheet.skip(6.0);
-    sheet.reserve(HEADING.leading() + follows);
+    sheet.reserve((HEADING.leading() + 4.0 + follows).min(HEIGHT));
     sheet.paragraph(LEFT, text, HEADING);
     sheet.skip(2.0);
 }

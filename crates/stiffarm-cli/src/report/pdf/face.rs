@@ -29,7 +29,8 @@ pub(super) struct Faces([Face; 3]);
 impl Faces {
     /// Those that come with the program; `None` where they are none, which no program has that was built.
     pub(super) fn new() -> Option<Self> {
-        let [plain, bold, mono] = [dejavu::sans::regular(), dejavu::sans::bold(), dejavu::sans_mono::regular()].map(Face::new);
+        let [plain, bold, mono] =
+            [dejavu::sans::regular(), dejavu::sans::bold(), dejavu::sans_mono::regular()].map(Face::new);
         Some(Self([plain?, bold?, mono?]))
     }
 

@@ -8,8 +8,8 @@ mod sheet;
 mod table;
 
 use krilla::color::rgb;
-use krilla::geom::{PathBuilder, Point, Rect, Size, Transform};
 use krilla::destination::XyzDestination;
+use krilla::geom::{PathBuilder, Point, Rect, Size, Transform};
 use krilla::metadata::Metadata;
 use krilla::outline::{Outline, OutlineNode};
 use krilla::page::PageSettings;
@@ -44,7 +44,8 @@ impl Report {
         let mut document = krilla::Document::new();
         let made_by = concat!("stiffarm ", env!("CARGO_PKG_VERSION"));
         document.set_metadata(Metadata::new().title(self.title.clone()).language("en".into()).creator(made_by.into()));
-        let settings = || Size::from_wh(PAGE[0], PAGE[1]).map(PageSettings::new).ok_or_else(|| odd("a page has no size"));
+        let settings =
+            || Size::from_wh(PAGE[0], PAGE[1]).map(PageSettings::new).ok_or_else(|| odd("a page has no size"));
         for marks in &sheet.pages {
             let mut page = document.start_page_with(settings()?);
             let mut surface = page.surface();
@@ -110,4 +111,92 @@ fn draw(surface: &mut Surface, mark: &Mark, faces: &Faces, figures: &[Tree]) -> 
         }
     }
     Some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use stiffarm::answer::{Headline, Outcome, Table};
+
+    use super::super::{Block, Listing, Section};
+    use super::sheet::{BOTTOM, TOP};
+    use super::*;
+
+    /// A report with everything that could be cut: long tables, cells without blanks, figures of every height, texts over pages.
+    fn report() -> Report {
+        let svg = |height: f64| {
+            format!(
+                r#"<svg xmlns="http://www.w3.org/2000/svg" width="700" height="{height}"><rect width="9" height="9"/></svg>"#
+            )
+        };
+        let mut section = Section::new("A section ".repeat(20));
+        for count in [3, 20, 23, 200] {
+            let mut table = Table::new(["number", "a name", "words"]);
+            for i in 0..count {
+                let long = if i % 7 == 3 { "long ".repeat(40) } else { "x".repeat(i) };
+                table.row([i.to_string(), format!("row {i}"), long]);
+            }
+            section.heading(format!("Of {count} rows"));
+            section.blocks.push(Block::Table(Listing { table, is_sortable: true }));
+            section.figure(svg(300.0 * f64::from(count)), "A figure");
+        }
+        section.text("word ".repeat(3000));
+        section.notes(["note ".repeat(900)]);
+        section.blocks.push(Block::Code("key = \"value\"\n".repeat(120) + &"w".repeat(500)));
+        let sentences = vec!["It holds. ".repeat(300)];
+        Report {
+            title: "<&> ".repeat(60),
+            asked: String::new(),
+            headline: Headline { outcome: Outcome::Fails, sentences, rests_on: vec!["Nothing.".into()] },
+            sections: vec![section, Section::new("Empty").on_new_page()],
+        }
+    }
+
+    #[test]
+    fn nothing_leaves_its_page_and_no_row_and_no_figure_is_cut() {
+        let (report, faces) = (report(), Faces::new().unwrap());
+        let figures: Vec<Tree> = report.figures().map(|one| tree(&one.svg).unwrap()).collect();
+        let mut sheet = Sheet::new(&faces);
+        blocks::draw(&mut sheet, &report, &figures);
+        assert!(8 < sheet.pages.len());
+        let mut drawn = 0;
+        for mark in sheet.pages.iter().flatten() {
+            let ([left, top], [right, bottom]) = match mark {
+                Mark::Text { at: [x, y], text, style } => {
+                    ([*x, y - style.size], [x + faces.of(style.cut).width(text, style.size), *y])
+                }
+                Mark::Box { at: [x, y], size: [width, height], .. } => ([*x, *y], [x + width, y + height]),
+                Mark::Figure { at: [x, y], number, scale } => {
+                    drawn += 1;
+                    let size = figures[*number].size();
+                    ([*x, *y], [x + scale * size.width(), y + scale * size.height()])
+                }
+            };
+            let slack = 1.5;
+            assert!(LEFT - slack <= left && right <= RIGHT + slack, "{mark:?}");
+            assert!(TOP - slack <= top && bottom <= BOTTOM + slack, "{mark:?}");
+        }
+        assert_eq!(drawn, 4);
+        // A row's number and its name stand on one page.
+        let page_of = |wanted: &str| {
+            sheet
+                .pages
+                .iter()
+                .position(|page| page.iter().any(|mark| matches!(mark, Mark::Text { text, .. } if text == wanted)))
+        };
+        assert!((0..200).all(|i| page_of(&format!("row {i}")).is_some()));
+        // Headings of the long table stand on every page that it has.
+        let heads = sheet
+            .pages
+            .iter()
+            .filter(|page| page.iter().any(|mark| matches!(mark, Mark::Text { text, .. } if text == "a name")));
+        assert!(4 < heads.count());
+    }
+
+    #[test]
+    fn a_figure_that_is_none_is_told() {
+        let mut odd = report();
+        odd.sections[1].figure("no svg".into(), "");
+        assert!(matches!(odd.printed(), Err(FigureError::Svg(_))));
+        assert!(report().printed().unwrap().starts_with(b"%PDF-"));
+    }
 }

@@ -54,15 +54,32 @@ pub(super) fn draw(sheet: &mut Sheet, table: &Table) {
     sheet.y += 9.0;
 }
 
+/// How much room a table needs to begin on a page: all of it where it is short.
+pub(super) fn least(sheet: &Sheet, table: &Table) -> f32 {
+    if table.rows.is_empty() || table.headings.is_empty() {
+        return 0.0;
+    }
+    let laid = laid(sheet, table);
+    let rows = || table.rows.iter().map(|row| laid.height(&laid.broken(sheet, row, Cut::Plain)));
+    let of_head = laid.height(&laid.broken(sheet, &table.headings, Cut::Bold));
+    let whole = of_head + rows().sum::<f32>();
+    if table.rows.len() <= FEW && whole <= super::sheet::HEIGHT { whole } else { of_head + rows().take(2).sum::<f32>() }
+}
+
 /// Widths and size: what every column needs where there is room, else the room is shared by how much more than its longest word each needs.
 fn laid(sheet: &Sheet, table: &Table) -> Laid {
     let count = table.headings.len();
     let names_lines = count == 2 && table.headings.iter().all(String::is_empty);
-    let is_number = (0..count).map(|i| !names_lines && table.rows.iter().all(|row| looks_like_a_number(&row[i]))).collect();
+    let is_number =
+        (0..count).map(|i| !names_lines && table.rows.iter().all(|row| looks_like_a_number(&row[i]))).collect();
     let needs = |size: f32| -> Vec<[f32; 2]> { (0..count).map(|i| needed(sheet, table, i, size)).collect() };
     let room = |size: f32| WIDTH - BETWEEN * size * (count - 1) as f32;
     let fits = |size: &f32| needs(*size).iter().map(|need| need[0]).sum::<f32>() <= room(*size);
-    let size = SIZES.into_iter().find(fits).unwrap_or(SIZES[SIZES.len() - 1]);
+    // Whole lines are worth smaller letters, down to those that are still read with ease.
+    let fits_whole =
+        |size: &&f32| SIZES[2] <= **size && needs(**size).iter().map(|need| need[1]).sum::<f32>() <= room(**size);
+    let whole = SIZES.iter().find(fits_whole).copied().filter(|_| !names_lines);
+    let size = whole.or_else(|| SIZES.into_iter().find(fits)).unwrap_or(SIZES[SIZES.len() - 1]);
     let (needs, room) = (needs(size), room(size));
     let sum = |k: usize| needs.iter().map(|need| need[k]).sum::<f32>();
     let width = |need: &[f32; 2]| match () {

@@ -1,6 +1,6 @@
 //! An identification in a few sentences.
 
-use super::super::words::fixed;
+use super::super::words::{self, fixed};
 use super::super::{IdentifyAnswer, Unit};
 use super::place::sentence;
 use super::{Headline, Outcome};
@@ -10,7 +10,8 @@ impl IdentifyAnswer {
     /// What a manager would read.
     pub fn headline(&self) -> Headline {
         let found = &self.found;
-        let of_drives = || found.estimates.iter().filter(|one| matches!(one.spring, Spring::Drive(_) | Spring::Region(_)));
+        let of_drives =
+            || found.estimates.iter().filter(|one| matches!(one.spring, Spring::Drive(_) | Spring::Region(_)));
         let is_known = |one: &&Estimate| one.unknown.is_none();
         let (all, known) = (of_drives().count(), of_drives().filter(is_known).count());
         let outcome = match known {
@@ -44,6 +45,11 @@ impl IdentifyAnswer {
             1 => "One reading does not fit.".into(),
             count => format!("{count} readings do not fit."),
         });
-        Headline { outcome, sentences, rests_on: self.notes().lines().filter(|line| !line.starts_with("-o ")).map(sentence).collect() }
+        let mut rests_on = vec![
+            format!("Lengths and limits as the robot file has them: {}.", words::class(&self.before)),
+            format!("Model: {}, everything else is rigid.", super::super::identify::springing(found.model)),
+        ];
+        rests_on.extend(self.notes().lines().filter(|line| !line.starts_with("-o ")).map(sentence));
+        Headline { outcome, sentences, rests_on }
     }
 }

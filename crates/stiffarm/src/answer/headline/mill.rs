@@ -14,7 +14,11 @@ impl MillAnswer {
         let (outcome, sentences) = match self.followed() {
             None => {
                 let reason = self.reason().unwrap_or_default();
-                let outcome = if self.sought.is_some() || self.placement.is_none() { Outcome::NoPlace } else { Outcome::NotFollowed };
+                let outcome = if self.sought.is_some() || self.placement.is_none() {
+                    Outcome::NoPlace
+                } else {
+                    Outcome::NotFollowed
+                };
                 (outcome, vec![format!("{name} does not follow {}: {reason}.", self.path)])
             }
             Some(found) => self.judged(found),
@@ -44,9 +48,13 @@ impl MillAnswer {
             fixed(margin, 4)
         )];
         if let (false, Some(bound)) = (verdict.passes, self.lower_bound()) {
-            let what = if self.sought.is_some() { "no place and no rolls of the tool have" } else { "no rolls of the tool have" };
+            let (what, helps) = if self.sought.is_some() {
+                ("no place and no rolls of the tool have", "Neither another place nor turning the tool helps")
+            } else {
+                ("no rolls of the tool have", "Turning the tool does not help")
+            };
             told.push(match Verdict::of(bound, tolerance).passes {
-                false => format!("Turning the tool does not help: {what} less than {}, which is proved.", mm(bound)),
+                false => format!("{helps}: {what} less than {}, which is proved.", mm(bound)),
                 true => format!("Better ones are not ruled out: it is proved that {what} less than {}.", mm(bound)),
             });
         }
@@ -60,7 +68,9 @@ impl MillAnswer {
         let compensation = self.compensation.as_ref()?;
         let by_model = mm(compensation.done.by_joints);
         let Some((remaining, who)) = &compensation.remaining else {
-            return Some(format!("Compensated, {by_model} is left by the model; what is left in truth is not known, as nothing says how far the drives may be off."));
+            return Some(format!(
+                "Compensated, {by_model} is left by the model; what is left in truth is not known, as nothing says how far the drives may be off."
+            ));
         };
         let verdict = tolerance.map_or_else(String::new, |tolerance| {
             format!(", tolerance {tolerance} mm: {}", Verdict::of(remaining.p95, tolerance).word())

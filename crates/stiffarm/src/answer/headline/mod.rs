@@ -111,10 +111,15 @@ fn judged(passes: bool, spread: Option<Spread>, tolerance_mm: f64) -> Outcome {
 fn scattered(passes: bool, spread: Option<Spread>, tolerance_mm: f64) -> Option<String> {
     let Spread { p05, p95 } = spread?;
     let [low, high] = [p05, p95].map(|metres| fixed(Unit::Millimetre.told(metres), 3));
-    let verdict = match (passes, Unit::Millimetre.told(p05) <= tolerance_mm, Unit::Millimetre.told(p95) <= tolerance_mm) {
+    let verdict = match (passes, Unit::Millimetre.told(p05) <= tolerance_mm, Unit::Millimetre.told(p95) <= tolerance_mm)
+    {
         (true, _, true) => "so it holds for nearly all of them",
-        (true, ..) => "so softer drives among them do not hold it: measure the drives (`stiffarm measure`), or keep more distance",
-        (false, true, _) => "so the stiffer of them would hold it: measure the drives (`stiffarm measure`) before it is given up",
+        (true, ..) => {
+            "so softer drives among them do not hold it: measure the drives (`stiffarm measure`), or keep more distance"
+        }
+        (false, true, _) => {
+            "so the stiffer of them would hold it: measure the drives (`stiffarm measure`) before it is given up"
+        }
         (false, false, _) => "so hardly any of them holds it",
     };
     Some(format!("90 % of such drives give {low} to {high} mm, {verdict}."))

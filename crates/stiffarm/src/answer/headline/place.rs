@@ -2,8 +2,8 @@
 
 use super::super::PlaceAnswer;
 use super::super::place::Verdict;
-use super::super::words::{self, fixed};
 use super::super::uncertainty;
+use super::super::words::{self, fixed};
 use super::{Headline, Outcome, judged, mm, rests_on, scattered};
 use crate::place::{Placed, Placement};
 
@@ -12,7 +12,8 @@ impl PlaceAnswer {
     pub fn headline(&self) -> Headline {
         let (outcome, sentences) = match &self.placed {
             Placed::Infeasible { reason, is_proved, largest_scale } => {
-                let proof = if *is_proved && largest_scale.is_none() { "; it is proved that there is none" } else { "" };
+                let proof =
+                    if *is_proved && largest_scale.is_none() { "; it is proved that there is none" } else { "" };
                 let told = format!("{} has no place for {}: {reason}{proof}.", self.robot.full_name(), self.task.label);
                 (Outcome::NoPlace, vec![told])
             }
@@ -45,8 +46,14 @@ impl PlaceAnswer {
         }];
         if !verdict.passes {
             sentences.push(match Verdict::of(best.lower_bound, tolerance).passes {
-                false => format!("No place that is allowed holds it: none has less than {}, which is proved.", mm(best.lower_bound)),
-                true => format!("A place that holds it is not ruled out: it is proved of no place that it has less than {}.", mm(best.lower_bound)),
+                false => format!(
+                    "No place that is allowed holds it: none has less than {}, which is proved.",
+                    mm(best.lower_bound)
+                ),
+                true => format!(
+                    "A place that holds it is not ruled out: it is proved of no place that it has less than {}.",
+                    mm(best.lower_bound)
+                ),
             });
         }
         sentences.extend(scattered(verdict.passes, spread, tolerance));

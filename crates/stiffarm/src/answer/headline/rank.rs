@@ -32,7 +32,8 @@ impl RankAnswer {
     fn outcome(&self) -> Outcome {
         let ranking = &self.ranking;
         let tasks = 0..ranking.tasks.len();
-        let winners: Vec<(usize, &Row)> = tasks.filter_map(|task| Some((task, ranking.best_published(task)?))).collect();
+        let winners: Vec<(usize, &Row)> =
+            tasks.filter_map(|task| Some((task, ranking.best_published(task)?))).collect();
         let any = |odd: &dyn Fn(usize, &Row) -> bool| winners.iter().any(|(task, row)| odd(*task, row));
         if winners.is_empty() {
             return Outcome::NoPlace;
@@ -53,18 +54,37 @@ impl RankAnswer {
         let spread = |task: usize, row: &Row| uncertainty::of(&row.robot, ranking.load, row.placement(task));
         match self.tolerance_mm {
             None => Outcome::Advised,
-            Some(_) if any(&|task, row| spread(task, row).is_some_and(|spread| !holds(spread.p95))) => Outcome::PassesPerhaps,
+            Some(_) if any(&|task, row| spread(task, row).is_some_and(|spread| !holds(spread.p95))) => {
+                Outcome::PassesPerhaps
+            }
             Some(_) => Outcome::Passes,
         }
     }
 
     /// By how much the best of a task is ahead of all others, where that is proved.
     fn leads(&self) -> Option<String> {
-        let told: Vec<String> = (0..self.ranking.tasks.len()).filter_map(|task| self.lead(task)).collect();
-        (!told.is_empty()).then(|| format!("Proved at the stiffness told: {}.", told.join("; ")))
+        let tasks = self.ranking.tasks.len();
+        let told: Vec<Lead> = (0..tasks).filter_map(|task| self.lead(task)).collect();
+        let least = told.iter().min_by(|a, b| a.ahead.total_cmp(&b.ahead))?;
+        // Never more than it is.
+        let percent = fixed((1000.0 * least.ahead).floor() / 10.0, 1);
+        let label = |lead: &Lead| self.ranking.tasks[lead.task].label.as_str();
+        let (next, bound) = (&least.next.robot.name, mm(least.bound));
+        let of = match told.len() {
+            1 => format!("on {} every other robot gives way at least {percent} % more", label(least)),
+            all if all == tasks => format!("on every task every other robot gives way at least {percent} % more"),
+            _ => {
+                let labels: Vec<&str> = told.iter().map(label).collect();
+                format!("on {} every other robot gives way at least {percent} % more", labels.join(", "))
+            }
+        };
+        Some(format!(
+            "Proved at the stiffness told: {of} than the best (the nearest is {next} on {}, with no less than {bound}).",
+            label(least)
+        ))
     }
 
-    fn lead(&self, task: usize) -> Option<String> {
+    fn lead(&self, task: usize) -> Option<Lead<'_>> {
         let best = self.ranking.best_published(task)?;
         let value = best.deflection(task)?;
         if !self.ranking.rivals(task).is_empty() || 1 < uncertainty::ties(&self.chances, task) {
@@ -73,9 +93,16 @@ impl RankAnswer {
         let others = self.ranking.rows.iter().filter(|row| row.rank.is_some() && row.robot != best.robot);
         let bounds = others.filter_map(|row| Some((row.placement(task)?.lower_bound, row)));
         let (bound, next) = bounds.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        // Never more than it is.
-        let percent = fixed((1000.0 * (bound / value - 1.0)).floor() / 10.0, 1);
-        let label = &self.ranking.tasks[task].label;
-        Some(format!("on {label} every other robot gives way at least {percent} % more ({}, no less than {})", next.robot.name, mm(bound)))
+        Some(Lead { task, ahead: bound / value - 1.0, next, bound })
     }
+}
+
+/// How far the best of a task is ahead of all others, which is proved.
+struct Lead<'a> {
+    task: usize,
+    /// So much more, relative to its value, every other gives way at least.
+    ahead: f64,
+    /// Who comes nearest, and what it has at least, m.
+    next: &'a Row,
+    bound: f64,
 }

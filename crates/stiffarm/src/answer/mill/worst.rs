@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use super::super::place::Verdict;
-use super::super::words::degrees;
 use super::super::{Table, fixed};
 use super::MillAnswer;
 use crate::mill::{Acting, Pushed, Station};
@@ -34,9 +33,16 @@ impl MillAnswer {
         }
         let mut worst: Vec<(usize, (&Station, &Pushed))> = worst.into_iter().collect();
         worst.sort_by(|a, b| b.1.1.error.total_cmp(&a.1.1.error));
-        let mut headings = vec![if has_lines { "line" } else { "part of the way" }, "way [mm]", "x [mm]", "y [mm]", "z [mm]", "error [mm]"];
+        let mut headings = vec![
+            if has_lines { "line" } else { "part of the way" },
+            "way [mm]",
+            "x [mm]",
+            "y [mm]",
+            "z [mm]",
+            "error [mm]",
+        ];
         headings.extend(self.tolerance_mm.map(|_| "verdict"));
-        headings.extend(["force [N]", "roll", "to a limit", "to a straight posture"]);
+        headings.extend(["force [N]", "roll [deg]", "to a limit [deg]", "to straight [deg]"]);
         let mut table = Table::new(headings);
         for (line, (station, pushed)) in worst.into_iter().take(MOST_LINES) {
             let name = if has_lines { line.to_string() } else { format!("{} of {PARTS}", line + 1) };
@@ -61,7 +67,8 @@ impl MillAnswer {
                 format!("{}, {}, {}", fixed(*feed, 1), fixed(*across, 1), fixed(*axial, 1))
             }
         });
-        cells.extend([pushed.arrangement.roll, pushed.limit_margin, pushed.singular_margin].map(degrees));
+        let angles = [pushed.arrangement.roll, pushed.limit_margin, pushed.singular_margin];
+        cells.extend(angles.map(|angle| fixed(angle.to_degrees(), 1)));
         cells
     }
 

@@ -20,7 +20,7 @@ impl RankAnswer {
         let is_scattered = spreads.iter().any(Option::is_some);
         let mut headings = vec!["task", "worst deflection [mm]", "no place has less than [mm]"];
         headings.extend(is_scattered.then_some("90 % of such drives [mm]"));
-        headings.extend(["x [m]", "z [m]", "smallest margin", "clearance"]);
+        headings.extend(["x [m]", "z [m]", "smallest margin", "clearance [mm]"]);
         let mut table = Table::new(headings);
         for (task, asked) in self.ranking.tasks.iter().enumerate() {
             let best = row.placement(task);
@@ -35,10 +35,8 @@ impl RankAnswer {
                 best.smallest_margin().map(|(least, of)| format!("{} ({})", words::degrees(least), margins::of(of)))
             }));
             cells.push(or_dash(best, |best| {
-                best.clearance.map(|clearance| {
-                    let [name, says] = words::clearance(&clearance);
-                    if name == "clearance" { says } else { format!("{name}: {says}") }
-                })
+                let distance = fixed(best.clearance?.distance * 1e3, 0);
+                Some(if best.collides() { format!("COLLISION {distance}") } else { distance })
             }));
             table.row(cells);
         }
