@@ -183,7 +183,7 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, styles: &[Style], frame: &Fram
             for i in marked(points, style) {
                 let (size, value) = values[i];
                 canvas.told(&format!("{}: {value:.3} mm at d {size:.3} m", style.robot), |canvas| {
-                    style.mark(canvas, points[i])
+                    style.mark(canvas, points[i]);
                 });
                 spots.take(&[points[i]; 2], 5.0);
             }

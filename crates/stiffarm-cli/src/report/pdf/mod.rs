@@ -84,8 +84,8 @@ fn outline(sheet: &Sheet) -> Outline {
     outline
 }
 
-fn fill([red, green, blue]: Colour) -> Option<Fill> {
-    Some(Fill { paint: rgb::Color::new(red, green, blue).into(), ..Fill::default() })
+fn fill([red, green, blue]: Colour) -> Fill {
+    Fill { paint: rgb::Color::new(red, green, blue).into(), ..Fill::default() }
 }
 
 /// Draws one mark; `None` where it cannot be drawn.
@@ -93,13 +93,13 @@ fn draw(surface: &mut Surface, mark: &Mark, faces: &Faces, figures: &[Tree]) -> 
     match mark {
         Mark::Text { at: [x, y], text, style } => {
             let face = faces.of(style.cut);
-            surface.set_fill(fill(style.colour));
+            surface.set_fill(Some(fill(style.colour)));
             surface.draw_glyphs(Point::from_xy(*x, *y), &face.glyphs(text), face.font.clone(), text, style.size, false);
         }
         Mark::Box { at: [x, y], size: [width, height], colour } => {
             let mut path = PathBuilder::new();
             path.push_rect(Rect::from_xywh(*x, *y, *width, *height)?);
-            surface.set_fill(fill(*colour));
+            surface.set_fill(Some(fill(*colour)));
             surface.draw_path(&path.finish()?);
         }
         Mark::Figure { at: [x, y], number, scale } => {
@@ -137,7 +137,7 @@ mod tests {
             }
             section.heading(format!("Of {count} rows"));
             section.blocks.push(Block::Table(Listing { table, is_sortable: true }));
-            section.figure(svg(300.0 * f64::from(count)), "A figure");
+            section.figure(svg(300.0 * count as f64), "A figure");
         }
         section.text("word ".repeat(3000));
         section.notes(["note ".repeat(900)]);

@@ -53,9 +53,10 @@ impl MillAnswer {
             } else {
                 ("no rolls of the tool have", "Turning the tool does not help")
             };
-            told.push(match Verdict::of(bound, tolerance).passes {
-                false => format!("{helps}: {what} less than {}, which is proved.", mm(bound)),
-                true => format!("Better ones are not ruled out: it is proved that {what} less than {}.", mm(bound)),
+            told.push(if Verdict::of(bound, tolerance).passes {
+                format!("Better ones are not ruled out: it is proved that {what} less than {}.", mm(bound))
+            } else {
+                format!("{helps}: {what} less than {}, which is proved.", mm(bound))
             });
         }
         told.extend(scattered(verdict.passes, self.spread, tolerance));

@@ -45,15 +45,13 @@ impl PlaceAnswer {
             )
         }];
         if !verdict.passes {
-            sentences.push(match Verdict::of(best.lower_bound, tolerance).passes {
-                false => format!(
-                    "No place that is allowed holds it: none has less than {}, which is proved.",
-                    mm(best.lower_bound)
-                ),
-                true => format!(
-                    "A place that holds it is not ruled out: it is proved of no place that it has less than {}.",
-                    mm(best.lower_bound)
-                ),
+            let bound = mm(best.lower_bound);
+            sentences.push(if Verdict::of(best.lower_bound, tolerance).passes {
+                format!(
+                    "A place that holds it is not ruled out: what is proved is that no place has less than {bound}."
+                )
+            } else {
+                format!("No place that is allowed holds it: none has less than {bound}, which is proved.")
             });
         }
         sentences.extend(scattered(verdict.passes, spread, tolerance));

@@ -20,9 +20,9 @@ impl MillAnswer {
         let cutting = || self.stations.iter().zip(&found.samples).filter(|(station, _)| station.sample.is_cutting);
         let has_lines = self.stations.iter().any(|station| station.sample.line != self.stations[0].sample.line);
         let whole = self.stations.last().map_or(0.0, |station| station.sample.way);
-        let part = |station: &Station| match has_lines {
-            true => station.sample.line,
-            false => ((station.sample.way / whole * PARTS as f64) as usize).min(PARTS - 1),
+        let part = |station: &Station| {
+            let part = ((station.sample.way / whole * PARTS as f64) as usize).min(PARTS - 1);
+            if has_lines { station.sample.line } else { part }
         };
         let mut worst: BTreeMap<usize, (&Station, &Pushed)> = BTreeMap::new();
         for (station, pushed) in cutting() {
