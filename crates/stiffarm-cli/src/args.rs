@@ -228,8 +228,8 @@ pub(crate) struct Common {
     /// Format of what goes to standard output
     #[arg(long, value_enum, default_value_t = Format::Table, global = true, display_order = 900)]
     pub(crate) format: Format,
-    /// Write to a file; its ending chooses the format: .csv, .parquet, .json, .md, .txt, a figure as .svg, .png or .pdf, or
-    /// a view in space as .html. May be given several times
+    /// Write to a file; its ending chooses the format: .csv, .parquet, .json, .md, .txt, a figure as .svg, .png or .pdf, a
+    /// report as .html or report.pdf, or a view in space as view.html. May be given several times
     #[arg(short, long = "output", value_name = "FILE", global = true, display_order = 901)]
     pub(crate) output: Vec<PathBuf>,
     /// Number of threads [default: all cores]

@@ -29,11 +29,12 @@ const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 const ABOUT: [About; 18] = [
     About {
         name: "rank",
-        files: "the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
+        files: "a report to hand on as .html or report.pdf, the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
                 (spatial) as .svg, .pdf or .png",
         is_long: true,
         examples: &[
             ("stiffarm rank", "the paper's ten robots on its six tasks"),
+            ("stiffarm rank --task rect:0.6x0.4 --tolerance-mm 2 -o report.html", "a report: verdict, places, sources"),
             (
                 "stiffarm rank --payload-kg 200.. --task rect:0.6x0.4 --tolerance-mm 2",
                 "every robot for 200 kg and more",
@@ -47,8 +48,8 @@ const ABOUT: [About; 18] = [
     },
     About {
         name: "place",
-        files: "the placement as .csv, .parquet, .json, .md or .txt, the arm, the zone and a map as .svg, .pdf or .png, a view in space that \
-                can be turned as .html",
+        files: "a report to hand on as .html or report.pdf, the placement as .csv, .parquet, .json, .md or .txt, the arm, the zone and a map as \
+                .svg, .pdf or .png, a view in space that can be turned as view.html",
         is_long: true,
         examples: &[
             (
@@ -57,7 +58,7 @@ const ABOUT: [About; 18] = [
             ),
             ("stiffarm place BT200L --task A:0.5 --tolerance-mm 3 --check", "for scripts: exit code 3 where it fails"),
             (
-                "stiffarm place \"KR 210 R2700 extra\" --task rect:0.6x0.4 --model spatial --tool spindle:250@90 -o place.html",
+                "stiffarm place \"KR 210 R2700 extra\" --task rect:0.6x0.4 --model spatial --tool spindle:250@90 -o place.view.html",
                 "all six drives, a spindle across the flange, and a view in space",
             ),
             ("stiffarm place BT200L --task A:0.5 --stiffness-nm-per-rad 2e6", "with joints of known stiffness"),
@@ -131,7 +132,7 @@ const ABOUT: [About; 18] = [
     },
     About {
         name: "identify",
-        files: "the robot file as .toml, the drives as .csv, .parquet, .json, .md or .txt, what remains of every row as .svg, .pdf or .png",
+        files: "a report to hand on as .html or report.pdf, the robot file as .toml, the drives as .csv, .parquet, .json, .md or .txt, what remains of every row as .svg, .pdf or .png",
         is_long: false,
         examples: &[
             (
@@ -153,7 +154,8 @@ const ABOUT: [About; 18] = [
     },
     About {
         name: "mill",
-        files: "every sample as .csv or .parquet, the answer as .json, .md or .txt, error, rolls and path as .svg, .pdf or .png, the robot and the path in space as .html, robot programs \
+        files: "a report to hand on as .html or report.pdf, every sample as .csv or .parquet, the answer as .json, .md or .txt, error, rolls and path as .svg, .pdf or .png, \
+                the robot and the path in space as view.html, robot programs \
                 as .src (KUKA), .mod (ABB) or .ls (Fanuc), with --compensate the path itself as .nc, .gcode, .ngc, .tap, .apt or .cls",
         is_long: true,
         examples: &[

@@ -7,8 +7,10 @@ mod failure;
 mod figures;
 mod help;
 mod look;
+mod named;
 mod options;
 mod output;
+mod report;
 mod selection;
 mod table;
 

@@ -1,6 +1,5 @@
 //! Where answers go: standard output, or files that are open before anything is computed and appear whole or not at all.
 
-use std::ffi::OsStr;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
@@ -16,6 +15,8 @@ use crate::commands::watched;
 use crate::failure::Failure;
 use crate::figures::{self, Plate, view3d::View};
 use crate::look::Look;
+use crate::named::{Form, endings, form};
+use crate::report::Report;
 use crate::table::write_csv;
 
 /// An answer in every form it can take. Each is made only when asked for.
@@ -24,6 +25,8 @@ pub(crate) trait Answer {
     const COMMAND: &'static str;
     /// Endings of the files it can be written to besides those of tables: svg, png and pdf, html, toml.
     const FURTHER: &'static [&'static str] = &[];
+    /// It makes a report.
+    const IS_REPORTED: bool = false;
     /// For people.
     fn text(&self, look: Look) -> String;
     /// For programs; through [`pretty`].
@@ -42,6 +45,10 @@ pub(crate) trait Answer {
     fn svg(&self) -> Option<Result<String, Failure>> {
         None
     }
+    /// What is handed on, where the command makes that.
+    fn report(&self) -> Option<Result<Report, Failure>> {
+        None
+    }
     /// What was asked of the figure alone.
     fn plate(&self) -> Plate {
         Plate::default()
@@ -52,13 +59,10 @@ pub(crate) trait Answer {
     }
 }
 
-/// Endings of the files that every answer can be written to.
-const TABLES: [&str; 5] = ["json", "csv", "parquet", "md", "txt"];
-
 /// The files that were asked for. Without them no answer is delivered, so none is computed that could not be written.
 pub(crate) struct Outputs<'a> {
     common: &'a Common,
-    files: Vec<(&'a Path, Sink)>,
+    files: Vec<(&'a Path, Form, Sink)>,
 }
 
 /// Where the bytes of a file go.
@@ -80,12 +84,10 @@ impl<'a> Outputs<'a> {
             if path.as_os_str() == "-" {
                 return Err(Failure::Dash);
             }
-            let endings = || A::FURTHER.iter().chain(&TABLES);
-            if !endings().any(|known| *known == ending(path)) {
-                let expected: Vec<String> = endings().map(|known| format!(".{known}")).collect();
-                return Err(Failure::Ending { command: A::COMMAND, path: path.into(), expected });
-            }
-            files.push((path.as_path(), sink(path, inputs)?));
+            let Some(form) = form::<A>(path) else {
+                return Err(Failure::Ending { command: A::COMMAND, path: path.into(), expected: endings::<A>() });
+            };
+            files.push((path.as_path(), form, sink(path, inputs)?));
         }
         Ok(Self { common, files })
     }
@@ -93,18 +95,18 @@ impl<'a> Outputs<'a> {
     /// Prints an answer and writes it to every file; what cannot be written is printed, so that it is not lost.
     pub(crate) fn deliver<A: Answer>(self, answer: &A) -> Result<(), Failure> {
         let Self { common, files } = self;
-        let only_data_file = common.format == Format::Table && files.iter().any(|(path, _)| !is_picture(path));
+        let only_data_file = common.format == Format::Table && files.iter().any(|(_, form, _)| !form.is_picture());
         let is_printed = !(only_data_file || common.quiet && !files.is_empty());
         let mut written = Vec::new();
-        let mut failed: Vec<(&Path, Failure)> = Vec::new();
-        for (path, sink) in files {
-            match watched("writing", common, |_| write(answer, path, sink)) {
+        let mut failed: Vec<(Form, Failure)> = Vec::new();
+        for (path, form, sink) in files {
+            match watched("writing", common, |_| write(answer, (path, &form), sink)) {
                 Ok(()) => written.push(path),
-                Err(failure) => failed.push((path, failure)),
+                Err(failure) => failed.push((form, failure)),
             }
         }
         let printed = match failed.first() {
-            Some((path, _)) => print(&Body::printable(answer, path, common.format)),
+            Some((form, _)) => print(&Body::printable(answer, form, common.format)),
             None if is_printed => print(&Body::of_stdout(answer, common.format)),
             None => Ok(()),
         };
@@ -155,8 +157,8 @@ pub(crate) fn write_text(path: &Path, inputs: &[&Path], text: &str) -> Result<()
     written.map_err(|error| Failure::Write { path: path.into(), error })
 }
 
-fn write<A: Answer>(answer: &A, path: &Path, sink: Sink) -> Result<(), Failure> {
-    let body = Body::of_file(answer, path)?;
+fn write<A: Answer>(answer: &A, (path, form): (&Path, &Form), sink: Sink) -> Result<(), Failure> {
+    let body = Body::of_file(answer, form)?;
     let write = || match sink {
         Sink::Straight => body.write(&mut fs::OpenOptions::new().write(true).open(path)?),
         Sink::Atomic(mut file) => {
@@ -194,33 +196,32 @@ impl<'a, A: Answer> Body<'a, A> {
         }
     }
 
-    /// By its ending, which was found to be one of this command's.
-    fn of_file(answer: &'a A, path: &Path) -> Result<Self, Failure> {
-        Ok(match ending(path).as_str() {
-            "json" => Self::of_format(answer, Format::Json),
-            "csv" => Self::of_format(answer, Format::Csv),
-            "md" => Self::of_format(answer, Format::Md),
-            "parquet" => Self::Parquet(answer.rows(), A::COMMAND),
-            "toml" => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
-            "svg" => Self::Bytes(picture(answer.svg())?.into()),
-            "png" => Self::Bytes(figures::png(&picture(answer.svg())?, answer.plate().pixels()).map_err(figure)?),
-            "pdf" => Self::Bytes(figures::pdf(&picture(answer.svg())?).map_err(figure)?),
-            "html" => Self::Bytes(picture(answer.view())?.html().into()),
-            "txt" => Self::of_format(answer, Format::Table),
-            other => match answer.program(other) {
-                Some(program) => Self::Bytes(program?),
-                None => Self::of_format(answer, Format::Table),
-            },
+    /// In the form that the file's name asks for, which was found to be one of this command's.
+    fn of_file(answer: &'a A, form: &Form) -> Result<Self, Failure> {
+        Ok(match form {
+            Form::Json => Self::of_format(answer, Format::Json),
+            Form::Csv => Self::of_format(answer, Format::Csv),
+            Form::Md => Self::of_format(answer, Format::Md),
+            Form::Txt => Self::of_format(answer, Format::Table),
+            Form::Parquet => Self::Parquet(answer.rows(), A::COMMAND),
+            Form::RobotFile => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
+            Form::Svg => Self::Bytes(picture(answer.svg())?.into()),
+            Form::Png => Self::Bytes(figures::png(&picture(answer.svg())?, answer.plate().pixels()).map_err(figure)?),
+            Form::Pdf => Self::Bytes(figures::pdf(&picture(answer.svg())?).map_err(figure)?),
+            Form::View => Self::Bytes(picture(answer.view())?.html().into()),
+            Form::Report => Self::Bytes(picture(answer.report())?.html().into()),
+            Form::PrintedReport => Self::Bytes(picture(answer.report())?.pdf()?),
+            Form::Program(ending) => Self::Bytes(answer.program(ending).transpose()?.unwrap_or_default()),
         })
     }
 
     /// What stands for a file that could not be written: its own text, the table for its columns, and the usual for a picture.
-    fn printable(answer: &'a A, path: &Path, usual: Format) -> Self {
-        match ending(path).as_str() {
-            "json" => Self::of_format(answer, Format::Json),
-            "csv" | "parquet" => Self::of_format(answer, Format::Csv),
-            "md" => Self::of_format(answer, Format::Md),
-            "toml" => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
+    fn printable(answer: &'a A, form: &Form, usual: Format) -> Self {
+        match form {
+            Form::Json => Self::of_format(answer, Format::Json),
+            Form::Csv | Form::Parquet => Self::of_format(answer, Format::Csv),
+            Form::Md => Self::of_format(answer, Format::Md),
+            Form::RobotFile => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
             _ => Self::of_stdout(answer, usual),
         }
     }
@@ -240,14 +241,6 @@ impl<'a, A: Answer> Body<'a, A> {
 /// A picture of a kind that the command has said it can make.
 fn picture<T>(made: Option<Result<T, Failure>>) -> Result<T, Failure> {
     made.unwrap_or_else(|| Err(Failure::Figure("there is nothing to draw".into())))
-}
-
-fn is_picture(path: &Path) -> bool {
-    matches!(ending(path).as_str(), "svg" | "png" | "pdf" | "html")
-}
-
-fn ending(path: &Path) -> String {
-    path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase()
 }
 
 /// A figure's error as a failure.

@@ -183,7 +183,7 @@ pub(crate) fn prose(text: &str, look: Look) -> Cow<'_, str> {
 }
 
 /// A number with what a table may add to it (marks, verdicts), or a blank.
-fn looks_like_a_number(cell: &str) -> bool {
+pub(crate) fn looks_like_a_number(cell: &str) -> bool {
     cell.trim().is_empty()
         || matches!(cell, "-" | "~" | "?")
         || cell.starts_with(|c: char| c.is_ascii_digit() || c == '-')

@@ -524,7 +524,7 @@ fn answers_in_space_come_as_figures_pages_and_typed_columns() {
     let robot = ["KR 210 R2700 extra", "--model", "spatial", "--tool-mm", "0,0,200", "--quiet"];
     for (command, more) in [("map", &["--size", "60"][..]), ("place", &["--task", "rect:0.4x0.2"])] {
         let files =
-            ["svg", "png", "html", "parquet", "csv", "json"].map(|ending| path(&folder, &format!("a.{ending}")));
+            ["svg", "png", "view.html", "parquet", "csv", "json"].map(|ending| path(&folder, &format!("a.{ending}")));
         let outputs = files.iter().flat_map(|file| ["-o", file]);
         run(&[&[command], &robot[..], more].concat().into_iter().chain(outputs).collect::<Vec<_>>());
         let [svg, png, html, parquet, csv, json] = files.map(|file| fs::read(file).expect("written"));

@@ -4,6 +4,7 @@
 //! same in the same words, in their own spelling.
 
 mod cell;
+mod command;
 mod forces;
 mod identify;
 pub mod job;

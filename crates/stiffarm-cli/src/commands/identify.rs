@@ -14,6 +14,7 @@ use crate::failure::Failure;
 use crate::figures::{Plate, identify as figure};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, say};
+use crate::report::{self, Report};
 use crate::selection;
 use crate::table::sheet;
 
@@ -29,38 +30,47 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
         found.remarks.iter().for_each(|remark| say(&format!("warning: {remark}")));
     }
     let answer = IdentifyAnswer { found, before: robot, data, date: options.date };
-    outputs.deliver(&IdentifyOutput(answer, Plate::of(asked)?))
+    outputs.deliver(&IdentifyOutput { answer, asked, plate: Plate::of(asked)? })
 }
 
-struct IdentifyOutput(IdentifyAnswer, Plate);
+pub(crate) struct IdentifyOutput<'a> {
+    pub(crate) answer: IdentifyAnswer,
+    asked: &'a Request,
+    pub(crate) plate: Plate,
+}
 
-impl Answer for IdentifyOutput {
+impl Answer for IdentifyOutput<'_> {
     const COMMAND: &'static str = "identify";
+    const IS_REPORTED: bool = true;
     const FURTHER: &'static [&'static str] = &["toml", "svg", "png", "pdf"];
 
     fn text(&self, look: Look) -> String {
-        let Self(answer, _) = self;
+        let answer = &self.answer;
         let tables = [Some(answer.summary()), Some(answer.table()), answer.updated()];
         sheet(&tables.into_iter().flatten().collect::<Vec<_>>(), &answer.notes(), look)
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.0.json())
+        pretty(out, &self.answer.json())
     }
 
     fn rows(&self) -> Rows<'_> {
-        self.0.rows()
+        self.answer.rows()
     }
 
     fn robot_file(&self) -> Option<String> {
-        Some(self.0.robot_file())
+        Some(self.answer.robot_file())
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {
-        Some(Ok(figure::svg(&self.0, &self.1)))
+        Some(Ok(figure::svg(&self.answer, &self.plate)))
+    }
+
+    fn report(&self) -> Option<Result<Report, Failure>> {
+        Some(Ok(report::identify::of(self, self.asked)))
     }
 
     fn plate(&self) -> Plate {
-        self.1
+        self.plate
     }
 }

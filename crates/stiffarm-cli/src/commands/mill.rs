@@ -21,6 +21,7 @@ use crate::figures::milled::MilledFigure;
 use crate::figures::view3d::{Cell, Sheet, View, Zone};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, say};
+use crate::report::{self, Report};
 use crate::selection;
 use crate::table::{prose, shown};
 
@@ -120,10 +121,10 @@ impl Answer for PathOutput {
     }
 }
 
-struct MillOutput<'a> {
-    answer: MillAnswer,
+pub(crate) struct MillOutput<'a> {
+    pub(crate) answer: MillAnswer,
     asked: &'a Request,
-    plate: Plate,
+    pub(crate) plate: Plate,
 }
 
 impl MillOutput<'_> {
@@ -157,7 +158,7 @@ impl MillOutput<'_> {
     }
 
     /// Every roll at places along the path.
-    fn rolls(&self) -> Result<RollMap, Failure> {
+    pub(crate) fn rolls(&self) -> Result<RollMap, Failure> {
         let why = || Failure::Usage(format!("nothing to draw: {}", self.answer.reason().unwrap_or_default()));
         self.answer.roll_map(MAPPED)?.ok_or_else(why)
     }
@@ -203,6 +204,7 @@ impl MillOutput<'_> {
 
 impl Answer for MillOutput<'_> {
     const COMMAND: &'static str = "mill";
+    const IS_REPORTED: bool = true;
     const FURTHER: &'static [&'static str] =
         &["svg", "png", "pdf", "html", "src", "mod", "ls", "nc", "gcode", "ngc", "tap", "apt", "cls"];
 
@@ -232,6 +234,10 @@ impl Answer for MillOutput<'_> {
 
     fn view(&self) -> Option<Result<View, Failure>> {
         Some(self.in_space())
+    }
+
+    fn report(&self) -> Option<Result<Report, Failure>> {
+        Some(report::mill::of(self, self.asked))
     }
 
     fn plate(&self) -> Plate {

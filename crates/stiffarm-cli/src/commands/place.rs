@@ -7,7 +7,7 @@ use stiffarm::advice::advise;
 use stiffarm::answer::words::{class, direction, tool};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::map::{Spacing, map};
-use stiffarm::model::{ArmPosture, Model, ModelKind};
+use stiffarm::model::{ArmPosture, Model, ModelError, ModelKind};
 use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place_task_watched};
 use stiffarm::request::Request;
 use stiffarm::robot::Robot;
@@ -23,6 +23,7 @@ use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
+use crate::report::{self, Report};
 use crate::selection;
 use crate::table::{prose, shown};
 
@@ -42,10 +43,13 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
 }
 
 /// A placement, and what is needed to draw it.
-pub(super) struct PlaceOutput {
+pub(crate) struct PlaceOutput {
     model: Model,
-    pub(super) answer: PlaceAnswer,
-    plate: Plate,
+    pub(crate) answer: PlaceAnswer,
+    pub(crate) plate: Plate,
+    asked: Request,
+    /// Points along the longer side of the map.
+    points: usize,
 }
 
 impl PlaceOutput {
@@ -64,7 +68,15 @@ impl PlaceOutput {
         };
         let advice = tolerance_mm.map(sought).transpose().map_err(failure)?;
         let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice };
-        Ok(Self { model, answer, plate })
+        let points = if kind == ModelKind::Planar { FIGURE_SIZE[0] } else { FIGURE_SIZE[1] };
+        Ok(Self { model, answer, plate, asked: asked.clone(), points })
+    }
+
+    /// An answer that is there, with a map of so many points.
+    pub(crate) fn told(answer: PlaceAnswer, (asked, plate, points): (&Request, Plate, usize)) -> Result<Self, Failure> {
+        let failure = |error: ModelError| Failure::Place { robot: answer.robot.name.clone(), error: error.into() };
+        let model = answer.model.of(&answer.robot).map_err(failure)?;
+        Ok(Self { model, answer, plate, asked: asked.clone(), points })
     }
 
     fn elevation(&self) -> f64 {
@@ -94,8 +106,7 @@ impl PlaceOutput {
     /// The map of what is reached, held as the zone is.
     pub(super) fn mapped(&self) -> Result<MapAnswer, Failure> {
         let Self { model, answer, .. } = self;
-        let size = if answer.model == ModelKind::Planar { FIGURE_SIZE[0] } else { FIGURE_SIZE[1] };
-        let options = answer.map_options(model, Spacing::Points(size));
+        let options = answer.map_options(model, Spacing::Points(self.points));
         let map = map(model, &options).map_err(|error| Failure::Map { robot: answer.robot.name.clone(), error })?;
         Ok(MapAnswer { model: model.clone(), options, map, zone: Some(answer.clone()) })
     }
@@ -136,10 +147,10 @@ impl PlaceOutput {
     }
 
     /// The zone on the section that points straight ahead, and what is seen along the tool axis.
-    fn figure(&self) -> Result<String, Failure> {
+    pub(crate) fn figure(&self, plate: Plate) -> Result<String, Failure> {
         let (best, _) = self.feasible()?;
         let map = self.mapped()?;
-        let Model::Spatial(_) = self.model else { return self.drawn(&map).svg() };
+        let Model::Spatial(_) = self.model else { return Drawn { plate, ..self.drawn(&map) }.svg() };
         let face = FaceFigure {
             zone: self.answer.task.zone,
             angle: best.angle,
@@ -156,7 +167,12 @@ impl PlaceOutput {
             },
             colour_label: Drawn::of_zone(&map).colour_label(),
         };
-        Drawn { face: Some(face), ..self.placed(&map)? }.svg()
+        Drawn { face: Some(face), plate, ..self.placed(&map)? }.svg()
+    }
+
+    /// The map, where there is no zone to draw.
+    pub(crate) fn map_alone(&self, plate: Plate) -> Result<String, Failure> {
+        Drawn { plate, ..self.placed(&self.mapped()?)? }.svg()
     }
 
     /// The map with the zone at its place, in space as it is seen from the side; without it where it has none.
@@ -231,6 +247,7 @@ impl PlaceOutput {
 
 impl Answer for PlaceOutput {
     const COMMAND: &'static str = "place";
+    const IS_REPORTED: bool = true;
     const FURTHER: &'static [&'static str] = &["svg", "png", "pdf", "html"];
 
     fn text(&self, look: Look) -> String {
@@ -248,11 +265,15 @@ impl Answer for PlaceOutput {
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {
-        Some(self.figure())
+        Some(self.figure(self.plate))
     }
 
     fn view(&self) -> Option<Result<View, Failure>> {
         Some(self.in_space())
+    }
+
+    fn report(&self) -> Option<Result<Report, Failure>> {
+        Some(report::place::of(self, &self.asked))
     }
 
     fn plate(&self) -> Plate {

@@ -22,6 +22,7 @@ use crate::figures::bars::{BarRow, BarsFigure};
 use crate::figures::ranking::{self, Curve, Panel};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, figure, pretty};
+use crate::report::{self, Report};
 use crate::selection;
 use crate::table::{prose, shown};
 
@@ -52,7 +53,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     };
     let answer = RankAnswer::of(ranking, options, tolerance_mm, advice);
     let shortfall = answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&RankOutput { answer, common, plate, svg: OnceCell::new() })?;
+    outputs.deliver(&RankOutput { answer, asked, common, plate, svg: OnceCell::new() })?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
 }
 
@@ -72,23 +73,24 @@ fn widened(failure: Failure, robots: &[String]) -> Failure {
     }
 }
 
-struct RankOutput<'a> {
-    answer: RankAnswer,
+pub(crate) struct RankOutput<'a> {
+    pub(crate) answer: RankAnswer,
+    asked: &'a Request,
     common: &'a Common,
-    plate: Plate,
+    pub(crate) plate: Plate,
     svg: OnceCell<String>,
 }
 
 impl RankOutput<'_> {
-    fn figure(&self) -> Result<String, Failure> {
+    pub(crate) fn figure(&self, plate: Plate) -> Result<String, Failure> {
         match self.answer.ranking.model {
-            ModelKind::Planar => self.curves(),
-            ModelKind::Spatial(_) => Ok(self.bars()),
+            ModelKind::Planar => self.curves(plate),
+            ModelKind::Spatial(_) => Ok(self.bars(plate)),
         }
     }
 
     /// Deflection against task size, a curve per robot.
-    fn curves(&self) -> Result<String, Failure> {
+    fn curves(&self, plate: Plate) -> Result<String, Failure> {
         let RankAnswer { ranking: Ranking { tasks, rows, load, model, .. }, options, tolerance_mm, .. } = &self.answer;
         let robots: Vec<Robot> = rows.iter().take(MOST_CURVES).map(|row| row.robot.clone()).collect();
         let (shapes, looks) = (shapes(tasks), self.looks());
@@ -128,11 +130,11 @@ impl RankOutput<'_> {
         let newtons = words::loaded(*load);
         let springs = stiffnesses(rows.iter().map(|row| &row.robot));
         let title = format!("Worst deflection at the best place under {newtons}, planar model; {springs}{chosen}");
-        ranking::svg(&title, &panels, &self.plate).map_err(figure)
+        ranking::svg(&title, &panels, &plate).map_err(figure)
     }
 
     /// A bar per robot and task, with what is proved.
-    fn bars(&self) -> String {
+    fn bars(&self, plate: Plate) -> String {
         let RankAnswer { ranking: Ranking { tasks, rows, load, .. }, tolerance_mm, .. } = &self.answer;
         let left_out = rows.len().saturating_sub(MOST_BARS);
         let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
@@ -159,7 +161,7 @@ impl RankOutput<'_> {
             tasks: tasks.iter().map(|task| task.label.clone()).collect(),
             rows: drawn.collect(),
             tolerance_mm: *tolerance_mm,
-            plate: self.plate,
+            plate,
         }
         .svg()
     }
@@ -172,7 +174,7 @@ impl RankOutput<'_> {
 }
 
 /// The distinct shapes among the tasks, at a first side of 1 m, with the first sides asked for.
-fn shapes(tasks: &[Task]) -> Vec<(Task, Vec<f64>)> {
+pub(crate) fn shapes(tasks: &[Task]) -> Vec<(Task, Vec<f64>)> {
     let mut shapes: Vec<(Task, Vec<f64>)> = Vec::new();
     for task in tasks {
         let [first, second] = task.zone.sides();
@@ -205,6 +207,7 @@ fn largest_scale(robots: &[Robot], zone: Zone) -> f64 {
 
 impl Answer for RankOutput<'_> {
     const COMMAND: &'static str = "rank";
+    const IS_REPORTED: bool = true;
     const FURTHER: &'static [&'static str] = &["svg", "png", "pdf"];
 
     fn text(&self, look: Look) -> String {
@@ -230,7 +233,11 @@ impl Answer for RankOutput<'_> {
         if let Some(svg) = self.svg.get() {
             return Some(Ok(svg.clone()));
         }
-        Some(self.figure().map(|svg| self.svg.get_or_init(|| svg).clone()))
+        Some(self.figure(self.plate).map(|svg| self.svg.get_or_init(|| svg).clone()))
+    }
+
+    fn report(&self) -> Option<Result<Report, Failure>> {
+        Some(report::rank::of(self, self.asked))
     }
 
     fn plate(&self) -> Plate {

@@ -26,10 +26,10 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     outputs.deliver(&StudyOutput(StudyAnswer(found), plate))
 }
 
-struct StudyOutput(StudyAnswer, Plate);
+pub(crate) struct StudyOutput(pub(crate) StudyAnswer, pub(crate) Plate);
 
 impl StudyOutput {
-    fn figure(&self) -> Result<String, Failure> {
+    pub(crate) fn figure(&self) -> Result<String, Failure> {
         let options = &self.0.0.options;
         let panels: Result<Vec<StudyPanel>, Failure> = (0..options.tasks.len()).map(|task| self.panel(task)).collect();
         let title = "Link ratio and task size";

@@ -91,6 +91,11 @@ impl Bands {
         if (parts - parts.round()).abs() < 1e-6 { label(value, self.step) } else { value.to_string() }
     }
 
+    /// From where to where the band above the `i`-th limit goes.
+    fn between(&self, i: usize) -> String {
+        format!("{} to {}", self.text(i), self.text(i + 1))
+    }
+
     /// The colour of the band above the `i`-th limit.
     fn colour(&self, i: usize) -> String {
         self.colours.on(self.share(f64::midpoint(self.limit(i), self.limit(i + 1))))
@@ -204,10 +209,10 @@ impl Field<'_> {
         let mut lines = Vec::new();
         canvas.clipped(&region, |canvas| {
             let ground = if bands.beyond[0] { under.into() } else { bands.colour(0) };
-            canvas.path(&region, &format!(r#"fill="{ground}""#));
+            canvas.told(&bands.between(0), |canvas| canvas.path(&region, &format!(r#"fill="{ground}""#)));
             for i in usize::from(!bands.beyond[0])..bands.count {
                 let area = self.area(&full.area_above(bands.limit(i)));
-                canvas.path(&area, &format!(r#"fill="{}""#, bands.colour(i)));
+                canvas.told(&bands.between(i), |canvas| canvas.path(&area, &format!(r#"fill="{}""#, bands.colour(i))));
             }
             if bands.beyond[1] {
                 canvas.path(&self.area(&full.area_above(bands.limit(bands.count))), &format!(r#"fill="{over}""#));

@@ -122,7 +122,10 @@ impl BarsFigure {
                 continue;
             };
             let x = axis.at(found).clamp(left, end);
-            canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &look(row.colour(), row.estimated));
+            let told = format!("{}, {name}: {found:.3} mm; proved: no place has less than {bound:.3} mm", row.robot);
+            canvas.told(&told, |canvas| {
+                canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &look(row.colour(), row.estimated));
+            });
             let bound = bound.clamp(0.0, found);
             if axis.contains(bound) {
                 let proved = axis.at(bound);

@@ -216,6 +216,13 @@ impl Canvas {
         self.body.push_str("</g>\n");
     }
 
+    /// Draws what `draw` draws, and says `text` of it where a pointer rests on it.
+    pub(super) fn told(&mut self, text: &str, draw: impl FnOnce(&mut Self)) {
+        let _ = writeln!(self.body, "<g><title>{}</title>", escaped(text));
+        draw(self);
+        self.body.push_str("</g>\n");
+    }
+
     /// Draws what `draw` draws, so many px further to the right.
     pub(super) fn shifted(&mut self, right: f64, draw: impl FnOnce(&mut Self)) {
         let _ = writeln!(self.body, r#"<g transform="translate({} 0)">"#, number(right));

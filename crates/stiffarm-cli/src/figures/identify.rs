@@ -120,14 +120,14 @@ fn remainders(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
     frame.grid(canvas);
     for one in rows {
         let at = one.row as f64;
-        canvas.line(frame.at(at, 0.0), frame.at(at, mm(one)), &format!(r#"stroke="{FAINT}" stroke-width="4""#));
-        canvas.line(
-            frame.at(at, 0.0),
-            frame.at(at, 1e3 * one.after.norm()),
-            &format!(r#"stroke="{DEFLECTION}" stroke-width="4""#),
-        );
+        let after = 1e3 * one.after.norm();
+        let told = format!("row {}: moved {:.3} mm, {after:.3} mm not explained", one.row, mm(one));
+        canvas.told(&told, |canvas| {
+            canvas.line(frame.at(at, 0.0), frame.at(at, mm(one)), &format!(r#"stroke="{FAINT}" stroke-width="4""#));
+            canvas.line(frame.at(at, 0.0), frame.at(at, after), &format!(r#"stroke="{DEFLECTION}" stroke-width="4""#));
+        });
         if found.outliers.iter().any(|outlier| outlier.row == one.row) {
-            let [x, y] = frame.at(at, 1e3 * one.after.norm());
+            let [x, y] = frame.at(at, after);
             cross(canvas, [x, y - 9.0], 4.5, &outlier());
         }
     }

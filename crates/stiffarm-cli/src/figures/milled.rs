@@ -12,6 +12,8 @@ use super::legend::{Entry, Legend};
 
 /// Heights of the diagrams over the way, px.
 const ERROR: f64 = 210.0;
+/// Places along the path of which a pointer tells the error.
+const MOST_TOLD: usize = 240;
 const ROLLS: f64 = 270.0;
 /// Of the view from above at most, px.
 const ABOVE: f64 = 420.0;
@@ -103,8 +105,23 @@ impl MilledFigure<'_> {
         }
         let station = &self.answer.stations[found.worst.1];
         canvas.circle(frame.at(station.sample.way * 1e3, found.worst.0 * 1e3), 4.0, &format!(r#"fill="{ALARM}""#));
+        self.tell(canvas, found, &frame);
         frame.draw(canvas, "way along the path mm", "error mm");
         frame.headline(canvas, "error along the path");
+    }
+
+    /// What a pointer tells along the way; nothing is seen of it.
+    fn tell(&self, canvas: &mut Canvas, found: &Followed, frame: &Frame) {
+        let stride = found.samples.len().div_ceil(MOST_TOLD).max(1);
+        for (station, pushed) in self.answer.stations.iter().zip(&found.samples).step_by(stride) {
+            let (sample, error) = (&station.sample, pushed.error * 1e3);
+            if sample.is_cutting {
+                let line = if sample.line == 0 { String::new() } else { format!("line {}, ", sample.line) };
+                let told = format!("{line}{:.1} mm of the way: {error:.4} mm", sample.way * 1e3);
+                let at = frame.at(sample.way * 1e3, error);
+                canvas.told(&told, |canvas| canvas.circle(at, 5.0, r#"fill-opacity="0""#));
+            }
+        }
     }
 
     /// What lies between rapid ways, each as a line.

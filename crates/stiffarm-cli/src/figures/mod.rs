@@ -24,6 +24,7 @@ pub(crate) mod ranking;
 pub(crate) mod reach;
 pub(crate) mod scene;
 pub(crate) mod sheets;
+pub(crate) mod shop;
 mod stairs;
 pub(crate) mod study;
 pub(crate) mod view3d;
@@ -78,7 +79,7 @@ pub(crate) enum FigureError {
 }
 
 /// Reads an SVG, with the font that comes with the program.
-fn tree(svg: &str) -> Result<usvg::Tree, FigureError> {
+pub(crate) fn tree(svg: &str) -> Result<usvg::Tree, FigureError> {
     let mut fonts = fontdb::Database::new();
     fonts.load_font_data(dejavu::sans::regular().to_vec());
     fonts.load_font_data(dejavu::sans::bold().to_vec());

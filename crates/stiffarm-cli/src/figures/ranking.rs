@@ -177,10 +177,14 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, styles: &[Style], frame: &Fram
     let mut spots = Spots::default();
     canvas.clipped(&rect_path([left, bottom + 1.0], [right, top]), |canvas| {
         for (curve, style, points) in &all {
-            canvas.path(&path(points, false), &style.line());
+            canvas.told(style.robot, |canvas| canvas.path(&path(points, false), &style.line()));
+            let values = finite(curve);
             let last = points.len().saturating_sub(1);
             for i in marked(points, style) {
-                style.mark(canvas, points[i]);
+                let (size, value) = values[i];
+                canvas.told(&format!("{}: {value:.3} mm at d {size:.3} m", style.robot), |canvas| {
+                    style.mark(canvas, points[i]);
+                });
                 spots.take(&[points[i]; 2], 5.0);
             }
             if curve.is_complete && !points.is_empty() {

@@ -346,6 +346,25 @@ impl IdentifyAnswer {
         notes + "-o robot.toml writes the robot file, -o fit.svg, .png or .pdf draws what remains\n"
     }
 
+    /// The readings that do not fit, the worst first; `None` where all do.
+    pub fn outlier_table(&self) -> Option<Table> {
+        let found = &self.found;
+        let mm = |metres: f64| fixed(metres * 1e3, 3);
+        let mut table = Table::new(["row", "posture", "moved [mm]", "not explained [mm]", "beyond the others"]);
+        for outlier in &found.outliers {
+            let of_row = found.residuals.iter().find(|one| one.row == outlier.row);
+            let told = |value: &dyn Fn(&Residual) -> String| of_row.map_or_else(|| "-".into(), value);
+            table.row([
+                outlier.row.to_string(),
+                told(&|one| (one.posture + 1).to_string()),
+                told(&|one| mm(one.moved.norm())),
+                told(&|one| mm(one.after.norm())),
+                format!("{} sigma", fixed(outlier.ratio, 1)),
+            ]);
+        }
+        (!table.rows.is_empty()).then_some(table)
+    }
+
     /// The combination of drives that is seen worst, its parts above a tenth.
     fn least_seen(&self) -> String {
         let parts = self.found.least_seen.iter().zip(&self.found.estimates).filter(|(part, _)| 0.01 < part.powi(2));
@@ -377,7 +396,7 @@ impl IdentifyAnswer {
 }
 
 /// What springs, in words.
-fn springing(model: Springs) -> &'static str {
+pub(super) fn springing(model: Springs) -> &'static str {
     match model {
         Springs::Drives | Springs::Auto => "the drives spring",
         Springs::Base => "the drives spring and the base tilts",

@@ -1,6 +1,7 @@
 //! How is a ranking told?
 
 mod notes;
+mod robots;
 mod sentences;
 
 use serde_json::{Value, json};
@@ -28,7 +29,7 @@ pub struct RankAnswer {
     /// What that says of force, stiffness and size, for each row and task where it was sought; empty where it was not.
     pub advice: Vec<Vec<Option<Advice>>>,
     /// How every row stands at every task, as far as its drives may be off.
-    chances: Vec<Vec<Option<Chances>>>,
+    pub(super) chances: Vec<Vec<Option<Chances>>>,
 }
 
 impl RankAnswer {

@@ -5,6 +5,7 @@ mod programs;
 mod ranking;
 mod record;
 mod table;
+mod worst;
 
 pub use ranking::{PathRankAnswer, PathRow};
 use serde_json::Value;

@@ -1,0 +1,46 @@
+//! The report of `mill`: whether a path holds its tolerance, and where it does not.
+
+use stiffarm::request::Request;
+
+use super::robots::provenance_of;
+use super::{Report, Section, plate, repeated};
+use crate::commands::mill::MillOutput;
+use crate::failure::Failure;
+use crate::figures::milled::MilledFigure;
+
+/// The document.
+///
+/// # Errors
+/// Where the rolls beside the path cannot be computed.
+pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, Failure> {
+    let answer = &found.answer;
+    let mut decided = Section::new("What decides");
+    if answer.followed().is_some() {
+        let rolls = found.rolls()?;
+        let svg = MilledFigure { answer, rolls: &rolls, plate: plate(found.plate) }.svg();
+        decided.figure(
+            svg,
+            "The error along the path, every roll of the tool with what forbids the others, and the path from above.",
+        );
+    }
+    decided.table(answer.table());
+    let mut sections = vec![decided];
+    sections.extend(answer.worst_lines().map(|table| {
+        let mut worst = Section::new("Where the error is largest");
+        worst.text("The worst sample of each line of the path, the worst line first.");
+        worst.table(table);
+        worst
+    }));
+    sections.extend(answer.drives_table().map(|table| {
+        let mut drives = Section::new("Which drive gives way");
+        drives.table(table);
+        drives
+    }));
+    sections.extend([provenance_of(&answer.robot), repeated(asked)]);
+    Ok(Report {
+        title: format!("{} along {}", answer.robot.full_name(), answer.path),
+        asked: format!("How far the tool is pushed off; {}", answer.force),
+        headline: answer.headline(),
+        sections,
+    })
+}

@@ -1,0 +1,221 @@
+//! Where must the work stand, as a shop drawing has it: heights, distances from the joint-1 axis, sideways?
+
+use super::words::{degrees, fixed};
+use super::{Line, PlaceAnswer, line};
+use crate::place::Placement;
+use crate::robot::Arm;
+use crate::work::{WorkPlacement, WorkPlane};
+use crate::zone::Zone;
+use nalgebra::{Point3, Rotation3, Vector3};
+
+/// Corners of a circle.
+const CORNERS: usize = 72;
+
+/// A zone at its place, in metres: ahead, to the left, up; from the base, or from the origin of the cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Siting {
+    /// What lengths count from, such as `the base`.
+    pub origin: &'static str,
+    /// Where the joint-1 axis meets the foot of the robot.
+    pub foot: [f64; 3],
+    /// Where the floor is, where that is known: of a cell.
+    pub floor: Option<f64>,
+    /// The rim of the zone as a closed line; its first point is not repeated.
+    pub rim: Vec<[f64; 3]>,
+    /// Its centre.
+    pub centre: [f64; 3],
+    /// What is measured.
+    pub dimensions: Vec<Dimension>,
+    /// About the vertical, where the zone stands otherwise than straight ahead.
+    pub turned: Option<String>,
+}
+
+/// A length on a drawing, along one axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dimension {
+    /// Along which axis: 0 ahead, 1 to the left, 2 up.
+    pub axis: usize,
+    /// From where to where along it, m.
+    pub ends: [f64; 2],
+    /// What it is.
+    pub name: String,
+    /// How long, in millimetres.
+    pub text: String,
+}
+
+impl PlaceAnswer {
+    /// Where the zone stands; `None` where it has no place, is a part of several faces, or nothing is known of the base.
+    pub fn siting(&self) -> Option<Siting> {
+        let best = self.best().filter(|best| best.faces.is_empty())?;
+        if !self.robot.knows_base() {
+            return None;
+        }
+        let cell = self.options.cell;
+        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), best.space().map_or(0.0, |hold| hold.bearing));
+        let placed = |at: Vector3<f64>| {
+            let at = Point3::from(turn * at);
+            <[f64; 3]>::from(cell.map_or(at, |cell| cell.mount.cell_from_base * at))
+        };
+        let rim: Vec<[f64; 3]> = self.rim(best).into_iter().map(placed).collect();
+        let [x, z] = best.centre;
+        let centre = placed(Vector3::new(x, self.aside(best), z));
+        let foot = cell.map_or([0.0; 3], |cell| cell.mount.cell_from_base.translation.vector.into());
+        let mut siting = Siting {
+            origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
+            foot,
+            floor: cell.map(|_| 0.0),
+            rim,
+            centre,
+            dimensions: Vec::new(),
+            turned: best.space().filter(|hold| hold.bearing != 0.0).map(|hold| degrees(hold.bearing)),
+        };
+        siting.dimensions = dimensions(&siting);
+        Some(siting)
+    }
+
+    /// How far beside the joint-1 axis the zone's centre stands before it is turned, m: the arm plane's own offset.
+    fn aside(&self, best: &Placement) -> f64 {
+        match (&self.robot.arm, best.space()) {
+            (Arm::SixAxis { geometry, .. }, None) => geometry.b,
+            _ => 0.0,
+        }
+    }
+
+    /// The rim of the zone straight ahead, from the base.
+    fn rim(&self, best: &Placement) -> Vec<Vector3<f64>> {
+        let zone = self.task.zone;
+        let corners: Vec<[f64; 2]> = match zone {
+            Zone::Rectangle { .. } => [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|at| zone.at(at)).into(),
+            Zone::Circle { diameter } => (0..CORNERS)
+                .map(|i| std::f64::consts::TAU * i as f64 / CORNERS as f64)
+                .map(|turn| [turn.cos(), turn.sin()].map(|part| part * diameter / 2.0))
+                .collect(),
+        };
+        let [x, z] = best.centre;
+        match best.space() {
+            None => {
+                let (s, c) = best.angle.sin_cos();
+                let y = self.aside(best);
+                corners.iter().map(|[u, v]| Vector3::new(x + c * u - s * v, y, z + s * u + c * v)).collect()
+            }
+            Some(hold) => {
+                let work = WorkPlacement { x, y: 0.0, z, yaw: hold.yaw, angle: best.angle, roll: hold.roll };
+                let plane = WorkPlane::of(self.options.stance().elevation, &work);
+                corners.iter().map(|&at| plane.point(&work, at)).collect()
+            }
+        }
+    }
+}
+
+impl Siting {
+    /// From where to where the zone goes along an axis, m.
+    pub fn extent(&self, axis: usize) -> [f64; 2] {
+        let along = || self.rim.iter().map(|point| point[axis]);
+        [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// For people: what is measured, line by line.
+    pub fn lines(&self) -> Vec<Line> {
+        let mut lines: Vec<Line> =
+            self.dimensions.iter().map(|one| line(&one.name, format!("{} mm", one.text))).collect();
+        lines.extend(self.turned.iter().map(|turned| line("turned about the joint-1 axis", turned)));
+        lines
+    }
+}
+
+/// Lengths as a shop drawing has them, each once.
+fn dimensions(siting: &Siting) -> Vec<Dimension> {
+    let [across, aside, up] = [0, 1, 2].map(|axis| siting.extent(axis));
+    let floor = siting.floor.unwrap_or(siting.foot[2]);
+    let ground = if siting.floor.is_some() { "floor" } else { "base" };
+    let millimetres = |metres: f64| fixed(metres * 1e3, 1);
+    let dimension = |axis: usize, ends: [f64; 2], name: String| Dimension {
+        axis,
+        ends,
+        name,
+        text: millimetres((ends[1] - ends[0]).abs()),
+    };
+    let side = |ahead: f64, [positive, negative]: [&'static str; 2]| if ahead < -1e-9 { negative } else { positive };
+    let above = |z: f64| side(z - floor, ["above", "below"]);
+    let beside = side(siting.centre[1] - siting.foot[1], ["left", "right"]);
+    let flat = |[low, high]: [f64; 2]| high - low < 1e-9;
+    let mut told = Vec::new();
+    if flat(up) {
+        told.push(dimension(2, [floor, up[0]], format!("height of the worked face {} the {ground}", above(up[0]))));
+    } else {
+        told.push(dimension(2, [floor, up[0]], format!("height of its lowest edge {} the {ground}", above(up[0]))));
+        told.push(dimension(2, up, "from there to its highest edge".into()));
+    }
+    told.push(dimension(
+        0,
+        [siting.foot[0], across[0]],
+        format!("joint-1 axis to its near edge, {}", side(across[0] - siting.foot[0], ["ahead", "behind"])),
+    ));
+    if flat(across) {
+        return told;
+    }
+    told.push(dimension(
+        0,
+        [siting.foot[0], siting.centre[0]],
+        format!("joint-1 axis to its centre, {}", side(siting.centre[0] - siting.foot[0], ["ahead", "behind"])),
+    ));
+    told.push(dimension(0, across, "its extent ahead".into()));
+    told.push(dimension(
+        1,
+        [siting.foot[1], siting.centre[1]],
+        format!("its centre to the {beside} of the joint-1 axis"),
+    ));
+    if !flat(aside) {
+        told.push(dimension(1, aside, "its extent sideways".into()));
+    }
+    told
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::paper_robots;
+    use crate::load::Load;
+    use crate::model::ModelKind;
+    use crate::place::{PlaceOptions, place_task_watched};
+    use crate::spatial::Pose;
+    use crate::task::Task;
+    use crate::watch::Watch;
+
+    fn placed(task: &str, kind: ModelKind) -> PlaceAnswer {
+        let robot = paper_robots().swap_remove(4);
+        let (model, task) = (kind.of(&robot).unwrap(), task.parse::<Task>().unwrap());
+        let options = PlaceOptions::under(Load::PAPER);
+        let placed = place_task_watched(&model, &task, &options, Watch::nobody()).unwrap();
+        PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None, advice: None }
+    }
+
+    #[test]
+    fn a_zone_of_the_arm_plane_is_as_long_and_as_high_as_it_is() {
+        let answer = placed("rect:0.4x0.6", ModelKind::Planar);
+        let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
+        let [across, aside, up] = [0, 1, 2].map(|axis| siting.extent(axis));
+        // Its first side lies level, its second one stands.
+        assert!(
+            (across[0] - (best.centre[0] - 0.2)).abs() < 1e-12 && (across[1] - (best.centre[0] + 0.2)).abs() < 1e-12
+        );
+        assert!((up[0] - (best.centre[1] - 0.3)).abs() < 1e-12 && (up[1] - up[0] - 0.6).abs() < 1e-12);
+        assert_eq!(aside[0], aside[1]);
+        assert_eq!(siting.lines()[1], ["from there to its highest edge".to_owned(), "600.0 mm".into()]);
+    }
+
+    #[test]
+    fn a_level_zone_has_the_height_of_its_face_and_its_sides() {
+        let answer = placed("rect:0.3x0.2", ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2)));
+        let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
+        let told = siting.lines();
+        assert!(told[0][0].starts_with("height of the worked face"), "{told:?}");
+        assert_eq!(told[0][1], format!("{} mm", fixed(best.centre[1] * 1e3, 1)));
+        let sides: Vec<f64> = [0, 1].map(|axis| siting.extent(axis)).iter().map(|[low, high]| high - low).collect();
+        // The area of a rectangle that is turned by a quarter or not at all.
+        assert!((sides[0] * sides[1] - 0.06).abs() < 1e-9, "{sides:?}");
+        let nearest = best.from_axis_1.unwrap();
+        let [near, _] = siting.extent(0);
+        assert!((nearest - near).abs() < 1e-9, "straight ahead, the near edge is the nearest: {nearest} {near}");
+    }
+}

@@ -1,0 +1,74 @@
+//! What must be typed to ask the same again?
+
+use super::{Kind, Request, Setting, parts};
+
+impl Request {
+    /// The command line that asks the same, for a POSIX shell, in the folder in which it was asked.
+    pub fn command(&self) -> String {
+        let mut words = vec!["stiffarm".to_owned(), self.verb.name().to_owned()];
+        for given in self.given.iter().filter(|given| given.setting.is_positional) {
+            words.extend(given.texts.iter().map(|text| quoted(text.trim())));
+        }
+        for given in self.given.iter().filter(|given| !given.setting.is_positional) {
+            let name = given.setting.name;
+            for text in typed(given.setting, &given.texts) {
+                words.push(match given.setting.kind {
+                    Kind::Flag if text == "true" => format!("--{name}"),
+                    Kind::Flag => continue,
+                    // A value that begins with a minus is no option.
+                    _ if text.starts_with('-') => format!("--{name}={}", quoted(&text)),
+                    _ => format!("--{name} {}", quoted(&text)),
+                });
+            }
+        }
+        words.join(" ")
+    }
+}
+
+/// Values as they are typed: with commas between where that is how they are told apart.
+fn typed(setting: &Setting, texts: &[String]) -> Vec<String> {
+    let trimmed: Vec<String> = texts.iter().map(|text| text.trim().to_owned()).collect();
+    let is_joined = setting.is_list() && trimmed.iter().all(|text| !text.contains([',', ';']));
+    if is_joined && parts(setting, &trimmed.join(",")).count() == trimmed.len() {
+        vec![trimmed.join(",")]
+    } else {
+        trimmed
+    }
+}
+
+/// A word as a shell takes it for itself, whatever it holds.
+fn quoted(text: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "_-./:=+,@%".contains(c);
+    if !text.is_empty() && text.chars().all(is_plain) {
+        return text.into();
+    }
+    format!("'{}'", text.replace('\'', r"'\''"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Pair, Spelling, Verb};
+    use super::*;
+
+    #[test]
+    fn a_command_asks_the_same_and_nothing_in_it_is_run() {
+        let pair = |name: &str, text: &str| Pair { name: name.into(), text: text.into(), at: Spelling::Typed };
+        let pairs = [
+            pair("robot", "KR 210 R2700 extra"),
+            pair("task", "rect:0.6x0.4"),
+            pair("model", "spatial"),
+            pair("tool-mm", "-5,0,200"),
+            pair("within", "1.0..,0.5.."),
+        ];
+        let asked = Request::read(Verb::Place, &pairs, Spelling::Typed).unwrap();
+        assert_eq!(
+            asked.command(),
+            "stiffarm place 'KR 210 R2700 extra' --task rect:0.6x0.4 --model spatial --tool-mm=-5,0,200 --within 1.0..,0.5.."
+        );
+        let tasks = [pair("task", "A:0.5"), pair("task", "rect:0.1x0.2"), pair("robots", "BT200L,KR 210*")];
+        let asked = Request::read(Verb::Rank, &tasks, Spelling::Typed).unwrap();
+        assert_eq!(asked.command(), "stiffarm rank --task A:0.5,rect:0.1x0.2 --robots 'BT200L,KR 210*'");
+        assert_eq!(quoted("a'b; rm $(x) `y`\n\"&<"), "'a'\\''b; rm $(x) `y`\n\"&<'");
+        assert_eq!(quoted(""), "''");
+    }
+}
