@@ -216,7 +216,8 @@ fn a_place_a_path_and_an_identification_have_their_numbers() {
         assert!(text.contains(&fixed(&answer[key], digits)), "{key} {}", answer[key]);
     }
     for share in answer["worst_shares"].as_array().expect("shares") {
-        let percent = format!("{:.1} %", 100.0 * share.as_f64().unwrap());
+        // What rounds to zero has no sign.
+        let percent = format!("{:.1} %", 100.0 * share.as_f64().unwrap()).replace("-0.0", "0.0");
         assert!(text.contains(&percent), "{percent}");
     }
     let (text, answer) = (read(&page(ASKED[4].1)), json(ASKED[4].1));
