@@ -59,9 +59,9 @@ impl MillAnswer {
                 format!("{helps}: {what} less than {}, which is proved.", mm(bound))
             });
         }
-        told.extend(scattered(verdict.passes, self.spread, tolerance));
+        told.extend(scattered(verdict.passes, self.spread(), tolerance));
         told.extend(self.left(Some(tolerance)));
-        (judged(verdict.passes, self.spread, tolerance), told)
+        (judged(verdict.passes, self.spread(), tolerance), told)
     }
 
     /// What compensation leaves, where it was asked for.
