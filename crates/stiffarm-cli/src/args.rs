@@ -2,6 +2,7 @@
 #![allow(rustdoc::broken_intra_doc_links, reason = "help texts put units and defaults in brackets")]
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand, ValueEnum};
@@ -11,10 +12,12 @@ use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
 use stiffarm::request::{Kind, Pair, Refusal, Request, Spelling, Verb, job, number, open_range};
 
+use crate::client::Client;
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
 use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_pairs, positional_rows, positionals_of, subcommand, typed};
 use crate::output::{say, write_text};
+use crate::shelf::Shelf;
 
 /// What the program does.
 const ABOUT: &str =
@@ -244,12 +247,47 @@ pub(crate) struct Common {
     /// The job file that was read.
     #[arg(skip)]
     pub(crate) job: Option<PathBuf>,
+    /// Where what is named comes from.
+    #[arg(skip)]
+    pub(crate) shelf: Shelf,
+    /// Who waits, where it is not the one before this terminal.
+    #[arg(skip)]
+    pub(crate) client: Option<Arc<Client>>,
 }
 
 impl Common {
     /// Nothing of what was asked but the threads.
     pub(crate) fn bare(&self) -> Self {
-        Self { format: Format::Table, output: Vec::new(), threads: self.threads, quiet: false, check: false, job: None }
+        Self { threads: self.threads, ..Self::usual() }
+    }
+
+    /// As if nothing of it were asked.
+    pub(crate) fn usual() -> Self {
+        Self {
+            format: Format::Table,
+            output: Vec::new(),
+            threads: None,
+            quiet: false,
+            check: false,
+            job: None,
+            shelf: Shelf::Disk,
+            client: None,
+        }
+    }
+
+    /// Says something beside the answer, where that is wanted.
+    pub(crate) fn remark(&self, text: &str) {
+        if !self.quiet {
+            self.warn(text);
+        }
+    }
+
+    /// The same, wanted or not.
+    pub(crate) fn warn(&self, text: &str) {
+        match &self.client {
+            Some(client) => client.remark(text),
+            None => say(text),
+        }
     }
 
     /// Takes what a job file says of the program, where nothing else was typed.

@@ -1,6 +1,7 @@
 //! The program `stiffarm`: arguments in, answers out. It computes nothing itself.
 
 mod args;
+mod client;
 mod columns;
 mod commands;
 mod failure;
@@ -12,6 +13,7 @@ mod options;
 mod output;
 mod report;
 mod selection;
+mod shelf;
 mod table;
 
 use std::io::ErrorKind;
