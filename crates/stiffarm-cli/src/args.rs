@@ -26,8 +26,12 @@ const ABOUT: &str =
 /// What `paper` does.
 const PAPER: &str = "Make every table and figure of the paper under its number, in the folder given with -o";
 
+/// What `serve` does.
+const SERVE: &str =
+    "Serve a page in the browser, and all verbs over HTTP as JSON; it reads no files but those that are sent to it";
+
 /// The verbs of the library, with a line of help each.
-const VERBS: [(Verb, &str); 10] = [
+pub(crate) const VERBS: [(Verb, &str); 10] = [
     (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
     (Verb::Place, "Find the best place of one zone, with a proof"),
     (Verb::Map, "Map the deflection over everything a robot reaches"),
@@ -80,13 +84,21 @@ fn command_with(hidden: bool) -> Command {
             .value_parser(clap::value_parser!(PathBuf))
             .help("Write a page for every command into this folder"),
     );
+    let serve = ServeArgs::augment_args(Command::new("serve").about(SERVE));
     program
         .subcommands(VERBS.map(|(verb, about)| with_help(subcommand(verb, about, hidden), verb.name())))
         .subcommand(robots)
         .subcommand(with_help(PaperArgs::augment_args(Command::new("paper").about(PAPER)), "paper"))
+        .subcommand(shown(with_help(serve, "serve")))
         .subcommand(with_help(validate, "validate"))
         .subcommand(with_help(completions, "completions"))
         .subcommand(without_common(man))
+}
+
+/// The server has threads, and may be quiet.
+fn shown(command: Command) -> Command {
+    let help = "How many questions are computed at once [default: as many as there are cores]";
+    command.mut_arg("threads", |arg| arg.hide(false).help(help)).mut_arg("quiet", |arg| arg.hide(false))
 }
 
 /// What is to be done.
@@ -106,6 +118,8 @@ pub(crate) enum Task {
     Man(Option<PathBuf>),
     /// The published tables and figures.
     Paper(PaperArgs),
+    /// Everything above over HTTP.
+    Serve(ServeArgs),
 }
 
 /// What is to be done, and how the program behaves meanwhile.
@@ -132,6 +146,10 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
     if name == "paper" {
         let args = PaperArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
         return Ok((Task::Paper(args), common(inner)?));
+    }
+    if name == "serve" {
+        let args = ServeArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
+        return Ok((Task::Serve(args), common(inner)?));
     }
     let list = |pairs: &[Pair]| Request::read(Verb::List, pairs, Spelling::Typed);
     match inner.subcommand() {
@@ -349,6 +367,22 @@ pub(crate) struct PaperArgs {
     /// Width of the figures on paper [mm] [default: 1000 px]
     #[arg(long, value_name = "MM", value_parser = width)]
     pub(crate) width_mm: Option<f64>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ServeArgs {
+    /// Where to listen: an address of this machine, or its name; whoever reaches it may ask
+    #[arg(long, value_name = "HOST", default_value = "127.0.0.1")]
+    pub(crate) host: String,
+    /// On which port; 0 takes a free one, and tells it
+    #[arg(long, value_name = "PORT", default_value_t = 0)]
+    pub(crate) port: u16,
+    /// Open the page in the browser
+    #[arg(long)]
+    pub(crate) open: bool,
+    /// How long an answer may take that is asked for at once, s; longer ones are told line by line
+    #[arg(long, value_name = "S", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=3600))]
+    pub(crate) time_limit_s: u64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
