@@ -8,6 +8,7 @@ mod answer;
 mod bounds;
 mod form;
 mod listen;
+mod openapi;
 mod options;
 mod page;
 mod question;

@@ -15,7 +15,7 @@ use super::answer::answered;
 use super::form::Form;
 use super::question::{Question, form_of, query, unlike};
 use super::reply::{Refused, Reply, guarded, keep_as, note, reply};
-use super::{Server, options, page, robots, stream, view};
+use super::{Server, openapi, options, page, robots, stream, view};
 use crate::client::Client;
 
 /// Of a question, bytes: as large as a file may be.
@@ -40,6 +40,7 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
         return if is_read { robots::shown(server, name, asked.as_deref()).await } else { Err(Refused::method("GET")) };
     }
     match path.as_str() {
+        "/openapi.json" => read_only(Ok(openapi::reply())),
         "/api/options" => read_only(Ok(options::reply())),
         "/api/robots" => match is_read {
             true => robots::listed(server, asked.as_deref()).await,
@@ -55,7 +56,7 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
                 (Some(verb), _) => answer(server, verb, form_of(asked.as_deref())?, request).await,
                 (_, Some(verb)) if is_read => view::got(server, verb, &query(asked.as_deref())?).await,
                 (_, Some(verb)) => view::posted(server, verb, &body(request).await?).await,
-                _ => read_only(page::part(path, request.headers())),
+                _ => page::part(path, request.headers()).and_then(|part| read_only(Ok(part))),
             }
         }
     }
