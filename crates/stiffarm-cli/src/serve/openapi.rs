@@ -1,4 +1,4 @@
-//! What can be asked, and what is answered, as OpenAPI 3.1: from the table of options, so that it says what the server takes.
+//! What can be asked, and what is answered, as `OpenAPI` 3.1: from the table of options, so that it says what the server takes.
 
 use serde_json::{Map, Value, json};
 use stiffarm::request::{Absent, Kind, Setting, Verb};
@@ -34,10 +34,11 @@ pub(super) fn description() -> Value {
     }
     let table = || json!({ "type": "object" });
     let sheets = || json!({ "type": "array", "items": table() });
-    paths.insert("/api/options".into(), json!({ "get": told("Every option of every verb", &[], options_schema()) }));
+    paths.insert("/api/options".into(), json!({ "get": told("Every option of every verb", &[], &options_schema()) }));
     let filters: Vec<Value> = Verb::List.settings().map(parameter).chain([words()]).collect();
-    paths.insert("/api/robots".into(), json!({ "get": told("Robots of the catalogue", &filters, sheets()) }));
-    paths.insert("/api/robots/{name}".into(), json!({ "get": told("One robot of the catalogue", &[name()], table()) }));
+    paths.insert("/api/robots".into(), json!({ "get": told("Robots of the catalogue", &filters, &sheets()) }));
+    paths
+        .insert("/api/robots/{name}".into(), json!({ "get": told("One robot of the catalogue", &[name()], &table()) }));
     paths.insert("/api/robots/check".into(), json!({ "post": checked() }));
     json!({
         "openapi": "3.1.0",
@@ -150,7 +151,7 @@ fn name() -> Value {
 }
 
 /// Something that is read.
-fn told(about: &str, parameters: &[Value], schema: Value) -> Value {
+fn told(about: &str, parameters: &[Value], schema: &Value) -> Value {
     let mut responses = refusals();
     responses["200"] = json!({ "description": about, "content": { "application/json": { "schema": schema } } });
     json!({ "summary": about, "parameters": parameters, "responses": responses })
@@ -174,7 +175,7 @@ fn checked() -> Value {
     });
     let mut question = json!({ "type": "object", "additionalProperties": false, "required": ["name", "text"] });
     question["properties"] = json!({ "name": text(), "text": text() });
-    let mut told = told("What is wrong with a robot file, a URDF, or OPW parameters", &[], verdict);
+    let mut told = told("What is wrong with a robot file, a URDF, or OPW parameters", &[], &verdict);
     told["requestBody"] = json!({ "required": true, "content": { "application/json": { "schema": question } } });
     told
 }

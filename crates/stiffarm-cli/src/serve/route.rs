@@ -42,10 +42,8 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
     match path.as_str() {
         "/openapi.json" => read_only(Ok(openapi::reply())),
         "/api/options" => read_only(Ok(options::reply())),
-        "/api/robots" => match is_read {
-            true => robots::listed(server, asked.as_deref()).await,
-            false => Err(Refused::method("GET")),
-        },
+        "/api/robots" if is_read => robots::listed(server, asked.as_deref()).await,
+        "/api/robots" => Err(Refused::method("GET")),
         "/api/robots/check" => robots::checked(server, posted(request).await?).await,
         path => {
             let verb = |prefix: &str| {
