@@ -2,6 +2,7 @@
 #![allow(rustdoc::broken_intra_doc_links, reason = "help texts put units and defaults in brackets")]
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand, ValueEnum};
@@ -11,10 +12,12 @@ use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
 use stiffarm::request::{Kind, Pair, Refusal, Request, Spelling, Verb, job, number, open_range};
 
+use crate::client::Client;
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
 use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_pairs, positional_rows, positionals_of, subcommand, typed};
 use crate::output::{say, write_text};
+use crate::shelf::Shelf;
 
 /// What the program does.
 const ABOUT: &str =
@@ -23,8 +26,12 @@ const ABOUT: &str =
 /// What `paper` does.
 const PAPER: &str = "Make every table and figure of the paper under its number, in the folder given with -o";
 
+/// What `serve` does.
+const SERVE: &str =
+    "Serve a page in the browser, and all verbs over HTTP as JSON; it reads no files but those that are sent to it";
+
 /// The verbs of the library, with a line of help each.
-const VERBS: [(Verb, &str); 10] = [
+pub(crate) const VERBS: [(Verb, &str); 10] = [
     (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
     (Verb::Place, "Find the best place of one zone, with a proof"),
     (Verb::Map, "Map the deflection over everything a robot reaches"),
@@ -77,13 +84,21 @@ fn command_with(hidden: bool) -> Command {
             .value_parser(clap::value_parser!(PathBuf))
             .help("Write a page for every command into this folder"),
     );
+    let serve = ServeArgs::augment_args(Command::new("serve").about(SERVE));
     program
         .subcommands(VERBS.map(|(verb, about)| with_help(subcommand(verb, about, hidden), verb.name())))
         .subcommand(robots)
         .subcommand(with_help(PaperArgs::augment_args(Command::new("paper").about(PAPER)), "paper"))
+        .subcommand(shown(with_help(serve, "serve")))
         .subcommand(with_help(validate, "validate"))
         .subcommand(with_help(completions, "completions"))
         .subcommand(without_common(man))
+}
+
+/// The server has threads, and may be quiet.
+fn shown(command: Command) -> Command {
+    let help = "How many questions are computed at once [default: as many as there are cores]";
+    command.mut_arg("threads", |arg| arg.hide(false).help(help)).mut_arg("quiet", |arg| arg.hide(false))
 }
 
 /// What is to be done.
@@ -103,6 +118,8 @@ pub(crate) enum Task {
     Man(Option<PathBuf>),
     /// The published tables and figures.
     Paper(PaperArgs),
+    /// Everything above over HTTP.
+    Serve(ServeArgs),
 }
 
 /// What is to be done, and how the program behaves meanwhile.
@@ -129,6 +146,10 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
     if name == "paper" {
         let args = PaperArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
         return Ok((Task::Paper(args), common(inner)?));
+    }
+    if name == "serve" {
+        let args = ServeArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
+        return Ok((Task::Serve(args), common(inner)?));
     }
     let list = |pairs: &[Pair]| Request::read(Verb::List, pairs, Spelling::Typed);
     match inner.subcommand() {
@@ -244,12 +265,47 @@ pub(crate) struct Common {
     /// The job file that was read.
     #[arg(skip)]
     pub(crate) job: Option<PathBuf>,
+    /// Where what is named comes from.
+    #[arg(skip)]
+    pub(crate) shelf: Shelf,
+    /// Who waits, where it is not the one before this terminal.
+    #[arg(skip)]
+    pub(crate) client: Option<Arc<Client>>,
 }
 
 impl Common {
     /// Nothing of what was asked but the threads.
     pub(crate) fn bare(&self) -> Self {
-        Self { format: Format::Table, output: Vec::new(), threads: self.threads, quiet: false, check: false, job: None }
+        Self { threads: self.threads, ..Self::usual() }
+    }
+
+    /// As if nothing of it were asked.
+    pub(crate) fn usual() -> Self {
+        Self {
+            format: Format::Table,
+            output: Vec::new(),
+            threads: None,
+            quiet: false,
+            check: false,
+            job: None,
+            shelf: Shelf::Disk,
+            client: None,
+        }
+    }
+
+    /// Says something beside the answer, where that is wanted.
+    pub(crate) fn remark(&self, text: &str) {
+        if !self.quiet {
+            self.warn(text);
+        }
+    }
+
+    /// The same, wanted or not.
+    pub(crate) fn warn(&self, text: &str) {
+        match &self.client {
+            Some(client) => client.remark(text),
+            None => say(text),
+        }
     }
 
     /// Takes what a job file says of the program, where nothing else was typed.
@@ -311,6 +367,22 @@ pub(crate) struct PaperArgs {
     /// Width of the figures on paper [mm] [default: 1000 px]
     #[arg(long, value_name = "MM", value_parser = width)]
     pub(crate) width_mm: Option<f64>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ServeArgs {
+    /// Where to listen: an address of this machine, or its name; whoever reaches it may ask
+    #[arg(long, value_name = "HOST", default_value = "127.0.0.1")]
+    pub(crate) host: String,
+    /// On which port; 0 takes a free one, and tells it
+    #[arg(long, value_name = "PORT", default_value_t = 0)]
+    pub(crate) port: u16,
+    /// Open the page in the browser
+    #[arg(long)]
+    pub(crate) open: bool,
+    /// How long an answer may take that is asked for at once, s; longer ones are told line by line
+    #[arg(long, value_name = "S", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=3600))]
+    pub(crate) time_limit_s: u64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -21,6 +21,14 @@ pub(crate) enum Failure {
     /// The reader of stdout has gone.
     #[error("the reader has gone")]
     ClosedPipe,
+    /// Nothing can be served there.
+    #[error("cannot listen at {address}: {error}")]
+    Listen {
+        /// Where.
+        address: String,
+        /// Why.
+        error: io::Error,
+    },
     /// Stdout cannot be written.
     #[error("cannot write to standard output: {0}")]
     Stdout(io::Error),
@@ -35,6 +43,9 @@ pub(crate) enum Failure {
     /// A file or folder is not read.
     #[error(transparent)]
     Unreadable(#[from] Unreadable),
+    /// A text that did not come with the question.
+    #[error("no text of the name '{0}' came along")]
+    NotSent(String),
     /// A single minus is no file.
     #[error("-o - is no file; expected a file's name")]
     Dash,
@@ -267,6 +278,8 @@ impl Failure {
             Self::ClosedPipe => "nothing is left to do",
             Self::NotHeld(_) => "the answer stands above; without --check it is no failure",
             Self::Stdout(_) => "-o FILE writes the answer to a file instead",
+            Self::Listen { .. } => "--port 0 takes a free port; --host takes an address of this machine, usually 127.0.0.1",
+            Self::NotSent(_) => "\"files\" holds the texts that are named, each under its name; no file of the server is read",
             Self::Dash => {
                 "without -o the answer goes to standard output; --format json, csv or md chooses its form there"
             }

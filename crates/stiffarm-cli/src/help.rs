@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 18] = [
+const ABOUT: [About; 19] = [
     About {
         name: "rank",
         files: "a report to hand on as .html or report.pdf, the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -210,6 +210,18 @@ const ABOUT: [About; 18] = [
         examples: &[
             ("stiffarm paper -o paper", "every table and figure of the paper, with the command of each"),
             ("stiffarm paper -o paper --pictures pdf --width-mm 170", "for print, texts 8 pt high"),
+        ],
+    },
+    About {
+        name: "serve",
+        files: "",
+        is_long: true,
+        examples: &[
+            ("stiffarm serve --open", "the page, on this machine alone, on a free port"),
+            (
+                "stiffarm serve --port 8080 --threads 8",
+                "a port that is known, and eight questions at once; GET /openapi.json describes what can be asked",
+            ),
         ],
     },
     About {

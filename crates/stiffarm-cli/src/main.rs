@@ -1,6 +1,7 @@
 //! The program `stiffarm`: arguments in, answers out. It computes nothing itself.
 
 mod args;
+mod client;
 mod columns;
 mod commands;
 mod failure;
@@ -12,6 +13,8 @@ mod options;
 mod output;
 mod report;
 mod selection;
+mod serve;
+mod shelf;
 mod table;
 
 use std::io::ErrorKind;
@@ -25,11 +28,14 @@ use output::say;
 use stiffarm::request::Verb;
 
 /// Of each thread, bytes: as much as the first one has.
-const STACK: usize = 8 << 20;
+pub(crate) const STACK: usize = 8 << 20;
 
 fn main() -> ExitCode {
     let outcome = match args::command().try_get_matches() {
-        Ok(matches) => args::read(&matches).and_then(|(task, common)| pool(&common).install(|| answer(&task, &common))),
+        Ok(matches) => args::read(&matches).and_then(|(task, common)| match task {
+            Task::Serve(args) => serve::run(&args, &common),
+            task => pool(&common).install(|| answer(&task, &common)),
+        }),
         Err(usage) => return told(&usage),
     };
     match outcome {
@@ -61,6 +67,7 @@ fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
         Task::List(words, asked) => commands::robots::listed(words, asked, common),
         Task::Robots(action) => commands::robots::run(action, common),
         Task::Paper(args) => commands::paper::run(args, common),
+        Task::Serve(args) => serve::run(args, common),
         Task::Validate => commands::validate::run(common),
         Task::Completions(shell) => output::print_text(&commands::shell::completions(*shell)),
         Task::Man(folder) => commands::shell::man(folder.as_deref(), common),

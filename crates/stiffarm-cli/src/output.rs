@@ -59,6 +59,28 @@ pub(crate) trait Answer {
     }
 }
 
+/// An answer of any kind, for those who do not ask which.
+pub(crate) trait Told {
+    /// Writes what a file of this name would hold.
+    ///
+    /// # Errors
+    /// Where there is no file of this ending, nothing to draw, or `out` takes no more.
+    fn write_as(&self, name: &Path, out: &mut (dyn Write + Send)) -> Result<(), Failure>;
+    /// It makes a report.
+    fn is_reported(&self) -> bool;
+}
+
+impl<A: Answer> Told for A {
+    fn write_as(&self, name: &Path, mut out: &mut (dyn Write + Send)) -> Result<(), Failure> {
+        let failure = |error| Failure::Write { path: name.into(), error };
+        Body::of_file(self, &known::<A>(name)?)?.write(&mut out).map_err(failure)
+    }
+
+    fn is_reported(&self) -> bool {
+        A::IS_REPORTED
+    }
+}
+
 /// The files that were asked for. Without them no answer is delivered, so none is computed that could not be written.
 pub(crate) struct Outputs<'a> {
     common: &'a Common,
@@ -84,10 +106,7 @@ impl<'a> Outputs<'a> {
             if path.as_os_str() == "-" {
                 return Err(Failure::Dash);
             }
-            let Some(form) = form::<A>(path) else {
-                return Err(Failure::Ending { command: A::COMMAND, path: path.into(), expected: endings::<A>() });
-            };
-            files.push((path.as_path(), form, sink(path, inputs)?));
+            files.push((path.as_path(), known::<A>(path)?, sink(path, inputs)?));
         }
         Ok(Self { common, files })
     }
@@ -122,6 +141,11 @@ impl<'a> Outputs<'a> {
         }
         Err(first)
     }
+}
+
+/// The form that a name asks for, where the command makes it.
+fn known<A: Answer>(path: &Path) -> Result<Form, Failure> {
+    form::<A>(path).ok_or_else(|| Failure::Ending { command: A::COMMAND, path: path.into(), expected: endings::<A>() })
 }
 
 /// Opens one file, whatever it points to.

@@ -2,23 +2,21 @@
 
 use std::path::{Path, PathBuf};
 
-use stiffarm::catalogue::files::{self, Loaded};
+use stiffarm::catalogue::files::{Loaded, shown};
 use stiffarm::catalogue::{self, NothingLeft, paper_robots, suggestions};
 use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 
 use crate::args::Common;
 use crate::failure::Failure;
-use crate::output::say;
 
 /// The one robot that a name or path means.
 pub(crate) fn robot(name: &str, common: &Common) -> Result<Robot, Failure> {
     if let Some(entry) = catalogue::find(name) {
         return Ok(entry.robot());
     }
-    let path = Path::new(name);
-    if path.exists() || files::is_robot_file(path) {
-        return read_file(path, common);
+    if common.shelf.holds(name) || common.shelf.is_file_name(name) {
+        return read_file(Path::new(name), common);
     }
     let suggestions = suggestions(name).into_iter().map(Into::into).collect();
     Err(Failure::UnknownRobot { name: name.into(), suggestions })
@@ -63,10 +61,8 @@ fn told_apart(found: Vec<Found>, common: &Common) -> Vec<Robot> {
     for (Found { mut robot, file }, name) in found.into_iter().zip(&names) {
         let alike = names.iter().filter(|other| *other == name).count();
         if let Some(file) = file.filter(|_| 1 < alike) {
-            if !common.quiet {
-                say(&format!("note: {}: one of {alike} different robots named {name}", files::shown(&file)));
-            }
-            robot.name = format!("{} ({})", robot.name, files::shown(&file));
+            common.remark(&format!("note: {}: one of {alike} different robots named {name}", shown(&file)));
+            robot.name = format!("{} ({})", robot.name, shown(&file));
         }
         robots.push(robot);
     }
@@ -74,7 +70,6 @@ fn told_apart(found: Vec<Found>, common: &Common) -> Vec<Robot> {
 }
 
 fn matching(name: &str, common: &Common) -> Result<Vec<Found>, Failure> {
-    let path = Path::new(name);
     let with_file = |path: &Path| Ok(Found { robot: read_file(path, common)?, file: Some(path.into()) });
     match name {
         "" => {
@@ -85,11 +80,11 @@ fn matching(name: &str, common: &Common) -> Result<Vec<Found>, Failure> {
         "all" => return Ok(catalogue::robots().into_iter().map(Found::from).collect()),
         _ => {}
     }
-    if path.is_dir() {
-        return files::robot_files(path)?.iter().map(|path| with_file(path)).collect();
+    if let Some(files) = common.shelf.folder(name) {
+        return files?.iter().map(|path| with_file(path)).collect();
     }
-    if catalogue::find(name).is_none() && path.exists() {
-        return Ok(vec![with_file(path)?]);
+    if catalogue::find(name).is_none() && common.shelf.holds(name) {
+        return Ok(vec![with_file(Path::new(name))?]);
     }
     if !name.contains(['*', '?', '[']) {
         return Ok(vec![robot(name, common)?.into()]);
@@ -102,11 +97,9 @@ fn matching(name: &str, common: &Common) -> Result<Vec<Found>, Failure> {
 
 /// Reads and checks one robot file; a URDF is imported as it stands, and what was chosen in that is said on stderr.
 pub(crate) fn read_file(path: &Path, common: &Common) -> Result<Robot, Failure> {
-    let Loaded { robot, notes } = files::load(path)?;
-    if !common.quiet {
-        for note in &notes {
-            say(&format!("note: {}: {note}", files::shown(path)));
-        }
+    let Loaded { robot, notes } = common.shelf.robot(path)?;
+    for note in &notes {
+        common.remark(&format!("note: {}: {note}", shown(path)));
     }
     Ok(robot)
 }

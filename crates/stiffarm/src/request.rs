@@ -14,7 +14,9 @@ mod notation;
 mod on_path;
 mod options;
 mod path;
+mod python;
 mod refusal;
+mod sent;
 mod settings;
 mod sides;
 mod wishes;
@@ -26,6 +28,7 @@ pub use notation::{
 };
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};
+pub use sent::sent;
 pub use settings::{Absent, Of, SETTINGS, Setting, Verb};
 pub use sides::SetupError;
 pub use wishes::Layer;
@@ -118,6 +121,11 @@ impl Request {
     /// Was it given, rather than left to its default?
     pub fn is_given(&self, name: &str) -> bool {
         self.find(name).is_some()
+    }
+
+    /// What was given, and how many values of it.
+    pub fn counts(&self) -> impl Iterator<Item = (&'static str, usize)> + '_ {
+        self.given.iter().map(|given| (given.setting.name, given.values.len()))
     }
 
     fn find(&self, name: &str) -> Option<&Given> {
@@ -260,7 +268,7 @@ fn setting_of(verb: Verb, pair: &Pair) -> Result<&'static Setting, Refusal> {
     let Pair { name, at, .. } = pair;
     let is_meant = |setting: &&Setting| match at {
         Spelling::Keyword => setting.keyword() == *name,
-        Spelling::Typed | Spelling::Key { .. } => setting.name == name,
+        Spelling::Typed | Spelling::Key { .. } | Spelling::Sent => setting.name == name,
     };
     if let Some(setting) = verb.settings().find(is_meant) {
         return Ok(setting);

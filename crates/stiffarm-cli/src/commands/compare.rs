@@ -21,27 +21,31 @@ use crate::table::{prose, shown};
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let names = asked.setups()?;
-    let [a, b] = names.each_ref().map(|name| setup(name, asked, common));
-    let sides = [a?, b?];
-    let plate = Plate::of(asked)?;
-    let robots = sides.each_ref().map(|(asked, _)| asked.robot().unwrap_or_default());
+    let [a, b] = names.each_ref().map(|name| common.shelf.setup(name, asked));
+    let robots = [a?, b?].map(|asked| asked.robot().unwrap_or_default());
     let inputs: Vec<&Path> = names.iter().chain(&robots).map(|name| Path::new(name.trim())).collect();
     let outputs = Outputs::open::<CompareOutput>(common, &inputs)?;
+    outputs.deliver(&answer(asked, common)?)
+}
+
+pub(super) fn answer(asked: &Request, common: &Common) -> Result<CompareOutput, Failure> {
+    let [a, b] = asked.setups()?.map(|name| setup(&name, asked, common));
+    let (sides, plate) = ([a?, b?], Plate::of(asked)?);
     let [a, b] = sides.map(|(asked, robot)| PlaceOutput::of(&asked, robot, common));
     let sides = [a?, b?];
     let answer = CompareAnswer { sides: sides.each_ref().map(|side| side.answer.clone()) };
-    outputs.deliver(&CompareOutput { answer, sides, plate })
+    Ok(CompareOutput { answer, sides, plate })
 }
 
 /// What is asked of a setup, and its robot.
 fn setup(name: &str, asked: &Request, common: &Common) -> Result<(Request, Robot), Failure> {
-    let request = asked.of_setup(name)?;
+    let request = common.shelf.setup(name, asked)?;
     request.check_complete()?;
     let robot = selection::robot(&request.robot()?, common)?;
     Ok((request, robot))
 }
 
-struct CompareOutput {
+pub(super) struct CompareOutput {
     answer: CompareAnswer,
     sides: [PlaceOutput; 2],
     plate: Plate,

@@ -17,42 +17,44 @@ use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::view3d::{ArmMark, Arrow, View};
 use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty, say};
+use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
 use crate::table::{prose, shown};
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let name = asked.robot()?;
     let outputs = Outputs::open::<ComplianceOutput>(common, &[Path::new(&name)])?;
-    let robot = asked.equipped(selection::robot(&name, common)?)?;
+    outputs.deliver(&answer(asked, common)?)
+}
+
+pub(super) fn answer(asked: &Request, common: &Common) -> Result<ComplianceOutput, Failure> {
+    let robot = asked.equipped(selection::robot(&asked.robot()?, common)?)?;
     let q = asked.joints_deg()?;
     let tool = asked.held().tool();
     let load = asked.posture_load();
     let radians = q.map(f64::to_radians);
     let posture =
         compliance(&robot, &radians, &tool).map_err(|error| Failure::Posture { robot: robot.name.clone(), error })?;
-    if !common.quiet {
-        remarks(&robot, &q, &radians);
-    }
+    remarks(&robot, [&q, &radians], common);
     let answer = ComplianceAnswer { robot, joints_deg: q, posture, load };
-    outputs.deliver(&ComplianceOutput { answer, tool })
+    Ok(ComplianceOutput { answer, tool })
 }
 
-/// Says on stderr what looks wrong about the joint angles.
-fn remarks(robot: &Robot, q: &[f64; 6], radians: &[f64; 6]) {
+/// Says beside the answer what looks wrong about the joint angles.
+fn remarks(robot: &Robot, [q, radians]: [&[f64; 6]; 2], common: &Common) {
     if q.iter().any(|angle| *angle != 0.0) && q.iter().all(|angle| angle.abs() <= std::f64::consts::TAU) {
-        say("warning: no joint angle is beyond 6.3 deg; if these are radians, convert them to degrees");
+        common.remark("warning: no joint angle is beyond 6.3 deg; if these are radians, convert them to degrees");
     }
     for joint in beyond_limits(robot, radians) {
         let which = if joint == 0 { "the angle between the links".into() } else { format!("joint {joint}") };
-        say(&format!("warning: {which} is beyond its limits (`stiffarm robots show` lists them)"));
+        common.remark(&format!("warning: {which} is beyond its limits (`stiffarm robots show` lists them)"));
     }
 }
 
 /// How long a force is drawn, m.
 const FORCE_DRAWN: f64 = 0.4;
 
-struct ComplianceOutput {
+pub(super) struct ComplianceOutput {
     answer: ComplianceAnswer,
     tool: Pose,
 }

@@ -18,13 +18,18 @@ use crate::table::{prose, shown};
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let name = asked.process()?;
     let outputs = Outputs::open::<ForceOutput>(common, &[Path::new(&name)])?;
-    let file = files::shown(Path::new(&name));
-    let process = read_process(&files::text(Path::new(&name))?, &file).map_err(Failure::ProcessFile)?;
-    let force = process.process.force().map_err(|error| Failure::Process { file: file.clone(), error })?;
-    outputs.deliver(&ForceOutput(CuttingAnswer { file, process, force }, Plate::of(asked)?))
+    outputs.deliver(&answer(asked, common)?)
 }
 
-struct ForceOutput(CuttingAnswer, Plate);
+pub(super) fn answer(asked: &Request, common: &Common) -> Result<ForceOutput, Failure> {
+    let name = asked.process()?;
+    let file = files::shown(Path::new(&name));
+    let process = read_process(&common.shelf.text(&name)?, &file).map_err(Failure::ProcessFile)?;
+    let force = process.process.force().map_err(|error| Failure::Process { file: file.clone(), error })?;
+    Ok(ForceOutput(CuttingAnswer { file, process, force }, Plate::of(asked)?))
+}
+
+pub(super) struct ForceOutput(CuttingAnswer, Plate);
 
 impl Answer for ForceOutput {
     const COMMAND: &'static str = "force";

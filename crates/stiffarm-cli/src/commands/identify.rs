@@ -13,7 +13,7 @@ use crate::args::Common;
 use crate::failure::Failure;
 use crate::figures::{Plate, identify as figure};
 use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty, say};
+use crate::output::{Answer, Outputs, pretty};
 use crate::report::{self, Report};
 use crate::selection;
 use crate::table::sheet;
@@ -21,16 +21,18 @@ use crate::table::sheet;
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let (data, name) = (asked.data()?, asked.robot()?);
     let outputs = Outputs::open::<IdentifyOutput>(common, &[Path::new(&data), Path::new(&name)])?;
-    let robot = selection::robot(&name, common)?;
-    let (measured, data) = super::table_of(&data, asked, measurements::read)?;
+    outputs.deliver(&answer(asked, common)?)
+}
+
+pub(super) fn answer<'a>(asked: &'a Request, common: &Common) -> Result<IdentifyOutput<'a>, Failure> {
+    let robot = selection::robot(&asked.robot()?, common)?;
+    let (measured, data) = super::table_of(&asked.data()?, (asked, common), measurements::read)?;
     let options = asked.identification();
     let found = watched("identifying", common, |watch| identify(&robot, &measured, &options, watch));
     let found = found.map_err(|error| Failure::Identify { data: data.clone(), error })?;
-    if !common.quiet {
-        found.remarks.iter().for_each(|remark| say(&format!("warning: {remark}")));
-    }
+    found.remarks.iter().for_each(|remark| common.remark(&format!("warning: {remark}")));
     let answer = IdentifyAnswer { found, before: robot, data, date: options.date };
-    outputs.deliver(&IdentifyOutput { answer, asked, plate: Plate::of(asked)? })
+    Ok(IdentifyOutput { answer, asked, plate: Plate::of(asked)? })
 }
 
 pub(crate) struct IdentifyOutput<'a> {

@@ -24,15 +24,19 @@ use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::sheets::Ways;
 use crate::figures::view3d::{Arrow, Cell, Sheet, View, Zone};
 use crate::look::Look;
-use crate::output::{Answer, Outputs, figure, pretty, say};
+use crate::output::{Answer, Outputs, figure, pretty};
 use crate::selection;
 use crate::table::{prose, shown};
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let (name, kind, options) = (asked.robot()?, asked.model(), asked.map_options());
+    let outputs = Outputs::open::<MapOutput>(common, &[Path::new(&asked.robot()?)])?;
+    outputs.deliver(&answer(asked, common)?)
+}
+
+pub(super) fn answer(asked: &Request, common: &Common) -> Result<MapOutput, Failure> {
+    let (kind, options) = (asked.model(), asked.map_options());
     let (plate, tolerance_mm) = (Plate::of(asked)?, asked.tolerance_mm());
-    let robot = asked.equipped(selection::robot(&name, common)?)?;
-    let outputs = Outputs::open::<MapOutput>(common, &[Path::new(&name)])?;
+    let robot = asked.equipped(selection::robot(&asked.robot()?, common)?)?;
     let failure = |error| Failure::Map { robot: robot.name.clone(), error };
     let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
     let map =
@@ -50,25 +54,23 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
             let search = |watch: Watch| place_task_watched(&model, &task.zone.into(), &options, watch);
             let placed = watched("searching places", common, search)
                 .map_err(|error| Failure::Place { robot: robot.name.clone(), error })?;
-            if placed.feasible().is_none() && !common.quiet {
-                say(&format!("note: {} has no place for {}; `stiffarm place` says why", robot.name, task.label));
+            if placed.feasible().is_none() {
+                common.remark(&format!(
+                    "note: {} has no place for {}; `stiffarm place` says why",
+                    robot.name, task.label
+                ));
             }
             let robot = robot.clone();
             Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm, advice: None })
         }
     };
-    outputs.deliver(&MapOutput {
-        layer: asked.layer(),
-        answer: MapAnswer { model, options, map, zone },
-        plate,
-        tolerance_mm,
-    })
+    Ok(MapOutput { layer: asked.layer(), answer: MapAnswer { model, options, map, zone }, plate, tolerance_mm })
 }
 
 /// How long a force is drawn in space, m.
 const FORCE_DRAWN: f64 = 0.4;
 
-struct MapOutput {
+pub(super) struct MapOutput {
     answer: MapAnswer,
     /// What the figure shows.
     layer: Layer,

@@ -21,7 +21,11 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let inputs: Vec<&Path> =
         [Some(&name), mine.as_ref()].into_iter().flatten().map(|name| Path::new(name.as_str())).collect();
     let outputs = Outputs::open::<MeasureOutput>(common, &inputs)?;
-    let robot = asked.equipped(selection::robot(&name, common)?)?;
+    outputs.deliver(&answer(asked, common)?)
+}
+
+pub(super) fn answer(asked: &Request, common: &Common) -> Result<MeasureOutput, Failure> {
+    let robot = asked.equipped(selection::robot(&asked.robot()?, common)?)?;
     let failed = |error: MeasureError| Failure::Measure { robot: robot.name.clone(), error };
     let mut options = asked.measurement_plan();
     let mut work = "anywhere within the limits".to_owned();
@@ -31,7 +35,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
         let tool = asked.held().tool();
         options.work = watched("placing", common, |watch| over(&robot, &tool, task.zone, watch)).map_err(failed)?;
     }
-    let own = mine.map(|name| own_runs(&name, asked)).transpose()?;
+    let own = asked.compared().map(|name| own_runs(&name, asked, common)).transpose()?;
     let found = watched("planning", common, |watch| plan(&robot, &options, watch)).map_err(failed)?;
     let compared = match own {
         None => None,
@@ -41,16 +45,16 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
             Some((name, runs.len(), value, efficiency))
         }
     };
-    outputs.deliver(&MeasureOutput(MeasureAnswer { robot, options, work, plan: found, compared }))
+    Ok(MeasureOutput(MeasureAnswer { robot, options, work, plan: found, compared }))
 }
 
 /// Postures and loads of a table of one's own; of several markers of one run the first.
-fn own_runs(name: &str, asked: &Request) -> Result<(String, Vec<stiffarm::measure::OwnRun>), Failure> {
-    let (planned, shown) = super::table_of(name, asked, measurements::read_planned)?;
+fn own_runs(name: &str, asked: &Request, common: &Common) -> Result<(String, Vec<stiffarm::measure::OwnRun>), Failure> {
+    let (planned, shown) = super::table_of(name, (asked, common), measurements::read_planned)?;
     Ok((shown, stiffarm::measure::own(&planned)))
 }
 
-struct MeasureOutput(MeasureAnswer);
+pub(super) struct MeasureOutput(MeasureAnswer);
 
 impl Answer for MeasureOutput {
     const COMMAND: &'static str = "measure";

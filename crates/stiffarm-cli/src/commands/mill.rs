@@ -1,6 +1,6 @@
 //! `stiffarm mill PATH`: the error along a toolpath; with `--dry` what is understood of it.
 
-use std::io::{self, BufReader, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::answer::{MillAnswer, PathAnswer, PathRankAnswer, Rows, Unit};
@@ -9,7 +9,7 @@ use stiffarm::mill::{RollMap, Stand};
 use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
 use stiffarm::request::Request;
-use stiffarm::toolpath::{Builtin, Format, Move, Original, Survey, Understood, read_toolpath};
+use stiffarm::toolpath::{Builtin, Format, Move, Original, Survey, Understood};
 use stiffarm::watch::Watch;
 
 use super::path_ranking::PathRankOutput;
@@ -20,7 +20,7 @@ use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
 use crate::figures::view3d::{Cell, Sheet, View, Zone};
 use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty, say};
+use crate::output::{Answer, Outputs, pretty};
 use crate::report::{self, Report};
 use crate::selection;
 use crate::table::{prose, shown};
@@ -35,52 +35,67 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let path = asked.path()?;
     if asked.is_dry() {
         let outputs = Outputs::open::<PathOutput>(common, &[Path::new(&path)])?;
-        let mut survey = Survey::new(asked.steps());
-        let understood = read_moves(asked, &path, common, &mut |one| survey.add(one))?;
-        return outputs.deliver(&PathOutput(PathAnswer { path, understood, survey }));
+        return outputs.deliver(&surveyed(asked, common)?);
     }
     if asked.ranks_on_path() {
-        return ranked_on_path(asked, path, common);
+        return ranked_on_path(asked, common);
     }
     let (name, process) = (asked.robot()?, asked.given_process());
     let inputs: Vec<&Path> = [&path, &name].into_iter().chain(&process).map(Path::new).collect();
     let outputs = Outputs::open::<MillOutput>(common, &inputs)?;
-    let robot = selection::robot(&name, common)?;
-    let process = read_process_of(asked)?;
+    let found = answer(asked, common)?;
+    let shortfall = found.answer.shortfall().filter(|_| common.check);
+    outputs.deliver(&found)?;
+    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+}
+
+/// What is understood of a path.
+pub(super) fn surveyed(asked: &Request, common: &Common) -> Result<PathOutput, Failure> {
+    let (path, mut survey) = (asked.path()?, Survey::new(asked.steps()));
+    let understood = read_moves(asked, &path, common, &mut |one| survey.add(one))?;
+    Ok(PathOutput(PathAnswer { path, understood, survey }))
+}
+
+pub(super) fn answer<'a>(asked: &'a Request, common: &'a Common) -> Result<MillOutput<'a>, Failure> {
+    let path = asked.path()?;
+    let robot = selection::robot(&asked.robot()?, common)?;
+    let process = read_process_of(asked, common)?;
     let mut moves: Vec<Move> = Vec::new();
     let understood = read_moves(asked, &path, common, &mut |one| moves.push(*one))?;
     let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, &moves), process, watch);
     let mut answer = watched("milling", common, milled)?;
     answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
-    let shortfall = answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&MillOutput { answer, asked, plate: Plate::of(asked)? })?;
-    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+    Ok(MillOutput { answer, asked, common, plate: Plate::of(asked)? })
 }
 
 /// Several robots on the path, each at its best place.
-fn ranked_on_path(asked: &Request, path: String, common: &Common) -> Result<(), Failure> {
-    let names = asked.robots();
-    let process = asked.given_process();
-    let inputs: Vec<&Path> = [&path].into_iter().chain(&names).chain(&process).map(Path::new).collect();
+fn ranked_on_path(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let (names, process) = (asked.robots(), asked.given_process());
+    let inputs: Vec<&Path> = [&asked.path()?].into_iter().chain(&names).chain(&process).map(Path::new).collect();
     let outputs = Outputs::open::<PathRankOutput>(common, &inputs)?;
-    let robots = selection::keep(selection::robots(&names, common)?, asked, &[])?;
-    let process = read_process_of(asked)?;
+    let found = ranked(asked, common)?;
+    let shortfall = found.answer.shortfall().filter(|_| common.check);
+    outputs.deliver(&found)?;
+    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+}
+
+pub(super) fn ranked(asked: &Request, common: &Common) -> Result<PathRankOutput, Failure> {
+    let path = asked.path()?;
+    let robots = selection::keep(selection::robots(&asked.robots(), common)?, asked, &[])?;
+    let process = read_process_of(asked, common)?;
     let mut moves: Vec<Move> = Vec::new();
     let understood = read_moves(asked, &path, common, &mut |one| moves.push(*one))?;
     let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch);
     let mut answer = watched("milling with every robot", common, ranked)?;
     answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
-    let shortfall = answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&PathRankOutput { answer, plate: Plate::of(asked)? })?;
-    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+    Ok(PathRankOutput { answer, plate: Plate::of(asked)? })
 }
 
 /// The process that is asked for, with the name of its file.
-fn read_process_of(asked: &Request) -> Result<Option<(String, ProcessFile)>, Failure> {
+fn read_process_of(asked: &Request, common: &Common) -> Result<Option<(String, ProcessFile)>, Failure> {
     let Some(file) = asked.given_process() else { return Ok(None) };
-    let path = Path::new(&file);
-    let named = files::shown(path);
-    let read = read_process(&files::text(path)?, &named).map_err(Failure::ProcessFile)?;
+    let named = files::shown(Path::new(&file));
+    let read = read_process(&common.shelf.text(&file)?, &named).map_err(Failure::ProcessFile)?;
     Ok(Some((named, read)))
 }
 
@@ -96,14 +111,14 @@ fn read_moves(
     let mut told = |done: u64, all: u64| {
         bar.set_length(all);
         bar.set_position(done);
-        Ok(())
+        common.client.as_ref().map_or(Watch::nobody(), |client| Watch::of(client.as_ref())).go_on()
     };
-    let found = read_toolpath(path, format, &asked.read_options(), each, &mut told);
+    let found = common.shelf.moves((path, format), &asked.read_options(), each, &mut told);
     bar.finish_and_clear();
-    Ok(found?)
+    found
 }
 
-struct PathOutput(PathAnswer);
+pub(super) struct PathOutput(PathAnswer);
 
 impl Answer for PathOutput {
     const COMMAND: &'static str = "mill";
@@ -124,6 +139,7 @@ impl Answer for PathOutput {
 pub(crate) struct MillOutput<'a> {
     pub(crate) answer: MillAnswer,
     asked: &'a Request,
+    common: &'a Common,
     pub(crate) plate: Plate,
 }
 
@@ -137,7 +153,7 @@ impl MillOutput<'_> {
             );
             return Err(Failure::Usage(why));
         }
-        let (path, options) = (Path::new(name), self.asked.read_options());
+        let options = self.asked.read_options();
         let written = Format::of_name(&format!("a.{ending}"));
         let read = self.asked.path_format(name)?;
         if written != Some(read) {
@@ -147,12 +163,12 @@ impl MillOutput<'_> {
             );
             return Err(Failure::Usage(why));
         }
-        let (format, mut input) = (self.asked.path_format(name)?, BufReader::new(files::open(path)?));
-        let original = Original { input: &mut input, file: &files::shown(path), format, options: &options };
+        let (format, mut input) = (self.asked.path_format(name)?, self.common.shelf.open(name)?);
+        let original = Original { input: &mut input, file: &files::shown(Path::new(name)), format, options: &options };
         let mut output = Vec::new();
         let found = self.answer.rewritten(original, &self.asked.steps(), &mut output)?;
         if 0 < found.of_cycles {
-            say(&format!("warning: {} moves of drilling cycles stay uncompensated", found.of_cycles));
+            self.common.warn(&format!("warning: {} moves of drilling cycles stay uncompensated", found.of_cycles));
         }
         Ok(output)
     }

@@ -29,15 +29,38 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use stiffarm::catalogue::measurements::{Measurements, Points};
 use stiffarm::catalogue::{Faults, files};
-use stiffarm::request::Request;
+use stiffarm::request::{Request, Verb};
 use stiffarm::watch::{Waiting, Watch};
 
 use crate::args::Common;
 use crate::failure::Failure;
+use crate::output::Told;
+
+/// The answer of a verb, whichever it is.
+///
+/// # Errors
+/// Where there is none.
+pub(crate) fn told<'a>(asked: &'a Request, common: &'a Common) -> Result<Box<dyn Told + 'a>, Failure> {
+    Ok(match asked.verb {
+        Verb::Rank => Box::new(rank::answer(asked, common)?),
+        Verb::Place => Box::new(place::answer(asked, common)?),
+        Verb::Map => Box::new(map::answer(asked, common)?),
+        Verb::Compliance => Box::new(compliance::answer(asked, common)?),
+        Verb::Study => Box::new(study::answer(asked, common)?),
+        Verb::Compare => Box::new(compare::answer(asked, common)?),
+        Verb::Identify => Box::new(identify::answer(asked, common)?),
+        Verb::Measure => Box::new(measure::answer(asked, common)?),
+        Verb::Mill if asked.is_dry() => Box::new(mill::surveyed(asked, common)?),
+        Verb::Mill if asked.ranks_on_path() => Box::new(mill::ranked(asked, common)?),
+        Verb::Mill => Box::new(mill::answer(asked, common)?),
+        Verb::Force => Box::new(force::answer(asked, common)?),
+        Verb::List => Box::new(robots::list_of(&[], asked)?),
+    })
+}
 
 /// A progress bar on stderr: nothing where stderr is no terminal, or quiet is asked for.
 fn progress(length: usize, doing: &'static str, common: &Common) -> ProgressBar {
-    if common.quiet {
+    if common.quiet || common.client.is_some() {
         return ProgressBar::hidden();
     }
     let bar = ProgressBar::with_draw_target(Some(length as u64), ProgressDrawTarget::stderr_with_hz(10));
@@ -51,18 +74,21 @@ fn style(template: &str) -> ProgressStyle {
 /// A table of measurements, made or planned, and its name as it is shown.
 fn table_of(
     name: &str,
-    asked: &Request,
+    (asked, common): (&Request, &Common),
     read: fn(&str, &str, &Points) -> Result<Measurements, Faults>,
 ) -> Result<(Measurements, String), Failure> {
-    let path = Path::new(name);
-    let (text, shown) = (files::text(path)?, files::shown(path));
+    let (text, shown) = (common.shelf.text(name)?, files::shown(Path::new(name)));
     let found = read(&text, &shown, &asked.points()).map_err(Failure::Measurements)?;
     Ok((found, shown))
 }
 
 /// Shows on stderr how much of a work is done, or, where it does not say how much of it is left, for how long it has been going on;
-/// nothing where stderr is no terminal, or quiet is asked for. A signal ends the program: the work is never stopped.
+/// nothing where stderr is no terminal, or quiet is asked for. A signal ends the program: only for a client is work ever stopped.
 pub(crate) fn watched<T>(doing: &'static str, common: &Common, work: impl FnOnce(Watch) -> T) -> T {
+    if let Some(client) = &common.client {
+        client.begins(doing);
+        return work(Watch::of(client.as_ref()));
+    }
     let bar = progress(1, doing, common);
     if bar.is_hidden() {
         return work(Watch::nobody());

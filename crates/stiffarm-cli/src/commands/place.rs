@@ -33,13 +33,16 @@ const FIGURE_SIZE: [usize; 2] = [400, 300];
 const FACE_SIZE: usize = 33;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let name = asked.robot()?;
-    let robot = selection::robot(&name, common)?;
-    let outputs = Outputs::open::<PlaceOutput>(common, &[Path::new(&name)])?;
-    let found = PlaceOutput::of(asked, robot, common)?;
+    let outputs = Outputs::open::<PlaceOutput>(common, &[Path::new(&asked.robot()?)])?;
+    let found = answer(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
     outputs.deliver(&found)?;
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+}
+
+pub(super) fn answer(asked: &Request, common: &Common) -> Result<PlaceOutput, Failure> {
+    let robot = selection::robot(&asked.robot()?, common)?;
+    PlaceOutput::of(asked, robot, common)
 }
 
 /// A placement, and what is needed to draw it.

@@ -34,6 +34,14 @@ const MOST_CURVES: usize = 24;
 const MOST_BARS: usize = 60;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let outputs = Outputs::open::<RankOutput>(common, &inputs(&asked.robots()))?;
+    let found = answer(asked, common)?;
+    let shortfall = found.answer.shortfall().filter(|_| common.check);
+    outputs.deliver(&found)?;
+    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+}
+
+pub(super) fn answer<'a>(asked: &'a Request, common: &'a Common) -> Result<RankOutput<'a>, Failure> {
     let names = asked.robots();
     let robots = selection::robots(&names, common)?;
     let robots = selection::keep(robots, asked, &[]).map_err(|failure| widened(failure, &names))?;
@@ -42,7 +50,6 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     if tasks.is_empty() {
         return Err(Failure::Usage("no task to rank for; give --task".into()));
     }
-    let outputs = Outputs::open::<RankOutput>(common, &inputs(&names))?;
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
     let (options, plate) = (asked.place_options(only)?, Plate::of(asked)?);
     let ranking = watched("placing zones", common, |watch| rank(&robots, &tasks, &kind, &options, watch))?;
@@ -52,9 +59,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
         Some(mm) => watched("placing smaller zones", common, |watch| advise_best(&ranking, &options, mm / 1e3, watch))?,
     };
     let answer = RankAnswer::of(ranking, options, tolerance_mm, advice);
-    let shortfall = answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&RankOutput { answer, asked, common, plate, svg: OnceCell::new() })?;
-    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+    Ok(RankOutput { answer, asked, common, plate, svg: OnceCell::new() })
 }
 
 /// What may be files among the robots.

@@ -29,15 +29,25 @@ pub(crate) fn run(action: &RobotsAction, common: &Common) -> Result<(), Failure>
 
 pub(crate) fn listed(words: &[String], asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<List>(common, &[])?;
-    outputs.deliver(&List(selection::keep(catalogue::robots(), asked, words)?))
+    outputs.deliver(&list_of(words, asked)?)
+}
+
+/// Those of the catalogue that have these words in their names and what is asked.
+pub(crate) fn list_of(words: &[String], asked: &Request) -> Result<List, Failure> {
+    Ok(List(selection::keep(catalogue::robots(), asked, words)?))
 }
 
 fn show(robot: &str, width_mm: Option<f64>, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<Sheet>(common, &[Path::new(robot)])?;
-    outputs.deliver(&Sheet(selection::robot(robot, common)?, Plate { width_mm, scale: None }))
+    outputs.deliver(&sheet_of(robot, width_mm, common)?)
 }
 
-struct List(Vec<Robot>);
+/// What is known of one robot.
+pub(crate) fn sheet_of(robot: &str, width_mm: Option<f64>, common: &Common) -> Result<Sheet, Failure> {
+    Ok(Sheet(selection::robot(robot, common)?, Plate { width_mm, scale: None }))
+}
+
+pub(crate) struct List(Vec<Robot>);
 
 impl Answer for List {
     const COMMAND: &'static str = "robots list";

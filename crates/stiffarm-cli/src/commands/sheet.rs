@@ -21,7 +21,7 @@ use crate::look::Look;
 use crate::output::{Answer, figure, pretty};
 use crate::table::{prose, shown};
 
-pub(super) struct Sheet(pub(super) Robot, pub(super) Plate);
+pub(crate) struct Sheet(pub(super) Robot, pub(super) Plate);
 
 /// `-40.0 to 160.0`, in degrees.
 fn degrees(range: Interval) -> String {

@@ -21,9 +21,13 @@ const FIGURE_SIZES: usize = 48;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<StudyOutput>(common, &[])?;
+    outputs.deliver(&answer(asked, common)?)
+}
+
+pub(super) fn answer(asked: &Request, common: &Common) -> Result<StudyOutput, Failure> {
     let (options, plate) = (asked.study()?, Plate::of(asked)?);
     let found = watched("studying", common, |watch| study_watched(&options, watch))?;
-    outputs.deliver(&StudyOutput(StudyAnswer(found), plate))
+    Ok(StudyOutput(StudyAnswer(found), plate))
 }
 
 pub(crate) struct StudyOutput(pub(crate) StudyAnswer, pub(crate) Plate);

@@ -131,18 +131,28 @@ pub(super) struct Canvas {
     pub height: f64,
     /// Its width on paper.
     mm: Option<f64>,
+    /// Attributes of the whole, for programs.
+    data: String,
     body: String,
     clips: usize,
 }
 
 impl Canvas {
     pub(super) fn new(width: f64, height: f64) -> Self {
-        Self { width, height, mm: None, body: String::new(), clips: 0 }
+        Self { width, height, mm: None, data: String::new(), body: String::new(), clips: 0 }
     }
 
     /// A sheet as it was asked for; its height is to come.
     pub(super) fn of(plate: &Plate) -> Self {
         Self { mm: plate.width_mm, ..Self::new(plate.width(), 0.0) }
+    }
+
+    /// Says how px of the viewBox map to metres, for what draws over the figure: `x = x0_m + (px - x0_px) / px_per_m`, and z likewise,
+    /// upwards.
+    pub(super) fn tell_scale(&mut self, [x0_px, z0_px]: Px, [x0_m, z0_m]: [f64; 2], px_per_m: f64) {
+        self.data = format!(
+            " data-x0-px=\"{x0_px}\" data-x0-m=\"{x0_m}\" data-z0-px=\"{z0_px}\" data-z0-m=\"{z0_m}\" data-px-per-m=\"{px_per_m}\""
+        );
     }
 
     /// Straight lines through `points`; `look` are SVG attributes.
@@ -238,9 +248,9 @@ impl Canvas {
         let [across, down] = [self.width, self.height].map(on_paper);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{across}\" height=\"{down}\" \
-             viewBox=\"0 0 {width} {height}\" font-family=\"{FONT}, Helvetica, Arial, sans-serif\">\n\
+             viewBox=\"0 0 {width} {height}\" font-family=\"{FONT}, Helvetica, Arial, sans-serif\"{}>\n\
              <rect width=\"{width}\" height=\"{height}\" fill=\"{PAPER}\"/>\n{}</svg>\n",
-            self.body
+            self.data, self.body
         )
     }
 }

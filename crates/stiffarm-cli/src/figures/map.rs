@@ -69,6 +69,8 @@ impl MapFigure<'_> {
             bands.bar(&mut canvas, [right + 28.0, ends[0]], [right + 50.0, ends[1]], &self.colour_label);
         }
         self.draw_frame(&mut canvas, &frame);
+        let per_m = (frame.x.px[1] - frame.x.px[0]) / (frame.x.to - frame.x.from);
+        canvas.tell_scale([frame.x.px[0], frame.y.px[0]], [frame.x.from, frame.y.from], per_m);
         legend.draw(&mut canvas, [40.0, bottom + 52.0]);
         canvas.height = bottom + 66.0 + legend.height();
         if let Some(face) = &self.face {

@@ -107,13 +107,20 @@ pub struct Loaded {
 /// # Errors
 /// Where the file cannot be read, or holds no robot: all faults at once.
 pub fn load(path: &Path) -> Result<Loaded, LoadError> {
-    let text = text(path)?;
-    let name = shown(path);
-    if is_description(path) {
-        let imported = import(&text, &name, &ImportOptions::default())?;
+    load_text(&text(path)?, path)
+}
+
+/// The same of a text, which is read as the ending of its name says; the name leads to no disk.
+///
+/// # Errors
+/// Where it holds no robot: all faults at once.
+pub fn load_text(text: &str, name: &Path) -> Result<Loaded, LoadError> {
+    let shown = shown(name);
+    if is_description(name) {
+        let imported = import(text, &shown, &ImportOptions::default())?;
         return Ok(Loaded { robot: imported.robot, notes: imported.notes });
     }
-    Ok(Loaded { robot: read(&text, &name)?, notes: Vec::new() })
+    Ok(Loaded { robot: read(text, &shown)?, notes: Vec::new() })
 }
 
 /// A regular file, to be read bit by bit: a toolpath may be larger than what [`text`] takes.

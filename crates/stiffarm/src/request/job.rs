@@ -55,13 +55,22 @@ pub fn is_job(text: &str) -> bool {
 /// # Errors
 /// The first fault, with its line: no TOML, no verb, a key twice, a value of another type than its option takes.
 pub fn read(text: &str, file: &Path) -> Result<Job, Refusal> {
-    Reader { text, file: files::shown(file), folder: file.parent().unwrap_or(Path::new("")) }.job()
+    Reader { text, file: files::shown(file), folder: Some(file.parent().unwrap_or(Path::new(""))) }.job()
+}
+
+/// Reads the text of a job file that was sent under this name: names in it stay as they are, and are looked for on no disk.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_sent(text: &str, name: &str) -> Result<Job, Refusal> {
+    Reader { text, file: on_one_line(name).into_owned(), folder: None }.job()
 }
 
 struct Reader<'a> {
     text: &'a str,
     file: String,
-    folder: &'a Path,
+    /// From which relative paths count; `None` where there is no disk.
+    folder: Option<&'a Path>,
 }
 
 /// A key with the tables before it, where it stands, and its value.
@@ -148,13 +157,17 @@ impl Reader<'_> {
 
     /// A file counts from the folder of the job; a path built in is none.
     fn of_folder(&self, text: String) -> String {
-        if Builtin::is_meant(&text) { text } else { self.folder.join(text).to_string_lossy().into_owned() }
+        match self.folder {
+            Some(folder) if !Builtin::is_meant(&text) => folder.join(text).to_string_lossy().into_owned(),
+            _ => text,
+        }
     }
 
     /// A path that is relative counts from the folder of the file.
     fn rebased(&self, is_file: bool, text: String) -> String {
-        let is_path = is_file || is_path(&text) || !is_name(&text) && self.folder.join(&text).is_dir();
-        if is_path { self.folder.join(text).to_string_lossy().into_owned() } else { text }
+        let Some(folder) = self.folder else { return text };
+        let is_path = is_file || is_path(&text) || !is_name(&text) && folder.join(&text).is_dir();
+        if is_path { folder.join(text).to_string_lossy().into_owned() } else { text }
     }
 }
 
@@ -182,7 +195,7 @@ fn is_name(text: &str) -> bool {
 }
 
 /// The value of a key as it would be typed, once for each of several values.
-fn texts(setting: Option<&Setting>, value: &DeValue) -> Result<Vec<String>, String> {
+pub(super) fn texts(setting: Option<&Setting>, value: &DeValue) -> Result<Vec<String>, String> {
     let kind = setting.map(|setting| setting.kind);
     let DeValue::Array(items) = value else { return Ok(vec![scalar(kind, value)?]) };
     let several = |kind| items.iter().map(|item| scalar(kind, item.get_ref())).collect::<Result<Vec<_>, _>>();
@@ -218,7 +231,7 @@ fn scalar(kind: Option<Kind>, value: &DeValue) -> Result<String, String> {
 }
 
 /// A value as it may stand in a message.
-fn described(value: &DeValue) -> String {
+pub(super) fn described(value: &DeValue) -> String {
     let text = match value {
         DeValue::String(text) => text.to_string(),
         DeValue::Integer(integer) => integer.as_str().into(),
@@ -231,9 +244,9 @@ fn described(value: &DeValue) -> String {
     format!("invalid value '{}'", super::shown(&text))
 }
 
-/// The job file that asks the same, as it stands at `file`; `program` are keys of [`PROGRAM`] with their values as TOML.
+/// The job file that asks the same, as it stands at `file`; of what was sent names stay as they are. `program` are keys of [`PROGRAM`] with their values as TOML.
 pub fn write(request: &Request, program: &[(&str, String)], file: &Path) -> String {
-    let folder = file.parent().unwrap_or(Path::new(""));
+    let folder = (request.reader != Spelling::Sent).then(|| file.parent().unwrap_or(Path::new("")));
     let mut text = format!("verb = {}\n", quoted(request.verb.name()));
     let mut line = |key: &str, value: &str| writeln!(text, "{key} = {value}").expect("memory takes everything");
     for given in &request.given {
@@ -250,12 +263,12 @@ pub fn write(request: &Request, program: &[(&str, String)], file: &Path) -> Stri
 }
 
 /// A value as TOML.
-fn literal(kind: Kind, text: &str, folder: &Path) -> String {
+fn literal(kind: Kind, text: &str, folder: Option<&Path>) -> String {
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite()).map(|x| x.to_string());
     match kind {
-        Kind::Robot => quoted(&seen_from(folder, text.trim())),
         Kind::File if Builtin::is_meant(text) => quoted(text),
-        Kind::File => quoted(&file_from(folder, text.trim())),
+        Kind::Robot => quoted(&folder.map_or_else(|| text.trim().into(), |folder| seen_from(folder, text.trim()))),
+        Kind::File => quoted(&folder.map_or_else(|| text.trim().into(), |folder| file_from(folder, text.trim()))),
         Kind::Flag => text.trim().into(),
         Kind::Tool | Kind::Point | Kind::Force if text.contains(',') => {
             let parts: Vec<String> = text.split(',').map(|part| number(part).expect("all are numbers")).collect();

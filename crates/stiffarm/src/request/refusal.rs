@@ -19,6 +19,8 @@ pub enum Spelling {
         /// From 1; `None` for the file as a whole.
         line: Option<usize>,
     },
+    /// The same in a request that was sent: its names are those of a job file, and mean no file of this machine.
+    Sent,
 }
 
 impl Spelling {
@@ -28,7 +30,7 @@ impl Spelling {
             Self::Typed if setting.is_positional => format!("<{}>", setting.value),
             Self::Typed => format!("--{}", setting.name),
             Self::Keyword => setting.keyword(),
-            Self::Key { .. } => setting.name.into(),
+            Self::Key { .. } | Self::Sent => setting.name.into(),
         }
     }
 
@@ -45,7 +47,7 @@ impl Spelling {
         let name = shown(name);
         match self {
             Self::Typed => format!("--{name}"),
-            Self::Keyword | Self::Key { .. } => name,
+            Self::Keyword | Self::Key { .. } | Self::Sent => name,
         }
     }
 
@@ -53,7 +55,7 @@ impl Spelling {
         match self {
             Self::Typed => format!("--model {name}"),
             Self::Keyword => format!("model=\"{name}\""),
-            Self::Key { .. } => format!("model = \"{name}\""),
+            Self::Key { .. } | Self::Sent => format!("model = \"{name}\""),
         }
     }
 }
@@ -64,7 +66,7 @@ impl fmt::Display for Spelling {
         match self {
             Self::Key { file, line: Some(line) } => write!(f, "{file}:{line}: "),
             Self::Key { file, line: None } => write!(f, "{file}: "),
-            Self::Typed | Self::Keyword => Ok(()),
+            Self::Typed | Self::Keyword | Self::Sent => Ok(()),
         }
     }
 }

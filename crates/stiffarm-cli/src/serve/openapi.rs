@@ -1,0 +1,230 @@
+//! What can be asked, and what is answered, as `OpenAPI` 3.1: from the table of options, so that it says what the server takes.
+
+use serde_json::{Map, Value, json};
+use stiffarm::request::{Absent, Kind, Setting, Verb};
+
+use super::options::bounds;
+use super::reply::{Reply, json_reply};
+use crate::args::VERBS;
+
+/// Every status that a question may have besides 200, and when.
+const REFUSALS: [(&str, &str); 11] = [
+    ("400", "What is asked makes no sense, or is too much"),
+    ("403", "The server is called by a foreign name, or from a page of another origin"),
+    ("404", "There is nothing of this name"),
+    ("405", "It is asked in another way; Allow tells in which"),
+    ("408", "The question was not there in time"),
+    ("413", "The question has more than 4 MiB"),
+    ("415", "The question is not sent as application/json"),
+    ("422", "It was asked well, and has no answer: a file with faults, a robot that is not known, nothing to draw"),
+    ("500", "The program broke"),
+    ("503", "As many questions wait as may; Retry-After tells when to ask again"),
+    ("504", "There was no answer in time; ask for application/x-ndjson"),
+];
+
+pub(super) fn reply() -> Reply {
+    json_reply(&description())
+}
+
+/// The whole description.
+pub(super) fn description() -> Value {
+    let mut paths = Map::new();
+    for (verb, about) in VERBS {
+        paths.insert(format!("/api/{}", verb.name()), json!({ "post": asked(verb, about) }));
+    }
+    let table = || json!({ "type": "object" });
+    let sheets = || json!({ "type": "array", "items": table() });
+    paths.insert("/api/options".into(), json!({ "get": told("Every option of every verb", &[], &options_schema()) }));
+    let filters: Vec<Value> = Verb::List.settings().map(parameter).chain([words()]).collect();
+    paths.insert("/api/robots".into(), json!({ "get": told("Robots of the catalogue", &filters, &sheets()) }));
+    paths
+        .insert("/api/robots/{name}".into(), json!({ "get": told("One robot of the catalogue", &[name()], &table()) }));
+    paths.insert("/api/robots/check".into(), json!({ "post": checked() }));
+    json!({
+        "openapi": "3.1.0",
+        "info": {
+            "title": "stiffarm", "version": env!("CARGO_PKG_VERSION"),
+            "description": "Which industrial robot is stiff enough for machining, and where the work must stand. Every answer is what the \
+                            program `stiffarm` writes with the same options; units are the ending of each key.",
+        },
+        "paths": paths,
+        "components": { "schemas": { "Refusal": refusal() } },
+    })
+}
+
+/// A question to a verb.
+fn asked(verb: Verb, about: &str) -> Value {
+    let settings: Vec<&Setting> = verb.settings().collect();
+    let required: Vec<&str> =
+        settings.iter().filter(|row| row.absent == Absent::Required).map(|row| row.name).collect();
+    let options: Map<String, Value> = settings.iter().map(|row| (row.name.to_owned(), taken(row))).collect();
+    let mut question = json!({
+        "type": "object", "additionalProperties": false,
+        "properties": {
+            "options": { "type": "object", "properties": options, "required": required },
+            "files": {
+                "type": "object", "additionalProperties": { "type": "string" },
+                "description": "Texts that options name: robot files, processes, toolpaths, tables. No file of the server is read.",
+            },
+        },
+    });
+    if !required.is_empty() {
+        question["required"] = json!(["options"]);
+    }
+    let form = json!({
+        "name": "as", "in": "query", "schema": { "type": "string", "default": "json" },
+        "description": "The form: json, csv, md, txt, parquet; of most verbs svg, png, pdf; view (3-D, HTML), toml (robot file), src, mod, ls \
+                        or nc (programs); job and command tell how the same is asked elsewhere",
+    });
+    let mut responses = refusals();
+    responses["200"] = json!({
+        "description": "What the program writes in this form; line by line, progress and then the answer, where application/x-ndjson is accepted",
+        "headers": { "stiffarm-notes": { "description": "What the program says beside it: a JSON list of texts", "schema": { "type": "string" } } },
+        "content": {
+            "application/json": { "schema": { "type": "object", "required": ["schema"] } },
+            "application/x-ndjson": { "schema": stream() },
+        },
+    });
+    json!({
+        "summary": about, "operationId": verb.name(), "parameters": [form],
+        "requestBody": { "required": true, "content": { "application/json": { "schema": question } } },
+        "responses": responses,
+    })
+}
+
+/// What an option takes in JSON: numbers where a job file has numbers, else texts.
+fn taken(row: &Setting) -> Value {
+    let number = |kind: &str| {
+        let [least, most] = bounds(row.kind);
+        let mut schema = json!({ "type": kind });
+        for (key, end) in [("minimum", least), ("maximum", most)] {
+            if let Some(end) = end {
+                schema[key] = json!(end);
+            }
+        }
+        schema
+    };
+    let numbers = json!({ "type": "array", "items": { "type": "number" } });
+    let text = json!({ "type": "string" });
+    let one = match row.kind {
+        Kind::Number { .. } => number("number"),
+        Kind::Whole { .. } => number("integer"),
+        Kind::Flag => json!({ "type": "boolean" }),
+        Kind::Word(words) => {
+            json!({ "type": "string", "enum": words.iter().map(|(word, _)| *word).collect::<Vec<_>>() })
+        }
+        Kind::Force => json!({ "anyOf": [{ "type": "number" }, numbers] }),
+        Kind::Tool | Kind::Point => json!({ "anyOf": [text, numbers] }),
+        Kind::Angle | Kind::Elevation | Kind::Floor | Kind::Yaw | Kind::Roll => json!({ "type": ["string", "number"] }),
+        Kind::Range { .. } | Kind::Within => {
+            json!({ "anyOf": [text, { "type": "array", "items": { "type": ["string", "number"] } }] })
+        }
+        _ => text,
+    };
+    let schema = if row.is_list() { json!({ "anyOf": [one, { "type": "array", "items": one }] }) } else { one };
+    described(schema, row)
+}
+
+/// With what help says of it.
+fn described(mut schema: Value, row: &Setting) -> Value {
+    schema["description"] = row.described().into();
+    if !row.example.is_empty() {
+        schema["x-example"] = row.example.into();
+    }
+    if let Absent::Default(text) = row.absent {
+        schema["x-default"] = text.into();
+    }
+    schema
+}
+
+/// A filter of the catalogue.
+fn parameter(row: &Setting) -> Value {
+    json!({ "name": row.name, "in": "query", "required": false, "schema": described(json!({ "type": "string" }), row) })
+}
+
+fn words() -> Value {
+    json!({ "name": "text", "in": "query", "description": "Words of the maker's or the robot's name", "schema": { "type": "string" } })
+}
+
+fn name() -> Value {
+    json!({ "name": "name", "in": "path", "required": true, "schema": { "type": "string" } })
+}
+
+/// Something that is read.
+fn told(about: &str, parameters: &[Value], schema: &Value) -> Value {
+    let mut responses = refusals();
+    responses["200"] = json!({ "description": about, "content": { "application/json": { "schema": schema } } });
+    json!({ "summary": about, "parameters": parameters, "responses": responses })
+}
+
+/// What the checker is asked and says.
+fn checked() -> Value {
+    let text = || json!({ "type": "string" });
+    let texts = || json!({ "type": "array", "items": text() });
+    let keys = ["robot", "notes", "doubts", "toml", "hint", "faults"];
+    let verdict = json!({
+        "type": "object", "required": keys, "additionalProperties": false,
+        "properties": {
+            "robot": { "type": ["object", "null"] }, "notes": texts(), "doubts": texts(), "toml": { "type": ["string", "null"] },
+            "hint": { "type": ["string", "null"] },
+            "faults": { "type": "array", "items": {
+                "type": "object", "required": ["line", "key", "text"], "additionalProperties": false,
+                "properties": { "line": { "type": ["integer", "null"] }, "key": text(), "text": text() },
+            } },
+        },
+    });
+    let mut question = json!({ "type": "object", "additionalProperties": false, "required": ["name", "text"] });
+    question["properties"] = json!({ "name": text(), "text": text() });
+    let mut told = told("What is wrong with a robot file, a URDF, or OPW parameters", &[], &verdict);
+    told["requestBody"] = json!({ "required": true, "content": { "application/json": { "schema": question } } });
+    told
+}
+
+fn refusals() -> Value {
+    let schema = json!({ "$ref": "#/components/schemas/Refusal" });
+    let content = json!({ "application/json": { "schema": schema } });
+    let each = REFUSALS
+        .iter()
+        .map(|(status, when)| ((*status).to_owned(), json!({ "description": when, "content": content })));
+    Value::Object(each.collect())
+}
+
+fn refusal() -> Value {
+    json!({
+        "type": "object", "required": ["error", "hint"], "additionalProperties": false,
+        "properties": {
+            "error": { "type": "string" }, "hint": { "type": "string" },
+            "exit_code": { "type": "integer", "description": "With which the program would end" },
+        },
+    })
+}
+
+/// A line of a stream.
+fn stream() -> Value {
+    let far = json!({
+        "type": "object", "required": ["doing", "done", "total"],
+        "properties": { "doing": { "type": "string" }, "done": { "type": "integer" }, "total": { "type": ["integer", "null"] } },
+    });
+    json!({
+        "type": "object",
+        "properties": {
+            "progress": far, "answer": {}, "notes": { "type": "array", "items": { "type": "string" } },
+            "error": { "type": "string" }, "hint": { "type": "string" }, "exit_code": { "type": "integer" }, "status": { "type": "integer" },
+        },
+    })
+}
+
+fn options_schema() -> Value {
+    json!({
+        "type": "object", "required": ["version", "verbs"],
+        "properties": {
+            "version": { "type": "string" },
+            "verbs": { "type": "array", "items": {
+                "type": "object", "required": ["verb", "about", "options"],
+                "properties": { "verb": { "type": "string" }, "about": { "type": "string" }, "options": { "type": "array", "items": {
+                    "type": "object", "required": ["name", "keyword", "help", "kind", "choices", "default", "means", "required", "list"],
+                } } },
+            } },
+        },
+    })
+}

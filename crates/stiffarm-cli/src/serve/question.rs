@@ -1,0 +1,120 @@
+//! What is asked? A verb from the address, options and texts from the body, and the form of the answer.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use hyper::StatusCode;
+use percent_encoding::percent_decode_str;
+use serde_json::{Map, Value};
+use stiffarm::plain::on_one_line;
+use stiffarm::request::{Request, Spelling, Verb, sent};
+
+use super::bounds;
+use super::form::Form;
+use super::reply::Refused;
+use crate::args::Common;
+use crate::client::Client;
+use crate::shelf::Shelf;
+
+/// A question that was understood.
+#[derive(Debug)]
+pub(super) struct Question {
+    pub(super) asked: Request,
+    pub(super) files: BTreeMap<String, String>,
+    pub(super) form: Form,
+}
+
+impl Question {
+    /// Reads a body.
+    pub(super) fn read(verb: Verb, form: Form, body: &[u8]) -> Result<Self, Refused> {
+        let mut told = object(body)?;
+        let (options, files) = (told.remove("options"), told.remove("files"));
+        if let Some(other) = told.keys().next() {
+            return Err(unlike(&format!("'{}' is nothing that is asked", on_one_line(other))));
+        }
+        let options = match options {
+            None => Map::new(),
+            Some(Value::Object(options)) => options,
+            Some(_) => return Err(unlike("'options' is no object")),
+        };
+        let files = match files {
+            None => BTreeMap::new(),
+            Some(Value::Object(files)) => texts(files)?,
+            Some(_) => return Err(unlike("'files' is no object")),
+        };
+        let refused = |refusal| Refused::from(crate::failure::Failure::Request(refusal));
+        let pairs = sent(verb, &options).map_err(refused)?;
+        let asked = Request::read(verb, &pairs, Spelling::Sent).map_err(refused)?;
+        asked.check_complete().map_err(refused)?;
+        let question = Self { asked, files, form };
+        bounds::check(&question.asked)?;
+        Ok(question)
+    }
+
+    /// What the commands need besides what is asked.
+    pub(super) fn common(&self, client: Arc<Client>) -> Common {
+        Common { shelf: Shelf::Sent(self.files.clone()), client: Some(client), ..Common::usual() }
+    }
+}
+
+/// A body as JSON.
+pub(super) fn object(body: &[u8]) -> Result<Map<String, Value>, Refused> {
+    match serde_json::from_slice(body) {
+        Ok(Value::Object(told)) => Ok(told),
+        Ok(_) => Err(unlike("it is no object")),
+        Err(error) => Err(unlike(&error.to_string())),
+    }
+}
+
+fn texts(files: Map<String, Value>) -> Result<BTreeMap<String, String>, Refused> {
+    let text = |(name, value): (String, Value)| match value {
+        Value::String(text) => Ok((name.trim().to_owned(), text)),
+        _ => Err(unlike(&format!("'{}' in 'files' is no text", on_one_line(&name)))),
+    };
+    files.into_iter().map(text).collect()
+}
+
+/// A body that is no question.
+pub(super) fn unlike(why: &str) -> Refused {
+    let hint = "expected such as {\"options\": {\"robot\": \"BT200L\", \"task\": \"circle:0.3\"}, \"files\": {\"mine.toml\": \"its text\"}}";
+    Refused::new(StatusCode::BAD_REQUEST, format!("the question is not understood: {why}"), hint)
+}
+
+/// Names and texts behind the question mark of an address.
+pub(super) fn query(text: Option<&str>) -> Result<Vec<(String, String)>, Refused> {
+    let parts = text.unwrap_or_default().split('&').filter(|part| !part.is_empty());
+    parts
+        .map(|part| {
+            let (name, value) = part.split_once('=').unwrap_or((part, ""));
+            Ok((decoded(&name.replace('+', " "))?, decoded(&value.replace('+', " "))?))
+        })
+        .collect()
+}
+
+/// A part of an address as a text.
+pub(super) fn decoded(text: &str) -> Result<String, Refused> {
+    let text = percent_decode_str(text).decode_utf8().map(std::borrow::Cow::into_owned);
+    let wrong = |_| {
+        Refused::new(
+            StatusCode::BAD_REQUEST,
+            "the address is no UTF-8 text",
+            "write other letters as %XX of their UTF-8",
+        )
+    };
+    text.map_err(wrong)
+}
+
+/// The form that an address asks for, and nothing besides.
+pub(super) fn form_of(text: Option<&str>) -> Result<Form, Refused> {
+    let wrong = |why: String| {
+        Refused::new(StatusCode::BAD_REQUEST, why, "?as=json, csv, md, txt, svg, png, pdf, view, job or command")
+    };
+    let mut form = Form::File("json".into());
+    for (name, value) in query(text)? {
+        if name != "as" {
+            return Err(wrong(format!("'{}' is nothing that an address asks here", on_one_line(&name))));
+        }
+        form = Form::of(&value).ok_or_else(|| wrong(format!("as={} is no form of an answer", on_one_line(&value))))?;
+    }
+    Ok(form)
+}

@@ -1,0 +1,144 @@
+//! Which address answers what?
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use http_body_util::{BodyExt, LengthLimitError, Limited};
+use hyper::body::{Body, Incoming};
+use hyper::header::ACCEPT;
+use hyper::{Method, Request, StatusCode};
+use stiffarm::request::Verb;
+use tokio::time::timeout;
+
+use super::admission::{admit, is_json};
+use super::answer::answered;
+use super::form::Form;
+use super::question::{Question, form_of, query, unlike};
+use super::reply::{Refused, Reply, guarded, keep_as, note, reply};
+use super::{Server, openapi, options, page, robots, stream, view};
+use crate::client::Client;
+
+/// Of a question, bytes: as large as a file may be.
+const MOST_BODY: usize = 4 << 20;
+/// Of a question that is too large, so much is read and thrown away, so that whoever sends it hears why.
+const MOST_THROWN_AWAY: usize = 16 << 20;
+/// Until a question is there.
+const BODY_TIME: Duration = Duration::from_secs(10);
+
+/// Answers every request, with a refusal where there is nothing else.
+pub(super) async fn route(server: &Arc<Server>, request: Request<Incoming>) -> Reply {
+    let found = routed(server, request).await;
+    guarded(found.unwrap_or_else(|refused| refused.reply()))
+}
+
+async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Reply, Refused> {
+    admit(request.method(), request.uri(), request.headers(), &server.host)?;
+    let (path, asked) = (request.uri().path().to_owned(), request.uri().query().map(ToOwned::to_owned));
+    let is_read = matches!(*request.method(), Method::GET | Method::HEAD);
+    let read_only = |found: Result<Reply, Refused>| if is_read { found } else { Err(Refused::method("GET")) };
+    if let Some(name) = path.strip_prefix("/api/robots/").filter(|name| *name != "check") {
+        return if is_read { robots::shown(server, name, asked.as_deref()).await } else { Err(Refused::method("GET")) };
+    }
+    match path.as_str() {
+        "/openapi.json" => read_only(Ok(openapi::reply())),
+        "/api/options" => read_only(Ok(options::reply())),
+        "/api/robots" if is_read => robots::listed(server, asked.as_deref()).await,
+        "/api/robots" => Err(Refused::method("GET")),
+        "/api/robots/check" => robots::checked(server, posted(request).await?).await,
+        path => {
+            let verb = |prefix: &str| {
+                let name = path.strip_prefix(prefix)?;
+                Verb::JOBS.into_iter().find(|verb| verb.name() == name)
+            };
+            match (verb("/api/"), verb("/view/")) {
+                (Some(verb), _) => answer(server, verb, form_of(asked.as_deref())?, request).await,
+                (_, Some(verb)) if is_read => view::got(server, verb, &query(asked.as_deref())?).await,
+                (_, Some(verb)) => view::posted(server, verb, &body(request).await?).await,
+                _ => page::part(path, request.headers()).and_then(|part| read_only(Ok(part))),
+            }
+        }
+    }
+}
+
+/// The body of a question as JSON.
+async fn posted(request: Request<Incoming>) -> Result<Vec<u8>, Refused> {
+    if *request.method() != Method::POST {
+        return Err(Refused::method("POST"));
+    }
+    is_json(request.headers())?;
+    body(request).await
+}
+
+/// A body, all of it in time.
+async fn body(request: Request<Incoming>) -> Result<Vec<u8>, Refused> {
+    let late = |_| {
+        let why = format!("the question was not there after {} s", BODY_TIME.as_secs());
+        Refused::new(StatusCode::REQUEST_TIMEOUT, why, "send all of it at once")
+    };
+    timeout(BODY_TIME, read(request.into_body())).await.map_err(late)?
+}
+
+async fn read(body: Incoming) -> Result<Vec<u8>, Refused> {
+    let mut body = Limited::new(body, MOST_THROWN_AWAY);
+    let is_large = MOST_BODY < body.size_hint().lower() as usize;
+    let mut bytes = Vec::new();
+    let mut length = 0;
+    while let Some(frame) = body.frame().await {
+        let frame = match frame {
+            Err(error) if error.is::<LengthLimitError>() => return Err(large()),
+            Err(error) => return Err(unlike(&error.to_string())),
+            Ok(frame) => frame,
+        };
+        let Ok(data) = frame.into_data() else { continue };
+        length += data.len();
+        if length <= MOST_BODY && !is_large {
+            bytes.extend_from_slice(&data);
+        } else {
+            bytes = Vec::new();
+        }
+    }
+    if MOST_BODY < length { Err(large()) } else { Ok(bytes) }
+}
+
+fn large() -> Refused {
+    let why = format!("the question has more than {} MiB", MOST_BODY >> 20);
+    Refused::new(StatusCode::PAYLOAD_TOO_LARGE, why, "the command line reads longer paths and files")
+}
+
+/// The answer of a verb, at once or line by line.
+async fn answer(server: &Arc<Server>, verb: Verb, form: Form, request: Request<Incoming>) -> Result<Reply, Refused> {
+    let accepts = request.headers().get_all(ACCEPT).iter().filter_map(|kinds| kinds.to_str().ok());
+    let is_stream = accepts.flat_map(|kinds| kinds.split(',')).any(|kind| kind.trim().starts_with(stream::KIND));
+    let question = Question::read(verb, form, &posted(request).await?)?;
+    if is_stream {
+        if !question.form.is_text() {
+            let why = "a picture does not come line by line";
+            return Err(Refused::new(StatusCode::BAD_REQUEST, why, "ask for it without Accept: application/x-ndjson"));
+        }
+        return Ok(stream::stream(Arc::clone(&server.workshop), server.workshop.line_up()?, question));
+    }
+    let (kind, name, is_json) = (question.form.media_type(), question.form.file(verb), question.form.is_json());
+    let (bytes, notes) = computed(server, move |client| answered(&question, client)).await?;
+    let mut told = reply(bytes, kind);
+    if !is_json {
+        keep_as(&mut told, &name);
+    }
+    note(&mut told, &notes);
+    Ok(told)
+}
+
+/// Computes something in time; with what was said beside it.
+pub(super) async fn computed(
+    server: &Arc<Server>,
+    work: impl FnOnce(Arc<Client>) -> Result<Vec<u8>, Refused> + Send + 'static,
+) -> Result<(Vec<u8>, Vec<String>), Refused> {
+    let client = Arc::new(Client::waiting());
+    let place = server.workshop.line_up()?;
+    let late = |_| {
+        let why = format!("there was no answer after {} s", server.time_limit.as_secs());
+        let hint = "ask with Accept: application/x-ndjson: then it may take as long as somebody waits, and tells how far it is";
+        Refused::new(StatusCode::GATEWAY_TIMEOUT, why, hint)
+    };
+    let found = timeout(server.time_limit, server.workshop.work(place, Arc::clone(&client), work)).await;
+    Ok((found.map_err(late)??, client.remarks()))
+}

@@ -1,0 +1,169 @@
+//! Who computes, and who waits for it? As many questions at once as there are cores, some that wait in line, and no more.
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+
+use hyper::StatusCode;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::task;
+
+use super::reply::Refused;
+use crate::STACK;
+use crate::client::Client;
+
+/// For each that works so many may wait, and at least as many as a browser asks at once.
+const WAITING: usize = 4;
+const LEAST_WAITING: usize = 8;
+/// Of one question; more share the cores anyway.
+const MOST_THREADS: usize = 16;
+
+/// Where answers are computed.
+#[derive(Debug)]
+pub(super) struct Workshop {
+    /// Places of those that wait or work.
+    line: Arc<Semaphore>,
+    /// Places of those that work.
+    benches: Arc<Semaphore>,
+    /// Threads that nobody uses; each question has some of its own, so that a long one leaves the others their share.
+    idle: Mutex<Vec<ThreadPool>>,
+    threads: usize,
+}
+
+/// A place in the line, which is free again when it is dropped.
+#[derive(Debug)]
+pub(super) struct Place(#[expect(dead_code, reason = "held")] OwnedSemaphorePermit);
+
+/// Whoever holds this waits; once it is dropped nobody does.
+#[derive(Debug)]
+pub(super) struct Waits(pub(super) Arc<Client>);
+
+impl Drop for Waits {
+    fn drop(&mut self) {
+        self.0.leaves();
+    }
+}
+
+impl Workshop {
+    /// With so many benches, or one for each core.
+    pub(super) fn new(threads: Option<usize>) -> Self {
+        let cores = threads.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from));
+        Self {
+            line: Arc::new(Semaphore::new(cores + (WAITING * cores).max(LEAST_WAITING))),
+            benches: Arc::new(Semaphore::new(cores)),
+            idle: Mutex::default(),
+            threads: cores.min(MOST_THREADS),
+        }
+    }
+
+    /// A place in the line, where there is one.
+    pub(super) fn line_up(&self) -> Result<Place, Refused> {
+        let full = |_| {
+            let why = "the server computes as much as it can, and as many questions wait as may";
+            Refused::new(StatusCode::SERVICE_UNAVAILABLE, why, "ask again in a moment")
+        };
+        Arc::clone(&self.line).try_acquire_owned().map(Place).map_err(full)
+    }
+
+    /// Waits for a bench, and computes there. Whoever drops this leaves the line, and keeps the bench only until the work notices.
+    pub(super) async fn work<T: Send + 'static>(
+        self: &Arc<Self>,
+        place: Place,
+        client: Arc<Client>,
+        work: impl FnOnce(Arc<Client>) -> Result<T, Refused> + Send + 'static,
+    ) -> Result<T, Refused> {
+        let _waits = Waits(Arc::clone(&client));
+        let ending = |_| Refused::new(StatusCode::SERVICE_UNAVAILABLE, "the server is ending", "start it again");
+        let bench = Arc::clone(&self.benches).acquire_owned().await.map_err(ending)?;
+        let shop = Arc::clone(self);
+        let computed = task::spawn_blocking(move || {
+            let _held = (place, bench);
+            let pool = shop.pool()?;
+            let found = catch_unwind(AssertUnwindSafe(|| pool.install(|| work(client))));
+            shop.idle.lock().unwrap_or_else(PoisonError::into_inner).push(pool);
+            found.unwrap_or_else(|panic| Err(broken(&*panic)))
+        });
+        computed.await.unwrap_or_else(|error| Err(broken(&error.to_string())))
+    }
+
+    /// Threads for one question.
+    fn pool(&self) -> Result<ThreadPool, Refused> {
+        if let Some(pool) = self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop() {
+            return Ok(pool);
+        }
+        let none = |error| {
+            let why = format!("the system gives no threads: {error}");
+            Refused::new(StatusCode::SERVICE_UNAVAILABLE, why, "ask again in a moment")
+        };
+        ThreadPoolBuilder::new().num_threads(self.threads).stack_size(STACK).build().map_err(none)
+    }
+}
+
+/// A fault of the program: the question has no answer, and the server goes on.
+fn broken(panic: &(dyn Any + Send)) -> Refused {
+    let said = panic.downcast_ref::<&str>().copied().or_else(|| panic.downcast_ref::<String>().map(String::as_str));
+    let why = format!("the program broke: {}", stiffarm::plain::on_one_line(said.unwrap_or("it does not say why")));
+    Refused::new(
+        StatusCode::INTERNAL_SERVER_ERROR,
+        why,
+        "this is a fault of the program, please report it with the question",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::mpsc;
+
+    use stiffarm::watch::Waiting;
+    use tokio::runtime::Runtime;
+
+    use super::*;
+
+    fn client() -> Arc<Client> {
+        Arc::new(Client::waiting())
+    }
+
+    #[test]
+    fn a_panic_is_a_refusal_and_its_bench_is_free_again() {
+        let shop = Arc::new(Workshop::new(Some(1)));
+        Runtime::new().unwrap().block_on(async {
+            for _ in 0..3 {
+                let place = shop.line_up().unwrap();
+                let refused = shop.work::<()>(place, client(), |_| panic!("on purpose")).await.unwrap_err();
+                assert_eq!(refused.status, StatusCode::INTERNAL_SERVER_ERROR);
+                assert!(refused.json()["error"].as_str().unwrap().ends_with("on purpose"));
+            }
+            assert_eq!(shop.work(shop.line_up().unwrap(), client(), |_| Ok(7)).await, Ok(7));
+        });
+    }
+
+    #[test]
+    fn who_leaves_stops_the_work_and_who_comes_to_a_full_line_is_sent_away() {
+        let shop = Arc::new(Workshop::new(Some(1)));
+        Runtime::new().unwrap().block_on(async {
+            let (begun, begins) = mpsc::channel();
+            let (ended, ends) = mpsc::channel();
+            let until_left = move |client: Arc<Client>| {
+                begun.send(()).unwrap();
+                while client.is_wanted() {
+                    thread::yield_now();
+                }
+                ended.send(()).unwrap();
+                Ok(())
+            };
+            let working = tokio::spawn({
+                let (shop, place) = (Arc::clone(&shop), shop.line_up().unwrap());
+                async move { shop.work(place, client(), until_left).await }
+            });
+            begins.recv().unwrap();
+            let waiting: Vec<Place> = (0..LEAST_WAITING).map(|_| shop.line_up().unwrap()).collect();
+            assert_eq!(shop.line_up().unwrap_err().status, StatusCode::SERVICE_UNAVAILABLE);
+            drop(waiting);
+            working.abort();
+            ends.recv().unwrap();
+            assert_eq!(shop.work(shop.line_up().unwrap(), client(), |_| Ok(1)).await, Ok(1));
+        });
+    }
+}

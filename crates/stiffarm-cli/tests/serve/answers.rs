@@ -1,0 +1,192 @@
+//! Does the server answer what the command line writes?
+
+use std::fs;
+use std::thread;
+
+use assert_cmd::Command;
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+use super::TWO_LINKS;
+use super::served::Served;
+
+/// What the command line writes.
+fn typed(folder: &TempDir, arguments: &[&str]) -> Vec<u8> {
+    let output = Command::cargo_bin("stiffarm")
+        .expect("built")
+        .current_dir(folder.path())
+        .args(arguments)
+        .output()
+        .expect("runs");
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    output.stdout
+}
+
+const ENDMILL: &str = include_str!("../../../../docs/examples/endmill.toml");
+const PATH: &str = "G21 G90\nG1 F600 X0 Y0 Z0\nG1 X100\nG1 Y50\nG1 X0\nM30\n";
+
+#[test]
+fn every_verb_answers_what_the_command_line_writes_to_the_last_byte() {
+    let (served, folder) = (Served::start(&[]), TempDir::new().unwrap());
+    let sheet =
+        typed(&folder, &["measure", "KR 210 R2700 extra", "--runs", "8", "--candidates", "200", "--format", "csv"]);
+    let measured = include_str!("../../../../docs/examples/fanuc_r2000ic.csv");
+    for (name, text) in [("mine.toml", TWO_LINKS), ("process.toml", ENDMILL), ("part.nc", PATH), ("data.csv", measured)]
+    {
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    fs::write(folder.path().join("a.toml"), "verb = \"place\"\nrobot = \"mine.toml\"\n").unwrap();
+    fs::write(folder.path().join("own.csv"), &sheet).unwrap();
+    let cases: Vec<(&str, &[&str], Value)> = vec![
+        (
+            "rank",
+            &["--task", "A:0.5,rect:0.4x0.2", "--tolerance-mm", "2"],
+            json!({ "task": ["A:0.5", "rect:0.4x0.2"], "tolerance-mm": 2 }),
+        ),
+        ("place", &["mine.toml", "--task", "circle:0.3"], json!({ "robot": "mine.toml", "task": "circle:0.3" })),
+        (
+            "place",
+            &["BT200L", "--task", "circle:0.2", "--at", "1.6,0.8"],
+            json!({ "robot": "BT200L", "task": "circle:0.2", "at": [1.6, 0.8] }),
+        ),
+        (
+            "map",
+            &["BT200L", "--size", "30", "--zone", "B:0.5"],
+            json!({ "robot": "BT200L", "size": 30, "zone": "B:0.5" }),
+        ),
+        (
+            "compliance",
+            &["BT200L", "--joints-deg", "0,1,2,0,45,0", "--force-n", "0,1000,0"],
+            json!({ "robot": "BT200L", "joints-deg": [0, 1, 2, 0, 45, 0], "force-n": [0, 1000, 0] }),
+        ),
+        ("study", &["--tasks", "A", "--sizes", "0.1,0.5"], json!({ "tasks": "A", "sizes": [0.1, 0.5] })),
+        (
+            "compare",
+            &["a.toml", "BT200L", "--task", "circle:0.3"],
+            json!({ "a": "a.toml", "b": "BT200L", "task": "circle:0.3" }),
+        ),
+        ("force", &["process.toml"], json!({ "process": "process.toml" })),
+        ("mill", &["part.nc", "--dry"], json!({ "path": "part.nc", "dry": true })),
+        (
+            "mill",
+            &["part.nc", "--robot", "BT200L", "--process", "process.toml", "--at", "1.6,0,0.8", "--step-mm", "20"],
+            json!({ "path": "part.nc", "robot": "BT200L", "process": "process.toml", "at": [1.6, 0, 0.8], "step-mm": 20 }),
+        ),
+        (
+            "measure",
+            &["KR 210 R2700 extra", "--runs", "8", "--candidates", "200", "--compare", "own.csv"],
+            json!({ "robot": "KR 210 R2700 extra", "runs": 8, "candidates": 200, "compare": "own.csv" }),
+        ),
+        (
+            "identify",
+            &["data.csv", "--robot", "R-2000iC/165F"],
+            json!({ "data": "data.csv", "robot": "R-2000iC/165F" }),
+        ),
+    ];
+    let texts: Value = ["mine.toml", "process.toml", "part.nc", "a.toml", "own.csv", "data.csv"]
+        .into_iter()
+        .map(|name| (name.to_owned(), Value::from(fs::read_to_string(folder.path().join(name)).unwrap())))
+        .collect();
+    for (verb, arguments, options) in cases {
+        for format in ["json", "csv"] {
+            let expected = typed(&folder, &[&[verb], arguments, &["--format", format]].concat());
+            let reply = served.ask(&format!("/api/{verb}?as={format}"), &json!({ "options": options, "files": texts }));
+            assert_eq!(reply.status, 200, "{verb}: {}", reply.text());
+            assert!(expected == reply.body, "{verb} as {format}: {}", reply.text());
+        }
+    }
+    assert_eq!(
+        served.get("/api/robots?text=kuka&payload-kg=300..").body,
+        typed(&folder, &["robots", "list", "kuka", "--payload-kg", "300..", "--format", "json"])
+    );
+    assert_eq!(
+        served.get("/api/robots/IRB%206640-235%2F2.55").body,
+        typed(&folder, &["robots", "show", "IRB 6640-235/2.55", "--format", "json"])
+    );
+}
+
+#[test]
+fn files_pictures_and_programs_come_as_the_command_line_writes_them() {
+    let (served, folder) = (Served::start(&[]), TempDir::new().unwrap());
+    let place = json!({ "options": { "robot": "BT200L", "task": "circle:0.3" } });
+    for (form, file, kind) in [
+        ("svg", "place.svg", "image/svg+xml"),
+        ("png", "place.png", "image/png"),
+        ("pdf", "place.pdf", "application/pdf"),
+        ("view", "place.view.html", "text/html; charset=utf-8"),
+        ("txt", "place.txt", "text/plain; charset=utf-8"),
+        ("md", "place.md", "text/markdown; charset=utf-8"),
+    ] {
+        typed(&folder, &["place", "BT200L", "--task", "circle:0.3", "-o", file, "--quiet"]);
+        let reply = served.ask(&format!("/api/place?as={form}"), &place);
+        assert_eq!((reply.status, reply.header("content-type")), (200, Some(kind)), "{form}: {}", reply.head);
+        assert!(reply.body == fs::read(folder.path().join(file)).unwrap(), "{form}");
+        assert_eq!(reply.header("content-disposition"), Some(format!("attachment; filename=\"{file}\"").as_str()));
+    }
+    let told = served.ask("/api/place?as=command", &place).json();
+    assert_eq!(told["command"], "stiffarm place BT200L --task circle:0.3");
+    assert_eq!(told["python"], "stiffarm.place(\"BT200L\", task=\"circle:0.3\")");
+    assert_eq!(served.ask("/api/place?as=job", &place).text(), told["job"]);
+    fs::write(folder.path().join("job.toml"), told["job"].as_str().unwrap()).unwrap();
+    assert_eq!(typed(&folder, &["place", "job.toml", "--format", "json"]), served.ask("/api/place", &place).body);
+    let map = served.ask("/api/map?as=svg", &json!({ "options": { "robot": "BT200L", "size": 40 } })).text();
+    assert!(["data-x0-px", "data-z0-m", "data-px-per-m"].iter().all(|key| map.lines().next().unwrap().contains(key)));
+    for form in ["xyz", "../x", "", "toml"] {
+        let refused = served.ask(&format!("/api/place?as={form}"), &place);
+        assert_eq!(refused.status, 400, "{form}: {}", refused.text());
+    }
+}
+
+#[test]
+fn what_the_program_says_beside_an_answer_comes_along() {
+    let served = Served::start(&[]);
+    let question = json!({ "options": { "robot": "BT200L", "joints-deg": [0, 1, 2, 0, 1, 0] } });
+    let notes: Vec<String> =
+        serde_json::from_str(served.ask("/api/compliance", &question).header("stiffarm-notes").unwrap()).unwrap();
+    assert!(notes[0].contains("beyond 6.3 deg"), "{notes:?}");
+    let lines = served.post("/api/compliance", "Accept: application/x-ndjson\r\n", &question.to_string()).text();
+    assert!(lines.lines().last().unwrap().contains("beyond 6.3 deg"), "{lines}");
+}
+
+#[test]
+fn a_view_has_a_page_and_a_policy_of_its_own() {
+    let served = Served::start(&[]);
+    let page = served.get(
+        "/view/place?question=%7B%22options%22%3A%7B%22robot%22%3A%22BT200L%22%2C%22task%22%3A%22circle%3A0.3%22%7D%7D",
+    );
+    assert_eq!((page.status, page.header("content-type")), (200, Some("text/html; charset=utf-8")), "{}", page.text());
+    let policy = page.header("content-security-policy").unwrap();
+    assert!(policy.contains("sandbox allow-scripts") && policy.contains("connect-src 'none'"), "{policy}");
+    let form = "question=%7B%22options%22%3A%7B%22robot%22%3A%22BT200L%22%2C%22task%22%3A%22circle%3A0.3%22%7D%7D";
+    let posted = served.post("/view/place", "Content-Type: application/x-www-form-urlencoded\r\n", form);
+    assert!(posted.status == 200 && posted.body == page.body);
+    assert_eq!(served.get("/view/place?q=1").status, 400);
+    assert_eq!(
+        served
+            .post(
+                "/view/place",
+                "Content-Type: application/x-www-form-urlencoded\r\nOrigin: http://evil.example\r\n",
+                form
+            )
+            .status,
+        403
+    );
+}
+
+#[test]
+fn many_at_once_are_all_answered_and_with_the_same_bytes() {
+    let served = Served::start(&["--threads", "2"]);
+    let question = json!({ "options": { "robot": "BT200L", "task": "rect:0.6x0.4" } });
+    let expected = served.ask("/api/place", &question).body;
+    thread::scope(|scope| {
+        for _ in 0..8 {
+            scope.spawn(|| {
+                for _ in 0..10 {
+                    let reply = served.ask("/api/place", &question);
+                    assert_eq!(reply.status, 200, "{}", reply.text());
+                    assert!(reply.body == expected);
+                }
+            });
+        }
+    });
+}

@@ -1,0 +1,178 @@
+//! Is refused what must be, with a word, and does the server stay up whatever is sent to it?
+
+use std::io::{BufRead, BufReader, Write};
+
+use serde_json::json;
+
+use super::TWO_LINKS;
+use super::served::{Served, heard};
+
+#[test]
+fn no_name_that_is_sent_leads_to_a_file_of_the_server() {
+    let served = Served::start(&[]);
+    let here = concat!(env!("CARGO_MANIFEST_DIR"), "/../stiffarm/robots/paper/kawasaki_bt200l.toml");
+    let at_hand = "Cargo.toml";
+    for name in [
+        here,
+        at_hand,
+        "/etc/passwd",
+        "../../../../etc/passwd",
+        "..",
+        "/",
+        ".",
+        "src",
+        "file:///etc/passwd",
+        "\\\\host\\share\\a.toml",
+    ] {
+        let robot = served.ask("/api/place", &json!({ "options": { "robot": name, "task": "circle:0.3" } }));
+        assert_eq!(robot.status, 422, "{name}: {}", robot.text());
+        assert!(robot.json()["error"].as_str().unwrap().ends_with("is not known"), "{}", robot.text());
+        let robots = served.ask("/api/rank", &json!({ "options": { "robots": name, "task": "circle:0.3" } }));
+        assert!(robots.json()["error"].as_str().unwrap().contains("is not known"), "{}", robots.text());
+        let questions = [
+            ("force", json!({ "process": name })),
+            ("mill", json!({ "path": name, "dry": true, "read-as": "gcode" })),
+            ("identify", json!({ "data": name, "robot": "BT200L" })),
+            ("measure", json!({ "robot": "BT200L", "compare": name })),
+        ];
+        for (verb, options) in questions {
+            let refused =
+                served.ask(&format!("/api/{verb}"), &json!({ "options": options, "files": { "other": "text" } }));
+            assert_eq!(refused.status, 422, "{verb} {name}: {}", refused.text());
+            assert!(refused.json()["error"].as_str().unwrap().contains("came along"), "{verb}: {}", refused.text());
+        }
+        let compared =
+            served.ask("/api/compare", &json!({ "options": { "a": name, "b": "BT200L", "task": "circle:0.3" } }));
+        assert!(compared.json()["error"].as_str().unwrap().contains("is not known"), "{}", compared.text());
+    }
+    for path in [
+        "/assets/../Cargo.toml",
+        "/assets/%2e%2e/Cargo.toml",
+        "/assets//etc/passwd",
+        "/../../etc/passwd",
+        "/api/robots/..%2f..%2fetc%2fpasswd",
+    ] {
+        assert!(matches!(served.get(path).status, 404 | 422), "{path}");
+    }
+}
+
+#[test]
+fn only_who_calls_the_server_by_its_own_name_and_from_its_own_page_is_answered() {
+    let served = Served::start(&[]);
+    let ask = |host: &str, more: &str| {
+        let body = "{\"options\": {\"robot\": \"BT200L\", \"task\": \"circle:0.3\"}}";
+        let length = body.len();
+        let kind = "Content-Type: application/json; charset=utf-8";
+        let head = format!(
+            "POST /api/place HTTP/1.1\r\n{host}Connection: close\r\n{kind}\r\nContent-Length: {length}\r\n{more}\r\n"
+        );
+        served.raw((head + body).as_bytes()).status
+    };
+    let own = format!("Host: localhost:{}\r\n", served.port);
+    assert_eq!(ask(&own, ""), 200);
+    assert_eq!(ask(&own, &format!("Origin: http://localhost:{}\r\nSec-Fetch-Site: same-origin\r\n", served.port)), 200);
+    for host in ["Host: evil.example\r\n", "Host: localhost.evil.example\r\n", "Host: 127.0.0.1.evil.example:80\r\n"] {
+        assert_eq!(ask(host, ""), 403, "{host}");
+    }
+    assert_eq!(ask("", ""), 400);
+    assert_eq!(ask("Host: localhost\r\nHost: localhost\r\n", ""), 400);
+    for from in [
+        "Origin: http://evil.example",
+        "Origin: null",
+        "Origin: https://localhost",
+        "Sec-Fetch-Site: cross-site",
+        "Sec-Fetch-Site: same-site",
+    ] {
+        assert_eq!(ask(&own, &format!("{from}\r\n")), 403, "{from}");
+    }
+    assert_eq!(served.post("/api/place", "Content-Type: text/plain\r\n", "{}").status, 415);
+    let page = served.get("/");
+    assert_eq!(page.status, 200);
+    let policy = page.header("content-security-policy").unwrap();
+    assert!(policy.starts_with("default-src 'none'; script-src 'self';") && !policy.contains("eval"), "{policy}");
+    for reply in [page, served.get("/api/robots/BT200L"), served.get("/nothing")] {
+        assert_eq!(reply.header("x-content-type-options"), Some("nosniff"), "{}", reply.head);
+        assert!(reply.header("content-security-policy").unwrap().contains("default-src 'none'"));
+    }
+}
+
+#[test]
+fn what_is_malformed_is_refused_with_a_word_and_harms_nobody() {
+    let served = Served::start(&[]);
+    for (path, body, status, words) in [
+        ("/api/place", "", 400, "not understood"),
+        ("/api/place", "{", 400, "not understood"),
+        ("/api/place", "[]", 400, "no object"),
+        ("/api/place", "{\"options\": 3}", 400, "no object"),
+        ("/api/place", "{\"optoins\": {}}", 400, "optoins"),
+        ("/api/place", "{\"options\": {}, \"files\": {\"a\": 1}}", 400, "no text"),
+        ("/api/place", "{\"options\": {\"robot\": \"BT200L\"}}", 400, "task is missing"),
+        ("/api/place", "{\"options\": {\"robot\": \"BT200L\", \"task\": \"circle:-1\"}}", 400, "invalid value"),
+        (
+            "/api/place",
+            "{\"options\": {\"robot\": \"BT200L\", \"task\": \"circle:0.3\", \"toleranc-mm\": 1}}",
+            400,
+            "did you mean tolerance-mm",
+        ),
+        ("/api/place", "{\"options\": {\"robot\": \"BT200\", \"task\": \"circle:0.3\"}}", 422, "is not known"),
+        (
+            "/api/place",
+            "{\"options\": {\"robot\": \"m.toml\", \"task\": \"circle:0.3\"}, \"files\": {\"m.toml\": \"x = 1\"}}",
+            422,
+            "m.toml",
+        ),
+        ("/api/map", "{\"options\": {\"robot\": \"BT200L\", \"size\": 100000}}", 400, "too much"),
+        ("/api/map", "{\"options\": {\"robot\": \"BT200L\", \"step-m\": 0.00001}}", 400, "too much"),
+        ("/api/measure", "{\"options\": {\"robot\": \"BT200L\", \"candidates\": 1000000}}", 400, "too much"),
+        ("/api/nothing", "{}", 404, "nothing of this name"),
+        ("/api/robots/check", "{\"name\": \"a\"}", 400, "expected"),
+    ] {
+        let reply = served.post(path, "", body);
+        assert_eq!(reply.status, status, "{body}: {}", reply.text());
+        let told = reply.json();
+        assert!(told["error"].as_str().unwrap().contains(words), "{body}: {told}");
+        assert!(!told["hint"].as_str().unwrap().is_empty());
+    }
+    let nested = format!("{{\"options\": {}", "[".repeat(100_000));
+    assert_eq!(served.post("/api/place", "", &nested).status, 400);
+    assert_eq!(served.ask("/api/study", &json!({ "options": { "sizes": vec![0.1; 5000] } })).status, 400);
+    for bytes in [
+        &b"\0\xff\x16\x03\x01\r\n\r\n"[..],
+        b"GET\r\n\r\n",
+        b"GET / HTTP/9.9\r\n\r\n",
+        b"GET / HTTP/1.1\r\nHost: localhost\r\nX: \x01\r\n\r\n",
+    ] {
+        assert_eq!(served.raw(bytes).status, 400, "{bytes:?}");
+    }
+    let many = format!("GET / HTTP/1.1\r\nHost: localhost\r\n{}\r\n", "X: y\r\n".repeat(500));
+    assert_eq!(served.raw(many.as_bytes()).status, 431);
+    assert_eq!(
+        served.raw(b"DELETE /api/robots HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n").header("allow"),
+        Some("get")
+    );
+    assert_eq!(served.get("/api/place").header("allow"), Some("post"));
+    let check = served.ask("/api/robots/check", &json!({ "name": "a.toml", "text": TWO_LINKS })).json();
+    assert!(check["robot"]["robot"] == "two links" && check["faults"] == json!([]), "{check}");
+    assert_eq!(served.get("/api/robots/BT200L").status, 200, "it is still there");
+}
+
+#[test]
+fn a_question_that_is_too_large_or_does_not_come_is_given_up() {
+    let served = Served::start(&[]);
+    let large = format!("{{\"files\": {{\"a\": \"{}\"}}}}", "x".repeat(5 << 20));
+    let refused = served.post("/api/place", "", &large);
+    assert_eq!((refused.status, refused.json()["error"].as_str()), (413, Some("the question has more than 4 MiB")));
+    let mut half = served.connect();
+    half.write_all(
+        b"POST /api/place HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 99\r\n\r\n{",
+    )
+    .unwrap();
+    let mut silent = served.connect();
+    silent.write_all(b"GET / HTTP/1.1\r\nHo").unwrap();
+    assert_eq!(served.get("/").status, 200, "nobody else waits for them");
+    assert_eq!(heard(half).status, 408);
+    // It hangs up, with or without a word.
+    let mut rest = String::new();
+    let _ = BufReader::new(silent).read_line(&mut rest);
+    assert!(rest.is_empty() || rest.contains("408"), "{rest}");
+}

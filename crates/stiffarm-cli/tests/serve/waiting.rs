@@ -1,0 +1,108 @@
+//! Who waits, for how long, and what ends when nobody does?
+
+use std::io::{BufRead, BufReader, Write};
+use std::thread;
+use std::time::Duration;
+
+use assert_cmd::Command;
+use serde_json::{Value, json};
+
+use super::served::Served;
+
+/// Work that takes minutes on any machine.
+fn long() -> Value {
+    let tasks: Vec<String> = (20..60).map(|cm| format!("rect:0.{cm}x0.3")).collect();
+    json!({ "options": { "robots": "all", "task": tasks, "model": "spatial" } })
+}
+
+/// Reads lines of a stream until one says that work has begun.
+fn begun(reader: &mut impl BufRead) -> Value {
+    loop {
+        let mut line = String::new();
+        assert_ne!(reader.read_line(&mut line).expect("it tells"), 0, "it ended before it began");
+        let told = serde_json::from_str::<Value>(&line).unwrap_or_default();
+        let progress = &told["progress"];
+        if progress["doing"].as_str().is_some_and(|doing| doing != "waiting") {
+            return progress.clone();
+        }
+    }
+}
+
+#[test]
+fn who_hangs_up_frees_the_worker_and_a_full_line_is_told_at_once() {
+    let served = Served::start(&["--threads", "1"]);
+    let accept = "Accept: application/x-ndjson\r\n";
+    let long_question = served.question("/api/rank", accept, &long().to_string());
+    let work = || {
+        let mut stream = served.connect();
+        stream.write_all(long_question.as_bytes()).unwrap();
+        stream
+    };
+    let mut working = BufReader::new(work());
+    assert_eq!(begun(&mut working)["doing"], "placing zones");
+    // One works; eight wait.
+    let waiting: Vec<_> = (0..8)
+        .map(|_| {
+            let mut stream = BufReader::new(work());
+            let mut line = String::new();
+            while !line.contains("waiting") {
+                line.clear();
+                assert_ne!(stream.read_line(&mut line).unwrap(), 0);
+            }
+            stream
+        })
+        .collect();
+    let short = json!({ "options": { "robot": "BT200L", "task": "circle:0.3" } });
+    let full = served.ask("/api/place", &short);
+    assert_eq!((full.status, full.header("retry-after")), (503, Some("1")), "{}", full.text());
+    assert_eq!(served.get("/").status, 200, "what needs no worker is answered");
+    drop(waiting);
+    drop(working);
+    // The short one now comes to its turn, though nobody has finished the long ones.
+    let freed = (0..100).any(|_| match served.ask("/api/place", &short).status {
+        200 => true,
+        503 => {
+            thread::sleep(Duration::from_millis(100));
+            false
+        }
+        other => panic!("{other}"),
+    });
+    assert!(freed, "the worker is not free");
+}
+
+#[test]
+fn an_answer_that_takes_too_long_is_broken_off_and_the_same_goes_on_in_a_stream() {
+    let served = Served::start(&["--threads", "1", "--time-limit-s", "1"]);
+    let late = served.ask("/api/rank", &long());
+    assert_eq!(late.status, 504, "{}", late.text());
+    assert!(late.json()["hint"].as_str().unwrap().contains("application/x-ndjson"));
+    let short = json!({ "options": { "task": "A:0.5" } });
+    let lines = served.post("/api/rank", "Accept: application/x-ndjson\r\n", &short.to_string());
+    assert_eq!((lines.status, lines.header("content-type")), (200, Some("application/x-ndjson")));
+    let text = lines.text();
+    let last: Value = serde_json::from_str(text.lines().last().unwrap()).unwrap();
+    assert_eq!(last["answer"], Served::start(&[]).ask("/api/rank", &short).json());
+    let refused = served.post(
+        "/api/place",
+        "Accept: application/x-ndjson\r\n",
+        &json!({ "options": { "robot": "x", "task": "A:0.5" } }).to_string(),
+    );
+    let last: Value = serde_json::from_str(refused.text().lines().last().unwrap()).unwrap();
+    assert!(last["error"].as_str().unwrap().contains("not known") && last["status"] == 422, "{last}");
+}
+
+#[test]
+fn it_ends_when_it_is_told_to_and_says_so_by_its_exit_code() {
+    for signal in ["-INT", "-TERM"] {
+        let mut served = Served::start(&[]);
+        assert_eq!(served.get("/").status, 200);
+        let sent = std::process::Command::new("kill").args([signal, &served.child.id().to_string()]).status().unwrap();
+        assert!(sent.success());
+        let status = served.child.wait().unwrap();
+        assert!(status.success(), "{signal}: {status}");
+    }
+    let served = Served::start(&[]);
+    let taken =
+        Command::cargo_bin("stiffarm").unwrap().args(["serve", "--port", &served.port.to_string()]).output().unwrap();
+    assert!(!taken.status.success() && String::from_utf8_lossy(&taken.stderr).contains("hint: --port 0"));
+}
