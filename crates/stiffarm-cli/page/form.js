@@ -19,9 +19,12 @@ function labelled(row) {
 /** @param {HTMLElement} form @param {Part[]} parts */
 export function build(form, parts) {
   const focused = document.activeElement?.id ?? "";
+  /** @type {Set<string>} What is shared by two parts is asked once. */
+  const met = new Set();
   form.replaceChildren(
     ...parts.map(({ verb, title, first }) => {
-      const of = rows(verb).filter((row) => isOfModel(verb, row) && row.name !== "width-mm");
+      const of = rows(verb).filter((row) => isOfModel(verb, row) && row.name !== "width-mm" && !met.has(keyOf(verb, row)));
+      for (const row of of) met.add(keyOf(verb, row));
       const begin = first.flatMap((name) => of.filter((row) => row.name === name));
       const rest = of.filter((row) => !first.includes(row.name));
       const set = el("fieldset", {}, [el("legend", {}, [title]), ...begin.map((row) => control(verb, row))]);

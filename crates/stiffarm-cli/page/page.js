@@ -5,7 +5,7 @@ import { byId, button, el, save, say } from "./dom.js";
 import { tellFault } from "./figure.js";
 import { build, faulty, refresh } from "./form.js";
 import { opener } from "./open.js";
-import { change, files, onChange, question, readAddress, readJob, value, view } from "./state.js";
+import { change, files, firstQuestion, onChange, question, readAddress, readJob, value, view } from "./state.js";
 import { learn } from "./table.js";
 import { measure } from "./view_measure.js";
 import { mill } from "./view_mill.js";
@@ -52,7 +52,11 @@ function show() {
 function later() {
   show();
   clearTimeout(soon);
-  soon = setTimeout(() => work((signal) => current().update(signal)), 120);
+  document.body.dataset["later"] = "";
+  soon = setTimeout(() => {
+    work((signal) => current().update(signal));
+    delete document.body.dataset["later"];
+  }, 120);
 }
 
 function fromAddress() {
@@ -91,6 +95,7 @@ async function share() {
 
 async function begin() {
   learn(await get("/api/options"));
+  firstQuestion();
   byId("job").append(button("copy link", share), button("save job", saveJob), opener("open a job file", "job", openJob, "open job"));
   for (const link of document.querySelectorAll("nav a")) {
     link.addEventListener("click", (event) => {

@@ -11,6 +11,8 @@ export const files = new Map();
 
 /** @type {Map<string, string>} */
 const values = new Map();
+/** What is asked before anything was said: the address does not tell it. @type {Map<string, string>} */
+const first = new Map();
 /** @type {(() => void)[]} */
 const listeners = [];
 let shown = "robots";
@@ -22,7 +24,7 @@ export function view() {
 
 /** @param {string} key @returns {string} */
 export function value(key) {
-  return values.get(key) ?? "";
+  return values.get(key) ?? first.get(key) ?? "";
 }
 
 /** @param {() => void} listener */
@@ -33,7 +35,7 @@ export function onChange(listener) {
 /** @param {Record<string, string>} changes @param {string} [next] the view that is shown then */
 export function change(changes, next = shown) {
   for (const [key, text] of Object.entries(changes)) {
-    if (text === "") values.delete(key);
+    if (text === (first.get(key) ?? "")) values.delete(key);
     else values.set(key, text);
   }
   const turns = next !== shown;
@@ -54,18 +56,13 @@ export function readAddress() {
   values.clear();
   for (const [key, text] of new URLSearchParams(query)) values.set(key, text);
   shown = VIEWS.includes(name) ? name : "robots";
-  firstQuestion();
 }
 
 /** What must be given is first asked with the example of its row, so that the first picture needs no click. */
-function firstQuestion() {
-  const first = [["place", "robot"], ["place", "task"], ["mill", "path"]];
-  if (value("mill.process") === "" && value("mill.force-n") === "") first.push(["mill", "force-n"]);
-  if (!values.has("mill.path") && value("within") === "") first.push(["mill", "at"]);
-  for (const [verb = "", name = ""] of first) {
+export function firstQuestion() {
+  for (const [verb = "", name = ""] of [["place", "robot"], ["place", "task"], ["mill", "path"], ["mill", "force-n"], ["mill", "at"]]) {
     const found = row(verb, name);
-    const key = found ? keyOf(verb, found) : "";
-    if (found && !values.has(key)) values.set(key, found.example);
+    if (found) first.set(keyOf(verb, found), found.example);
   }
 }
 
@@ -98,9 +95,7 @@ export function question(verb, changed = {}) {
 
 /** Takes the state from what a job file asks. @param {{verb: string, options: Record<string, unknown>}} job */
 export function readJob({ verb, options }) {
-  for (const of of rows(verb)) values.delete(keyOf(verb, of));
-  /** @type {Record<string, string>} */
-  const changes = {};
+  const changes = Object.fromEntries(rows(verb).map((of) => [keyOf(verb, of), ""]));
   for (const [name, given] of Object.entries(options)) {
     const of = row(verb, name);
     if (of) changes[keyOf(verb, of)] = typed(given);

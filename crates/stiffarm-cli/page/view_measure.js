@@ -48,7 +48,7 @@ export const measure = {
     const label = under(about, /^precision/);
     says.replaceChildren(
       verdict(label, `precision that ${answer.runs?.length ?? 0} measurements give`, null, under(about, /^stiffness$/)),
-      ...(about ? [list(about)] : []),
+      ...(about ? [list(about, /^(stiffness|precision)/)] : []),
       words(told.sentences.flat()),
     );
     if (runs) plan.replaceChildren(sortable(runs, "postures to measure"));
@@ -73,7 +73,7 @@ async function identify(signal) {
   const label = under(about, /^not explained/);
   found.replaceChildren(
     verdict(label, "not explained by the drives as found", null, under(about, /^fit$/)),
-    ...(about ? [list(about)] : []),
+    ...(about ? [list(about, /^(fit|not explained)$/)] : []),
     words(told.sentences.flat()),
     button("use this robot in the other views", use, { class: "main" }),
     takeaway(identified, [["robot file", "toml"], ["CSV", "csv"], ["SVG", "svg"], ["PNG", "png"], ["JSON", "json"], ["report", "report", "html"]]),

@@ -41,7 +41,7 @@ export const mill = {
     const means = answer.feasible ? "largest error of the tool along the path" : String(answer.reason ?? "");
     says.replaceChildren(
       verdict(label, means, answer.pass, under(sheet, /^stiffness$/)),
-      ...told.sheets.map((sheet) => list(sheet)),
+      ...told.sheets.map((sheet) => list(sheet, /^(stiffness|largest error)$/)),
       words(told.sentences.flat()),
     );
     programs.replaceChildren(...(answer.compensation ? [takeaway(asked, PROGRAMS)] : [el("p", { class: "notes" }, ["with “compensate” programs for KUKA, ABB and Fanuc, and the path led aside, can be downloaded"])]));

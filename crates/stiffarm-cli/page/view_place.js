@@ -54,7 +54,8 @@ function resized(zone) {
 
 /** @param {number} deg */
 function turned(deg) {
-  const now = Number(value("angle")) || Number(proved.angle_deg) || 0;
+  const given = Number.parseFloat(value("angle"));
+  const now = Number.isFinite(given) ? given : Number(proved.angle_deg) || 0;
   change({ angle: String((now + deg + 180) % 180) });
 }
 
