@@ -9,9 +9,12 @@ import subprocess
 from collections.abc import Callable, Iterator
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 Open = Callable[..., Page]
+
+# A debug build on a machine that does other work, too, is slow; what is awaited comes all the same.
+expect.set_options(timeout=60_000)
 
 
 @pytest.fixture(scope="session")
