@@ -22,6 +22,14 @@ function actions(name) {
   ];
 }
 
+/** The columns of the tasks come next to the names. @param {import("./told.js").Sheet} sheet @param {string[]} tasks */
+function valuesFirst(sheet, tasks) {
+  const rank = (/** @type {string} */ name) => (name === "#" || name === "robot" ? 0 : tasks.includes(name) ? 1 : 2);
+  const order = sheet.head.map((name, column) => ({ column, rank: rank(name) })).sort((a, b) => a.rank - b.rank || a.column - b.column);
+  const led = (/** @type {string[]} */ cells) => order.map(({ column }) => cells[column] ?? "");
+  return { head: led(sheet.head), body: sheet.body.map(led) };
+}
+
 /** @type {import("./page.js").View} */
 export const robots = {
   verb: "rank",
@@ -48,7 +56,7 @@ export const robots = {
       el("details", { class: "fine" }, [el("summary", {}, ["how to read the table"]), words(sentences)]),
     );
     const [sheet] = told.sheets;
-    if (sheet) table.replaceChildren(sortable(sheet, "robots in order", (index) => actions(answer.rows[index]?.robot ?? "")));
+    if (sheet) table.replaceChildren(sortable(valuesFirst(sheet, answer.tasks ?? []), "robots in order", (index) => actions(answer.rows[index]?.robot ?? "")));
     await picture.show(svg ?? "");
     say(first);
     await comparison.update(signal);

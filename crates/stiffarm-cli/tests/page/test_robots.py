@@ -44,7 +44,8 @@ def test_robots_are_found_in_the_whole_catalogue_and_chosen_by_keys(look: Open) 
 def test_columns_sort_and_tell_so(look: Open) -> None:
     page = look("#robots")
     column = page.locator(".ranking thead button", has_text="bound")
-    bounds = page.locator(".ranking tbody tr td:nth-child(5)")
+    place = 1 + page.locator(".ranking thead th").all_inner_texts().index("bound")
+    bounds = page.locator(f".ranking tbody tr td:nth-child({place})")
     column.click()
     rising = [float(text) for text in bounds.all_inner_texts()]
     assert rising == sorted(rising)
