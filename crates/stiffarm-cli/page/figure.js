@@ -94,17 +94,22 @@ function snippet(label, text) {
 export class Space {
   constructor() {
     this.box = el("div", { class: "space" });
+    this.shown = "";
   }
 
   clear() {
     this.box.replaceChildren();
+    this.shown = "";
   }
 
-  /** @param {Asked} asked @param {AbortSignal} signal */
-  async show({ verb, question }, signal) {
-    const html = await (await written(verb, question, "view", signal)).text();
-    const frame = el("iframe", { sandbox: "allow-scripts", src: "/view", title: "view in space" });
-    frame.addEventListener("load", () => frame.contentWindow?.postMessage(html, "*"), { once: true });
-    this.box.replaceChildren(frame);
+  /** @param {Asked} asked */
+  show({ verb, question }) {
+    const now = JSON.stringify(question);
+    if (this.shown === now) return;
+    this.shown = now;
+    const frame = el("iframe", { sandbox: "allow-scripts", name: `space-of-${verb}`, title: "view in space" });
+    const form = el("form", { method: "post", action: `/view/${verb}`, target: frame.name, hidden: true }, [el("input", { type: "hidden", name: "question", value: now })]);
+    this.box.replaceChildren(frame, form);
+    form.submit();
   }
 }

@@ -4,13 +4,14 @@ import { Newest, Refusal, fields, written } from "./ask.js";
 import { el } from "./dom.js";
 import { Picture, scaleOf } from "./figure.js";
 import { question, value } from "./state.js";
+import { rows } from "./table.js";
 import { ZoneObject, rounded, zoneOf } from "./zone.js";
 
-/** Options of a map that have a meaning only with a zone of its own. */
-const OF_A_ZONE = ["at", "within", "limit-margin-deg", "singular-margin-deg", "clear-of-base-m", "floor", "angle", "gap", "zone"];
-
 /** What the map is asked, without a zone. @param {Record<string, unknown>} [more] */
-const mapped = (more = {}) => question("map", { ...Object.fromEntries(OF_A_ZONE.map((name) => [name, undefined])), ...more });
+function mapped(more = {}) {
+  const ofZone = rows("map").filter((row) => row.name === "zone" || row.needs?.includes("zone"));
+  return question("map", { ...Object.fromEntries(ofZone.map((row) => [row.name, undefined])), ...more });
+}
 
 /** The map with the zone over it. */
 export class Section {

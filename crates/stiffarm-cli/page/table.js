@@ -15,6 +15,7 @@
  * @property {boolean} list
  * @property {string[]} models
  * @property {string[]} excludes
+ * @property {string[]} [needs]
  * @property {string} example
  */
 

@@ -50,7 +50,7 @@ export const mill = {
     inSpace.setAttribute("aria-pressed", String(value("space") !== ""));
     await picture.show(await (await written("mill", now, "svg", signal)).text().catch(() => ""));
     if (value("space") === "") space.clear();
-    else await space.show({ verb: "mill", question: now }, signal);
+    else space.show({ verb: "mill", question: now });
   },
 };
 

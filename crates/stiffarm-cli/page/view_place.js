@@ -137,7 +137,7 @@ export const place = {
     says.replaceChildren(...answer.sheets.map((sheet) => list(sheet, TOLD)), words(answer.sentences.flat()));
     say(told.feasible ? `${under(sheet, /^worst deflection/)}${told.pass === false ? ", fail" : ""}` : "no place");
     if (shown() === "section") await section.update(told, proved, signal);
-    if (shown() === "space") await space.show(asked(), signal);
+    if (shown() === "space") space.show(asked());
     if (shown() === "compare") await comparison.update(signal);
     if (shown() === "study") await drawStudy(signal);
   },
