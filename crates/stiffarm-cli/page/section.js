@@ -17,7 +17,9 @@ function mapped(more = {}) {
 export class Section {
   /** @param {import("./zone.js").Hand} hand */
   constructor(hand) {
-    this.zone = new ZoneObject(hand);
+    this.zone = new ZoneObject({ ...hand, resized: (zone) => hand.resized(this.unfolded(zone)) });
+    /** @type {{zone: import("./zone.js").Zone, deg: number} | null} A flat zone that is seen from the side. */
+    this.folded = null;
     this.picture = new Picture("section map with the arm and the zone");
     this.tip = el("output", { class: "tip", hidden: true });
     this.box = el("div", { class: "section" }, [this.picture.image, this.zone.root, this.tip]);
@@ -40,8 +42,18 @@ export class Section {
     const zone = zoneOf(String(here.task ?? ""));
     const deg = Number(here.angle_deg ?? (Number(value("angle")) || 0));
     const at = Number.isFinite(x) && Number.isFinite(z) && x !== null ? { x, z } : this.middle(best);
+    this.folded = zone && isFlat ? { zone, deg } : null;
     this.zone.show(this.scale, zone && isFlat ? { ...zone, a: seenFromTheSide(zone, deg) } : zone, at, deg, isFlat);
     this.zone.mark(!here.feasible ? "none" : here.pass === true ? "pass" : here.pass === false ? "fail" : "");
+  }
+
+  /** The zone whose side was pulled: the edge that is seen grows, of a zone that stands askew both do. @param {import("./zone.js").Zone} pulled */
+  unfolded(pulled) {
+    if (!this.folded || pulled.shape === "circle") return pulled;
+    const { zone, deg } = this.folded;
+    const grown = pulled.a / seenFromTheSide(zone, deg);
+    const [along, across] = [Math.abs(Math.cos((deg * Math.PI) / 180)), Math.abs(Math.sin((deg * Math.PI) / 180))];
+    return { ...zone, a: across > 0.99 ? zone.a : zone.a * grown, b: along > 0.99 ? zone.b : zone.b * grown };
   }
 
   /** Where the zone is laid when it has no place at all: where it can be taken. @param {any} best */

@@ -74,6 +74,16 @@ def test_the_zone_is_resized_and_turned_by_keys(look: Open) -> None:
     page.wait_for_url("**angle=5*")
 
 
+def test_in_space_the_side_that_is_seen_is_resized(look: Open) -> None:
+    page = look("#place?model=spatial&force-n=400&tool=spindle:250@90&at=1.3,0.9&yaw-deg=0")
+    page.locator("#look .over .handle").focus()
+    page.keyboard.press("ArrowLeft")
+    task = page.get_by_label("task", exact=True)
+    expect(task).not_to_have_value("rect:0.6x0.4")
+    sides = [float(side) for side in task.input_value().removeprefix("rect:").split("x")]
+    assert sides in ([0.59, 0.4], [0.6, 0.39])
+
+
 def test_what_is_not_reached_says_why(look: Open) -> None:
     page = look("#place?at=0.2,0.3", refused=True)
     expect(page.locator("#number")).to_contain_text("not reached")
