@@ -7,6 +7,7 @@ mod admission;
 mod answer;
 mod bounds;
 mod form;
+mod job;
 mod listen;
 mod openapi;
 mod options;

@@ -15,7 +15,7 @@ use super::answer::answered;
 use super::form::Form;
 use super::question::{Question, form_of, query, unlike};
 use super::reply::{Refused, Reply, guarded, keep_as, note, reply};
-use super::{Server, openapi, options, page, robots, stream, view};
+use super::{Server, job, openapi, options, page, robots, stream, view};
 use crate::client::Client;
 
 /// Of a question, bytes: as large as a file may be.
@@ -44,6 +44,7 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
         "/api/options" => read_only(Ok(options::reply())),
         "/api/robots" if is_read => robots::listed(server, asked.as_deref()).await,
         "/api/robots" => Err(Refused::method("GET")),
+        "/api/job" => job::understood(&posted(request).await?),
         "/api/robots/check" => robots::checked(server, posted(request).await?).await,
         path => {
             let verb = |prefix: &str| {

@@ -1,0 +1,115 @@
+// How is a picture of the server shown, and how does what it shows come to the user's disk?
+
+import { Refusal, call, written } from "./ask.js";
+import { button, byId, el, save, say } from "./dom.js";
+
+/** @typedef {import("./ask.js").Question} Question */
+/** @typedef {{verb: string, question: Question}} Asked */
+
+/** A picture that stays until the next one is there. */
+export class Picture {
+  /** @param {string} alt */
+  constructor(alt) {
+    this.image = el("img", { alt, class: "picture" });
+    this.svg = "";
+  }
+
+  /** @param {string} svg @param {string} [alt] */
+  async show(svg, alt = this.image.alt) {
+    this.svg = svg;
+    const before = this.image.src;
+    this.image.src = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
+    this.image.alt = alt;
+    await this.image.decode().catch(() => undefined);
+    if (before) URL.revokeObjectURL(before);
+  }
+}
+
+/** Where the pixels of a map lie in metres, if the picture says so. @param {string} svg */
+export function scaleOf(svg) {
+  const root = new DOMParser().parseFromString(svg.slice(0, svg.indexOf(">") + 1).replace(/\/?>$/, "/>"), "image/svg+xml").documentElement;
+  const read = (/** @type {string} */ name) => Number.parseFloat(root.getAttribute(name) ?? "");
+  const [x0, x0m, perM, z0, z0m] = ["data-x0-px", "data-x0-m", "data-px-per-m", "data-z0-px", "data-z0-m"].map(read);
+  const [, , width, height] = (root.getAttribute("viewBox") ?? "").split(/\s+/).map(Number);
+  if (x0 === undefined || x0m === undefined || !perM || z0 === undefined || z0m === undefined || !width || !height) return null;
+  if ([x0, x0m, perM, z0, z0m].some(Number.isNaN)) return null;
+  return {
+    width, height, perM,
+    px: (/** @type {number} */ x) => x0 + (x - x0m) * perM,
+    py: (/** @type {number} */ z) => z0 - (z - z0m) * perM,
+    x: (/** @type {number} */ px) => x0m + (px - x0) / perM,
+    z: (/** @type {number} */ py) => z0m - (py - z0) / perM,
+  };
+}
+
+/** @typedef {NonNullable<ReturnType<typeof scaleOf>>} Scale */
+
+/** @param {Asked} asked @param {string} as @param {string} [ending] */
+async function download({ verb, question }, as, ending = as) {
+  try {
+    const reply = await written(verb, question, as);
+    const named = /filename="?([^";]+)"?/.exec(reply.headers.get("Content-Disposition") ?? "")?.[1];
+    save(await reply.blob(), named ?? `${verb}.${ending}`);
+    say(`${named ?? verb} is downloaded`);
+  } catch (fault) {
+    tellFault(fault);
+  }
+}
+
+/** @param {unknown} fault */
+export function tellFault(fault) {
+  const words = fault instanceof Refusal ? [fault.message, fault.hint].filter(Boolean).join("\n") : String(fault);
+  byId("fault").textContent = words;
+}
+
+/** What can be taken away of an answer. @param {() => Asked} asked @param {[string, string, string?][]} kinds label, format, ending */
+export function takeaway(asked, kinds) {
+  const box = el("div", { class: "takeaway" });
+  const code = el("div", { class: "code" });
+  const show = async () => {
+    try {
+      const { verb, question } = asked();
+      const { command, python } = await call(`/api/${verb}?as=command`, question);
+      code.replaceChildren(snippet("as command", command), snippet("as Python", python));
+    } catch (fault) {
+      tellFault(fault);
+    }
+  };
+  box.append(el("h2", {}, ["Take it along"]));
+  const buttons = kinds.map(([label, as, ending]) => button(label, () => download(asked(), as, ending), { "aria-label": `download ${label}` }));
+  box.append(el("div", { class: "buttons" }, [...buttons, button("as command, as Python", show)]), code);
+  return box;
+}
+
+/** @param {string} label @param {string} text */
+function snippet(label, text) {
+  const copy = async () => {
+    await navigator.clipboard.writeText(text);
+    say(`${label} is copied`);
+  };
+  return el("figure", {}, [el("figcaption", {}, [label, " ", button("copy", copy, { "aria-label": `copy ${label}` })]), el("pre", { tabindex: "0" }, [el("code", {}, [text])])]);
+}
+
+/** The view in space, in a frame of its own that may run the scripts which it carries and reaches nothing else. */
+export class Space {
+  constructor() {
+    this.box = el("div", { class: "space" });
+    this.shown = "";
+  }
+
+  clear() {
+    this.box.replaceChildren();
+    this.shown = "";
+  }
+
+  /** @param {Asked} asked */
+  show({ verb, question }) {
+    const now = JSON.stringify(question);
+    if (this.shown === now) return;
+    this.shown = now;
+    const frame = el("iframe", { sandbox: "allow-scripts", name: `space-of-${verb}`, title: "view in space" });
+    const form = el("form", { method: "post", action: `/view/${verb}`, target: frame.name, hidden: true }, [el("input", { type: "hidden", name: "question", value: now })]);
+    this.box.replaceChildren(frame, form);
+    form.submit();
+  }
+}

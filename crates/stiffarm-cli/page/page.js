@@ -1,0 +1,116 @@
+// What does the page do first, and what when the question changes?
+
+import { call, get } from "./ask.js";
+import { byId, button, el, save, say } from "./dom.js";
+import { tellFault } from "./figure.js";
+import { build, faulty, refresh } from "./form.js";
+import { opener } from "./open.js";
+import { change, files, firstQuestion, onChange, question, readAddress, readJob, value, view } from "./state.js";
+import { learn } from "./table.js";
+import { measure } from "./view_measure.js";
+import { mill } from "./view_mill.js";
+import { place } from "./view_place.js";
+import { robots } from "./view_robots.js";
+import { cancellable, work } from "./work.js";
+
+/**
+ * @typedef {object} View
+ * @property {string} verb the verb of its job file
+ * @property {() => import("./form.js").Part[]} parts what is asked
+ * @property {(look: HTMLElement, decide: HTMLElement) => void} mount
+ * @property {(signal: AbortSignal) => Promise<void>} update
+ */
+
+/** @type {Record<string, View>} */
+const views = { robots, place, mill, measure };
+let mounted = "";
+let soon = 0;
+
+/** @returns {View} */
+const current = () => views[view()] ?? robots;
+
+function show() {
+  const form = byId("ask");
+  const kind = `${view()} ${value("model")}`;
+  if (mounted === kind) refresh();
+  else build(form, current().parts());
+  if (mounted.split(" ")[0] !== view()) {
+    byId("look").replaceChildren();
+    byId("decide").replaceChildren();
+    faulty(null);
+    current().mount(byId("look"), byId("decide"));
+    document.title = `stiffarm: ${view()}`;
+  }
+  mounted = kind;
+  for (const link of document.querySelectorAll("nav a")) {
+    if (!(link instanceof HTMLElement)) continue;
+    if (link.dataset["view"] === view()) link.setAttribute("aria-current", "page");
+    else link.removeAttribute("aria-current");
+  }
+}
+
+function later() {
+  show();
+  clearTimeout(soon);
+  document.body.dataset["later"] = "";
+  soon = setTimeout(() => {
+    work((signal) => current().update(signal));
+    delete document.body.dataset["later"];
+  }, 120);
+}
+
+function fromAddress() {
+  readAddress();
+  mounted = `${mounted.split(" ")[0]} anew`;
+  later();
+}
+
+async function saveJob() {
+  try {
+    const { verb } = current();
+    const { job } = await call(`/api/${verb}?as=command`, question(verb));
+    save(new Blob([job], { type: "application/toml" }), `${verb}.toml`);
+    say("the job file is downloaded");
+  } catch (fault) {
+    tellFault(fault);
+  }
+}
+
+/** @param {string} name @param {string} text */
+async function openJob(name, text) {
+  try {
+    files.delete(name);
+    const job = await call("/api/job", { name, text });
+    mounted = `${mounted.split(" ")[0]} anew`;
+    readJob(job);
+  } catch (fault) {
+    tellFault(fault);
+  }
+}
+
+async function share() {
+  await navigator.clipboard.writeText(location.href);
+  say("the address is copied: it holds the whole question");
+}
+
+async function begin() {
+  learn(await get("/api/options"));
+  firstQuestion();
+  byId("job").append(button("copy link", share), button("save job", saveJob), opener("open a job file", "job", openJob, "open job"));
+  for (const link of document.querySelectorAll("nav a")) {
+    link.addEventListener("click", (event) => {
+      event.preventDefault();
+      const next = link instanceof HTMLElement ? link.dataset["view"] : undefined;
+      change({}, next);
+    });
+  }
+  byId("ask").addEventListener("submit", (event) => event.preventDefault());
+  cancellable();
+  onChange(later);
+  addEventListener("popstate", fromAddress);
+  readAddress();
+  show();
+  await work((signal) => current().update(signal));
+}
+
+begin().catch((fault) => byId("look").replaceChildren(el("p", {}, [String(fault.message ?? fault)])));

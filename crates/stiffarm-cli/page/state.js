@@ -1,0 +1,105 @@
+// What is asked, and how do the address and a job file hold it?
+
+import { asked, keyOf, row, rows, typed } from "./table.js";
+
+/** @typedef {import("./ask.js").Question} Question */
+
+export const VIEWS = ["robots", "place", "mill", "measure"];
+
+/** Files that were opened, by name: they go with every question that names them. @type {Map<string, string>} */
+export const files = new Map();
+
+/** @type {Map<string, string>} */
+const values = new Map();
+/** What is asked before anything was said: the address does not tell it. @type {Map<string, string>} */
+const first = new Map();
+/** @type {(() => void)[]} */
+const listeners = [];
+let shown = "robots";
+
+/** @returns {string} */
+export function view() {
+  return shown;
+}
+
+/** @param {string} key @returns {string} */
+export function value(key) {
+  return values.get(key) ?? first.get(key) ?? "";
+}
+
+/** @param {() => void} listener */
+export function onChange(listener) {
+  listeners.push(listener);
+}
+
+/** @param {Record<string, string>} changes @param {string} [next] the view that is shown then */
+export function change(changes, next = shown) {
+  for (const [key, text] of Object.entries(changes)) {
+    if (text === (first.get(key) ?? "")) values.delete(key);
+    else values.set(key, text);
+  }
+  const turns = next !== shown;
+  shown = next;
+  history[turns ? "pushState" : "replaceState"](null, "", address());
+  for (const listener of listeners) listener();
+}
+
+/** @returns {string} */
+export function address() {
+  const query = new URLSearchParams([...values].sort(([a], [b]) => (a < b ? -1 : 1)));
+  return `#${shown}${values.size === 0 ? "" : `?${query}`}`;
+}
+
+/** Takes the state from the address. */
+export function readAddress() {
+  const [name = "", query = ""] = location.hash.slice(1).split(/\?(.*)/s);
+  values.clear();
+  for (const [key, text] of new URLSearchParams(query)) values.set(key, text);
+  shown = VIEWS.includes(name) ? name : "robots";
+}
+
+/** What must be given is first asked with the example of its row, so that the first picture needs no click. */
+export function firstQuestion() {
+  for (const [verb = "", name = ""] of [["place", "robot"], ["place", "task"], ["mill", "path"], ["mill", "force-n"], ["mill", "at"]]) {
+    const found = row(verb, name);
+    if (found) first.set(keyOf(verb, found), found.example);
+  }
+}
+
+/** Is the row one of the model that is asked for? @param {string} verb @param {import("./table.js").Row} of */
+export function isOfModel(verb, of) {
+  const model = row(verb, "model");
+  if (!model || !model.choices.some((choice) => choice.word === "planar")) return true;
+  return of.models.includes(value(keyOf(verb, model)) || model.default || "planar");
+}
+
+/** The question of a verb, with what is changed of it. @param {string} verb @param {Record<string, unknown>} [changed] @returns {Question} */
+export function question(verb, changed = {}) {
+  /** @type {Record<string, unknown>} */
+  const options = {};
+  for (const of of rows(verb)) {
+    const text = value(keyOf(verb, of));
+    if (text !== "" && isOfModel(verb, of)) options[of.name] = asked(of, text);
+  }
+  for (const [name, text] of Object.entries(changed)) {
+    if (text === undefined) delete options[name];
+    else options[name] = text;
+  }
+  for (const name of Object.keys(options)) {
+    const left = row(verb, name)?.excludes ?? [];
+    if (name === "at" || name in changed) for (const other of left) if (!(other in changed)) delete options[other];
+  }
+  const told = JSON.stringify(options);
+  return { options, files: Object.fromEntries([...files].filter(([name]) => told.includes(JSON.stringify(name).slice(1, -1)))) };
+}
+
+/** Takes the state from what a job file asks. @param {{verb: string, options: Record<string, unknown>}} job */
+export function readJob({ verb, options }) {
+  const changes = Object.fromEntries(rows(verb).map((of) => [keyOf(verb, of), ""]));
+  for (const [name, given] of Object.entries(options)) {
+    const of = row(verb, name);
+    if (of) changes[keyOf(verb, of)] = typed(given);
+  }
+  const of = { rank: "robots", mill: "mill", measure: "measure", identify: "measure" }[verb] ?? "place";
+  change(changes, of);
+}

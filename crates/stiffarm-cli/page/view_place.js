@@ -1,0 +1,144 @@
+// Where must the work stand? The zone is moved by hand, and the best place is proved.
+
+import { fields, oneInFlight, watched, written } from "./ask.js";
+import { Comparison, add } from "./compare.js";
+import { button, el, say } from "./dom.js";
+import { Picture, Space, takeaway } from "./figure.js";
+import { Section } from "./section.js";
+import { change, question, value } from "./state.js";
+import { list, read, under, verdict, words } from "./told.js";
+import { progress } from "./work.js";
+import { rounded, taskOf } from "./zone.js";
+
+/** @typedef {import("./zone.js").Spot} Spot */
+
+const section = new Section({ moving, moved, resized, turned });
+const comparison = new Comparison();
+const space = new Space();
+const study = new Picture("serial against quasi-serial: which architecture at which link ratio and size");
+const shows = /** @type {Record<string, HTMLElement>} */ ({ section: section.box, space: space.box, compare: comparison.box, study: el("div", {}, [study.image]) });
+const tabs = el("div", { class: "tools", role: "toolbar", "aria-label": "what is shown" });
+const live = el("div", { class: "live", "aria-live": "polite", "aria-atomic": "true" });
+const says = el("div");
+const best = button("best place", () => change({ at: "", angle: "" }), { class: "main" });
+const asked = () => ({ verb: "place", question: question("place") });
+/** @type {any} */
+let proved = {};
+let provedOf = "";
+let studied = "";
+
+const shown = () => (value("shows") in shows ? value("shows") : "section");
+
+/** What stands under the hand has no other place to go. @param {Spot} at */
+const here = ({ x, z }) => ({ at: [x, z], ...(value("angle") === "" && value("model") !== "spatial" && typeof proved.angle_deg === "number" ? { angle: String(proved.angle_deg) } : {}) });
+
+const evaluate = oneInFlight(async (/** @type {Spot} */ at) => {
+  tell(await fields("place", question("place", here(at))), at);
+});
+
+/** @param {Spot} at */
+function moving(at) {
+  evaluate(at);
+}
+
+/** @param {Spot} at */
+function moved(at) {
+  const { angle } = here(at);
+  change({ at: `${rounded(at.x)},${rounded(at.z)}`, ...(angle ? { angle } : {}) });
+}
+
+/** @param {import("./zone.js").Zone} zone */
+function resized(zone) {
+  change({ task: taskOf(zone) });
+}
+
+/** @param {number} deg */
+function turned(deg) {
+  const given = Number.parseFloat(value("angle"));
+  const now = Number.isFinite(given) ? given : Number(proved.angle_deg) || 0;
+  change({ angle: String((now + deg + 180) % 180) });
+}
+
+/** The values of a place that stands, or is under the hand. @param {any} told @param {Spot | null} at */
+function tell(told, at) {
+  const mm = (/** @type {unknown} */ number, digits = 4) => (typeof number === "number" ? number.toFixed(digits) : "");
+  const [wx, , wz] = /** @type {number[]} */ (told.worst_point_m ?? []);
+  const where = at ? `x ${mm(at.x, 3)}, z ${mm(at.z, 3)} m` : `x ${mm(told.x_m, 3)}, z ${mm(told.z_m, 3)} m`;
+  /** @type {[string, string][]} */
+  const rows = told.feasible
+    ? [
+        ["deflection", `${mm(told.deflection_mm)} mm`], ["stands at", where], ["worst point", `x ${mm(wx, 3)}, z ${mm(wz, 3)} m`],
+        ["smallest margin", `${mm(told.smallest_margin_deg, 1)} deg, ${told.smallest_margin_of ?? ""}`],
+      ]
+    : [["deflection", "not reached"], ["stands at", where], ["why", String(told.reason ?? "")]];
+  if (told.feasible && typeof told.clearance_mm === "number") rows.push(["clearance", `${mm(told.clearance_mm, 0)} mm, ${told.clearance_of ?? ""}`]);
+  isHere = at !== null || value("at") !== "";
+  if (isHere && typeof proved.deflection_mm === "number") rows.push(["best place", `${mm(proved.deflection_mm)} mm, x ${mm(proved.x_m, 3)}, z ${mm(proved.z_m, 3)} m`]);
+  const holds = told.feasible ? told.pass : null;
+  live.replaceChildren(
+    verdictOf(rows.shift()?.[1] ?? "", holds),
+    el("dl", {}, rows.flatMap(([name, text]) => [el("dt", {}, [name]), el("dd", {}, [text])])),
+  );
+  section.zone.mark(!told.feasible ? "none" : told.pass === true ? "pass" : told.pass === false ? "fail" : "");
+}
+
+let rests = "";
+let isHere = false;
+/** @param {string} number @param {boolean | null} holds */
+const verdictOf = (number, holds) => verdict(number, `worst deflection in the zone ${isHere ? "here" : "at its best place"}`, holds, rests);
+
+function draw() {
+  const names = { section: "section", space: "in space", compare: "side by side", study: "architectures" };
+  tabs.replaceChildren(...Object.entries(names).map(([name, label]) => button(label, () => change({ shows: name === "section" ? "" : name }), { "aria-pressed": String(name === shown()) })));
+  tabs.append(el("span", { class: "gap" }), button("add to compare", () => add(value("robot"))), best);
+  for (const [name, box] of Object.entries(shows)) box.hidden = name !== shown();
+  best.toggleAttribute("disabled", value("at") === "");
+}
+
+/** Rows that stand above the list already. */
+const TOLD = /^(robot|stiffness|worst deflection|centre from|smallest margin|worst point|clearance|no place$)/;
+
+/** @param {AbortSignal} signal */
+async function drawStudy(signal) {
+  const now = question("study");
+  if (studied === JSON.stringify(now)) return;
+  await study.show(await (await written("study", now, "svg", signal)).text());
+  studied = JSON.stringify(now);
+}
+
+/** @type {import("./page.js").View} */
+export const place = {
+  verb: "place",
+  parts: () => [
+    { verb: "place", title: "Where must the work stand?", first: ["robot", "task", "force-n", "tolerance-mm", "model", "tool", "within", "at", "angle"] },
+    ...(shown() === "study" ? [{ verb: "study", title: "Architectures", first: ["tasks", "ratios", "compare"] }] : []),
+  ],
+  mount(look, decide) {
+    draw();
+    look.replaceChildren(tabs, ...Object.values(shows));
+    /** @type {[string, string, string?][]} */
+    const kinds = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["CSV", "csv"], ["JSON", "json"], ["in space", "view", "html"], ["report", "report", "html"]];
+    decide.replaceChildren(live, says, takeaway(asked, kinds));
+  },
+  async update(signal) {
+    draw();
+    const anywhere = question("place", { at: undefined, ...(value("at") === "" ? {} : { angle: undefined }) });
+    if (provedOf !== JSON.stringify(anywhere)) {
+      provedOf = "";
+      proved = await watched("place", anywhere, signal, progress);
+      provedOf = JSON.stringify(anywhere);
+    }
+    const now = question("place");
+    const told = value("at") === "" ? proved : await fields("place", now, signal);
+    const answer = read(await (await written("place", now, "md", signal)).text());
+    const [sheet] = answer.sheets;
+    rests = under(sheet, /^stiffness$/);
+    tell(told, null);
+    says.replaceChildren(...answer.sheets.map((sheet) => list(sheet, TOLD)), words(answer.sentences.flat()));
+    say(told.feasible ? `${under(sheet, /^worst deflection/)}${told.pass === false ? ", fail" : ""}` : "no place");
+    if (shown() === "section") await section.update(told, proved, signal);
+    if (shown() === "space") space.show(asked());
+    if (shown() === "compare") await comparison.update(signal);
+    if (shown() === "study") await drawStudy(signal);
+  },
+};

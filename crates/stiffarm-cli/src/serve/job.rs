@@ -1,0 +1,27 @@
+//! What does a job file ask that was opened in the page? Its verb, and every option as it is typed.
+
+use serde_json::{Map, Value, json};
+use stiffarm::request::job::read_sent;
+
+use super::question::{object, unlike};
+use super::reply::{Refused, Reply, json_reply};
+use crate::failure::Failure;
+
+/// Of `{"name": .., "text": ..}`: `{"verb": .., "options": {..}}`, a list where an option is given several times.
+pub(super) fn understood(body: &[u8]) -> Result<Reply, Refused> {
+    let told = object(body)?;
+    let field = |key: &str| told.get(key).and_then(Value::as_str);
+    let (Some(name), Some(text), 2) = (field("name"), field("text"), told.len()) else {
+        return Err(unlike("expected {\"name\": \"job.toml\", \"text\": \"...\"}, and nothing else"));
+    };
+    let job = read_sent(text, name).map_err(Failure::Request)?;
+    let mut options: Map<String, Value> = Map::new();
+    for pair in job.pairs {
+        match options.get_mut(&pair.name) {
+            None => drop(options.insert(pair.name, pair.text.into())),
+            Some(Value::Array(texts)) => texts.push(pair.text.into()),
+            Some(one) => *one = json!([one.take(), pair.text]),
+        }
+    }
+    Ok(json_reply(&json!({ "verb": job.verb.name(), "options": options })))
+}

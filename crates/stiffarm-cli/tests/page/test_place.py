@@ -1,0 +1,133 @@
+"""Where must the work stand? The zone in the hand."""
+
+from __future__ import annotations
+
+import re
+
+from playwright.sync_api import Page, expect
+
+from conftest import Open, settled, until
+
+ZONE = "#look .over .zone"
+
+
+def number(page: Page) -> float:
+    return float(page.locator("#number").inner_text().split()[0])
+
+
+def drag(page: Page, selector: str, dx: float, dy: float, *, let_go: bool = True) -> None:
+    box = page.locator(selector).bounding_box()
+    assert box is not None
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for part in range(1, 6):
+        page.mouse.move(x + dx * part / 5, y + dy * part / 5)
+    if let_go:
+        page.mouse.up()
+
+
+def test_the_value_follows_the_hand_and_best_place_jumps_back(look: Open) -> None:
+    page = look("#place")
+    best = number(page)
+    drag(page, ZONE, 60, 0, let_go=False)
+    expect(page.locator(".live")).to_contain_text("here")
+    until(page, f"parseFloat(document.querySelector('#number').textContent) > {best} + 0.05")
+    assert not re.search("[?&]at=", page.url), "before the hand lets go nothing is asked for good"
+    page.mouse.up()
+    page.wait_for_url("**at=**")
+    settled(page)
+    assert number(page) > best
+    expect(page.locator(".live")).to_contain_text("best place")
+    page.get_by_role("button", name="best place").click()
+    until(page, f"parseFloat(document.querySelector('#number').textContent) === {best}")
+    assert not re.search("[?&]at=", page.url)
+
+
+def test_a_larger_zone_gives_way_more(look: Open) -> None:
+    page = look("#place?task=circle:0.3")
+    best = number(page)
+    drag(page, "#look .over .handle", 30, -30)
+    until(page, f"parseFloat(document.querySelector('#number').textContent) > {best}")
+    task = page.get_by_label("task", exact=True).input_value()
+    assert float(task.removeprefix("circle:")) > 0.3
+
+
+def test_arrows_move_by_a_millimetre_and_with_shift_by_a_centimetre(look: Open) -> None:
+    page = look("#place?at=1.5,0.7&angle=0")
+    page.locator(ZONE).focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_url("**at=1.501%2C0.7*")
+    page.keyboard.press("Shift+ArrowDown")
+    page.wait_for_url("**at=1.501%2C0.69*")
+    expect(page.locator(".live")).to_contain_text("x 1.501, z 0.690 m")
+    assert page.locator(ZONE).evaluate("zone => zone === document.activeElement")
+
+
+def test_the_zone_is_resized_and_turned_by_keys(look: Open) -> None:
+    page = look("#place?at=1.5,0.7&angle=0")
+    page.locator("#look .over .handle").focus()
+    page.keyboard.press("ArrowRight")
+    expect(page.get_by_label("task", exact=True)).to_have_value("rect:0.61x0.4")
+    page.locator(ZONE).focus()
+    page.keyboard.press("[")
+    page.wait_for_url("**angle=5*")
+
+
+def test_in_space_the_side_that_is_seen_is_resized(look: Open) -> None:
+    page = look("#place?model=spatial&force-n=400&tool=spindle:250@90&at=1.3,0.9&yaw-deg=0")
+    page.locator("#look .over .handle").focus()
+    page.keyboard.press("ArrowLeft")
+    task = page.get_by_label("task", exact=True)
+    expect(task).not_to_have_value("rect:0.6x0.4")
+    sides = [float(side) for side in task.input_value().removeprefix("rect:").split("x")]
+    assert sides in ([0.59, 0.4], [0.6, 0.39])
+
+
+def test_what_is_not_reached_says_why(look: Open) -> None:
+    page = look("#place?at=0.2,0.3", refused=True)
+    expect(page.locator("#number")).to_contain_text("not reached")
+    expect(page.locator(".live")).to_contain_text("why")
+    expect(page.locator(ZONE)).to_have_attribute("data-state", "none")
+    drag(page, ZONE, 120, -40)
+    until(page, "document.querySelector('#number').textContent.endsWith(' mm')")
+
+
+def test_only_what_does_not_hold_is_red(look: Open) -> None:
+    page = look("#place?tolerance-mm=0.5")
+    expect(page.locator(".live .fail")).to_have_count(1)
+    expect(page.locator("#decide")).to_contain_text("largest force")
+    page.get_by_label("tolerance [mm]").fill("4")
+    expect(page.locator(".live .pass")).to_have_count(1)
+    expect(page.locator(".fail")).to_have_count(0)
+
+
+def test_an_option_that_is_refused_says_so_at_its_control(look: Open) -> None:
+    page = look("#place", refused=True)
+    page.get_by_label("task", exact=True).fill("cirkle:0.3")
+    field = page.locator("[data-option=task]")
+    expect(field.locator(".fault")).to_contain_text("cirkle")
+    expect(field.locator("input")).to_have_attribute("aria-invalid", "true")
+    page.get_by_label("task", exact=True).fill("circle:0.3")
+    expect(field.locator(".fault")).to_be_empty()
+
+
+def test_values_are_told_under_the_pointer(look: Open) -> None:
+    page = look("#place")
+    box = page.locator("#look .section .picture").bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + box["width"] * 0.66, box["y"] + box["height"] * 0.45)
+    expect(page.locator(".tip")).to_contain_text(re.compile(r"^[0-9.]+ mm at x [0-9.-]+, z [0-9.-]+ m$"))
+
+
+def test_a_view_in_space_comes_in_a_frame_of_its_own(look: Open) -> None:
+    page = look("#place")
+    page.get_by_role("button", name="in space", exact=True).first.click()
+    frame = page.frame_locator("iframe[sandbox='allow-scripts']")
+    expect(frame.locator(".js-plotly-plot, .plot-container").first).to_be_attached()
+
+
+def test_the_architectures_are_drawn(look: Open) -> None:
+    page = look("#place")
+    page.get_by_role("button", name="architectures").click()
+    until(page, "[...document.querySelectorAll('#look .picture')].some(image => image.alt.startsWith('serial against') && image.naturalWidth > 0)")

@@ -1,0 +1,56 @@
+"""Milling and measuring, as they are done in the shop."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from playwright.sync_api import expect
+
+from conftest import Open, settled
+
+EXAMPLES = Path(__file__).parents[4] / "docs" / "examples"
+PATHS = Path(__file__).parents[3] / "stiffarm" / "tests" / "paths"
+
+
+def test_a_path_that_is_built_in_is_milled(look: Open) -> None:
+    page = look("#mill")
+    expect(page.locator("#number")).to_contain_text("mm")
+    expect(page.locator("#decide")).to_contain_text("no rolls have less than")
+    page.get_by_label("tolerance [mm]").fill("0.1")
+    expect(page.locator(".verdict .fail")).to_have_count(1)
+
+
+def test_a_toolpath_and_a_process_are_opened_and_a_program_downloaded(look: Open) -> None:
+    page = look("#mill?mill.at=1.7,0,0.8&robot=KR+210+R2700+extra&tool=spindle:250@90", refused=True)
+    page.get_by_label("open a file for path").and_(page.locator("input")).set_input_files(PATHS / "contour_ij.nc")
+    expect(page.get_by_label("path", exact=True)).to_have_value("contour_ij.nc")
+    page.get_by_label("open a file for process").and_(page.locator("input")).set_input_files(EXAMPLES / "endmill.toml")
+    page.get_by_label("force [N]").fill("")
+    expect(page.locator("#number")).to_contain_text("0.2316 mm")
+    page.get_by_label("compensate").check()
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="download KUKA .src").click()
+    assert b"DEF" in Path(saved.value.path()).read_bytes()
+
+
+def test_postures_are_told_and_a_table_to_fill_in_is_downloaded(look: Open) -> None:
+    page = look("#measure?measure.runs=6&measure.candidates=200")
+    expect(page.locator(".plan tbody tr")).to_have_count(6)
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="download table to fill in").click()
+    assert b"q1_deg" in Path(saved.value.path()).read_bytes()
+
+
+def test_measurements_identify_a_robot_that_is_used_at_once(look: Open) -> None:
+    page = look("#measure?measure.runs=6&measure.candidates=200&measure.load-mm=6.9,245.3,319.3")
+    robot = page.get_by_label("open a robot file for robot").and_(page.locator("input"))
+    robot.set_input_files(EXAMPLES / "fanuc_r2000ic.toml")
+    expect(page.get_by_role("combobox", name="robot", exact=True)).to_have_value("fanuc_r2000ic.toml")
+    settled(page)
+    page.get_by_label("open the filled-in table").and_(page.locator("input")).set_input_files(EXAMPLES / "fanuc_r2000ic.csv")
+    expect(page.get_by_role("region", name="drives as found").locator("tbody tr")).to_have_count(6)
+    expect(page.locator("#number").first).to_contain_text("0.215 mm")
+    settled(page)
+    page.get_by_role("button", name="use this robot in the other views").click()
+    expect(page.locator("nav a[aria-current]")).to_contain_text("Place")
+    expect(page.locator(".rests")).to_contain_text("identified in 43 postures")

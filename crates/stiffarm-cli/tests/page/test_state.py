@@ -1,0 +1,61 @@
+"""One question in the address and in a job file; commands to copy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from playwright.sync_api import expect
+
+from conftest import Open, settled, until
+
+
+def test_an_address_that_is_shared_shows_the_same(look: Open) -> None:
+    page = look("#place?robot=BT200L&task=rect:0.5x0.3")
+    page.get_by_label("tolerance [mm]").fill("2.5")
+    page.wait_for_url("**tolerance-mm=2.5*")
+    page.get_by_label("force [N]").fill("800")
+    page.wait_for_url("**force-n=800*")
+    settled(page)
+    other = look(page.url[page.url.index("#") :])
+    assert other.locator("#number").inner_text() == page.locator("#number").inner_text()
+    assert other.locator(".live").inner_text() == page.locator(".live").inner_text()
+    expect(other.get_by_label("force [N]")).to_have_value("800")
+
+
+def test_the_question_stays_when_the_view_changes(look: Open) -> None:
+    page = look("#place?robot=BT200L")
+    page.get_by_role("link", name="Mill").click()
+    settled(page)
+    expect(page.get_by_role("combobox", name="robot", exact=True)).to_have_value("BT200L")
+    page.go_back()
+    expect(page.locator("nav a[aria-current]")).to_contain_text("Place")
+
+
+def test_a_job_file_makes_the_round(look: Open, tmp_path: Path) -> None:
+    page = look("#place?robot=BT200L&task=A:0.3&tolerance-mm=2&at=1.6,0.5")
+    said = page.locator(".live").inner_text()
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="save job").click()
+    file = tmp_path / "place.toml"
+    saved.value.save_as(file)
+    assert 'verb = "place"' in file.read_text()
+    other = look("#robots")
+    other.get_by_label("open a job file").and_(other.locator("input")).set_input_files(file)
+    expect(other.locator("nav a[aria-current]")).to_contain_text("Place")
+    until(other, "document.querySelector('.live dl') !== null")
+    settled(other)
+    assert other.locator(".live").inner_text() == said
+
+
+def test_figures_and_tables_are_downloaded_and_commands_copied(look: Open) -> None:
+    page = look("#place?task=A:0.3")
+    for label, begins in [("SVG", b"<svg"), ("PNG", b"\x89PNG"), ("PDF", b"%PDF"), ("JSON", b"{")]:
+        with page.expect_download() as saved:
+            page.get_by_role("button", name=f"download {label}", exact=True).click()
+        assert Path(saved.value.path()).read_bytes().startswith(begins)
+    page.get_by_role("button", name="as command, as Python").click()
+    expect(page.locator(".code")).to_contain_text("stiffarm place")
+    expect(page.locator(".code")).to_contain_text("stiffarm.place(")
+    page.get_by_role("button", name="copy as command").click()
+    expect(page.get_by_role("status").filter(has_text="as command is copied")).to_have_count(1)
+    assert page.evaluate("navigator.clipboard.readText()").startswith("stiffarm place")
