@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from sweeps import client, done, small  # noqa: F401
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 ROOT = Path(__file__).resolve().parents[3]
@@ -23,9 +24,9 @@ def refusal():
     """What the program says where it refuses."""
 
     def run(*arguments):
-        done = subprocess.run([path_of_program(), *arguments], capture_output=True, text=True)
-        assert done.returncode == 2, done
-        return done.stderr
+        ended = subprocess.run([path_of_program(), *arguments], capture_output=True, text=True)
+        assert ended.returncode == 2, ended
+        return ended.stderr
 
     return run
 
@@ -37,7 +38,7 @@ def program():
 
     def run(*arguments):
         command = [path, *arguments, "--format", "json", "--quiet"]
-        done = subprocess.run(command, capture_output=True, text=True, check=True)
-        return json.loads(done.stdout)
+        ended = subprocess.run(command, capture_output=True, text=True, check=True)
+        return json.loads(ended.stdout)
 
     return run
