@@ -36,7 +36,8 @@ fn every_robot_of_a_ranking_mills_as_it_does_alone_and_the_best_is_first() {
     let mut last = 0.0;
     for row in rows {
         let alone = json(&["place", row["robot"].as_str().unwrap(), "--task", "line:0.05", "--tolerance-mm", "0.5"]);
-        for key in ["worst_mm", "worst_mm_p05", "worst_mm_p95", "lower_bound_mm", "rms_mm", "at_m", "feasible", "pass"] {
+        for key in ["worst_mm", "worst_mm_p05", "worst_mm_p95", "lower_bound_mm", "rms_mm", "at_m", "feasible", "pass"]
+        {
             assert_eq!(row[key], alone[key], "{}: {key}", row["robot"]);
         }
         let Some(worst) = row["worst_mm"].as_f64() else { continue };
@@ -56,7 +57,8 @@ fn every_robot_of_a_ranking_mills_as_it_does_alone_and_the_best_is_first() {
 fn a_table_names_every_robot_and_says_what_the_order_rests_on() {
     let told = stiffarm(&["mill", "line:0.05", "--robots", "KR 210 R2700 extra,BT200L"]);
     let told = String::from_utf8(told.stdout).unwrap();
-    for words in ["KUKA KR 210 R2700 extra", "BT200L", "at least", "draws of the drives", "is that of", "as published"] {
+    for words in ["KUKA KR 210 R2700 extra", "BT200L", "at least", "draws of the drives", "is that of", "as published"]
+    {
         assert!(told.contains(words), "{words}: {told}");
     }
 }

@@ -13,6 +13,7 @@ use super::question::Question;
 use super::reply::Refused;
 use crate::client::Client;
 use crate::commands;
+use crate::failure::Failure;
 use crate::output::Told;
 
 /// An answer of more bytes is refused.
@@ -32,6 +33,10 @@ pub(super) fn answered(question: &Question, client: Arc<Client>) -> Result<Vec<u
     }
     let common = question.common(client);
     let told = commands::told(asked, &common)?;
+    if question.form.is_report() && !told.is_reported() {
+        let why = format!("{} makes no report; rank, place, mill and identify do", asked.verb.name());
+        return Err(Failure::Usage(why).into());
+    }
     written(&*told, &question.form.file(asked.verb))
 }
 

@@ -13,6 +13,8 @@ pub(super) enum Form {
     View,
     /// What is handed on.
     Report,
+    /// The same as pages.
+    PrintedReport,
     /// The job file that asks the same.
     Job,
     /// What must be typed, in a shell and in Python, and the job file; nothing is computed.
@@ -25,6 +27,7 @@ impl Form {
         match word {
             "view" => Some(Self::View),
             "report" => Some(Self::Report),
+            "report-pdf" => Some(Self::PrintedReport),
             "job" => Some(Self::Job),
             "command" => Some(Self::Command),
             ending => {
@@ -41,6 +44,7 @@ impl Form {
             Self::File(ending) => named(verb.name(), ending),
             Self::View => named(verb.name(), "view.html"),
             Self::Report => named(verb.name(), "html"),
+            Self::PrintedReport => named(verb.name(), "report.pdf"),
             Self::Job => "job.toml".into(),
             Self::Command => "command.json".into(),
         }
@@ -50,6 +54,7 @@ impl Form {
     pub(super) fn media_type(&self) -> &'static str {
         match self {
             Self::View | Self::Report => "text/html; charset=utf-8",
+            Self::PrintedReport => "application/pdf",
             Self::Job => "application/toml",
             Self::Command => "application/json",
             Self::File(ending) => match ending.as_str() {
@@ -70,6 +75,12 @@ impl Form {
     /// It is text, which can stand in JSON.
     pub(super) fn is_text(&self) -> bool {
         !matches!(self, Self::File(ending) if matches!(ending.as_str(), "png" | "pdf" | "parquet"))
+            && *self != Self::PrintedReport
+    }
+
+    /// It is a report, which not every verb makes.
+    pub(super) fn is_report(&self) -> bool {
+        matches!(self, Self::Report | Self::PrintedReport)
     }
 
     pub(super) fn is_json(&self) -> bool {

@@ -107,7 +107,11 @@ pub(super) fn decoded(text: &str) -> Result<String, Refused> {
 /// The form that an address asks for, and nothing besides.
 pub(super) fn form_of(text: Option<&str>) -> Result<Form, Refused> {
     let wrong = |why: String| {
-        Refused::new(StatusCode::BAD_REQUEST, why, "?as=json, csv, md, txt, svg, png, pdf, view, job or command")
+        Refused::new(
+            StatusCode::BAD_REQUEST,
+            why,
+            "?as=json, csv, md, txt, svg, png, pdf, view, report, report-pdf, job or command",
+        )
     };
     let mut form = Form::File("json".into());
     for (name, value) in query(text)? {

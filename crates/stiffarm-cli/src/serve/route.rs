@@ -118,7 +118,9 @@ async fn answer(server: &Arc<Server>, verb: Verb, form: Form, request: Request<I
         }
         return Ok(stream::stream(Arc::clone(&server.workshop), server.workshop.line_up()?, question));
     }
-    let (kind, name, is_json) = (question.form.media_type(), question.form.file(verb), question.form.is_json());
+    let (kind, is_json) = (question.form.media_type(), question.form.is_json());
+    // Of a task that is a toolpath mill is asked.
+    let name = question.form.file(question.asked.verb);
     let (bytes, notes) = computed(server, move |client| answered(&question, client)).await?;
     let mut told = reply(bytes, kind);
     if !is_json {

@@ -114,6 +114,8 @@ fn files_pictures_and_programs_come_as_the_command_line_writes_them() {
         ("png", "place.png", "image/png"),
         ("pdf", "place.pdf", "application/pdf"),
         ("view", "place.view.html", "text/html; charset=utf-8"),
+        ("report", "place.html", "text/html; charset=utf-8"),
+        ("report-pdf", "place.report.pdf", "application/pdf"),
         ("txt", "place.txt", "text/plain; charset=utf-8"),
         ("md", "place.md", "text/markdown; charset=utf-8"),
     ] {
