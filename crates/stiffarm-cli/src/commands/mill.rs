@@ -70,8 +70,8 @@ pub(super) fn answer<'a>(asked: &'a Request, common: &'a Common) -> Result<MillO
 
 /// Several robots on the path, each at its best place.
 fn ranked_on_path(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let (names, process) = (asked.robots(), asked.given_process());
-    let inputs: Vec<&Path> = [&asked.path()?].into_iter().chain(&names).chain(&process).map(Path::new).collect();
+    let (path, names, process) = (asked.path()?, asked.robots(), asked.given_process());
+    let inputs: Vec<&Path> = [&path].into_iter().chain(&names).chain(&process).map(Path::new).collect();
     let outputs = Outputs::open::<PathRankOutput>(common, &inputs)?;
     let found = ranked(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
