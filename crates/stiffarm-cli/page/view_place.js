@@ -30,7 +30,7 @@ let studied = "";
 const shown = () => (value("shows") in shows ? value("shows") : "section");
 
 /** What stands under the hand has no other place to go. @param {Spot} at */
-const here = ({ x, z }) => ({ at: [x, z], ...(value("angle") === "" && value("model") !== "spatial" && typeof proved.angle_deg === "number" ? { angle: String(proved.angle_deg) } : {}) });
+const here = ({ x, z }) => ({ at: [x, z], ...(value("angle") === "" && typeof proved.angle_deg === "number" ? { angle: String(proved.angle_deg) } : {}) });
 
 const evaluate = oneInFlight(async (/** @type {Spot} */ at) => {
   tell(await fields("place", question("place", here(at))), at);

@@ -75,7 +75,7 @@ def test_the_zone_is_resized_and_turned_by_keys(look: Open) -> None:
 
 
 def test_in_space_the_side_that_is_seen_is_resized(look: Open) -> None:
-    page = look("#place?model=spatial&force-n=400&tool=spindle:250@90&at=1.3,0.9&yaw-deg=0")
+    page = look("#place?model=spatial&force-n=400&tool=spindle:250@90&at=1.3,0.9&angle=0")
     page.locator("#look .over .handle").focus()
     page.keyboard.press("ArrowLeft")
     task = page.get_by_label("task", exact=True)
