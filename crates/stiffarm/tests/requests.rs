@@ -165,7 +165,7 @@ fn an_option_of_another_verb_is_refused_in_the_spelling_of_every_reader() {
     let key = Spelling::Key { file: "job.toml".into(), line: Some(3) };
     for verb in Verb::ALL {
         for setting in SETTINGS.iter().filter(|setting| verb.setting(setting.name).is_none()) {
-            for at in [Spelling::Typed, Spelling::Keyword, key.clone()] {
+            for at in [Spelling::Typed, Spelling::Keyword, key.clone(), Spelling::Sent] {
                 let name = if at == Spelling::Keyword { setting.keyword() } else { setting.name.to_owned() };
                 if at == Spelling::Keyword && verb.settings().any(|known| known.keyword() == name) {
                     continue;
@@ -175,7 +175,7 @@ fn an_option_of_another_verb_is_refused_in_the_spelling_of_every_reader() {
                 let text = error.to_string();
                 let start = match at {
                     Spelling::Typed => format!("--{name} does not go with {}", verb.name()),
-                    Spelling::Keyword => format!("{name} does not go with {}", verb.name()),
+                    Spelling::Keyword | Spelling::Sent => format!("{name} does not go with {}", verb.name()),
                     Spelling::Key { .. } => format!("job.toml:3: {name} does not go with {}", verb.name()),
                 };
                 assert!(text.starts_with(&start), "{text}");
