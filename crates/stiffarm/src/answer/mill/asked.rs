@@ -41,7 +41,7 @@ impl MillAnswer {
                 let area = (high[0] - low[0]) * (high[1] - low[1]);
                 let cell = (milling.diameter / 2.0 / CELLS_IN_A_RADIUS).max((area / MOST_CELLS).sqrt());
                 remarks.push(format!(
-                    "stock in cells of {} mm: cuts narrower than {} mm are not seen, and forces of narrow ones are known to a few percent",
+                    "stock in cells of {} mm: cuts narrower than {} mm are not seen, and the width of any cut is known to that",
                     fixed(cell * 1e3, 3),
                     fixed(cell * 1.5e3, 3)
                 ));
