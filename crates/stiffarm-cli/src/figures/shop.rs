@@ -166,7 +166,10 @@ fn axis(canvas: &mut Canvas, from: Px, to: Px) {
     canvas.line(from, to, &format!(r#"stroke="{GREY}" stroke-width="1" stroke-dasharray="12 4 2 4""#));
 }
 
-const THIN: &str = r##"stroke="#1a1a1a" stroke-width="0.8""##;
+/// How lines of lengths are drawn.
+fn thin() -> String {
+    format!("stroke=\"{INK}\" stroke-width=\"0.8\"")
+}
 
 /// A length along x, at the height `y`; lines lead up to `from`.
 fn level(canvas: &mut Canvas, one: &Dimension, y: f64, at: &dyn Fn(f64) -> f64, from: f64) {
@@ -175,10 +178,10 @@ fn level(canvas: &mut Canvas, one: &Dimension, y: f64, at: &dyn Fn(f64) -> f64, 
         return;
     }
     for x in [a, b] {
-        canvas.line([x, from + 4.0], [x, y + 5.0], THIN);
-        canvas.line([x - 4.0, y + 4.0], [x + 4.0, y - 4.0], THIN);
+        canvas.line([x, from + 4.0], [x, y + 5.0], &thin());
+        canvas.line([x - 4.0, y + 4.0], [x + 4.0, y - 4.0], &thin());
     }
-    canvas.line([a, y], [b, y], THIN);
+    canvas.line([a, y], [b, y], &thin());
     canvas.text([f64::midpoint(a, b), y - 8.0], &one.text, Font::new(12.0).middle().halo());
 }
 
@@ -189,9 +192,9 @@ fn upright(canvas: &mut Canvas, one: &Dimension, x: f64, at: &dyn Fn(f64) -> f64
         return;
     }
     for y in [a, b] {
-        canvas.line([from + 6.0, y], [x + 5.0, y], THIN);
-        canvas.line([x - 4.0, y + 4.0], [x + 4.0, y - 4.0], THIN);
+        canvas.line([from + 6.0, y], [x + 5.0, y], &thin());
+        canvas.line([x - 4.0, y + 4.0], [x + 4.0, y - 4.0], &thin());
     }
-    canvas.line([x, a], [x, b], THIN);
+    canvas.line([x, a], [x, b], &thin());
     canvas.text([x - 9.0, f64::midpoint(a, b)], &one.text, Font::new(12.0).middle().turned(-90.0).halo());
 }

@@ -640,6 +640,21 @@ class MillOptions(TypedDict, total=False):
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
 
+    vendor: str | Iterable[str] | None
+    """Only robots of these makers, separated by commas."""
+
+    payload_kg: RangeLike | None
+    """Only robots with a payload in this range [kg]: A..B; either end may be left open."""
+
+    reach_m: RangeLike | None
+    """Only robots with a reach in this range [m]: A..B; either end may be left open."""
+
+    architecture: Literal["serial", "quasi-serial"] | None
+    """Only robots of this architecture: serial or quasi-serial."""
+
+    status: str | Iterable[Literal["identified", "data-sheet", "derived", "estimated"]] | None
+    """Only robots of these statuses: identified, data-sheet, derived, estimated; separated by commas."""
+
     dry: bool
     """Only tell what was understood of the path: lengths, moves, extents, feed rates, what was assumed and
     ignored."""

@@ -171,7 +171,9 @@ fn at_a_given_roll_every_run_has_its_own_configuration() {
     let first = path("line:0.1", KNOWN);
     let pushed = |force: [f64; 3]| {
         let mut second = path("line:0.1", Acting::Known { force, moment: 0.0 });
-        second.iter_mut().for_each(|station| station.sample.way += 10.0);
+        for station in &mut second {
+            station.sample.way += 10.0;
+        }
         // The arm is arranged anew before it.
         second[0].is_fresh = true;
         second
