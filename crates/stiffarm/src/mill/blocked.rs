@@ -24,7 +24,7 @@ impl Ladder<'_> {
     pub(super) fn why_blocked(&self, k: usize, watch: Watch) -> Result<Blocked, MillError> {
         let rung = &self.rungs[k];
         if rung.errors.iter().flatten().all(|error| *error == f32::INFINITY) {
-            return self.never_held();
+            return Ok(self.worst_blocked()?.unwrap_or_else(|| self.blocked_at(rung.samples.start, Why::Jump)));
         }
         let slow = Ladder { speeds: None, ..self.clone() };
         let climb = Climb::new(&slow, Sought::LeastError, f32::MAX, false);
@@ -53,23 +53,28 @@ impl Ladder<'_> {
         if let Some(blocked) = self.worst_blocked()? {
             return Ok(blocked);
         }
-        for run in self.runs() {
-            let nodes = (0..Configuration::COUNT).flat_map(|c| (0..self.grid.len()).map(move |roll| (c, roll)));
-            let ends = |(c, roll): &(usize, usize)| {
-                run.clone().find(|k| self.rungs[*k].errors[*c][*roll] == f32::INFINITY).unwrap_or(run.end)
-            };
-            let farthest = nodes.max_by_key(ends).filter(|node| ends(node) < run.end);
-            let Some(node) = farthest else { continue };
-            let (configuration, roll) = (Configuration::ALL[node.0], self.grid.roll(node.1));
-            for i in self.rungs[ends(&node)].samples.clone() {
-                let arrangement = Arrangement { configuration, roll };
-                // Another posture holds it: the arm would have to jump there.
-                if held(self.arm, &self.stand, &self.stations[i].sample, arrangement)?.is_err() {
-                    return Ok(self.blocked_at(i, Why::Jump));
-                }
+        let ends = (0..self.grid.len()).filter_map(|roll| Some((self.end_of(roll)?, roll)));
+        let Some(((k, configuration), roll)) = ends.max_by_key(|((k, _), _)| *k) else {
+            return Ok(self.blocked_at(0, Why::Jump));
+        };
+        // Another posture holds its sample: the arm would have to jump there.
+        let arrangement = Arrangement { configuration, roll: self.grid.roll(roll) };
+        for i in self.rungs[k].samples.clone() {
+            if held(self.arm, &self.stand, &self.stations[i].sample, arrangement)?.is_err() {
+                return Ok(self.blocked_at(i, Why::Jump));
             }
         }
-        Ok(self.blocked_at(0, Why::Jump))
+        Ok(self.blocked_at(self.rungs[k].samples.start, Why::Jump))
+    }
+
+    /// The first rung that a roll of the grid does not hold in the configuration that holds its run the farthest; `None` where all are held.
+    fn end_of(&self, roll: usize) -> Option<(usize, Configuration)> {
+        self.runs().into_iter().find_map(|run| {
+            let is_held = |k: usize, c: usize| self.rungs[k].errors[c][roll] < f32::INFINITY;
+            let end = |c: usize| run.clone().find(|k| !is_held(*k, c)).unwrap_or(run.end);
+            let farthest = (0..Configuration::COUNT).max_by_key(|c| end(*c))?;
+            (end(farthest) < run.end).then(|| (end(farthest), Configuration::ALL[farthest]))
+        })
     }
 
     pub(super) fn blocked_at(&self, i: usize, why: Why) -> Blocked {

@@ -113,26 +113,8 @@ pub fn place_path(
     (options, margins, within): (&MillOptions, &Margins, Within),
     watch: Watch,
 ) -> Result<Result<PathPlaced, Option<Blocked>>, MillError> {
-    let stand = Stand { base_from_part: Pose::identity(), flange_from_tool: *flange_from_tool };
-    let arm = arm_with_margins(robot, &stand, options)?;
-    if !stations.iter().any(|station| station.sample.is_cutting) {
-        return Err(MillError::NothingFeeds);
-    }
-    let Some(within) = margins.part_of(within, robot) else { return Ok(Err(None)) };
-    let enclosure = ArmEnclosure::new(&arm, [true, false, false, false, false, false]);
-    let middle = middle(stations);
-    let mut search = Search {
-        arm,
-        enclosure,
-        stations,
-        options,
-        flange_from_tool: *flange_from_tool,
-        within,
-        column: margins.radius(robot),
-        middle,
-        keys: keys(stations, &middle),
-        runs: runs(stations),
-    };
+    let sought = Search::new(robot, flange_from_tool, stations, (options, margins, within))?;
+    let Some(mut search) = sought else { return Ok(Err(None)) };
     let (mut best, mut nearest): (Option<(f64, Place, Milled)>, Option<Blocked>) = (None, None);
     let mut starts = search.coarse(watch)?;
     let mut step = 0.0;
@@ -232,6 +214,37 @@ fn keys(stations: &[Station], middle: &Vector3<f64>) -> Vec<usize> {
         add(cutting.get(cutting.len() * (2 * i + 1) / (2 * BETWEEN)).copied());
     }
     keys
+}
+
+impl<'a> Search<'a> {
+    /// `None` where the margins leave nothing of the window.
+    fn new(
+        robot: &Robot,
+        flange_from_tool: &Pose,
+        stations: &'a [Station],
+        (options, margins, within): (&'a MillOptions, &Margins, Within),
+    ) -> Result<Option<Self>, MillError> {
+        let stand = Stand { base_from_part: Pose::identity(), flange_from_tool: *flange_from_tool };
+        let arm = arm_with_margins(robot, &stand, options)?;
+        if !stations.iter().any(|station| station.sample.is_cutting) {
+            return Err(MillError::NothingFeeds);
+        }
+        let Some(within) = margins.part_of(within, robot) else { return Ok(None) };
+        let enclosure = ArmEnclosure::new(&arm, [true, false, false, false, false, false]);
+        let middle = middle(stations);
+        Ok(Some(Self {
+            arm,
+            enclosure,
+            stations,
+            options,
+            flange_from_tool: *flange_from_tool,
+            within,
+            column: margins.radius(robot),
+            middle,
+            keys: keys(stations, &middle),
+            runs: runs(stations),
+        }))
+    }
 }
 
 impl Search<'_> {

@@ -363,6 +363,40 @@ fn what_is_not_followed_says_where_and_why() {
     assert_eq!(mill(&robot, &one, &air, &options, Watch::nobody()), Err(MillError::NothingFeeds));
 }
 
+/// Of two places each is held at a given roll, but by no one posture: the answer names the first sample that the posture which is held the farthest
+/// does not hold, and says that a joint would have to jump.
+#[test]
+fn a_roll_that_no_posture_holds_all_along_ends_where_the_best_posture_does() {
+    let (mut robot, one) = (robot(), stand());
+    let line = path("line:0.1", KNOWN);
+    let mut far = line.clone();
+    for station in &mut far {
+        station.sample.pose.tip += Vector3::new(-0.4, 0.8, 0.2);
+    }
+    // One run: the arm is not arranged anew between.
+    far[0].is_fresh = false;
+    // Joint 4 turns by little, so that one wrist holds the one line and the other wrist the other.
+    let ranges = (0..48).flat_map(|i| [1.0, 1.5, 2.0, 2.5].map(|width| (f64::from(i) * 0.25 - 6.0, width)));
+    let mut cases = ranges.flat_map(|(from, width)| (0..12).map(move |j| (from, width, f64::from(j) * 0.5)));
+    let roll = cases.find_map(|(from, width, roll)| {
+        let crate::robot::Arm::SixAxis { limits, .. } = &mut robot.arm else { unreachable!() };
+        limits.joints[3] = Interval::spanning(from, from + width);
+        let worst = [&line, &far].map(|line| largest_at(&robot, &one, line, roll));
+        let is_held = |worst: &[f64; 8]| worst.iter().any(|error| error.is_finite());
+        let by_one = (0..8).any(|c| worst[0][c].is_finite() && worst[1][c].is_finite());
+        (worst.iter().all(is_held) && !by_one).then_some(roll)
+    });
+    let roll = roll.expect("two lines that no posture holds both");
+    let arm = arm_with_margins(&robot, &one, &with(RollMode::Constant)).unwrap();
+    let stations = [line.clone(), far].concat();
+    let grid = RollGrid::at([roll]);
+    let ladder = Ladder::new(&arm, &stations, one, (ErrorPart::Total, grid), 0.8, Watch::nobody()).unwrap();
+    let blocked = ladder.never_held().unwrap();
+    let (expected, tip) = (&stations[line.len()].sample, Point3::from(Vector3::from(blocked.tip)));
+    assert!(matches!(blocked.why, Why::Jump) && blocked.samples == 0, "{blocked}");
+    assert!((one.base_from_part * Point3::from(expected.pose.tip) - tip).norm() < 1e-12, "{blocked}");
+}
+
 /// The springs of the commanded joints, loaded by the force: its posture sought by Newton's steps on finite differences, with nothing of the
 /// library but forward kinematics and Jacobian, stands at the target. Of a robot whose drives are softer by known factors what is left is
 /// what these factors say.

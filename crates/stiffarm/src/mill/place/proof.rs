@@ -196,3 +196,53 @@ impl Search<'_> {
         Ok(least)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::paper_robots;
+    use crate::mill::{Acting, MillOptions, stations};
+    use crate::place::{Margins, Within};
+    use crate::spatial::Pose;
+    use crate::toolpath::{Builtin, Steps};
+
+    /// Places by chance inside of boxes by chance: none of them has less than the bound of its box, by the kernel that evaluates single places and
+    /// shares no formula with the enclosure; of small boxes the bound is near.
+    #[test]
+    fn no_place_of_a_box_has_less_than_its_bound() {
+        let robot =
+            paper_robots().into_iter().find(|robot| robot.name == "KR 210 R2700 extra").expect("a robot of the paper");
+        let tool = Pose::new(Vector3::new(0.2, 0.0, 0.15), Vector3::y() * 1.2);
+        let moves = "rect:0.3x0.2".parse::<Builtin>().unwrap().moves(Some(0.02));
+        let options = MillOptions::usual();
+        let mut rng = fastrand::Rng::with_seed(140);
+        let (mut held, mut near, mut closed) = (0, 0, 0);
+        for acting in [Acting::Known { force: [300.0, -120.0, 80.0], moment: 90.0 }, Acting::Any(400.0)] {
+            let path = stations(&moves, &Steps { longest: 0.05, ..Steps::USUAL }, |_| Some(acting));
+            let asked = (&options, &Margins::usual(), Within::ANYWHERE);
+            let search = Search::new(&robot, &tool, &path, asked).unwrap().expect("a window");
+            for case in 0..60 {
+                let width = [0.3, 0.02, 1e-3][case % 3];
+                let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+                // Some of them out of reach.
+                let from = [part(1.0, 4.0), part(0.2, 1.6), part(-3.0, 3.0)];
+                let ranges = from.map(|from| Interval::spanning(from, from + width));
+                let bound = search.bounded(&Node { lower: 0.0, ranges }, f64::INFINITY).unwrap();
+                for _ in 0..4 {
+                    let place = ranges.map(|range| range.min() + width * rng.f64());
+                    let value = search.value(&place, ROLLS[1]).unwrap();
+                    let Some(bound) = bound else {
+                        assert!(value == f64::INFINITY, "{ranges:?}: {value} at {place:?}");
+                        closed += 1;
+                        continue;
+                    };
+                    // The kernel tells single precision.
+                    assert!(bound <= value * (1.0 + 1e-6), "{ranges:?}: {bound} {value} at {place:?}");
+                    held += usize::from(value.is_finite() && width < 0.01);
+                    near += usize::from(value.is_finite() && width < 0.01 && 0.9 * value < bound);
+                }
+            }
+        }
+        assert!(20 < held && 20 < closed && held < 2 * near, "{held} {near} {closed}");
+    }
+}
