@@ -26,10 +26,11 @@ pub(crate) fn of(found: &PlaceOutput, asked: &Request) -> Result<Report, Failure
     let mut sections = vec![decided];
     sections.extend(site(found).map(Section::on_new_page));
     sections.extend([provenance_of(&answer.robot), repeated(asked)]);
+    let sought = if answer.is_at_one_place() { "A given place" } else { "Best place" };
     let how = if answer.model == ModelKind::Planar { "planar model" } else { "spatial model, all six drives" };
     Ok(Report {
         title: format!("{} for {}", answer.robot.full_name(), answer.task.label),
-        asked: format!("Best place of {} ({}), {how}", answer.task.label, answer.task.describe()),
+        asked: format!("{sought} of {} ({}), {how}", answer.task.label, answer.task.describe()),
         headline: answer.headline(),
         sections,
     })
@@ -44,7 +45,12 @@ pub(super) fn picture(found: &PlaceOutput, section: &mut Section) -> Result<(), 
     let svg = found.figure(plate(found.plate))?;
     section.figure(
         svg,
-        format!("{}: {} at its best place, on the map of the deflection.", answer.robot.full_name(), answer.task.label),
+        format!(
+            "{}: {} {}, on the map of the deflection.",
+            answer.robot.full_name(),
+            answer.task.label,
+            answer.where_it_stands()
+        ),
     );
     Ok(())
 }

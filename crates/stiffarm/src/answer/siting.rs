@@ -2,12 +2,15 @@
 
 use super::words::{degrees, fixed};
 use super::{Line, PlaceAnswer, line};
-use crate::place::Placement;
+use crate::interval::Interval;
+use crate::place::{Placement, Within};
 use crate::robot::Arm;
 use crate::work::{WorkPlacement, WorkPlane};
 use crate::zone::Zone;
 use nalgebra::{Point3, Rotation3, Vector3};
 
+/// Room in a window that rounding leaves, m.
+const NO_ROOM: f64 = 1e-7;
 /// Corners of a circle.
 const CORNERS: usize = 72;
 
@@ -73,6 +76,23 @@ impl PlaceAnswer {
         Some(siting)
     }
 
+    /// The zone may stand in one place only: its window is no larger than itself.
+    pub fn is_at_one_place(&self) -> bool {
+        let window = self.options.within;
+        let fits = |best: &Placement, within: Within| {
+            let rim = self.rim(best);
+            let room = |window: Interval, axis: usize| window.width() - extent(&rim, axis);
+            room(within.x, 0) < NO_ROOM && room(within.z, 2) < NO_ROOM
+        };
+        let best = self.best().filter(|best| best.faces.is_empty());
+        best.zip(window).is_some_and(|(best, within)| fits(best, within))
+    }
+
+    /// At which place it stands, in words.
+    pub fn where_it_stands(&self) -> &'static str {
+        if self.is_at_one_place() { "at the place asked for" } else { "at its best place" }
+    }
+
     /// How far beside the joint-1 axis the zone's centre stands before it is turned, m: the arm plane's own offset.
     fn aside(&self, best: &Placement) -> f64 {
         match (&self.robot.arm, best.space()) {
@@ -121,6 +141,12 @@ impl Siting {
         lines.extend(self.turned.iter().map(|turned| line("turned about the joint-1 axis", turned)));
         lines
     }
+}
+
+/// How far points reach along an axis, m.
+fn extent(points: &[Vector3<f64>], axis: usize) -> f64 {
+    let along = || points.iter().map(|point| point[axis]);
+    along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
 }
 
 /// Lengths as a shop drawing has them, each once.
@@ -202,6 +228,21 @@ mod tests {
         assert!((up[0] - (best.centre[1] - 0.3)).abs() < 1e-12 && (up[1] - up[0] - 0.6).abs() < 1e-12);
         assert_eq!(aside[0], aside[1]);
         assert_eq!(siting.lines()[1], ["from there to its highest edge".to_owned(), "600.0 mm".into()]);
+    }
+
+    #[test]
+    fn a_window_as_large_as_the_zone_leaves_it_one_place() {
+        for kind in [ModelKind::Planar, ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2))] {
+            let mut answer = placed("circle:0.3", kind);
+            assert!(!answer.is_at_one_place());
+            let [x, z] = answer.best().unwrap().centre;
+            let up = if kind == ModelKind::Planar { 0.15 } else { 0.0 };
+            let (ahead, z) = (Interval::spanning(x - 0.15, x + 0.15), Interval::spanning(z - up, z + up));
+            answer.options.within = Some(Within { x: ahead, z });
+            assert!(answer.is_at_one_place());
+            answer.options.within = Some(Within { x: Interval::spanning(x - 0.15, x + 0.151), z });
+            assert!(!answer.is_at_one_place());
+        }
     }
 
     #[test]

@@ -27,24 +27,28 @@ impl PlaceAnswer {
 
     fn judged(&self, best: &Placement) -> (Outcome, Vec<String>) {
         let (name, label, value) = (self.robot.full_name(), &self.task.label, mm(best.deflection));
+        let stands = self.where_it_stands();
         let Some(tolerance) = self.tolerance_mm else {
-            let told = format!("{name} gives way by {value} at worst on {label}, at its best place.");
-            return self.colliding(best).unwrap_or((Outcome::Told, vec![told, proved(best)]));
+            let told = format!("{name} gives way by {value} at worst on {label}, {stands}.");
+            let proof = (!self.is_at_one_place()).then(|| proved(best));
+            return self
+                .colliding(best)
+                .unwrap_or((Outcome::Told, [Some(told), proof].into_iter().flatten().collect()));
         };
         let verdict = Verdict::of(best.deflection, tolerance);
         let spread = uncertainty::of(&self.robot, self.options.load, Some(best));
         let mut sentences = vec![if verdict.passes {
             format!(
-                "{name} holds {tolerance} mm on {label}: {value} at worst at its best place, {} mm less than is allowed.",
+                "{name} holds {tolerance} mm on {label}: {value} at worst {stands}, {} mm less than is allowed.",
                 fixed(verdict.margin_mm, 4)
             )
         } else {
             format!(
-                "{name} does not hold {tolerance} mm on {label}: {value} at worst at its best place, {} mm more than is allowed.",
+                "{name} does not hold {tolerance} mm on {label}: {value} at worst {stands}, {} mm more than is allowed.",
                 fixed(-verdict.margin_mm, 4)
             )
         }];
-        if !verdict.passes {
+        if !verdict.passes && !self.is_at_one_place() {
             let bound = mm(best.lower_bound);
             sentences.push(if Verdict::of(best.lower_bound, tolerance).passes {
                 format!(
@@ -68,7 +72,10 @@ impl PlaceAnswer {
     fn colliding(&self, best: &Placement) -> Option<(Outcome, Vec<String>)> {
         let clearance = best.clearance.filter(|_| best.space().is_some() && best.collides())?;
         let [name, says] = words::clearance(&clearance);
-        Some((Outcome::Collides, vec![format!("{name} of {} at the best place: {says}.", self.robot.full_name())]))
+        Some((
+            Outcome::Collides,
+            vec![format!("{name} of {} {}: {says}.", self.robot.full_name(), self.where_it_stands())],
+        ))
     }
 }
 
