@@ -190,7 +190,7 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
             verb.name()
         )));
     }
-    let request = Request::read(verb, &pairs, reader)?;
+    let request = Request::of_task(verb, &pairs, reader)?;
     if let Some(file) = matches.get_one::<String>(SAVE_JOB) {
         request.check_complete()?;
         save(&request, Path::new(file), &common)?;

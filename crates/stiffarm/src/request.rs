@@ -67,15 +67,12 @@ struct Given {
 }
 
 impl Request {
-    /// Reads what was given, and checks it against [`SETTINGS`]; of a task that is a toolpath [`Verb::Mill`] is asked. What is required is asked for by the functions that tell
+    /// Reads what was given, and checks it against [`SETTINGS`]. What is required is asked for by the functions that tell
     /// it, so that a face may bring it in another way.
     ///
     /// # Errors
     /// The first fault: names, then values, then what does not go together.
     pub fn read(verb: Verb, pairs: &[Pair], reader: Spelling) -> Result<Self, Refusal> {
-        if let Some(pairs) = on_path::of_path(verb, pairs)? {
-            return Self::read(Verb::Mill, &pairs, reader);
-        }
         let mut given: Vec<Given> = Vec::new();
         for pair in pairs {
             let setting = setting_of(verb, pair)?;

@@ -44,7 +44,7 @@ impl Question {
         };
         let refused = |refusal| Refused::from(crate::failure::Failure::Request(refusal));
         let pairs = sent(verb, &options).map_err(refused)?;
-        let asked = Request::read(verb, &pairs, Spelling::Sent).map_err(refused)?;
+        let asked = Request::of_task(verb, &pairs, Spelling::Sent).map_err(refused)?;
         asked.check_complete().map_err(refused)?;
         let question = Self { asked, files, form };
         bounds::check(&question.asked)?;

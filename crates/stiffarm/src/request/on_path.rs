@@ -14,7 +14,7 @@ pub(super) fn is_path(text: &str) -> bool {
 ///
 /// # Errors
 /// Where other tasks stand beside it, or the planar model is asked for, which knows no tool.
-pub(super) fn of_path(verb: Verb, pairs: &[Pair]) -> Result<Option<Vec<Pair>>, Refusal> {
+fn of_path(verb: Verb, pairs: &[Pair]) -> Result<Option<Vec<Pair>>, Refusal> {
     if !matches!(verb, Verb::Rank | Verb::Place) {
         return Ok(None);
     }
@@ -50,6 +50,17 @@ pub(super) fn of_path(verb: Verb, pairs: &[Pair]) -> Result<Option<Vec<Pair>>, R
 }
 
 impl Request {
+    /// As [`Request::read`]; of a task that is a toolpath [`Verb::Mill`] is asked, for whoever tells the answers of both.
+    ///
+    /// # Errors
+    /// As [`Request::read`].
+    pub fn of_task(verb: Verb, pairs: &[Pair], reader: Spelling) -> Result<Self, Refusal> {
+        match of_path(verb, pairs)? {
+            Some(pairs) => Self::read(Verb::Mill, &pairs, reader),
+            None => Self::read(verb, pairs, reader),
+        }
+    }
+
     /// Several robots are ranked on a path, rather than one that mills it.
     pub fn ranks_on_path(&self) -> bool {
         self.verb == Verb::Mill && (self.is_given("robots") || self.filters().next().is_some())
