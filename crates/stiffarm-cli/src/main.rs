@@ -8,6 +8,7 @@ mod failure;
 mod figures;
 mod help;
 mod look;
+mod markup;
 mod named;
 mod options;
 mod output;

@@ -7,6 +7,7 @@ use skrifa::{FontRef, MetadataProvider};
 use stiffarm::palette::{INK, PAPER};
 
 use super::Plate;
+use crate::markup::escaped;
 
 /// The font that comes with the program, and by which widths are measured.
 pub(super) const FONT: &str = "DejaVu Sans";
@@ -302,22 +303,6 @@ fn distance_to_segment(p: Px, a: Px, b: Px) -> f64 {
 fn number(x: f64) -> f64 {
     let x = if x.is_nan() { 0.0 } else { x.clamp(-1e5, 1e5) };
     (x * 100.0).round() / 100.0 + 0.0
-}
-
-/// Text as XML accepts it.
-fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => safe.push(' '),
-            c => safe.push(c),
-        }
-    }
-    safe
 }
 
 #[cfg(test)]

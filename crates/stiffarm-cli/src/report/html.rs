@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use stiffarm::answer::{Headline, Table, Tone};
 
 use super::{Block, Figure, Listing, Report, Section};
+use crate::markup::escaped;
 use crate::table::looks_like_a_number;
 
 /// How it looks on a screen, in the dark and on A4.
@@ -153,22 +154,4 @@ fn figure(page: &mut String, Figure { svg, caption }: &Figure, number: usize) {
         page,
         "<figure><div class=\"plate\">{svg}</div><figcaption><span>Figure {number}. {caption}</span></figcaption></figure>"
     );
-}
-
-/// Text that is nothing but text in HTML, whatever it holds.
-fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            '\n' => safe.push('\n'),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => safe.push(' '),
-            c => safe.push(c),
-        }
-    }
-    safe
 }

@@ -14,6 +14,7 @@ use stiffarm::map::Grid;
 use stiffarm::palette::{INK, PAPER, PROSE};
 
 use super::bands::Colours;
+use crate::markup::escaped;
 
 /// No more points per side of a map are drawn: a browser turns some ten thousand smoothly.
 const MOST_POINTS: usize = 240;
@@ -156,11 +157,6 @@ fn script() -> String {
     let end = scripts.find("</script>").unwrap_or(scripts.len());
     scripts.truncate(end);
     scripts.split_off(start)
-}
-
-/// Text that is nothing but text in HTML, and in the labels of plotly.js, which reads some HTML too.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// JSON that cannot end the script it stands in.

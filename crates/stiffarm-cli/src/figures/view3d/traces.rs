@@ -6,7 +6,8 @@ use stiffarm::palette::{ARM_IN_SPACE, BASE, FAINT, FLOOR, GREY, INK, JOINT_IN_SP
 
 use super::super::bands::Bands;
 use super::solids::Solid;
-use super::{Point, Sheet, View, escaped};
+use super::{Point, Sheet, View};
+use crate::markup::escaped;
 
 /// Radii of base, upper arm, forearm, hand and tool at their beginning, over the length of a link; each tapers to the next.
 const RADII: [f64; 6] = [0.17, 0.105, 0.085, 0.06, 0.04, 0.022];
