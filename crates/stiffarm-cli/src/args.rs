@@ -1,23 +1,21 @@
 //! What was asked on the command line, in a job file, or in both: requests of the library, and what is a matter of the program.
 #![allow(rustdoc::broken_intra_doc_links, reason = "help texts put units and defaults in brackets")]
 
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+mod own;
 
-use clap::parser::ValueSource;
-use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand, ValueEnum};
+use std::path::{Path, PathBuf};
+
+use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 use clap_complete::Shell;
 use stiffarm::catalogue::files;
-use stiffarm::drive::Architecture;
-use stiffarm::interval::Interval;
-use stiffarm::request::{Kind, Pair, Refusal, Request, Spelling, Verb, job, number, open_range};
+use stiffarm::request::{Kind, Pair, Request, Spelling, Verb, job};
 
-use crate::client::Client;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
 use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_pairs, positional_rows, positionals_of, subcommand, typed};
 use crate::output::{say, write_text};
-use crate::shelf::Shelf;
+pub(crate) use own::{ImportArgs, PaperArgs, RobotsAction, ServeArgs};
 
 /// What the program does.
 const ABOUT: &str =
@@ -242,246 +240,6 @@ fn save(request: &Request, file: &Path, common: &Common) -> Result<(), Failure> 
         say(&format!("wrote {}", file.display()));
     }
     Ok(())
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Common {
-    /// Format of what goes to standard output
-    #[arg(long, value_enum, default_value_t = Format::Table, global = true, display_order = 900)]
-    pub(crate) format: Format,
-    /// Write to a file; its ending chooses the format: .csv, .parquet, .json, .md, .txt, a figure as .svg, .png or .pdf, a
-    /// report as .html or report.pdf, or a view in space as view.html. May be given several times
-    #[arg(short, long = "output", value_name = "FILE", global = true, display_order = 901)]
-    pub(crate) output: Vec<PathBuf>,
-    /// Number of threads [default: all cores]
-    #[arg(long, value_name = "N", value_parser = threads, global = true, display_order = 902)]
-    pub(crate) threads: Option<usize>,
-    /// No progress, no remarks
-    #[arg(short, long, global = true, display_order = 903)]
-    pub(crate) quiet: bool,
-    /// What does not hold is a failure.
-    #[arg(skip)]
-    pub(crate) check: bool,
-    /// The job file that was read.
-    #[arg(skip)]
-    pub(crate) job: Option<PathBuf>,
-    /// Where what is named comes from.
-    #[arg(skip)]
-    pub(crate) shelf: Shelf,
-    /// Who waits, where it is not the one before this terminal.
-    #[arg(skip)]
-    pub(crate) client: Option<Arc<Client>>,
-}
-
-impl Common {
-    /// Nothing of what was asked but the threads.
-    pub(crate) fn bare(&self) -> Self {
-        Self { threads: self.threads, ..Self::usual() }
-    }
-
-    /// As if nothing of it were asked.
-    pub(crate) fn usual() -> Self {
-        Self {
-            format: Format::Table,
-            output: Vec::new(),
-            threads: None,
-            quiet: false,
-            check: false,
-            job: None,
-            shelf: Shelf::Disk,
-            client: None,
-        }
-    }
-
-    /// Says something beside the answer, where that is wanted.
-    pub(crate) fn remark(&self, text: &str) {
-        if !self.quiet {
-            self.warn(text);
-        }
-    }
-
-    /// The same, wanted or not.
-    pub(crate) fn warn(&self, text: &str) {
-        match &self.client {
-            Some(client) => client.remark(text),
-            None => say(text),
-        }
-    }
-
-    /// Takes what a job file says of the program, where nothing else was typed.
-    fn take(&mut self, pairs: &[Pair], typed: &ArgMatches) -> Result<(), Failure> {
-        let is_typed = |name: &str| name != CHECK && typed.value_source(name) == Some(ValueSource::CommandLine);
-        for Pair { name, text, at } in pairs.iter().filter(|pair| !is_typed(&pair.name)) {
-            let wrong = |expected: String| {
-                let why = format!("invalid value '{}' for '{name}': {expected}", stiffarm::plain::on_one_line(text));
-                Refusal::Job { at: at.clone(), why }
-            };
-            match name.as_str() {
-                "output" => self.output.push(text.into()),
-                "threads" => self.threads = Some(threads(text).map_err(wrong)?),
-                "check" => self.check |= text.parse::<bool>().map_err(|_| wrong("expected true or false".into()))?,
-                "quiet" => self.quiet = text.parse().map_err(|_| wrong("expected true or false".into()))?,
-                _ => {
-                    let expected = |_| wrong("expected table, json, csv or md".into());
-                    self.format = Format::from_str(text, false).map_err(expected)?;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// What stands in a job file of it.
-    fn entries(&self, file: &Path) -> Vec<(&'static str, String)> {
-        let mut entries = Vec::new();
-        let format = self.format.to_possible_value();
-        if let Some(format) = format.filter(|_| self.format != Format::Table) {
-            entries.push(("format", format!("\"{}\"", format.get_name())));
-        }
-        if !self.output.is_empty() {
-            let folder = file.parent().unwrap_or(Path::new(""));
-            // A path also where it is a bare name.
-            let seen = |path: &PathBuf| job::seen_from(folder, &Path::new(".").join(path).to_string_lossy());
-            let files: Vec<String> = self.output.iter().map(|path| job::text(&seen(path))).collect();
-            entries.push(("output", format!("[{}]", files.join(", "))));
-        }
-        entries.extend(self.threads.map(|threads| ("threads", threads.to_string())));
-        entries.extend(self.quiet.then(|| ("quiet", "true".into())));
-        entries.extend(self.check.then(|| ("check", "true".into())));
-        entries
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
-    Table,
-    Json,
-    Csv,
-    Md,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct PaperArgs {
-    /// Format of the figures
-    #[arg(long, value_enum, value_name = "FORMAT", default_value_t = Pictures::Svg)]
-    pub(crate) pictures: Pictures,
-    /// Width of the figures on paper [mm] [default: 1000 px]
-    #[arg(long, value_name = "MM", value_parser = width)]
-    pub(crate) width_mm: Option<f64>,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct ServeArgs {
-    /// Where to listen: an address of this machine, or its name; whoever reaches it may ask
-    #[arg(long, value_name = "HOST", default_value = "127.0.0.1")]
-    pub(crate) host: String,
-    /// On which port; 0 takes a free one, and tells it
-    #[arg(long, value_name = "PORT", default_value_t = 0)]
-    pub(crate) port: u16,
-    /// Open the page in the browser
-    #[arg(long)]
-    pub(crate) open: bool,
-    /// How long an answer may take that is asked for at once, s; longer ones are told line by line
-    #[arg(long, value_name = "S", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=3600))]
-    pub(crate) time_limit_s: u64,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Pictures {
-    Svg,
-    Pdf,
-    Png,
-}
-
-impl Pictures {
-    /// The ending of its files.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Svg => "svg",
-            Self::Pdf => "pdf",
-            Self::Png => "png",
-        }
-    }
-}
-
-#[derive(Debug, Subcommand)]
-pub(crate) enum RobotsAction {
-    /// Geometry, limits and sources of one robot; -o draws what it reaches
-    Show {
-        /// A robot's name, or the path of a robot file
-        robot: String,
-        /// Width of the figure on paper [mm], for svg, pdf and png at 300 dpi [default: 1000 px]
-        #[arg(long, value_name = "MM", value_parser = width)]
-        width_mm: Option<f64>,
-    },
-    /// Check robot files: every fault at once
-    Check {
-        /// Robot files, or folders of them
-        #[arg(required = true)]
-        files: Vec<PathBuf>,
-    },
-    /// Make a robot file from a URDF or from OPW parameters, and prove it
-    Import(ImportArgs),
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct ImportArgs {
-    /// A URDF, or OPW parameters (`opw_parameters_*.yaml`); -o robot.toml writes the robot file
-    pub(crate) file: PathBuf,
-    /// Name of the robot [default: as in the file]
-    #[arg(long, value_name = "NAME")]
-    pub(crate) name: Option<String>,
-    /// Its maker
-    #[arg(long, value_name = "NAME")]
-    pub(crate) vendor: Option<String>,
-    /// Nominal payload [kg]
-    #[arg(long, value_name = "KG", value_parser = payload, allow_hyphen_values = true)]
-    pub(crate) payload_kg: Option<f64>,
-    /// Reach by the data sheet [m]
-    #[arg(long, value_name = "M", value_parser = reach, allow_hyphen_values = true)]
-    pub(crate) reach_m: Option<f64>,
-    /// serial or quasi-serial [default: serial, marked as assumed]
-    #[arg(long, value_name = "KIND", value_parser = architecture)]
-    pub(crate) architecture: Option<Architecture>,
-    /// Six ranges [deg] in place of the file's limits: a..b,a..b,...
-    #[arg(long, value_name = "RANGES", value_delimiter = ',', value_parser = joint_range, allow_hyphen_values = true)]
-    pub(crate) limits_deg: Vec<Interval>,
-    /// The link whose frame is the base [default: the base of the arm]
-    #[arg(long, value_name = "LINK")]
-    pub(crate) base: Option<String>,
-    /// The link whose frame is the flange [default: flange or tool0, or the link that joint 6 moves]
-    #[arg(long, value_name = "LINK")]
-    pub(crate) tip: Option<String>,
-}
-
-fn payload(text: &str) -> Result<f64, String> {
-    number(text, 0.1, 1e4, "kg")
-}
-
-fn width(text: &str) -> Result<f64, String> {
-    number(text, 40.0, 2000.0, "mm")
-}
-
-fn reach(text: &str) -> Result<f64, String> {
-    number(text, 0.1, 20.0, "m")
-}
-
-/// `a..b` in degrees, both ends given.
-fn joint_range(text: &str) -> Result<Interval, String> {
-    open_range(text).ok().filter(|range| range.is_bounded()).ok_or_else(|| {
-        format!("'{text}' is not a range of a joint; expected such as -185..185, in degrees, the lower end first")
-    })
-}
-
-fn threads(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(threads @ 1..=1024) => Ok(threads),
-        _ => Err("expected a whole number from 1 to 1024".into()),
-    }
-}
-
-fn architecture(text: &str) -> Result<Architecture, String> {
-    let known = Architecture::ALL.into_iter().find(|architecture| architecture.name() == text);
-    known.ok_or_else(|| "expected serial or quasi-serial".into())
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use clap::{Args, Command};
 
-use crate::args::Common;
+use crate::common::Common;
 
 /// What is told at the end of the program's own help.
 pub(crate) const EXIT_CODES: &str = "\

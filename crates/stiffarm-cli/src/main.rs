@@ -4,6 +4,7 @@ mod args;
 mod client;
 mod columns;
 mod commands;
+mod common;
 mod failure;
 mod figures;
 mod help;
@@ -23,7 +24,8 @@ use std::process::ExitCode;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use args::{Common, Task};
+use args::Task;
+use common::Common;
 use failure::Failure;
 use output::say;
 use stiffarm::request::Verb;

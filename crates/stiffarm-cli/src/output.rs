@@ -9,9 +9,9 @@ use serde::Serialize;
 use stiffarm::answer::Rows;
 use stiffarm::plain::on_its_lines;
 
-use crate::args::{Common, Format};
 use crate::columns::write_parquet;
 use crate::commands::watched;
+use crate::common::{Common, Format};
 use crate::failure::Failure;
 use crate::figures::{self, Plate, view3d::View};
 use crate::look::Look;

@@ -7,7 +7,7 @@ use stiffarm::catalogue::{self, NothingLeft, paper_robots, suggestions};
 use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 
 /// The one robot that a name or path means.

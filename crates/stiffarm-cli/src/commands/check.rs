@@ -9,7 +9,7 @@ use stiffarm::catalogue::files::{self, Loaded};
 use stiffarm::catalogue::{Fault, doubts};
 use stiffarm::robot::Robot;
 
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, say};

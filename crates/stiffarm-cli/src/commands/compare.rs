@@ -10,7 +10,7 @@ use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 
 use super::place::PlaceOutput;
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::compare::CompareFigure;

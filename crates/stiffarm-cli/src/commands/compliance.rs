@@ -13,7 +13,7 @@ use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
 
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::view3d::{ArmMark, Arrow, View};
 use crate::look::Look;

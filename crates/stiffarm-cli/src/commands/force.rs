@@ -7,7 +7,7 @@ use stiffarm::answer::{CuttingAnswer, Rows};
 use stiffarm::catalogue::{files, read_process};
 use stiffarm::request::Request;
 
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::hodograph::Hodograph;

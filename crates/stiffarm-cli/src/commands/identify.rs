@@ -9,7 +9,7 @@ use stiffarm::identify::identify;
 use stiffarm::request::Request;
 
 use super::watched;
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::{Plate, identify as figure};
 use crate::look::Look;

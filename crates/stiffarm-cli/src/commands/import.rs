@@ -10,7 +10,8 @@ use stiffarm::catalogue::import::{ImportOptions, Imported, SAMPLES, import};
 use stiffarm::interval::Interval;
 use stiffarm::robot::Arm;
 
-use crate::args::{Common, Format, ImportArgs};
+use crate::args::ImportArgs;
+use crate::common::{Common, Format};
 use crate::failure::Failure;
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, say};

@@ -14,7 +14,7 @@ use stiffarm::watch::Watch;
 
 use super::drawing::{arm, force, scene};
 use super::watched;
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::bands::Colours;

@@ -9,7 +9,7 @@ use stiffarm::measure::{MeasureError, compare, over, plan};
 use stiffarm::request::Request;
 
 use super::watched;
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};

@@ -14,7 +14,7 @@ use stiffarm::watch::Watch;
 
 use super::path_ranking::PathRankOutput;
 use super::{drawing, progress, watched};
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;

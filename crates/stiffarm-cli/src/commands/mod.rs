@@ -32,7 +32,7 @@ use stiffarm::catalogue::{Faults, files};
 use stiffarm::request::{Request, Verb};
 use stiffarm::watch::{Waiting, Watch};
 
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::output::Told;
 

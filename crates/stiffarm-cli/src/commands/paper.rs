@@ -10,7 +10,8 @@ use stiffarm::ledger::{Entry, Printed, validate};
 use stiffarm::request::{Pair, Request, Spelling, Verb};
 
 use super::progress;
-use crate::args::{Common, PaperArgs};
+use crate::args::PaperArgs;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::look::Look;
 use crate::output::{say, write_text};

@@ -15,7 +15,7 @@ use stiffarm::watch::Watch;
 
 use super::map::Drawn;
 use super::watched;
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::face::FaceFigure;

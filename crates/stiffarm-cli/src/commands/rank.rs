@@ -15,7 +15,7 @@ use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
 
 use super::watched;
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};

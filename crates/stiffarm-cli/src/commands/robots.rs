@@ -11,7 +11,8 @@ use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 
 use super::sheet::Sheet;
-use crate::args::{Common, RobotsAction};
+use crate::args::RobotsAction;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::look::Look;

@@ -6,7 +6,8 @@ use std::path::Path;
 use clap_complete::Shell;
 use clap_mangen::{Man, generate_to};
 
-use crate::args::{Common, command_without_hidden};
+use crate::args::command_without_hidden;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::output::{print_text, say};
 

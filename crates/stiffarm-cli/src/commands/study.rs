@@ -7,7 +7,7 @@ use stiffarm::request::Request;
 use stiffarm::study::{StudyOptions, study, study_watched};
 
 use super::watched;
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::study::{self as figure_of, StudyCurve, StudyPanel};

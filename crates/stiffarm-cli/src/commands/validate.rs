@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use stiffarm::answer::{LedgerAnswer, Rows};
 use stiffarm::ledger::{Printed, validate};
 
-use crate::args::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};

@@ -30,7 +30,8 @@ use tokio::net::TcpListener;
 use tokio::runtime::{Builder, Runtime};
 
 use crate::STACK;
-use crate::args::{Common, ServeArgs};
+use crate::args::ServeArgs;
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::output::{print_text, say};
 use work::Workshop;

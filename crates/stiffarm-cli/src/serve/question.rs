@@ -12,8 +12,8 @@ use stiffarm::request::{Request, Spelling, Verb, sent};
 use super::bounds;
 use super::form::Form;
 use super::reply::Refused;
-use crate::args::Common;
 use crate::client::Client;
+use crate::common::Common;
 use crate::shelf::Shelf;
 
 /// A question that was understood.

@@ -17,8 +17,8 @@ use super::question::{decoded, form_of, object, query, unlike};
 use super::reply::{Refused, Reply, json_reply, keep_as, reply};
 use super::route::computed;
 use super::{Server, named};
-use crate::args::Common;
 use crate::commands::robots::{list_of, sheet_of};
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::shelf::Shelf;
 
