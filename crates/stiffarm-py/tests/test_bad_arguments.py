@@ -28,6 +28,13 @@ def test_angles_that_are_none(bad):
     refused("joint 3: .* deg", stiffarm.compliance, ROBOT, joints_deg=[0, 0, bad, 0, 0, 0])
 
 
+def test_a_toolpath_is_no_zone():
+    for path in ("part.nc", "line:0.1"):
+        refused(f"task '{path}' is not understood", stiffarm.place, ROBOT, task=path)
+        refused(f"task '{path}' is not understood", stiffarm.rank, [ROBOT], tasks=path)
+        refused(f"task '{path}' is not understood", stiffarm.compare, ROBOT, "BT200L", task=path)
+
+
 def test_types_that_hold_no_numbers():
     for bad in (Q.astype(complex), Q.astype(str), Q.astype(object), Q > 0, [[None] * 6], [[1] * 6, [2] * 5]):
         refused("joints_deg", stiffarm.compliance, ROBOT, joints_deg=bad)
