@@ -77,3 +77,34 @@ fn what_does_not_go_with_a_path_is_refused_with_the_option() {
         assert!(why.contains(expected), "{words:?}: {why}");
     }
 }
+
+/// The verdict, every robot with its own part, and the words that ask the same again; in both forms.
+#[test]
+fn a_ranking_on_a_path_is_handed_on_as_a_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let [html, pdf] = ["report.html", "report.pdf"].map(|name| folder.path().join(name).display().to_string());
+    let robots = "KR 210 R2700 extra,IRB 6650S-200,BT200L";
+    let words = ["rank", "--task", "line:0.05", "--robots", robots, "--tolerance-mm", "0.3", "-o", &html, "-o", &pdf];
+    let output = stiffarm(&words);
+    assert!(output.status.success(), "{output:?}");
+    let page = scraper::Html::parse_document(&std::fs::read_to_string(&html).unwrap());
+    let text = |what: &str| -> Vec<String> {
+        let selector = scraper::Selector::parse(what).unwrap();
+        page.select(&selector).map(|one| one.text().collect::<String>()).collect()
+    };
+    assert_eq!(text(".verdict .word").len(), 1);
+    for robot in robots.split(',') {
+        assert!(text("h2").iter().any(|title| title.contains(robot)), "{robot}: {:?}", text("h2"));
+    }
+    assert!(
+        text("code, pre").iter().any(|code| code.contains("stiffarm mill line:0.05 --robots")),
+        "{:?}",
+        text("pre")
+    );
+    // The value of the best, as its sentence has it, stands in the table, too.
+    let told = String::from_utf8(output.stdout).unwrap();
+    let value = told.split(" is that of ").nth(1).and_then(|rest| rest.split(": ").nth(1)).unwrap();
+    let value = value.split(" mm").next().unwrap();
+    assert!(text("td").iter().any(|cell| cell.contains(value)), "{value}");
+    assert!(3 < lopdf::Document::load(&pdf).unwrap().get_pages().len());
+}

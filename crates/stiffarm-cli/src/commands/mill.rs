@@ -79,7 +79,7 @@ fn ranked_on_path(asked: &Request, common: &Common) -> Result<(), Failure> {
     shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
 }
 
-pub(super) fn ranked(asked: &Request, common: &Common) -> Result<PathRankOutput, Failure> {
+pub(super) fn ranked<'a>(asked: &'a Request, common: &Common) -> Result<PathRankOutput<'a>, Failure> {
     let path = asked.path()?;
     let robots = selection::keep(selection::robots(&asked.robots(), common)?, asked, &[])?;
     let process = read_process_of(asked, common)?;
@@ -88,7 +88,7 @@ pub(super) fn ranked(asked: &Request, common: &Common) -> Result<PathRankOutput,
     let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch);
     let mut answer = watched("milling with every robot", common, ranked)?;
     answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
-    Ok(PathRankOutput { answer, plate: Plate::of(asked)? })
+    Ok(PathRankOutput { answer, asked, plate: Plate::of(asked)? })
 }
 
 /// The process that is asked for, with the name of its file.
@@ -172,12 +172,12 @@ impl MillOutput<'_> {
         }
         Ok(output)
     }
+}
 
-    /// Every roll at places along the path.
-    pub(crate) fn rolls(&self) -> Result<RollMap, Failure> {
-        let why = || Failure::Usage(format!("nothing to draw: {}", self.answer.reason().unwrap_or_default()));
-        self.answer.roll_map(MAPPED)?.ok_or_else(why)
-    }
+/// Every roll at places along the path.
+pub(crate) fn rolls(answer: &MillAnswer) -> Result<RollMap, Failure> {
+    let why = || Failure::Usage(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
+    answer.roll_map(MAPPED)?.ok_or_else(why)
 }
 
 impl MillOutput<'_> {
@@ -245,7 +245,8 @@ impl Answer for MillOutput<'_> {
     }
 
     fn svg(&self) -> Option<Result<String, Failure>> {
-        Some(self.rolls().map(|rolls| MilledFigure { answer: &self.answer, rolls: &rolls, plate: self.plate }.svg()))
+        let answer = &self.answer;
+        Some(rolls(answer).map(|rolls| MilledFigure { answer, rolls: &rolls, plate: self.plate }.svg()))
     }
 
     fn view(&self) -> Option<Result<View, Failure>> {

@@ -11,7 +11,7 @@ pub(crate) mod map;
 pub(crate) mod measure;
 pub(crate) mod mill;
 pub(crate) mod paper;
-mod path_ranking;
+pub(crate) mod path_ranking;
 pub(crate) mod place;
 pub(crate) mod rank;
 pub(crate) mod robots;

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use stiffarm::answer::{PathRankAnswer, Rows, Unit, looks, stiffnesses, words};
 use stiffarm::drive::Architecture;
+use stiffarm::request::Request;
 use stiffarm::robot::Status;
 
 use crate::failure::Failure;
@@ -11,40 +12,21 @@ use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::look::Look;
 use crate::output::{Answer, pretty};
+use crate::report::{self, Report};
 use crate::table::{prose, shown};
 
 /// More bars are not told apart on one page.
 const MOST_BARS: usize = 60;
 
-pub(super) struct PathRankOutput {
-    pub(super) answer: PathRankAnswer,
-    pub(super) plate: Plate,
+pub(crate) struct PathRankOutput<'a> {
+    pub(crate) answer: PathRankAnswer,
+    pub(super) asked: &'a Request,
+    pub(crate) plate: Plate,
 }
 
-impl Answer for PathRankOutput {
-    const COMMAND: &'static str = "mill";
-    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf"];
-
-    fn text(&self, look: Look) -> String {
-        let Self { answer, .. } = self;
-        format!(
-            "{}\n{}\n{}",
-            prose(&answer.heading(), look),
-            shown(&answer.table(), look),
-            prose(&answer.notes(), look)
-        )
-    }
-
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.answer.json())
-    }
-
-    fn rows(&self) -> Rows<'_> {
-        self.answer.rows()
-    }
-
+impl PathRankOutput<'_> {
     /// A bar per robot, with what is proved.
-    fn svg(&self) -> Option<Result<String, Failure>> {
+    pub(crate) fn figure(&self, plate: Plate) -> String {
         let PathRankAnswer { path, rows, tolerance_mm, .. } = &self.answer;
         let left_out = rows.len().saturating_sub(MOST_BARS);
         let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
@@ -65,9 +47,41 @@ impl Answer for PathRankOutput {
             tasks: vec![path.clone()],
             rows: drawn.collect(),
             tolerance_mm: *tolerance_mm,
-            plate: self.plate,
+            plate,
         };
-        Some(Ok(figure.svg()))
+        figure.svg()
+    }
+}
+
+impl Answer for PathRankOutput<'_> {
+    const COMMAND: &'static str = "mill";
+    const IS_REPORTED: bool = true;
+    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf"];
+
+    fn text(&self, look: Look) -> String {
+        let Self { answer, .. } = self;
+        format!(
+            "{}\n{}\n{}",
+            prose(&answer.heading(), look),
+            shown(&answer.table(), look),
+            prose(&answer.notes(), look)
+        )
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.answer.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        Some(Ok(self.figure(self.plate)))
+    }
+
+    fn report(&self) -> Option<Result<Report, Failure>> {
+        Some(report::path_ranking::of(self, self.asked))
     }
 
     fn plate(&self) -> Plate {

@@ -1,11 +1,13 @@
 //! The report of `mill`: whether a path holds its tolerance, and where it does not.
 
+use stiffarm::answer::MillAnswer;
 use stiffarm::request::Request;
 
 use super::robots::provenance_of;
 use super::{Report, Section, plate, repeated};
-use crate::commands::mill::MillOutput;
+use crate::commands::mill::{MillOutput, rolls};
 use crate::failure::Failure;
+use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
 
 /// The document.
@@ -15,14 +17,7 @@ use crate::figures::milled::MilledFigure;
 pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, Failure> {
     let answer = &found.answer;
     let mut decided = Section::new("What decides");
-    if answer.followed().is_some() {
-        let rolls = found.rolls()?;
-        let svg = MilledFigure { answer, rolls: &rolls, plate: plate(found.plate) }.svg();
-        decided.figure(
-            svg,
-            "The error along the path, every roll of the tool with what forbids the others, and the path from above.",
-        );
-    }
+    picture(answer, found.plate, &mut decided)?;
     decided.table(answer.table());
     let mut sections = vec![decided];
     sections.extend(answer.worst_lines().map(|table| {
@@ -43,4 +38,16 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, Failure>
         headline: answer.headline(),
         sections,
     })
+}
+
+/// Error, rolls and path; nothing where it is not followed.
+pub(super) fn picture(answer: &MillAnswer, asked: Plate, section: &mut Section) -> Result<(), Failure> {
+    if answer.followed().is_some() {
+        let svg = MilledFigure { answer, rolls: &rolls(answer)?, plate: plate(asked) }.svg();
+        section.figure(
+            svg,
+            "The error along the path, every roll of the tool with what forbids the others, and the path from above.",
+        );
+    }
+    Ok(())
 }

@@ -6,6 +6,7 @@
 pub(crate) mod html;
 pub(crate) mod identify;
 pub(crate) mod mill;
+pub(crate) mod path_ranking;
 mod pdf;
 pub(crate) mod place;
 pub(crate) mod rank;

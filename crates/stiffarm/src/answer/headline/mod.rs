@@ -2,6 +2,7 @@
 
 mod identify;
 mod mill;
+mod path_rank;
 mod place;
 mod rank;
 

@@ -82,7 +82,6 @@ impl PathRankAnswer {
             .put(field::PATH, &self.path)
             .put(field::CUTTING_FORCE, first.map(|milled| &milled.force))
             .put(field::PART, first.map(MillAnswer::part))
-            .put(field::ROLL_CHOICE, first.map(|milled| json!(milled.options.roll.name())))
             .put(field::ERROR_PART, first.map(|milled| milled.options.part.name()))
             .put(field::ROWS, self.rows.iter().map(|row| row.record(self.tolerance_mm).json()).collect::<Value>())
             .put(field::SUMMARY, json!(self.sentences()))
@@ -102,12 +101,12 @@ impl PathRankAnswer {
         Rows::new(columns, records.iter().map(Record::cells).collect())
     }
 
-    fn milled(&self) -> impl Iterator<Item = &MillAnswer> {
+    pub(in crate::answer) fn milled(&self) -> impl Iterator<Item = &MillAnswer> {
         self.rows.iter().filter_map(|row| row.milled.as_ref().ok())
     }
 
     /// The first robot with a rank that follows the path, and those that cannot be told apart from it by the proof.
-    fn best(&self) -> Option<(&PathRow, Vec<&PathRow>)> {
+    pub(in crate::answer) fn best(&self) -> Option<(&PathRow, Vec<&PathRow>)> {
         let mut ranked = self.rows.iter().filter(|row| row.standing.rank.is_some() && row.proved().is_some());
         let best = ranked.next()?;
         let is_rival = |row: &&PathRow| row.standing.rank.is_some_and(|rank| rank.place == 1);
@@ -262,7 +261,7 @@ impl PathRow {
         proved(self.milled.as_ref().ok()?)
     }
 
-    fn holds(&self, tolerance_mm: f64) -> bool {
+    pub(in crate::answer) fn holds(&self, tolerance_mm: f64) -> bool {
         self.proved().is_some_and(|[_, value]| Verdict::of(value, tolerance_mm).passes)
     }
 
@@ -287,6 +286,7 @@ impl PathRow {
             .put(field::PATH_WORST_P95, spread.map(|spread| spread.p95))
             .put(field::PATH_LOWER_BOUND, answer.and_then(MillAnswer::lower_bound))
             .put(field::RMS, found.map(|found| found.rms))
+            .put(field::ROLL_CHOICE, answer.map(MillAnswer::roll))
             .put(field::AT, placement.map(|placement| placement.at))
             .put(field::AT_YAW, placement.map(|placement| placement.yaw))
             .put(field::LIMIT_MARGIN, found.map(|found| least(found, |pushed| pushed.limit_margin)))

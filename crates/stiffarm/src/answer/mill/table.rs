@@ -44,7 +44,7 @@ impl MillAnswer {
         )
     }
 
-    pub(super) fn kept(&self) -> String {
+    pub(in crate::answer) fn kept(&self) -> String {
         let MillOptions { limit_margin, singular_margin, share_of_speed, .. } = self.options;
         let speeds = if self.speeds().is_some() {
             format!("{} % of the joints' speeds while cutting", fixed(100.0 * share_of_speed, 0))
