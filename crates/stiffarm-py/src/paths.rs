@@ -3,16 +3,18 @@
 use std::path::Path;
 
 use pyo3::prelude::*;
-use stiffarm::answer::{CuttingAnswer, MillAnswer, PathAnswer};
-use stiffarm::catalogue::{files, read_process};
-use stiffarm::request::Verb;
+use stiffarm::answer::{CuttingAnswer, MillAnswer, MillAnswerError, PathAnswer, PathRankAnswer};
+use stiffarm::catalogue::{ProcessFile, files, read_process};
+use stiffarm::request::{Request, Verb};
+use stiffarm::robot::Robot as Arms;
 use stiffarm::toolpath::{Move, Survey, read_toolpath};
+use stiffarm::watch::Watch;
 
 use crate::asked::Asked;
 use crate::json::to_python;
 use crate::pool::detached;
 use crate::refused;
-use crate::robot::Robot;
+use crate::robot::{Robot, kept, robot as named};
 use crate::verbs::{WithColumns, columns};
 use crate::waiting::Progress;
 
@@ -27,17 +29,21 @@ pub(crate) fn force<'py>(py: Python<'py>, process: &str) -> WithColumns<'py> {
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 
-/// A toolpath: what is understood of it, or the error along it.
+/// A toolpath: what is understood of it, the error along it, or the order of several robots on it.
 #[pyfunction]
-#[pyo3(signature = (path, asked, robot = None, progress = None))]
+#[pyo3(signature = (path, asked, robot = None, robots = None, progress = None))]
 pub(crate) fn mill<'py>(
     py: Python<'py>,
     path: &str,
     asked: Asked,
     robot: Option<&Robot>,
+    robots: Option<Vec<PyRef<'py, Robot>>>,
     progress: Progress,
 ) -> WithColumns<'py> {
-    let asked = asked.with(Verb::Mill, &[("path", path)])?;
+    let robots: Option<Vec<Arms>> = robots.map(|robots| robots.iter().map(|robot| robot.0.clone()).collect());
+    let names = robots.iter().flatten().map(|robot| ("robots", robot.name.as_str()));
+    let given = [("path", path)].into_iter().chain(robot.map(|robot| ("robot", robot.0.name.as_str()))).chain(names);
+    let asked = asked.with(Verb::Mill, &given.collect::<Vec<_>>())?;
     let format = asked.path_format(path).map_err(refused)?;
     let options = asked.read_options();
     if asked.is_dry() {
@@ -48,23 +54,67 @@ pub(crate) fn mill<'py>(
         let answer = PathAnswer { path: path.into(), understood: understood.map_err(refused)?, survey };
         return Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?));
     }
-    let robot = robot.ok_or_else(|| refused("robot is missing; expected the robot that mills, or dry=True"))?.0.clone();
+    let milling = match (robot, robots) {
+        (_, Some(robots)) => Milling::Several(kept(robots, &asked, Vec::new())?),
+        (Some(robot), None) => Milling::One(robot.0.clone()),
+        (None, None) if asked.ranks_on_path() => {
+            return Err(refused("robots is missing; expected those among which is chosen, such as robots=\"all\""));
+        }
+        (None, None) => Milling::One(named(&asked.robot().map_err(refused)?)?.0),
+    };
     let process = asked.given_process().map(|file| {
         let named = files::shown(Path::new(&file));
         let text = files::text(Path::new(&file)).map_err(refused)?;
         Ok::<_, PyErr>((named.clone(), read_process(&text, &named).map_err(refused)?))
     });
     let process = process.transpose()?;
-    let answer = detached(py, &progress, |watch| {
+    let told = detached(py, &progress, |watch| {
         let mut moves = Vec::new();
         let each = &mut |one: &Move| moves.push(*one);
         let understood = read_toolpath(path, format, &options, each, &mut |_, _| watch.go_on());
         let assumed = understood.map_err(|error| error.to_string())?.into_iter().flat_map(|told| told.assumed);
-        let answer = MillAnswer::of(&asked, &robot, (path.into(), &moves), process, watch);
-        let mut answer = answer.map_err(|error| error.to_string())?;
-        answer.remarks.extend(assumed);
-        Ok::<_, String>(answer)
+        let told = milling.told(&asked, (path, &moves), process, (assumed.collect(), watch));
+        told.map_err(|error| error.to_string())
     })?;
-    let answer = answer.map_err(refused)?;
-    Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
+    match told.map_err(refused)? {
+        Told::One(answer) => Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?)),
+        Told::Several(answer) => Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?)),
+    }
+}
+
+/// Who mills.
+enum Milling {
+    One(Arms),
+    Several(Vec<Arms>),
+}
+
+/// What comes of it.
+enum Told {
+    One(MillAnswer),
+    Several(PathRankAnswer),
+}
+
+impl Milling {
+    /// The answer, with what was assumed of the path among the remarks.
+    fn told(
+        self,
+        asked: &Request,
+        (path, moves): (&str, &[Move]),
+        process: Option<(String, ProcessFile)>,
+        (assumed, watch): (Vec<String>, Watch),
+    ) -> Result<Told, MillAnswerError> {
+        let path = (path.to_owned(), moves);
+        Ok(match self {
+            Self::One(robot) => {
+                let mut answer = MillAnswer::of(asked, &robot, path, process, watch)?;
+                answer.remarks.extend(assumed);
+                Told::One(answer)
+            }
+            Self::Several(robots) => {
+                let mut answer = PathRankAnswer::of(asked, robots, path, process.as_ref(), watch)?;
+                answer.remarks.extend(assumed);
+                Told::Several(answer)
+            }
+        })
+    }
 }

@@ -53,3 +53,28 @@ def test_a_milled_path_is_the_programs(program) -> None:
     assert len(frame) == milled.part["samples"] and frame["error_mm"].max() == milled.worst_mm
     assert milled.passes is False and milled.at_m.shape == (3,)
     assert np.allclose(frame[[f"q{i}_deg" for i in range(1, 7)]].iloc[milled.worst_sample], milled.worst_joints_deg)
+
+
+def test_robots_ranked_on_a_path_are_the_programs(program) -> None:
+    options = {"tool": "spindle:250@90", "force_n": 400, "step_mm": 50, "error": "across"}
+    ranked = stiffarm.mill("line:0.1", robots=["KR 210 R2700 extra", "TX340 SH", "IRB 6620LX*"], vendor="KUKA", tolerance_mm=2, **options)
+    typed = ["--tool", "spindle:250@90", "--force-n", "400", "--step-mm", "50", "--error", "across", "--tolerance-mm", "2"]
+    names = "KR 210 R2700 extra,TX340 SH,IRB 6620LX*"
+    assert ranked.to_dict() == program("mill", "line:0.1", "--robots", names, "--vendor", "KUKA", *typed)
+    assert len(ranked) == 1 and "best KR 210 R2700 extra" in repr(ranked)
+    frame = ranked.to_pandas()
+    assert frame["worst_mm"][0] == ranked.rows[0]["worst_mm"] and ranked.rows[0]["roll"]["mode"] == "free"
+
+
+def test_who_mills_must_be_clear() -> None:
+    kuka = "KR 210 R2700 extra"
+    for given, match in [
+        ({"robot": kuka, "robots": [kuka]}, "robots and robot exclude each other"),
+        ({"robot": kuka, "vendor": "KUKA"}, "vendor and robot exclude each other"),
+        ({"robots": "paper", "dry": True}, "robots and dry exclude each other"),
+        ({"vendor": "KUKA"}, 'robots is missing; .* robots="all"'),
+        ({"robots": [kuka], "vendor": "ABB"}, "no robot"),
+        ({"robots": []}, "robots"),
+    ]:
+        with pytest.raises(stiffarm.StiffarmError, match=match):
+            stiffarm.mill("line:0.1", **given)  # type: ignore[call-overload]

@@ -235,8 +235,17 @@ impl Request {
         Refusal::Missing {
             at: self.reader.clone(),
             name: setting.map_or_else(|| self.reader.bare(name), |setting| self.reader.with_value(setting)),
-            expected: setting.map_or("", |setting| setting.help),
+            expected: setting.map_or_else(String::new, |setting| in_sentence(setting.help)),
         }
+    }
+}
+
+/// A line of help as part of a sentence: "the robot", but "G-code".
+fn in_sentence(help: &str) -> String {
+    let is_word = |letter: char| letter.is_lowercase() || letter == ' ';
+    match help.split_at_checked(1) {
+        Some((first, rest)) if rest.starts_with(is_word) => first.to_lowercase() + rest,
+        _ => help.to_owned(),
     }
 }
 

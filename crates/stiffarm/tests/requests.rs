@@ -280,7 +280,7 @@ fn what_makes_no_sense_is_refused_with_option_value_and_what_is_expected() {
     }
     let none = asked(Verb::Place, &[]).expect("nothing is wrong yet");
     assert!(none.task().unwrap_err().to_string().starts_with("--task <TASK> is missing; expected circle:D"));
-    assert!(none.robot().unwrap_err().to_string().starts_with("<ROBOT> is missing; expected A robot's name"));
+    assert!(none.robot().unwrap_err().to_string().starts_with("<ROBOT> is missing; expected a robot's name"));
 }
 
 #[test]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, overload
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Comparison, Compliance, Compliances, Force, Identification, Map, MeasurementPlan, Milled, Placement, Ranking, Study, Toolpath
+from ._answers import Comparison, Compliance, Compliances, Force, Identification, Map, MeasurementPlan, Milled, PathRanking, Placement, Ranking, Study, Toolpath
 from ._given import RobotLike
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
@@ -381,6 +381,7 @@ def mill(
     path: str | os.PathLike[str],
     robot: None = None,
     *,
+    robots: None = None,
     progress: ProgressLike = None,
     **options: Unpack[MillOptions],
 ) -> Toolpath: ...
@@ -389,18 +390,29 @@ def mill(
     path: str | os.PathLike[str],
     robot: RobotLike,
     *,
+    robots: None = None,
     progress: ProgressLike = None,
     **options: Unpack[MillOptions],
 ) -> Milled: ...
+@overload
+def mill(
+    path: str | os.PathLike[str],
+    robot: None = None,
+    *,
+    robots: RobotLike | Iterable[RobotLike],
+    progress: ProgressLike = None,
+    **options: Unpack[MillOptions],
+) -> PathRanking: ...
 @_options.takes("mill", MillOptions)
 def mill(
     path: str | os.PathLike[str],
     robot: RobotLike | None = None,
     *,
+    robots: RobotLike | Iterable[RobotLike] | None = None,
     progress: ProgressLike = None,
     **options: Unpack[MillOptions],
-) -> Milled | Toolpath:
-    """The error along a toolpath that a robot mills; with ``dry=True`` what is understood of the path, and no robot.
+) -> Milled | Toolpath | PathRanking:
+    """The error along a toolpath that a robot mills, or that several mill; with ``dry=True`` what is understood of the path, and no robot.
 
     Parameters
     ----------
@@ -409,15 +421,18 @@ def mill(
         ``"raster:rect:0.4x0.2@0.02"``.
     robot : Robot or str, optional
         The robot that mills: a name, or the path of a robot file.
+    robots : robots, optional
+        Robots that are ranked on the path, each at its own best place and rolls: robots, names, patterns (``"IRB 6700*"``), paths, or
+        the sets ``"paper"`` and ``"all"``; of them those that have a vendor, a payload or another property that is asked for.
     progress : bool or callable, optional
         True shows on stderr how much of the work is done (None does on a terminal); a callable gets how much and of how much (or None).
     {options}
 
     Returns
     -------
-    Milled or Toolpath
-        The largest error, proved and where it is, the place of the part, and every sample as a row of ``to_pandas()``; of a dry run
-        lengths, moves, extents, feed rates, what was assumed and what ignored.
+    Milled, PathRanking or Toolpath
+        Of one robot the largest error, proved and where it is, the place of the part, and every sample as a row of ``to_pandas()``; of
+        several a row per robot; of a dry run lengths, moves, extents, feed rates, what was assumed and what ignored.
 
     Raises
     ------
@@ -425,11 +440,10 @@ def mill(
         Where the path is refused: its line, the word and what was expected; where something makes no sense.
     """
     asked = _options.spelt("mill", options)
-    if options.get("dry"):
-        if robot is not None:
-            raise StiffarmError("robot goes with a path that is milled; dry=True only reads it")
-        return Toolpath(*_stiffarm.mill(os.fspath(path), asked))
-    if robot is None:
-        raise StiffarmError("robot is missing; expected the robot that mills, or dry=True")
+    one = None if robot is None else _given.robot(robot)
+    several = None if robots is None else _given.robots(robots)
     with told("milling", progress) as tell:
-        return Milled(*_stiffarm.mill(os.fspath(path), asked, _given.robot(robot), tell))
+        found = _stiffarm.mill(os.fspath(path), asked, one, several, tell)
+    if several is not None:
+        return PathRanking(*found)
+    return Milled(*found) if one is not None else Toolpath(*found)

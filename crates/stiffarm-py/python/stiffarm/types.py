@@ -2094,6 +2094,122 @@ class MilledDict(_Pass):
     """What is odd."""
 
 
+class PathRankingRow(_Pass):
+    """One robot of a ranking on a path."""
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float | None]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    rank: int | None
+    """One more than the robots that are certainly better, their values below its bound; none for a robot that is
+    estimated, or of which nothing is known."""
+
+    rank_tied: bool | None
+    """Some other robot cannot be told apart from it by the proof, the drives taken as they are told."""
+
+    feasible: bool | None
+    """There is a place; null where it is not known."""
+
+    reason: str | None
+    """Why there is no place, or it is not known."""
+
+    worst_mm: float | None
+    """Deflection under the force in its worst direction."""
+
+    worst_mm_p05: float | None
+    """Five of a hundred drives as they may be give less, the path followed as it is told; null where nothing
+    says how they may be."""
+
+    worst_mm_p95: float | None
+    """Five of a hundred give more."""
+
+    lower_bound_mm: float | None
+    """No allowed place has less."""
+
+    rms_mm: float | None
+    """The root mean square of the error over what feeds."""
+
+    roll: RollChoice | None
+    """How the tool is turned about its axis."""
+
+    at_m: list[float] | None
+    """Where the path's origin stands."""
+
+    at_yaw_deg: float | None
+    """By how much the part is turned about the vertical."""
+
+    limit_margin_deg: float | None
+    """The smallest distance of any joint to its limits in the zone."""
+
+    singular_margin_deg: float | None
+    """The smallest angle to a singular posture in the zone."""
+
+    tolerance_mm: float | None
+    """The largest deflection that is acceptable."""
+
+    margin_mm: float | None
+    """What is left of the tolerance."""
+
+    win_probability: list[float | None]
+    """How often it has the least deflection, of each task; null where it has no place, is estimated, or nothing
+    says how its drives may be."""
+
+    expected_regret_mm: list[float | None]
+    """How much more than the best it has on average, of each task."""
+
+    ties_with_best: list[bool | None]
+    """The intervals of its stiffness and of the best one's overlap: no robot is better in 95 of a hundred draws
+    of the drives, of each task; shared ranks are about the proof."""
+
+    search: PlaceSearch | None
+    """How finely a place was looked for; null where it was given."""
+
+
+class PathRankingDict(TypedDict):
+    """`stiffarm.PathRanking.to_dict`."""
+
+    schema: Schema
+
+    path: str
+    """The toolpath as it was asked for."""
+
+    force: str | None
+    """Where the force on the tool comes from."""
+
+    part: PathLength | None
+    """The path as it was cut: samples, lengths and time."""
+
+    error: str | None
+    """What of the displacement counts: total, across or axial."""
+
+    rows: list[PathRankingRow]
+    """One entry per row."""
+
+    summary: list[str]
+    """What a manager would read."""
+
+    remarks: list[]
+    """What is odd."""
+
+
 class ToolpathDict(TypedDict):
     """`stiffarm.Toolpath.to_dict`."""
 

@@ -166,12 +166,16 @@ fn write_answers(text: &mut String) {
     let forces = Fields::of(&samples::cutting_forces());
     class(text, ("ForceDict", "TypedDict"), "`stiffarm.Force.to_dict`.", &forces, &with_schema);
     let paths = Fields::of(&samples::toolpaths());
-    let milled = Fields::of(&samples::milled());
+    let (milled, ranked) = (Fields::of(&samples::milled()), Fields::of(&samples::path_rankings()));
     class(text, ("PathLength", "TypedDict"), "How long a path is.", milled.under("part"), &[]);
     class(text, ("RollChoice", "TypedDict"), "How the tool is turned about its axis.", milled.under("roll"), &[]);
     class(text, ("PlaceSearch", "TypedDict"), "How finely a place was looked for.", milled.under("search"), &[]);
     let within = [("part", "PathLength"), ("roll", "RollChoice"), ("search", "PlaceSearch"), with_schema[0]];
     class(text, ("MilledDict", "_Pass"), "`stiffarm.Milled.to_dict`.", &milled, &within);
+    let within = [("roll", "RollChoice"), ("search", "PlaceSearch")];
+    class(text, ("PathRankingRow", "_Pass"), "One robot of a ranking on a path.", ranked.under("rows"), &within);
+    let within = [("part", "PathLength"), ("rows", "PathRankingRow"), with_schema[0]];
+    class(text, ("PathRankingDict", "TypedDict"), "`stiffarm.PathRanking.to_dict`.", &ranked, &within);
     class(text, ("ToolpathDict", "TypedDict"), "`stiffarm.Toolpath.to_dict`.", &paths, &with_schema);
 
     let compliance = Fields::of(&compliances);

@@ -6,7 +6,7 @@ use serde_json::Value;
 use stiffarm::advice::{advise, advise_best};
 use stiffarm::answer::{
     CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, MapAnswer, MeasureAnswer, MillAnswer, PathAnswer,
-    PlaceAnswer, RankAnswer, StudyAnswer,
+    PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
 };
 use stiffarm::catalogue::measurements::{self, Measurements};
 use stiffarm::catalogue::{find, read, read_process};
@@ -280,5 +280,23 @@ pub(crate) fn milled() -> Vec<Value> {
         of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("tolerance-mm", "0.5")]),
         of(&[tool, ("force-n", "300,-120,80"), ("at", "9,0,0")]),
         of(&[tool, ("roll", "constant"), ("within", "1..,0.5..")]),
+    ]
+}
+
+pub(crate) fn path_rankings() -> Vec<Value> {
+    let of = |robots: &[Robot], typed: Typed| {
+        let usual = [("path", "line:0.1"), ("step-mm", "50"), ("force-n", "400")];
+        let asked = asked(Verb::Mill, &[typed, &usual].concat());
+        let moves = "line:0.1".parse::<Builtin>().unwrap().moves(Some(0.01));
+        let path = ("line:0.1".into(), &moves[..]);
+        PathRankAnswer::of(&asked, robots.to_vec(), path, None, Watch::nobody()).unwrap().json()
+    };
+    let several = ("robots", "paper");
+    let estimated = find("Staubli TX340 SH").expect("in the catalogue").robot();
+    let robots = [kuka(), Robot { name: "its twin".into(), ..kuka() }, estimated, two_links()];
+    vec![
+        of(&robots, &[several, ("tool", "spindle:250@90"), ("tolerance-mm", "0.5")]),
+        of(&robots, &[several, ("within", "8..9,0..1")]),
+        of(&[two_links()], &[several]),
     ]
 }

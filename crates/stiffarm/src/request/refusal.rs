@@ -180,7 +180,7 @@ pub enum Refusal {
         /// Which option.
         name: String,
         /// What it is.
-        expected: &'static str,
+        expected: String,
     },
     /// A long side of several zones.
     #[error("{at}{name} horizontal or vertical means the long side of one task; give one {task} with it")]

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import _stiffarm
-from .._answers import _Table
+from .._answers.base import Table
 from .._given import Array
 from .._stiffarm import StiffarmError
 from ._folder import ASKED, SCENARIOS, SUMS, check, read_sums, read_whole
@@ -86,7 +86,7 @@ class WinsDict(TypedDict):
     summary: list[str]
 
 
-class Wins(_Table[WinsDict]):
+class Wins(Table[WinsDict]):
     """Who is the stiffest how often, task by task, the most frequent winner first; and who holds the tolerance how often.
 
     An estimated robot (``~``) cannot win: ``share`` is counted among the others, ``share_with_estimated`` among all.
@@ -115,7 +115,7 @@ class OrderDict(TypedDict):
     rows: list[dict[str, Any]]
 
 
-class Order(_Table[OrderDict]):
+class Order(Table[OrderDict]):
     """Robots in order, the best first, as `stiffarm.rank` puts them."""
 
     tasks: list[str]

@@ -1,0 +1,25 @@
+"""What the verbs answer."""
+
+from .base import Answer
+from .map import Map
+from .measuring import Identification, MeasurementPlan
+from .milling import Force, Milled, PathRanking, Toolpath
+from .placing import Comparison, Placement, Ranking, Study
+from .posture import Compliance, Compliances
+
+__all__ = [
+    "Answer",
+    "Comparison",
+    "Compliance",
+    "Compliances",
+    "Force",
+    "Identification",
+    "Map",
+    "MeasurementPlan",
+    "Milled",
+    "PathRanking",
+    "Placement",
+    "Ranking",
+    "Study",
+    "Toolpath",
+]

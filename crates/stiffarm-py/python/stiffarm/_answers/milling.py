@@ -1,0 +1,166 @@
+"""Toolpaths, and robots that mill them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .._given import Array
+from ..types import (
+    ForceDict,
+    MilledDict,
+    PathLength,
+    PathRankingDict,
+    PathRankingRow,
+    PlaceSearch,
+    RollChoice,
+    Schema,
+    ToolpathDict,
+)
+from .base import Table
+
+
+class Force(Table[ForceDict]):
+    """The force of a process on its tool: along the feed, across (left of the feed), axial (away from the work)."""
+
+    _arrays = ("mean_n", "max_n", "min_n")
+
+    schema: Schema
+    process: str
+    #: Where the force comes from.
+    law: str
+    material: str | None
+    #: How well its numbers are known: ``"published"`` or ``"unverified"``.
+    material_status: str | None
+    material_source: str | None
+    #: (3,) over a revolution; None where the force may point anywhere.
+    mean_n: Array | None
+    max_n: Array | None
+    min_n: Array | None
+    #: The largest size of the force over a revolution.
+    largest_n: float
+    moment_nm: float
+    power_w: float | None
+    spindle_rpm: float | None
+    entry_deg: float | None
+    exit_deg: float | None
+    assumed: list[str]
+
+    def _words(self) -> str:
+        mean = "in any direction" if self.mean_n is None else f"mean {np.round(self.mean_n, 2).tolist()} N"
+        return f"{self.process}: {mean}, at most {self.largest_n:.2f} N"
+
+
+class Toolpath(Table[ToolpathDict]):
+    """What is understood of a toolpath."""
+
+    _arrays = ("box_m",)
+
+    schema: Schema
+    path: str
+    #: ``"gcode"``, ``"apt"``, ``"csv"`` or ``"built-in"``.
+    format: str
+    lines: int | None
+    feed_length_m: float
+    rapid_length_m: float
+    feed_moves: int
+    rapid_moves: int
+    #: Moves that are no part of the path.
+    machine_moves: int
+    arcs: int
+    full_circles: int
+    arc_length_m: float
+    #: (2, 3) two corners of the box about all feed moves.
+    box_m: Array | None
+    feed_mm_per_min: list[float] | None
+    time_s: float | None
+    tilt_deg: float
+    turn_deg: float
+    samples: int
+    chord_error_mm: float
+    arc_miss_mm: float
+    #: What the file leaves open and how it was taken.
+    assumed: list[str]
+    #: Words that move nothing.
+    ignored: list[str]
+
+    def _words(self) -> str:
+        return f"{self.path}: {self.feed_moves} feed moves, {self.feed_length_m * 1e3:.3f} mm, {self.arcs} arcs"
+
+
+class Milled(Table[MilledDict]):
+    """The error along a toolpath; its data frame has a row for every sample."""
+
+    _arrays = ("at_m", "worst_joints_deg", "worst_shares")
+
+    schema: Schema
+    robot: str
+    stiffness_source: str
+    path: str
+    #: Where the force on the tool comes from.
+    force: str
+    part: PathLength
+    roll: RollChoice
+    #: What of the displacement counts: ``"total"``, ``"across"`` or ``"axial"``.
+    error: str
+    asked_limit_margin_deg: float
+    asked_singular_margin_deg: float
+    speed_share: float | None
+    #: (3,) where the path's origin stands; None where no place was found.
+    at_m: Array | None
+    at_yaw_deg: float | None
+    feasible: bool
+    reason: str | None
+    worst_mm: float | None
+    #: Where it lies with 90 %, as the drives may be.
+    worst_mm_p05: float | None
+    worst_mm_p95: float | None
+    #: No rolls, and where the place was sought no place, have less.
+    lower_bound_mm: float | None
+    roll_lower_bound_mm: float | None
+    rms_mm: float | None
+    #: The sample with the largest error, from 0, and its line in the file.
+    worst_sample: int | None
+    worst_line: int | None
+    worst_joints_deg: Array | None
+    worst_shares: Array | None
+    limit_margin_deg: float | None
+    singular_margin_deg: float | None
+    tolerance_mm: float | None
+    margin_mm: float | None
+    search: PlaceSearch | None
+    remarks: list[str]
+
+    @property
+    def passes(self) -> bool | None:
+        """The key ``pass``: whether the tolerance is kept; None where none was given."""
+        verdict: bool | None = self._data.get("pass")
+        return verdict
+
+    def _words(self) -> str:
+        if self.worst_mm is None:
+            return f"{self.robot} along {self.path}: {self.reason}"
+        return f"{self.robot} along {self.path}: at most {self.worst_mm:.4f} mm, no less than {self.lower_bound_mm:.4f} mm"
+
+
+class PathRanking(Table[PathRankingDict]):
+    """Robots in order on a toolpath, the best first, each at its own best place and rolls."""
+
+    schema: Schema
+    path: str
+    #: Where the force on the tool comes from; None where no robot has six joints.
+    force: str | None
+    part: PathLength | None
+    #: What of the displacement counts: ``"total"``, ``"across"`` or ``"axial"``.
+    error: str | None
+    #: One per robot: names, status, ``rank`` (None for an estimated robot; robots that cannot be told apart share one), and as `Milled` tells it.
+    rows: list[PathRankingRow]
+    #: What a manager would read.
+    summary: list[str]
+    remarks: list[str]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def _words(self) -> str:
+        best = next((f"; best {row['robot']}" for row in self.rows if row["rank"] == 1 and row["feasible"]), "")
+        return f"{len(self)} robots along {self.path}{best}"
