@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import subprocess
 from pathlib import Path
 
@@ -9,6 +10,8 @@ import pytest
 from sweeps import client, done, small  # noqa: F401
 
 os.environ.setdefault("MPLBACKEND", "Agg")
+# A shell that starts a test run in the background has it ignore Ctrl-C, and all that it starts.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 ROOT = Path(__file__).resolve().parents[3]
 
 
