@@ -37,6 +37,9 @@ colours! {
     /// The line below which no place is: what is proved.
     LIMIT, "limit" = INK;
 
+    /// What is left of an error where it was taken out.
+    COMPENSATED, "compensated" = WINDOW;
+
     /// Below the range of the colours that was asked for.
     UNDER, "under" = "#fffbd5";
     /// Above it.

@@ -23,8 +23,8 @@ mod wishes;
 
 pub use kind::{Count, Kind};
 pub use notation::{
-    Angle, Force, block, degrees, elevation, force, marker, mount, number, open_range, point, roll, shape, spindle,
-    tool, way, window, within, yaw,
+    Angle, Force, block, degrees, elevation, force, marker, mount, number, open_range, pin, point, roll, shape,
+    spindle, tool, way, window, within, yaw,
 };
 pub use options::{Held, Unasked, Wanted, distinct};
 pub use refusal::{Refusal, Spelling};

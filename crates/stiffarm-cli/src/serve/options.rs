@@ -70,6 +70,7 @@ pub(super) fn kind(kind: Kind) -> &'static str {
         Kind::Elevation => "elevation",
         Kind::Yaw => "yaw",
         Kind::Roll => "roll",
+        Kind::Pin => "pin",
         Kind::Floor => "floor",
         Kind::Tool => "tool",
         Kind::Spindle => "spindle",

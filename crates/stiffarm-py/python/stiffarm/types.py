@@ -684,6 +684,10 @@ class MillOptions(TypedDict, total=False):
     of all), linear (changing evenly), or so many degrees of its x axis from the part's, clockwise seen from
     the spindle."""
 
+    pin: str | Iterable[str] | None
+    """So many mm along the path the roll must be so many degrees, and is as is best on the way there and on;
+    separated by commas or given several times."""
+
     error: Literal["total", "across", "axial"]
     """What of the displacement counts."""
 
@@ -1962,6 +1966,19 @@ class PathLength(TypedDict):
     """Time of all feed moves; null where a feed rate is missing."""
 
 
+class PinnedRoll(TypedDict):
+    """A roll that is pinned."""
+
+    sample: int
+    """Which sample, from 0."""
+
+    way_mm: float
+    """How far along the path it stands."""
+
+    roll_deg: float
+    """About the tool axis."""
+
+
 class RollChoice(TypedDict):
     """How the tool is turned about its axis."""
 
@@ -1973,6 +1990,9 @@ class RollChoice(TypedDict):
 
     to_deg: float | None
     """The largest roll."""
+
+    pins: list[PinnedRoll]
+    """Where the roll is pinned: samples with their way along the path and their roll."""
 
     posture: str | None
     """The configuration that holds a point."""
@@ -2206,7 +2226,7 @@ class PathRankingDict(TypedDict):
     summary: list[str]
     """What a manager would read."""
 
-    remarks: list[]
+    remarks: list[str]
     """What is odd."""
 
 

@@ -168,7 +168,10 @@ fn write_answers(text: &mut String) {
     let paths = Fields::of(&samples::toolpaths());
     let (milled, ranked) = (Fields::of(&samples::milled()), Fields::of(&samples::path_rankings()));
     class(text, ("PathLength", "TypedDict"), "How long a path is.", milled.under("part"), &[]);
-    class(text, ("RollChoice", "TypedDict"), "How the tool is turned about its axis.", milled.under("roll"), &[]);
+    let about = "A roll that is pinned.";
+    class(text, ("PinnedRoll", "TypedDict"), about, milled.under("roll").under("pins"), &[]);
+    let (about, within) = ("How the tool is turned about its axis.", [("pins", "PinnedRoll")]);
+    class(text, ("RollChoice", "TypedDict"), about, milled.under("roll"), &within);
     class(text, ("PlaceSearch", "TypedDict"), "How finely a place was looked for.", milled.under("search"), &[]);
     let within = [("part", "PathLength"), ("roll", "RollChoice"), ("search", "PlaceSearch"), with_schema[0]];
     class(text, ("MilledDict", "_Pass"), "`stiffarm.Milled.to_dict`.", &milled, &within);
@@ -220,9 +223,10 @@ fn python_type(setting: &Setting) -> String {
             | Kind::Date,
             false,
         ) => "str".into(),
-        (Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Marker | Kind::Way, true) => {
-            "str | Iterable[str]".into()
-        }
+        (
+            Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Marker | Kind::Way | Kind::Pin,
+            true,
+        ) => "str | Iterable[str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
         (Kind::Block, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),

@@ -279,6 +279,7 @@ pub(crate) fn milled() -> Vec<Value> {
     vec![
         of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("tolerance-mm", "0.5")]),
         of(&[tool, ("force-n", "300,-120,80"), ("at", "9,0,0")]),
+        of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("pin", "0@10")]),
         of(&[tool, ("roll", "constant"), ("within", "1..,0.5..")]),
     ]
 }
@@ -289,7 +290,9 @@ pub(crate) fn path_rankings() -> Vec<Value> {
         let asked = asked(Verb::Mill, &[typed, &usual].concat());
         let moves = "line:0.1".parse::<Builtin>().unwrap().moves(Some(0.01));
         let path = ("line:0.1".into(), &moves[..]);
-        PathRankAnswer::of(&asked, robots.to_vec(), path, None, Watch::nobody()).unwrap().json()
+        let mut answer = PathRankAnswer::of(&asked, robots.to_vec(), path, None, Watch::nobody()).unwrap();
+        answer.remarks.push("a remark".into());
+        answer.json()
     };
     let several = ("robots", "paper");
     let estimated = find("Staubli TX340 SH").expect("in the catalogue").robot();

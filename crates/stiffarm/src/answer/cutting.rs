@@ -131,7 +131,7 @@ impl CuttingAnswer {
 
     /// What stands below the table.
     pub fn notes(&self) -> &'static str {
-        "forces on the tool; a robot follows the mean, the teeth pass far above its first modes\n"
+        "forces on the tool; a robot follows the mean, the teeth cut at frequencies far above its first modes\n"
     }
 
     /// What a figure says of the engagement.

@@ -401,6 +401,10 @@ fields! {
     ROLL_MODE: "mode", Kind::Text, "free, constant, linear or fixed.";
     ROLL_FROM: "from_deg", Kind::Number(Unit::Degree), "The smallest roll: of the tool's x axis from the part's.";
     ROLL_TO: "to_deg", Kind::Number(Unit::Degree), "The largest roll.";
+    PINS: "pins", Kind::Nested, "Where the roll is pinned: samples with their way along the path and their roll.";
+    PINNED_SAMPLE: "sample", Kind::Count, "Which sample, from 0.";
+    PINNED_WAY: "way_mm", Kind::Number(Unit::Millimetre), "How far along the path it stands.";
+    PINNED_ROLL: "roll_deg", Kind::Number(Unit::Degree), "Its roll.";
     REARRANGED: "rearranged", Kind::Count, "How often the arm takes another configuration, clear of the work.";
     ERROR_PART: "error", Kind::Text, "What of the displacement counts: total, across or axial.";
     SPEED_SHARE: "speed_share", Kind::Number(Unit::One), "Of the joints' speeds what is used at most; null where the robot file tells none.";

@@ -45,7 +45,7 @@ pub use ledger::LedgerAnswer;
 pub use looks::{Look, looks};
 pub use map::MapAnswer;
 pub use measure::MeasureAnswer;
-pub use mill::{MillAnswer, MillAnswerError, PathRankAnswer};
+pub use mill::{Compensation, MillAnswer, MillAnswerError, PathRankAnswer};
 pub use path::PathAnswer;
 pub use place::{PlaceAnswer, Verdict};
 pub use rank::RankAnswer;

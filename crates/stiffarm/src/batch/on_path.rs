@@ -48,6 +48,15 @@ impl RollGrid {
         self.rolls[i]
     }
 
+    /// Which of them lies nearest to a roll, rad, whole turns aside.
+    pub(crate) fn nearest(&self, roll: f64) -> usize {
+        let aside = |i: &usize| {
+            let turn = self.rolls[*i] - roll;
+            (turn - TAU * (turn / TAU).round()).abs()
+        };
+        (0..self.len()).min_by(|a, b| aside(a).total_cmp(&aside(b))).unwrap_or(0)
+    }
+
     /// Between two of a whole turn, rad.
     pub(crate) fn step(&self) -> f64 {
         TAU / self.len() as f64

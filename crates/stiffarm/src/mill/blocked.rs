@@ -24,6 +24,9 @@ impl Ladder<'_> {
     pub(super) fn why_blocked(&self, k: usize, watch: Watch) -> Result<Blocked, MillError> {
         let rung = &self.rungs[k];
         if rung.errors.iter().flatten().all(|error| *error == f32::INFINITY) {
+            if rung.pinned.is_some() && !self.is_never_held(rung.at)? {
+                return Ok(self.blocked_at(rung.at, Why::Pinned));
+            }
             return Ok(self.worst_blocked()?.unwrap_or_else(|| self.blocked_at(rung.samples.start, Why::Jump)));
         }
         let slow = Ladder { speeds: None, ..self.clone() };
@@ -35,10 +38,8 @@ impl Ladder<'_> {
     /// The first sample that no posture holds at any roll, and how many they are; `None` where each is held.
     fn worst_blocked(&self) -> Result<Option<Blocked>, MillError> {
         let (mut first, mut count) = (None, 0);
-        let mut errors = std::array::from_fn(|_| Vec::new());
         for i in 0..self.stations.len() {
-            self.errors_at(i, &self.grid, &mut errors)?;
-            if errors.iter().flatten().all(|error| *error == f32::INFINITY) {
+            if self.is_never_held(i)? {
                 count += 1;
                 first = first.or(Some(i));
             }
@@ -46,6 +47,13 @@ impl Ladder<'_> {
         let Some(first) = first else { return Ok(None) };
         let why = self.why_not_held(first)?;
         Ok(Some(Blocked { samples: count, ..self.blocked_at(first, why) }))
+    }
+
+    /// No posture holds a sample at any roll of the grid.
+    fn is_never_held(&self, i: usize) -> Result<bool, MillError> {
+        let mut errors = std::array::from_fn(|_| Vec::new());
+        self.errors_at(i, &self.grid, &mut errors)?;
+        Ok(errors.iter().flatten().all(|error| *error == f32::INFINITY))
     }
 
     /// Why no roll is held all along: a sample that none holds, else the one at which that roll ends which is held the farthest.

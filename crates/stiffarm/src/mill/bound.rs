@@ -31,6 +31,8 @@ const ENOUGH: f64 = 1e-3;
 const SAMPLES: usize = 3;
 /// Runs of which bounds are sought: those with the largest errors.
 const RUNS: usize = 3;
+/// By how much an error of the ladder may be too large by rounding, as a part of it.
+const ROUNDING: f64 = 1e-6;
 /// Samples that bound a constant roll, and its intervals.
 const BINDING: usize = 24;
 const MOST_CONSTANT: usize = 4000;
@@ -75,7 +77,6 @@ impl<'a> Floor<'a> {
 
     /// Every run in its best configuration: nothing is left to enclose but the rounding of the ladder's errors.
     fn of_one_roll(ladder: &Ladder) -> f64 {
-        const ROUNDING: f64 = 1e-6;
         let of = |run: &Range<usize>, c: usize| run.clone().map(|k| ladder.rungs[k].errors[c][0]).fold(0.0, f32::max);
         let least = |run: Range<usize>| (0..Configuration::COUNT).map(|c| of(&run, c)).fold(f32::INFINITY, f32::min);
         f64::from(ladder.runs().into_iter().map(least).fold(0.0, f32::max)) * (1.0 - ROUNDING)
@@ -103,7 +104,11 @@ impl<'a> Floor<'a> {
             let mut of_run = f64::INFINITY;
             for (c, rungs) in worst.iter().enumerate() {
                 let mut of_configuration = 0.0_f64;
-                for (_, k) in rungs {
+                for (least, k) in rungs {
+                    if ladder.rungs[*k].pinned.is_some() {
+                        of_configuration = of_configuration.max(f64::from(*least) * (1.0 - ROUNDING));
+                        continue;
+                    }
                     let i = worst_station(ladder, *k, c)?;
                     of_configuration = of_configuration.max(self.of_sample(&ladder.stations[i], c, known)?);
                     if known <= of_configuration {

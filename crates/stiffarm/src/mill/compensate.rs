@@ -41,12 +41,14 @@ pub struct Compensated {
     pub by_joints: f64,
     /// The largest error that is left where only tips are commanded, each with the tool turned as in the path, m.
     pub by_tips: f64,
+    /// The same at every station.
+    pub along_by_tips: Vec<f64>,
     /// Stations at which a commanded joint lies beyond its range.
     pub beyond: Vec<usize>,
 }
 
 /// What is left where drives are not as the model has them, m: of the largest error along the path.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Remaining {
     /// Half of the draws leave less.
     pub median: f64,
@@ -54,6 +56,8 @@ pub struct Remaining {
     pub p95: f64,
     /// How many draws there were.
     pub draws: usize,
+    /// What 95 of a hundred draws leave at most at each station by itself, m.
+    pub along: Vec<f64>,
 }
 
 /// What is commanded at one station, and what that leaves, m.
@@ -111,6 +115,7 @@ pub fn compensate(
         largest: all.iter().zip(stations).map(aside).fold(0.0, f64::max),
         by_joints: most(|one| one.by_joints),
         by_tips: most(|one| one.by_tips),
+        along_by_tips: all.iter().map(|one| one.by_tips).collect(),
         beyond: (0..all.len()).filter(is_beyond).collect(),
         joints: all.iter().map(|one| one.joints).collect(),
         poses: all.iter().map(|one| one.pose).collect(),
@@ -129,9 +134,19 @@ pub fn remaining(
     (part, factors): (ErrorPart, &[[f64; 6]]),
 ) -> Result<Remaining, MillError> {
     let gives = given_by_drives(robot, stand, stations, followed, part)?;
-    let mut all = largest_errors(&gives, factors, |factor| factor - 1.0)?;
+    let missing = |factor: f64| factor - 1.0;
+    let mut all = largest_errors(&gives, factors, missing)?;
     all.sort_by(f64::total_cmp);
-    Ok(Remaining { median: quantile(&all, 0.5), p95: quantile(&all, 0.95), draws: all.len() })
+    let offs: Vec<Vector6<f64>> = factors.iter().map(|factors| Vector6::from(factors.map(missing))).collect();
+    let of_station = |given: &Given| {
+        let mut errors: Vec<f64> = offs.iter().map(|off| given.error(off)).collect();
+        errors.sort_by(f64::total_cmp);
+        quantile(&errors, 0.95)
+    };
+    let found: Vec<f64> = gives.par_iter().map(of_station).collect();
+    let mut along = vec![0.0; stations.len()];
+    gives.iter().zip(found).for_each(|(given, error)| along[given.station] = error);
+    Ok(Remaining { median: quantile(&all, 0.5), p95: quantile(&all, 0.95), draws: all.len(), along })
 }
 
 /// The largest error along a path, m, of every draw of the drives; the path stays as it is. Of a force that may point anywhere that which does
@@ -150,9 +165,24 @@ pub fn drawn_errors(
     largest_errors(&gives, factors, |factor| factor)
 }
 
-/// What each drive gives of a displacement, m, and the direction that counts.
-type Given = (Matrix3x6<f64>, Option<Vector3<f64>>);
+/// What each drive gives of the displacement at a station.
+struct Given {
+    station: usize,
+    /// m, a column for every drive.
+    by_drive: Matrix3x6<f64>,
+    /// The direction that counts; `None` where all of it does.
+    counted: Option<Vector3<f64>>,
+}
 
+impl Given {
+    /// The error, m, where each drive gives so many times that.
+    fn error(&self, times: &Vector6<f64>) -> f64 {
+        let moved = self.by_drive * times;
+        self.counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs())
+    }
+}
+
+/// Of every station at which something pushes.
 fn given_by_drives(
     robot: &Robot,
     stand: &Stand,
@@ -160,17 +190,18 @@ fn given_by_drives(
     followed: &[Pushed],
     part: ErrorPart,
 ) -> Result<Vec<Given>, MillError> {
-    let of = |(station, pushed): (&Station, &Pushed)| {
+    let of = |(i, (station, pushed)): (usize, (&Station, &Pushed))| {
         let acting = station.acting?;
         let axes = stand.cutting_axes(&station.sample);
         let counted = part.direction(&axes);
         let posture = compliance(robot, &pushed.joints, &stand.flange_from_tool);
         Some(posture.map(|posture| {
             let wrench = wrench_of(acting, &posture, &axes, counted.as_ref());
-            (Matrix3x6::from_columns(&posture.by_drive.map(|drive| drive.deflection(&wrench).0)), counted)
+            let by_drive = Matrix3x6::from_columns(&posture.by_drive.map(|drive| drive.deflection(&wrench).0));
+            Given { station: i, by_drive, counted }
         }))
     };
-    Ok(stations.iter().zip(followed).filter_map(of).collect::<Result<_, _>>()?)
+    Ok(stations.iter().zip(followed).enumerate().filter_map(of).collect::<Result<_, _>>()?)
 }
 
 /// The largest error of every draw: a sum over the drives, each times what `part` makes of its factor.
@@ -183,12 +214,8 @@ fn largest_errors(
         return Err(MillError::Value { what: "a number of draws", value: 0.0, expected: "at least one" });
     }
     let largest = |factors: &[f64; 6]| {
-        let off = Vector6::from_fn(|i, _| part(factors[i]));
-        let error = |(gives, counted): &Given| {
-            let moved = gives * off;
-            counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs())
-        };
-        gives.iter().map(error).fold(0.0, f64::max)
+        let times = Vector6::from_fn(|i, _| part(factors[i]));
+        gives.iter().map(|given| given.error(&times)).fold(0.0, f64::max)
     };
     Ok(factors.par_iter().map(largest).collect())
 }

@@ -43,6 +43,23 @@ pub enum MillError {
     /// Nothing of the path feeds.
     #[error("nothing of the path feeds: there is nothing to mill")]
     NothingFeeds,
+    /// A pin where there is no path.
+    #[error("a roll pinned {:.3} mm along a path of {:.3} mm; expected a place on the path", way * 1e3, length * 1e3)]
+    PinnedBeyond {
+        /// m.
+        way: f64,
+        /// m.
+        length: f64,
+    },
+    /// Two pins of one sample.
+    #[error("two rolls pinned to the sample that is nearest to {:.3} mm along the path; expected one", way * 1e3)]
+    PinnedTwice {
+        /// m.
+        way: f64,
+    },
+    /// Pins leave nothing to a roll that is told otherwise, and nothing is proved of all places with them.
+    #[error("pinned rolls go with free rolls and a part that stands somewhere")]
+    PinnedElse,
     /// A number out of its range.
     #[error("{what} of {value}; expected {expected}")]
     Value {
@@ -90,6 +107,8 @@ pub enum Why {
     Jump,
     /// The same for the speeds of the joints at this feed rate.
     Fast,
+    /// Not at the roll that is pinned here.
+    Pinned,
 }
 
 impl std::fmt::Display for Blocked {
@@ -115,6 +134,7 @@ impl std::fmt::Display for Blocked {
             Why::Fast => {
                 f.write_str("no posture leads on from the sample before at this feed rate: some joint is too slow")?;
             }
+            Why::Pinned => f.write_str("no posture holds the roll that is pinned here; others would be held")?,
         }
         match self.samples {
             0 => Ok(()),

@@ -37,6 +37,8 @@ pub(super) struct Rung {
     pub(super) time: Option<f64>,
     /// The arm may be arranged anew before it.
     pub(super) is_fresh: bool,
+    /// A rung of one sample whose roll is pinned: this roll, rad, stands at its line of the grid, and no other is held.
+    pub(super) pinned: Option<f64>,
     /// The largest error of the samples, m, by configuration and roll; infinite where one of them is not held.
     pub(super) errors: [Vec<f32>; Configuration::COUNT],
 }
@@ -105,7 +107,9 @@ impl<'a> Ladder<'a> {
             time += station.time.unwrap_or(f64::INFINITY);
             length += station.sample.way - self.stations[i - 1].sample.way;
             let is_full = wanted <= time && least <= i - from;
-            if station.is_fresh || is_full || LONGEST_RUNG < length && least <= i - from {
+            // A station that is pinned is a rung of its own.
+            let is_pinned = station.pinned.is_some() || self.stations[i - 1].pinned.is_some();
+            if station.is_fresh || is_pinned || is_full || LONGEST_RUNG < length && least <= i - from {
                 rungs.push(self.rung(from..i, rungs.last()));
                 (from, time, length) = (i, 0.0, 0.0);
             }
@@ -118,13 +122,22 @@ impl<'a> Ladder<'a> {
         let times = before.map(|before| self.stations[before.at + 1..=at].iter().map(|station| station.time));
         let time = times.and_then(Iterator::sum::<Option<f64>>);
         let is_fresh = self.stations[samples.start].is_fresh;
-        Rung { samples, at, time, is_fresh, errors: std::array::from_fn(|_| Vec::new()) }
+        let pinned = self.stations[at].pinned;
+        Rung { samples, at, time, is_fresh, pinned, errors: std::array::from_fn(|_| Vec::new()) }
     }
 
     /// The largest error of a rung's samples at every node.
     fn errors(&self, rung: &Rung, grid: &RollGrid) -> Result<[Vec<f32>; Configuration::COUNT], MillError> {
         let mut found: [Vec<f32>; Configuration::COUNT] = std::array::from_fn(|_| vec![0.0; grid.len()]);
         let mut one: [Vec<f32>; Configuration::COUNT] = std::array::from_fn(|_| Vec::new());
+        if let Some(roll) = rung.pinned {
+            self.errors_at(rung.at, &RollGrid::at([roll]), &mut one)?;
+            for (found, one) in found.iter_mut().zip(&one) {
+                found.fill(f32::INFINITY);
+                found[grid.nearest(roll)] = one[0];
+            }
+            return Ok(found);
+        }
         for i in rung.samples.clone() {
             self.errors_at(i, grid, &mut one)?;
             for (found, one) in found.iter_mut().zip(&one) {
@@ -163,6 +176,11 @@ impl<'a> Ladder<'a> {
         Ok(found[at.configuration.index()].iter().map(|error| f64::from(*error)).collect())
     }
 
+    /// At which roll a node of a rung stands, rad.
+    pub(super) fn roll_of(&self, rung: &Rung, line: usize) -> f64 {
+        rung.pinned.unwrap_or_else(|| self.grid.roll(line))
+    }
+
     /// The joints of a rung's nodes whose error is no larger than `most`.
     pub(super) fn joints(&self, rung: &Rung, most: f32) -> Joints {
         let count = self.grid.len();
@@ -171,7 +189,7 @@ impl<'a> Ladder<'a> {
             if !(0..Configuration::COUNT).any(|c| rung.errors[c][roll] <= most) {
                 continue;
             }
-            for (configuration, q) in self.postures(rung.at, self.grid.roll(roll)) {
+            for (configuration, q) in self.postures(rung.at, self.roll_of(rung, roll)) {
                 let c = configuration.index();
                 if rung.errors[c][roll] <= most {
                     found[c * count + roll] = Some(self.turned_down(q));

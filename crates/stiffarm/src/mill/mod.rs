@@ -29,7 +29,7 @@ pub use map::{RollCell, RollMap, roll_map};
 pub use place::{PartPlacement, PathPlaced, PathResolution, place_path};
 use solve::Question;
 pub use solve::{MillOptions, RollMode};
-pub use stations::{Acting, ErrorPart, Station, cutting_axes, stations};
+pub use stations::{Acting, ErrorPart, Station, cutting_axes, pin, stations};
 
 use crate::batch::SpatialArm;
 use crate::compliance::check_held;
@@ -114,6 +114,9 @@ pub fn mill(
     if !stations.iter().any(|station| station.sample.is_cutting) {
         return Err(MillError::NothingFeeds);
     }
+    if options.roll != RollMode::Free && is_pinned(stations) {
+        return Err(MillError::PinnedElse);
+    }
     let question = Question { robot, arm, stations, options };
     let (ladder, solved) = question.solve(stand, watch)?;
     let samples = match solved {
@@ -125,6 +128,11 @@ pub fn mill(
     let lower_bound = Floor::new(&question, stand).lower_bound(&ladder, worst.0)?;
     let rms = rms(stations, &samples);
     Ok(Milled::Followed(Followed { samples, worst, lower_bound, rms }))
+}
+
+/// Some roll is pinned.
+fn is_pinned(stations: &[Station]) -> bool {
+    stations.iter().any(|station| station.pinned.is_some())
 }
 
 /// The root of the mean square of the error over the way that feeds, m: each piece counts by its length and the mean of its ends.

@@ -17,7 +17,7 @@ use super::follow::Stand;
 use super::ladder::Ladder;
 use super::solve::{MillOptions, RollMode};
 use super::stations::Station;
-use super::{Milled, arm_with_margins, mill};
+use super::{Milled, arm_with_margins, is_pinned, mill};
 use crate::batch::{RollGrid, SpatialArm};
 use crate::enclose::ArmEnclosure;
 use crate::interval::Interval;
@@ -113,6 +113,9 @@ pub fn place_path(
     (options, margins, within): (&MillOptions, &Margins, Within),
     watch: Watch,
 ) -> Result<Result<PathPlaced, Option<Blocked>>, MillError> {
+    if is_pinned(stations) {
+        return Err(MillError::PinnedElse);
+    }
     let sought = Search::new(robot, flange_from_tool, stations, (options, margins, within))?;
     let Some(mut search) = sought else { return Ok(Err(None)) };
     let (mut best, mut nearest): (Option<(f64, Place, Milled)>, Option<Blocked>) = (None, None);

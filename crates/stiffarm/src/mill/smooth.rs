@@ -27,7 +27,7 @@ pub(super) fn smoothed(
         watch.go_on()?;
         let largest = errors.iter().copied().fold(0.0, f64::max);
         let step = ladder.grid.step() * 0.5_f64.powi(round as i32 / 3);
-        for k in 0..rungs.len() {
+        for k in (0..rungs.len()).filter(|k| ladder.rungs[*k].pinned.is_none()) {
             let before = k.checked_sub(1).filter(|_| !ladder.rungs[k].is_fresh);
             let after = Some(k + 1).filter(|next| ladder.rungs.get(*next).is_some_and(|next| !next.is_fresh));
             let beside: Vec<f64> = before.into_iter().chain(after).map(|other| rungs[other].roll).collect();

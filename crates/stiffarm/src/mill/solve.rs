@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::climb::{Climb, Node, Sought};
 use super::fault::{Blocked, MillError, Why};
 use super::follow::{Arrangement, Pushed, Stand, follow};
+use super::is_pinned;
 use super::ladder::Ladder;
 use super::smooth::smoothed;
 use super::stations::{ErrorPart, Station};
@@ -116,7 +117,8 @@ impl Question<'_> {
     /// The path whose largest error is least, and of those nearly as good the smoothest.
     fn free(&self, ladder: &Ladder, stand: &Stand, watch: Watch) -> Result<Outcome, MillError> {
         // No error needs to be larger than that of the best constant roll.
-        let constant = self.best_of(ladder, &ladder.constant_rolls(), stand)?.ok();
+        let constant =
+            if is_pinned(self.stations) { None } else { self.best_of(ladder, &ladder.constant_rolls(), stand)?.ok() };
         let most = constant.as_ref().map_or(f32::MAX, |found| (worst(found) * (1.0 + 1e-6)) as f32);
         for is_wound in [false, true] {
             let (path, least) = match Climb::new(ladder, Sought::LeastError, most, is_wound).path(watch)? {
@@ -276,8 +278,8 @@ impl Ladder<'_> {
     /// A path of nodes as configurations and rolls, which go on over whole turns.
     fn arrangements(&self, path: &[Node]) -> Vec<Arrangement> {
         let mut found: Vec<Arrangement> = Vec::with_capacity(path.len());
-        for Node { configuration, roll } in path {
-            let mut roll = self.grid.roll(*roll);
+        for (Node { configuration, roll }, rung) in path.iter().zip(&self.rungs) {
+            let mut roll = self.roll_of(rung, *roll);
             if let Some(before) = found.last() {
                 roll += TAU * ((before.roll - roll) / TAU).round();
             }

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::fault::MillError;
 use crate::batch::Pushing;
 use crate::load::Push;
 use crate::toolpath::{Move, Sample, Steps, samples};
@@ -85,6 +86,8 @@ pub struct Station {
     pub time: Option<f64>,
     /// The arm may come here in any configuration and at any roll: the path begins, goes on elsewhere, or is clear of the work.
     pub is_fresh: bool,
+    /// The tool must be turned so about its axis here, rad; `None` where the roll is free.
+    pub pinned: Option<f64>,
 }
 
 /// Feed, across and axial as columns, part frame. Where the tool goes along its axis, or only turns, any direction across it stands
@@ -112,7 +115,7 @@ pub fn stations(moves: &[Move], steps: &Steps, mut acting: impl FnMut(&Sample) -
                 None => (sample.way == before.way).then_some(0.0),
             });
             let acting = acting(&sample).filter(|_| sample.is_cutting);
-            found.push(Station { sample, acting, time, is_fresh: !goes_on });
+            found.push(Station { sample, acting, time, is_fresh: !goes_on, pinned: None });
         }
         way += one.length();
     }
@@ -136,3 +139,26 @@ fn mark_clear(stations: &mut [Station]) {
         from = (to..stations.len()).find(|i| !stations[*i].sample.is_cutting).unwrap_or(stations.len());
     }
 }
+
+/// Pins the roll where the path has gone on for so many m, at the station that is nearest to it, to an angle, rad.
+///
+/// # Errors
+/// Beyond the path's end; two pins of one station.
+pub fn pin(stations: &mut [Station], pins: &[[f64; 2]]) -> Result<(), MillError> {
+    let length = stations.last().map_or(0.0, |last| last.sample.way);
+    for &[way, roll] in pins {
+        if !(0.0 <= way && way <= length + PAST_END) {
+            return Err(MillError::PinnedBeyond { way, length });
+        }
+        let aside = |station: &Station| (station.sample.way - way).abs();
+        let nearest = stations.iter_mut().min_by(|a, b| aside(a).total_cmp(&aside(b)));
+        let nearest = nearest.ok_or(MillError::NothingFeeds)?;
+        if nearest.pinned.replace(roll).is_some() {
+            return Err(MillError::PinnedTwice { way });
+        }
+    }
+    Ok(())
+}
+
+/// A pin may lie so far past the end of a path by the rounding of what was typed, m.
+const PAST_END: f64 = 1e-4;

@@ -1,8 +1,8 @@
 //! What does an option take, and which value does a text stand for?
 
 use super::notation::{
-    Angle, Force, block, elevation, force, marker, mount, number, open_range, point, roll, shape, spindle, tool, way,
-    window, yaw,
+    Angle, Force, block, elevation, force, marker, mount, number, open_range, pin, point, roll, shape, spindle, tool,
+    way, window, yaw,
 };
 use crate::catalogue::is_date;
 use crate::catalogue::measurements::Marker;
@@ -66,6 +66,8 @@ pub enum Kind {
     Yaw,
     /// How the roll of a tool is chosen: a word, or degrees.
     Roll,
+    /// A roll at a place of a path: `MM@DEG`.
+    Pin,
     /// A height in m, or `none`.
     Floor,
     /// A tool frame in mm and degrees.
@@ -149,6 +151,7 @@ pub(super) enum Value {
     Task(Task),
     Posture(Configuration),
     Roll(RollMode),
+    Pin([f64; 2]),
 }
 
 impl Kind {
@@ -180,6 +183,7 @@ impl Kind {
                 | Self::Posture
                 | Self::Spindle
                 | Self::Mount
+                | Self::Pin
                 | Self::Date
         )
     }
@@ -224,6 +228,7 @@ impl Kind {
             Self::Elevation => elevation(text).map(Value::Number),
             Self::Yaw => yaw(text).map(Value::Interval),
             Self::Roll => roll(text).map(Value::Roll),
+            Self::Pin => pin(text).map(Value::Pin),
             Self::Floor if text.trim() == "none" => Ok(Value::Floor(None)),
             Self::Floor => match number(text, -100.0, 100.0, "m from the robot's base") {
                 Ok(height) => Ok(Value::Floor(Some(height))),

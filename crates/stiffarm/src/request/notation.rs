@@ -266,6 +266,21 @@ pub fn roll(text: &str) -> Result<RollMode, String> {
     }
 }
 
+/// `MM@DEG`: so far along a path, and the roll there, to m and rad.
+///
+/// # Errors
+/// What was expected.
+pub fn pin(text: &str) -> Result<[f64; 2], String> {
+    let expected = || {
+        "expected MM@DEG with the way along the path in mm and an angle from -360 to 360 degrees, such as 120@45"
+            .to_owned()
+    };
+    let (way, roll) = text.split_once('@').ok_or_else(expected)?;
+    let way = number(way, 0.0, 1e7, "").map_err(|_| expected())?;
+    let roll = degrees(roll).map_err(|_| expected())?;
+    Ok([way / 1e3, roll.to_radians()])
+}
+
 /// A shape at size 1: a letter of the paper, or a task.
 ///
 /// # Errors

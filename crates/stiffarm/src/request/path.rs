@@ -89,6 +89,11 @@ impl Request {
         }
     }
 
+    /// Where along the path the roll is pinned, m, and to which angle, rad.
+    pub fn pins(&self) -> Vec<[f64; 2]> {
+        self.all("pin", |value| if let Value::Pin(pin) = value { Some(pin) } else { None })
+    }
+
     /// The deflection is to be taken out.
     pub fn is_compensated(&self) -> bool {
         self.one("compensate", |value| if let Value::Truth(truth) = value { Some(truth) } else { None }) == Some(true)

@@ -52,8 +52,9 @@ impl MillAnswer {
         };
         let forced = forced(moves, &asked.steps(), &forcing, stock.as_mut())?;
         remarks.extend(forced.remarks);
-        let stations = forced.stations;
         let failed = |error| MillAnswerError::Mill { robot: robot.name.clone(), error };
+        let mut stations = forced.stations;
+        mill::pin(&mut stations, &asked.pins()).map_err(failed)?;
         let (placement, sought, milled) = if let Some(placement) = asked.at() {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
             let milled = mill::mill(&robot, &stand, &stations, &options, watch).map_err(failed)?;

@@ -1,5 +1,7 @@
 //! Every field of a path that is milled, and every sample as a row.
 
+use serde_json::{Value, json};
+
 use super::super::place::Verdict;
 use super::super::stiffness::stiffness;
 use super::super::{Cell, Column, ColumnKind, Record, Rows, field};
@@ -47,7 +49,7 @@ impl MillAnswer {
             .put(field::MARGIN, verdict.map(|verdict| verdict.margin_mm))
             .put(field::PATH_COMPENSATION, self.compensation.as_ref().map(compensated))
             .put(field::SEARCH, self.search())
-            .put(field::REMARKS, serde_json::json!(self.remarks));
+            .put(field::REMARKS, json!(self.remarks));
         record
     }
 
@@ -84,9 +86,15 @@ impl MillAnswer {
             .put(field::ROLL_MODE, self.options.roll.name())
             .put(field::ROLL_FROM, rolls.map(|rolls| rolls[0]))
             .put(field::ROLL_TO, rolls.map(|rolls| rolls[1]))
+            .put(field::PINS, self.pins().map(pinned).collect::<Value>())
             .put(field::POSTURE, first.map(|configuration| configuration.to_string()))
             .put(field::REARRANGED, changes);
         record
+    }
+
+    /// The samples whose roll is pinned, each with its index and the roll, rad.
+    pub fn pins(&self) -> impl Iterator<Item = (usize, &Station, f64)> {
+        self.stations.iter().enumerate().filter_map(|(i, station)| Some((i, station, station.pinned?)))
     }
 
     /// How finely the place was looked for; absent where it was given.
@@ -193,4 +201,11 @@ fn compensated(compensation: &Compensation) -> Record {
         .put(field::UNCERTAIN, remaining.as_ref().map(|(_, who)| who))
         .put(field::BEYOND_LIMITS, done.beyond.len());
     record
+}
+
+/// A pinned roll as an object.
+fn pinned((sample, station, roll): (usize, &Station, f64)) -> Value {
+    let mut record = Record::new();
+    record.put(field::PINNED_SAMPLE, sample).put(field::PINNED_WAY, station.sample.way).put(field::PINNED_ROLL, roll);
+    record.json()
 }

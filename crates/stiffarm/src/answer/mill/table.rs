@@ -104,6 +104,12 @@ impl MillAnswer {
             "roll",
             format!("{turned}, of the tool's x axis from the part's, clockwise seen from the spindle"),
         ));
+        let pinned: Vec<String> = (self.pins())
+            .map(|(_, station, roll)| format!("{} at {} mm", degrees(roll), fixed(station.sample.way * 1e3, 1)))
+            .collect();
+        if !pinned.is_empty() {
+            lines.push(line("roll pinned to", pinned.join(", ")));
+        }
         let again = json["rearranged"].as_u64().unwrap_or(0);
         let how = if again == 0 {
             "all along".into()
@@ -149,7 +155,7 @@ impl MillAnswer {
             ),
         ];
         match remaining {
-            Some((Remaining { median, p95, draws }, who)) => {
+            Some((Remaining { median, p95, draws, .. }, who)) => {
                 let verdict = self.tolerance_mm.map_or_else(String::new, |tolerance| {
                     format!("; tolerance {tolerance} mm: {}", Verdict::of(*p95, tolerance).word())
                 });
@@ -177,7 +183,7 @@ impl MillAnswer {
         let force = if self.stations.iter().any(|station| matches!(station.acting, Some(Acting::Any(_)))) {
             "the force points in its worst direction at every sample"
         } else {
-            "a robot follows the mean force over a revolution; the teeth pass far above"
+            "a robot follows the mean force over a revolution; its teeth cut far more often than it can follow"
         };
         format!(
             "all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at; collisions with part, floor and cell are not looked for\n"

@@ -115,8 +115,20 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "deg",
         value: "MODE",
         absent: Absent::Default("free"),
+        excludes: &["pin"],
         help: "How the tool is turned about its axis: free (from sample to sample, as is best), constant (the best of all), linear (changing evenly), or so many degrees of its x axis from the part's, clockwise seen from the spindle",
         example: "constant",
+        ..MILLED
+    },
+    Setting {
+        name: "pin",
+        kind: Kind::Pin,
+        count: SEVERAL,
+        value: "MM@DEG",
+        excludes: &["roll"],
+        needs: &[(Verb::Mill, "at")],
+        help: "So many mm along the path the roll must be so many degrees, and is as is best on the way there and on; separated by commas or given several times",
+        example: "0@30,150@75",
         ..MILLED
     },
     Setting {
