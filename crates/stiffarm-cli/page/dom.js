@@ -39,3 +39,12 @@ export function save(blob, name) {
 export function say(words) {
   byId("status").textContent = words;
 }
+
+const NS = "http://www.w3.org/2000/svg";
+
+/** @param {string} name @param {Record<string, string | number>} has */
+export function svg(name, has) {
+  const element = document.createElementNS(NS, name);
+  for (const [key, value] of Object.entries(has)) element.setAttribute(key, String(value));
+  return element;
+}

@@ -25,9 +25,24 @@ export class Picture {
   }
 }
 
+/** What a picture says of itself. @param {string} svg */
+const rootOf = (svg) => new DOMParser().parseFromString(svg.slice(0, svg.indexOf(">") + 1).replace(/\/?>$/, "/>"), "image/svg+xml").documentElement;
+
+/** Where something stands in the picture, px, with two numbers more, if the picture says so. @param {string} svg @param {string} name */
+export function boxOf(svg, name) {
+  if (svg === "") return null;
+  const root = rootOf(svg);
+  const [left, top, right, bottom, from, to] = (root.getAttribute(`data-${name}`) ?? "").split(" ").map(Number);
+  const [, , width, height] = (root.getAttribute("viewBox") ?? "").split(/\s+/).map(Number);
+  if (left === undefined || top === undefined || right === undefined || bottom === undefined || from === undefined || to === undefined || !width || !height) return null;
+  return { left, top, right, bottom, from, to, width, height };
+}
+
+/** @typedef {NonNullable<ReturnType<typeof boxOf>>} Box */
+
 /** Where the pixels of a map lie in metres, if the picture says so. @param {string} svg */
 export function scaleOf(svg) {
-  const root = new DOMParser().parseFromString(svg.slice(0, svg.indexOf(">") + 1).replace(/\/?>$/, "/>"), "image/svg+xml").documentElement;
+  const root = rootOf(svg);
   const read = (/** @type {string} */ name) => Number.parseFloat(root.getAttribute(name) ?? "");
   const [x0, x0m, perM, z0, z0m] = ["data-x0-px", "data-x0-m", "data-px-per-m", "data-z0-px", "data-z0-m"].map(read);
   const [, , width, height] = (root.getAttribute("viewBox") ?? "").split(/\s+/).map(Number);

@@ -1,56 +1,123 @@
 // Does this program hold the tolerance? The error along a toolpath, at rolls that are proved best.
 
-import { fields, watched, written } from "./ask.js";
+import { fields, oneInFlight, watched, written } from "./ask.js";
+import { CellPlan, textOf as standOf } from "./cell.js";
 import { button, el, say } from "./dom.js";
-import { Picture, Space, takeaway } from "./figure.js";
+import { Space, takeaway } from "./figure.js";
+import { Rolls, pinsOf, textOf } from "./rolls.js";
 import { change, question, value } from "./state.js";
 import { list, read, under, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 
-const picture = new Picture("error along the path, every roll of the tool, and the path from above");
+/** @typedef {import("./rolls.js").Pin} Pin */
+
+const rolls = new Rolls({ moving: (pins) => solve(pins), moved: (pins) => change(pinned(pins)) });
+const cell = new CellPlan({ moving: (at) => stand(at), moved: (at) => change({ "mill.at": standOf(at) }) });
 const space = new Space();
 const says = el("div", { "aria-live": "polite" });
-const path = el("div");
-const inSpace = button("in space", () => change({ space: value("space") === "" ? "yes" : "" }), { "aria-pressed": "false" });
-const best = button("best place", () => change({ "mill.at": "" }), { title: "seeks the best place of the part, with a lower bound" });
+const shows = /** @type {Record<string, HTMLElement>} */ ({ rolls: rolls.box, cell: cell.box, space: space.box });
+const tabs = el("div", { class: "tools", role: "toolbar", "aria-label": "what is shown" });
+const best = button("best place", () => change({ "mill.at": "", "mill.pin": "" }), { title: "seeks the best place of the part, with a lower bound" });
+const pinning = button("pin a roll", () => change(pinned([...pinsOf(value("mill.pin")), middle()])), { title: "holds the roll in the middle of the path; a click on the map of rolls pins it there" });
+const unpinning = button("no pins", () => change({ "mill.pin": "" }));
 const programs = el("div");
+/** @type {any} What was answered last. */
+let told = {};
+const shown = () => (value("milled") in shows ? value("milled") : "rolls");
 const asked = () => ({ verb: "mill", question: question("mill") });
 /** @type {[string, string, string?][]} */
-const PICTURES = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["CSV of samples", "csv"], ["JSON", "json"], ["report", "report", "html"]];
+const PICTURES = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["shop drawing", "shop", "shop.svg"], ["CSV of samples", "csv"], ["JSON", "json"], ["report", "report", "html"]];
 /** @type {[string, string, string?][]} */
 const PROGRAMS = [["KUKA .src", "src"], ["ABB .mod", "mod"], ["Fanuc .ls", "ls"], ["path .nc", "nc"], ["path .apt", "apt"]];
+
+function draw() {
+  const names = { rolls: "rolls", cell: "in the cell", space: "in space" };
+  tabs.replaceChildren(...Object.entries(names).map(([name, label]) => button(label, () => change({ milled: name === "rolls" ? "" : name }), { "aria-pressed": String(name === shown()) })));
+  tabs.append(el("span", { class: "gap" }), pinning, unpinning, best);
+  for (const [name, box] of Object.entries(shows)) box.hidden = name !== shown();
+}
+
+/** Half way along the path, the roll between the smallest and the largest that is taken. @returns {Pin} */
+function middle() {
+  const { from_deg = 0, to_deg = 0 } = told.roll ?? {};
+  return { mm: 500 * (told.part?.length_m ?? 0), deg: (from_deg + to_deg) / 2 };
+}
+
+/** Pins are of a part that stands somewhere, and leave the rolls between them free. @param {Pin[]} pins */
+function pinned(pins) {
+  const stands = standing();
+  const at = value("mill.at") === "" && stands ? { "mill.at": stands.map((number) => Number(number.toFixed(6))).join(",") } : {};
+  return { ...at, "mill.pin": textOf(pins), ...(pins.length > 0 ? { "mill.roll": "" } : {}) };
+}
+
+/** @param {import("./ask.js").Question} now @param {boolean} isFollowed @param {AbortSignal} signal */
+async function showRolls(now, isFollowed, signal) {
+  const pins = pinsOf(value("mill.pin"));
+  const drawn = isFollowed ? await (await written("mill", now, "svg", signal)).text() : "";
+  // A pin that nothing holds is dragged away again: the picture stays, and pales.
+  const stays = drawn === "" && pins.length > 0;
+  rolls.box.toggleAttribute("data-stale", stays);
+  await rolls.show(stays ? rolls.picture.svg : drawn, pins);
+}
+
+/** Where the path's origin stands, as was answered last. @returns {import("./cell.js").Stand | null} */
+function standing() {
+  const [x, y, z] = told.at_m ?? [];
+  return [x, y, z, told.at_yaw_deg].every((number) => typeof number === "number") ? [x, y, z, told.at_yaw_deg] : null;
+}
+
+/** The value while the part is in the hand. */
+const stand = oneInFlight(async (/** @type {import("./cell.js").Stand} */ at) => {
+  const found = await fields("mill", question("mill", { at: standOf(at).split(",").map(Number) }));
+  const number = document.getElementById("number");
+  if (number) number.textContent = found.feasible ? `${found.worst_mm.toFixed(4)} mm` : "not followed";
+  cell.body.setAttribute("data-state", !found.feasible || found.pass === false ? "fail" : "");
+});
+
+/** The rolls while a pin is in the hand. */
+const solve = oneInFlight(async (/** @type {Pin[]} */ pins) => {
+  const { "mill.at": at = value("mill.at") } = /** @type {Record<string, string>} */ (pinned(pins));
+  const now = question("mill", { at: at.split(",").map(Number), pin: textOf(pins), roll: undefined });
+  const drawn = await (await written("mill", now, "svg")).text();
+  await rolls.show(drawn, pins);
+});
 
 /** @type {import("./page.js").View} */
 export const mill = {
   verb: "mill",
   parts: () => [
-    { verb: "mill", title: "Does the program hold it?", first: ["path", "robot", "process", "force-n", "at", "tolerance-mm", "roll", "compensate", "tool"] },
+    { verb: "mill", title: "Does the program hold it?", first: ["path", "robot", "process", "force-n", "at", "tolerance-mm", "roll", "pin", "compensate", "tool"] },
   ],
   mount(look, decide) {
-    look.replaceChildren(el("div", { class: "tools", role: "toolbar", "aria-label": "what is shown" }, [best, inSpace]), space.box, picture.image, path);
+    draw();
+    look.replaceChildren(tabs, ...Object.values(shows));
     decide.replaceChildren(says, takeaway(asked, PICTURES), programs);
   },
   async update(signal) {
+    draw();
     const now = question("mill");
     if (now.options["robot"] === undefined || now.options["dry"] === true) return dry(signal);
     const answer = await watched("mill", now, signal, progress);
     const markdown = await (await written("mill", now, "md", signal)).text();
-    const told = read(markdown);
-    const [sheet] = told.sheets;
-    const label = answer.feasible ? under(sheet, /^largest error/) : "no place";
+    told = answer;
+    const { sheets, sentences } = read(markdown);
+    const [sheet] = sheets;
+    const label = answer.feasible ? under(sheet, /^largest error/) : value("mill.at") === "" ? "no place" : "not followed";
     const means = answer.feasible ? "largest error of the tool along the path" : String(answer.reason ?? "");
     says.replaceChildren(
       verdict(label, means, answer.pass, under(sheet, /^stiffness$/)),
-      ...told.sheets.map((sheet) => list(sheet, /^(stiffness|largest error)$/)),
-      words(told.sentences.flat()),
+      ...sheets.map((sheet) => list(sheet, /^(stiffness|largest error)$/)),
+      words(sentences.flat()),
     );
     programs.replaceChildren(...(answer.compensation ? [takeaway(asked, PROGRAMS)] : [el("p", { class: "notes" }, ["with “compensate” programs for KUKA, ABB and Fanuc, and the path led aside, can be downloaded"])]));
     say(`${label} ${answer.pass === false ? "fail" : ""}`);
     best.toggleAttribute("disabled", value("mill.at") === "");
-    inSpace.setAttribute("aria-pressed", String(value("space") !== ""));
-    await picture.show(await (await written("mill", now, "svg", signal)).text().catch(() => ""));
-    if (value("space") === "") space.clear();
-    else space.show({ verb: "mill", question: now });
+    pinning.toggleAttribute("disabled", !answer.feasible);
+    unpinning.toggleAttribute("disabled", value("mill.pin") === "");
+    if (shown() === "rolls") await showRolls(now, answer.feasible, signal);
+    if (shown() === "cell") await cell.show(await (await written("mill", now, "shop", signal)).text().catch(() => ""), standing(), answer.feasible ? answer.pass : false);
+    if (shown() === "space") space.show({ verb: "mill", question: now });
+    else space.clear();
   },
 };
 
@@ -58,6 +125,7 @@ export const mill = {
 async function dry(signal) {
   const now = question("mill", { dry: true });
   await fields("mill", now, signal);
-  const told = read(await (await written("mill", now, "md", signal)).text());
-  says.replaceChildren(...told.sheets.map((sheet) => list(sheet)), words(told.sentences.flat()));
+  await rolls.show("", []);
+  const { sheets, sentences } = read(await (await written("mill", now, "md", signal)).text());
+  says.replaceChildren(...sheets.map((sheet) => list(sheet)), words(sentences.flat()));
 }

@@ -117,7 +117,7 @@ export const place = {
     draw();
     look.replaceChildren(tabs, ...Object.values(shows));
     /** @type {[string, string, string?][]} */
-    const kinds = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["CSV", "csv"], ["JSON", "json"], ["in space", "view", "html"], ["report", "report", "html"]];
+    const kinds = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["shop drawing", "shop", "shop.svg"], ["CSV", "csv"], ["JSON", "json"], ["in space", "view", "html"], ["report", "report", "html"]];
     decide.replaceChildren(live, says, takeaway(asked, kinds));
   },
   async update(signal) {

@@ -4,7 +4,7 @@
 /** @typedef {{shape: "circle" | "rect", a: number, b: number, prefix: string}} Zone sizes along x and z before it is turned, m */
 /** @typedef {{x: number, z: number}} Spot */
 
-const NS = "http://www.w3.org/2000/svg";
+import { svg } from "./dom.js";
 
 /** The zone that a task names, where it is one that can be drawn. @param {string} task @returns {Zone | null} */
 export function zoneOf(task) {
@@ -26,13 +26,6 @@ export function taskOf({ shape, a, b, prefix }) {
 
 /** Metres to the millimetre. @param {number} m */
 export const rounded = (m) => String(Math.round(m * 1000) / 1000);
-
-/** @param {string} name @param {Record<string, string | number>} has */
-function svg(name, has) {
-  const element = document.createElementNS(NS, name);
-  for (const [key, value] of Object.entries(has)) element.setAttribute(key, String(value));
-  return element;
-}
 
 /**
  * @typedef {object} Hand

@@ -49,7 +49,7 @@ const ABOUT: [About; 19] = [
     About {
         name: "place",
         files: "a report to hand on as .html or report.pdf, the placement as .csv, .parquet, .json, .md or .txt, the arm, the zone and a map as \
-                .svg, .pdf or .png, a view in space that can be turned as view.html",
+                .svg, .pdf or .png, where the work must stand as shop.svg, a view in space that can be turned as view.html",
         is_long: true,
         examples: &[
             (
@@ -155,7 +155,7 @@ const ABOUT: [About; 19] = [
     About {
         name: "mill",
         files: "a report to hand on as .html or report.pdf, every sample as .csv or .parquet, the answer as .json, .md or .txt, error, rolls and path as .svg, .pdf or .png, \
-                the robot and the path in space as view.html, robot programs \
+                where the part must stand as shop.svg, the robot and the path in space as view.html, robot programs \
                 as .src (KUKA), .mod (ABB) or .ls (Fanuc), with --compensate the path itself as .nc, .gcode, .ngc, .tap, .apt or .cls",
         is_long: true,
         examples: &[

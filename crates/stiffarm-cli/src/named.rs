@@ -2,7 +2,7 @@
 //!
 //! The ending chooses. Two endings stand for two things each: `.html` is a report where the verb makes one, and the view that can be turned
 //! elsewhere; `view.html` and `*.view.html` are that view wherever there is one. `.pdf` is the figure; `report.pdf`, `*.report.pdf` and `*-report.pdf`
-//! are the report on paper.
+//! are the report on paper. `shop.svg` and `*.shop.svg`, and the same as `.png` and `.pdf`, are the drawing of where the work must stand.
 
 use std::ffi::OsStr;
 use std::path::Path;
@@ -27,12 +27,12 @@ pub(crate) enum Form {
     Txt,
     /// A robot file.
     RobotFile,
-    /// The figure.
-    Svg,
+    /// A picture.
+    Svg(Drawn),
     /// The same in pixels.
-    Png,
+    Png(Drawn),
     /// The same on a page of its size.
-    Pdf,
+    Pdf(Drawn),
     /// What can be turned in space.
     View,
     /// What is handed on, to be read on a screen or printed.
@@ -43,10 +43,19 @@ pub(crate) enum Form {
     Program(String),
 }
 
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Drawn {
+    /// The figure of the answer.
+    Figure,
+    /// Where the work must stand, as a shop drawing has it.
+    Shop,
+}
+
 impl Form {
     /// It is looked at, so that the table is printed beside it.
     pub(crate) fn is_picture(&self) -> bool {
-        matches!(self, Self::Svg | Self::Png | Self::Pdf | Self::View | Self::Report | Self::PrintedReport)
+        matches!(self, Self::Svg(_) | Self::Png(_) | Self::Pdf(_) | Self::View | Self::Report | Self::PrintedReport)
     }
 }
 
@@ -56,6 +65,7 @@ pub(crate) fn form<A: Answer>(path: &Path) -> Option<Form> {
     let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
     let is_named = |what: &str| stem == what || stem.ends_with(&format!(".{what}"));
     let is_known = |ending: &str| A::FURTHER.contains(&ending);
+    let drawn = if A::IS_SITED && is_named("shop") { Drawn::Shop } else { Drawn::Figure };
     Some(match ending.as_str() {
         "json" => Form::Json,
         "csv" => Form::Csv,
@@ -67,9 +77,9 @@ pub(crate) fn form<A: Answer>(path: &Path) -> Option<Form> {
         ending if !is_known(ending) => return None,
         "html" => Form::View,
         "toml" => Form::RobotFile,
-        "svg" => Form::Svg,
-        "png" => Form::Png,
-        "pdf" => Form::Pdf,
+        "svg" => Form::Svg(drawn),
+        "png" => Form::Png(drawn),
+        "pdf" => Form::Pdf(drawn),
         ending => Form::Program(ending.into()),
     })
 }
@@ -83,6 +93,9 @@ pub(crate) fn endings<A: Answer>() -> Vec<String> {
     }
     if A::IS_REPORTED {
         endings.extend([".html".to_owned(), "report.pdf".into()]);
+    }
+    if A::IS_SITED {
+        endings.push("shop.svg".into());
     }
     endings.extend(TABLES.map(|ending| format!(".{ending}")));
     endings

@@ -15,7 +15,7 @@ use crate::common::{Common, Format};
 use crate::failure::Failure;
 use crate::figures::{self, Plate, view3d::View};
 use crate::look::Look;
-use crate::named::{Form, endings, form};
+use crate::named::{Drawn, Form, endings, form};
 use crate::report::Report;
 use crate::table::write_csv;
 
@@ -27,6 +27,8 @@ pub(crate) trait Answer {
     const FURTHER: &'static [&'static str] = &[];
     /// It makes a report.
     const IS_REPORTED: bool = false;
+    /// It draws where the work must stand.
+    const IS_SITED: bool = false;
     /// For people.
     fn text(&self, look: Look) -> String;
     /// For programs; through [`pretty`].
@@ -43,6 +45,10 @@ pub(crate) trait Answer {
     }
     /// A figure as SVG, where the command has one.
     fn svg(&self) -> Option<Result<String, Failure>> {
+        None
+    }
+    /// Where the work must stand, as SVG, where the command has that.
+    fn shop(&self) -> Option<Result<String, Failure>> {
         None
     }
     /// What is handed on, where the command makes that.
@@ -229,9 +235,11 @@ impl<'a, A: Answer> Body<'a, A> {
             Form::Txt => Self::of_format(answer, Format::Table),
             Form::Parquet => Self::Parquet(answer.rows(), A::COMMAND),
             Form::RobotFile => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
-            Form::Svg => Self::Bytes(picture(answer.svg())?.into()),
-            Form::Png => Self::Bytes(figures::png(&picture(answer.svg())?, answer.plate().pixels()).map_err(figure)?),
-            Form::Pdf => Self::Bytes(figures::pdf(&picture(answer.svg())?).map_err(figure)?),
+            Form::Svg(what) => Self::Bytes(drawn(answer, *what)?.into()),
+            Form::Png(what) => {
+                Self::Bytes(figures::png(&drawn(answer, *what)?, answer.plate().pixels()).map_err(figure)?)
+            }
+            Form::Pdf(what) => Self::Bytes(figures::pdf(&drawn(answer, *what)?).map_err(figure)?),
             Form::View => Self::Bytes(picture(answer.view())?.html().into()),
             Form::Report => Self::Bytes(picture(answer.report())?.html().into()),
             Form::PrintedReport => Self::Bytes(picture(answer.report())?.pdf()?),
@@ -260,6 +268,14 @@ impl<'a, A: Answer> Body<'a, A> {
         }
         out.flush()
     }
+}
+
+/// A picture as SVG.
+fn drawn<A: Answer>(answer: &A, what: Drawn) -> Result<String, Failure> {
+    picture(match what {
+        Drawn::Figure => answer.svg(),
+        Drawn::Shop => answer.shop(),
+    })
 }
 
 /// A picture of a kind that the command has said it can make.

@@ -265,3 +265,53 @@ fn a_path_without_a_place_gets_the_best_one() {
     assert_eq!(nowhere["feasible"], false);
     assert!(nowhere["worst_mm"].is_null() && nowhere["reason"].as_str().unwrap().contains("no place"));
 }
+
+/// A line of 200 mm along the part's x axis, which points to the left.
+#[test]
+fn where_a_part_must_stand_is_drawn_with_its_lengths() {
+    let folder = TempDir::new().unwrap();
+    let robot = ["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--force-n", "400"];
+    let place = ["--at", "1.7,0.3,0.8,90", "-o", "shop.svg", "-o", "part.shop.pdf", "-o", "part.svg"];
+    let output = stiffarm(folder.path(), &[&robot[..], &place].concat());
+    assert!(output.status.success(), "{output:?}");
+    let shop = fs::read_to_string(folder.path().join("shop.svg")).unwrap();
+    for length in ["1700.0", "300.0", "800.0", "200.0"] {
+        assert!(shop.contains(&format!(">{length}<")), "{length}: {shop}");
+    }
+    assert!(shop.contains("data-work=") && fs::read(folder.path().join("part.shop.pdf")).unwrap().starts_with(b"%PDF"));
+    assert!(!fs::read_to_string(folder.path().join("part.svg")).unwrap().contains("data-work="));
+    let nowhere = stiffarm(folder.path(), &[&robot[..], &["--within", "9..,0..", "-o", "shop.svg"]].concat());
+    assert!(String::from_utf8_lossy(&nowhere.stderr).contains("nothing to draw: the path has no place"), "{nowhere:?}");
+}
+
+/// What is pinned is kept, told, and drawn; the table has it at its sample.
+#[test]
+fn a_roll_is_pinned_where_it_is_asked_for() {
+    let folder = TempDir::new().unwrap();
+    let robot = ["mill", "line:0.2", "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--force-n", "400"];
+    let asked = [&robot[..], &["--at", "1.7,0,0.8", "--pin", "0@120,100@150"]].concat();
+    let told = json(folder.path(), &asked);
+    assert_eq!(told["roll"]["pins"].as_array().unwrap().len(), 2);
+    let csv = stiffarm(folder.path(), &[&asked[..], &["--format", "csv"]].concat());
+    let csv = String::from_utf8(csv.stdout).unwrap();
+    let head: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| head.iter().position(|known| *known == name).unwrap();
+    let row = |way: f64| {
+        let rows = csv.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>());
+        rows.into_iter().find(|row| (row[column("s_m")].parse::<f64>().unwrap() - way).abs() < 1e-9).unwrap()
+    };
+    for (way, roll) in [(0.0, 120.0), (0.1, 150.0)] {
+        assert!((row(way)[column("roll_deg")].parse::<f64>().unwrap() - roll).abs() < 1e-9);
+    }
+    for (words, expected) in [
+        (&["--pin", "0@120"][..], "--pin needs --at"),
+        (&["--at", "1.7,0,0.8", "--pin", "0@120", "--roll", "constant"], "--roll and --pin exclude each other"),
+        (&["--at", "1.7,0,0.8", "--pin", "300@120"], "300.000 mm along a path of 200.000 mm"),
+        (&["--at", "1.7,0,0.8", "--pin", "0@120,1@130"], "two rolls pinned to the sample that is nearest to 1.000 mm"),
+        (&["--at", "1.7,0,0.8", "--pin", "120"], "expected MM@DEG"),
+    ] {
+        let output = stiffarm(folder.path(), &[&robot[..], words].concat());
+        let why = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success() && why.contains(expected), "{words:?}: {why}");
+    }
+}

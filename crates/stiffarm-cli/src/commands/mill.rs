@@ -18,6 +18,7 @@ use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
+use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Sheet, View, Zone};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
@@ -220,6 +221,7 @@ impl MillOutput<'_> {
 
 impl Answer for MillOutput<'_> {
     const COMMAND: &'static str = "mill";
+    const IS_SITED: bool = true;
     const IS_REPORTED: bool = true;
     const FURTHER: &'static [&'static str] =
         &["svg", "png", "pdf", "html", "src", "mod", "ls", "nc", "gcode", "ngc", "tap", "apt", "cls"];
@@ -251,6 +253,14 @@ impl Answer for MillOutput<'_> {
 
     fn view(&self) -> Option<Result<View, Failure>> {
         Some(self.in_space())
+    }
+
+    fn shop(&self) -> Option<Result<String, Failure>> {
+        let nothing = || {
+            Failure::Figure("nothing to draw: the path has no place, or nothing is known of the robot's base".into())
+        };
+        let drawn = |siting| ShopFigure { siting: &siting, plate: self.plate }.svg();
+        Some(self.answer.siting().map(drawn).ok_or_else(nothing))
     }
 
     fn report(&self) -> Option<Result<Report, Failure>> {

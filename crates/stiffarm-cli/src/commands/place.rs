@@ -20,6 +20,7 @@ use crate::failure::Failure;
 use crate::figures::Plate;
 use crate::figures::face::FaceFigure;
 use crate::figures::scene::{ZoneMark, rim};
+use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
@@ -250,6 +251,7 @@ impl PlaceOutput {
 
 impl Answer for PlaceOutput {
     const COMMAND: &'static str = "place";
+    const IS_SITED: bool = true;
     const IS_REPORTED: bool = true;
     const FURTHER: &'static [&'static str] = &["svg", "png", "pdf", "html"];
 
@@ -273,6 +275,14 @@ impl Answer for PlaceOutput {
 
     fn view(&self) -> Option<Result<View, Failure>> {
         Some(self.in_space())
+    }
+
+    fn shop(&self) -> Option<Result<String, Failure>> {
+        let nothing = || {
+            Failure::Figure("nothing to draw: the work has no place, is a part of several faces, or nothing is known of the robot's base".into())
+        };
+        let drawn = |siting| ShopFigure { siting: &siting, plate: self.plate }.svg();
+        Some(self.answer.siting().map(drawn).ok_or_else(nothing))
     }
 
     fn report(&self) -> Option<Result<Report, Failure>> {

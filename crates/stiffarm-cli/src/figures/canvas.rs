@@ -151,9 +151,15 @@ impl Canvas {
     /// Says how px of the viewBox map to metres, for what draws over the figure: `x = x0_m + (px - x0_px) / px_per_m`, and z likewise,
     /// upwards.
     pub(super) fn tell_scale(&mut self, [x0_px, z0_px]: Px, [x0_m, z0_m]: [f64; 2], px_per_m: f64) {
-        self.data = format!(
+        let _ = write!(
+            self.data,
             " data-x0-px=\"{x0_px}\" data-x0-m=\"{x0_m}\" data-z0-px=\"{z0_px}\" data-z0-m=\"{z0_m}\" data-px-per-m=\"{px_per_m}\""
         );
+    }
+
+    /// Says where something stands, for what draws over the figure: its left, top, right and bottom, px, and two numbers more.
+    pub(super) fn tell_box(&mut self, name: &str, [[left, top], [right, bottom]]: [Px; 2], [from, to]: [f64; 2]) {
+        let _ = write!(self.data, " data-{name}=\"{left} {top} {right} {bottom} {from} {to}\"");
     }
 
     /// Straight lines through `points`; `look` are SVG attributes.

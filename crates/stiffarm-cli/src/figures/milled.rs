@@ -1,8 +1,8 @@
 //! A path that is milled: the error along it, what every other roll would have done, and the path from above.
 
-use stiffarm::answer::{MillAnswer, fixed};
-use stiffarm::mill::{Followed, RollCell, RollMap};
-use stiffarm::palette::{AIR, ALARM, DEFLECTION, FAINT, GREY, INK, LIMIT, OTHERS, PAPER, TOLERANCE};
+use stiffarm::answer::{Compensation, MillAnswer, fixed};
+use stiffarm::mill::{Followed, RollCell, RollMap, Station};
+use stiffarm::palette::{AIR, ALARM, COMPENSATED, DEFLECTION, FAINT, GREY, INK, LIMIT, OTHERS, PAPER, TOLERANCE};
 
 use super::Plate;
 use super::axes::{Axis, Frame, heading};
@@ -20,6 +20,8 @@ const ABOVE: f64 = 420.0;
 /// Between the left edge and the frames, and right of them where the colour bar stands, px.
 const LEFT: f64 = 72.0;
 const RIGHT: f64 = 130.0;
+/// Half the width of a pin, px.
+const PIN: f64 = 5.0;
 /// Below a frame, px.
 const BELOW: f64 = 84.0;
 
@@ -48,17 +50,14 @@ impl MilledFigure<'_> {
         let room = [LEFT, canvas.width - RIGHT];
         let bands = self.bands(worst);
         let way = self.way(room);
-        self.errors(
-            &mut canvas,
-            found,
-            Frame {
-                x: way,
-                y: Axis::new(0.0, 1.08 * worst.max(self.answer.tolerance_mm.unwrap_or(0.0)), [top + ERROR, top]),
-            },
-            bound,
-        );
+        let left = self.left().map_or(0.0, |(_, left)| left.iter().copied().fold(0.0, f64::max) * 1e3);
+        let most = worst.max(left).max(self.answer.tolerance_mm.unwrap_or(0.0));
+        let errors = Frame { x: way, y: Axis::new(0.0, 1.08 * most, [top + ERROR, top]) };
+        self.errors(&mut canvas, found, errors, bound);
         let top = top + ERROR + BELOW;
         let rolls = Frame { x: way, y: Axis::new(0.0, 360.0, [top + ROLLS, top]) };
+        let [[left, bottom], [right, top_of_rolls]] = rolls.corners();
+        canvas.tell_box("rolls", [[left, top_of_rolls], [right, bottom]], [way.from, way.to]);
         self.map(&mut canvas, found, &rolls, &bands);
         let right = room[1];
         bands.bar(&mut canvas, [right + 26.0, top + ROLLS - 16.0], [right + 44.0, top + 16.0], "error mm");
@@ -95,6 +94,12 @@ impl MilledFigure<'_> {
         for points in self.cuts(found, |way, _, error| frame.at(way, error)) {
             canvas.polyline(&points, &look);
         }
+        if let Some((_, left)) = self.left() {
+            let after = format!(r#"fill="none" stroke="{COMPENSATED}" stroke-width="1.6" stroke-dasharray="6 2""#);
+            for points in self.lines(|i, station| frame.at(station.sample.way * 1e3, left[i] * 1e3)) {
+                canvas.polyline(&points, &after);
+            }
+        }
         let [[left, _], [right, _]] = frame.corners();
         let across = |canvas: &mut Canvas, value: f64, look: &str| {
             canvas.line([left, frame.y.at(value)], [right, frame.y.at(value)], look);
@@ -124,16 +129,33 @@ impl MilledFigure<'_> {
         }
     }
 
+    /// What compensation leaves at every station, m, and by which account; nothing where it was not asked for, or is not known all along.
+    fn left(&self) -> Option<(&'static str, &[f64])> {
+        let Compensation { done, remaining } = self.answer.compensation.as_ref()?;
+        let (words, left) = match remaining {
+            Some((remaining, _)) => ("left by compensation, 95 % of draws", &remaining.along),
+            None => ("left by compensation of tips, by the model", &done.along_by_tips),
+        };
+        left.iter().all(|left| left.is_finite()).then_some((words, left))
+    }
+
     /// What lies between rapid ways, each as a line.
     fn cuts(&self, found: &Followed, at: impl Fn(f64, f64, f64) -> Px) -> Vec<Vec<Px>> {
+        self.lines(|i, station| {
+            let pushed = &found.samples[i];
+            at(station.sample.way * 1e3, pushed.arrangement.roll.to_degrees(), pushed.error * 1e3)
+        })
+    }
+
+    /// The same of anything that stations have.
+    fn lines(&self, at: impl Fn(usize, &Station) -> Px) -> Vec<Vec<Px>> {
         let mut lines: Vec<Vec<Px>> = vec![Vec::new()];
-        for (station, pushed) in self.answer.stations.iter().zip(&found.samples) {
+        for (i, station) in self.answer.stations.iter().enumerate() {
             if !station.sample.is_cutting || station.is_fresh {
                 lines.push(Vec::new());
             }
             if station.sample.is_cutting {
-                let roll = pushed.arrangement.roll.to_degrees();
-                lines.last_mut().expect("there is one").push(at(station.sample.way * 1e3, roll, pushed.error * 1e3));
+                lines.last_mut().expect("there is one").push(at(i, station));
             }
         }
         lines.retain(|line| !line.is_empty());
@@ -170,6 +192,12 @@ impl MilledFigure<'_> {
                     canvas.polyline(&piece, &look);
                 }
             }
+        }
+        for (_, station, roll) in self.answer.pins() {
+            let (way, roll) = (station.sample.way * 1e3, turn(roll.to_degrees()));
+            canvas.told(&format!("pinned: {roll:.1} deg at {way:.1} mm"), |canvas| {
+                canvas.circle(frame.at(way, roll), PIN, &format!(r#"fill="{PAPER}" stroke="{INK}" stroke-width="2""#));
+            });
         }
         frame.draw(canvas, "way along the path mm", "roll deg");
         frame.headline(canvas, "every roll of the tool, and that which is taken");
@@ -245,8 +273,18 @@ impl MilledFigure<'_> {
                 format!(r#"stroke="{TOLERANCE}" stroke-width="1.8" stroke-dasharray="9 4""#),
             ));
         }
+        if let Some((words, _)) = self.left() {
+            entries.push(Entry::line(
+                words,
+                format!(r#"stroke="{COMPENSATED}" stroke-width="1.6" stroke-dasharray="6 2""#),
+            ));
+        }
         entries.push(Entry::new("worst sample", |canvas, at| canvas.circle(at, 4.0, &format!(r#"fill="{ALARM}""#))));
         entries.push(Entry::line("roll that is taken", format!(r#"stroke="{INK}" stroke-width="1.8""#)));
+        if self.answer.pins().next().is_some() {
+            let look = format!(r#"fill="{PAPER}" stroke="{INK}" stroke-width="2""#);
+            entries.push(Entry::new("roll pinned", move |canvas, at| canvas.circle(at, PIN, &look)));
+        }
         for (cell, words, colour) in [
             (RollCell::Air, "in air: nothing pushes", AIR),
             (RollCell::Limit, "beyond a joint limit with its margin", FAINT),

@@ -16,6 +16,8 @@ const FIRST: f64 = 30.0;
 const HIGHEST: f64 = 230.0;
 /// What is shown around the foot of the robot, m.
 const FOOT: f64 = 0.3;
+/// Of the x axis of a path, px.
+const X_AXIS: f64 = 46.0;
 /// Shorter lengths are told in the table alone, px.
 const SHORTEST: f64 = 3.0;
 
@@ -58,6 +60,9 @@ impl ShopFigure<'_> {
         let mut canvas = Canvas::of(&self.plate);
         let top = 18.0;
         let scale = self.scale(canvas.width, top);
+        // From above: y, to the left, upwards.
+        canvas.tell_scale([scale.left[1], scale.lower[1]], [scale.left[0], scale.lower[0]], scale.per_metre);
+        self.tell_work(&mut canvas, &scale);
         self.draw_side(&mut canvas, &scale, top);
         self.draw_above(&mut canvas, &scale);
         let of = |axis: usize| self.siting.dimensions.iter().filter(move |one| one.axis == axis);
@@ -89,7 +94,11 @@ impl ShopFigure<'_> {
 
     fn scale(&self, width: f64, top: f64) -> Scale {
         let Siting { foot, floor, .. } = self.siting;
-        let [x, y, z] = [0, 1, 2].map(|axis| self.siting.extent(axis));
+        let with_origin = |axis: usize| {
+            let ([low, high], origin) = (self.siting.extent(axis), self.siting.centre[axis]);
+            [low.min(origin), high.max(origin)]
+        };
+        let [x, y, z] = [0, 1, 2].map(with_origin);
         let across = [x[0].min(foot[0] - FOOT), x[1].max(foot[0] + FOOT)];
         let aside = [y[0].min(foot[1] - FOOT), y[1].max(foot[1] + FOOT)];
         let up = [z[0].min(floor.unwrap_or(foot[2])).min(foot[2]), z[1].max(foot[2] + FOOT)];
@@ -107,9 +116,19 @@ impl ShopFigure<'_> {
         }
     }
 
+    /// Says where the work lies from above, and its origin.
+    fn tell_work(&self, canvas: &mut Canvas, scale: &Scale) {
+        let [[x0, x1], [y0, y1]] = [0, 1].map(|axis| self.siting.extent(axis));
+        canvas.tell_box(
+            "work",
+            [scale.above([x0, y1, 0.0]), scale.above([x1, y0, 0.0])],
+            scale.above(self.siting.centre),
+        );
+    }
+
     /// Floor, foot, axis and zone from the right side of the robot.
     fn draw_side(&self, canvas: &mut Canvas, scale: &Scale, top: f64) {
-        let Siting { foot, floor, rim, .. } = self.siting;
+        let Siting { foot, floor, .. } = self.siting;
         let ground = floor.unwrap_or(foot[2]);
         let level = scale.side([0.0, 0.0, ground])[1];
         canvas.rect(
@@ -129,7 +148,21 @@ impl ShopFigure<'_> {
         canvas.rect([x - half, y], [x + half, level], &format!(r#"fill="{ARM}" stroke="{GREY}""#));
         canvas.rect([x - half, y - 8.0], [x + half, y], &format!(r#"fill="{BASE}" stroke="{INK}" stroke-width="0.8""#));
         axis(canvas, [x, top - 6.0], [x, level + 10.0]);
-        draw_zone(canvas, &rim.iter().map(|&at| scale.side(at)).collect::<Vec<_>>());
+        self.draw_work(canvas, |at| scale.side(at));
+    }
+
+    /// The zone, also where it is seen as a line, or the cuts of a path.
+    fn draw_work(&self, canvas: &mut Canvas, at: impl Fn([f64; 3]) -> Px) {
+        let fill = if self.siting.is_closed {
+            format!(r#"fill="{ZONE}" fill-opacity="0.14""#)
+        } else {
+            r#"fill="none""#.into()
+        };
+        let look = format!(r#"{fill} stroke="{ZONE}" stroke-width="2.5" stroke-linejoin="round""#);
+        for line in &self.siting.lines {
+            let points: Vec<Px> = line.iter().map(|&point| at(point)).collect();
+            canvas.path(&path(&points, self.siting.is_closed), &look);
+        }
     }
 
     /// Foot and zone from above.
@@ -144,21 +177,19 @@ impl ShopFigure<'_> {
         axis(canvas, [x - arm, y], [scale.right + 8.0, y]);
         axis(canvas, [x, y - arm], [x, y + arm]);
         canvas.text([x + 6.0, y - FOOT / 2.0 * scale.per_metre - 9.0], "joint-1 axis", Font::new(12.0).colour(PROSE));
-        draw_zone(canvas, &self.siting.rim.iter().map(|&at| scale.above(at)).collect::<Vec<_>>());
+        self.draw_work(canvas, |at| scale.above(at));
+        if let Some([dx, dy, _]) = self.siting.x_axis {
+            let ([x, y], length) = (scale.above(self.siting.centre), X_AXIS);
+            let end = [x + length * dx, y - length * dy];
+            canvas.line([x, y], end, &format!(r#"stroke="{INK}" stroke-width="1.6""#));
+            canvas.text([end[0] + 9.0 * dx, end[1] - 9.0 * dy], "x", Font::new(12.0).middle().halo());
+        }
         let centre = scale.above(self.siting.centre);
         for ends in [[[-5.0, 0.0], [5.0, 0.0]], [[0.0, -5.0], [0.0, 5.0]]] {
             let [from, to] = ends.map(|end: Px| [centre[0] + end[0], centre[1] + end[1]]);
             canvas.line(from, to, &format!(r#"stroke="{INK}" stroke-width="1""#));
         }
     }
-}
-
-/// A zone, also where it is seen as a line.
-fn draw_zone(canvas: &mut Canvas, rim: &[Px]) {
-    canvas.path(
-        &path(rim, true),
-        &format!(r#"fill="{ZONE}" fill-opacity="0.14" stroke="{ZONE}" stroke-width="2.5" stroke-linejoin="round""#),
-    );
 }
 
 /// A dash-dotted line.

@@ -4,7 +4,7 @@ use stiffarm::answer::MillAnswer;
 use stiffarm::request::Request;
 
 use super::robots::provenance_of;
-use super::{Report, Section, plate, repeated};
+use super::{Report, Section, place, plate, repeated};
 use crate::commands::mill::{MillOutput, rolls};
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -20,6 +20,7 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, Failure>
     picture(answer, found.plate, &mut decided)?;
     decided.table(answer.table());
     let mut sections = vec![decided];
+    sections.extend(site(answer).map(Section::on_new_page));
     sections.extend(answer.worst_lines().map(|table| {
         let mut worst = Section::new("Where the error is largest");
         worst.text("The worst sample of each line of the path, the worst line first.");
@@ -50,4 +51,11 @@ pub(super) fn picture(answer: &MillAnswer, asked: Plate, section: &mut Section) 
         );
     }
     Ok(())
+}
+
+/// Where the part must stand; nothing where it stands nowhere, or the base is not known.
+pub(super) fn site(answer: &MillAnswer) -> Option<Section> {
+    answer.followed()?;
+    let siting = answer.siting()?;
+    Some(place::standing(&siting, &format!("{} along {}", answer.robot.full_name(), answer.path)))
 }

@@ -34,6 +34,10 @@ pub(crate) fn of(found: &PathRankOutput, asked: &Request) -> Result<Report, Fail
         mill::picture(milled, found.plate, &mut section)?;
         section.table(milled.table());
         worst(milled, &mut section);
+        if let Some(site) = mill::site(milled) {
+            section.heading("Where the work must stand");
+            section.blocks.extend(site.blocks);
+        }
         sections.push(section);
     }
     let robots: Vec<_> = answer.rows.iter().map(|row| &row.robot).collect();

@@ -1,6 +1,6 @@
 //! The report of `place`: one robot, one zone.
 
-use stiffarm::answer::Table;
+use stiffarm::answer::{Siting, Table};
 use stiffarm::model::ModelKind;
 use stiffarm::request::Request;
 
@@ -68,17 +68,15 @@ fn reached(found: &PlaceOutput, section: &mut Section) {
 pub(super) fn site(found: &PlaceOutput) -> Option<Section> {
     let answer = &found.answer;
     let siting = answer.siting()?;
+    Some(standing(&siting, &format!("{} for {}", answer.robot.full_name(), answer.task.label)))
+}
+
+/// The drawing, and what is measured in it.
+pub(super) fn standing(siting: &Siting, what: &str) -> Section {
     let mut section = Section::new("Where the work must stand");
-    let figure = ShopFigure { siting: &siting, plate: plate(Plate::default()) };
-    section.figure(
-        figure.svg(),
-        format!(
-            "{} for {}, from the side and from above; lengths in mm from {}.",
-            answer.robot.full_name(),
-            answer.task.label,
-            siting.origin
-        ),
-    );
-    section.table(Table::of_lines(siting.lines()));
-    Some(section)
+    let figure = ShopFigure { siting, plate: plate(Plate::default()) };
+    section
+        .figure(figure.svg(), format!("{what}, from the side and from above; lengths in mm from {}.", siting.origin));
+    section.table(Table::of_lines(siting.measured()));
+    section
 }

@@ -27,6 +27,7 @@ impl Form {
         match word {
             "view" => Some(Self::View),
             "report" => Some(Self::Report),
+            "shop" => Some(Self::File("shop.svg".into())),
             "report-pdf" => Some(Self::PrintedReport),
             "job" => Some(Self::Job),
             "command" => Some(Self::Command),
@@ -61,7 +62,7 @@ impl Form {
                 "json" => "application/json",
                 "csv" => "text/csv; charset=utf-8",
                 "md" => "text/markdown; charset=utf-8",
-                "svg" => "image/svg+xml",
+                "svg" | "shop.svg" => "image/svg+xml",
                 "png" => "image/png",
                 "pdf" => "application/pdf",
                 "html" => "text/html; charset=utf-8",

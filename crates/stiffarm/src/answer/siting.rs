@@ -1,8 +1,9 @@
 //! Where must the work stand, as a shop drawing has it: heights, distances from the joint-1 axis, sideways?
 
 use super::words::{degrees, fixed};
-use super::{Line, PlaceAnswer, line};
+use super::{Line, MillAnswer, PlaceAnswer, line};
 use crate::interval::Interval;
+use crate::mill::Station;
 use crate::place::{Placement, Within};
 use crate::robot::Arm;
 use crate::work::{WorkPlacement, WorkPlane};
@@ -11,10 +12,12 @@ use nalgebra::{Point3, Rotation3, Vector3};
 
 /// Room in a window that rounding leaves, m.
 const NO_ROOM: f64 = 1e-7;
+/// Points of a cut that are drawn at most.
+const MOST_POINTS: usize = 400;
 /// Corners of a circle.
 const CORNERS: usize = 72;
 
-/// A zone at its place, in metres: ahead, to the left, up; from the base, or from the origin of the cell.
+/// A zone or a path at its place, in metres: ahead, to the left, up; from the base, or from the origin of the cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Siting {
     /// What lengths count from, such as `the base`.
@@ -23,14 +26,18 @@ pub struct Siting {
     pub foot: [f64; 3],
     /// Where the floor is, where that is known: of a cell.
     pub floor: Option<f64>,
-    /// The rim of the zone as a closed line; its first point is not repeated.
-    pub rim: Vec<[f64; 3]>,
-    /// Its centre.
+    /// The rim of the zone as one closed line, whose first point is not repeated, or the cuts of a path.
+    pub lines: Vec<Vec<[f64; 3]>>,
+    /// It is a rim.
+    pub is_closed: bool,
+    /// Its centre, or the path's origin.
     pub centre: [f64; 3],
+    /// Along which direction the path's x axis points; `None` of a zone.
+    pub x_axis: Option<[f64; 3]>,
     /// What is measured.
     pub dimensions: Vec<Dimension>,
-    /// About the vertical, where the zone stands otherwise than straight ahead.
-    pub turned: Option<String>,
+    /// About the vertical, where it stands otherwise than straight ahead: what is turned, and by how much.
+    pub turned: Option<Line>,
 }
 
 /// A length on a drawing, along one axis.
@@ -67,10 +74,15 @@ impl PlaceAnswer {
             origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
             foot,
             floor: cell.map(|_| 0.0),
-            rim,
+            lines: vec![rim],
+            is_closed: true,
             centre,
+            x_axis: None,
             dimensions: Vec::new(),
-            turned: best.space().filter(|hold| hold.bearing != 0.0).map(|hold| degrees(hold.bearing)),
+            turned: best
+                .space()
+                .filter(|hold| hold.bearing != 0.0)
+                .map(|hold| line("turned about the joint-1 axis", degrees(hold.bearing))),
         };
         siting.dimensions = dimensions(&siting);
         Some(siting)
@@ -127,18 +139,52 @@ impl PlaceAnswer {
     }
 }
 
+impl MillAnswer {
+    /// Where the path stands, followed there or not; `None` where it has no place, or nothing is known of the base.
+    pub fn siting(&self) -> Option<Siting> {
+        let placement = self.placement.filter(|_| self.robot.knows_base())?;
+        let pose = placement.base_from_part();
+        let is_apart =
+            |one: &Station, next: &Station| !next.sample.is_cutting || !one.sample.is_cutting || next.is_fresh;
+        let cut = |cut: &[Station]| -> Vec<[f64; 3]> {
+            let tip = |station: &Station| (pose * Point3::from(station.sample.pose.tip)).coords.into();
+            // The last one closes what is closed.
+            let stride = cut.len().div_ceil(MOST_POINTS).max(1);
+            cut.iter().step_by(stride).chain(cut.last().filter(|_| 1 < stride)).map(tip).collect()
+        };
+        let cuts = self.stations.chunk_by(|one, next| !is_apart(one, next));
+        let cuts = cuts.filter(|cut| cut[0].sample.is_cutting);
+        let mut siting = Siting {
+            origin: "the base",
+            foot: [0.0; 3],
+            floor: None,
+            lines: cuts.map(cut).collect(),
+            is_closed: false,
+            centre: placement.at,
+            x_axis: Some((pose.rotation * Vector3::x()).into()),
+            dimensions: Vec::new(),
+            turned: Some(line(
+                "the path's x axis from straight ahead, counterclockwise from above",
+                degrees(placement.yaw),
+            )),
+        };
+        siting.dimensions = dimensions_of_path(&siting);
+        Some(siting)
+    }
+}
+
 impl Siting {
     /// From where to where the zone goes along an axis, m.
     pub fn extent(&self, axis: usize) -> [f64; 2] {
-        let along = || self.rim.iter().map(|point| point[axis]);
+        let along = || self.lines.iter().flatten().map(|point| point[axis]);
         [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
     }
 
     /// For people: what is measured, line by line.
-    pub fn lines(&self) -> Vec<Line> {
+    pub fn measured(&self) -> Vec<Line> {
         let mut lines: Vec<Line> =
             self.dimensions.iter().map(|one| line(&one.name, format!("{} mm", one.text))).collect();
-        lines.extend(self.turned.iter().map(|turned| line("turned about the joint-1 axis", turned)));
+        lines.extend(self.turned.clone());
         lines
     }
 }
@@ -149,19 +195,39 @@ fn extent(points: &[Vector3<f64>], axis: usize) -> f64 {
     along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
 }
 
+fn dimension(axis: usize, ends: [f64; 2], name: String) -> Dimension {
+    Dimension { axis, ends, name, text: fixed((ends[1] - ends[0]).abs() * 1e3, 1) }
+}
+
+fn side(ahead: f64, [positive, negative]: [&'static str; 2]) -> &'static str {
+    if ahead < -1e-9 { negative } else { positive }
+}
+
+/// Where a path's origin stands, and how far the path reaches.
+fn dimensions_of_path(siting: &Siting) -> Vec<Dimension> {
+    let ([x, y, z], [across, aside, up]) = (siting.centre, [0, 1, 2].map(|axis| siting.extent(axis)));
+    let mut told = vec![
+        dimension(2, [0.0, z], format!("height of the path's origin {} the base", side(z, ["above", "below"]))),
+        dimension(0, [0.0, x], format!("joint-1 axis to the path's origin, {}", side(x, ["ahead", "behind"]))),
+        dimension(1, [0.0, y], format!("the path's origin to the {} of the joint-1 axis", side(y, ["left", "right"]))),
+    ];
+    for (axis, ends, name) in [
+        (0, across, "extent of the path ahead"),
+        (1, aside, "extent of the path sideways"),
+        (2, up, "extent of the path upwards"),
+    ] {
+        if 1e-9 < ends[1] - ends[0] {
+            told.push(dimension(axis, ends, name.into()));
+        }
+    }
+    told
+}
+
 /// Lengths as a shop drawing has them, each once.
 fn dimensions(siting: &Siting) -> Vec<Dimension> {
     let [across, aside, up] = [0, 1, 2].map(|axis| siting.extent(axis));
     let floor = siting.floor.unwrap_or(siting.foot[2]);
     let ground = if siting.floor.is_some() { "floor" } else { "base" };
-    let millimetres = |metres: f64| fixed(metres * 1e3, 1);
-    let dimension = |axis: usize, ends: [f64; 2], name: String| Dimension {
-        axis,
-        ends,
-        name,
-        text: millimetres((ends[1] - ends[0]).abs()),
-    };
-    let side = |ahead: f64, [positive, negative]: [&'static str; 2]| if ahead < -1e-9 { negative } else { positive };
     let above = |z: f64| side(z - floor, ["above", "below"]);
     let beside = side(siting.centre[1] - siting.foot[1], ["left", "right"]);
     let flat = |[low, high]: [f64; 2]| high - low < 1e-9;
@@ -227,7 +293,7 @@ mod tests {
         );
         assert!((up[0] - (best.centre[1] - 0.3)).abs() < 1e-12 && (up[1] - up[0] - 0.6).abs() < 1e-12);
         assert_eq!(aside[0], aside[1]);
-        assert_eq!(siting.lines()[1], ["from there to its highest edge".to_owned(), "600.0 mm".into()]);
+        assert_eq!(siting.measured()[1], ["from there to its highest edge".to_owned(), "600.0 mm".into()]);
     }
 
     #[test]
@@ -249,7 +315,7 @@ mod tests {
     fn a_level_zone_has_the_height_of_its_face_and_its_sides() {
         let answer = placed("rect:0.3x0.2", ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2)));
         let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
-        let told = siting.lines();
+        let told = siting.measured();
         assert!(told[0][0].starts_with("height of the worked face"), "{told:?}");
         assert_eq!(told[0][1], format!("{} mm", fixed(best.centre[1] * 1e3, 1)));
         let sides: Vec<f64> = [0, 1].map(|axis| siting.extent(axis)).iter().map(|[low, high]| high - low).collect();
