@@ -153,6 +153,10 @@ fn basis(a: &DMatrix<f64>, free: &[usize], r: &DMatrix<f64>) -> Option<DMatrix<f
 /// The least `|R x - d|` with `x >= 0`, of a small matrix.
 pub(super) fn not_negative(r: &DMatrix<f64>, d: &DVector<f64>) -> Option<DVector<f64>> {
     let count = r.ncols();
+    // The best of all, where that is allowed: then nothing need be searched.
+    if let Some(best) = triangular(r, d).filter(|best| best.iter().all(|value| 0.0 < *value)) {
+        return Some(best);
+    }
     let mut x = DVector::zeros(count);
     let mut passive = vec![false; count];
     let slack = 1e-12 * d.norm().max(f64::MIN_POSITIVE);
@@ -186,6 +190,18 @@ pub(super) fn not_negative(r: &DMatrix<f64>, d: &DVector<f64>) -> Option<DVector
         }
     }
     Some(x)
+}
+
+/// `x` of `R x = d` where R is an upper triangle that is far from singular; `None` where it is not.
+fn triangular(r: &DMatrix<f64>, d: &DVector<f64>) -> Option<DVector<f64>> {
+    const FAR: f64 = 1e-9;
+    let (rows, count) = r.shape();
+    let is_triangle = rows == count && (0..count).all(|j| (j + 1..rows).all(|i| r[(i, j)] == 0.0));
+    let diagonal = || (0..count).map(|i| r[(i, i)].abs());
+    if !is_triangle || !(FAR * diagonal().fold(0.0, f64::max) < diagonal().fold(f64::INFINITY, f64::min)) {
+        return None;
+    }
+    r.solve_upper_triangular(d)
 }
 
 /// How well the free values of a solution are known.
@@ -275,35 +291,51 @@ pub(super) struct Robust {
 /// Median of the length of a vector of three independent normal coordinates of standard deviation 1.
 const MEDIAN_LENGTH: f64 = 1.538_172;
 
+/// What each reading adds to the normal equations of the basis: the lower triangle, row by row, then the right side.
+fn added(z: &[f64], y: &[f64], count: usize) -> Vec<f64> {
+    let size = count * (count + 3) / 2;
+    let mut all = vec![0.0; size * y.len() / 3];
+    for (row, (z, y)) in z.chunks_exact(count).zip(y).enumerate() {
+        let (triangle, right) = all[size * (row / 3)..][..size].split_at_mut(count * (count + 1) / 2);
+        let products = (0..count).flat_map(|a| z[..=a].iter().map(move |other| z[a] * other));
+        triangle.iter_mut().zip(products).for_each(|(sum, product)| *sum += product);
+        right.iter_mut().zip(z).for_each(|(sum, z)| *sum += z * y);
+    }
+    all
+}
+
 /// Iterated until no value changes by more than 1e-9 of itself; starts from a solution of the same system.
 pub(super) fn robust(system: &System, start: &Solution, bound: f64) -> Option<Robust> {
     let Solution { free, z, r, .. } = start;
-    let readings = system.y.len() / 3;
+    let (readings, count) = (system.y.len() / 3, free.len());
+    let (z, y) = (z.as_slice(), system.y.as_slice());
+    let added = added(z, y, count);
     let mut weights = vec![1.0; readings];
-    let mut found = DVector::from_iterator(free.len(), free.iter().map(|&i| start.values[i]));
+    let mut found = DVector::from_iterator(count, free.iter().map(|&i| start.values[i]));
     let mut ratios = vec![0.0; readings];
-    let count = free.len();
     for _ in 0..200 {
         let along = r * &found;
-        let missed = &system.y - z.tr_mul(&along);
-        let lengths: Vec<f64> = (0..readings).map(|i| missed.rows(3 * i, 3).norm()).collect();
+        let missed = |z: &[f64], y: f64| y - z.iter().zip(along.iter()).map(|(z, along)| z * along).sum::<f64>();
+        let length = |(z, y): (&[f64], &[f64])| {
+            let rows = z.chunks_exact(count).zip(y);
+            rows.map(|(z, y)| missed(z, *y).powi(2)).sum::<f64>().sqrt()
+        };
+        let lengths: Vec<f64> = z.chunks_exact(3 * count).zip(y.chunks_exact(3)).map(length).collect();
         let mut sorted = lengths.clone();
         let middle = sorted.len() / 2;
         let scale = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1 / MEDIAN_LENGTH;
         ratios = lengths.iter().map(|length| if 0.0 < scale { length / scale } else { 0.0 }).collect();
         weights = ratios.iter().map(|ratio| (bound / ratio).min(1.0)).collect();
         // In the orthonormal basis the weighted normal equations are as well conditioned as the weights.
-        let (mut normal, mut right) = (DMatrix::zeros(count, count), DVector::zeros(count));
-        for (i, row) in z.as_slice().chunks_exact(count).enumerate() {
-            let weight = weights[i / 3];
-            for a in 0..count {
-                right[a] += weight * row[a] * system.y[i];
-                (0..=a).for_each(|b| normal[(a, b)] += weight * row[a] * row[b]);
-            }
+        let mut sums = vec![0.0; count * (count + 3) / 2];
+        for (weight, added) in weights.iter().zip(added.chunks_exact(sums.len())) {
+            sums.iter_mut().zip(added).for_each(|(sum, added)| *sum += weight * added);
         }
+        let (triangle, right) = sums.split_at(count * (count + 1) / 2);
+        let normal = DMatrix::from_fn(count, count, |a, b| if b <= a { triangle[a * (a + 1) / 2 + b] } else { 0.0 });
         // Cholesky's factor is of the lower triangle.
         let lower = Cholesky::new(normal)?.l();
-        let right = lower.solve_lower_triangular(&right)?;
+        let right = lower.solve_lower_triangular(&DVector::from_column_slice(right))?;
         let next = not_negative(&(lower.transpose() * r), &right)?;
         let change = next.iter().zip(found.iter()).map(|(a, b)| (a - b).abs() / b.abs().max(f64::MIN_POSITIVE));
         let is_done = change.fold(0.0, f64::max) < 1e-9 || (&next - &found).amax() == 0.0;
@@ -337,6 +369,23 @@ mod tests {
             assert!((r.tr_mul(&r) - a.tr_mul(&a)).amax() < 1e-13 * rows as f64);
             assert!((r.tr_mul(&right) - a.tr_mul(&y)).amax() < 1e-13 * rows as f64);
         }
+    }
+
+    /// Without a bound that holds anything back, the search and the triangle agree.
+    #[test]
+    fn a_triangle_is_solved_as_the_search_would() {
+        let mut rng = fastrand::Rng::with_seed(12);
+        for _ in 0..50 {
+            let square = random(&mut rng, 5, 5) + DMatrix::identity(5, 5);
+            let truth = DVector::from_fn(5, |_, _| 0.1 + rng.f64());
+            let triangle = square.clone().qr().r();
+            for r in [triangle, square] {
+                let found = not_negative(&r, &(&r * &truth)).unwrap();
+                assert!((found - &truth).amax() < 1e-9);
+            }
+        }
+        let singular = DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 0.0, 1e-12]);
+        assert_eq!(triangular(&singular, &DVector::from_vec(vec![1.0, 1.0])), None);
     }
 
     /// Of all choices of columns that stand at zero the best one that is allowed, found by trying all of them.
