@@ -1,6 +1,7 @@
 //! How are connections taken, bounded and ended?
 
 use std::convert::Infallible;
+use std::pin::Pin;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -11,6 +12,7 @@ use hyper_util::server::graceful::GracefulShutdown;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::sleep;
+use tokio_io_timeout::TimeoutStream;
 
 use super::Server;
 use super::route::route;
@@ -19,6 +21,8 @@ use super::route::route;
 const MOST_CONNECTIONS: usize = 256;
 /// Until the head of a request is there.
 const HEAD_TIME: Duration = Duration::from_secs(10);
+/// Until whoever asked takes more of an answer.
+const TAKING_TIME: Duration = Duration::from_secs(30);
 /// Of the head of a request, bytes.
 const MOST_HEAD: usize = 128 << 10;
 /// Until answers that are under way are broken off when the server ends.
@@ -66,12 +70,19 @@ fn connect(stream: TcpStream, permit: OwnedSemaphorePermit, server: &Arc<Server>
     });
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new()).header_read_timeout(HEAD_TIME).max_buf_size(MOST_HEAD);
-    let connection = open.watch(http.serve_connection(TokioIo::new(stream), service));
+    let connection = open.watch(http.serve_connection(TokioIo::new(patient(stream, TAKING_TIME)), service));
     tokio::spawn(async move {
         // What fails here is the other's matter: it hung up, was too slow, or spoke no HTTP, which it was told.
         let _ = connection.await;
         drop(permit);
     });
+}
+
+/// A connection that breaks when nothing more is taken of what is written to it.
+fn patient(stream: TcpStream, time: Duration) -> Pin<Box<TimeoutStream<TcpStream>>> {
+    let mut stream = TimeoutStream::new(stream);
+    stream.set_write_timeout(Some(time));
+    Box::pin(stream)
 }
 
 /// Until ctrl-C, or what systems send to end a program.
@@ -94,4 +105,36 @@ async fn told_to_end() {
         }
     }
     interrupted.await;
+}
+
+#[cfg(test)]
+mod tests {
+    use std::future::poll_fn;
+    use std::io::ErrorKind;
+
+    use tokio::io::AsyncWrite;
+    use tokio::runtime::Builder;
+
+    use super::*;
+
+    /// More than the system keeps between two ends is written to one who reads nothing.
+    #[test]
+    fn who_takes_nothing_of_an_answer_is_not_waited_for() {
+        let runtime = Builder::new_current_thread().enable_all().build().unwrap();
+        let failed = runtime.block_on(async {
+            let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+            let idle = TcpStream::connect(listener.local_addr().unwrap()).await.unwrap();
+            let (stream, _) = listener.accept().await.unwrap();
+            let mut stream = patient(stream, Duration::from_millis(50));
+            let answer = vec![0; 1 << 20];
+            let failed = loop {
+                if let Err(failed) = poll_fn(|waker| stream.as_mut().poll_write(waker, &answer)).await {
+                    break failed;
+                }
+            };
+            drop(idle);
+            failed
+        });
+        assert_eq!(failed.kind(), ErrorKind::TimedOut);
+    }
 }

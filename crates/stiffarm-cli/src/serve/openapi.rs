@@ -1,6 +1,7 @@
 //! What can be asked, and what is answered, as `OpenAPI` 3.1: from the table of options, so that it says what the server takes.
 
 use serde_json::{Map, Value, json};
+use stiffarm::answer::{Kind as FieldKind, field};
 use stiffarm::request::{Absent, Kind, Setting, Verb};
 
 use super::options::bounds;
@@ -40,6 +41,7 @@ pub(super) fn description() -> Value {
     paths
         .insert("/api/robots/{name}".into(), json!({ "get": told("One robot of the catalogue", &[name()], &table()) }));
     paths.insert("/api/robots/check".into(), json!({ "post": checked() }));
+    paths.insert("/api/job".into(), json!({ "post": job() }));
     json!({
         "openapi": "3.1.0",
         "info": {
@@ -48,7 +50,7 @@ pub(super) fn description() -> Value {
                             program `stiffarm` writes with the same options; units are the ending of each key.",
         },
         "paths": paths,
-        "components": { "schemas": { "Refusal": refusal() } },
+        "components": { "schemas": { "Answer": answer(), "Refusal": refusal() } },
     })
 }
 
@@ -81,7 +83,7 @@ fn asked(verb: Verb, about: &str) -> Value {
         "description": "What the program writes in this form; line by line, progress and then the answer, where application/x-ndjson is accepted",
         "headers": { "stiffarm-notes": { "description": "What the program says beside it: a JSON list of texts", "schema": { "type": "string" } } },
         "content": {
-            "application/json": { "schema": { "type": "object", "required": ["schema"] } },
+            "application/json": { "schema": { "$ref": "#/components/schemas/Answer" } },
             "application/x-ndjson": { "schema": stream() },
         },
     });
@@ -173,11 +175,67 @@ fn checked() -> Value {
             } },
         },
     });
+    of_file("What is wrong with a robot file, a URDF, or OPW parameters", &verdict)
+}
+
+/// What a job file asks.
+fn job() -> Value {
+    let typed = json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] });
+    let asked = json!({
+        "type": "object", "required": ["verb", "options"], "additionalProperties": false,
+        "properties": {
+            "verb": { "type": "string", "enum": VERBS.iter().map(|(verb, _)| verb.name()).collect::<Vec<_>>() },
+            "options": { "type": "object", "additionalProperties": typed },
+        },
+    });
+    of_file("What a job file asks: its verb, and every option as it is typed", &asked)
+}
+
+/// Something that is told of a file, which is sent with its name.
+fn of_file(about: &str, schema: &Value) -> Value {
+    let text = || json!({ "type": "string" });
     let mut question = json!({ "type": "object", "additionalProperties": false, "required": ["name", "text"] });
     question["properties"] = json!({ "name": text(), "text": text() });
-    let mut told = told("What is wrong with a robot file, a URDF, or OPW parameters", &[], &verdict);
+    let mut told = told(about, &[], schema);
     told["requestBody"] = json!({ "required": true, "content": { "application/json": { "schema": question } } });
     told
+}
+
+/// Every key that an answer may have, with its type and what it is; what several things are called has what each of them is, and no type.
+fn answer() -> Value {
+    let mut keys = Map::new();
+    keys.insert(
+        "schema".into(),
+        json!({ "type": "object", "description": "Version of the keys, and what positions count from." }),
+    );
+    for field in field::ALL {
+        let mut told = holds(field.kind);
+        told["description"] = field.about.into();
+        match keys.get_mut(field.key) {
+            None => drop(keys.insert(field.key.into(), told)),
+            Some(known) => {
+                let before = known["description"].as_str().unwrap_or_default();
+                *known = json!({ "description": format!("{before} Or: {}", field.about) });
+            }
+        }
+    }
+    json!({ "type": "object", "required": ["schema"], "properties": keys })
+}
+
+/// What a field holds; nothing where it is not known, and of a map a list, or a list for every row.
+fn holds(kind: FieldKind) -> Value {
+    let number = json!({ "type": ["number", "null"] });
+    match kind {
+        FieldKind::Text => json!({ "type": ["string", "array", "null"] }),
+        FieldKind::Truth => json!({ "type": ["boolean", "null"] }),
+        FieldKind::Count => json!({ "type": ["integer", "array", "null"] }),
+        FieldKind::Number(_) => json!({ "type": ["number", "array", "null"] }),
+        FieldKind::Numbers { nested: 0, .. } => json!({ "type": ["array", "null"], "items": number }),
+        FieldKind::Numbers { .. } => {
+            json!({ "type": ["array", "null"], "items": { "type": "array", "items": number } })
+        }
+        FieldKind::Nested => json!({ "type": ["object", "array", "null"] }),
+    }
 }
 
 fn refusals() -> Value {

@@ -86,8 +86,15 @@ fn held(served: &Served, whole: &Value, (path, asked): (&str, &str), body: Optio
     let response = &whole["paths"][path][method]["responses"][reply.status.to_string()];
     assert!(!response.is_null(), "{asked}: {} is not described", reply.status);
     let schema = &response["content"]["application/json"]["schema"];
-    let wrong = unlike(&reply.json(), schema, whole);
+    let told = reply.json();
+    let wrong = unlike(&told, schema, whole);
     assert_eq!(wrong, None, "{asked}: {}", reply.text());
+    if schema["$ref"] == "#/components/schemas/Answer" {
+        let known = &whole["components"]["schemas"]["Answer"]["properties"];
+        for key in told.as_object().unwrap().keys() {
+            assert!(known[key]["description"].is_string(), "{asked}: {key} is not described");
+        }
+    }
     reply.status
 }
 
@@ -118,6 +125,11 @@ fn every_answer_and_every_refusal_is_as_it_is_described() {
             json!({ "options": { "process": "p.toml" }, "files": { "p.toml": "[worst]\nforce_n = 300\n" } }),
             200,
         ),
+        (
+            "/api/mill",
+            json!({ "options": { "path": "line:0.1", "robot": "KR 210 R2700 extra", "force-n": [300, -120, 80], "at": [1.7, 0, 0.8], "step-mm": 50 } }),
+            200,
+        ),
         ("/api/robots/check", json!({ "name": "a.toml", "text": "x = 1" }), 200),
         ("/api/robots/check", json!({ "name": "a.urdf", "text": "<robot/>" }), 200),
         ("/api/robots/check", json!({ "name": "a.yaml", "text": "a: [" }), 200),
@@ -126,6 +138,9 @@ fn every_answer_and_every_refusal_is_as_it_is_described() {
         assert_eq!(unlike(&body, body_schema(&whole, path), &whole), None, "the question itself");
         assert_eq!(held(&served, &whole, (path, path), Some(&body)), status, "{body}");
     }
+    let job = json!({ "name": "job.toml", "text": "verb = 'place'\nrobot = 'BT200L'\ntask = 'circle:0.3'\n" });
+    assert_eq!(held(&served, &whole, ("/api/job", "/api/job"), Some(&job)), 200);
+    assert_eq!(held(&served, &whole, ("/api/job", "/api/job"), Some(&json!({ "name": "job.toml" }))), 400);
     for (body, status) in [
         (json!({ "options": {} }), 400),
         (json!({ "nothing": 1 }), 400),

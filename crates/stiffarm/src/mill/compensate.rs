@@ -22,7 +22,7 @@ use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::tolerances::LIMIT;
 use crate::toolpath::ToolPose;
-use crate::uncertainty::quantile;
+use crate::uncertainty::{quantile, quantile_of};
 
 /// Rounds in which the loaded posture is sought, and the joints' change that ends them, rad.
 const ROUNDS: usize = 40;
@@ -140,8 +140,7 @@ pub fn remaining(
     let offs: Vec<Vector6<f64>> = factors.iter().map(|factors| Vector6::from(factors.map(missing))).collect();
     let of_station = |given: &Given| {
         let mut errors: Vec<f64> = offs.iter().map(|off| given.error(off)).collect();
-        errors.sort_by(f64::total_cmp);
-        quantile(&errors, 0.95)
+        quantile_of(&mut errors, 0.95)
     };
     let found: Vec<f64> = gives.par_iter().map(of_station).collect();
     let mut along = vec![0.0; stations.len()];
