@@ -271,6 +271,16 @@ fn the_verdict_is_in_words_and_by_how_much() {
         word == "fail" && says.contains("Turning the tool does not help") && says.contains("Compensated, "),
         "{says}"
     );
+    // A bound of some rolls says nothing of the others.
+    for (option, value, bounded) in [
+        ("--roll", "constant", "no constant roll has less than"),
+        ("--roll", "150", "no posture at this roll has less than"),
+        ("--pin", "100@150", "no rolls through the pins have less than"),
+    ] {
+        let (word, says) = verdict(&[ASKED[3].1, &[option, value]].concat());
+        assert!(word == "fail" && says.contains(bounded) && says.contains("other rolls may"), "{option}: {says}");
+        assert!(!says.contains("does not help"), "{option}: {says}");
+    }
     let mut beyond = ASKED[3].1.to_vec();
     beyond[9] = "9,0,0.8,0";
     assert_eq!(verdict(&beyond).0, "not followed");

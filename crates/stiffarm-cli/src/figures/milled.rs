@@ -265,7 +265,10 @@ impl MilledFigure<'_> {
         let has = |wanted: RollCell| self.rolls.cells.iter().flatten().any(|cell| *cell == wanted);
         let mut entries = vec![
             Entry::line("error", format!(r#"stroke="{DEFLECTION}" stroke-width="1.6""#)),
-            Entry::line("no rolls have less", format!(r#"stroke="{LIMIT}" stroke-width="1" stroke-dasharray="2 3""#)),
+            Entry::line(
+                format!("{} less", self.answer.bounded()),
+                format!(r#"stroke="{LIMIT}" stroke-width="1" stroke-dasharray="2 3""#),
+            ),
         ];
         if self.answer.tolerance_mm.is_some() {
             entries.push(Entry::line(

@@ -413,7 +413,7 @@ fields! {
     PATH_WORST: "worst_mm", Kind::Number(Unit::Millimetre), "The largest error along the path.";
     PATH_WORST_P05: "worst_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred drives as they may be give less, the path followed as it is told; null where nothing says how they may be.";
     PATH_WORST_P95: "worst_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";
-    PATH_LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of the mode that was asked for, and where the place was sought no place, have less.";
+    PATH_LOWER_BOUND: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of the mode that was asked for, through the pins where there are some, and where the place was sought no place, have less.";
     ROLL_LOWER_BOUND: "roll_lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of that mode have less at this place.";
     RMS: "rms_mm", Kind::Number(Unit::Millimetre), "The root mean square of the error over what feeds.";
     WORST_SAMPLE: "worst_sample", Kind::Count, "The sample with the largest error, from 0.";

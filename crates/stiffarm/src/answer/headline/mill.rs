@@ -48,15 +48,18 @@ impl MillAnswer {
             fixed(margin, 4)
         )];
         if let (false, Some(bound)) = (verdict.passes, self.lower_bound()) {
-            let (what, helps) = if self.sought.is_some() {
-                ("no place and no rolls of the tool have", "Neither another place nor turning the tool helps")
+            let (nowhere, helps) = if self.sought.is_some() {
+                ("no place and ", "Neither another place nor turning the tool helps")
             } else {
-                ("no rolls of the tool have", "Turning the tool does not help")
+                ("", "Turning the tool does not help")
             };
+            let proved = format!("{nowhere}{} less than {}", self.bounded(), mm(bound));
             told.push(if Verdict::of(bound, tolerance).passes {
-                format!("Better ones are not ruled out: it is proved that {what} less than {}.", mm(bound))
+                format!("Better ones are not ruled out: it is proved that {proved}.")
+            } else if self.bounds_all_rolls() {
+                format!("{helps}: {proved}, which is proved.")
             } else {
-                format!("{helps}: {what} less than {}, which is proved.", mm(bound))
+                format!("It is proved that {proved}; other rolls may.")
             });
         }
         told.extend(scattered(verdict.passes, self.spread(), tolerance));

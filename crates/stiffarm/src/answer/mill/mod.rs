@@ -14,7 +14,7 @@ use super::place::Verdict;
 use super::{fixed, with_schema};
 use crate::mill::{
     Blocked, Compensated, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement, PathResolution, Pushed,
-    Remaining, RollMap, Stand, Station, roll_map,
+    Remaining, RollMap, RollMode, Stand, Station, roll_map,
 };
 use crate::program::ProgramFault;
 use crate::request::Refusal;
@@ -143,6 +143,21 @@ impl MillAnswer {
     pub fn lower_bound(&self) -> Option<f64> {
         let found = self.followed()?;
         Some(self.sought.map_or(found.lower_bound, |(_, of_all)| of_all.min(found.lower_bound)))
+    }
+
+    /// The bound is of all rolls, rather than of those that were asked for.
+    pub fn bounds_all_rolls(&self) -> bool {
+        matches!(self.options.roll, RollMode::Free | RollMode::Linear) && self.pins().next().is_none()
+    }
+
+    /// Of what the bound is, in words: "no rolls have", to be followed by "less than".
+    pub fn bounded(&self) -> &'static str {
+        match self.options.roll {
+            RollMode::Fixed(_) => "no posture at this roll has",
+            RollMode::Constant => "no constant roll has",
+            RollMode::Free | RollMode::Linear if self.bounds_all_rolls() => "no rolls have",
+            RollMode::Free | RollMode::Linear => "no rolls through the pins have",
+        }
     }
 
     /// As JSON.

@@ -85,7 +85,7 @@ impl MillAnswer {
         lines.extend(uncertainty::told(self.spread()));
         let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
-        lines.push(line("no rolls have less than", proved(found.lower_bound)));
+        lines.push(line(&format!("{} less than", self.bounded()), proved(found.lower_bound)));
         if let Some((resolution, lower)) = self.sought {
             lines.push(line(
                 "no place has less than",
@@ -183,7 +183,7 @@ impl MillAnswer {
         let force = if self.stations.iter().any(|station| matches!(station.acting, Some(Acting::Any(_)))) {
             "the force points in its worst direction at every sample"
         } else {
-            "a robot follows the mean force over a revolution; its teeth cut far more often than it can follow"
+            "a robot follows the mean force over a revolution; the teeth cut far more often than it can follow"
         };
         format!(
             "all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at; collisions with part, floor and cell are not looked for\n"
