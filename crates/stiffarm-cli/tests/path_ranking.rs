@@ -92,7 +92,8 @@ fn a_ranking_on_a_path_is_handed_on_as_a_report() {
         let selector = scraper::Selector::parse(what).unwrap();
         page.select(&selector).map(|one| one.text().collect::<String>()).collect()
     };
-    assert_eq!(text(".verdict .word").len(), 1);
+    // Their stiffness overlaps, whichever has the least error.
+    assert_eq!(text(".verdict .word"), ["tie"]);
     for robot in robots.split(',') {
         assert!(text("h2").iter().any(|title| title.contains(robot)), "{robot}: {:?}", text("h2"));
     }
@@ -107,4 +108,20 @@ fn a_ranking_on_a_path_is_handed_on_as_a_report() {
     let value = value.split(" mm").next().unwrap();
     assert!(text("td").iter().any(|cell| cell.contains(value)), "{value}");
     assert!(3 < lopdf::Document::load(&pdf).unwrap().get_pages().len());
+}
+
+/// What a manager reads first: which word, for one robot that nobody rivals.
+#[test]
+fn the_verdict_is_that_of_the_best_robot() {
+    let folder = tempfile::tempdir().unwrap();
+    let html = folder.path().join("report.html").display().to_string();
+    for (tolerance, expected) in [(None, "advised"), (Some("9"), "pass"), (Some("0.01"), "fail")] {
+        let mut words = vec!["mill", "line:0.05", "--robots", "KR 210 R2700 extra", "-o", &html];
+        words.extend(tolerance.iter().flat_map(|mm| ["--tolerance-mm", mm]));
+        assert!(stiffarm(&words).status.success());
+        let page = scraper::Html::parse_document(&std::fs::read_to_string(&html).unwrap());
+        let selector = scraper::Selector::parse(".verdict .word").unwrap();
+        let word: String = page.select(&selector).flat_map(|one| one.text()).collect();
+        assert_eq!(word, expected, "{tolerance:?}");
+    }
 }

@@ -162,6 +162,22 @@ mod tests {
             .expect("its size is known")
     }
 
+    #[test]
+    fn a_share_of_some_in_any_order_is_that_of_the_same_in_order() {
+        let mut rng = fastrand::Rng::with_seed(8);
+        for count in [1, 2, 19, 20, 21, 200] {
+            let mut mixed: Vec<f64> = (0..count).map(|_| rng.f64()).collect();
+            let mut sorted = mixed.clone();
+            sorted.sort_by(f64::total_cmp);
+            for share in [0.0, 0.05, 0.5, 0.95, 1.0] {
+                let found = quantile_of(&mut mixed, share);
+                let beyond = sorted.iter().filter(|value| found < **value).count() as f64;
+                assert_eq!(found, quantile(&sorted, share));
+                assert!((beyond - (1.0 - share) * (count as f64 - 1.0)).abs() <= 0.5, "{count} {share}: {beyond}");
+            }
+        }
+    }
+
     /// The draws of one robot as robots of their own: other code than scaled parts.
     #[test]
     fn a_draw_is_what_a_robot_with_such_drives_has_at_that_place() {

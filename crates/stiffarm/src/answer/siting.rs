@@ -28,11 +28,9 @@ pub struct Siting {
     pub floor: Option<f64>,
     /// The rim of the zone as one closed line, whose first point is not repeated, or the cuts of a path.
     pub lines: Vec<Vec<[f64; 3]>>,
-    /// It is a rim.
-    pub is_closed: bool,
     /// Its centre, or the path's origin.
     pub centre: [f64; 3],
-    /// Along which direction the path's x axis points; `None` of a zone.
+    /// Along which direction the path's x axis points; `None` of a zone, whose rim is closed.
     pub x_axis: Option<[f64; 3]>,
     /// What is measured.
     pub dimensions: Vec<Dimension>,
@@ -75,7 +73,6 @@ impl PlaceAnswer {
             foot,
             floor: cell.map(|_| 0.0),
             lines: vec![rim],
-            is_closed: true,
             centre,
             x_axis: None,
             dimensions: Vec::new(),
@@ -159,7 +156,6 @@ impl MillAnswer {
             foot: [0.0; 3],
             floor: None,
             lines: cuts.map(cut).collect(),
-            is_closed: false,
             centre: placement.at,
             x_axis: Some((pose.rotation * Vector3::x()).into()),
             dimensions: Vec::new(),
@@ -270,8 +266,10 @@ mod tests {
     use crate::load::Load;
     use crate::model::ModelKind;
     use crate::place::{PlaceOptions, place_task_watched};
+    use crate::request::{Pair, Request, Spelling, Verb};
     use crate::spatial::Pose;
     use crate::task::Task;
+    use crate::toolpath::Builtin;
     use crate::watch::Watch;
 
     fn placed(task: &str, kind: ModelKind) -> PlaceAnswer {
@@ -324,5 +322,30 @@ mod tests {
         let nearest = best.from_axis_1.unwrap();
         let [near, _] = siting.extent(0);
         assert!((nearest - near).abs() < 1e-9, "straight ahead, the near edge is the nearest: {nearest} {near}");
+    }
+
+    /// A line of 0.4 m along the part's x axis about its origin, turned by 30 deg: by hand.
+    #[test]
+    fn a_path_stands_where_its_origin_and_its_yaw_put_it() {
+        let told = [("path", "line:0.4"), ("robot", "it"), ("force-n", "400"), ("at", "1.7,0.3,0.8,30")];
+        let pair = |(name, text): (&str, &str)| Pair { name: name.into(), text: text.into(), at: Spelling::Typed };
+        let asked = Request::read(Verb::Mill, &told.map(pair), Spelling::Typed).unwrap();
+        let moves = "line:0.4".parse::<Builtin>().unwrap().moves(None);
+        let robot = paper_robots().swap_remove(4);
+        let answer = MillAnswer::of(&asked, &robot, ("line:0.4".into(), &moves), None, Watch::nobody()).unwrap();
+        let siting = answer.siting().unwrap();
+        let (s, c) = 30_f64.to_radians().sin_cos();
+        let near = |found: [f64; 3], expected: [f64; 3]| (0..3).all(|i| (found[i] - expected[i]).abs() < 1e-12);
+        assert!(near(siting.x_axis.unwrap(), [c, s, 0.0]));
+        let [line] = siting.lines.as_slice() else { panic!("one cut: {:?}", siting.lines) };
+        let [from, to] = [line[0], line[line.len() - 1]];
+        let along: Vec<f64> = (0..3).map(|i| to[i] - from[i]).collect();
+        assert!(near([along[0], along[1], along[2]], [0.4 * c, 0.4 * s, 0.0]), "{from:?} {to:?}");
+        assert!(line.len() <= MOST_POINTS + 1);
+        let told = siting.measured();
+        let length = |i: usize| told[i][1].as_str();
+        assert_eq!([0, 1, 2].map(length), ["800.0 mm", "1700.0 mm", "300.0 mm"]);
+        assert_eq!([3, 4].map(length), ["346.4 mm", "200.0 mm"], "0.4 m times cosine and sine");
+        assert_eq!(told[5][1], "30.0 deg");
     }
 }
