@@ -1,10 +1,10 @@
 // How is the zone taken in the hand? An outline over the map that is dragged, resized and moved by keys.
 
+import { svg } from "./dom.js";
+
 /** @typedef {import("./figure.js").Scale} Scale */
 /** @typedef {{shape: "circle" | "rect", a: number, b: number, prefix: string}} Zone sizes along x and z before it is turned, m */
 /** @typedef {{x: number, z: number}} Spot */
-
-import { svg } from "./dom.js";
 
 /** The zone that a task names, where it is one that can be drawn. @param {string} task @returns {Zone | null} */
 export function zoneOf(task) {

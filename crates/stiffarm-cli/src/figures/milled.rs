@@ -134,7 +134,7 @@ impl MilledFigure<'_> {
         let Compensation { done, remaining } = self.answer.compensation.as_ref()?;
         let (words, left) = match remaining {
             Some((remaining, _)) => ("left by compensation, 95 % of draws", &remaining.along),
-            None => ("left by compensation of tips, by the model", &done.along_by_tips),
+            None => ("left by compensation of tips, by the model", &done.left_by_tips),
         };
         left.iter().all(|left| left.is_finite()).then_some((words, left))
     }

@@ -15,6 +15,7 @@ mod compensated;
 mod model;
 mod posterior;
 mod regression;
+mod robust;
 mod springs;
 mod told;
 mod work;

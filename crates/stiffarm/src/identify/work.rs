@@ -5,7 +5,8 @@ use rayon::prelude::*;
 
 use super::compensated::Compensated;
 use super::model::Springs;
-use super::regression::{Robust, Solution, Spread, System, robust, solve, spread, unseen};
+use super::regression::{Solution, Spread, System, solve, spread, unseen};
+use super::robust::{Robust, robust};
 use super::springs::{Bent, Spring, beyond, ranges};
 use super::written::robot_with;
 use super::{

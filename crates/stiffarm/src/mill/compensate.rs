@@ -39,12 +39,18 @@ pub struct Compensated {
     pub largest: f64,
     /// The largest error that is left where the joints are commanded, m: rounding, since they are exact.
     pub by_joints: f64,
-    /// The largest error that is left where only tips are commanded, each with the tool turned as in the path, m.
-    pub by_tips: f64,
-    /// The same at every station.
-    pub along_by_tips: Vec<f64>,
+    /// The error that is left at every station where only tips are commanded, each with the tool turned as in the path, m; infinite where
+    /// one is not reached.
+    pub left_by_tips: Vec<f64>,
     /// Stations at which a commanded joint lies beyond its range.
     pub beyond: Vec<usize>,
+}
+
+impl Compensated {
+    /// The largest error that is left where only tips are commanded, m.
+    pub fn by_tips(&self) -> f64 {
+        self.left_by_tips.iter().copied().fold(0.0, f64::max)
+    }
 }
 
 /// What is left where drives are not as the model has them, m: of the largest error along the path.
@@ -114,8 +120,7 @@ pub fn compensate(
     Ok(Compensated {
         largest: all.iter().zip(stations).map(aside).fold(0.0, f64::max),
         by_joints: most(|one| one.by_joints),
-        by_tips: most(|one| one.by_tips),
-        along_by_tips: all.iter().map(|one| one.by_tips).collect(),
+        left_by_tips: all.iter().map(|one| one.by_tips).collect(),
         beyond: (0..all.len()).filter(is_beyond).collect(),
         joints: all.iter().map(|one| one.joints).collect(),
         poses: all.iter().map(|one| one.pose).collect(),

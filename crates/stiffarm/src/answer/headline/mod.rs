@@ -7,7 +7,7 @@ mod place;
 mod rank;
 
 use super::words::fixed;
-use super::{Unit, stiffness};
+use super::{Unit, stiffness, stiffnesses};
 use crate::robot::{Robot, Status, StiffnessSource};
 use crate::uncertainty::Spread;
 
@@ -134,6 +134,13 @@ fn rests_on(robot: &Robot) -> Vec<String> {
     }
     told.extend(status(robot.status).map(|why| format!("Lengths and limits of {}: {}.", robot.name, why)));
     told
+}
+
+/// The same of several robots, their drives alone.
+fn drives_rest_on<'a>(robots: impl Iterator<Item = &'a Robot> + Clone) -> Vec<String> {
+    let is_assumed = robots.clone().any(|robot| robot.stiffness_source() == StiffnessSource::Assumed);
+    let told = format!("Stiffness: {}.", stiffnesses(robots));
+    [told].into_iter().chain(is_assumed.then(|| ASSUMED.into())).collect()
 }
 
 /// What it means that nobody knows the drives.

@@ -1,32 +1,25 @@
 //! Robots on a path in a few sentences.
 
 use super::super::words;
-use super::super::{PathRankAnswer, stiffnesses};
+use super::super::{MillAnswer, PathRankAnswer};
 use super::place::sentence;
-use super::{ASSUMED, Headline, Outcome, judged, scattered};
-use crate::answer::MillAnswer;
-use crate::robot::StiffnessSource;
+use super::{Headline, Outcome, drives_rest_on, judged, scattered};
 
 impl PathRankAnswer {
     /// What a manager would read.
     pub fn headline(&self) -> Headline {
-        let robots = || self.rows.iter().map(|row| &row.robot);
         let mut sentences = self.sentences();
         let best = self.best().and_then(|(best, _)| Some((best, best.milled.as_ref().ok()?)));
         let scatter = best.zip(self.tolerance_mm).and_then(|((best, milled), tolerance)| {
             Some((&best.robot.name, scattered(best.holds(tolerance), milled.spread(), tolerance)?))
         });
         sentences.extend(scatter.map(|(name, told)| format!("{name}: {told}")));
-        let mut rests_on = vec![format!("Stiffness: {}.", stiffnesses(robots()))];
-        if robots().any(|robot| robot.stiffness_source() == StiffnessSource::Assumed) {
-            rests_on.push(ASSUMED.into());
-        }
+        let mut rests_on = drives_rest_on(self.rows.iter().map(|row| &row.robot));
         rests_on.push(format!("Force on the tool: {}.", self.force()));
         if let Some(first) = self.milled().next() {
             rests_on.push(format!("Tool: {}; keeps {}.", words::tool(&first.flange_from_tool), first.kept()));
+            rests_on.extend(first.notes().lines().map(sentence));
         }
-        rests_on
-            .extend(self.milled().next().map(MillAnswer::notes).iter().flat_map(|notes| notes.lines().map(sentence)));
         rests_on.extend(self.remarks.iter().map(|remark| sentence(remark)));
         Headline { outcome: self.outcome(), sentences, rests_on }
     }

@@ -2,25 +2,20 @@
 
 use super::super::place::Verdict;
 use super::super::words::{self, fixed};
-use super::super::{RankAnswer, stiffnesses, uncertainty};
+use super::super::{RankAnswer, uncertainty};
 use super::place::sentence;
-use super::{ASSUMED, Headline, Outcome, mm};
+use super::{Headline, Outcome, drives_rest_on, mm};
 use crate::model::ModelKind;
 use crate::rank::Row;
-use crate::robot::StiffnessSource;
 
 impl RankAnswer {
     /// What a manager would read.
     pub fn headline(&self) -> Headline {
         let ranking = &self.ranking;
-        let robots = || ranking.rows.iter().map(|row| &row.robot);
         let mut sentences = self.sentences();
         let first = 1.min(sentences.len());
         sentences.splice(first..first, self.shortfall().map(|why| sentence(&why)).into_iter().chain(self.leads()));
-        let mut rests_on = vec![format!("Stiffness: {}.", stiffnesses(robots()))];
-        if robots().any(|robot| robot.stiffness_source() == StiffnessSource::Assumed) {
-            rests_on.push(ASSUMED.into());
-        }
+        let mut rests_on = drives_rest_on(ranking.rows.iter().map(|row| &row.robot));
         rests_on.push(match &ranking.model {
             ModelKind::Planar => "Model: the arm plane with the drives 2 and 3; wrist and tool are not in it.".into(),
             ModelKind::Spatial(_) => "Model: six axes with all drives; everything else is rigid.".into(),

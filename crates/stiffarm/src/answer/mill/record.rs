@@ -195,7 +195,7 @@ fn compensated(compensation: &Compensation) -> Record {
     record
         .put(field::LARGEST_CORRECTION, done.largest)
         .put(field::LEFT_BY_JOINTS, done.by_joints)
-        .put(field::LEFT_BY_TIPS, done.by_tips.is_finite().then_some(done.by_tips))
+        .put(field::LEFT_BY_TIPS, Some(done.by_tips()).filter(|left| left.is_finite()))
         .put(field::LEFT_MEDIAN, told.map(|told| told.median))
         .put(field::LEFT_P95, told.map(|told| told.p95))
         .put(field::UNCERTAIN, remaining.as_ref().map(|(_, who)| who))

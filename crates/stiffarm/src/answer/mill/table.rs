@@ -85,7 +85,7 @@ impl MillAnswer {
         lines.extend(uncertainty::told(self.spread()));
         let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
-        lines.push(line(&format!("{} less than", self.bounded()), proved(found.lower_bound)));
+        lines.push(line(format!("{} less than", self.bounded()), proved(found.lower_bound)));
         if let Some((resolution, lower)) = self.sought {
             lines.push(line(
                 "no place has less than",
@@ -146,7 +146,7 @@ impl MillAnswer {
     /// What compensation does, as people read it.
     fn compensated_lines(&self, Compensation { done, remaining }: &Compensation) -> Vec<Line> {
         let mm = |metres: f64| format!("{} mm", fixed(metres * 1e3, 4));
-        let by_tips = if done.by_tips.is_finite() { mm(done.by_tips) } else { "not reached".into() };
+        let by_tips = if done.by_tips().is_finite() { mm(done.by_tips()) } else { "not reached".into() };
         let mut lines = vec![
             line("compensated", format!("tips are led aside by at most {}", mm(done.largest))),
             line(

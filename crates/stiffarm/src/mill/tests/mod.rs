@@ -446,13 +446,13 @@ fn a_compensated_path_stands_where_it_should_when_it_is_loaded() {
         assert!((uncorrected / found.samples[i].error - 1.0).abs() < 2e-3, "{uncorrected} {}", found.samples[i].error);
         softer.push((loaded_tip(&done.joints[i], &factors, station) - target).norm());
     }
-    assert!(done.by_joints < 1e-9 && done.by_tips < 0.02 * found.worst.0, "{done:?}");
+    assert!(done.by_joints < 1e-9 && done.by_tips() < 0.02 * found.worst.0, "{done:?}");
     assert!(0.5 * found.worst.0 < done.largest && done.largest < 1.1 * found.worst.0 && done.beyond.is_empty());
     let left = remaining(&robot, &stand, &stations, &found.samples, (ErrorPart::Total, &[factors])).unwrap();
     let most = softer.iter().copied().fold(0.0, f64::max);
     assert!((left.p95 / most - 1.0).abs() < 0.01 && left.median == left.p95 && left.draws == 1, "{left:?} {most}");
     assert!(left.along.iter().zip(&softer).all(|(told, found)| (told - found).abs() < 0.01 * most));
-    assert_eq!(done.along_by_tips.iter().copied().fold(0.0, f64::max), done.by_tips);
+    assert_eq!(done.left_by_tips.len(), stations.len());
     let any = path("line:0.1", Acting::Any(100.0));
     let held = followed(&stand, &any, &with(RollMode::Constant));
     let refused = compensate(&robot, &stand, &any, &held.samples, ErrorPart::Total);
