@@ -74,3 +74,35 @@ pub(super) fn robust(system: &System, start: &Solution, bound: f64) -> Option<Ro
     free.iter().zip(found.iter()).for_each(|(&i, value)| values[i] = *value);
     Some(Robust { values, weights, ratios })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::regression::solve;
+    use super::*;
+
+    /// Huber's conditions by hand: the middle length sets the scale, and readings weighed by how far they miss pull the values nowhere.
+    #[test]
+    fn readings_weighed_by_their_distance_pull_the_values_nowhere() {
+        const BOUND: f64 = 2.5;
+        let mut rng = fastrand::Rng::with_seed(21);
+        let a = DMatrix::from_fn(90, 4, |_, _| rng.f64() - 0.5);
+        let truth = DVector::from_vec(vec![1.0, 2.0, 0.5, 3.0]);
+        let mut y = &a * &truth + DVector::from_fn(90, |_, _| 0.02 * (rng.f64() - 0.5));
+        for row in [3, 4, 30, 61] {
+            y[row] += 0.4;
+        }
+        let system = System { a: a.clone(), y: y.clone() };
+        let found = robust(&system, &solve(&system).unwrap(), BOUND).unwrap();
+        let missed = &y - &a * DVector::from_column_slice(&found.values);
+        let lengths: Vec<f64> = (0..30).map(|i| missed.rows(3 * i, 3).norm()).collect();
+        let mut sorted = lengths.clone();
+        sorted.sort_by(f64::total_cmp);
+        let scale = sorted[15] / MEDIAN_LENGTH;
+        let weights: Vec<f64> = lengths.iter().map(|length| (BOUND * scale / length).min(1.0)).collect();
+        assert!(weights.iter().filter(|weight| **weight < 0.5).count() == 3, "{weights:?}");
+        let pulled = |column: usize| (0..90).map(|i| weights[i / 3] * a[(i, column)] * missed[i]).sum::<f64>();
+        assert!((0..4).all(|column| pulled(column).abs() < 1e-7 * y.norm()));
+        assert!(found.weights.iter().zip(&weights).all(|(told, expected)| (told - expected).abs() < 1e-6));
+        assert!((DVector::from_column_slice(&found.values) - truth).amax() < 0.03);
+    }
+}
