@@ -1,7 +1,7 @@
 // How is a part taken through the cell? The drawing of where it stands, with its outline from above to be dragged.
 
 import { svg } from "./dom.js";
-import { Picture, boxOf, scaleOf } from "./figure.js";
+import { Picture, boxOf, scaleOf, spotUnder } from "./figure.js";
 import { rounded } from "./zone.js";
 
 /** @typedef {[number, number, number, number]} Stand x, y, z in m from the base and the yaw in deg of the path's origin */
@@ -61,30 +61,20 @@ export class CellPlan {
   }
 
   /** @param {PointerEvent} event */
-  under(event) {
-    const { scale } = this;
-    const box = this.root.getBoundingClientRect();
-    if (!scale) return null;
-    const per = scale.width / box.width;
-    return { x: scale.x((event.clientX - box.left) * per), z: scale.z((event.clientY - box.top) * per) };
-  }
-
-  /** @param {PointerEvent} event */
   taken(event) {
-    const spot = this.under(event);
-    if (!spot || !this.at) return;
+    if (!this.scale || !this.at) return;
     event.preventDefault();
     const body = /** @type {SVGElement} */ (this.body);
     body.focus();
     body.setPointerCapture(event.pointerId);
-    this.start = { ...spot, at: this.at };
+    this.start = { ...spotUnder(this.root, this.scale, event), at: this.at };
   }
 
   /** @param {PointerEvent} event */
   dragged(event) {
-    const spot = this.under(event);
     const { start, scale } = this;
-    if (!start || !spot || !scale) return;
+    if (!start || !scale) return;
+    const spot = spotUnder(this.root, scale, event);
     const [dx, dy] = [spot.x - start.x, spot.z - start.z];
     const [x, y, z, yaw] = start.at;
     this.at = [x + dx, y + dy, z, yaw];

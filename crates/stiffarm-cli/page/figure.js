@@ -59,6 +59,13 @@ export function scaleOf(svg) {
 
 /** @typedef {NonNullable<ReturnType<typeof scaleOf>>} Scale */
 
+/** The place under the pointer, m. @param {Element} over what lies over the whole picture @param {Scale} scale @param {PointerEvent} event */
+export function spotUnder(over, scale, event) {
+  const box = over.getBoundingClientRect();
+  const per = scale.width / box.width;
+  return { x: scale.x((event.clientX - box.left) * per), z: scale.z((event.clientY - box.top) * per) };
+}
+
 /** @param {Asked} asked @param {string} as @param {string} [ending] */
 async function download({ verb, question }, as, ending = as) {
   try {

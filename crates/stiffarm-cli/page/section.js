@@ -2,7 +2,7 @@
 
 import { Newest, Refusal, fields, written } from "./ask.js";
 import { el } from "./dom.js";
-import { Picture, scaleOf } from "./figure.js";
+import { Picture, scaleOf, spotUnder } from "./figure.js";
 import { question, value } from "./state.js";
 import { rows } from "./table.js";
 import { ZoneObject, rounded, zoneOf } from "./zone.js";
@@ -78,8 +78,7 @@ export class Section {
     const { scale } = this;
     if (!scale || this.zone.isHeld) return;
     const box = this.picture.image.getBoundingClientRect();
-    const per = scale.width / box.width;
-    const [x, z] = [scale.x((event.clientX - box.left) * per), scale.z((event.clientY - box.top) * per)];
+    const { x, z } = spotUnder(this.picture.image, scale, event);
     this.tip.style.left = `${event.clientX - box.left}px`;
     this.tip.style.top = `${event.clientY - box.top}px`;
     const asked = mapped({ size: value("model") === "spatial" ? 60 : 200 });

@@ -1,6 +1,7 @@
 // How is the zone taken in the hand? An outline over the map that is dragged, resized and moved by keys.
 
 import { svg } from "./dom.js";
+import { spotUnder } from "./figure.js";
 
 /** @typedef {import("./figure.js").Scale} Scale */
 /** @typedef {{shape: "circle" | "rect", a: number, b: number, prefix: string}} Zone sizes along x and z before it is turned, m */
@@ -120,13 +121,7 @@ export class ZoneObject {
   grab(what, move, end) {
     /** @type {(Spot & {at: Spot}) | null} */
     let start = null;
-    const spot = (/** @type {PointerEvent} */ event) => {
-      const box = this.root.getBoundingClientRect();
-      const { scale } = this;
-      if (!scale) return { x: 0, z: 0 };
-      const per = scale.width / box.width;
-      return { x: scale.x((event.clientX - box.left) * per), z: scale.z((event.clientY - box.top) * per) };
-    };
+    const spot = (/** @type {PointerEvent} */ event) => (this.scale ? spotUnder(this.root, this.scale, event) : { x: 0, z: 0 });
     const element = /** @type {SVGElement} */ (what);
     element.addEventListener("pointerdown", (event) => {
       event.preventDefault();
