@@ -77,8 +77,10 @@ def test_a_worker_that_dies(slow, tmp_path, again):
 def test_a_caller_that_dies_and_asks_again(slow, client, tmp_path):
     folder = tmp_path / "c"
     caller = script(folder)
-    wait_for(lambda: folder.is_dir() and len(parts(folder)) >= 2)
-    # A second caller is refused while the first one runs.
+    wait_for(lambda: (folder / "_sha256sums").exists() and any(name.startswith("part-") for name in listed(folder)))
+    # It is held still, so that what it had written down when it died does not depend on how busy the machine is.
+    caller.send_signal(signal.SIGSTOP)
+    # A second caller is refused while the first one has the folder.
     refused("another run is writing", folder=folder, **SLOW)
     caller.kill()
     caller.communicate()

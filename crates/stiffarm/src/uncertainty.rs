@@ -165,7 +165,7 @@ mod tests {
     #[test]
     fn a_share_of_some_in_any_order_is_that_of_the_same_in_order() {
         let mut rng = fastrand::Rng::with_seed(8);
-        for count in [1, 2, 19, 20, 21, 200] {
+        for count in [1_u32, 2, 19, 20, 21, 200] {
             let mut mixed: Vec<f64> = (0..count).map(|_| rng.f64()).collect();
             let mut sorted = mixed.clone();
             sorted.sort_by(f64::total_cmp);
@@ -173,7 +173,7 @@ mod tests {
                 let found = quantile_of(&mut mixed, share);
                 let beyond = sorted.iter().filter(|value| found < **value).count() as f64;
                 assert_eq!(found, quantile(&sorted, share));
-                assert!((beyond - (1.0 - share) * (count as f64 - 1.0)).abs() <= 0.5, "{count} {share}: {beyond}");
+                assert!((beyond - (1.0 - share) * (f64::from(count) - 1.0)).abs() <= 0.5, "{count} {share}: {beyond}");
             }
         }
     }
