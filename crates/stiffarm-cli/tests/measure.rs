@@ -86,3 +86,26 @@ fn a_plan_is_filled_in_and_identified_and_one_of_ones_own_is_judged_beside_it() 
         );
     }
 }
+
+#[test]
+fn an_instrument_is_told_with_what_it_sees_and_half_of_one_is_refused() {
+    let sighted =
+        [&ASKED[..], &["--instrument", "3.5,-2,1.5", "--marker-faces", "0:0:2", "--acceptance-deg", "40"]].concat();
+    let told = String::from_utf8(program(&sighted).success().get_output().stdout.clone()).unwrap();
+    assert!(told.contains("up to 40.0 deg from 0, 0, 1 of the flange, from (3.5, -2, 1.5) m"), "{told}");
+    assert!(
+        told.contains("looked at were joint limits, window, sight, and the links (as capsules of estimated radii)"),
+        "{told}"
+    );
+    for (more, why) in [
+        (&["--marker-faces", "0:0:1"][..], "--marker-faces needs --instrument"),
+        (&["--instrument", "1,2,3", "--acceptance-deg", "9"], "--acceptance-deg needs --marker-faces"),
+        (&["--instrument", "1,2"], "--instrument has 2 numbers; expected x,y,z in m from the base"),
+        (&["--instrument", "1,2,3", "--marker-faces", "0:0:0"], "expected x:y:z along flange axes, not all 0"),
+        (&["--instrument", "0,0,0.3", "--window", "..,..,3.."], "in sight of the instrument"),
+    ] {
+        let refused = program(&[&ASKED[..], more].concat()).failure();
+        let said = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+        assert!(said.contains(why), "{said}");
+    }
+}

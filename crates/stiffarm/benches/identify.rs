@@ -73,6 +73,7 @@ fn planned(criterion: &mut Criterion) {
         runs: 20,
         candidates,
         window: None,
+        instrument: None,
         work: Vec::new(),
         tool: at,
     };

@@ -6,7 +6,7 @@ use stiffarm::catalogue::measurements::{Measurements, Reading};
 use stiffarm::compliance::{beyond_limits, compliance};
 use stiffarm::identify::{Options as IdentifyOptions, identify};
 use stiffarm::interval::Interval;
-use stiffarm::measure::{Criterion, LoadWay, MeasureError, Options, compare, over, plan};
+use stiffarm::measure::{Cone, Criterion, Instrument, LoadWay, MeasureError, Options, compare, over, plan};
 use stiffarm::prior::with_prior;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::{Pose, Wrench};
@@ -33,6 +33,7 @@ fn usual() -> Options {
         runs: 12,
         candidates: 900,
         window: None,
+        instrument: None,
         work: Vec::new(),
         tool: at,
     }
@@ -133,6 +134,29 @@ fn a_zone_as_work_changes_the_plan_and_a_window_is_kept() {
     }
     let anywhere = plan(&robot, &Options { work: Vec::new(), ..options.clone() }, Watch::nobody()).unwrap();
     assert_ne!(found.runs, anywhere.runs);
+}
+
+/// By forward kinematics alone: the flange looks at the instrument, which lies on no line through the upper arm.
+#[test]
+fn the_instrument_sees_every_run_and_what_it_cannot_see_is_no_candidate() {
+    let robot = kuka();
+    let acceptance = 25_f64.to_radians();
+    let instrument = Instrument {
+        at: Vector3::new(3.5, -2.0, 1.5),
+        cone: Some(Cone { faces: Vector3::new(0.6, 0.0, 0.8), acceptance }),
+    };
+    let options = Options { instrument: Some(instrument), ..usual() };
+    let found = plan(&robot, &options, Watch::nobody()).unwrap();
+    let off = |q: &[f64; 6]| {
+        let marker = compliance(&robot, q, &Pose::translation(0.0, 0.1, 0.25)).unwrap().tool;
+        (marker.rotation * Vector3::new(0.6, 0.0, 0.8)).angle(&(instrument.at - marker.translation.vector))
+    };
+    assert!(found.runs.iter().all(|run| off(&run.q) <= acceptance));
+    let anywhere = plan(&robot, &usual(), Watch::nobody()).unwrap();
+    assert!(anywhere.runs.iter().any(|run| acceptance < off(&run.q)), "it would have been so by itself");
+    // Inside the column it sees nothing.
+    let blind = Options { instrument: Some(Instrument { at: Vector3::new(0.0, 0.0, 0.3), cone: None }), ..usual() };
+    assert_eq!(plan(&robot, &blind, Watch::nobody()), Err(MeasureError::NoCandidate));
 }
 
 #[test]

@@ -77,6 +77,7 @@ pub(super) fn kind(kind: Kind) -> &'static str {
         Kind::Point => "point",
         Kind::Marker => "marker",
         Kind::Way => "way",
+        Kind::Direction => "direction",
         Kind::Date => "date",
         Kind::Task => "task",
         Kind::Shape => "shape",

@@ -622,6 +622,17 @@ class MeasureOptions(TypedDict, total=False):
     """Where load point and markers must be [m]: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open
     [default: above the floor]."""
 
+    instrument_m: npt.ArrayLike | None
+    """Where the tracker or camera stands [m], from the base: only postures in which it sees all markers past the
+    arm are looked at [default: markers are seen from everywhere]."""
+
+    marker_faces: npt.ArrayLike | None
+    """Where the markers face, along flange axes: they are seen within the acceptance of this direction [default:
+    all sides]."""
+
+    acceptance_deg: float
+    """How far a marker may be turned away from the line to the instrument [deg]."""
+
     tool_mm: npt.ArrayLike | None
     """The tool of the work in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the
     flange]."""

@@ -224,7 +224,15 @@ fn python_type(setting: &Setting) -> String {
             false,
         ) => "str".into(),
         (
-            Kind::Text | Kind::Robot | Kind::Task | Kind::Shape | Kind::Posture | Kind::Marker | Kind::Way | Kind::Pin,
+            Kind::Text
+            | Kind::Robot
+            | Kind::Task
+            | Kind::Shape
+            | Kind::Posture
+            | Kind::Marker
+            | Kind::Way
+            | Kind::Direction
+            | Kind::Pin,
             true,
         ) => "str | Iterable[str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::stiffness::digits;
 use super::words::{self, fixed};
 use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, Unit, field, line, stiffness, with_schema};
-use crate::measure::{Criterion, Options, Plan, Run};
+use crate::measure::{Cone, Criterion, Instrument, Options, Plan, Run};
 use crate::robot::Robot;
 
 /// What a plan is judged by, and how many of the unit in which that is told are one in SI: (um/N)^2, or nothing of parts.
@@ -151,7 +151,8 @@ impl MeasureAnswer {
             line("stiffness", stiffness(robot)),
             line("loads", format!("{} N {}", options.newtons, ways.join(", "))),
             line("work", format!("{}, {} postures", self.work, plan.work)),
-            line("candidates", format!("{} runs; noise {} mm a coordinate", plan.candidates, options.sigma * 1e3)),
+            line("markers are seen", self.sight()),
+            line("candidates", format!("{}; noise {} mm a coordinate", self.candidates(), options.sigma * 1e3)),
             line(format!("precision of the {of}"), format!("{} {in_words}", predicted(plan.value))),
             line(
                 "no other choice has less than",
@@ -173,6 +174,31 @@ impl MeasureAnswer {
             .collect();
         lines.push(line("error of the drives 1-6", errors.join(", ")));
         Table::of_lines(lines)
+    }
+
+    /// How many there were, and that more were wanted.
+    fn candidates(&self) -> String {
+        let [found, wanted] = [self.plan.candidates, self.options.candidates];
+        let of = if found < wanted {
+            format!(" of {wanted}: no more postures were found where they can be measured")
+        } else {
+            String::new()
+        };
+        format!("{found} runs{of}")
+    }
+
+    /// From where markers are seen.
+    fn sight(&self) -> String {
+        let Some(Instrument { at, cone }) = &self.options.instrument else {
+            return "from everywhere: where the instrument stands is not told (--instrument)".into();
+        };
+        let triple = |vector: &nalgebra::Vector3<f64>| {
+            vector.iter().map(|x| digits(*x, 3).to_string()).collect::<Vec<_>>().join(", ")
+        };
+        let side = cone.as_ref().map_or("from all sides".into(), |Cone { faces, acceptance }| {
+            format!("up to {} deg from {} of the flange", fixed(acceptance.to_degrees(), 1), triple(faces))
+        });
+        format!("{side}, from ({}) m, past the arm", triple(at))
     }
 
     /// One row per run.
@@ -199,15 +225,21 @@ impl MeasureAnswer {
             String::new()
         } else {
             let ways: Vec<&str> = self.options.ways.iter().map(|way| way.name.as_str()).collect();
-            let (drives, them) = if unseen.len() == 1 { ("drive", "it") } else { ("drives", "each") };
-            format!(
-                "under these loads ({}) {drives} {} does not show: a load with a lever about its axis turns {them}\n",
-                ways.join(", "),
-                unseen.join(", ")
-            )
+            let loads = ways.join(", ");
+            match unseen.as_slice() {
+                [drive] => format!(
+                    "under these loads ({loads}) drive {drive} does not show: a load with a lever about its axis turns it\n"
+                ),
+                drives => format!(
+                    "under these loads ({loads}) the drives {} do not show: a load with a lever about its axis turns each\n",
+                    drives.join(", ")
+                ),
+            }
         };
+        let sight = if self.options.instrument.is_some() { ", sight" } else { "" };
+        let coarse = if self.robot.thickness().1 { "as capsules of estimated radii" } else { "as capsules" };
         format!(
-            "{unseen}in this order the joints travel little; looked at were joint limits, floor and window, not what stands in between\n\
+            "{unseen}in this order the joints travel little; looked at were joint limits, window{sight}, and the links ({coarse}) towards floor and each other, in these postures and not on the way\n\
              -o plan.csv writes the table to be filled in (dx_mm, dy_mm, dz_mm), which `stiffarm identify` reads\n"
         )
     }

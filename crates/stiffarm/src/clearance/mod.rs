@@ -16,6 +16,8 @@ pub(crate) use solid::{Capsule, Solid};
 
 /// The work is a sheet of this thickness, m, behind its surface.
 const SHEET: f64 = 1e-3;
+/// A line that runs so deep into a link, m, only grazes it.
+const GRAZED: f64 = 1e-9;
 /// A tool shorter than this, m, is no link.
 const NO_TOOL: f64 = 1e-6;
 
@@ -174,6 +176,17 @@ impl<'a> ThickArm<'a> {
             }
         }
         nearest
+    }
+
+    /// A link stands between a point on the wrist and another one, m from the base, at model angles.
+    ///
+    /// Wrist and forearm do not hide a point that lies in them: it sits there, and how thick they are is coarse.
+    pub(crate) fn hides(&self, theta: &[f64; 6], marker: &Vector3<f64>, from: &Vector3<f64>) -> bool {
+        let [line, point] = [*from, *marker].map(|end| Capsule { ends: [*marker, end], radius: 0.0 });
+        let carries =
+            |link: &Link, capsule| matches!(link, Link::Forearm | Link::Wrist) && point.apart_from(capsule) <= -GRAZED;
+        let links = links(self.geometry, &self.body, 0.0, theta, self.tool);
+        links.iter().any(|(link, capsule)| !carries(link, capsule) && line.apart_from(capsule) < -GRAZED)
     }
 
     /// Every pair that may meet in one posture.

@@ -12,12 +12,14 @@
 mod candidates;
 mod design;
 mod route;
+mod sight;
 mod zone;
 
 use nalgebra::{Matrix6, Vector3, Vector6};
 
 use crate::catalogue::measurements::Measurements;
-use crate::compliance::{PostureError, check_tool, compliance};
+use crate::clearance::{Surroundings, ThickArm};
+use crate::compliance::{PostureError, check_tool};
 use crate::drive::JointCompliance;
 use crate::identify::columns_at;
 use crate::interval::Interval;
@@ -27,6 +29,7 @@ use crate::watch::{Parts, Stopped, Watch};
 
 use candidates::Candidates;
 use design::{Aim, Chosen, Shares};
+pub use sight::{Cone, Instrument};
 pub use zone::over;
 
 /// A direction in which the user can load.
@@ -82,6 +85,8 @@ pub struct Options {
     pub candidates: usize,
     /// Where the markers must be seen, from the base, m.
     pub window: Option<[Interval; 3]>,
+    /// From where they are looked at; `None` from everywhere.
+    pub instrument: Option<Instrument>,
     /// Postures of the work, as reported, rad; where there are none, anywhere within the limits.
     pub work: Vec<[f64; 6]>,
     /// The tool point of the work, in the flange frame, m.
@@ -140,7 +145,7 @@ pub enum MeasureError {
     Posture(#[from] PostureError),
     /// No posture is left.
     #[error(
-        "no posture within the limits has all markers where they can be seen, above the floor and in the window: widen it, or look at other points"
+        "no posture within the limits has the arm clear of itself and all markers above the floor, in the window and in sight of the instrument: widen the window, move the instrument, or look at other points"
     )]
     NoCandidate,
     /// The work has no place.
@@ -345,15 +350,22 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Where a robot's flange stands, and how a posture is judged: the checks of a candidate.
+/// A posture is judged: markers and load point in the window and above the floor, the arm clear of the floor and of itself, in sight.
 fn stands_free(robot: &Robot, q: &[f64; 6], options: &Options) -> Result<bool, MeasureError> {
-    let flange = compliance(robot, q, &Pose::identity())?.tool;
-    let seen = |at: &Vector3<f64>| {
+    let planar = || PostureError::Planar(robot.name.clone());
+    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return Err(planar().into()) };
+    let theta = geometry.model_angles(q, limits.third_axis);
+    let flange = geometry.forward(&theta);
+    let at_hand = |at: &Vector3<f64>| {
         let point = flange * nalgebra::Point3::from(*at);
         let inside = |window: &[Interval; 3]| (0..3).all(|axis| window[axis].contains(point[axis], 0.0));
         0.0 <= point.z && options.window.as_ref().is_none_or(inside)
     };
-    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return Ok(false) };
-    let above = geometry.points(&geometry.model_angles(q, limits.third_axis))[2..].iter().all(|point| 0.0 <= point[2]);
-    Ok(above && options.markers.iter().chain([&options.load_at]).all(seen))
+    if !options.markers.iter().chain([&options.load_at]).all(at_hand) {
+        return Ok(false);
+    }
+    let thick = ThickArm::new(robot, &Pose::identity(), None).ok_or_else(planar)?;
+    let touches = thick.clearance(&[theta], &Surroundings::above(Some(0.0))).is_some_and(|found| found.distance < 0.0);
+    let sees = |instrument: &Instrument| instrument.sees(&thick, (&theta, &flange), &options.markers);
+    Ok(!touches && options.instrument.as_ref().is_none_or(sees))
 }

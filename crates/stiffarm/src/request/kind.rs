@@ -1,8 +1,8 @@
 //! What does an option take, and which value does a text stand for?
 
 use super::notation::{
-    Angle, Force, block, elevation, force, marker, mount, number, open_range, pin, point, roll, shape, spindle, tool,
-    way, window, yaw,
+    Angle, Force, block, direction, elevation, force, marker, mount, number, open_range, pin, point, roll, shape,
+    spindle, tool, way, window, yaw,
 };
 use crate::catalogue::is_date;
 use crate::catalogue::measurements::Marker;
@@ -80,6 +80,8 @@ pub enum Kind {
     Marker,
     /// In which direction something can be loaded.
     Way,
+    /// A direction along flange axes.
+    Direction,
     /// Year, month and day.
     Date,
     /// A zone with its size.
@@ -238,6 +240,7 @@ impl Kind {
             Self::Point => point(text).map(Value::Point),
             Self::Marker => marker(text).map(Value::Marker),
             Self::Way => way(text).map(Value::Way),
+            Self::Direction => direction(text).map(|unit| Value::Point(unit.into())),
             Self::Spindle => spindle(text).map(Value::Tool),
             Self::Task => text.parse().map(Value::Task).map_err(|error: crate::task::TaskError| error.to_string()),
             Self::Shape => shape(text).map(Value::Task),

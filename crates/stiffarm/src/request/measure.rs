@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::kind::Value;
 use super::{Request, Verb};
-use crate::measure::{Criterion, Options};
+use crate::measure::{Cone, Criterion, Instrument, Options};
 
 impl Request {
     /// What is asked of a plan; the postures of the work are left out.
@@ -31,9 +31,19 @@ impl Request {
             runs: self.count("runs"),
             candidates: self.count("candidates"),
             window: window.map(|block| [block.x, block.y, block.z]),
+            instrument: self.instrument(),
             work: Vec::new(),
             tool: self.held().tool().translation.vector,
         }
+    }
+
+    /// Where it stands, and from where markers are seen.
+    fn instrument(&self) -> Option<Instrument> {
+        let &[x, y, z] = self.all("instrument", super::wishes::number).as_slice() else { return None };
+        let faces = self.one("marker-faces", |value| if let Value::Point(unit) = value { Some(unit) } else { None });
+        let acceptance = self.number("acceptance-deg").expect("the row has a default").to_radians();
+        let cone = faces.map(|faces| Cone { faces: faces.into(), acceptance });
+        Some(Instrument { at: Vector3::new(x, y, z), cone })
     }
 
     /// A table of one's own; what a study compares is none.

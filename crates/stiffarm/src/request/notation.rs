@@ -164,14 +164,20 @@ pub fn way(text: &str) -> Result<LoadWay, String> {
         "back" => [-1.0, 0.0, 0.0],
         "left" => [0.0, 1.0, 0.0],
         "right" => [0.0, -1.0, 0.0],
-        text => {
-            let numbers = text.split(':').map(|part| number(part, -1e6, 1e6, "").map_err(|_| expected()));
-            numbers.collect::<Result<Vec<_>, _>>()?.try_into().map_err(|_| expected())?
-        }
+        text => direction(text).map_err(|_| expected())?.into(),
     };
-    let along = Vector3::from(along);
-    let length = along.norm();
-    if length < 1e-9 { Err(expected()) } else { Ok(LoadWay { name: text.trim().into(), along: along / length }) }
+    Ok(LoadWay { name: text.trim().into(), along: along.into() })
+}
+
+/// `x:y:z` along flange axes, of any length but none: the unit vector.
+///
+/// # Errors
+/// What was expected.
+pub(super) fn direction(text: &str) -> Result<Vector3<f64>, String> {
+    let expected = || "expected x:y:z along flange axes, not all 0".to_owned();
+    let numbers = text.split(':').map(|part| number(part, -1e6, 1e6, "").map_err(|_| expected()));
+    let along: [f64; 3] = numbers.collect::<Result<Vec<_>, _>>()?.try_into().map_err(|_| expected())?;
+    Vector3::from(along).try_normalize(1e-9).ok_or_else(expected)
 }
 
 /// `name=x,y,z`, or a point alone.

@@ -1,5 +1,6 @@
 //! Which options are there? One row each, from which every face builds its parser, its help and its refusals.
 
+mod measuring;
 pub(super) mod milling;
 
 use super::kind::{ANY, Count, Kind, count, count_of, degrees_of, number_of, one_or};
@@ -190,10 +191,6 @@ const MAP: &[Verb] = &[Verb::Map];
 const COMPLIANCE: &[Verb] = &[Verb::Compliance];
 const STUDY: &[Verb] = &[Verb::Study];
 const COMPARE: &[Verb] = &[Verb::Compare];
-const IDENTIFY: &[Verb] = &[Verb::Identify];
-const MEASURE: &[Verb] = &[Verb::Measure];
-/// Those that have to do with measurements.
-const MEASURING: &[Verb] = &[Verb::Identify, Verb::Measure];
 /// Those that bend drives.
 const SPRINGING: &[Verb] =
     &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Compare, Verb::Measure, Verb::Mill];
@@ -286,18 +283,6 @@ const SPINDLE: Setting = Setting {
     example: "spindle:250@90+30",
     ..TOOL
 };
-/// Of the axes along which vectors of a table point.
-const IN_AXES: Setting = Setting {
-    verbs: IDENTIFY,
-    kind: Kind::Word(&[("base", "Those of the base"), ("flange", "Those of the flange at the posture of the row")]),
-    value: "AXES",
-    absent: Absent::Default("base"),
-    heading: MEASURED,
-    example: "flange",
-    ..ROW
-};
-/// The heading of what the table of measurements does not say itself.
-const MEASURED: &str = "Measurements";
 /// Of the place where the robot works.
 const CELL: Setting = Setting { verbs: ONLY_PLACING, of: Of::Spatial, heading: "Cell", ..ROW };
 /// The heading of what matters to the program's figures alone.
@@ -308,19 +293,28 @@ const FIGURE: Setting = Setting { verbs: PLACING, heading: DRAWN, ..ROW };
 const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: FILTERS, ..ROW };
 
 /// Every option, each once for the verbs in which it means the same.
-pub static SETTINGS: &[Setting] = &joined::<{ OF_ZONES.len() + milling::ROWS.len() }>(OF_ZONES, milling::ROWS);
+pub static SETTINGS: &[Setting] = &joined::<{ OF_ZONES.len() + measuring::ROWS.len() + milling::ROWS.len() }>([
+    OF_ZONES,
+    measuring::ROWS,
+    milling::ROWS,
+]);
 
-/// One list of two.
-const fn joined<const N: usize>(first: &[Setting], second: &[Setting]) -> [Setting; N] {
-    let (mut all, mut i) = ([ROW; N], 0);
-    while i < N {
-        all[i] = if i < first.len() { first[i] } else { second[i - first.len()] };
-        i += 1;
+/// One list of three.
+const fn joined<const N: usize>(lists: [&[Setting]; 3]) -> [Setting; N] {
+    let (mut all, mut filled, mut list) = ([ROW; N], 0, 0);
+    while list < lists.len() {
+        let mut i = 0;
+        while i < lists[list].len() {
+            all[filled] = lists[list][i];
+            filled += 1;
+            i += 1;
+        }
+        list += 1;
     }
     all
 }
 
-/// What is asked of robots, zones and measurements.
+/// What is asked of robots and zones.
 const OF_ZONES: &[Setting] = &[
     Setting {
         name: "robot",
@@ -884,227 +878,6 @@ const OF_ZONES: &[Setting] = &[
         help: "Smallest distance of the arm, links as capsules, from floor, work, itself and what is kept free",
         example: "50",
         ..CELL
-    },
-    Setting {
-        name: "data",
-        verbs: IDENTIFY,
-        kind: Kind::File,
-        value: "DATA.csv",
-        absent: Absent::Required,
-        help: "A table of measurements: columns q1_deg.. q6_deg (or q1_rad ..), fx_n, fy_n, fz_n, dx_mm, dy_mm, dz_mm (or _um, _m), and optionally mx_nm .., posture, marker, sigma_mm, load_x_mm .., marker_x_mm ..",
-        example: "measurements.csv",
-        is_positional: true,
-        ..ROW
-    },
-    Setting {
-        name: "robot",
-        verbs: IDENTIFY,
-        kind: Kind::Robot,
-        value: "ROBOT",
-        absent: Absent::Required,
-        help: "The robot that was measured: a name, or the path of a robot file",
-        example: "R-2000iC/165F",
-        ..ROW
-    },
-    Setting {
-        name: "load-mm",
-        verbs: MEASURING,
-        kind: Kind::Point,
-        unit: "mm",
-        value: "X,Y,Z",
-        absent: Absent::Means("the flange centre"),
-        heading: MEASURED,
-        help: "Where the load acts, in the flange frame; columns load_x_mm, .. overrule it",
-        example: "0,50,200",
-        ..ROW
-    },
-    Setting {
-        name: "marker-mm",
-        verbs: MEASURING,
-        kind: Kind::Marker,
-        count: count_of(1, ANY, "markers", "some"),
-        unit: "mm",
-        value: "[NAME=]X,Y,Z",
-        absent: Absent::Means("the load point"),
-        heading: MEASURED,
-        help: "Where a marker sits, in the flange frame; of several each with the name that the column marker tells (with ; between, or given several times); columns marker_x_mm, .. overrule it",
-        example: "top=0,100,150;side=0,-100,150",
-        ..ROW
-    },
-    Setting { name: "force-axes", help: "Along which axes the forces and moments point", ..IN_AXES },
-    Setting { name: "displacement-axes", help: "Along which axes the displacements point", ..IN_AXES },
-    Setting {
-        name: "fit",
-        verbs: IDENTIFY,
-        kind: Kind::Word(&[
-            ("least-squares", "Every row counts by its noise alone"),
-            ("huber", "Rows that fit badly count less"),
-        ]),
-        value: "FIT",
-        absent: Absent::Default("least-squares"),
-        help: "How the compliances are estimated",
-        example: "huber",
-        ..ROW
-    },
-    Setting {
-        name: "model",
-        verbs: IDENTIFY,
-        kind: Kind::Word(&[
-            ("drives", "The six drives"),
-            ("base", "These, and the base tilts about the level axes through its origin"),
-            ("tool", "The drives, and the tool bends about the axes across the flange's"),
-            ("base-and-tool", "Drives, base and tool"),
-            ("compensator", "The drives, and the spring of the gravity compensator whose ends the robot file has"),
-            ("compensator-and-preload", "The same, and its preload"),
-            ("regions", "The drives, drive 2 with a compliance for each of some ranges of joint 2 (--regions)"),
-            (
-                "auto",
-                "The simplest of these that none is clearly better than, by postures left out and Schwarz's criterion",
-            ),
-        ]),
-        value: "MODEL",
-        absent: Absent::Default("drives"),
-        help: "What is taken to spring",
-        example: "auto",
-        ..ROW
-    },
-    Setting {
-        name: "regions",
-        verbs: IDENTIFY,
-        kind: Kind::Whole { min: 2, max: 6 },
-        value: "N",
-        absent: Absent::Default("2"),
-        help: "In how many ranges of joint 2, of as many postures each, drive 2 has a compliance of its own in the model \"regions\"",
-        example: "3",
-        ..ROW
-    },
-    Setting {
-        name: "prior",
-        verbs: IDENTIFY,
-        kind: Kind::Flag,
-        value: "YES",
-        absent: Absent::Default("false"),
-        example: "true",
-        help: "Update what is known of drives of robots of this payload and reach, rather than leave it aside: the robot file has the posterior; drives that the rows do not show keep the prior with its scatter",
-        ..ROW
-    },
-    Setting {
-        name: "date",
-        verbs: IDENTIFY,
-        kind: Kind::Date,
-        value: "DATE",
-        heading: MEASURED,
-        help: "When was measured, as year-month-day: it is told, and stands in the robot file",
-        example: "2026-05-31",
-        ..ROW
-    },
-    Setting {
-        name: "task",
-        verbs: MEASURE,
-        kind: Kind::Task,
-        value: "TASK",
-        absent: Absent::Means("anywhere within the limits"),
-        help: "The work over which the deflection is to be predicted: a zone at its best place, the tool down",
-        example: "rect:0.6x0.4",
-        ..ROW
-    },
-    Setting {
-        name: "loads",
-        verbs: MEASURE,
-        kind: Kind::Way,
-        count: SEVERAL,
-        value: "WAYS",
-        absent: Absent::Default("down"),
-        help: "In which directions you can load: down (weights), up, ahead, back, left, right, or x:y:z along base axes (pulleys); separated by commas",
-        example: "down,1:0:-1",
-        ..ROW
-    },
-    Setting {
-        name: "force-n",
-        verbs: MEASURE,
-        kind: number_of(1.0, 1e5, "N"),
-        unit: "N",
-        value: "N",
-        absent: Absent::Default("1000"),
-        help: "How large the load is",
-        example: "500",
-        ..ROW
-    },
-    Setting {
-        name: "runs",
-        verbs: MEASURE,
-        kind: Kind::Whole { min: 2, max: 1000 },
-        value: "N",
-        absent: Absent::Default("20"),
-        help: "How many postures and loads are to be measured",
-        example: "30",
-        ..ROW
-    },
-    Setting {
-        name: "criterion",
-        verbs: MEASURE,
-        kind: Kind::Word(&[
-            ("prediction", "How well the deflection over the work is predicted"),
-            ("a", "The mean variance of the compliances, each in parts of its own"),
-            ("d", "The volume of the ellipsoid of their errors"),
-        ]),
-        value: "CRITERION",
-        absent: Absent::Default("prediction"),
-        help: "By what a plan is judged; each is certified against every other choice of the candidates",
-        example: "d",
-        ..ROW
-    },
-    Setting {
-        name: "candidates",
-        verbs: MEASURE,
-        kind: Kind::Whole { min: 10, max: 1_000_000 },
-        value: "N",
-        absent: Absent::Default("3000"),
-        help: "Among how many of them is chosen",
-        example: "1000",
-        ..ROW
-    },
-    Setting {
-        name: "sigma-mm",
-        verbs: MEASURE,
-        kind: number_of(1e-5, 10.0, "mm"),
-        unit: "mm",
-        value: "MM",
-        absent: Absent::Default("0.02"),
-        help: "Standard deviation of what is read of a coordinate",
-        example: "0.05",
-        ..ROW
-    },
-    Setting {
-        name: "window",
-        verbs: MEASURE,
-        kind: Kind::Block,
-        unit: "m",
-        value: "RANGES",
-        absent: Absent::Means("above the floor"),
-        help: "Where load point and markers must be: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open",
-        example: "0.5..3,-1..1,0.3..2",
-        ..ROW
-    },
-    Setting {
-        name: "tool-mm",
-        verbs: MEASURE,
-        kind: Kind::Tool,
-        unit: "mm, deg",
-        value: "X,Y,Z",
-        absent: Absent::Means("the flange"),
-        help: "The tool of the work in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes",
-        example: "0,0,200",
-        ..ROW
-    },
-    Setting {
-        name: "compare",
-        verbs: MEASURE,
-        kind: Kind::File,
-        value: "MINE.csv",
-        help: "A table of postures and loads of your own: what it is worth beside the plan",
-        example: "mine.csv",
-        ..ROW
     },
     Setting {
         name: "scale",
