@@ -23,19 +23,46 @@ pub(super) struct BranchLanes<S: Simd> {
     pub(super) bent: [Lanes<S>; 2],
 }
 
+/// The slack of what was not looked at, as no lane allows it.
+const FORBIDDEN: f64 = -1.0;
+
+/// Some lane is worth going on with.
+#[inline(always)]
+fn goes_on<S: Simd, const ALL: bool>(slack: Lanes<S>) -> bool {
+    ALL || slack.at_least(0.0).any()
+}
+
 impl<S: Simd> BranchLanes<S> {
     /// The largest translation per force; infinite where the posture is forbidden or nothing holds joint 2.
     #[inline(always)]
-    pub(super) fn allowed(self) -> Lanes<S> {
+    fn allowed(self) -> Lanes<S> {
         let is_held = self.worst.at_least(0.0);
         (self.slack.at_least(0.0) & is_held).select(self.worst, self.worst.all(f64::INFINITY))
     }
 }
 
 impl SpatialArm {
-    /// Every configuration of a pose, at its index.
+    /// What counts of the translation per force, m/N, of every configuration of a pose, at its index; infinite where the posture is
+    /// forbidden or nothing holds joint 2.
     #[inline(always)]
-    pub(super) fn configurations<S: Simd, C: Counted>(
+    pub(super) fn allowed<S: Simd, C: Counted>(
+        &self,
+        flange: &FlangePoses<S>,
+        same_branch: &SameBranch,
+        counted: C,
+    ) -> [Lanes<S>; Configuration::COUNT] {
+        let branches = self.configurations::<S, C, false>(flange, same_branch, counted);
+        let mut found = [branches[0].worst; Configuration::COUNT];
+        for index in 0..Configuration::COUNT {
+            found[index] = branches[index].allowed();
+        }
+        found
+    }
+
+    /// Every configuration of a pose, at its index. Unless `ALL`, what is forbidden in every lane is left as soon as that is known, and only its slack
+    /// is told.
+    #[inline(always)]
+    pub(super) fn configurations<S: Simd, C: Counted, const ALL: bool>(
         &self,
         flange: &FlangePoses<S>,
         same_branch: &SameBranch,
@@ -54,7 +81,9 @@ impl SpatialArm {
         let free = square.at_most(SINGULAR_SQUARE * self.geometry.c2 * self.geometry.c2);
         let inverse = free.select(px.all(0.0), px.all(1.0) / square);
         let one = px.all(1.0);
-        let mut found = [BranchLanes { worst: one, slack: one, links: one, bent: [one; 2] }; Configuration::COUNT];
+        let forbidden = px.all(FORBIDDEN);
+        let mut found =
+            [BranchLanes { worst: one, slack: forbidden, links: forbidden, bent: [one; 2] }; Configuration::COUNT];
         for shoulder in 0..2 {
             let forwards = [ahead, -ahead][shoulder];
             let c1 = free.select(one, (wx * forwards + wy * b) * inverse);
@@ -62,6 +91,9 @@ impl SpatialArm {
             let turned = self.angular_limits.joints[0]
                 .slack(c1, s1, one)
                 .or_less(same_branch.first[shoulder].slack(c1, s1, one));
+            if !goes_on::<S, ALL>(turned.or_less(reached)) {
+                continue;
+            }
             let seen = FlangeInArmAxes {
                 axis_6: flange.axis_6.seen_turned(s1, c1),
                 flange_x: flange.flange_x.seen_turned(s1, c1),
@@ -71,14 +103,14 @@ impl SpatialArm {
                 counted,
                 seen: counted.seen(s1, c1),
             };
-            self.elbows(&seen, [reached, turned], same_branch, Shoulder::ALL[shoulder], &mut found);
+            self.elbows::<S, C, ALL>(&seen, [reached, turned], same_branch, Shoulder::ALL[shoulder], &mut found);
         }
         found
     }
 
     /// Elbow up and down, each with both wrists, of one shoulder.
     #[inline(always)]
-    fn elbows<S: Simd, C: Counted>(
+    fn elbows<S: Simd, C: Counted, const ALL: bool>(
         &self,
         seen: &FlangeInArmAxes<S, C>,
         [reached, turned]: [Lanes<S>; 2],
@@ -114,14 +146,17 @@ impl SpatialArm {
             };
             let links = third_allowed.or_less(self.angular_limits.elbow.slack(c3, s3, one));
             let links = second.slack(c2, s2, one).or_less(links).or_less(reached);
+            if !goes_on::<S, ALL>(links.or_less(turned)) {
+                continue;
+            }
             let arm = ArmBranch { shoulder, elbow: ELBOWS[elbow] };
-            self.wrists(seen, [s2, c2, s23, c23], [links, turned], same_branch, arm, found);
+            self.wrists::<S, C, ALL>(seen, [s2, c2, s23, c23], [links, turned], same_branch, arm, found);
         }
     }
 
     /// Both wrists of one shoulder and elbow.
     #[inline(always)]
-    fn wrists<S: Simd, C: Counted>(
+    fn wrists<S: Simd, C: Counted, const ALL: bool>(
         &self,
         seen: &FlangeInArmAxes<S, C>,
         [s2, c2, s23, c23]: [Lanes<S>; 4],
@@ -138,21 +173,11 @@ impl SpatialArm {
         let s5 = (forwards * forwards + across * across).sqrt();
         let singular = s5.at_most(SINGULAR);
         let inverse = s2.all(1.0) / s5.max(SINGULAR);
-        let (axis_5_x, axis_5_y) = (-across * inverse, singular.select(s2.all(1.0), forwards * inverse));
-        let axis_5 = Triple([c23 * axis_5_x, axis_5_y, -(s23 * axis_5_x)]);
         let (cos_6, sin_6) = (-along.dot(seen.flange_x), along.dot(seen.axis_6.cross(seen.flange_x)));
         let [.., fourth, fifth, sixth] = self.angular_limits.joints;
-        let (axis_6, wrist_to_tool) = (seen.axis_6, seen.wrist_to_tool);
-        let posture = PostureLanes { s2, c2, s23, c23, axis_5, axis_6, wrist_to_tool };
-        let worst = seen.counted.of(&seen.seen, self, &posture);
         let straight = same_branch.clearance.sin();
         let any_split = s2.all(if self.angular_limits.any_wrist_split { 1.0 } else { -1.0 });
-        let flipped = match self.coupling {
-            // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
-            Coupling::Serial | Coupling::QuasiSerial => worst,
-            Coupling::Any(_) => seen.counted.of(&seen.seen, self, &PostureLanes { axis_5: axis_5 * -1.0, ..posture }),
-        };
-        let worst = [worst, flipped];
+        let mut slacks = [s5; 2];
         for wrist in 0..2 {
             let index = arm.with(Wrist::ALL[wrist]).index();
             let sign = [1.0, -1.0][wrist];
@@ -163,8 +188,25 @@ impl SpatialArm {
             let turns = same_branch.sixth[index].slack(turn_6[0], turn_6[1], s5).or_less(turns);
             let bent = fifth.slack(c5, s5 * sign, s2.all(1.0));
             let bent = (s5 - straight).or_less(bent);
-            let slack = turns.or_less(bent).or_less(turned).or_less(links);
-            found[index] = BranchLanes { worst: worst[wrist], slack, links, bent: [forwards, across] };
+            slacks[wrist] = turns.or_less(bent).or_less(turned).or_less(links);
+        }
+        if !goes_on::<S, ALL>(slacks[0]) && !goes_on::<S, ALL>(slacks[1]) {
+            return;
+        }
+        let (axis_5_x, axis_5_y) = (-across * inverse, singular.select(s2.all(1.0), forwards * inverse));
+        let axis_5 = Triple([c23 * axis_5_x, axis_5_y, -(s23 * axis_5_x)]);
+        let (axis_6, wrist_to_tool) = (seen.axis_6, seen.wrist_to_tool);
+        let posture = PostureLanes { s2, c2, s23, c23, axis_5, axis_6, wrist_to_tool };
+        let worst = seen.counted.of(&seen.seen, self, &posture);
+        let flipped = match self.coupling {
+            // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
+            Coupling::Serial | Coupling::QuasiSerial => worst,
+            Coupling::Any(_) => seen.counted.of(&seen.seen, self, &PostureLanes { axis_5: axis_5 * -1.0, ..posture }),
+        };
+        let worst = [worst, flipped];
+        for wrist in 0..2 {
+            let index = arm.with(Wrist::ALL[wrist]).index();
+            found[index] = BranchLanes { worst: worst[wrist], slack: slacks[wrist], links, bent: [forwards, across] };
         }
     }
 }

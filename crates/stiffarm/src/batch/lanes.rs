@@ -225,6 +225,12 @@ impl<S: Simd> Mask<S> {
         Self { simd, value: simd.equal_u64s(simd.and_u64s(bits, which), which) }
     }
 
+    /// Anywhere.
+    #[inline(always)]
+    pub(crate) fn any(self) -> bool {
+        self.simd.first_true_m64s(self.value) < S::F64_LANES
+    }
+
     #[inline(always)]
     pub(crate) fn select(self, yes: Lanes<S>, no: Lanes<S>) -> Lanes<S> {
         Lanes { simd: self.simd, value: self.simd.select_f64s(self.value, yes.value, no.value) }

@@ -129,10 +129,10 @@ impl<C: Counted> WithSimd for OnGrid<'_, C> {
             let (s, c) = (Lanes::load(simd, &self.grid.sin[from..to]), Lanes::load(simd, &self.grid.cos[from..to]));
             let [axis_6, flange_x, wrist_to_tool] = self.rolled_tool.at(simd, s, c);
             let flange = FlangePoses { point, axis_6, flange_x, wrist_to_tool };
-            let branches = self.arm.configurations(&flange, self.same_branch, self.counted);
+            let allowed = self.arm.allowed(&flange, self.same_branch, self.counted);
             for index in 0..Configuration::COUNT {
                 let mut errors = [0.0; WIDEST];
-                (branches[index].allowed() * self.factor).store(&mut errors[..S::F64_LANES]);
+                (allowed[index] * self.factor).store(&mut errors[..S::F64_LANES]);
                 for lane in 0..to - from {
                     self.found[index][from + lane] = errors[lane] as f32;
                 }

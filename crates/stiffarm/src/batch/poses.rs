@@ -128,9 +128,9 @@ impl<C: Counted> WithSimd for ConfigurationsAt<'_, C> {
                 flange_x: Triple::splat(simd, flange_x),
                 wrist_to_tool: Triple::splat(simd, wrist_to_tool),
             };
-            let configurations = self.arm.configurations(&flange, self.same_branch, self.counted);
+            let allowed = self.arm.allowed(&flange, self.same_branch, self.counted);
             for index in 0..Configuration::COUNT {
-                configurations[index].allowed().store(&mut self.configurations[index][from..to]);
+                allowed[index].store(&mut self.configurations[index][from..to]);
             }
         }
     }
@@ -154,7 +154,7 @@ impl<C: Counted> WithSimd for AtRolls<'_, C> {
             let (s, c) = Lanes::load(simd, rolls).sin_cos();
             let [axis_6, flange_x, wrist_to_tool] = self.rolled_tool.at(simd, s, c);
             let flange = FlangePoses { point: Triple::splat(simd, self.point), axis_6, flange_x, wrist_to_tool };
-            let branches = self.arm.configurations(&flange, &SameBranch::default(), self.counted);
+            let branches = self.arm.configurations::<S, C, true>(&flange, &SameBranch::default(), self.counted);
             let mut parts = [[[0.0; WIDEST]; Configuration::COUNT]; 5];
             for index in 0..Configuration::COUNT {
                 let BranchLanes { worst, slack, links, bent: [forwards, across] } = branches[index];
@@ -212,10 +212,10 @@ impl WithSimd for BestOf<'_> {
                 flange_x: Triple::load(simd, flange_x.each_ref().map(|part| &part[..S::F64_LANES])),
                 wrist_to_tool: Triple::load(simd, wrist_to_tool.each_ref().map(|part| &part[..S::F64_LANES])),
             };
-            let lanes = self.arm.configurations(&flange, &SameBranch::default(), AnyDirection);
+            let allowed = self.arm.allowed(&flange, &SameBranch::default(), AnyDirection);
             let mut configurations = [[0.0; WIDEST]; Configuration::COUNT];
             for index in 0..Configuration::COUNT {
-                lanes[index].allowed().store(&mut configurations[index][..S::F64_LANES]);
+                allowed[index].store(&mut configurations[index][..S::F64_LANES]);
             }
             for (lane, found) in found.iter_mut().enumerate() {
                 let branches = (0..Configuration::COUNT)
