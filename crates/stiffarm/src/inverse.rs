@@ -33,6 +33,11 @@ pub struct Postures {
 /// Empty where the pose is out of reach. A stretched or folded arm counts as reached within 1e-12 (relative) of the rim.
 /// Singular poses give a finite set of representatives and say so; a finite pose never gives NaN.
 pub fn postures(geometry: &Geometry, flange: &Pose) -> Postures {
+    postures_where(geometry, flange, |_| true)
+}
+
+/// Those of some branches of the arm: with either wrist.
+pub(crate) fn postures_where(geometry: &Geometry, flange: &Pose, is_wanted: impl Fn(ArmBranch) -> bool) -> Postures {
     let mut found = Postures::default();
     let rotation = flange.rotation.to_rotation_matrix();
     let wrist = flange.translation.vector - rotation * Vector3::z() * geometry.c4;
@@ -46,13 +51,19 @@ pub fn postures(geometry: &Geometry, flange: &Pose) -> Postures {
     let aside = geometry.b.atan2(ahead);
     let shoulders = [(Shoulder::Front, heading - aside, ahead), (Shoulder::Back, heading + aside - PI, -ahead)];
     for (shoulder, theta_1, forwards) in shoulders {
+        if !ELBOWS.into_iter().any(|elbow| is_wanted(ArmBranch { shoulder, elbow })) {
+            continue;
+        }
         let (x, z) = (forwards - geometry.a1, wrist.z - geometry.c1);
         for (elbow, theta_2, theta_3) in two_links(geometry, x, z).into_iter().flatten() {
+            if !is_wanted(ArmBranch { shoulder, elbow }) {
+                continue;
+            }
             let forearm = Rotation3::from_axis_angle(&Vector3::z_axis(), theta_1)
                 * Rotation3::from_axis_angle(&Vector3::y_axis(), theta_2 + theta_3);
             let (wrists, free) = wrist_angles((forearm.inverse() * rotation).matrix());
             found.wrist_is_free |= free;
-            for (wrist, [theta_4, theta_5, theta_6]) in wrists {
+            for (wrist, [theta_4, theta_5, theta_6]) in wrists.into_iter().flatten() {
                 let class = Configuration { shoulder, elbow, wrist };
                 found.found.push((class, [theta_1, theta_2, theta_3, theta_4, theta_5, theta_6]));
             }
@@ -63,7 +74,8 @@ pub fn postures(geometry: &Geometry, flange: &Pose) -> Postures {
 
 /// The model angles of one configuration that puts the flange at a pose, rad; `None` where it does not reach.
 pub(crate) fn posture_of(geometry: &Geometry, flange: &Pose, configuration: Configuration) -> Option<[f64; 6]> {
-    postures(geometry, flange).found.into_iter().find(|(known, _)| *known == configuration).map(|(_, theta)| theta)
+    let mut found = postures_where(geometry, flange, |arm| arm == configuration.arm()).found.into_iter();
+    found.find(|(known, _)| *known == configuration).map(|(_, theta)| theta)
 }
 
 /// Both elbow sides that put the wrist centre `x` forwards and `z` above the joint-2 axis, with `theta2`, `theta3`; one
@@ -84,14 +96,17 @@ fn two_links(geometry: &Geometry, x: f64, z: f64) -> [Option<(Elbow, f64, f64)>;
     [Some(side(Elbow::Up, bend)), (!at_the_rim).then(|| side(Elbow::Down, -bend))]
 }
 
+/// `theta4` to `theta6` of either wrist.
+type Wrists = [Option<(Wrist, [f64; 3])>; 2];
+
 /// Both wrists for the orientation `r` of the flange seen from the forearm, `r = Rz(t4) Ry(t5) Rz(t6)`; one, and a word,
 /// where joints 4 and 6 turn about one line.
-fn wrist_angles(r: &Matrix3<f64>) -> (Vec<(Wrist, [f64; 3])>, bool) {
+fn wrist_angles(r: &Matrix3<f64>) -> (Wrists, bool) {
     let sine = r[(0, 2)].hypot(r[(1, 2)]);
     let theta_5 = sine.atan2(r[(2, 2)]);
     if sine <= SINGULAR {
         let forwards = if 0.0 < r[(2, 2)] { r[(0, 0)] } else { -r[(0, 0)] };
-        return (vec![(Wrist::NoFlip, [0.0, theta_5, r[(1, 0)].atan2(forwards)])], true);
+        return ([Some((Wrist::NoFlip, [0.0, theta_5, r[(1, 0)].atan2(forwards)])), None], true);
     }
     let theta_4 = r[(1, 2)].atan2(r[(0, 2)]);
     // What joint 4 leaves, not the small last row: near a straight wrist both angles are uncertain, and their sum must not be.
@@ -99,7 +114,7 @@ fn wrist_angles(r: &Matrix3<f64>) -> (Vec<(Wrist, [f64; 3])>, bool) {
     let theta_6 = (c4 * r[(1, 0)] - s4 * r[(0, 0)]).atan2(c4 * r[(1, 1)] - s4 * r[(0, 1)]);
     let no_flip = (Wrist::NoFlip, [theta_4, theta_5, theta_6]);
     let flip = (Wrist::Flip, [theta_4 + PI, -theta_5, theta_6 + PI]);
-    (vec![no_flip, flip], false)
+    ([Some(no_flip), Some(flip)], false)
 }
 
 /// The joint angles a robot reports for model angles, each turned into its limits; `None` where a limit forbids it.

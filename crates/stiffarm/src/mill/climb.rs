@@ -1,6 +1,6 @@
 //! The best path over a ladder of rolls: exact on its nodes, by one sweep from the first rung to the last.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use rayon::prelude::*;
 
@@ -101,7 +101,7 @@ impl<'a, 'l> Climb<'a, 'l> {
             found.into_iter().find_map(|(known, q)| (known == arrangement.configuration).then_some(q))
         };
         match (held(k, from), held(next, to)) {
-            (Some(from), Some(to)) => self.motion(&from, &to, self.ladder.rungs[next].time).is_some(),
+            (Some(from), Some(to)) => self.motion(&from, &to, &self.farthest(self.ladder.rungs[next].time)).is_some(),
             _ => false,
         }
     }
@@ -111,13 +111,14 @@ impl<'a, 'l> Climb<'a, 'l> {
         let turns = self.turns.iter().product::<usize>();
         let mut values = vec![f64::INFINITY; joints.len() * turns];
         let mut before = vec![0; values.len()];
+        let farthest = self.farthest(rung.time);
         for (held, q) in joints.iter().enumerate() {
             let Some(q) = q else { continue };
             let error = f64::from(rung.errors[held / self.rolls][held % self.rolls]);
             for turn in 0..turns {
                 if let Some(q) = self.turned(q, turn) {
                     (values[held * turns + turn], before[held * turns + turn]) =
-                        self.least(last, rung, held, &q, error);
+                        self.least((last, rung, &farthest), held, &q, error);
                 }
             }
         }
@@ -126,7 +127,13 @@ impl<'a, 'l> Climb<'a, 'l> {
     }
 
     /// The least value with which a node is reached that stands at joints `q` and has an error, and from which node.
-    fn least(&self, last: &Reached, rung: &Rung, held: usize, q: &[f64; 6], error: f64) -> (f64, u32) {
+    fn least(
+        &self,
+        (last, rung, farthest): (&Reached, &Rung, &[f64; 6]),
+        held: usize,
+        q: &[f64; 6],
+        error: f64,
+    ) -> (f64, u32) {
         let counts_error = self.sought == Sought::LeastError;
         let first = if counts_error { error } else { 0.0 };
         if last.values.is_empty() {
@@ -137,6 +144,8 @@ impl<'a, 'l> Climb<'a, 'l> {
             let value = last.values[last.best];
             best = (if counts_error { value.max(error) } else { value + CHANGE }, last.best as u32);
         }
+        // Where no time is known, or none passes, the way itself is kept short.
+        let time = rung.time.filter(|time| 0.0 < *time).unwrap_or(1.0);
         let (configuration, roll) = (held / self.rolls, held % self.rolls);
         let turns = self.turns.iter().product::<usize>();
         for step in 0..=2 * MOST_STEPS {
@@ -151,9 +160,9 @@ impl<'a, 'l> Climb<'a, 'l> {
             if !(at_least < best.0) {
                 continue;
             }
-            let motion = self.turned(from, turn).and_then(|from| self.motion(&from, q, rung.time));
+            let motion = self.turned(from, turn).and_then(|from| self.motion(&from, q, farthest));
             let Some(motion) = motion else { continue };
-            let value = if counts_error { at_least } else { value + motion };
+            let value = if counts_error { at_least } else { value + motion / time };
             if value < best.0 {
                 best = (value, (held * turns + turn) as u32);
             }
@@ -187,22 +196,25 @@ impl<'a, 'l> Climb<'a, 'l> {
         Some(turn)
     }
 
-    /// How much the joints move from one rung to the next; `None` where a joint turns farther than a line is followed, or than its speed
-    /// allows.
-    fn motion(&self, from: &[f64; 6], to: &[f64; 6], time: Option<f64>) -> Option<f64> {
+    /// How far each joint may turn from one rung to the next, rad: no farther than a line is followed, or than its speed allows.
+    fn farthest(&self, time: Option<f64>) -> [f64; 6] {
+        let by_speed = self.ladder.speeds.zip(time).map(|(speeds, time)| speeds.map(|speed| speed * time + ROUNDING));
+        by_speed.map_or([LARGEST_TURN; 6], |by_speed| by_speed.map(|turn| turn.min(LARGEST_TURN)))
+    }
+
+    /// The sum of the squared turns of the joints, rad^2; `None` where a joint turns farther than it may.
+    fn motion(&self, from: &[f64; 6], to: &[f64; 6], farthest: &[f64; 6]) -> Option<f64> {
         let mut motion = 0.0;
         for joint in 0..6 {
             let mut turn = to[joint] - from[joint];
-            if !self.is_wound || !self.ladder.arm.limits.joints[joint].is_bounded() {
+            if PI < turn.abs() && (!self.is_wound || !self.ladder.arm.limits.joints[joint].is_bounded()) {
                 turn -= TAU * (turn / TAU).round();
             }
-            let farthest = self.ladder.speeds.zip(time).map_or(f64::INFINITY, |(speeds, time)| speeds[joint] * time);
-            if !(turn.abs() <= LARGEST_TURN.min(farthest + ROUNDING)) {
+            if !(turn.abs() <= farthest[joint]) {
                 return None;
             }
             motion += turn * turn;
         }
-        // Where no time is known, or none passes, the way itself is kept short.
-        Some(time.filter(|time| 0.0 < *time).map_or(motion, |time| motion / time))
+        Some(motion)
     }
 }

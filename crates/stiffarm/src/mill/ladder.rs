@@ -14,7 +14,7 @@ use super::fault::MillError;
 use super::follow::{Arrangement, Stand};
 use super::stations::{ErrorPart, Station};
 use crate::batch::{Pushing, RollGrid, SpatialArm};
-use crate::inverse::{Configuration, postures, within_limits};
+use crate::inverse::{ArmBranch, Configuration, Wrist, postures_where, within_limits};
 use crate::watch::Watch;
 
 /// The roll may turn by so many steps of the grid from rung to rung, where speeds are known.
@@ -164,7 +164,7 @@ impl<'a> Ladder<'a> {
         let rolled_tool = self.arm.rolled_tool(tools.each_ref());
         let point = (stand.base_from_part * nalgebra::Point3::from(sample.pose.tip)).coords;
         let axes = stand.cutting_axes(sample);
-        let pushing = acting.map_or(Pushing::Nothing, |acting| acting.pushing(&axes, self.part));
+        let pushing = acting.map_or(Pushing::Nothing, |acting| acting.pushing(&axes, sample, self.part));
         self.arm.errors_at_rolls(&rolled_tool, &point, &pushing, grid, found);
         Ok(())
     }
@@ -189,7 +189,9 @@ impl<'a> Ladder<'a> {
             if !(0..Configuration::COUNT).any(|c| rung.errors[c][roll] <= most) {
                 continue;
             }
-            for (configuration, q) in self.postures(rung.at, self.roll_of(rung, roll)) {
+            let is_wanted =
+                |arm: ArmBranch| Wrist::ALL.iter().any(|wrist| rung.errors[arm.with(*wrist).index()][roll] <= most);
+            for (configuration, q) in self.postures_where(rung.at, self.roll_of(rung, roll), is_wanted) {
                 let c = configuration.index();
                 if rung.errors[c][roll] <= most {
                     found[c * count + roll] = Some(self.turned_down(q));
@@ -201,6 +203,16 @@ impl<'a> Ladder<'a> {
 
     /// Every posture that holds a station at a roll within limits and margins.
     pub(super) fn postures(&self, i: usize, roll: f64) -> Vec<(Configuration, [f64; 6])> {
+        self.postures_where(i, roll, |_| true)
+    }
+
+    /// Those of some branches of the arm.
+    fn postures_where(
+        &self,
+        i: usize,
+        roll: f64,
+        is_wanted: impl Fn(ArmBranch) -> bool,
+    ) -> Vec<(Configuration, [f64; 6])> {
         // A roll that is none was refused when the errors were computed.
         let Ok(tool) = self.stand.base_from_tool(&self.stations[i].sample, roll) else { return Vec::new() };
         let flange = tool * self.arm.flange_from_tool.inverse();
@@ -208,7 +220,7 @@ impl<'a> Ladder<'a> {
         let held = |(configuration, theta): (Configuration, [f64; 6])| {
             Some((configuration, within_limits(geometry, limits, &theta)?))
         };
-        postures(geometry, &flange).found.into_iter().filter_map(held).collect()
+        postures_where(geometry, &flange, is_wanted).found.into_iter().filter_map(held).collect()
     }
 
     fn turned_down(&self, mut q: [f64; 6]) -> [f64; 6] {
