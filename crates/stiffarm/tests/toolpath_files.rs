@@ -184,6 +184,23 @@ fn a_table_of_points_and_normals_needs_names_for_its_columns() {
     assert!(told.understood.ignored[0].contains("column note"));
 }
 
+/// By hand: from up to ahead by a quarter turn, so that in the middle the normal leans by an eighth; beside a tool axis of its own.
+#[test]
+fn normals_of_a_table_turn_evenly_from_point_to_point() {
+    let table = "x_mm,y_mm,z_mm,i,j,k,nx,ny,nz\n0,0,0,0,0,1,0,0,2\n10,0,0,0,0,1,1,0,0\n20,0,0,0,0,1,-1,0,0\n";
+    let told = told_csv(table).unwrap();
+    let normal = |i: usize, t: f64| told.moves[i].normal(t).unwrap();
+    assert!((normal(0, 0.5) - Vector3::new(0.5_f64.sqrt(), 0.0, 0.5_f64.sqrt())).norm() < 1e-12);
+    assert_eq!((normal(0, 0.0), normal(0, 1.0)), (Vector3::z(), Vector3::x()));
+    // Between opposite ones there is no even turn.
+    assert_eq!((normal(1, 0.4), normal(1, 0.6)), (Vector3::x(), -Vector3::x()));
+    assert!(told.moves.iter().all(|one| one.axis(0.5) == Vector3::z()));
+    assert!(told.understood.assumed.concat().contains("normals are taken as directions, whatever their length"));
+    let refused = told_csv(&table.replace("-1,0,0", "0,0,0")).err().unwrap();
+    assert!(refused.contains("the normal is zero"), "{refused}");
+    assert_eq!(told_csv("x_mm,y_mm,z_mm\n0,0,0\n1,0,0\n").unwrap().moves[0].normal(0.5), None);
+}
+
 fn told_csv(text: &str) -> Result<Told, String> {
     told(text, Format::Csv, &asked())
 }

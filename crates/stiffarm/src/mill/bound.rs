@@ -273,7 +273,8 @@ impl<const N: usize> Held<'_, N> {
         let (s, c) = self.roll;
         let (x, y, z) = (turned(x), turned(y), turned(-sample.pose.axis));
         let tool = [std::array::from_fn(|i| c * x[i] + s * y[i]), std::array::from_fn(|i| c * y[i] - s * x[i]), z];
-        let pushing = acting.map_or(Pushing::Nothing, |acting| acting.pushing(&cutting_axes(sample), self.part));
+        let pushing =
+            acting.map_or(Pushing::Nothing, |acting| acting.pushing(&cutting_axes(sample), sample, self.part));
         let (push, factor) = match pushing {
             Pushing::Nothing => (None, 0.0),
             Pushing::Any(newtons) => (None, newtons),

@@ -197,7 +197,7 @@ fn given_by_drives(
     let of = |(i, (station, pushed)): (usize, (&Station, &Pushed))| {
         let acting = station.acting?;
         let axes = stand.cutting_axes(&station.sample);
-        let counted = part.direction(&axes);
+        let counted = part.direction(&axes, &station.sample);
         let posture = compliance(robot, &pushed.joints, &stand.flange_from_tool);
         Some(posture.map(|posture| {
             let wrench = wrench_of(acting, &posture, &axes, counted.as_ref());
@@ -276,6 +276,6 @@ fn error_left(
     let tip = (geometry.forward(&theta) * stand.flange_from_tool).translation.vector;
     let off = tip - (stand.base_from_part * Point3::from(station.sample.pose.tip)).coords;
     Ok(part
-        .direction(&stand.cutting_axes(&station.sample))
+        .direction(&stand.cutting_axes(&station.sample), &station.sample)
         .map_or_else(|| off.norm(), |counted| counted.dot(&off).abs()))
 }

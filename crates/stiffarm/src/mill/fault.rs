@@ -43,6 +43,15 @@ pub enum MillError {
     /// Nothing of the path feeds.
     #[error("nothing of the path feeds: there is nothing to mill")]
     NothingFeeds,
+    /// What counts is not said.
+    #[error(
+        "{}no outward normal of the surface is told there; expected a table (CSV) with the columns nx,ny,nz for errors along the normal",
+        if *line == 0 { String::new() } else { format!("line {line}: ") }
+    )]
+    NoNormal {
+        /// Of the file.
+        line: usize,
+    },
     /// A pin where there is no path.
     #[error("a roll pinned {:.3} mm along a path of {:.3} mm; expected a place on the path", way * 1e3, length * 1e3)]
     PinnedBeyond {

@@ -65,6 +65,8 @@ pub struct Pushed {
     pub moved: Option<Vector3<f64>>,
     /// The same along the feed, across it and axial, m.
     pub parts: Option<[f64; 3]>,
+    /// The same along the outward normal of the surface, m, where the path says one: material left where it is positive.
+    pub normal: Option<f64>,
     /// What of it counts, m; 0 where no force acts.
     pub error: f64,
     /// What each drive gives of the displacement; sums to one.
@@ -160,6 +162,7 @@ pub(super) fn pushed(
         joints: *joints,
         moved: None,
         parts: None,
+        normal: None,
         error: 0.0,
         shares: None,
         limit_margin,
@@ -167,7 +170,7 @@ pub(super) fn pushed(
     };
     let Some(acting) = station.acting else { return Ok(found) };
     let axes = stand.cutting_axes(&station.sample);
-    let counted = part.direction(&axes);
+    let counted = part.direction(&axes, &station.sample);
     let wrench = wrench_of(acting, &posture, &axes, counted.as_ref());
     let (moved, _) = posture.compliance.deflection(&wrench);
     let along = counted.unwrap_or_else(|| moved.try_normalize(0.0).unwrap_or_else(Vector3::z));
@@ -175,6 +178,7 @@ pub(super) fn pushed(
     let sum: f64 = by_drive.iter().sum();
     found.moved = Some(moved);
     found.parts = Some((axes.transpose() * moved).into());
+    found.normal = ErrorPart::Normal.direction(&axes, &station.sample).map(|normal| normal.dot(&moved));
     found.error = along.dot(&moved).abs();
     found.shares = (sum != 0.0).then(|| by_drive.map(|drive| drive / sum));
     Ok(found)

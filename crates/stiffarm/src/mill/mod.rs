@@ -29,6 +29,7 @@ pub use map::{RollCell, RollMap, roll_map};
 pub use place::{PartPlacement, PathPlaced, PathResolution, place_path};
 use solve::Question;
 pub use solve::{MillOptions, RollMode};
+use stations::check_normals;
 pub use stations::{Acting, ErrorPart, Station, cutting_axes, pin, stations};
 
 use crate::batch::SpatialArm;
@@ -114,6 +115,7 @@ pub fn mill(
     if !stations.iter().any(|station| station.sample.is_cutting) {
         return Err(MillError::NothingFeeds);
     }
+    check_normals(stations, options.part)?;
     if options.roll != RollMode::Free && is_pinned(stations) {
         return Err(MillError::PinnedElse);
     }

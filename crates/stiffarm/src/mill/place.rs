@@ -16,7 +16,7 @@ use super::fault::{Blocked, MillError};
 use super::follow::Stand;
 use super::ladder::Ladder;
 use super::solve::{MillOptions, RollMode};
-use super::stations::Station;
+use super::stations::{Station, check_normals};
 use super::{Milled, arm_with_margins, is_pinned, mill};
 use crate::batch::{RollGrid, SpatialArm};
 use crate::enclose::ArmEnclosure;
@@ -116,6 +116,7 @@ pub fn place_path(
     if is_pinned(stations) {
         return Err(MillError::PinnedElse);
     }
+    check_normals(stations, options.part)?;
     let sought = Search::new(robot, flange_from_tool, stations, (options, margins, within))?;
     let Some(mut search) = sought else { return Ok(Err(None)) };
     let (mut best, mut nearest): (Option<(f64, Place, Milled)>, Option<Blocked>) = (None, None);

@@ -17,15 +17,19 @@ pub enum ErrorPart {
     Across,
     /// Along the tool axis: the error of depth.
     Axial,
+    /// Along the outward normal of the surface, which the path must say: material left where it is positive.
+    Normal,
 }
 
 impl ErrorPart {
-    /// The direction that counts, of the axes of the cut as columns; `None` where all of the displacement does.
-    pub(super) fn direction(self, axes: &Matrix3<f64>) -> Option<Vector3<f64>> {
+    /// The direction that counts at a sample, in those axes in which the columns are the axes of its cut; `None` where all of the displacement
+    /// does, and of a normal that the path does not say.
+    pub(super) fn direction(self, axes: &Matrix3<f64>, sample: &Sample) -> Option<Vector3<f64>> {
         match self {
             Self::Total => None,
             Self::Across => Some(axes.column(1).into()),
             Self::Axial => Some(axes.column(2).into()),
+            Self::Normal => sample.normal.map(|normal| axes * (cutting_axes(sample).transpose() * normal)),
         }
     }
 
@@ -35,6 +39,7 @@ impl ErrorPart {
             Self::Total => "total",
             Self::Across => "across",
             Self::Axial => "axial",
+            Self::Normal => "normal",
         }
     }
 }
@@ -61,8 +66,8 @@ impl Acting {
 
     /// With the axes of the cut as columns, in any axes. Where the force may point anywhere and only a part of the displacement counts,
     /// that part is as large as all that a force along it moves.
-    pub(crate) fn pushing(&self, axes: &Matrix3<f64>, part: ErrorPart) -> Pushing {
-        match (self, part.direction(axes)) {
+    pub(crate) fn pushing(&self, axes: &Matrix3<f64>, sample: &Sample, part: ErrorPart) -> Pushing {
+        match (self, part.direction(axes, sample)) {
             (Self::Any(newtons), None) => Pushing::Any(*newtons),
             (Self::Any(newtons), Some(direction)) => {
                 Pushing::Known(Push { force: direction * *newtons, moment: Vector3::zeros(), counted: None })
@@ -98,6 +103,18 @@ pub fn cutting_axes(sample: &Sample) -> Matrix3<f64> {
     let feed = sample.direction.and_then(across).or_else(|| across(Vector3::x()));
     let feed = feed.unwrap_or_else(|| across(Vector3::y()).unwrap_or_else(Vector3::zeros));
     Matrix3::from_columns(&[feed, a.cross(&feed), a])
+}
+
+/// That every sample at which something pushes says what counts.
+///
+/// # Errors
+/// A normal that is missing.
+pub(super) fn check_normals(stations: &[Station], part: ErrorPart) -> Result<(), MillError> {
+    let lacks = |station: &&Station| station.acting.is_some() && station.sample.normal.is_none();
+    match stations.iter().filter(|_| part == ErrorPart::Normal).find(lacks) {
+        None => Ok(()),
+        Some(station) => Err(MillError::NoNormal { line: station.sample.line }),
+    }
 }
 
 /// How near to the highest point of a rapid way the arm counts as clear of the work, m.

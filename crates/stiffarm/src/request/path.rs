@@ -81,6 +81,7 @@ impl Request {
             part: match self.word("error") {
                 Some("across") => ErrorPart::Across,
                 Some("axial") => ErrorPart::Axial,
+                Some("normal") => ErrorPart::Normal,
                 _ => ErrorPart::Total,
             },
             limit_margin: radians("limit-margin-deg", usual.limit_margin),

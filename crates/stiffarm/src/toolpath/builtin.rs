@@ -89,7 +89,7 @@ fn pose([x, y]: [f64; 2]) -> ToolPose {
 }
 
 fn straight(from: ToolPose, to: ToolPose, feed: Option<f64>) -> Move {
-    Move { line: 0, kind: MoveKind::Feed, from, to, course: Course::Line, feed, given: Given::default() }
+    Move { line: 0, kind: MoveKind::Feed, from, to, course: Course::Line, feed, normals: None, given: Given::default() }
 }
 
 fn along(points: &[[f64; 2]], feed: Option<f64>) -> Vec<Move> {

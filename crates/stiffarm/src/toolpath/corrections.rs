@@ -114,8 +114,16 @@ fn off(first: &Place, last: &Place, at: &Place, straight: f64) -> f64 {
     let length = along.norm_squared();
     let by_share = (at.share - first.share) / (last.share - first.share);
     let t = if 0.0 < length { ((at.pose.tip - from.tip).dot(&along) / length).clamp(0.0, 1.0) } else { by_share };
-    let line =
-        Move { line: 0, kind: MoveKind::Feed, from, to, course: Course::Line, feed: None, given: Given::default() };
+    let line = Move {
+        line: 0,
+        kind: MoveKind::Feed,
+        from,
+        to,
+        course: Course::Line,
+        feed: None,
+        normals: None,
+        given: Given::default(),
+    };
     let there = ToolPose { tip: line.tip(t), axis: line.axis(t) };
     ((at.pose.tip - there.tip).norm() / straight).max(between(&at.pose, &there) / TURN)
 }

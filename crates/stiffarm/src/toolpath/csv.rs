@@ -41,6 +41,8 @@ pub(super) struct Reader<'a> {
     columns: Vec<Column>,
     separator: char,
     at: Option<ToolPose>,
+    /// The outward normal there.
+    normal: Option<Vector3<f64>>,
 }
 
 /// One row.
@@ -56,7 +58,7 @@ struct Row {
 
 impl<'a> Reader<'a> {
     pub(super) fn new(options: &'a ReadOptions, sink: &'a mut dyn FnMut(&Move)) -> Self {
-        Self { options, sink, notes: Notes::default(), columns: Vec::new(), separator: ',', at: None }
+        Self { options, sink, notes: Notes::default(), columns: Vec::new(), separator: ',', at: None, normal: None }
     }
 
     /// Reads a line.
@@ -136,8 +138,6 @@ impl<'a> Reader<'a> {
         }
         if has(Column::Normal(0)) && !has(Column::Axis(0)) {
             self.notes.assume(line, "the tool stands along the outward normal nx,ny,nz");
-        } else if has(Column::Normal(0)) {
-            self.notes.ignore(line, "nx,ny,nz beside i,j,k");
         } else if !has(Column::Axis(0)) {
             self.notes.assume(line, "the tool axis is z");
         }
@@ -212,21 +212,25 @@ impl<'a> Reader<'a> {
                 format!("a coordinate of {} mm; expected at most {FARTHEST} m", x * 1e3),
             ));
         }
-        let axis = match row.axis.or(row.normal) {
-            None => Vector3::z(),
-            Some(axis) => {
-                if 1e-2 < (axis.norm() - 1.0).abs() {
-                    self.notes.assume(line, "tool axes are taken as directions, whatever their length");
-                }
-                axis.try_normalize(1e-6).ok_or_else(|| {
-                    Wrong::new("the line", "the tool axis is zero; expected a vector from the tip to the spindle")
-                })?
-            }
-        };
-        self.go(ToolPose { tip: row.tip, axis }, &row, line)
+        let normal = row.normal.map(|normal| self.direction(normal, ["the normal", "normals"], line)).transpose()?;
+        let axis = row.axis.map(|axis| self.direction(axis, ["the tool axis", "tool axes"], line)).transpose()?;
+        let before = std::mem::replace(&mut self.normal, normal);
+        let normals = before.zip(normal).map(|(before, normal)| [before, normal]);
+        self.go(ToolPose { tip: row.tip, axis: axis.or(normal).unwrap_or_else(Vector3::z) }, &row, normals, line)
     }
 
-    fn go(&mut self, to: ToolPose, row: &Row, line: usize) -> Result<(), Wrong> {
+    /// A vector that says a direction.
+    fn direction(&mut self, vector: Vector3<f64>, [one, all]: [&str; 2], line: usize) -> Result<Vector3<f64>, Wrong> {
+        if 1e-2 < (vector.norm() - 1.0).abs() {
+            self.notes.assume(line, &format!("{all} are taken as directions, whatever their length"));
+        }
+        vector.try_normalize(1e-6).ok_or_else(|| {
+            let expected = "expected a vector away from the part: of the tool to the spindle, of a surface outwards";
+            Wrong::new("the line", format!("{one} is zero; {expected}"))
+        })
+    }
+
+    fn go(&mut self, to: ToolPose, row: &Row, normals: Option<[Vector3<f64>; 2]>, line: usize) -> Result<(), Wrong> {
         let Some(from) = self.at.replace(to) else { return Ok(()) };
         if from == to {
             return Ok(());
@@ -236,7 +240,7 @@ impl<'a> Reader<'a> {
         }
         let (kind, feed) =
             if row.is_rapid { (MoveKind::Rapid, None) } else { (MoveKind::Feed, row.feed.or(self.options.feed)) };
-        (self.sink)(&Move { line, kind, from, to, course: Course::Line, feed, given: row.given });
+        (self.sink)(&Move { line, kind, from, to, course: Course::Line, feed, normals, given: row.given });
         Ok(())
     }
 

@@ -69,6 +69,8 @@ pub struct Move {
     pub course: Course,
     /// Feed rate, m/s; `None` of a rapid, and where the file says none.
     pub feed: Option<f64>,
+    /// Outward normal of the surface where it begins and where it ends, unit vectors, where the file says them.
+    pub normals: Option<[Vector3<f64>; 2]>,
     /// What else the file says.
     pub given: Given,
 }
@@ -171,20 +173,17 @@ impl Move {
 
     /// The tool axis at a share of the way: it turns evenly in the plane of both ends.
     pub fn axis(&self, t: f64) -> Vector3<f64> {
-        let (a, b) = (self.from.axis, self.to.axis);
-        let turn = self.turn_of_axis();
-        if turn < 1e-12 {
-            return a;
-        }
-        let (s, rest) = ((turn * t).sin(), (turn * (1.0 - t)).sin());
-        // Opposite axes have no plane: they are refused where paths are read.
-        ((rest * a + s * b) / turn.sin()).try_normalize(1e-12).unwrap_or(a)
+        between(&self.from.axis, &self.to.axis, t)
+    }
+
+    /// The outward normal of the surface at a share of the way: it turns evenly in the plane of both ends; `None` where the file says none.
+    pub fn normal(&self, t: f64) -> Option<Vector3<f64>> {
+        self.normals.map(|[from, to]| between(&from, &to, t))
     }
 
     /// By how much the tool axis turns, rad.
     pub fn turn_of_axis(&self) -> f64 {
-        let (a, b) = (self.from.axis, self.to.axis);
-        a.cross(&b).norm().atan2(a.dot(&b))
+        turn(&self.from.axis, &self.to.axis)
     }
 
     /// How far a chord over a share `dt` of the way is off the move at most, m: the sagitta of an arc, 0 of a line.
@@ -207,6 +206,22 @@ impl Move {
     }
 }
 
+/// From one unit vector to another, rad.
+fn turn(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    a.cross(b).norm().atan2(a.dot(b))
+}
+
+/// The unit vector at a share of the even turn from one to another. Opposite ones have no plane: then the first up to the middle, the second
+/// beyond. (Such tool axes are refused where paths are read.)
+fn between(a: &Vector3<f64>, b: &Vector3<f64>, t: f64) -> Vector3<f64> {
+    let turn = turn(a, b);
+    if turn < 1e-12 {
+        return *a;
+    }
+    let (s, rest) = ((turn * t).sin(), (turn * (1.0 - t)).sin());
+    ((rest * a + s * b) / turn.sin()).try_normalize(1e-3).unwrap_or(if t < 0.5 { *a } else { *b })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -223,6 +238,7 @@ mod tests {
             to,
             course: Course::Arc(arc),
             feed: Some(0.1),
+            normals: None,
             given: Given::default(),
         }
     }

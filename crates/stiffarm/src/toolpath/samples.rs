@@ -48,6 +48,8 @@ pub struct Sample {
     pub feed: Option<f64>,
     /// It feeds, rather than moves through the air.
     pub is_cutting: bool,
+    /// Outward normal of the surface, unit vector, where the file says it.
+    pub normal: Option<Vector3<f64>>,
     /// What else the file says.
     pub given: Given,
 }
@@ -67,6 +69,7 @@ pub fn samples(one: &Move, steps: &Steps, way: f64) -> impl Iterator<Item = Samp
             direction: one.direction(t),
             feed: one.feed,
             is_cutting: one.kind == MoveKind::Feed,
+            normal: one.normal(t),
             given: one.given,
         }
     })

@@ -125,7 +125,16 @@ impl MillAnswer {
         columns.push(Column::new("posture", Text));
         columns.extend(numbers(&["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"]));
         columns.extend(numbers(&["f_feed_n", "f_across_n", "f_axial_n", "moment_nm"]));
-        columns.extend(numbers(&["error_mm", "dx_mm", "dy_mm", "dz_mm", "along_mm", "across_mm", "axial_mm"]));
+        columns.extend(numbers(&[
+            "error_mm",
+            "dx_mm",
+            "dy_mm",
+            "dz_mm",
+            "along_mm",
+            "across_mm",
+            "axial_mm",
+            "normal_mm",
+        ]));
         columns.extend(numbers(&["share_1", "share_2", "share_3", "share_4", "share_5", "share_6"]));
         columns.extend(numbers(&["limit_margin_deg", "singular_margin_deg"]));
         columns.push(Column::new("pass", Truth));
@@ -178,6 +187,7 @@ impl MillAnswer {
         cells.push(number(pushed.error * 1e3));
         cells.extend(some(moved.as_ref().map(|moved| &moved[..]), 3, 1e3));
         cells.extend(some(pushed.parts.as_ref().map(|parts| &parts[..]), 3, 1e3));
+        cells.push(pushed.normal.map_or(Cell::Absent, |normal| number(normal * 1e3)));
         cells.extend(some(pushed.shares.as_ref().map(|shares| &shares[..]), 6, 1.0));
         cells.extend([degrees(pushed.limit_margin), degrees(pushed.singular_margin)]);
         let passes = self.tolerance_mm.map(|tolerance| Verdict::of(pushed.error, tolerance).passes);

@@ -196,5 +196,6 @@ fn counted(part: ErrorPart) -> &'static str {
         ErrorPart::Total => "the whole displacement of the tip",
         ErrorPart::Across => "its part across the feed and the tool axis",
         ErrorPart::Axial => "its part along the tool axis",
+        ErrorPart::Normal => "its part along the surface's outward normal",
     }
 }

@@ -324,6 +324,39 @@ fn parts_of_the_error_are_those_of_the_whole() {
     }
 }
 
+/// A normal across the feed counts what `across` counts; a slanting one, which is told in the part's axes, the part of the displacement along it,
+/// bounded and compensated like the others. Where none is told nothing is answered.
+#[test]
+fn the_error_along_a_normal_is_the_part_of_the_displacement_along_it() {
+    let stations = path("line:0.3", KNOWN);
+    let with_normals = |normal: &dyn Fn(&Station) -> Vector3<f64>| -> Vec<Station> {
+        let told = |station: &Station| crate::toolpath::Sample { normal: Some(normal(station)), ..station.sample };
+        stations.iter().map(|station| Station { sample: told(station), ..*station }).collect()
+    };
+    let options = |part| MillOptions { part, ..with(RollMode::Free) };
+    let across = with_normals(&|station| cutting_axes(&station.sample).column(1).into());
+    let [a, b] = [ErrorPart::Across, ErrorPart::Normal].map(|part| followed(&stand(), &across, &options(part)));
+    assert!((a.worst.0 / b.worst.0 - 1.0).abs() < 1e-9 && (a.lower_bound / b.lower_bound - 1.0).abs() < 1e-9);
+    let slanting = Vector3::new(0.48, -0.6, 0.64);
+    let slanted = with_normals(&|_| slanting);
+    let found = followed(&stand(), &slanted, &options(ErrorPart::Normal));
+    let normal = stand().base_from_part.rotation * slanting;
+    for pushed in &found.samples {
+        let along = pushed.moved.unwrap().dot(&normal);
+        assert!((pushed.normal.unwrap() - along).abs() < 1e-15 && (pushed.error - along.abs()).abs() < 1e-15);
+    }
+    assert!(found.samples.iter().any(|pushed| pushed.error < 0.999 * pushed.moved.unwrap().norm()));
+    assert!(0.5 * found.worst.0 < found.lower_bound && found.lower_bound <= found.worst.0, "{:?}", found.lower_bound);
+    let mut missing = slanted;
+    missing[3].sample.normal = None;
+    let line = missing[3].sample.line;
+    let refused = mill(&robot(), &stand(), &missing, &options(ErrorPart::Normal), Watch::nobody());
+    assert_eq!(refused, Err(MillError::NoNormal { line }));
+    // In air nothing counts.
+    missing[3].acting = None;
+    assert!(mill(&robot(), &stand(), &missing, &options(ErrorPart::Normal), Watch::nobody()).is_ok());
+}
+
 #[test]
 fn what_is_not_followed_says_where_and_why() {
     let (robot, one) = (robot(), stand());

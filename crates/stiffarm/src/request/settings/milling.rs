@@ -137,6 +137,7 @@ pub(super) const ROWS: &[Setting] = &[
             ("total", "The whole displacement of the tip"),
             ("across", "Its part across the feed and the tool axis: the contour that the side of the tool leaves"),
             ("axial", "Its part along the tool axis: depth"),
+            ("normal", "Its part along the outward normal of the surface, which a table tells as nx,ny,nz"),
         ]),
         value: "PART",
         absent: Absent::Default("total"),

@@ -359,7 +359,7 @@ impl<'a> Reader<'a> {
         if !is_rapid && feed.is_none() {
             return Err(Wrong::new(word, "no feed rate: expected FEDRAT before it, or feed-mm-per-min for the file"));
         }
-        let one = Move { line, kind, from, to, course, feed, given: Given::default() };
+        let one = Move { line, kind, from, to, course, feed, normals: None, given: Given::default() };
         (self.sink)(&one);
         self.tangent = one.direction(1.0).filter(|_| !is_rapid);
         (self.tip, self.axis, self.has_moved) = (Some(tip), axis, true);

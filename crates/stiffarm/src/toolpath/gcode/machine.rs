@@ -141,7 +141,7 @@ impl<'a> Machine<'a> {
         if from.axis.dot(&to.axis) < -1.0 + 1e-9 {
             return Err(Wrong::new(word, "the tool axis turns right over: no one knows which way round"));
         }
-        (self.sink)(&Move { line, kind, from, to, course, feed, given: Given::default() });
+        (self.sink)(&Move { line, kind, from, to, course, feed, normals: None, given: Given::default() });
         self.tip = to.tip;
         self.axis = to.axis;
         self.has_moved = true;
