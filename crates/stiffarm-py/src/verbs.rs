@@ -309,7 +309,10 @@ fn handed_over<'py>(
 #[pyfunction]
 #[pyo3(signature = (asked, progress=None))]
 pub(crate) fn study(py: Python<'_>, asked: Asked, progress: Progress) -> WithColumns<'_> {
-    let options = asked.of(Verb::Study)?.study().map_err(refused)?;
+    let asked = asked.of(Verb::Study)?;
+    let marked = asked.is_given("robot").then(|| asked.robot()).transpose().map_err(refused)?;
+    let marked = marked.map(|name| named(&name)).transpose()?;
+    let options = asked.study(marked.as_ref().map(|robot| &robot.0)).map_err(refused)?;
     let answer = StudyAnswer(detached(py, &progress, |watch| study_watched(&options, watch))?.map_err(refused)?);
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }

@@ -8,6 +8,8 @@ use best::Stance;
 
 use crate::drive::Architecture;
 use crate::interval::Interval;
+use crate::plane::PlanarArm;
+use crate::robot::{NoArmPlane, Robot};
 use crate::root::root;
 use crate::task::{Task, Zone};
 use crate::watch::{Parts, Stopped, Watch};
@@ -114,6 +116,31 @@ pub struct Boundary {
     pub below: usize,
 }
 
+/// A robot with its work, to be found among what is studied.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// Its name.
+    pub robot: String,
+    /// Which of the tasks its work is, at another size.
+    pub task: usize,
+    /// Its link ratio, `l3/l2`.
+    pub mu: f64,
+    /// The size of its work over `l2 + l3`.
+    pub size: f64,
+}
+
+impl Mark {
+    /// A robot with a zone whose shape, its first side (or its diameter) being 1, is the first task that is studied.
+    ///
+    /// # Errors
+    /// Where the limits of the robot contradict each other.
+    pub fn of(robot: &Robot, zone: Zone) -> Result<Self, NoArmPlane> {
+        let PlanarArm { l2, l3, .. } = robot.two_links()?.arm;
+        let [side, _] = zone.sides();
+        Ok(Self { robot: robot.name.clone(), task: 0, mu: l3 / l2, size: side / (l2 + l3) })
+    }
+}
+
 /// What is studied.
 #[derive(Clone, Debug)]
 pub struct StudyOptions {
@@ -127,6 +154,8 @@ pub struct StudyOptions {
     pub ratios: Vec<f64>,
     /// Ratios among which the best is sought.
     pub range: Interval,
+    /// What is to be found among all this.
+    pub mark: Option<Mark>,
 }
 
 impl StudyOptions {
@@ -143,6 +172,7 @@ impl StudyOptions {
             sizes: vec![0.1, 0.3, 0.5, 0.8],
             ratios: vec![0.8, 1.0, 1.2],
             range: Interval::spanning(0.5, 1.5),
+            mark: None,
         }
     }
 
@@ -162,6 +192,8 @@ pub struct Study {
     pub rows: Vec<Row>,
     /// Per task and ratio, in order of size.
     pub boundaries: Vec<Boundary>,
+    /// What each contender would have where the mark is; absent where the zone does not fit.
+    pub marked: [Option<f64>; 2],
 }
 
 /// A study that makes no sense.
@@ -235,7 +267,12 @@ pub fn study_watched(options: &StudyOptions, watch: Watch) -> Result<Study, Stud
     let rows = keys.into_par_iter().map(row).collect::<Result<_, Stopped>>()?;
     let found = pairs.into_par_iter().map(|(task, mu)| boundaries(options, task, mu, &parts));
     let boundaries: Vec<Vec<Boundary>> = found.collect::<Result<_, _>>()?;
-    Ok(Study { options: options.clone(), rows, boundaries: boundaries.into_iter().flatten().collect() })
+    let at_mark = |contender| {
+        let Mark { task, mu, size, .. } = options.mark.as_ref()?;
+        value(options, contender, options.tasks[*task].zone.scaled(*size), Some(*mu)).map(|(_, accuracy)| accuracy)
+    };
+    let boundaries = boundaries.into_iter().flatten().collect();
+    Ok(Study { options: options.clone(), rows, boundaries, marked: [0, 1].map(at_mark) })
 }
 
 /// Sizes at which boundaries are looked for, up to the largest that fits.
@@ -279,7 +316,9 @@ fn boundaries(options: &StudyOptions, task: usize, mu: Option<f64>, parts: &Part
 
 fn check(options: &StudyOptions) -> Result<(), StudyError> {
     within("a link ratio", LINK_RATIO, options.ratios.iter().copied())?;
-    within("a size over l2 + l3", [1e-4, 10.0], options.sizes.iter().copied())?;
+    let marked = options.mark.iter();
+    within("the link ratio of the robot", LINK_RATIO, marked.clone().map(|mark| mark.mu))?;
+    within("a size over l2 + l3", [1e-4, 10.0], options.sizes.iter().copied().chain(marked.map(|mark| mark.size)))?;
     for task in &options.tasks {
         within("a side of a shape", [1e-3, 1e3], task.zone.sides())?;
         for contender in &options.contenders {
@@ -317,6 +356,23 @@ mod tests {
         assert_eq!(best.len(), 1);
         assert!((best[0].size - 0.549).abs() < 0.0005, "{best:?}");
         assert_eq!(best[0].below, 0);
+    }
+
+    /// Over its links by hand: 1.15 m, and 1.2 m with an offset of 41 mm.
+    #[test]
+    fn a_robot_stands_where_its_links_and_its_task_put_it() {
+        let robot = crate::catalogue::find("KR 210 R2700 extra").unwrap().robot();
+        let zone = Zone::Rectangle { width: 0.6, height: 0.4 };
+        let mark = Mark::of(&robot, zone).unwrap();
+        let (l2, l3) = (1.15_f64, 1.2_f64.hypot(0.041));
+        assert!((mark.mu - l3 / l2).abs() < 1e-12 && (mark.size - 0.6 / (l2 + l3)).abs() < 1e-12, "{mark:?}");
+        let tasks = vec![Task { label: "x".into(), ..Zone::Rectangle { width: 1.0, height: 0.4 / 0.6 }.into() }];
+        let found = study(&StudyOptions { tasks, mark: Some(mark), ..StudyOptions::paper() }).unwrap();
+        for (contender, marked) in found.options.contenders.iter().zip(found.marked) {
+            let expected = contender.accuracy(zone.scaled(1.0 / (l2 + l3)), l3 / l2).unwrap().unwrap();
+            assert!((marked.unwrap() / expected - 1.0).abs() < 1e-9, "{marked:?} {expected}");
+        }
+        assert_eq!(study(&StudyOptions::paper()).unwrap().marked, [None; 2]);
     }
 
     #[test]

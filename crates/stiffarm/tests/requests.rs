@@ -26,8 +26,10 @@ fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static s
     if setting.of == Of::Spatial {
         given.push(("model", "spatial"));
     }
-    for (_, name) in setting.needs.iter().filter(|(of, _)| *of == verb) {
-        given.push((name, verb.setting(name).expect("a row").example));
+    let mut last = setting;
+    while let Some((_, name)) = last.needs.iter().find(|(of, _)| *of == verb) {
+        last = verb.setting(name).expect("a row");
+        given.push((name, last.example));
     }
     if setting.name == "faces" {
         given.push(("task", "box:0.3x0.2x0.1"));
@@ -115,7 +117,10 @@ fn told(request: &Request) -> String {
             let (robot, joints) = (request.robot().ok(), request.joints_deg().ok());
             format!("{robot:?} {joints:?} {:?} {:?}", request.posture_load(), request.held())
         }
-        Verb::Study => format!("{:?}", request.study()),
+        Verb::Study => {
+            let robot = paper_robots().swap_remove(3);
+            format!("{:?} {:?}", request.study(Some(&robot)), request.is_given("robot"))
+        }
         Verb::Compare => {
             let side = request.of_robot("BT200L").ok().map(|side| self::told(&side));
             format!("{:?} {side:?}", ["a", "b"].map(|name| request.is_given(name)))

@@ -1,6 +1,7 @@
 //! `stiffarm study`: architecture against link ratio and task size.
 
 use std::io::{self, Write};
+use std::path::Path;
 
 use stiffarm::answer::{Rows, StudyAnswer};
 use stiffarm::request::Request;
@@ -10,9 +11,10 @@ use super::watched;
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
-use crate::figures::study::{self as figure_of, StudyCurve, StudyPanel};
+use crate::figures::study::{self as figure_of, StudyCurve, StudyMark, StudyPanel};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, figure, pretty};
+use crate::selection;
 use crate::table::{prose, shown};
 
 /// Ratios and sizes along the sides of a figure.
@@ -20,12 +22,15 @@ const FIGURE_RATIOS: usize = 61;
 const FIGURE_SIZES: usize = 48;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<StudyOutput>(common, &[])?;
+    let name = asked.is_given("robot").then(|| asked.robot()).transpose()?;
+    let inputs: Vec<&Path> = name.iter().map(|name| Path::new(name.as_str())).collect();
+    let outputs = Outputs::open::<StudyOutput>(common, &inputs)?;
     outputs.deliver(&answer(asked, common)?)
 }
 
 pub(super) fn answer(asked: &Request, common: &Common) -> Result<StudyOutput, Failure> {
-    let (options, plate) = (asked.study()?, Plate::of(asked)?);
+    let robot = asked.is_given("robot").then(|| selection::robot(&asked.robot()?, common)).transpose()?;
+    let (options, plate) = (asked.study(robot.as_ref())?, Plate::of(asked)?);
     let found = watched("studying", common, |watch| study_watched(&options, watch))?;
     Ok(StudyOutput(StudyAnswer(found), plate))
 }
@@ -52,9 +57,11 @@ impl StudyOutput {
             tasks: vec![shape.clone()],
             sizes: sizes.clone(),
             ratios: mus.clone(),
+            mark: None,
             ..options.clone()
         })?;
-        let coarse = study(&StudyOptions { tasks: vec![shape.clone()], sizes: sizes.clone(), ..options.clone() })?;
+        let coarse =
+            study(&StudyOptions { tasks: vec![shape.clone()], sizes: sizes.clone(), mark: None, ..options.clone() })?;
         let rows = |contender: usize, best: bool| {
             fine.rows
                 .iter()
@@ -94,8 +101,16 @@ impl StudyOutput {
         }
         let boundaries =
             self.0.0.boundaries.iter().filter(|b| b.task == task && b.mu.is_none()).map(|b| b.size).collect();
+        let mark = options.mark.as_ref().filter(|mark| mark.task == task).map(|mark| StudyMark {
+            label: mark.robot.clone(),
+            at: (mark.mu, mark.size),
+            accuracy: self.0.0.marked,
+        });
+        let is_letter = !shape.label.contains(':');
+        let shown = if is_letter { format!("({})", shape.zone) } else { "(d: its first side, or its diameter)".into() };
         Ok(StudyPanel {
-            title: format!("Task {} ({})", shape.label, shape.zone),
+            mark,
+            title: format!("Task {} {shown}", shape.label),
             contenders: [self.0.0.options.name(0), self.0.0.options.name(1)],
             mus,
             sizes,

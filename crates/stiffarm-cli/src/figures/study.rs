@@ -32,6 +32,18 @@ pub(crate) struct StudyPanel {
     pub curves: Vec<StudyCurve>,
     /// Sizes at which the better contender changes.
     pub boundaries: Vec<f64>,
+    /// A robot with its work among all this.
+    pub mark: Option<StudyMark>,
+}
+
+/// Where a robot with its work stands.
+pub(crate) struct StudyMark {
+    /// Its name.
+    pub label: String,
+    /// Its link ratio, and the size of its work.
+    pub at: (f64, f64),
+    /// What each contender would have there.
+    pub accuracy: [Option<f64>; 2],
 }
 
 /// Accuracy over size.
@@ -115,6 +127,9 @@ fn draw_row(canvas: &mut Canvas, panel: &StudyPanel, labels: &[&str], top: f64) 
             Frame { x: scale(panel.mus.iter().copied(), [left, right]), y: scale(fitting.clone(), [bottom, top]) };
         draw_contours(canvas, panel, &panel.best[contender], &frame, (&grids[contender], range.map(bands)));
         draw_best(canvas, &frame, &panel.best[contender]);
+        if let Some(mark) = &panel.mark {
+            draw_mark(canvas, &frame, (mark, contender), mark.at);
+        }
         frame.draw(canvas, "link ratio μ = l₃/l₂", SIZE);
         frame.headline(canvas, &panel.contenders[contender]);
     }
@@ -176,6 +191,24 @@ fn draw_best(canvas: &mut Canvas, frame: &Frame, best: &[(f64, f64)]) {
     });
 }
 
+/// A robot's place in a diagram, where it lies in it.
+fn draw_mark(canvas: &mut Canvas, frame: &Frame, (mark, contender): (&StudyMark, usize), (x, y): (f64, f64)) {
+    if !(frame.x.contains(x) && frame.y.contains(y)) {
+        return;
+    }
+    let (mu, size) = mark.at;
+    let accuracy = mark.accuracy[contender].map_or_else(|| "no place".into(), |value| format!("{value:.4}"));
+    let told = format!("{}: μ = {mu:.3}, d/(l₂+l₃) = {size:.3}, ε/(kF) = {accuracy}", mark.label);
+    canvas.told(&told, |canvas| dot(canvas, frame.at(x, y), contender));
+}
+
+/// Full for the first contender, open for the second, as their lines are drawn through and dashed.
+fn dot(canvas: &mut Canvas, at: Px, contender: usize) {
+    let fill = if contender == 0 { INK } else { PAPER };
+    canvas.circle(at, 7.0, &format!(r#"fill="{PAPER}""#));
+    canvas.circle(at, 4.5, &format!(r#"fill="{fill}" stroke="{INK}" stroke-width="2""#));
+}
+
 fn placed(frame: &Frame, points: impl Iterator<Item = (f64, f64)>) -> Vec<Px> {
     points.filter(|(x, y)| x.is_finite() && y.is_finite()).map(|(x, y)| frame.at(x, y)).collect()
 }
@@ -183,8 +216,10 @@ fn placed(frame: &Frame, points: impl Iterator<Item = (f64, f64)>) -> Vec<Px> {
 fn draw_curves(canvas: &mut Canvas, panel: &StudyPanel, labels: &[&str], top: f64) {
     let ((left, right), bottom) = (COLUMNS[2], top + HEIGHT);
     let points = || panel.curves.iter().flat_map(|curve| &curve.points);
-    let sizes = points().map(|point| point.0).chain(panel.boundaries.iter().copied());
-    let y = scale(points().map(|point| point.1), [bottom, top]);
+    let marked =
+        || panel.mark.iter().flat_map(|mark| mark.accuracy.into_iter().flatten().map(|value| (mark.at.1, value)));
+    let sizes = points().map(|point| point.0).chain(panel.boundaries.iter().copied()).chain(marked().map(|at| at.0));
+    let y = scale(points().map(|point| point.1).chain(marked().map(|at| at.1)), [bottom, top]);
     let y = Axis::new((y.from - 0.06 * (y.to - y.from)).max(0.0), y.to + 0.06 * (y.to - y.from), y.px);
     let frame = Frame { x: scale(sizes, [left, right]), y };
     frame.grid(canvas);
@@ -201,6 +236,11 @@ fn draw_curves(canvas: &mut Canvas, panel: &StudyPanel, labels: &[&str], top: f6
             }
         }
     });
+    for (contender, mark) in panel.mark.iter().flat_map(|mark| [(0, mark), (1, mark)]) {
+        if let Some(accuracy) = mark.accuracy[contender] {
+            draw_mark(canvas, &frame, (mark, contender), (mark.at.1, accuracy));
+        }
+    }
     if panel.curves.is_empty() {
         let middle = [f64::midpoint(left, right), f64::midpoint(bottom, top)];
         canvas.text(middle, "no curves", Font::new(13.0).middle().colour(GREY));
@@ -229,6 +269,13 @@ fn entries(panels: &[StudyPanel], labels: &[&str]) -> Vec<Entry> {
         entries.push(Entry::line("best link ratio", line(true, 0, 0)));
     }
     entries.extend(labels.iter().enumerate().map(|(i, label)| Entry::line(*label, line(false, 0, i))));
+    for mark in panels.iter().filter_map(|panel| panel.mark.as_ref()) {
+        for (contender, name) in panels[0].contenders.iter().enumerate() {
+            entries.push(Entry::new(format!("{}, were it {name}", mark.label), move |canvas, at| {
+                dot(canvas, at, contender);
+            }));
+        }
+    }
     if panels.iter().any(|panel| !panel.boundaries.is_empty()) {
         entries.push(Entry::line("the better one changes", format!(r#"stroke="{INK}" {BOUNDARY}"#)));
     }
@@ -251,6 +298,7 @@ mod tests {
             best: [vec![(0.5, 1.0), (f64::NAN, 1.0)], vec![]],
             curves: vec![StudyCurve { label: "x".into(), contender: 7, points: vec![], is_best: false }],
             boundaries: vec![0.7, f64::NAN],
+            mark: Some(StudyMark { label: "<R>".into(), at: (1.0, 0.7), accuracy: [Some(1.0), None] }),
         }
     }
 

@@ -38,7 +38,7 @@ pub(super) fn check(asked: &Request) -> Result<(), Refused> {
             }
             _ => Ok(()),
         },
-        Verb::Study => match asked.study() {
+        Verb::Study => match asked.study(None) {
             Ok(study) if MOST_ROWS < study.tasks.len() * study.sizes.len() * (study.ratios.len() + 1) => {
                 too_much(format!("more than {MOST_ROWS} tasks, sizes and ratios together"))
             }

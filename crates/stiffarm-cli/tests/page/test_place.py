@@ -131,3 +131,13 @@ def test_the_architectures_are_drawn(look: Open) -> None:
     page = look("#place")
     page.get_by_role("button", name="architectures").click()
     until(page, "[...document.querySelectorAll('#look .picture')].some(image => image.alt.startsWith('serial against') && image.naturalWidth > 0)")
+
+
+def test_the_robot_and_its_task_are_marked_among_the_architectures(look: Open) -> None:
+    page = look("#place?task=rect:0.6x0.4")
+    with page.expect_response("**/api/study**") as answered:
+        page.get_by_role("button", name="architectures").click()
+    asked = answered.value.request.post_data_json["options"]
+    assert asked["task"] == "rect:0.6x0.4" and asked["robot"] == page.get_by_label("robot", exact=True).input_value()
+    assert f"{asked['robot']}, were it quasi-serial" in answered.value.text()
+    settled(page)

@@ -407,7 +407,12 @@ class StudyOptions(TypedDict, total=False):
     """Keywords of `stiffarm.study`."""
 
     tasks: str | Iterable[str]
-    """Shapes at size 1: A, B, C, or such as rect:1x3."""
+    """Shapes at size 1: A, B, C, or such as rect:1x3; the shape of the task is studied besides, and instead
+    where nothing is said here."""
+
+    task: str | None
+    """A flat zone at its size, whose shape is studied: where it stands with a robot is marked, and told which
+    architecture is stiffer there."""
 
     sizes: npt.ArrayLike
     """Sizes over l2 + l3."""
@@ -699,7 +704,7 @@ class MillOptions(TypedDict, total=False):
     """So many mm along the path the roll must be so many degrees, and is as is best on the way there and on;
     separated by commas or given several times."""
 
-    error: Literal["total", "across", "axial"]
+    error: Literal["total", "across", "axial", "normal"]
     """What of the displacement counts."""
 
     tolerance_mm: float | None
@@ -1462,6 +1467,9 @@ class StudyDict(TypedDict):
 
     boundaries: list[Boundary]
     """Sizes at which the better architecture changes."""
+
+    mark: None
+    """Where the robot with its task stands among what was studied."""
 
 
 class _MapDict(TypedDict):

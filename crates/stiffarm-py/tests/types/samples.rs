@@ -147,7 +147,7 @@ pub(crate) fn comparisons() -> Vec<Value> {
 }
 
 pub(crate) fn studies() -> Vec<Value> {
-    let of = |typed: Typed| StudyAnswer(study(&asked(Verb::Study, typed).study().unwrap()).unwrap()).json();
+    let of = |typed: Typed| StudyAnswer(study(&asked(Verb::Study, typed).study(None).unwrap()).unwrap()).json();
     vec![of(&[]), of(&[("sizes", "0.1,3")])]
 }
 

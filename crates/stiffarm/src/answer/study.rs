@@ -1,10 +1,10 @@
 //! How is a study told?
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::words::fixed;
 use super::{Record, Rows, Table, field, with_schema};
-use crate::study::{Boundary, Contender, Row, Study};
+use crate::study::{Boundary, Contender, Mark, Row, Study};
 
 /// The answer of `study`; normalised as Table I of the paper.
 #[derive(Clone, Debug)]
@@ -44,12 +44,63 @@ impl StudyAnswer {
         told.collect()
     }
 
+    /// Where a robot with its work stands.
+    fn mark(&self, mark: &Mark) -> Record {
+        let Study { options, marked, .. } = &self.0;
+        let mut record = Record::new();
+        record
+            .put(field::ROBOT, &mark.robot)
+            .put(field::TASK, &options.tasks[mark.task].label)
+            .put(field::MU, mark.mu)
+            .put(field::SIZE, mark.size)
+            .put(field::ACCURACIES, json!(marked))
+            .put(field::STIFFER, self.stiffer().map(|contender| options.name(contender)));
+        record
+    }
+
+    /// Which contender has less where the mark is; `None` where both have the same, or neither anything.
+    fn stiffer(&self) -> Option<usize> {
+        match self.0.marked {
+            [Some(a), Some(b)] => (a != b).then_some(usize::from(b < a)),
+            [a, b] => a.map(|_| 0).or(b.map(|_| 1)),
+        }
+    }
+
+    /// The same as a sentence.
+    fn marked(&self, mark: &Mark) -> String {
+        let options = &self.0.options;
+        let task = &options.tasks[mark.task].label;
+        let stands = format!(
+            "{} with {task} stands at mu = {}, d/(l2+l3) = {}",
+            mark.robot,
+            fixed(mark.mu, 3),
+            fixed(mark.size, 3)
+        );
+        let of = |contender: usize| {
+            let accuracy = self.0.marked[contender].map_or_else(|| "no place".into(), |value| fixed(value, 4));
+            format!("{} {accuracy}", options.name(contender))
+        };
+        let by = match (self.stiffer(), self.0.marked) {
+            (Some(stiffer), [Some(a), Some(b)]) => {
+                let less = 1.0 - a.min(b) / a.max(b);
+                format!(
+                    "; an arm of these links bends {} % less where it is {}",
+                    fixed(100.0 * less, 0),
+                    options.name(stiffer)
+                )
+            }
+            _ => String::new(),
+        };
+        format!("{stands}: {}, {}{by}\n", of(0), of(1))
+    }
+
     /// As JSON: every accuracy, and where the better contender changes.
     pub fn json(&self) -> Value {
         let mut record = Record::new();
         record
             .put(field::ROWS, self.records().map(|record| record.json()).collect::<Value>())
-            .put(field::BOUNDARIES, self.boundaries());
+            .put(field::BOUNDARIES, self.boundaries())
+            .put(field::MARK, self.0.options.mark.as_ref().map(|mark| self.mark(mark).json()));
         with_schema("study", "none", &record)
     }
 
@@ -90,10 +141,11 @@ impl StudyAnswer {
 
     /// What stands below the table: where the better contender changes.
     pub fn notes(&self) -> String {
+        let marked: String = self.0.options.mark.iter().map(|mark| self.marked(mark)).collect();
         if self.0.boundaries.is_empty() {
-            return "The order does not change with the size.\n".into();
+            return format!("{marked}The order does not change with the size.\n");
         }
-        self.0.boundaries.iter().map(|boundary| self.boundary(boundary)).collect()
+        self.0.boundaries.iter().fold(marked, |told, boundary| told + &self.boundary(boundary))
     }
 
     fn boundary(&self, boundary: &Boundary) -> String {

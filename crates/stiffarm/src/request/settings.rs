@@ -708,8 +708,27 @@ const OF_ZONES: &[Setting] = &[
         count: SEVERAL,
         value: "SHAPES",
         absent: Absent::Default("A,B,C"),
-        help: "Shapes at size 1: A, B, C, or such as rect:1x3",
+        help: "Shapes at size 1: A, B, C, or such as rect:1x3; the shape of the task is studied besides, and instead where nothing is said here",
         example: "A,rect:1x3",
+        ..ROW
+    },
+    Setting {
+        name: "robot",
+        verbs: STUDY,
+        kind: Kind::Robot,
+        value: "ROBOT",
+        needs: &[(Verb::Study, "task")],
+        help: "A robot that is to be found among all this with its task: a name, or the path of a robot file",
+        example: "KR 210 R2700 extra",
+        ..ROW
+    },
+    Setting {
+        name: "task",
+        verbs: STUDY,
+        kind: Kind::Task,
+        value: "TASK",
+        help: "A flat zone at its size, whose shape is studied: where it stands with a robot is marked, and told which architecture is stiffer there",
+        example: "rect:0.6x0.4",
         ..ROW
     },
     Setting {

@@ -16,7 +16,7 @@ use crate::place::{Column, Margins, Orientation, PlaceOptions, Within};
 use crate::plane::Elbow;
 use crate::prior::{as_in_the_paper, with_prior};
 use crate::robot::{Robot, Status};
-use crate::study::{Contender, StudyOptions};
+use crate::study::{Contender, Mark, StudyOptions};
 use crate::task::{Task, Zone};
 use crate::work::{WorkPlacement, WorkPlane};
 
@@ -353,20 +353,34 @@ impl Request {
         }
     }
 
-    /// What a study compares.
+    /// What a study compares; `robot` is that which is to be found among it, where one is asked for.
     ///
     /// # Errors
-    /// Where two architectures or the range are missing, which have defaults.
-    pub fn study(&self) -> Result<StudyOptions, Refusal> {
+    /// Where two architectures or the range are missing, which have defaults; work that is no flat zone, a robot without two links.
+    pub fn study(&self, robot: Option<&Robot>) -> Result<StudyOptions, Refusal> {
         let compared = self.architectures("compare");
         let [first, second] = *compared.as_slice() else { return Err(self.missing("compare")) };
         let (k2, k3) = (self.for_both("k2")?, self.for_both("k3")?);
+        let (mut tasks, mut mark) = (self.tasks(), None);
+        if let Some(Task { label, zone, part }) = self.one("task", task) {
+            if part.is_some() {
+                return Err(self.refused("task", "is a part with several faces; expected one flat zone".into()));
+            }
+            if !self.is_given("tasks") {
+                tasks.clear();
+            }
+            let [side, _] = zone.sides();
+            tasks.insert(0, Task { label, ..zone.scaled(1.0 / side).into() });
+            let marked = robot.map(|robot| Mark::of(robot, zone)).transpose();
+            mark = marked.map_err(|why| self.refused("robot", why.to_string()))?;
+        }
         Ok(StudyOptions {
+            mark,
             contenders: [
                 Contender { architecture: first, k2: k2[0], k3: k3[0] },
                 Contender { architecture: second, k2: k2[1], k3: k3[1] },
             ],
-            tasks: self.tasks(),
+            tasks,
             sizes: self.all("sizes", number),
             ratios: self.all("ratios", number),
             range: self.one("range", interval).ok_or_else(|| self.missing("range"))?,
