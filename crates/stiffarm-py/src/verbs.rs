@@ -307,12 +307,10 @@ fn handed_over<'py>(
 
 /// Architecture against link ratio and size.
 #[pyfunction]
-#[pyo3(signature = (asked, progress=None))]
-pub(crate) fn study(py: Python<'_>, asked: Asked, progress: Progress) -> WithColumns<'_> {
-    let asked = asked.of(Verb::Study)?;
-    let marked = asked.is_given("robot").then(|| asked.robot()).transpose().map_err(refused)?;
-    let marked = marked.map(|name| named(&name)).transpose()?;
-    let options = asked.study(marked.as_ref().map(|robot| &robot.0)).map_err(refused)?;
+#[pyo3(signature = (robot, asked, progress=None))]
+pub(crate) fn study<'py>(py: Python<'py>, robot: Option<&Robot>, asked: Asked, progress: Progress) -> WithColumns<'py> {
+    let marked: Vec<(&str, &str)> = robot.iter().map(|robot| ("robot", robot.0.name.as_str())).collect();
+    let options = asked.with(Verb::Study, &marked)?.study(robot.map(|robot| &robot.0)).map_err(refused)?;
     let answer = StudyAnswer(detached(py, &progress, |watch| study_watched(&options, watch))?.map_err(refused)?);
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }

@@ -119,6 +119,8 @@ def test_postures(program):
 
 
 def test_studies(program):
+    marked = stiffarm.study(task="rect:0.6x0.4", robot=stiffarm.Robot("BT200L"))
+    assert marked.to_dict() == program("study", "--task", "rect:0.6x0.4", "--robot", "BT200L") and marked.mark is not None
     words = ["--tasks", "A,rect:1x3", "--sizes", "0.2,0.4", "--ratios", "0.9", "--range", "0.6..1.4", "--k3", "1,0.5"]
     found = stiffarm.study(tasks=["A", "rect:1x3"], sizes=[0.2, 0.4], ratios=[0.9], range=(0.6, 1.4), k3=(1, 0.5))
     assert found.to_dict() == program("study", *words)

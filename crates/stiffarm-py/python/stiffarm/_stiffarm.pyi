@@ -139,4 +139,8 @@ def mill(
     robots: Sequence[Robot] | None = None,
     progress: _Told | None = None,
 ) -> tuple[dict[str, Any], dict[str, Any]]: ...
-def study(asked: dict[str, str], progress: _Told | None = None) -> tuple[dict[str, Any], dict[str, Any]]: ...
+def study(
+    robot: Robot | None,
+    asked: dict[str, str],
+    progress: _Told | None = None,
+) -> tuple[dict[str, Any], dict[str, Any]]: ...

@@ -233,11 +233,13 @@ def map(robot: RobotLike, *, progress: ProgressLike = None, **options: Unpack[Ma
 
 
 @_options.takes("study", StudyOptions)
-def study(*, progress: ProgressLike = None, **options: Unpack[StudyOptions]) -> Study:
+def study(*, robot: RobotLike | None = None, progress: ProgressLike = None, **options: Unpack[StudyOptions]) -> Study:
     """Two architectures against link ratio and task size, without joint limits.
 
     Parameters
     ----------
+    robot : Robot or str, optional
+        One that is to be found among all this with its `task`: ``mark`` says where both stand, and which architecture is stiffer there.
     {options}
     progress : bool or callable, optional
         True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
@@ -254,7 +256,8 @@ def study(*, progress: ProgressLike = None, **options: Unpack[StudyOptions]) -> 
         Where an argument makes no sense.
     """
     with told("studying", progress) as tell:
-        return Study(*_stiffarm.study(_options.spelt("study", options), tell))
+        marked = None if robot is None else _given.robot(robot)
+        return Study(*_stiffarm.study(marked, _options.spelt("study", options), tell))
 
 
 @_options.takes("compare", CompareOptions)

@@ -1457,6 +1457,28 @@ class Boundary(TypedDict):
     """The better contender for larger tasks."""
 
 
+class StudyMark(TypedDict):
+    """A robot with its task among what was studied."""
+
+    robot: str
+    """The maker's name for the robot."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    mu_l3_over_l2: float
+    """The link ratio; null where every contender has its best."""
+
+    d: float
+    """The size over l2 + l3."""
+
+    accuracies: list[float | None]
+    """What either contender would have there; null where the task does not fit."""
+
+    stiffer: str | None
+    """The contender that has less."""
+
+
 class StudyDict(TypedDict):
     """`stiffarm.Study.to_dict`."""
 
@@ -1468,7 +1490,7 @@ class StudyDict(TypedDict):
     boundaries: list[Boundary]
     """Sizes at which the better architecture changes."""
 
-    mark: None
+    mark: StudyMark | None
     """Where the robot with its task stands among what was studied."""
 
 

@@ -126,7 +126,8 @@ fn write_answers(text: &mut String) {
     let study = Fields::of(&studies);
     class(text, ("StudyRow", "TypedDict"), "One contender at one size.", study.under("rows"), &[]);
     class(text, ("Boundary", "TypedDict"), "A size at which the better one changes.", study.under("boundaries"), &[]);
-    let within = [("rows", "StudyRow"), ("boundaries", "Boundary"), with_schema[0]];
+    class(text, ("StudyMark", "TypedDict"), "A robot with its task among what was studied.", study.under("mark"), &[]);
+    let within = [("rows", "StudyRow"), ("boundaries", "Boundary"), ("mark", "StudyMark"), with_schema[0]];
     class(text, ("StudyDict", "TypedDict"), "`stiffarm.Study.to_dict`.", &study, &within);
 
     let within = [("zone", "Placed"), with_schema[0]];

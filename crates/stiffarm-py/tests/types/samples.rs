@@ -147,8 +147,11 @@ pub(crate) fn comparisons() -> Vec<Value> {
 }
 
 pub(crate) fn studies() -> Vec<Value> {
-    let of = |typed: Typed| StudyAnswer(study(&asked(Verb::Study, typed).study(None).unwrap()).unwrap()).json();
-    vec![of(&[]), of(&[("sizes", "0.1,3")])]
+    let of =
+        |typed: Typed| StudyAnswer(study(&asked(Verb::Study, typed).study(Some(&kuka())).unwrap()).unwrap()).json();
+    // The second one does not fit anywhere.
+    let marked = ["0.6x0.4", "9x9"].map(|sides| of(&[("robot", "KR 210"), ("task", &format!("rect:{sides}"))]));
+    [of(&[]), of(&[("sizes", "0.1,3")])].into_iter().chain(marked).collect()
 }
 
 pub(crate) fn compliances() -> Vec<Value> {

@@ -19,6 +19,7 @@ from ..types import (
     Resolution,
     Schema,
     StudyDict,
+    StudyMark,
     StudyRow,
     Winner,
 )
@@ -213,6 +214,8 @@ class Study(Table[StudyDict]):
     rows: list[StudyRow]
     #: Sizes at which the better architecture changes.
     boundaries: list[Boundary]
+    #: Where the robot with its task stands among all this, if one was named.
+    mark: StudyMark | None
 
     def __len__(self) -> int:
         return len(self.rows)
