@@ -1,6 +1,6 @@
 //! Who waits, for how long, and what ends when nobody does?
 
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader, Read, Write};
 use std::thread;
 use std::time::Duration;
 
@@ -105,4 +105,26 @@ fn it_ends_when_it_is_told_to_and_says_so_by_its_exit_code() {
     let taken =
         Command::cargo_bin("stiffarm").unwrap().args(["serve", "--port", &served.port.to_string()]).output().unwrap();
     assert!(!taken.status.success() && String::from_utf8_lossy(&taken.stderr).contains("hint: --port 0"));
+}
+
+/// Told to end, it lets out an answer that is nearly there; one that takes minutes is broken off, and it ends all the same.
+#[test]
+fn an_answer_under_way_goes_out_before_it_ends_and_one_that_takes_minutes_does_not_hold_it() {
+    let short = json!({ "options": { "robot": "BT200L", "task": "rect:0.3x0.2", "model": "spatial" } });
+    for (verb, question, is_answered) in [("place", short, true), ("rank", long(), false)] {
+        let mut served = Served::start(&["--threads", "1"]);
+        let mut stream = served.connect();
+        let asked = served.question(&format!("/api/{verb}"), "Accept: application/x-ndjson\r\n", &question.to_string());
+        stream.write_all(asked.as_bytes()).unwrap();
+        let mut stream = BufReader::new(stream);
+        begun(&mut stream);
+        let sent = std::process::Command::new("kill").args(["-TERM", &served.child.id().to_string()]).status().unwrap();
+        assert!(sent.success());
+        let mut rest = Vec::new();
+        // Where the answer is broken off the line may be reset.
+        let _ = stream.read_to_end(&mut rest);
+        assert_eq!(String::from_utf8_lossy(&rest).contains(r#""answer""#), is_answered, "{verb}");
+        assert!(served.child.wait().unwrap().success(), "{verb}");
+        assert!(std::net::TcpStream::connect(("127.0.0.1", served.port)).is_err(), "it still listens");
+    }
 }

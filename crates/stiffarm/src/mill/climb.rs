@@ -148,7 +148,12 @@ impl<'a, 'l> Climb<'a, 'l> {
         let time = rung.time.filter(|time| 0.0 < *time).unwrap_or(1.0);
         let (configuration, roll) = (held / self.rolls, held % self.rolls);
         let turns = self.turns.iter().product::<usize>();
+        // Less than the least of the rung before no node has.
+        let least = last.values[last.best].max(error);
         for step in 0..=2 * MOST_STEPS {
+            if counts_error && best.0 <= least {
+                break;
+            }
             // From no step outwards: 0, 1, -1, 2, -2 ...
             let aside = step.div_ceil(2);
             let roll = (roll + if step % 2 == 0 { self.rolls - aside } else { aside }) % self.rolls;
