@@ -315,3 +315,35 @@ fn a_roll_is_pinned_where_it_is_asked_for() {
         assert!(!output.status.success() && why.contains(expected), "{words:?}: {why}");
     }
 }
+
+/// The table lies beside the process file, from wherever that is named; where it ends too soon the path is refused with its place.
+#[test]
+fn a_force_that_was_measured_acts_along_the_path() {
+    let folder = TempDir::new().unwrap();
+    fs::create_dir(folder.path().join("cell")).unwrap();
+    let put = |name: &str, text: &str| fs::write(folder.path().join("cell").join(name), text).unwrap();
+    put("forces.csv", "s_m,f_feed_n,f_across_n,f_axial_n\n0,100,0,0\n0.2,300,0,-50\n");
+    put("process.toml", "[measured]\nfile = \"forces.csv\"\non = \"tool\"\n");
+    let force = json(folder.path(), &["force", "cell/process.toml"]);
+    assert_eq!((&force["mean_n"], &force["max_n"][0]), (&serde_json::json!([200.0, 0.0, -25.0]), &300.0.into()));
+    let milled = |path: &str| {
+        let asked = ["mill", path, "--robot", "KR 210 R2700 extra", "--process", "cell/process.toml"];
+        stiffarm(folder.path(), &[&asked[..], &["--at", "1.7,0,0.8", "--format", "csv", "--step-mm", "50"]].concat())
+    };
+    let table = milled("line:0.2");
+    assert!(table.status.success(), "{table:?}");
+    let mut rows = csv::Reader::from_reader(table.stdout.as_slice());
+    let place = |name: &str| rows.headers().unwrap().iter().position(|known| known == name).unwrap();
+    let [way, feed, axial] = ["s_m", "f_feed_n", "f_axial_n"].map(place);
+    for row in rows.records() {
+        let row = row.unwrap();
+        let number = |column: usize| row[column].parse::<f64>().unwrap();
+        assert!((number(feed) - 100.0 - 1000.0 * number(way)).abs() < 1e-6, "{row:?}");
+        assert!((number(axial) + 250.0 * number(way)).abs() < 1e-6, "{row:?}");
+    }
+    let refused = String::from_utf8(milled("line:0.3").stderr).unwrap();
+    assert!(refused.contains("measured from 0.000000 to 0.200000 m, and the tool is at"), "{refused}");
+    put("forces.csv", "s_m,f_feed_n,f_across_n,f_axial_n\n0,100,0,0\n0.2,inf,0,-50\n");
+    let refused = String::from_utf8(milled("line:0.2").stderr).unwrap();
+    assert!(refused.contains("forces.csv:3: f_feed_n: inf; expected a number of at most 100000"), "{refused}");
+}

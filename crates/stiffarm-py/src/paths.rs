@@ -4,7 +4,7 @@ use std::path::Path;
 
 use pyo3::prelude::*;
 use stiffarm::answer::{CuttingAnswer, MillAnswer, MillAnswerError, PathAnswer, PathRankAnswer};
-use stiffarm::catalogue::{ProcessFile, files, read_process};
+use stiffarm::catalogue::{ProcessFile, files, read_process_beside};
 use stiffarm::request::{Request, Verb};
 use stiffarm::robot::Robot as Arms;
 use stiffarm::toolpath::{Move, Survey, read_toolpath};
@@ -18,12 +18,21 @@ use crate::robot::{Robot, kept, robot as named};
 use crate::verbs::{WithColumns, columns};
 use crate::waiting::Progress;
 
+/// What a process file says, and what the files say that it names beside itself.
+fn process_of(path: &Path, shown: &str) -> PyResult<ProcessFile> {
+    let mut beside = |other: &str| {
+        let named = path.parent().map_or_else(|| other.into(), |folder| folder.join(other));
+        files::text(&named).map_err(|error| error.to_string())
+    };
+    read_process_beside(&files::text(path).map_err(refused)?, shown, &mut beside).map_err(refused)
+}
+
 /// The force of a process.
 #[pyfunction]
 pub(crate) fn force<'py>(py: Python<'py>, process: &str) -> WithColumns<'py> {
     let path = Path::new(process);
     let file = files::shown(path);
-    let process = read_process(&files::text(path).map_err(refused)?, &file).map_err(refused)?;
+    let process = process_of(path, &file)?;
     let force = process.process.force().map_err(|error| refused(format!("{file}: {error}")))?;
     let answer = CuttingAnswer { file, process, force };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
@@ -64,8 +73,8 @@ pub(crate) fn mill<'py>(
     };
     let process = asked.given_process().map(|file| {
         let named = files::shown(Path::new(&file));
-        let text = files::text(Path::new(&file)).map_err(refused)?;
-        Ok::<_, PyErr>((named.clone(), read_process(&text, &named).map_err(refused)?))
+        let process = process_of(Path::new(&file), &named)?;
+        Ok::<_, PyErr>((named, process))
     });
     let process = process.transpose()?;
     let told = detached(py, &progress, |watch| {

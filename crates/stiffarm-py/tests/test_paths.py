@@ -22,6 +22,14 @@ def test_the_force_of_a_process_is_the_programs(program) -> None:
     assert np.allclose(frame[["feed_n", "across_n", "axial_n"]].mean(), force.mean_n, rtol=1e-4)
 
 
+def test_a_measured_force_lies_beside_its_process(program, tmp_path: Path) -> None:
+    (tmp_path / "f.csv").write_text("time_s,fx_n,fy_n,fz_n\n0,1,2,3\n5,1,2,3\n")
+    process = tmp_path / "p.toml"
+    process.write_text('[measured]\nfile = "f.csv"\non = "work"\n')
+    force = stiffarm.force(process)
+    assert force.to_dict() == program("force", str(process)) and list(force.mean_n) == [-1, -2, -3]
+
+
 def test_a_path_is_understood_as_the_program_does(program) -> None:
     for path in ("circle:0.3", str(ROOT / "crates/stiffarm/tests/paths/contour_ij.nc")):
         assert stiffarm.mill(path, dry=True).to_dict() == program("mill", path, "--dry")

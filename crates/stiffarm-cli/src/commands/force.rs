@@ -4,9 +4,10 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::answer::{CuttingAnswer, Rows};
-use stiffarm::catalogue::{files, read_process};
+use stiffarm::catalogue::files;
 use stiffarm::request::Request;
 
+use super::process_of;
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -24,7 +25,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
 pub(super) fn answer(asked: &Request, common: &Common) -> Result<ForceOutput, Failure> {
     let name = asked.process()?;
     let file = files::shown(Path::new(&name));
-    let process = read_process(&common.shelf.text(&name)?, &file).map_err(Failure::ProcessFile)?;
+    let process = process_of(&name, &file, common)?;
     let force = process.process.force().map_err(|error| Failure::Process { file: file.clone(), error })?;
     Ok(ForceOutput(CuttingAnswer { file, process, force }, Plate::of(asked)?))
 }
@@ -49,7 +50,8 @@ impl Answer for ForceOutput {
 
     fn svg(&self) -> Option<Result<String, Failure>> {
         let CuttingAnswer { file, force, .. } = &self.0;
-        let mean = force.mean?;
+        // What does not turn with the spindle has no figure.
+        let mean = force.mean.filter(|_| !force.revolution.is_empty())?;
         Some(Ok(Hodograph {
             title: format!("Force on the tool over a revolution, {file}"),
             subtitle: self.0.heading(),

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::answer::{MillAnswer, PathAnswer, PathRankAnswer, Rows, Unit};
-use stiffarm::catalogue::{ProcessFile, files, read_process};
+use stiffarm::catalogue::{ProcessFile, files};
 use stiffarm::mill::{RollMap, Stand};
 use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
@@ -13,7 +13,7 @@ use stiffarm::toolpath::{Builtin, Format, Move, Original, Survey, Understood};
 use stiffarm::watch::Watch;
 
 use super::path_ranking::PathRankOutput;
-use super::{drawing, progress, watched};
+use super::{drawing, process_of, progress, watched};
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -96,7 +96,7 @@ pub(super) fn ranked<'a>(asked: &'a Request, common: &Common) -> Result<PathRank
 fn read_process_of(asked: &Request, common: &Common) -> Result<Option<(String, ProcessFile)>, Failure> {
     let Some(file) = asked.given_process() else { return Ok(None) };
     let named = files::shown(Path::new(&file));
-    let read = read_process(&common.shelf.text(&file)?, &named).map_err(Failure::ProcessFile)?;
+    let read = process_of(&file, &named, common)?;
     Ok(Some((named, read)))
 }
 

@@ -20,7 +20,8 @@ pub(crate) mod shell;
 pub(crate) mod study;
 pub(crate) mod validate;
 
-use std::path::Path;
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
 use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -28,13 +29,22 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use stiffarm::catalogue::measurements::{Measurements, Points};
-use stiffarm::catalogue::{Faults, files};
+use stiffarm::catalogue::{Faults, ProcessFile, files, read_process_beside};
 use stiffarm::request::{Request, Verb};
 use stiffarm::watch::{Waiting, Watch};
 
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::output::Told;
+
+/// What a process file says, and what the files say that it names beside itself.
+fn process_of(name: &str, shown: &str, common: &Common) -> Result<ProcessFile, Failure> {
+    let mut beside = |other: &str| {
+        let path = Path::new(name).parent().map_or_else(|| PathBuf::from(other), |folder| folder.join(other));
+        common.shelf.text(&path.to_string_lossy()).map(Cow::into_owned).map_err(|failure| failure.to_string())
+    };
+    read_process_beside(&common.shelf.text(name)?, shown, &mut beside).map_err(Failure::ProcessFile)
+}
 
 /// The answer of a verb, whichever it is.
 ///

@@ -2055,6 +2055,19 @@ class PlaceSearch(TypedDict):
     """Boxes of places behind the lower bound."""
 
 
+class FedBackDict(TypedDict):
+    """What becomes of an error as the cut changes by it."""
+
+    worst_mm: float
+    """Deflection under the force in its worst direction."""
+
+    contraction: float
+    """What of a displacement the cut gives back at most; from 1 on nothing settles."""
+
+    unsettled: int
+    """Samples at which nothing settles: pushed aside, the tool is drawn in."""
+
+
 class MilledDict(_Pass):
     """`stiffarm.Milled.to_dict`."""
 
@@ -2144,6 +2157,10 @@ class MilledDict(_Pass):
 
     margin_mm: float | None
     """What is left of the tolerance."""
+
+    fed_back: FedBackDict | None
+    """What becomes of the largest error as width and depth of the cut change with the displacement; null where
+    no cut is known."""
 
     compensation: None
     """What compensation makes of the path; null where it was not asked for."""

@@ -164,6 +164,14 @@ fn write_answers(text: &mut String) {
         [("drives", "ExpectedDrive"), ("runs", "MeasurementRun"), ("compared", "ComparedTable"), with_schema[0]];
     class(text, ("MeasurementPlanDict", "TypedDict"), "`stiffarm.MeasurementPlan.to_dict`.", &plan, &within);
 
+    write_paths(text);
+    let compliance = Fields::of(&compliances);
+    class(text, ("ComplianceDict", "TypedDict"), "`stiffarm.Compliance.to_dict`.", &compliance, &with_schema);
+}
+
+/// What is told of processes and paths.
+fn write_paths(text: &mut String) {
+    let with_schema = [("schema", "Schema")];
     let forces = Fields::of(&samples::cutting_forces());
     class(text, ("ForceDict", "TypedDict"), "`stiffarm.Force.to_dict`.", &forces, &with_schema);
     let paths = Fields::of(&samples::toolpaths());
@@ -174,16 +182,21 @@ fn write_answers(text: &mut String) {
     let (about, within) = ("How the tool is turned about its axis.", [("pins", "PinnedRoll")]);
     class(text, ("RollChoice", "TypedDict"), about, milled.under("roll"), &within);
     class(text, ("PlaceSearch", "TypedDict"), "How finely a place was looked for.", milled.under("search"), &[]);
-    let within = [("part", "PathLength"), ("roll", "RollChoice"), ("search", "PlaceSearch"), with_schema[0]];
+    let about = "What becomes of an error as the cut changes by it.";
+    class(text, ("FedBackDict", "TypedDict"), about, milled.under("fed_back"), &[]);
+    let within = [
+        ("part", "PathLength"),
+        ("roll", "RollChoice"),
+        ("search", "PlaceSearch"),
+        ("fed_back", "FedBackDict"),
+        with_schema[0],
+    ];
     class(text, ("MilledDict", "_Pass"), "`stiffarm.Milled.to_dict`.", &milled, &within);
     let within = [("roll", "RollChoice"), ("search", "PlaceSearch")];
     class(text, ("PathRankingRow", "_Pass"), "One robot of a ranking on a path.", ranked.under("rows"), &within);
     let within = [("part", "PathLength"), ("rows", "PathRankingRow"), with_schema[0]];
     class(text, ("PathRankingDict", "TypedDict"), "`stiffarm.PathRanking.to_dict`.", &ranked, &within);
     class(text, ("ToolpathDict", "TypedDict"), "`stiffarm.Toolpath.to_dict`.", &paths, &with_schema);
-
-    let compliance = Fields::of(&compliances);
-    class(text, ("ComplianceDict", "TypedDict"), "`stiffarm.Compliance.to_dict`.", &compliance, &with_schema);
 }
 
 /// Words in lines of the house's width, spelt as Python spells them.

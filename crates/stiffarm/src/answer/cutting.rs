@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, fixed, line, schema_of, under};
 use crate::catalogue::ProcessFile;
-use crate::cutting::{CuttingForce, Law, Milling, Side};
+use crate::cutting::{CuttingForce, Law, Measured, MeasuredAxes, Milling, Side};
 
 /// The answer of `force`, with what was asked.
 #[derive(Clone, Debug)]
@@ -27,6 +27,8 @@ impl CuttingAnswer {
             Law::Milling(_) => "Kienzle milling",
             Law::Drilling { .. } => "drilling",
             Law::FrictionStir { .. } => "friction stir",
+            Law::Measured(Measured { axes: MeasuredAxes::Cut, .. }) => "measured, along the axes of the cut",
+            Law::Measured(_) => "measured, along the axes of the part",
         }
     }
 
@@ -111,7 +113,11 @@ impl CuttingAnswer {
         }
         match (force.mean, force.range) {
             (Some(mean), Some([low, high])) => {
-                for (i, name) in ["feed", "across, to its left", "axial, away from the work"].into_iter().enumerate() {
+                let is_of_part =
+                    matches!(process.process.law, Law::Measured(Measured { axes: MeasuredAxes::Part, .. }));
+                let names = ["feed", "across, to its left", "axial, away from the work"];
+                let names = if is_of_part { ["along x of the part", "along y", "along z"] } else { names };
+                for (i, name) in names.into_iter().enumerate() {
                     let told =
                         format!("mean {} N, from {} to {} N", fixed(mean[i], 2), fixed(low[i], 2), fixed(high[i], 2));
                     lines.push(line(name, told));
@@ -131,6 +137,9 @@ impl CuttingAnswer {
 
     /// What stands below the table.
     pub fn notes(&self) -> &'static str {
+        if matches!(self.process.process.law, Law::Measured(_)) {
+            return "forces on the tool, as measured along the path: mean and range of the whole table\n";
+        }
         "forces on the tool; a robot follows the mean, the teeth cut at frequencies far above its first modes\n"
     }
 

@@ -421,6 +421,9 @@ fields! {
     RMS: "rms_mm", Kind::Number(Unit::Millimetre), "The root mean square of the error over what feeds.";
     WORST_SAMPLE: "worst_sample", Kind::Count, "The sample with the largest error, from 0.";
     WORST_LINE: "worst_line", Kind::Count, "Its line in the file; 0 of a path built in.";
+    FED_BACK: "fed_back", Kind::Nested, "What becomes of the largest error as width and depth of the cut change with the displacement; null where no cut is known.";
+    CONTRACTION: "contraction", Kind::Number(Unit::One), "What of a displacement the cut gives back at most; from 1 on nothing settles.";
+    UNSETTLED: "unsettled", Kind::Count, "Samples at which nothing settles: pushed aside, the tool is drawn in.";
     PATH_COMPENSATION: "compensation", Kind::Nested, "What compensation makes of the path; null where it was not asked for.";
     LARGEST_CORRECTION: "largest_correction_mm", Kind::Number(Unit::Millimetre), "By how much a tip is led aside at most.";
     LEFT_BY_JOINTS: "left_by_joints_mm", Kind::Number(Unit::Millimetre), "The largest error that is left by the model where joints, or whole poses, are commanded.";

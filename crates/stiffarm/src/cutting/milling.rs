@@ -189,6 +189,27 @@ impl Milling {
         Ok(([x, sense * y, z], sense * moment))
     }
 
+    /// By how much the mean force, along feed, across and axial, changes where the tool is moved across (to its left) and axially (away from the
+    /// work), N/m: by another width, the sides of the cut being walls along the feed, and by another depth.
+    pub(super) fn changes(&self, sense: f64) -> Result<[[f64; 3]; 2], CuttingError> {
+        let Engagement { depth, entry, exit, .. } = self.engagement;
+        let (force, _) = self.checked_mean(sense)?;
+        let radius = self.diameter / 2.0;
+        let step = (1e-3 * radius).min(0.1 * radius * (entry.cos() - exit.cos()));
+        // Turned the other way the picture is mirrored: there to the left is to the right.
+        let moved = |by: f64| {
+            let wall = |angle: f64| {
+                let is_wall = 1e-9 < angle && angle < PI - 1e-9;
+                if is_wall { (angle.cos() - by / radius).clamp(-1.0, 1.0).acos() } else { angle }
+            };
+            let engagement = Engagement { entry: wall(entry), exit: wall(exit), ..self.engagement };
+            Self { engagement, ..*self }.checked_mean(sense).map(|(force, _)| force)
+        };
+        let [less, more] = [moved(-sense * step)?, moved(sense * step)?];
+        let across = std::array::from_fn(|i| (more[i] - less[i]) / (2.0 * step));
+        Ok([across, force.map(|part| -part / depth)])
+    }
+
     /// Mean, extremes and a revolution; `sense` is 1 where the tool turns clockwise from above, else -1.
     pub(super) fn force(&self, sense: f64) -> Result<CuttingForce, CuttingError> {
         // Turned the other way the picture is mirrored at the feed: what is left is right.
@@ -296,6 +317,37 @@ mod tests {
         // Four teeth in a slot: two always cut, so that the force across never vanishes.
         let four = mill(Side::Slot, 0.016, 0.0, LINEAR).force(1.0).unwrap().range.unwrap();
         assert!(0.0 < four[0][1]);
+    }
+
+    /// Up milling has its material to the left of a tool that turns clockwise: moved there it cuts a wider strip, as if that had been asked; moved
+    /// away from the work it cuts less deep. Down milling has it to the right; a slot is one wherever the tool is.
+    #[test]
+    fn a_tool_that_is_moved_cuts_another_width_and_another_depth() {
+        let of = |side: Side, width: f64, depth: f64| {
+            let [entry, exit] = Engagement::angles(side, width, 0.016);
+            let edge = Edge::Linear { chip: [8e8, 2e8, 2e8], rubbing: [3e4, 3e4, 1e3] };
+            let engagement = Engagement { depth, entry, exit, feed_per_tooth: 1e-4 };
+            Milling { diameter: 0.016, teeth: 4, helix: 0.5, engagement, edge }
+        };
+        let mean = |milling: Milling, sense: f64| milling.checked_mean(sense).unwrap().0;
+        for (side, to_the_left) in [(Side::Up, 1.0), (Side::Down, -1.0)] {
+            for sense in [1.0, -1.0] {
+                let [across, axial] = of(side, 0.004, 0.002).changes(sense).unwrap();
+                let wider = [mean(of(side, 0.00401, 0.002), sense), mean(of(side, 0.00399, 0.002), sense)];
+                let deeper = [mean(of(side, 0.004, 0.00201), sense), mean(of(side, 0.004, 0.00199), sense)];
+                for i in 0..3 {
+                    let by_width = sense * to_the_left * (wider[0][i] - wider[1][i]) / 2e-5;
+                    let by_depth = (deeper[0][i] - deeper[1][i]) / 2e-5;
+                    // Central differences over steps of 1/400 of the width.
+                    assert!(
+                        (across[i] - by_width).abs() < 1e-4 * by_width.abs() + 1.0,
+                        "{side:?} {sense}: {across:?} {by_width}"
+                    );
+                    assert!((axial[i] + by_depth).abs() < 1e-6 * by_depth.abs() + 1e-3, "{axial:?} {by_depth}");
+                }
+            }
+        }
+        assert_eq!(of(Side::Slot, 0.016, 0.002).changes(1.0).unwrap()[0], [0.0; 3]);
     }
 
     /// Up milling with one sense is the mirror image of up milling with the other.

@@ -5,12 +5,14 @@
 //! are told apart.
 
 mod edge;
+mod measured;
 mod milling;
 mod quadrature;
 
 use nalgebra::Vector3;
 
 pub use edge::Edge;
+pub use measured::{Along, Measured, MeasuredAxes, MeasuredForce};
 pub use milling::{Engagement, Milling, Side};
 
 /// The largest force that is taken, N.
@@ -54,12 +56,15 @@ pub enum Law {
         /// N m against its turning.
         torque: f64,
     },
+    /// As it was measured along the path.
+    Measured(Measured),
 }
 
 /// What a process does to its tool.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CuttingForce {
-    /// Over a revolution, N along feed, across and axial; `None` of a force that may point anywhere.
+    /// Over a revolution, N along feed, across and axial; of a measured force over all of it, in its own axes; `None` of a force that may point
+    /// anywhere.
     pub mean: Option<[f64; 3]>,
     /// The smallest and the largest of each over a revolution, N.
     pub range: Option<[[f64; 3]; 2]>,
@@ -70,7 +75,7 @@ pub struct CuttingForce {
     /// The mean power of the spindle, W; `None` where its speed is not known.
     pub power: Option<f64>,
     /// The force at each of so many angles of the spindle, evenly over a revolution, N: a figure; one where it does not turn with
-    /// the spindle, none where it may point anywhere.
+    /// the spindle, none where it may point anywhere or was measured.
     pub revolution: Vec<[f64; 3]>,
 }
 
@@ -111,6 +116,15 @@ impl Process {
         worst.map_or(Ok(Some((force, moment))), |part| Err(CuttingError::Force(part)))
     }
 
+    /// By how much the mean force, along feed, across and axial, changes where the tool is moved across (to its left) and axially (away from
+    /// the work), N/m; `None` where no cut is known.
+    ///
+    /// # Errors
+    /// As [`Self::force`].
+    pub fn changes(&self) -> Result<Option<[[f64; 3]; 2]>, CuttingError> {
+        if let Law::Milling(milling) = &self.law { milling.changes(self.sense()).map(Some) } else { Ok(None) }
+    }
+
     /// A moment against the turning of the tool points up where it turns clockwise from above.
     fn sense(&self) -> f64 {
         if self.is_clockwise { 1.0 } else { -1.0 }
@@ -143,9 +157,10 @@ impl Process {
             Law::Drilling { thrust, torque } => same([0.0, 0.0, *thrust], sense * torque),
             Law::FrictionStir { axial, traverse, side, torque } => same([-traverse, *side, *axial], sense * torque),
             Law::Milling(milling) => milling.force(sense)?,
+            Law::Measured(measured) => measured.force(),
         };
         found.power = self.spindle.map(|spindle| found.moment.abs() * spindle);
-        if matches!(self.law, Law::Worst(_) | Law::Constant(_)) {
+        if matches!(self.law, Law::Worst(_) | Law::Constant(_) | Law::Measured(_)) {
             found.power = None;
         }
         let parts = found.mean.into_iter().chain(found.range.into_iter().flatten()).flatten();

@@ -3,10 +3,12 @@
 use nalgebra::Vector3;
 
 use super::stations::{Acting, Station, cutting_axes, stations};
-use crate::cutting::{CuttingError, Engagement, Law, Milling, Process, Side};
+use crate::cutting::{Along, CuttingError, Engagement, Law, Measured, MeasuredAxes, Milling, Process, Side};
 use crate::stock::{Engaged, Stock, StockError};
 use crate::toolpath::{Given, Move, Sample, Steps};
 
+/// By so much of its length may a measured force end before the path does.
+const ENDS: f64 = 1e-3;
 /// Below this part of its way across a move goes straight down.
 const STRAIGHT_DOWN: f64 = 1e-6;
 
@@ -32,7 +34,7 @@ pub struct Forced {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ForcedError {
     /// A tool or an engagement that is none.
-    #[error("{}{error}", if *line == 0 { String::new() } else { format!("line {line}: ") })]
+    #[error("{}{error}", of_line(*line))]
     Cutting {
         /// Of the path; 0 where it is no matter of the path.
         line: usize,
@@ -42,11 +44,55 @@ pub enum ForcedError {
     /// Heights know no such path.
     #[error(transparent)]
     Stock(#[from] StockError),
+    /// The table of a measured force ends before the path does, or begins after it.
+    #[error(
+        "{}the forces were measured from {:.6} to {:.6} {unit}, and the tool is at {at:.6} {unit} there; expected forces for all of the path that feeds",
+        of_line(*line), ends[0], ends[1]
+    )]
+    Beyond {
+        /// Of the path.
+        line: usize,
+        /// Where it is.
+        at: f64,
+        /// From where to where is known.
+        ends: [f64; 2],
+        /// Of all three.
+        unit: &'static str,
+    },
+    /// Forces over time need to know when.
+    #[error("{}no feed rate is told, so that forces over time have no place; expected F words, or forces over the way (s_m)", of_line(*line))]
+    NoTime {
+        /// Of the path.
+        line: usize,
+    },
     /// What is left of a stock is asked for, and nothing mills.
     #[error(
         "a stock tells how much of a mill is in the work; expected a process with a mill: [tool], [engagement] and a material"
     )]
     NoMill,
+}
+
+fn of_line(line: usize) -> String {
+    if line == 0 { String::new() } else { format!("line {line}: ") }
+}
+
+/// How long the tool has fed.
+struct Clock {
+    /// Where it was last, m.
+    way: f64,
+    /// s; `None` where some feed rate is not told.
+    time: Option<f64>,
+}
+
+impl Clock {
+    /// At the next sample, s.
+    fn at(&mut self, sample: &Sample) -> Option<f64> {
+        let way = sample.way - std::mem::replace(&mut self.way, sample.way);
+        if sample.is_cutting && 0.0 < way {
+            self.time = self.time.zip(sample.feed).map(|(time, feed)| time + way / feed);
+        }
+        self.time
+    }
 }
 
 /// Cuts moves into stations, each under its force: that which the path gives; else that of the process, at the depth and width that the path
@@ -62,8 +108,8 @@ pub fn forced(
 ) -> Result<Forced, ForcedError> {
     let at = |line: usize| move |error| ForcedError::Cutting { line, error };
     let usual = match forcing {
-        Forcing::Same(acting) => *acting,
-        Forcing::Process(process) => acting(process).map_err(at(0))?,
+        Forcing::Same(acting) => (*acting, None),
+        Forcing::Process(process) => cutting(process).map_err(at(0))?,
     };
     let mut remarks = Vec::new();
     let cut = match (stock, forcing) {
@@ -77,26 +123,40 @@ pub fn forced(
         "the path never meets the stock: nothing pushes on the tool; is the block given in the path's own frame?"
             .to_owned()
     }));
-    let (mut next, mut fault) = (0, None);
+    let mut changes = Vec::new();
+    let (mut next, mut fault, mut clock) = (0, None, Clock { way: 0.0, time: Some(0.0) });
     let stations = stations(moves, steps, |sample| {
         let engaged = cut.as_ref().map(|cut| cut[next]);
         next += 1;
+        let time = clock.at(sample);
+        changes.push(None);
+        if !sample.is_cutting {
+            return None;
+        }
+        let of_law = |error| Some(at(sample.line)(error));
         let found = given_force(sample).map_or_else(
             || match (forcing, engaged) {
                 (_, Some(None)) => Err(None),
-                (Forcing::Process(process), Some(Some(engaged))) => in_stock(process, &engaged).map_err(Some),
+                (Forcing::Process(process), Some(Some(engaged))) => in_stock(process, &engaged).map_err(of_law),
+                (Forcing::Process(Process { law: Law::Measured(measured), .. }), None) => {
+                    as_measured(measured, sample, time).map(|acting| (acting, None)).map_err(Some)
+                }
                 (Forcing::Process(process), None) => {
-                    as_given(process, &sample.given).unwrap_or(Ok(usual)).map_err(Some)
+                    as_given(process, &sample.given).unwrap_or(Ok(usual)).map_err(of_law)
                 }
                 (Forcing::Same(_), _) => Ok(usual),
             },
-            Ok,
+            |acting| Ok((acting, None)),
         );
         match found {
-            Ok(acting) => Some(acting),
+            Ok((acting, change)) => {
+                changes.pop();
+                changes.push(change);
+                Some(acting)
+            }
             Err(None) => None,
             Err(Some(error)) => {
-                fault.get_or_insert(at(sample.line)(error));
+                fault.get_or_insert(error);
                 None
             }
         }
@@ -104,6 +164,8 @@ pub fn forced(
     if let Some(fault) = fault {
         return Err(fault);
     }
+    let stations: Vec<Station> =
+        stations.into_iter().zip(changes).map(|(station, changes)| Station { changes, ..station }).collect();
     remarks.extend(about_feeds(&stations, forcing));
     Ok(Forced { stations, remarks })
 }
@@ -126,6 +188,9 @@ fn about_feeds(stations: &[Station], forcing: &Forcing) -> Vec<String> {
     }
     let Forcing::Process(process) = forcing else { return found };
     let aside = pushed().filter(|station| !along_axis(station)).count();
+    if let Law::Measured(Measured { along: Along::Time, .. }) = process.law {
+        found.push("the time of the measured force counts while the tool feeds, from the path's beginning".into());
+    }
     if matches!(process.law, Law::Drilling { .. }) && 0 < aside {
         found.push(format!("{aside} samples feed across the tool axis: the thrust of a drill is taken there, too"));
     }
@@ -175,30 +240,34 @@ fn through(
     Ok(found)
 }
 
+/// What pushes, and what of it changes where the tool is moved across and axially, N/m.
+type Cutting = (Acting, Option<[[f64; 3]; 2]>);
+
 /// The mean force of a process.
-fn acting(process: &Process) -> Result<Acting, CuttingError> {
+fn cutting(process: &Process) -> Result<Cutting, CuttingError> {
     let found = process.mean()?;
-    Ok(found.map_or_else(
+    let acting = found.map_or_else(
         || Acting::Any(if let Law::Worst(newtons) = process.law { newtons } else { 0.0 }),
         |(force, moment)| Acting::Known { force, moment },
-    ))
+    );
+    Ok((acting, process.changes()?))
 }
 
 /// A mill of a process at what of it is in the stock.
-fn in_stock(process: &Process, engaged: &Engaged) -> Result<Acting, CuttingError> {
-    let Law::Milling(milling) = &process.law else { return acting(process) };
+fn in_stock(process: &Process, engaged: &Engaged) -> Result<Cutting, CuttingError> {
+    let Law::Milling(milling) = &process.law else { return cutting(process) };
     let engagement = engaged.engagement(milling.engagement.feed_per_tooth);
-    acting(&Process { law: Law::Milling(Milling { engagement, ..*milling }), ..process.clone() })
+    cutting(&Process { law: Law::Milling(Milling { engagement, ..*milling }), ..process.clone() })
 }
 
 /// A mill of a process at the depth and width that a path gives, where it gives any.
-fn as_given(process: &Process, given: &Given) -> Option<Result<Acting, CuttingError>> {
+fn as_given(process: &Process, given: &Given) -> Option<Result<Cutting, CuttingError>> {
     let Law::Milling(milling) = &process.law else { return None };
     if given.axial_depth.is_none() && given.radial_width.is_none() {
         return None;
     }
     if [given.axial_depth, given.radial_width].contains(&Some(0.0)) {
-        return Some(Ok(Acting::Known { force: [0.0; 3], moment: 0.0 }));
+        return Some(Ok((Acting::Known { force: [0.0; 3], moment: 0.0 }, None)));
     }
     let mut engagement = milling.engagement;
     engagement.depth = given.axial_depth.unwrap_or(engagement.depth);
@@ -207,7 +276,25 @@ fn as_given(process: &Process, given: &Given) -> Option<Result<Acting, CuttingEr
         let side = if 0.0 < engagement.entry { Side::Down } else { Side::Up };
         [engagement.entry, engagement.exit] = Engagement::angles(side, width, milling.diameter);
     }
-    Some(acting(&Process { law: Law::Milling(Milling { engagement, ..*milling }), ..process.clone() }))
+    Some(cutting(&Process { law: Law::Milling(Milling { engagement, ..*milling }), ..process.clone() }))
+}
+
+/// A force that was measured where the tool is, after so many s of feeding.
+fn as_measured(measured: &Measured, sample: &Sample, time: Option<f64>) -> Result<Acting, ForcedError> {
+    let line = sample.line;
+    let (at, unit) = match measured.along {
+        Along::Way => (sample.way, "m"),
+        Along::Time => (time.ok_or(ForcedError::NoTime { line })?, "s"),
+    };
+    let ends = measured.ends();
+    // What was typed of the ends is rounded.
+    let near = ends.into_iter().find(|end| (at - end).abs() <= ENDS * ends[1].abs().max(1e-3)).unwrap_or(at);
+    let (force, moment) = measured.at(near).ok_or(ForcedError::Beyond { line, at, ends, unit })?;
+    let force = match measured.axes {
+        MeasuredAxes::Cut => force,
+        MeasuredAxes::Part => (cutting_axes(sample).transpose() * Vector3::from(force)).into(),
+    };
+    Ok(Acting::Known { force, moment })
 }
 
 /// The force that a path gives in its own axes, along those of the cut.
@@ -253,6 +340,44 @@ mod tests {
             );
         }
         assert!(found.remarks.is_empty());
+    }
+
+    /// Along a square: over the way in the axes of the cut, over time in those of the part; by hand.
+    #[test]
+    fn a_measured_force_acts_where_and_when_it_was_measured() {
+        use crate::cutting::MeasuredForce;
+        // Four sides of 0.1 m at 0.05 m/s.
+        let moves = "rect:0.1x0.1".parse::<Builtin>().unwrap().moves(Some(0.05));
+        let of = |along, axes, end: f64| {
+            let row = |at, force| MeasuredForce { at, force, moment: 1.5 };
+            let rows = vec![row(0.0, [0.0, 0.0, 7.0]), row(end, [100.0 * end, 0.0, 7.0])];
+            let law = Law::Measured(Measured::new(along, axes, rows).unwrap());
+            let process = Process { spindle: None, is_clockwise: true, law };
+            forced(&moves, &Steps::USUAL, &Forcing::Process(process), None)
+        };
+        for station in of(Along::Way, MeasuredAxes::Cut, 0.4).unwrap().stations {
+            let expected = [100.0 * station.sample.way, 0.0, 7.0];
+            assert!((0..3).all(|i| (force(&station)[i] - expected[i]).abs() < 1e-9), "{station:?}");
+        }
+        let timed = of(Along::Time, MeasuredAxes::Part, 8.0).unwrap();
+        assert!(timed.remarks[0].contains("counts while the tool feeds"));
+        for station in timed.stations {
+            // x of the part along the direction of the feed, and to its left.
+            let (way, size) = (station.sample.direction.unwrap(), 100.0 * station.sample.way / 0.05);
+            let expected = [size * way.x, -size * way.y, 7.0];
+            assert!((0..3).all(|i| (force(&station)[i] - expected[i]).abs() < 1e-6), "{station:?} {expected:?}");
+        }
+        let short = of(Along::Way, MeasuredAxes::Cut, 0.3).unwrap_err().to_string();
+        assert!(short.contains("measured from 0.000000 to 0.300000 m, and the tool is at 0.3"), "{short}");
+        let rows = vec![
+            MeasuredForce { at: 0.0, force: [0.0; 3], moment: 0.0 },
+            MeasuredForce { at: 9.0, force: [0.0; 3], moment: 0.0 },
+        ];
+        let law = Law::Measured(Measured::new(Along::Time, MeasuredAxes::Cut, rows).unwrap());
+        let timeless = "rect:0.1x0.1".parse::<Builtin>().unwrap().moves(None);
+        let process = Process { spindle: None, is_clockwise: true, law };
+        let refused = forced(&timeless, &Steps::USUAL, &Forcing::Process(process), None);
+        assert!(matches!(refused, Err(ForcedError::NoTime { .. })), "{refused:?}");
     }
 
     /// What the path gives overrules the process: half the depth is half the force, and a force is turned into the axes of the cut.

@@ -87,6 +87,8 @@ pub struct Station {
     pub sample: Sample,
     /// What pushes; `None` in air.
     pub acting: Option<Acting>,
+    /// By how much that changes, along feed, across and axial, where the tool is moved across and axially, N/m; `None` where no cut is known.
+    pub changes: Option<[[f64; 3]; 2]>,
     /// How long the way from the station before takes, s; `None` at the beginning, in rapid moves, and where the feed rate is not said.
     pub time: Option<f64>,
     /// The arm may come here in any configuration and at any roll: the path begins, goes on elsewhere, or is clear of the work.
@@ -132,7 +134,7 @@ pub fn stations(moves: &[Move], steps: &Steps, mut acting: impl FnMut(&Sample) -
                 None => (sample.way == before.way).then_some(0.0),
             });
             let acting = acting(&sample).filter(|_| sample.is_cutting);
-            found.push(Station { sample, acting, time, is_fresh: !goes_on, pinned: None });
+            found.push(Station { sample, acting, changes: None, time, is_fresh: !goes_on, pinned: None });
         }
         way += one.length();
     }

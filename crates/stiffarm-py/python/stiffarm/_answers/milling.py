@@ -6,6 +6,7 @@ import numpy as np
 
 from .._given import Array
 from ..types import (
+    FedBackDict,
     ForceDict,
     MilledDict,
     PathLength,
@@ -100,7 +101,7 @@ class Milled(Table[MilledDict]):
     force: str
     part: PathLength
     roll: RollChoice
-    #: What of the displacement counts: ``"total"``, ``"across"`` or ``"axial"``.
+    #: What of the displacement counts: ``"total"``, ``"across"``, ``"axial"`` or ``"normal"``.
     error: str
     asked_limit_margin_deg: float
     asked_singular_margin_deg: float
@@ -128,6 +129,8 @@ class Milled(Table[MilledDict]):
     tolerance_mm: float | None
     margin_mm: float | None
     search: PlaceSearch | None
+    #: What becomes of the largest error as width and depth of the cut change by it; None where no cut is known.
+    fed_back: FedBackDict | None
     remarks: list[str]
 
     @property

@@ -70,13 +70,14 @@ impl MillAnswer {
             }
         };
         let tolerance_mm = asked.tolerance_mm();
-        let (mut draws, mut compensated) = (None, None);
+        let (mut draws, mut compensated, mut fed_back) = (None, None, None);
         if let (Some(Milled::Followed(found)), Some(placement)) = (&milled, placement) {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
             let drawn = |draws: Vec<[f64; 6]>| {
                 drawn_errors(&robot, &stand, &stations, &found.samples, (options.part, &draws)).map_err(failed)
             };
             draws = factors(&robot, DRAWS).map(drawn).transpose()?;
+            fed_back = mill::fed_back(&robot, &stand, &stations, &found.samples, options.part).map_err(failed)?;
             if asked.is_compensated() {
                 let what = (&stations[..], found, options.part);
                 compensated = Some(compensation(asked, &robot, &stand, what).map_err(failed)?);
@@ -93,6 +94,7 @@ impl MillAnswer {
             sought,
             milled,
             draws,
+            fed_back,
             compensation: compensated,
             tolerance_mm,
             remarks,

@@ -13,8 +13,8 @@ use serde_json::Value;
 use super::place::Verdict;
 use super::{fixed, with_schema};
 use crate::mill::{
-    Blocked, Compensated, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement, PathResolution, Pushed,
-    Remaining, RollMap, RollMode, Stand, Station, roll_map,
+    Blocked, Compensated, FedBack, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement,
+    PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, roll_map,
 };
 use crate::program::ProgramFault;
 use crate::request::Refusal;
@@ -47,6 +47,8 @@ pub struct MillAnswer {
     pub milled: Option<Milled>,
     /// The largest error of every draw of the drives, m; `None` where nothing says how they may be, or nothing is followed.
     pub draws: Option<Vec<f64>>,
+    /// What becomes of it as the cut changes with the displacement; `None` where no cut is known, or nothing is followed.
+    pub fed_back: Option<FedBack>,
     /// What compensation makes of it, where it was asked for and the path is followed.
     pub compensation: Option<Compensation>,
     /// The largest error that passes, mm.

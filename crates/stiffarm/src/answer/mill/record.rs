@@ -6,7 +6,7 @@ use super::super::place::Verdict;
 use super::super::stiffness::stiffness;
 use super::super::{Cell, Column, ColumnKind, Record, Rows, field};
 use super::{Compensation, MillAnswer, least};
-use crate::mill::{Acting, Pushed, Station};
+use crate::mill::{Acting, FedBack, Pushed, Station};
 use crate::robot::Arm;
 
 impl MillAnswer {
@@ -47,6 +47,7 @@ impl MillAnswer {
             .put(field::TOLERANCE, self.tolerance_mm)
             .put(field::PASS, verdict.map(|verdict| verdict.passes))
             .put(field::MARGIN, verdict.map(|verdict| verdict.margin_mm))
+            .put(field::FED_BACK, self.fed_back.as_ref().map(fed_back))
             .put(field::PATH_COMPENSATION, self.compensation.as_ref().map(compensated))
             .put(field::SEARCH, self.search())
             .put(field::REMARKS, json!(self.remarks));
@@ -195,6 +196,16 @@ impl MillAnswer {
         cells.push(Cell::Truth(sample.is_cutting));
         cells
     }
+}
+
+/// What becomes of the path as the cut changes with the displacement.
+fn fed_back(found: &FedBack) -> Record {
+    let mut record = Record::new();
+    record
+        .put(field::PATH_WORST, Some(found.worst.0).filter(|_| found.unsettled == 0))
+        .put(field::CONTRACTION, found.contraction)
+        .put(field::UNSETTLED, found.unsettled);
+    record
 }
 
 /// What is commanded, and what is left.

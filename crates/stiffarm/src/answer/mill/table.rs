@@ -82,6 +82,15 @@ impl MillAnswer {
             ),
             line("root mean square", mm(found.rms)),
         ];
+        lines.extend(self.fed_back.as_ref().map(|found| {
+            let back =
+                format!("the cut gives back at most {} % of a displacement", fixed(100.0 * found.contraction, 1));
+            let told = match found.unsettled {
+                0 => format!("{}: {back}", mm(found.worst.0)),
+                count => format!("DOES NOT SETTLE at {count} samples: {back}, the tool is drawn in"),
+            };
+            line("as the cut changes by it", told)
+        }));
         lines.extend(uncertainty::told(self.spread()));
         let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));

@@ -324,6 +324,46 @@ fn parts_of_the_error_are_those_of_the_whole() {
     }
 }
 
+/// The rounds one by one, by the compliance of each posture alone.
+#[test]
+fn an_error_that_is_fed_back_is_that_at_which_its_rounds_settle() {
+    let text = "[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = \"al7075-t6\"\n[engagement]\nap_mm = 3\nae_mm = 4\n\
+                side = \"SIDE\"\nfeed_per_tooth_mm = 0.1\n";
+    let mut errors = Vec::new();
+    for side in ["up", "down"] {
+        let process = crate::catalogue::read_process(&text.replace("SIDE", side), "p").unwrap().process;
+        let changes = process.changes().unwrap().unwrap().map(Vector3::from);
+        let moves = "circle:0.2".parse::<Builtin>().unwrap().moves(Some(0.01));
+        let stations = forced(&moves, &Steps::USUAL, &Forcing::Process(process), None).unwrap().stations;
+        let found = followed(&stand(), &stations, &with(RollMode::Free));
+        let told = fed_back(&robot(), &stand(), &stations, &found.samples, ErrorPart::Total).unwrap().unwrap();
+        assert_eq!(told.unsettled, 0);
+        assert!(0.01 < told.contraction && told.contraction < 0.9, "{}", told.contraction);
+        let mut worst = 0.0_f64;
+        for (station, pushed) in stations.iter().zip(&found.samples) {
+            let Some(Acting::Known { force, moment }) = station.acting else { panic!("it is cut all along") };
+            let axes = stand().base_from_part.rotation.to_rotation_matrix() * cutting_axes(&station.sample);
+            let posture = compliance(&robot(), &pushed.joints, &stand().flange_from_tool).unwrap();
+            let mut moved = Vector3::zeros();
+            for _ in 0..400 {
+                let aside = axes.transpose() * moved;
+                let force = axes * (Vector3::from(force) + changes[0] * aside.y + changes[1] * aside.z);
+                let moment = axes * Vector3::new(0.0, 0.0, moment);
+                let wrench = nalgebra::Vector6::from_iterator(force.iter().chain(moment.iter()).copied());
+                moved = posture.compliance.deflection(&crate::spatial::Wrench(wrench)).0;
+            }
+            worst = worst.max(moved.norm());
+        }
+        assert!((told.worst.0 / worst - 1.0).abs() < 1e-9, "{side}: {} {worst}", told.worst.0);
+        errors.push(told.worst.0 / found.worst.0);
+    }
+    assert!(errors.iter().any(|error| (error - 1.0).abs() > 0.005), "nothing is fed back: {errors:?}");
+    // A force that is given has no cut.
+    let stations = path("line:0.3", KNOWN);
+    let found = followed(&stand(), &stations, &with(RollMode::Free));
+    assert_eq!(fed_back(&robot(), &stand(), &stations, &found.samples, ErrorPart::Total), Ok(None));
+}
+
 /// A normal across the feed counts what `across` counts; a slanting one, which is told in the part's axes, the part of the displacement along it,
 /// bounded and compensated like the others. Where none is told nothing is answered.
 #[test]
