@@ -14,6 +14,7 @@ const fit = el("section", { "aria-label": "what the measurements say" });
 const says = el("div", { "aria-live": "polite" });
 const found = el("div");
 const picture = new Picture("what remains of the measurements, by the model");
+const drawn = new Picture("the postures to measure, each from the side of the arm");
 const measured = () => ({ verb: "measure", question: question("measure") });
 const identified = () => ({ verb: "identify", question: question("identify") });
 
@@ -37,7 +38,7 @@ export const measure = {
   ],
   mount(look, decide) {
     look.replaceChildren(fit, el("h2", {}, ["Postures to measure"]), el("div", { class: "tools" }, [button("print", () => print()), opener("open the filled-in table", "filled", (name) => change({ [DATA]: name }), "open the filled-in table")]), plan);
-    decide.replaceChildren(found, says, takeaway(measured, [["table to fill in", "csv"], ["JSON", "json"]]));
+    decide.replaceChildren(found, says, takeaway(measured, [["table to fill in", "csv"], ["SVG", "svg"], ["PDF", "pdf"], ["JSON", "json"]]));
   },
   async update(signal) {
     await identify(signal);
@@ -51,7 +52,8 @@ export const measure = {
       ...(about ? [list(about, /^(stiffness|precision)/)] : []),
       words(told.sentences.flat()),
     );
-    if (runs) plan.replaceChildren(sortable(runs, "postures to measure"));
+    if (runs) plan.replaceChildren(sortable(runs, "postures to measure"), drawn.image);
+    await drawn.show(await (await written("measure", now, "svg", signal)).text());
     if (value(DATA) === "") say(label);
   },
 };

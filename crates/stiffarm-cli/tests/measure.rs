@@ -109,3 +109,21 @@ fn an_instrument_is_told_with_what_it_sees_and_half_of_one_is_refused() {
         assert!(said.contains(why), "{said}");
     }
 }
+
+/// By the answer itself: the same runs in a row are one picture, its markers are where the table has them moved.
+#[test]
+fn the_postures_of_a_plan_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("plan.svg").to_string_lossy().into_owned();
+    program(&[&ASKED[..], &["-o", &file]].concat()).success();
+    let drawn = fs::read_to_string(&file).unwrap();
+    let told: Value =
+        serde_json::from_slice(&program(&[&ASKED[..], &["--format", "json"]].concat()).success().get_output().stdout)
+            .unwrap();
+    let runs = told["runs"].as_array().unwrap();
+    let same = |i: usize| ["joints_deg", "load"].iter().all(|key| runs[i][key] == runs[i - 1][key]);
+    let pictures = 1 + (1..runs.len()).filter(|i| !same(*i)).count();
+    assert_eq!(drawn.matches("mm expected").count(), pictures);
+    let joint_1 = runs[0]["joints_deg"][0].as_f64().unwrap();
+    assert!(drawn.contains(&format!("joint 1 at {joint_1:.2}°")), "{joint_1}");
+}

@@ -11,6 +11,7 @@ use stiffarm::request::Request;
 use super::watched;
 use crate::common::Common;
 use crate::failure::Failure;
+use crate::figures::{Plate, postures};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
 use crate::selection;
@@ -45,7 +46,7 @@ pub(super) fn answer(asked: &Request, common: &Common) -> Result<MeasureOutput, 
             Some((name, runs.len(), value, efficiency))
         }
     };
-    Ok(MeasureOutput(MeasureAnswer { robot, options, work, plan: found, compared }))
+    Ok(MeasureOutput(MeasureAnswer { robot, options, work, plan: found, compared }, Plate::of(asked)?))
 }
 
 /// Postures and loads of a table of one's own; of several markers of one run the first.
@@ -54,13 +55,14 @@ fn own_runs(name: &str, asked: &Request, common: &Common) -> Result<(String, Vec
     Ok((shown, stiffarm::measure::own(&planned)))
 }
 
-pub(super) struct MeasureOutput(MeasureAnswer);
+pub(super) struct MeasureOutput(MeasureAnswer, Plate);
 
 impl Answer for MeasureOutput {
     const COMMAND: &'static str = "measure";
+    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf"];
 
     fn text(&self, look: Look) -> String {
-        let Self(answer) = self;
+        let Self(answer, _) = self;
         sheet(&[answer.summary(), answer.table()], &answer.notes(), look)
     }
 
@@ -70,5 +72,14 @@ impl Answer for MeasureOutput {
 
     fn rows(&self) -> Rows<'_> {
         self.0.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, Failure>> {
+        let title = format!("Postures to measure, {}", self.0.robot.name);
+        Some(Ok(postures::svg(&title, &self.0.postures(), &self.1)))
+    }
+
+    fn plate(&self) -> Plate {
+        self.1
     }
 }

@@ -72,7 +72,7 @@ impl Hodograph {
 }
 
 /// An arrow; nothing where it has no length.
-fn arrow(canvas: &mut Canvas, from: Px, to: Px, look: &str) {
+pub(super) fn arrow(canvas: &mut Canvas, from: Px, to: Px, look: &str) {
     let (x, y) = (to[0] - from[0], to[1] - from[1]);
     let length = x.hypot(y);
     if length < 1e-9 {

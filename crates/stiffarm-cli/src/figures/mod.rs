@@ -20,6 +20,7 @@ pub(crate) mod map;
 mod marks;
 pub(crate) mod milled;
 mod plate;
+pub(crate) mod postures;
 pub(crate) mod ranking;
 pub(crate) mod reach;
 pub(crate) mod scene;

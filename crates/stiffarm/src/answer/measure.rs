@@ -1,12 +1,13 @@
 //! How is a plan of measurements told?
 
+use nalgebra::Vector3;
 use serde_json::{Value, json};
 
 use super::stiffness::digits;
 use super::words::{self, fixed};
 use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, Unit, field, line, stiffness, with_schema};
 use crate::measure::{Cone, Criterion, Instrument, Options, Plan, Run};
-use crate::robot::Robot;
+use crate::robot::{Arm, Robot};
 
 /// What a plan is judged by, and how many of the unit in which that is told are one in SI: (um/N)^2, or nothing of parts.
 const fn judged(criterion: Criterion) -> (&'static str, f64) {
@@ -32,7 +33,58 @@ pub struct MeasureAnswer {
     pub compared: Option<(String, usize, f64, f64)>,
 }
 
+/// One posture of a plan as a picture has it: seen from the side of the arm, which is turned to the right. Lengths in m: ahead of the joint-1
+/// axis along the heading of the arm, and up from the base.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnPosture {
+    /// Its first and its last run, from 1: those that stand the same under the same load.
+    pub runs: [usize; 2],
+    /// Joint 1 as the robot reports it, deg.
+    pub joint_1: f64,
+    /// Joint-2 axis, elbow, wrist centre and flange.
+    pub points: [[f64; 2]; 4],
+    /// What is looked at.
+    pub markers: Vec<[f64; 2]>,
+    /// Where the load acts, and where it points, of length 1 or less where it leaves the plane of the arm.
+    pub load: [[f64; 2]; 2],
+    /// The load in words.
+    pub told: String,
+    /// How far the marker that moves most is expected to move, mm.
+    pub expected_mm: f64,
+}
+
 impl MeasureAnswer {
+    /// The postures of the plan, in their order; none of a robot of two links.
+    pub fn postures(&self) -> Vec<DrawnPosture> {
+        let Arm::SixAxis { geometry, limits, .. } = &self.robot.arm else { return Vec::new() };
+        let mut found: Vec<DrawnPosture> = Vec::new();
+        for (i, run) in self.plan.runs.iter().enumerate() {
+            if 0 < i && self.plan.runs[i - 1].q == run.q && self.plan.runs[i - 1].way == run.way {
+                if let Some(last) = found.last_mut() {
+                    last.runs[1] = i + 1;
+                }
+                continue;
+            }
+            let theta = geometry.model_angles(&run.q, limits.third_axis);
+            let flange = geometry.forward(&theta);
+            let (s, c) = theta[0].sin_cos();
+            let side = |v: &Vector3<f64>| [c * v.x + s * v.y, v.z];
+            let at = |point: &Vector3<f64>| side(&(flange * nalgebra::Point3::from(*point)).coords);
+            let way = &self.options.ways[run.way];
+            let [_, points @ ..] = geometry.points(&theta);
+            found.push(DrawnPosture {
+                runs: [i + 1; 2],
+                joint_1: joints(run)[0],
+                points: points.map(|point| side(&Vector3::from(point))),
+                markers: self.options.markers.iter().map(at).collect(),
+                load: [at(&self.options.load_at), side(&way.along)],
+                told: format!("{} N {}", fixed(self.options.newtons, 0), way.name),
+                expected_mm: Unit::Millimetre.told(largest(run)),
+            });
+        }
+        found
+    }
+
     /// Every field.
     pub fn record(&self) -> Record {
         let Self { plan, compared, .. } = self;
@@ -103,7 +155,7 @@ impl MeasureAnswer {
                 postures.push(run.q);
             }
             let numbers = |values: &[f64]| values.iter().map(|value| Cell::Number(value + 0.0)).collect::<Vec<_>>();
-            let mm = |point: &nalgebra::Vector3<f64>| numbers((point * 1e3).as_slice());
+            let mm = |point: &Vector3<f64>| numbers((point * 1e3).as_slice());
             for (marker, expected) in self.options.markers.iter().zip(&run.expected) {
                 let mut row = vec![Cell::Count(i as i64 + 1), Cell::Text(format!("p{}", posture + 1))];
                 row.extend(numbers(&joints(run)));
@@ -192,9 +244,8 @@ impl MeasureAnswer {
         let Some(Instrument { at, cone }) = &self.options.instrument else {
             return "from everywhere: where the instrument stands is not told (--instrument)".into();
         };
-        let triple = |vector: &nalgebra::Vector3<f64>| {
-            vector.iter().map(|x| digits(*x, 3).to_string()).collect::<Vec<_>>().join(", ")
-        };
+        let triple =
+            |vector: &Vector3<f64>| vector.iter().map(|x| digits(*x, 3).to_string()).collect::<Vec<_>>().join(", ");
         let side = cone.as_ref().map_or("from all sides".into(), |Cone { faces, acceptance }| {
             format!("up to {} deg from {} of the flange", fixed(acceptance.to_degrees(), 1), triple(faces))
         });

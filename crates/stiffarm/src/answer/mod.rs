@@ -44,7 +44,7 @@ pub use identify::IdentifyAnswer;
 pub use ledger::LedgerAnswer;
 pub use looks::{Look, looks};
 pub use map::MapAnswer;
-pub use measure::MeasureAnswer;
+pub use measure::{DrawnPosture, MeasureAnswer};
 pub use mill::{Compensation, MillAnswer, MillAnswerError, PathRankAnswer};
 pub use path::PathAnswer;
 pub use place::{PlaceAnswer, Verdict};

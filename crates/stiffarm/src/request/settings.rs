@@ -917,6 +917,7 @@ const OF_ZONES: &[Setting] = &[
             Verb::Study,
             Verb::Compare,
             Verb::Identify,
+            Verb::Measure,
             Verb::Force,
             Verb::Mill,
         ],
