@@ -3,6 +3,11 @@
 use crate::compliance::PostureError;
 use crate::watch::Stopped;
 
+/// Of the file, before what is wrong there; nothing of a path built in.
+pub(super) fn of_line(line: usize) -> String {
+    if line == 0 { String::new() } else { format!("line {line}: ") }
+}
+
 /// A question that makes no sense.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MillError {
@@ -32,7 +37,7 @@ pub enum MillError {
     /// The loaded posture was not found.
     #[error(
         "{}the loaded posture does not settle, the joints still turn by {change:.1e} rad a round; the force is too large for these drives",
-        if *line == 0 { String::new() } else { format!("line {line}: ") }
+        of_line(*line)
     )]
     Unsettled {
         /// Of the file.
@@ -46,7 +51,7 @@ pub enum MillError {
     /// What counts is not said.
     #[error(
         "{}no outward normal of the surface is told there; expected a table (CSV) with the columns nx,ny,nz for errors along the normal",
-        if *line == 0 { String::new() } else { format!("line {line}: ") }
+        of_line(*line)
     )]
     NoNormal {
         /// Of the file.

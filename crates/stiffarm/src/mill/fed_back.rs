@@ -21,8 +21,8 @@ use crate::robot::Robot;
 /// What becomes of a path whose cut changes with the displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FedBack {
-    /// The largest error of the samples that settle, m, and the station at which it is.
-    pub worst: (f64, usize),
+    /// The largest error of the samples that settle, m.
+    pub worst: f64,
     /// Of every round over the one before, at most: the largest spectral radius.
     pub contraction: f64,
     /// Samples at which nothing settles: pushed aside, the tool is drawn in.
@@ -41,7 +41,7 @@ pub fn fed_back(
     part: ErrorPart,
 ) -> Result<Option<FedBack>, MillError> {
     let mut found: Option<FedBack> = None;
-    for (i, (station, pushed)) in stations.iter().zip(followed).enumerate() {
+    for (station, pushed) in stations.iter().zip(followed) {
         let (Some(Acting::Known { force, moment }), Some(changes)) = (station.acting, station.changes) else {
             continue;
         };
@@ -52,7 +52,7 @@ pub fn fed_back(
         let back = axes.transpose() * posture.compliance.translation() * axes * changes;
         let of_cut: Matrix2<f64> = back.fixed_rows::<2>(1).into();
         let contraction = spectral_radius(&of_cut);
-        let told = found.get_or_insert(FedBack { worst: (0.0, i), contraction: 0.0, unsettled: 0 });
+        let told = found.get_or_insert(FedBack { worst: 0.0, contraction: 0.0, unsettled: 0 });
         told.contraction = told.contraction.max(contraction);
         let settled = if contraction < 1.0 { (Matrix2::identity() - of_cut).try_inverse() } else { None };
         let Some(settled) = settled else {
@@ -62,9 +62,7 @@ pub fn fed_back(
         let moved = axes * (meant + back * (settled * Vector2::new(meant.y, meant.z)));
         let counted = part.direction(&axes, &station.sample);
         let error = counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs());
-        if told.worst.0 < error {
-            told.worst = (error, i);
-        }
+        told.worst = told.worst.max(error);
     }
     Ok(found)
 }

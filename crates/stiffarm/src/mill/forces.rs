@@ -2,13 +2,14 @@
 
 use nalgebra::Vector3;
 
+use super::fault::of_line;
 use super::stations::{Acting, Station, cutting_axes, stations};
 use crate::cutting::{Along, CuttingError, Engagement, Law, Measured, MeasuredAxes, Milling, Process, Side};
 use crate::stock::{Engaged, Stock, StockError};
 use crate::toolpath::{Given, Move, Sample, Steps};
 
-/// By so much of its length may a measured force end before the path does.
-const ENDS: f64 = 1e-3;
+/// What was typed of the ends of a measured force is rounded to this, m or s.
+const ROUNDED: f64 = 1e-3;
 /// Below this part of its way across a move goes straight down.
 const STRAIGHT_DOWN: f64 = 1e-6;
 
@@ -72,10 +73,6 @@ pub enum ForcedError {
     NoMill,
 }
 
-fn of_line(line: usize) -> String {
-    if line == 0 { String::new() } else { format!("line {line}: ") }
-}
-
 /// How long the tool has fed.
 struct Clock {
     /// Where it was last, m.
@@ -129,8 +126,8 @@ pub fn forced(
         let engaged = cut.as_ref().map(|cut| cut[next]);
         next += 1;
         let time = clock.at(sample);
-        changes.push(None);
         if !sample.is_cutting {
+            changes.push(None);
             return None;
         }
         let of_law = |error| Some(at(sample.line)(error));
@@ -148,18 +145,15 @@ pub fn forced(
             },
             |acting| Ok((acting, None)),
         );
-        match found {
-            Ok((acting, change)) => {
-                changes.pop();
-                changes.push(change);
-                Some(acting)
+        let (acting, change) = match found {
+            Ok((acting, change)) => (Some(acting), change),
+            Err(error) => {
+                fault = fault.take().or(error);
+                (None, None)
             }
-            Err(None) => None,
-            Err(Some(error)) => {
-                fault.get_or_insert(error);
-                None
-            }
-        }
+        };
+        changes.push(change);
+        acting
     });
     if let Some(fault) = fault {
         return Err(fault);
@@ -287,9 +281,9 @@ fn as_measured(measured: &Measured, sample: &Sample, time: Option<f64>) -> Resul
         Along::Time => (time.ok_or(ForcedError::NoTime { line })?, "s"),
     };
     let ends = measured.ends();
-    // What was typed of the ends is rounded.
-    let near = ends.into_iter().find(|end| (at - end).abs() <= ENDS * ends[1].abs().max(1e-3)).unwrap_or(at);
-    let (force, moment) = measured.at(near).ok_or(ForcedError::Beyond { line, at, ends, unit })?;
+    let inside = Some(at.clamp(ends[0], ends[1])).filter(|inside| (inside - at).abs() <= ROUNDED);
+    let beyond = ForcedError::Beyond { line, at, ends, unit };
+    let (force, moment) = inside.and_then(|inside| measured.at(inside)).ok_or(beyond)?;
     let force = match measured.axes {
         MeasuredAxes::Cut => force,
         MeasuredAxes::Part => (cutting_axes(sample).transpose() * Vector3::from(force)).into(),
@@ -353,10 +347,12 @@ mod tests {
             let rows = vec![row(0.0, [0.0, 0.0, 7.0]), row(end, [100.0 * end, 0.0, 7.0])];
             let law = Law::Measured(Measured::new(along, axes, rows).unwrap());
             let process = Process { spindle: None, is_clockwise: true, law };
-            forced(&moves, &Steps::USUAL, &Forcing::Process(process), None)
+            // Fine enough for samples near the ends.
+            forced(&moves, &Steps { longest: 2e-4, ..Steps::USUAL }, &Forcing::Process(process), None)
         };
-        for station in of(Along::Way, MeasuredAxes::Cut, 0.4).unwrap().stations {
-            let expected = [100.0 * station.sample.way, 0.0, 7.0];
+        for station in of(Along::Way, MeasuredAxes::Cut, 0.399_2).unwrap().stations {
+            // The table ends 0.8 mm before the path does, by rounding.
+            let expected = [100.0 * station.sample.way.min(0.399_2), 0.0, 7.0];
             assert!((0..3).all(|i| (force(&station)[i] - expected[i]).abs() < 1e-9), "{station:?}");
         }
         let timed = of(Along::Time, MeasuredAxes::Part, 8.0).unwrap();

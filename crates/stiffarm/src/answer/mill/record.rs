@@ -202,7 +202,7 @@ impl MillAnswer {
 fn fed_back(found: &FedBack) -> Record {
     let mut record = Record::new();
     record
-        .put(field::PATH_WORST, Some(found.worst.0).filter(|_| found.unsettled == 0))
+        .put(field::PATH_WORST, Some(found.worst).filter(|_| found.unsettled == 0))
         .put(field::CONTRACTION, found.contraction)
         .put(field::UNSETTLED, found.unsettled);
     record

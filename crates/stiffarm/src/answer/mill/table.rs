@@ -86,7 +86,7 @@ impl MillAnswer {
             let back =
                 format!("the cut gives back at most {} % of a displacement", fixed(100.0 * found.contraction, 1));
             let told = match found.unsettled {
-                0 => format!("{}: {back}", mm(found.worst.0)),
+                0 => format!("{}: {back}", mm(found.worst)),
                 count => format!("DOES NOT SETTLE at {count} samples: {back}, the tool is drawn in"),
             };
             line("as the cut changes by it", told)

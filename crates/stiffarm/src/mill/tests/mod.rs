@@ -354,8 +354,8 @@ fn an_error_that_is_fed_back_is_that_at_which_its_rounds_settle() {
             }
             worst = worst.max(moved.norm());
         }
-        assert!((told.worst.0 / worst - 1.0).abs() < 1e-9, "{side}: {} {worst}", told.worst.0);
-        errors.push(told.worst.0 / found.worst.0);
+        assert!((told.worst / worst - 1.0).abs() < 1e-9, "{side}: {} {worst}", told.worst);
+        errors.push(told.worst / found.worst.0);
     }
     assert!(errors.iter().any(|error| (error - 1.0).abs() > 0.005), "nothing is fed back: {errors:?}");
     // A force that is given has no cut.
