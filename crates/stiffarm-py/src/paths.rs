@@ -20,10 +20,7 @@ use crate::waiting::Progress;
 
 /// What a process file says, and what the files say that it names beside itself.
 fn process_of(path: &Path, shown: &str) -> PyResult<ProcessFile> {
-    let mut beside = |other: &str| {
-        let named = path.parent().map_or_else(|| other.into(), |folder| folder.join(other));
-        files::text(&named).map_err(|error| error.to_string())
-    };
+    let mut beside = |other: &str| files::text(&files::beside(path, other)).map_err(|error| error.to_string());
     read_process_beside(&files::text(path).map_err(refused)?, shown, &mut beside).map_err(refused)
 }
 

@@ -21,7 +21,7 @@ pub(crate) mod study;
 pub(crate) mod validate;
 
 use std::borrow::Cow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -40,7 +40,7 @@ use crate::output::Told;
 /// What a process file says, and what the files say that it names beside itself.
 fn process_of(name: &str, shown: &str, common: &Common) -> Result<ProcessFile, Failure> {
     let mut beside = |other: &str| {
-        let path = Path::new(name).parent().map_or_else(|| PathBuf::from(other), |folder| folder.join(other));
+        let path = files::beside(Path::new(name), other);
         common.shelf.text(&path.to_string_lossy()).map(Cow::into_owned).map_err(|failure| failure.to_string())
     };
     read_process_beside(&common.shelf.text(name)?, shown, &mut beside).map_err(Failure::ProcessFile)

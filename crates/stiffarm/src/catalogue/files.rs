@@ -55,6 +55,11 @@ pub enum Why {
     Empty,
 }
 
+/// Where a file lies that another one names: counted from the folder of that one.
+pub fn beside(file: &Path, other: &str) -> PathBuf {
+    file.parent().map_or_else(|| other.into(), |folder| folder.join(other))
+}
+
 impl Unreadable {
     /// What to do about it.
     pub fn advice(&self) -> &'static str {

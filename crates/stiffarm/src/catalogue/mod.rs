@@ -1,5 +1,6 @@
 //! Robot files and the robots that come with the program; process files, and the materials that do.
 
+mod cells;
 mod doubts;
 mod fault;
 pub mod files;

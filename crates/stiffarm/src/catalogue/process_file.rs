@@ -3,10 +3,10 @@
 use include_dir::{Dir, include_dir};
 use toml::de::DeTable;
 
-use super::measured_force::{Sensor, measured};
+use super::measured_force::measured_law;
 use super::reader::{Log, Quantity, Table, shown};
 use super::{Fault, Faults};
-use crate::cutting::{Edge, Engagement, Law, MeasuredAxes, Milling, Process, Side};
+use crate::cutting::{Edge, Engagement, Law, Milling, Process, Side};
 use crate::plain::on_one_line;
 
 static MATERIALS: Dir = include_dir!("$CARGO_MANIFEST_DIR/materials");
@@ -23,7 +23,6 @@ const RUBBING: Quantity = Quantity { unit: "N/mm", min: -1e4, max: 1e4, suspect:
 const RATIO: Quantity = Quantity { unit: "(ratio)", min: -10.0, max: 10.0, suspect: None };
 const EXPONENT: Quantity = Quantity { unit: "(exponent)", min: 0.0, max: 0.9, suspect: None };
 const FORCE: Quantity = Quantity { unit: "N", min: -1e5, max: 1e5, suspect: None };
-const YAW: Quantity = Quantity { unit: "deg", min: -360.0, max: 360.0, suspect: None };
 const TORQUE: Quantity = Quantity { unit: "N m", min: 0.0, max: 1e4, suspect: None };
 /// Longer texts are no process files.
 const MOST_BYTES: usize = 1 << 20;
@@ -196,38 +195,6 @@ fn process(mut root: Table, beside: &mut dyn FnMut(&str) -> Result<String, Strin
     Some(ProcessFile { process: Process { spindle, is_clockwise, law: law? }, material: known, assumed })
 }
 
-/// Forces from a table.
-fn measured_law(
-    table: &mut Table,
-    assumed: &mut Vec<String>,
-    beside: &mut dyn FnMut(&str) -> Result<String, String>,
-) -> Option<Law> {
-    let name = table.text("file", true);
-    let sign = table.choice("on", &[("tool", 1.0), ("work", -1.0)], None);
-    let yaw = table.optional_number("sensor_yaw_deg", YAW);
-    let (name, sensor) = (name?, Sensor { sign: sign?, yaw: yaw.unwrap_or(0.0).to_radians() });
-    let found = beside(&name).and_then(|text| {
-        measured(&text, sensor).map_err(|Fault { line, key, message }| {
-            let key = if key.is_empty() { key } else { format!("{key}: ") };
-            format!("{}:{line}: {key}{message}", shown(&name))
-        })
-    });
-    match found {
-        Err(why) => {
-            table.fault("file", why);
-            None
-        }
-        Ok((found, ignored)) => {
-            if found.axes == MeasuredAxes::Cut && yaw.is_some() {
-                table.fault("sensor_yaw_deg", "beside forces along the axes of the cut; expected fx_n,fy_n,fz_n");
-                return None;
-            }
-            assumed.extend(ignored.into_iter().map(|column| format!("column {column} of {} is ignored", shown(&name))));
-            Some(Law::Measured(found))
-        }
-    }
-}
-
 /// A material by its name.
 fn preset(table: &mut Table) -> Option<Material> {
     let asked = table.text("preset", true)?;
@@ -345,46 +312,6 @@ mod tests {
         let stirred = force("[friction_stir]\naxial_n = 5000\ntraverse_n = 900\nside_n = -300");
         assert_eq!(stirred.mean, Some([-900.0, -300.0, 5000.0]));
         assert_eq!(force("[worst]\nforce_n = 1000").mean, None);
-    }
-
-    /// On the work acts the opposite; a sensor turned by a quarter has its x where the part has its y.
-    #[test]
-    fn measured_forces_are_read_from_the_table_that_is_named() {
-        let process = "[measured]\nfile = \"f.csv\"\non = \"work\"\nsensor_yaw_deg = 90\n";
-        let table = "s_mm;fx_n;fy_n;fz_n;moment_nm;note\n# a remark\n0;1;2;3;4;a\n50;1;2;3;4;b\n";
-        let read = |process: &str, table: &str| {
-            let mut beside =
-                |name: &str| if name == "f.csv" { Ok(table.to_owned()) } else { Err(format!("no {name}")) };
-            read_process_beside(process, "p", &mut beside)
-        };
-        let found = read(process, table).unwrap();
-        let Law::Measured(measured) = &found.process.law else { panic!("measured") };
-        let (force, moment) = measured.at(0.025).unwrap();
-        assert!((0..3).all(|i| (force[i] - [2.0, -1.0, -3.0][i]).abs() < 1e-12) && moment == -4.0, "{force:?}");
-        assert_eq!((measured.ends(), found.assumed.len()), ([0.0, 0.05], 1));
-        assert!(found.assumed[0].contains("column note of f.csv is ignored"));
-        let cut = table.replace("fx_n;fy_n;fz_n", "f_feed_n;f_across_n;f_axial_n");
-        assert!(read(&process.replace("sensor_yaw_deg = 90\n", ""), &cut).is_ok());
-        for (process, table, says) in [
-            (process.replace("on = \"work\"\n", ""), table.to_owned(), "measured.on: missing"),
-            (process.replace("f.csv", "g.csv"), table.to_owned(), "p:2: measured.file: no g.csv"),
-            (process.to_owned(), cut, "sensor_yaw_deg: beside forces along the axes of the cut"),
-            (process.to_owned(), table.replace("s_mm", "s_inch"), "f.csv:1: the columns are s_inch, fx_n"),
-            (process.to_owned(), table.replace("fz_n", "fx_n"), "f.csv:1: the columns are"),
-            (
-                process.to_owned(),
-                table.replace("50;1", "50;nan"),
-                "f.csv:4: fx_n: nan; expected a number of at most 100000",
-            ),
-            (process.to_owned(), table.replace("50;", "0;"), "f.csv:4: s_mm: it does not lie beyond the row before"),
-            (process.to_owned(), table.replace("50;1;2;3;4;b\n", ""), "f.csv:1: 1 rows; expected at least 2"),
-            (process.to_owned(), table.replace(";b", ""), "f.csv:"),
-        ] {
-            let told = read(&process, &table).err().unwrap_or_else(|| panic!("{process} {table} is read")).to_string();
-            assert!(told.contains(says), "{told}\n{says}");
-        }
-        let alone = read_process(process, "p").unwrap_err().to_string();
-        assert!(alone.contains("there is no file f.csv beside it"), "{alone}");
     }
 
     #[test]

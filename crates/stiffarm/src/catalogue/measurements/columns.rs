@@ -1,6 +1,7 @@
 //! Which columns does a table of measurements have, and in which units?
 
 use super::super::Fault;
+use super::super::cells::{cells, miscounted};
 use super::super::reader::shown;
 
 /// Columns of tables to be filled in that say nothing of what was measured.
@@ -53,14 +54,7 @@ pub(super) struct Row {
 
 /// Finds the columns; `None` where there is none of some that are needed, which is a fault.
 pub(super) fn table(text: &str, is_planned: bool, faults: &mut Vec<Fault>) -> Option<Table> {
-    let first = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or_default();
-    let delimiter = [b';', b'\t'].into_iter().find(|&c| first.contains(char::from(c))).unwrap_or(b',');
-    let mut reader = csv::ReaderBuilder::new()
-        .delimiter(delimiter)
-        .comment(Some(b'#'))
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
+    let mut reader = cells(text);
     let headings = match reader.headers() {
         Ok(headings) => headings.clone(),
         Err(error) => {
@@ -86,13 +80,7 @@ pub(super) fn table(text: &str, is_planned: bool, faults: &mut Vec<Fault>) -> Op
             continue;
         }
         if record.len() != names.len() {
-            let message = format!(
-                "row {}: {} cells; expected {}, as many as headings",
-                rows.len() + 1,
-                record.len(),
-                names.len()
-            );
-            faults.push(fault(line, message));
+            faults.push(fault(line, miscounted(rows.len() + 1, record.len(), names.len())));
             continue;
         }
         rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });
