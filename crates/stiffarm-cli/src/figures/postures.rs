@@ -1,6 +1,7 @@
 //! The postures of a plan of measurements, a small picture each: to be carried to the machine.
 
 use stiffarm::answer::DrawnPosture;
+use stiffarm::interval::Interval;
 use stiffarm::palette::{ARM, BASE, FORCE, GREY, INK, PAPER, WORST_POINT};
 
 use super::Plate;
@@ -15,6 +16,8 @@ const ROOM: f64 = 232.0;
 const HEAD: f64 = 44.0;
 /// Of a load, px.
 const LOAD: f64 = 42.0;
+/// About what is drawn, px: no load leaves a picture.
+const BESIDE: f64 = LOAD + 6.0;
 /// Of a load that is shorter, its length being 1, no direction is seen.
 const ACROSS: f64 = 0.4;
 /// Widths of upper arm, forearm and wrist, px.
@@ -26,13 +29,17 @@ pub(crate) fn svg(title: &str, postures: &[DrawnPosture], plate: &Plate) -> Stri
     let subtitle = "each from the side of the arm, turned to the right; joint 1 as the robot reports it";
     let mut top = heading(&mut canvas, title, subtitle) + 12.0;
     let columns = ((canvas.width - 20.0) / (ROOM + 8.0)).floor().max(1.0) as usize;
-    let all = || postures.iter().flat_map(|one| one.points.iter().chain(&one.markers).chain(&one.load[..1]));
-    let most = all().flatten().fold(0.5_f64, |most, x| most.max(x.abs()));
-    for row in postures.chunks(columns) {
-        for (i, posture) in row.iter().enumerate() {
-            draw(&mut canvas, posture, [12.0 + (ROOM + 8.0) * i as f64, top], most);
+    let shown = extents(postures);
+    let height = ROOM * shown[1].width() / shown[0].width();
+    for (i, row) in postures.chunks(columns).enumerate() {
+        for (j, posture) in row.iter().enumerate() {
+            let corner = [12.0 + (ROOM + 8.0) * j as f64, top];
+            let frame = draw(&mut canvas, posture, corner, (shown, height));
+            if (i, j) == (0, 0) {
+                metre(&mut canvas, &frame);
+            }
         }
-        top += HEAD + ROOM + 10.0;
+        top += HEAD + height + 10.0;
     }
     let entries = vec![
         Entry::line("load", format!(r#"stroke="{FORCE}" stroke-width="2.6""#)),
@@ -54,8 +61,37 @@ fn marker(canvas: &mut Canvas, at: Px) {
     canvas.circle(at, 4.0, &format!(r#"fill="{WORST_POINT}" stroke="{PAPER}" stroke-width="1.2""#));
 }
 
-/// One posture under its left upper corner; `most` m reach from the axis to either side, and up.
-fn draw(canvas: &mut Canvas, posture: &DrawnPosture, [left, top]: Px, most: f64) {
+/// From where to where all of them reach, m: ahead, and up, with room for loads.
+fn extents(postures: &[DrawnPosture]) -> [Interval; 2] {
+    let all = || postures.iter().flat_map(|one| one.points.iter().chain(&one.markers).chain(&one.load[..1]));
+    let reached = [0, 1].map(|axis| {
+        // The foot of the robot is seen, too.
+        let ends = all().map(|point| point[axis]).fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+        Interval::spanning(ends.0, ends.1)
+    });
+    let beside = reached[0].width() * BESIDE / (ROOM - 2.0 * BESIDE);
+    reached.map(|range| Interval::spanning(range.min() - beside, range.max() + beside))
+}
+
+/// The length of 1 m, in the lower left corner.
+fn metre(canvas: &mut Canvas, frame: &Frame) {
+    let [[left, bottom], _] = frame.corners();
+    let (from, y) = (left + 8.0, bottom - 9.0);
+    let to = from + frame.x.at(1.0) - frame.x.at(0.0);
+    canvas.line([from, y], [to, y], &format!(r#"stroke="{INK}" stroke-width="2""#));
+    for x in [from, to] {
+        canvas.line([x, y - 4.0], [x, y + 4.0], &format!(r#"stroke="{INK}" stroke-width="1.4""#));
+    }
+    canvas.text([to + 7.0, y], "1 m", Font::new(11.5));
+}
+
+/// One posture under its left upper corner, in a picture that shows so much, m, and is so high, px.
+fn draw(
+    canvas: &mut Canvas,
+    posture: &DrawnPosture,
+    [left, top]: Px,
+    ([ahead, up], height): ([Interval; 2], f64),
+) -> Frame {
     let DrawnPosture { runs: [first, last], joint_1, points, markers, load, told, expected_mm } = posture;
     let name = if first == last { format!("run {first}") } else { format!("runs {first} to {last}") };
     let bold = Font::new(13.0).bold();
@@ -64,12 +100,15 @@ fn draw(canvas: &mut Canvas, posture: &DrawnPosture, [left, top]: Px, most: f64)
     let moved = format!("joint 1 at {joint_1:.2}°, {expected_mm:.2} mm expected");
     canvas.text([left, top + 27.0], &small.cut(&moved, ROOM), small);
     let top = top + HEAD;
-    let room = most * 1.08;
     let frame = Frame {
-        x: Axis::new(-room, room, [left, left + ROOM]),
-        y: Axis::new(-0.35 * room, 1.65 * room, [top + ROOM, top]),
+        x: Axis::new(ahead.min(), ahead.max(), [left, left + ROOM]),
+        y: Axis::new(up.min(), up.max(), [top + height, top]),
     };
-    canvas.rect([left, top], [left + ROOM, top + ROOM], &format!(r#"fill="none" stroke="{GREY}" stroke-width="0.6""#));
+    canvas.rect(
+        [left, top],
+        [left + ROOM, top + height],
+        &format!(r#"fill="none" stroke="{GREY}" stroke-width="0.6""#),
+    );
     let floor = frame.y.at(0.0);
     canvas.line([left, floor], [left + ROOM, floor], &format!(r#"stroke="{GREY}" stroke-width="1""#));
     let at = |[x, z]: [f64; 2]| frame.at(x, z);
@@ -82,6 +121,10 @@ fn draw(canvas: &mut Canvas, posture: &DrawnPosture, [left, top]: Px, most: f64)
             let look = format!(r#"stroke="{colour}" stroke-width="{width}" stroke-linecap="round""#);
             canvas.line(at(link[0]), at(link[1]), &look);
         }
+    }
+    // What carries load point and markers.
+    for point in markers.iter().chain(&load[..1]) {
+        canvas.line(at(points[3]), at(*point), &format!(r#"stroke="{GREY}" stroke-width="2""#));
     }
     for joint in &points[..3] {
         canvas.circle(at(*joint), 3.4, &format!(r#"fill="{PAPER}" stroke="{INK}" stroke-width="1.6""#));
@@ -97,4 +140,5 @@ fn draw(canvas: &mut Canvas, posture: &DrawnPosture, [left, top]: Px, most: f64)
     for point in markers {
         marker(canvas, at(*point));
     }
+    frame
 }

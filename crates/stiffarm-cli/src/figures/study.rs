@@ -270,7 +270,9 @@ fn entries(panels: &[StudyPanel], labels: &[&str]) -> Vec<Entry> {
     }
     entries.extend(labels.iter().enumerate().map(|(i, label)| Entry::line(*label, line(false, 0, i))));
     for mark in panels.iter().filter_map(|panel| panel.mark.as_ref()) {
-        for (contender, name) in panels[0].contenders.iter().enumerate() {
+        for (contender, name) in
+            panels[0].contenders.iter().enumerate().filter(|(contender, _)| mark.accuracy[*contender].is_some())
+        {
             entries.push(Entry::new(format!("{}, were it {name}", mark.label), move |canvas, at| {
                 dot(canvas, at, contender);
             }));
