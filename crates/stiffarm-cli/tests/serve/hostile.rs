@@ -41,6 +41,12 @@ fn no_name_that_is_sent_leads_to_a_file_of_the_server() {
             assert_eq!(refused.status, 422, "{verb} {name}: {}", refused.text());
             assert!(refused.json()["error"].as_str().unwrap().contains("came along"), "{verb}: {}", refused.text());
         }
+        // A file that came along may name another one.
+        let names_it = format!("[measured]\nfile = {}\non = \"tool\"\n", json!(name));
+        let question = json!({ "options": { "process": "p.toml" }, "files": { "p.toml": names_it } });
+        let refused = served.ask("/api/force", &question);
+        assert_eq!(refused.status, 422, "{name}: {}", refused.text());
+        assert!(refused.json()["error"].as_str().unwrap().contains("came along"), "{}", refused.text());
         let compared =
             served.ask("/api/compare", &json!({ "options": { "a": name, "b": "BT200L", "task": "circle:0.3" } }));
         assert!(compared.json()["error"].as_str().unwrap().contains("is not known"), "{}", compared.text());
