@@ -276,6 +276,32 @@ mod tests {
         }
     }
 
+    /// A register full of one pose: no other one keeps alive what limits on joint 4 leave of it, often but one of two wrists.
+    #[test]
+    fn what_one_wrist_alone_may_hold_is_found() {
+        let mut rng = fastrand::Rng::with_seed(16);
+        let tool = Pose::translation(0.05, 0.1, 0.2);
+        let mut single = [0; 2];
+        for mut robot in paper_robots() {
+            let Arm::SixAxis { limits, .. } = &mut robot.arm else { unreachable!("six axes") };
+            limits.joints[3] = crate::interval::Interval::spanning(0.2, 1.9);
+            let arm = SpatialArm::new(&robot, &tool).unwrap();
+            for _ in 0..400 {
+                let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+                let at = Vector3::new(part(-3.0, 3.0), part(-3.0, 3.0), part(-1.0, 3.0));
+                let pose = Pose::new(at, Vector3::new(part(-3.0, 3.0), part(-3.0, 3.0), part(-3.0, 3.0)));
+                let ways = reached(&robot, &(pose * tool.inverse()));
+                let found = arm.best(&[pose; WIDEST]);
+                assert!(found.iter().all(|best| best.is_some() != ways.is_empty()), "{}: {pose} {ways:?}", robot.name);
+                if let [(configuration, _)] = ways[..] {
+                    assert!(found.iter().flatten().all(|best| best.configuration == configuration));
+                    single[configuration.index() % 2] += 1;
+                }
+            }
+        }
+        assert!(single.iter().all(|count| 20 < *count), "{single:?}");
+    }
+
     #[test]
     fn a_pose_at_which_nothing_holds_joint_2_is_not_reached() {
         let mut robot = paper_robots().swap_remove(4);

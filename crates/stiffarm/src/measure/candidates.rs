@@ -86,3 +86,55 @@ fn halton(n: usize) -> [f64; 6] {
         at
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+    use crate::catalogue::find;
+    use crate::interval::Interval;
+    use crate::measure::{Criterion, LoadWay};
+    use crate::prior::with_prior;
+    use crate::watch::Watch;
+
+    /// Points along the forearm and at the flange keep from the joint-1 axis what column and forearm are thick, and from the floor what the
+    /// forearm is; postures spread over the limits alone do not.
+    #[test]
+    fn no_posture_has_the_forearm_in_the_column_or_in_the_floor() {
+        let robot = with_prior(&find("KR 210 R2700 extra").unwrap().robot()).unwrap();
+        let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!("six axes") };
+        let (body, _) = robot.thickness();
+        let is_free = |q: &[f64; 6]| {
+            let [_, _, elbow, wrist, _] =
+                geometry.points(&geometry.model_angles(q, limits.third_axis)).map(Vector3::from);
+            (0..=40).map(|i| elbow + (wrist - elbow) * (f64::from(i) / 40.0)).all(|point| {
+                // The column ends at the height of the joint-2 axis, and is round there.
+                let above = (point.z - geometry.c1).max(0.0);
+                body.column + body.forearm <= point.xy().norm().hypot(above) && body.forearm <= point.z
+            })
+        };
+        let options = Options {
+            criterion: Criterion::Prediction,
+            ways: vec![LoadWay { name: "down".into(), along: -Vector3::z() }],
+            newtons: 1000.0,
+            load_at: Vector3::zeros(),
+            markers: vec![Vector3::zeros()],
+            sigma: 2e-5,
+            runs: 6,
+            candidates: 2000,
+            window: Some([Interval::ALL; 3]),
+            instrument: None,
+            work: Vec::new(),
+            tool: Vector3::zeros(),
+        };
+        let found = Candidates::of(&robot, &options, &Watch::nobody().parts(None)).unwrap();
+        assert_eq!(found.postures.len(), 2000);
+        assert!(found.postures.iter().all(is_free));
+        let spread = (0..2000).map(|n| {
+            let at = halton(n);
+            std::array::from_fn(|i| limits.joints[i].min() + at[i] * limits.joints[i].width())
+        });
+        assert!(100 < spread.filter(|q: &[f64; 6]| !is_free(q)).count());
+    }
+}

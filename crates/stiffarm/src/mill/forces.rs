@@ -340,6 +340,7 @@ mod tests {
     #[test]
     fn a_measured_force_acts_where_and_when_it_was_measured() {
         use crate::cutting::MeasuredForce;
+        use crate::toolpath::{MoveKind, ToolPose};
         // Four sides of 0.1 m at 0.05 m/s.
         let moves = "rect:0.1x0.1".parse::<Builtin>().unwrap().moves(Some(0.05));
         let of = |along, axes, end: f64| {
@@ -363,6 +364,17 @@ mod tests {
             let expected = [size * way.x, -size * way.y, 7.0];
             assert!((0..3).all(|i| (force(&station)[i] - expected[i]).abs() < 1e-6), "{station:?} {expected:?}");
         }
+        // Between two sides the tool is led away and back, which takes no time of feeding.
+        let mut led = moves.clone();
+        let (at, up) = (led[1].to, ToolPose { tip: led[1].to.tip + Vector3::z(), ..led[1].to });
+        led.insert(2, Move { kind: MoveKind::Rapid, from: at, to: up, ..led[1] });
+        led.insert(3, Move { kind: MoveKind::Rapid, from: up, to: at, ..led[1] });
+        let row = |at| MeasuredForce { at, force: [at, 0.0, 0.0], moment: 0.0 };
+        let law = Law::Measured(Measured::new(Along::Time, MeasuredAxes::Cut, vec![row(0.0), row(8.0)]).unwrap());
+        let process = Process { spindle: None, is_clockwise: true, law };
+        let found = forced(&led, &Steps::USUAL, &Forcing::Process(process), None).unwrap().stations;
+        let last = found.last().unwrap();
+        assert!((last.sample.way - 2.4).abs() < 1e-9 && (force(last)[0] - 8.0).abs() < 1e-9, "{last:?}");
         let short = of(Along::Way, MeasuredAxes::Cut, 0.3).unwrap_err().to_string();
         assert!(short.contains("measured from 0.000000 to 0.300000 m, and the tool is at 0.3"), "{short}");
         let rows = vec![
