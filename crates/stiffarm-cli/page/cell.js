@@ -2,6 +2,7 @@
 
 import { svg } from "./dom.js";
 import { Picture, boxOf, scaleOf, spotUnder } from "./figure.js";
+import { grasped } from "./hand.js";
 import { rounded } from "./zone.js";
 
 /** @typedef {[number, number, number, number]} Stand x, y, z in m from the base and the yaw in deg of the path's origin */
@@ -33,18 +34,14 @@ export class CellPlan {
     this.box = document.createElement("div");
     this.box.className = "section";
     this.box.append(this.picture.image, this.root);
-    /** @type {{x: number, z: number, at: Stand} | null} */
-    this.start = null;
-    const body = /** @type {SVGElement} */ (this.body);
-    body.addEventListener("pointerdown", (event) => this.taken(event));
-    body.addEventListener("pointermove", (event) => this.dragged(event));
-    for (const end of ["pointerup", "pointercancel"]) body.addEventListener(end, () => this.dropped());
-    body.addEventListener("keydown", (event) => this.keyed(event));
+    this.isHeld = false;
+    grasped(this.body, { take: (event) => this.taken(event), move: (start, event) => this.dragged(start, event), drop: () => this.dropped() });
+    this.body.addEventListener("keydown", (event) => this.keyed(/** @type {KeyboardEvent} */ (event)));
   }
 
   /** @param {string} drawn @param {Stand | null} at @param {boolean | null} holds */
   async show(drawn, at, holds) {
-    if (this.start) return;
+    if (this.isHeld) return;
     await this.picture.show(drawn);
     this.at = at;
     this.scale = drawn === "" ? null : scaleOf(drawn);
@@ -62,18 +59,15 @@ export class CellPlan {
 
   /** @param {PointerEvent} event */
   taken(event) {
-    if (!this.scale || !this.at) return;
-    event.preventDefault();
-    const body = /** @type {SVGElement} */ (this.body);
-    body.focus();
-    body.setPointerCapture(event.pointerId);
-    this.start = { ...spotUnder(this.root, this.scale, event), at: this.at };
+    if (!this.scale || !this.at) return null;
+    this.isHeld = true;
+    return { ...spotUnder(this.root, this.scale, event), at: this.at };
   }
 
-  /** @param {PointerEvent} event */
-  dragged(event) {
-    const { start, scale } = this;
-    if (!start || !scale) return;
+  /** @param {{x: number, z: number, at: Stand}} start @param {PointerEvent} event */
+  dragged(start, event) {
+    const { scale } = this;
+    if (!scale) return;
     const spot = spotUnder(this.root, scale, event);
     const [dx, dy] = [spot.x - start.x, spot.z - start.z];
     const [x, y, z, yaw] = start.at;
@@ -83,9 +77,8 @@ export class CellPlan {
   }
 
   dropped() {
-    if (!this.start || !this.at) return;
-    this.start = null;
-    this.hand.moved(this.at);
+    this.isHeld = false;
+    if (this.at) this.hand.moved(this.at);
   }
 
   /** @param {KeyboardEvent} event */

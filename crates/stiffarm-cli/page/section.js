@@ -2,9 +2,10 @@
 
 import { Newest, Refusal, fields, written } from "./ask.js";
 import { el } from "./dom.js";
-import { Picture, scaleOf, spotUnder } from "./figure.js";
+import { Picture, boxOf, scaleOf, spotUnder } from "./figure.js";
 import { question, value } from "./state.js";
 import { rows } from "./table.js";
+import { WindowEdges, windowOf } from "./window.js";
 import { ZoneObject, rounded, zoneOf } from "./zone.js";
 
 /** What the map is asked, without a zone. @param {Record<string, unknown>} [more] */
@@ -13,16 +14,17 @@ function mapped(more = {}) {
   return question("map", { ...Object.fromEntries(ofZone.map((row) => [row.name, undefined])), ...more });
 }
 
-/** The map with the zone over it. */
+/** The map with the zone and the window over it. */
 export class Section {
-  /** @param {import("./zone.js").Hand} hand */
-  constructor(hand) {
+  /** @param {import("./zone.js").Hand} hand @param {import("./window.js").Hand} ofWindow */
+  constructor(hand, ofWindow) {
+    this.window = new WindowEdges(ofWindow);
     this.zone = new ZoneObject({ ...hand, resized: (zone) => hand.resized(this.unfolded(zone)) });
     /** @type {{zone: import("./zone.js").Zone, deg: number} | null} A flat zone that is seen from the side. */
     this.folded = null;
     this.picture = new Picture("section map with the arm and the zone");
     this.tip = el("output", { class: "tip", hidden: true });
-    this.box = el("div", { class: "section" }, [this.picture.image, this.zone.root, this.tip]);
+    this.box = el("div", { class: "section" }, [this.picture.image, this.window.root, this.zone.root, this.tip]);
     /** @type {ReturnType<typeof scaleOf>} */
     this.scale = null;
     /** @type {{of: string, x: number[], z: number[], mm: (number | null)[][]} | null} */
@@ -36,12 +38,19 @@ export class Section {
   async update(here, best, signal) {
     await this.picture.show(await this.drawn(signal), here.feasible ? `section map: the zone at x ${rounded(here.x_m)} m, z ${rounded(here.z_m)} m` : "section map");
     this.scale = scaleOf(this.picture.svg);
+    // Behind a mount heights count from another floor than those of the map.
+    this.window.show(this.scale, boxOf(this.picture.svg, "map"), value("mount") === "" ? windowOf(value("within")) : null);
+    this.lay(here, best);
+  }
+
+  /** Lays the zone where an answer has it. @param {any} here @param {any} best */
+  lay(here, best) {
     const isFlat = value("model") === "spatial";
     const given = value("at").split(",").map(Number);
-    const [x = NaN, z = NaN] = given.length === 2 ? given : [here.x_m, here.z_m];
+    const [x = NaN, z = NaN] = here.feasible ? [here.x_m, here.z_m] : given;
     const zone = zoneOf(String(here.task ?? ""));
     const deg = Number(here.angle_deg ?? (Number(value("angle")) || 0));
-    const at = Number.isFinite(x) && Number.isFinite(z) && x !== null ? { x, z } : this.middle(best);
+    const at = Number.isFinite(x) && Number.isFinite(z) ? { x, z } : this.middle(best);
     this.folded = zone && isFlat ? { zone, deg } : null;
     this.zone.show(this.scale, zone && isFlat ? { ...zone, a: seenFromTheSide(zone, deg) } : zone, at, deg, isFlat);
     this.zone.mark(!here.feasible ? "none" : here.pass === true ? "pass" : here.pass === false ? "fail" : "");
@@ -76,7 +85,7 @@ export class Section {
   /** Values under the pointer, from a grid that is asked when the pointer first comes. @param {PointerEvent} event */
   async hover(event) {
     const { scale } = this;
-    if (!scale || this.zone.isHeld) return;
+    if (!scale || this.zone.isHeld || this.window.isHeld) return;
     const box = this.picture.image.getBoundingClientRect();
     const { x, z } = spotUnder(this.picture.image, scale, event);
     this.tip.style.left = `${event.clientX - box.left}px`;

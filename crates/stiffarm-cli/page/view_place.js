@@ -8,11 +8,12 @@ import { Section } from "./section.js";
 import { change, question, value } from "./state.js";
 import { list, read, under, verdict, words } from "./told.js";
 import { progress } from "./work.js";
+import { textOf } from "./window.js";
 import { rounded, taskOf } from "./zone.js";
 
 /** @typedef {import("./zone.js").Spot} Spot */
 
-const section = new Section({ moving, moved, resized, turned });
+const section = new Section({ moving, moved, resized, turned }, { moving: limiting, moved: limited });
 const comparison = new Comparison();
 const space = new Space();
 const study = new Picture("serial against quasi-serial: which architecture at which link ratio and size");
@@ -59,8 +60,29 @@ function turned(deg) {
   change({ angle: String((now + deg + 180) % 180) });
 }
 
-/** The values of a place that stands, or is under the hand. @param {any} told @param {Spot | null} at */
-function tell(told, at) {
+/** What is asked of the best place within a window, which no place by hand is. @param {string} within */
+const bestWithin = (within) => ({ within, at: "", ...(value("at") === "" ? {} : { angle: "" }) });
+
+const search = oneInFlight(async (/** @type {string} */ within) => {
+  const asked = Object.fromEntries(Object.entries(bestWithin(within)).map(([name, text]) => [name, text === "" ? undefined : text]));
+  const told = await fields("place", question("place", asked));
+  if (!section.window.isHeld) return;
+  tell(told, null, false);
+  section.lay(told, told);
+});
+
+/** @param {import("./window.js").Window} window */
+function limiting(window) {
+  search(textOf(window));
+}
+
+/** @param {import("./window.js").Window} window */
+function limited(window) {
+  change(bestWithin(textOf(window)));
+}
+
+/** The values of a place that stands, or is under the hand. @param {any} told @param {Spot | null} at @param {boolean} [isHere] it was set by hand */
+function tell(told, at, isHere = at !== null || value("at") !== "") {
   const mm = (/** @type {unknown} */ number, digits = 4) => (typeof number === "number" ? number.toFixed(digits) : "");
   const [wx, , wz] = /** @type {number[]} */ (told.worst_point_m ?? []);
   const where = at ? `x ${mm(at.x, 3)}, z ${mm(at.z, 3)} m` : `x ${mm(told.x_m, 3)}, z ${mm(told.z_m, 3)} m`;
@@ -70,22 +92,18 @@ function tell(told, at) {
         ["deflection", `${mm(told.deflection_mm)} mm`], ["stands at", where], ["worst point", `x ${mm(wx, 3)}, z ${mm(wz, 3)} m`],
         ["smallest margin", `${mm(told.smallest_margin_deg, 1)} deg, ${told.smallest_margin_of ?? ""}`],
       ]
-    : [["deflection", "not reached"], ["stands at", where], ["why", String(told.reason ?? "")]];
+    : [["deflection", "not reached"], ...(at || typeof told.x_m === "number" ? [/** @type {[string, string]} */ (["stands at", where])] : []), ["why", String(told.reason ?? "")]];
   if (told.feasible && typeof told.clearance_mm === "number") rows.push(["clearance", `${mm(told.clearance_mm, 0)} mm, ${told.clearance_of ?? ""}`]);
-  isHere = at !== null || value("at") !== "";
   if (isHere && typeof proved.deflection_mm === "number") rows.push(["best place", `${mm(proved.deflection_mm)} mm, x ${mm(proved.x_m, 3)}, z ${mm(proved.z_m, 3)} m`]);
   const holds = told.feasible ? told.pass : null;
   live.replaceChildren(
-    verdictOf(rows.shift()?.[1] ?? "", holds),
+    verdict(rows.shift()?.[1] ?? "", `worst deflection in the zone ${isHere ? "here" : "at its best place"}`, holds, rests),
     el("dl", {}, rows.flatMap(([name, text]) => [el("dt", {}, [name]), el("dd", {}, [text])])),
   );
   section.zone.mark(!told.feasible ? "none" : told.pass === true ? "pass" : told.pass === false ? "fail" : "");
 }
 
 let rests = "";
-let isHere = false;
-/** @param {string} number @param {boolean | null} holds */
-const verdictOf = (number, holds) => verdict(number, `worst deflection in the zone ${isHere ? "here" : "at its best place"}`, holds, rests);
 
 function draw() {
   const names = { section: "section", space: "in space", compare: "side by side", study: "architectures" };

@@ -2,6 +2,7 @@
 
 import { svg } from "./dom.js";
 import { spotUnder } from "./figure.js";
+import { grasped } from "./hand.js";
 
 /** @typedef {import("./figure.js").Scale} Scale */
 /** @typedef {{shape: "circle" | "rect", a: number, b: number, prefix: string}} Zone sizes along x and z before it is turned, m */
@@ -52,7 +53,7 @@ export class ZoneObject {
     this.body = svg("g", { class: "zone", tabindex: "0", role: "application" });
     this.corner = svg("circle", { class: "handle", r: 9, tabindex: "0", role: "slider", "aria-label": "size of the zone", "aria-valuemin": 1, "aria-valuemax": 10000 });
     this.root.append(this.body, this.corner);
-    this.held = this.grab(this.body, (start, at) => {
+    this.grab(this.body, (start, at) => {
       this.at = { x: start.at.x + at.x - start.x, z: start.at.z + at.z - start.z };
       this.draw();
       this.hand.moving(this.at);
@@ -119,28 +120,19 @@ export class ZoneObject {
 
   /** @param {Element} what @param {(start: Spot & {at: Spot}, at: Spot) => void} move @param {() => void} end */
   grab(what, move, end) {
-    /** @type {(Spot & {at: Spot}) | null} */
-    let start = null;
-    const spot = (/** @type {PointerEvent} */ event) => (this.scale ? spotUnder(this.root, this.scale, event) : { x: 0, z: 0 });
-    const element = /** @type {SVGElement} */ (what);
-    element.addEventListener("pointerdown", (event) => {
-      event.preventDefault();
-      element.focus();
-      element.setPointerCapture(event.pointerId);
-      this.isHeld = true;
-      start = { ...spot(event), at: { ...this.at } };
+    grasped(what, {
+      take: (event) => {
+        this.isHeld = this.scale !== null;
+        return this.scale && { ...spotUnder(this.root, this.scale, event), at: { ...this.at } };
+      },
+      move: (start, event) => {
+        if (this.scale) move(start, spotUnder(this.root, this.scale, event));
+      },
+      drop: () => {
+        this.isHeld = false;
+        end();
+      },
     });
-    element.addEventListener("pointermove", (event) => {
-      if (start) move(start, spot(event));
-    });
-    const release = () => {
-      if (!start) return;
-      start = null;
-      this.isHeld = false;
-      end();
-    };
-    element.addEventListener("pointerup", release);
-    element.addEventListener("pointercancel", release);
   }
 
   /** @param {KeyboardEvent} event */

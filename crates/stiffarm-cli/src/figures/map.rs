@@ -71,6 +71,7 @@ impl MapFigure<'_> {
         self.draw_frame(&mut canvas, &frame);
         let per_m = (frame.x.px[1] - frame.x.px[0]) / (frame.x.to - frame.x.from);
         canvas.tell_scale([frame.x.px[0], frame.y.px[0]], [frame.x.from, frame.y.from], per_m);
+        canvas.tell_box("map", [[frame.x.px[0], top], [right, bottom]], [frame.x.from, frame.x.to]);
         legend.draw(&mut canvas, [40.0, bottom + 52.0]);
         canvas.height = bottom + 66.0 + legend.height();
         if let Some(face) = &self.face {

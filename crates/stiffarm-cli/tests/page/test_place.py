@@ -141,3 +141,48 @@ def test_the_robot_and_its_task_are_marked_among_the_architectures(look: Open) -
     assert asked["task"] == "rect:0.6x0.4" and asked["robot"] == page.get_by_label("robot", exact=True).input_value()
     assert f"{asked['robot']}, were it quasi-serial" in answered.value.text()
     settled(page)
+
+
+EDGE = "#look .window .grip >> nth={}"
+
+
+def test_an_edge_of_the_window_pushes_the_best_place(look: Open) -> None:
+    page = look("#place?at=1.6,0.7&angle=0")
+    page.get_by_role("button", name="best place").click()
+    until(page, "!location.hash.includes('at=')")
+    settled(page)
+    best = number(page)
+    stands = page.locator(ZONE).get_attribute("aria-label")
+    drag(page, EDGE.format(0), 140, 0, let_go=False)
+    until(page, f"parseFloat(document.querySelector('#number').textContent) > {best}")
+    expect(page.locator(ZONE)).not_to_have_attribute("aria-label", stands or "")
+    expect(page.locator(".live")).to_contain_text("at its best place")
+    assert "within" not in page.url, "before the hand lets go nothing is asked for good"
+    page.mouse.up()
+    page.wait_for_url("**within=*")
+    settled(page)
+    given = page.get_by_label("within", exact=True).input_value()
+    found = re.fullmatch(r"([0-9.]+)\.\.,\.\.", given)
+    assert found, given
+    assert number(page) > best
+    x = re.search(r"stands at\s*x ([0-9.-]+)", page.locator(".live").inner_text())
+    assert x is not None
+    assert float(x[1]) > float(found[1])
+
+
+def test_the_window_is_moved_and_opened_by_keys(look: Open) -> None:
+    page = look("#place?within=0.9..,..1.4&at=1.6,0.7")
+    page.locator(EDGE.format(3)).focus()
+    page.keyboard.press("ArrowDown")
+    page.wait_for_url("**within=0.9..%2C..1.39")
+    page.keyboard.press("Shift+ArrowUp")
+    page.wait_for_url("**within=0.9..%2C..1.49")
+    page.keyboard.press("Delete")
+    page.wait_for_url("**within=0.9..%2C..")
+    expect(page.locator(EDGE.format(3))).to_have_attribute("aria-valuetext", "open")
+    expect(page.locator(EDGE.format(0))).to_have_attribute("aria-valuetext", "0.9 m")
+
+
+def test_behind_a_mount_the_window_has_no_edges(look: Open) -> None:
+    page = look("#place?mount=pedestal:0.5")
+    expect(page.locator("#look .window")).to_have_attribute("display", "none")
