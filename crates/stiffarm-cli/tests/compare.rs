@@ -148,6 +148,6 @@ fn both_are_drawn_on_one_scale() {
     assert!(scaled.contains(">4.0<") && !scaled.contains(">5.0<"), "a bar that ends at 4");
     let part = ["compare", "BT200L", "ZX200U", "--model", "spatial", "--task", "box:0.2x0.2x0.1", "--faces", "top"];
     let (code, out, error) = ran(folder.path(), &[&part[..], &["-o", "part.svg"]].concat());
-    assert!(code == 2 && error.contains("pictures show one flat zone"), "{code} {error}");
+    assert!(code == 2 && error.contains("the map shows one flat zone"), "{code} {error}");
     assert!(out.contains("worst deflection"), "what cannot be drawn is printed: {out}");
 }

@@ -230,6 +230,23 @@ fn a_place_a_path_and_an_identification_have_their_numbers() {
     assert!(text.contains("status = \"identified\""), "the robot file stands in it");
 }
 
+/// A box of 100 mm whose top and front are machined.
+#[test]
+fn a_part_has_its_shop_drawing() {
+    let robot = ["place", "KR 210 R2700 extra", "--model", "spatial", "--tool", "spindle:250@90", "--force-n", "400"];
+    let asked = [&robot[..], &["--task", "box:0.4x0.3x0.1", "--faces", "top,front"]].concat();
+    let (page, drawn) = (page(&asked), written(&asked, "shop.svg"));
+    let z_mm = json(&asked)["z_m"].as_f64().unwrap() * 1e3;
+    let told = read(&page);
+    for words in ["height of its underside above the base", &format!("{z_mm:.1} mm"), "turned about the vertical"] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
+    let drawn = String::from_utf8(drawn).unwrap();
+    for length in [format!(">{z_mm:.1}<"), ">100.0<".into(), ">x<".into()] {
+        assert!(drawn.contains(&length), "{length}: {drawn}");
+    }
+}
+
 #[test]
 fn the_verdict_is_in_words_and_by_how_much() {
     let place = |tolerance: &'static str, task: &'static str| {

@@ -93,7 +93,7 @@ impl PlaceOutput {
         match placed {
             Placed::Feasible(best) if !best.faces.is_empty() => {
                 let why = format!(
-                    "{}: pictures show one flat zone; --faces takes one face of {}, or take json, csv or md",
+                    "{}: the map shows one flat zone, and {} is a part: `place` has its shop drawing (shop.svg) and its report; or take json, csv or md",
                     robot.name, task.label
                 );
                 Err(Failure::Usage(why))
@@ -279,7 +279,7 @@ impl Answer for PlaceOutput {
 
     fn shop(&self) -> Option<Result<String, Failure>> {
         let nothing = || {
-            Failure::Figure("nothing to draw: the work has no place, is a part of several faces, or nothing is known of the robot's base".into())
+            Failure::Figure("nothing to draw: the work has no place, or nothing is known of the robot's base".into())
         };
         let drawn = |siting| ShopFigure { siting: &siting, plate: self.plate }.svg();
         Some(self.answer.siting().map(drawn).ok_or_else(nothing))

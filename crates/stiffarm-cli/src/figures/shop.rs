@@ -153,12 +153,12 @@ impl ShopFigure<'_> {
 
     /// The zone, also where it is seen as a line, or the cuts of a path.
     fn draw_work(&self, canvas: &mut Canvas, at: impl Fn([f64; 3]) -> Px) {
-        let is_rim = self.siting.x_axis.is_none();
-        let fill = if is_rim { format!(r#"fill="{ZONE}" fill-opacity="0.14""#) } else { r#"fill="none""#.into() };
+        let is_closed = self.siting.is_closed;
+        let fill = if is_closed { format!(r#"fill="{ZONE}" fill-opacity="0.14""#) } else { r#"fill="none""#.into() };
         let look = format!(r#"{fill} stroke="{ZONE}" stroke-width="2.5" stroke-linejoin="round""#);
         for line in &self.siting.lines {
             let points: Vec<Px> = line.iter().map(|&point| at(point)).collect();
-            canvas.path(&path(&points, is_rim), &look);
+            canvas.path(&path(&points, is_closed), &look);
         }
     }
 

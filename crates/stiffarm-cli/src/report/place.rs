@@ -40,7 +40,7 @@ pub(crate) fn of(found: &PlaceOutput, asked: &Request) -> Result<Report, Failure
 pub(super) fn picture(found: &PlaceOutput, section: &mut Section) -> Result<(), Failure> {
     let answer = &found.answer;
     if answer.best().is_none_or(|best| !best.faces.is_empty()) {
-        return Ok(()); // a part of several faces has no section that shows it
+        return Ok(()); // no section shows a part: its shop drawing follows
     }
     let svg = found.figure(plate(found.plate))?;
     section.figure(

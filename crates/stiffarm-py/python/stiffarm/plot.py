@@ -252,7 +252,7 @@ def place(
     if not result.feasible:
         raise ValueError(f"{result.robot}: no place for {result.task} to draw: {result.reason}")
     if result.faces:
-        raise ValueError(f"{result.robot}: pictures show one flat zone; faces= takes one face of {result.task}")
+        raise ValueError(f"{result.robot}: the map shows one flat zone, and {result.task} is a part")
     shown, cells = _stiffarm.drawn_place(*asked, size)
     ax = _axes(ax)
     x, z = np.asarray(shown["x_m"]), np.asarray(shown["z_m"])

@@ -4,7 +4,7 @@ use super::words::{degrees, fixed};
 use super::{Line, MillAnswer, PlaceAnswer, line};
 use crate::interval::Interval;
 use crate::mill::Station;
-use crate::place::{Placement, Within};
+use crate::place::{FacePlacement, Placement, Within};
 use crate::robot::Arm;
 use crate::work::{WorkPlacement, WorkPlane};
 use crate::zone::Zone;
@@ -17,7 +17,7 @@ const MOST_POINTS: usize = 400;
 /// Corners of a circle.
 const CORNERS: usize = 72;
 
-/// A zone or a path at its place, in metres: ahead, to the left, up; from the base, or from the origin of the cell.
+/// A zone, a part or a path at its place, in metres: ahead, to the left, up; from the base, or from the origin of the cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Siting {
     /// What lengths count from, such as `the base`.
@@ -26,11 +26,13 @@ pub struct Siting {
     pub foot: [f64; 3],
     /// Where the floor is, where that is known: of a cell.
     pub floor: Option<f64>,
-    /// The rim of the zone as one closed line, whose first point is not repeated, or the cuts of a path.
+    /// The rim of the zone or of every face, closed lines whose first point is not repeated; or the cuts of a path.
     pub lines: Vec<Vec<[f64; 3]>>,
-    /// Its centre, or the path's origin.
+    /// The lines are closed.
+    pub is_closed: bool,
+    /// The centre of a zone, the middle of a part's underside, the origin of a path.
     pub centre: [f64; 3],
-    /// Along which direction the path's x axis points; `None` of a zone, whose rim is closed.
+    /// Along which direction the x axis of a part or path points; `None` of a zone.
     pub x_axis: Option<[f64; 3]>,
     /// What is measured.
     pub dimensions: Vec<Dimension>,
@@ -52,19 +54,19 @@ pub struct Dimension {
 }
 
 impl PlaceAnswer {
-    /// Where the zone stands; `None` where it has no place, is a part of several faces, or nothing is known of the base.
+    /// Where the zone or the part stands; `None` where it has no place, or nothing is known of the base.
     pub fn siting(&self) -> Option<Siting> {
-        let best = self.best().filter(|best| best.faces.is_empty())?;
-        if !self.robot.knows_base() {
-            return None;
-        }
+        let best = self.best().filter(|_| self.robot.knows_base())?;
         let cell = self.options.cell;
         let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), best.space().map_or(0.0, |hold| hold.bearing));
         let placed = |at: Vector3<f64>| {
             let at = Point3::from(turn * at);
             <[f64; 3]>::from(cell.map_or(at, |cell| cell.mount.cell_from_base * at))
         };
-        let rim: Vec<[f64; 3]> = self.rim(best).into_iter().map(placed).collect();
+        let rims = if best.faces.is_empty() { vec![self.rim(best)] } else { best.faces.iter().map(rim_of).collect() };
+        let is_part = !best.faces.is_empty();
+        let x_axis = placed(Vector3::new(best.angle.cos(), best.angle.sin(), 0.0));
+        let origin = placed(Vector3::zeros());
         let [x, z] = best.centre;
         let centre = placed(Vector3::new(x, self.aside(best), z));
         let foot = cell.map_or([0.0; 3], |cell| cell.mount.cell_from_base.translation.vector.into());
@@ -72,14 +74,17 @@ impl PlaceAnswer {
             origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
             foot,
             floor: cell.map(|_| 0.0),
-            lines: vec![rim],
+            lines: rims.into_iter().map(|rim| rim.into_iter().map(placed).collect()).collect(),
+            is_closed: true,
             centre,
-            x_axis: None,
+            x_axis: is_part.then(|| std::array::from_fn(|axis| x_axis[axis] - origin[axis])),
             dimensions: Vec::new(),
-            turned: best
-                .space()
-                .filter(|hold| hold.bearing != 0.0)
-                .map(|hold| line("turned about the joint-1 axis", degrees(hold.bearing))),
+            turned: if is_part {
+                Some(line("turned about the vertical", degrees(best.angle)))
+            } else {
+                let bearing = best.space().map(|hold| hold.bearing).filter(|&bearing| bearing != 0.0);
+                bearing.map(|bearing| line("turned about the joint-1 axis", degrees(bearing)))
+            },
         };
         siting.dimensions = dimensions(&siting);
         Some(siting)
@@ -112,14 +117,7 @@ impl PlaceAnswer {
 
     /// The rim of the zone straight ahead, from the base.
     fn rim(&self, best: &Placement) -> Vec<Vector3<f64>> {
-        let zone = self.task.zone;
-        let corners: Vec<[f64; 2]> = match zone {
-            Zone::Rectangle { .. } => [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|at| zone.at(at)).into(),
-            Zone::Circle { diameter } => (0..CORNERS)
-                .map(|i| std::f64::consts::TAU * i as f64 / CORNERS as f64)
-                .map(|turn| [turn.cos(), turn.sin()].map(|part| part * diameter / 2.0))
-                .collect(),
-        };
+        let corners = corners(self.task.zone);
         let [x, z] = best.centre;
         match best.space() {
             None => {
@@ -134,6 +132,25 @@ impl PlaceAnswer {
             }
         }
     }
+}
+
+/// The corners of a zone, along its sides, m; a circle has many.
+fn corners(zone: Zone) -> Vec<[f64; 2]> {
+    match zone {
+        Zone::Rectangle { .. } => [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|at| zone.at(at)).into(),
+        Zone::Circle { diameter } => (0..CORNERS)
+            .map(|i| std::f64::consts::TAU * i as f64 / CORNERS as f64)
+            .map(|turn| [turn.cos(), turn.sin()].map(|part| part * diameter / 2.0))
+            .collect(),
+    }
+}
+
+/// The rim of a face of a part, from the base.
+fn rim_of(placed: &FacePlacement) -> Vec<Vector3<f64>> {
+    let [x, y, z] = placed.centre;
+    let work = WorkPlacement { x, y, z, yaw: placed.hold.yaw, angle: 0.0, roll: placed.hold.roll };
+    let plane = WorkPlane::of(placed.face.elevation, &work);
+    corners(placed.face.zone).into_iter().map(|at| plane.point(&work, at)).collect()
 }
 
 impl MillAnswer {
@@ -157,6 +174,7 @@ impl MillAnswer {
             floor: None,
             lines: cuts.map(cut).collect(),
             centre: placement.at,
+            is_closed: false,
             x_axis: Some((pose.rotation * Vector3::x()).into()),
             dimensions: Vec::new(),
             turned: Some(line(
@@ -228,7 +246,11 @@ fn dimensions(siting: &Siting) -> Vec<Dimension> {
     let beside = side(siting.centre[1] - siting.foot[1], ["left", "right"]);
     let flat = |[low, high]: [f64; 2]| high - low < 1e-9;
     let mut told = Vec::new();
-    if flat(up) {
+    if siting.x_axis.is_some() {
+        let foot = siting.centre[2];
+        told.push(dimension(2, [floor, foot], format!("height of its underside {} the {ground}", above(foot))));
+        told.push(dimension(2, [foot, up[1]], "from there to its highest edge".into()));
+    } else if flat(up) {
         told.push(dimension(2, [floor, up[0]], format!("height of the worked face {} the {ground}", above(up[0]))));
     } else {
         told.push(dimension(2, [floor, up[0]], format!("height of its lowest edge {} the {ground}", above(up[0]))));
@@ -242,16 +264,17 @@ fn dimensions(siting: &Siting) -> Vec<Dimension> {
     if flat(across) {
         return told;
     }
+    let centre = if siting.x_axis.is_some() { "the middle of its underside" } else { "its centre" };
     told.push(dimension(
         0,
         [siting.foot[0], siting.centre[0]],
-        format!("joint-1 axis to its centre, {}", side(siting.centre[0] - siting.foot[0], ["ahead", "behind"])),
+        format!("joint-1 axis to {centre}, {}", side(siting.centre[0] - siting.foot[0], ["ahead", "behind"])),
     ));
     told.push(dimension(0, across, "its extent ahead".into()));
     told.push(dimension(
         1,
         [siting.foot[1], siting.centre[1]],
-        format!("its centre to the {beside} of the joint-1 axis"),
+        format!("{centre} to the {beside} of the joint-1 axis"),
     ));
     if !flat(aside) {
         told.push(dimension(1, aside, "its extent sideways".into()));
@@ -265,6 +288,7 @@ mod tests {
     use crate::catalogue::paper_robots;
     use crate::load::Load;
     use crate::model::ModelKind;
+    use crate::part::Part;
     use crate::place::{PlaceOptions, place_task_watched};
     use crate::request::{Pair, Request, Spelling, Verb};
     use crate::spatial::Pose;
@@ -322,6 +346,39 @@ mod tests {
         let nearest = best.from_axis_1.unwrap();
         let [near, _] = siting.extent(0);
         assert!((nearest - near).abs() < 1e-9, "straight ahead, the near edge is the nearest: {nearest} {near}");
+    }
+
+    /// A box of 0.4 x 0.3 x 0.1 m, of which top and front are machined, turned by whatever is best: its corners by hand.
+    #[test]
+    fn a_part_stands_with_the_rims_of_its_faces() {
+        let kind = ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2));
+        let robot = paper_robots().swap_remove(4);
+        let part = Part::of_box([0.4, 0.3, 0.1]).with_faces(&["top".into(), "front".into()]).unwrap();
+        let (model, task) = (kind.of(&robot).unwrap(), Task::from(part));
+        let options = PlaceOptions::under(Load::PAPER);
+        let placed = place_task_watched(&model, &task, &options, Watch::nobody()).unwrap();
+        let answer = PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None, advice: None };
+        let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
+        let ([x, z], (s, c)) = (best.centre, best.angle.sin_cos());
+        let at = |[u, v, w]: [f64; 3]| [x + c * u - s * v, s * u + c * v, z + w];
+        let has = |rim: &[[f64; 3]], corner: [f64; 3]| {
+            rim.iter().any(|found| (0..3).all(|i| (found[i] - at(corner)[i]).abs() < 1e-12))
+        };
+        let [top, front] = siting.lines.as_slice() else { panic!("two faces: {:?}", siting.lines) };
+        for (u, v) in [(-0.2, -0.15), (-0.2, 0.15), (0.2, -0.15), (0.2, 0.15)] {
+            assert!(has(top, [u, v, 0.1]), "{u} {v}: {top:?}");
+        }
+        for (v, w) in [(-0.15, 0.0), (-0.15, 0.1), (0.15, 0.0), (0.15, 0.1)] {
+            assert!(has(front, [-0.2, v, w]), "{v} {w}: {front:?}");
+        }
+        assert!(
+            siting.is_closed && siting.x_axis.is_some_and(|axis| (axis[0] - c).abs() + (axis[1] - s).abs() < 1e-12)
+        );
+        let told = siting.measured();
+        assert!(told[0][0].starts_with("height of its underside"), "{told:?}");
+        assert_eq!(told[0][1], format!("{} mm", fixed(z * 1e3, 1)));
+        assert_eq!(told[1], ["from there to its highest edge".to_owned(), "100.0 mm".into()]);
+        assert_eq!(told.last().unwrap()[1], degrees(best.angle));
     }
 
     /// A line of 0.4 m along the part's x axis about its origin, turned by 30 deg: by hand.
