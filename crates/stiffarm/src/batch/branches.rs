@@ -3,12 +3,45 @@
 use pulp::Simd;
 
 use super::counted::Counted;
-use super::lanes::Lanes;
+use super::lanes::{Lanes, Mask};
 use super::posture::PostureLanes;
 use super::vectors::Triple;
 use super::{Coupling, SameBranch, SpatialArm};
 use crate::inverse::{ArmBranch, Configuration, ELBOWS, Shoulder, Wrist};
 use crate::tolerances::{RIM, SINGULAR, SINGULAR_SQUARE};
+
+/// What is sought of the configurations of poses, one pose a lane.
+pub(super) trait Sought<S: Simd> {
+    /// What all postures of one shoulder share.
+    type Seen: Copy;
+
+    /// Joint 1 is turned by the angle of sine `s1` and cosine `c1`.
+    fn seen(&self, s1: Lanes<S>, c1: Lanes<S>) -> Self::Seen;
+
+    /// Both wrists of one shoulder and elbow.
+    fn take(&mut self, arm: &SpatialArm, seen: &Self::Seen, branch: ArmBranch, held: &HeldLanes<S>);
+}
+
+/// Both wrists of one shoulder and elbow, in the axes of the arm.
+pub(super) struct HeldLanes<S: Simd> {
+    /// Sine and cosine of the upper arm's lean, theta 2, and of the forearm's.
+    pub(super) upper: [Lanes<S>; 2],
+    pub(super) forearm: [Lanes<S>; 2],
+    pub(super) axis_6: Triple<S>,
+    pub(super) wrist_to_tool: Triple<S>,
+    /// Axis 6 seen from the forearm: forwards, across, along. The first two are in the direction of theta 4, as long as the sine of theta 5.
+    pub(super) bent: [Lanes<S>; 3],
+    /// The sine of theta 5 of the wrist that is not flipped.
+    pub(super) s5: Lanes<S>,
+    /// Cosine and sine of theta 6 of that wrist, times the sine of theta 5.
+    pub(super) sixth: [Lanes<S>; 2],
+    /// Joints 4 and 6 turn about one line.
+    pub(super) is_singular: Mask<S>,
+    /// Of either wrist: negative where a limit or a length forbids the posture.
+    pub(super) slacks: [Lanes<S>; 2],
+    /// The same for lengths and joints 2 and 3 alone.
+    pub(super) links: Lanes<S>,
+}
 
 /// One configuration at every pose, one pose a lane.
 #[derive(Clone, Copy)]
@@ -21,6 +54,43 @@ pub(super) struct BranchLanes<S: Simd> {
     pub(super) links: Lanes<S>,
     /// Axis 6 forwards of the forearm and across it: a vector in the direction of theta 4, as long as the sine of theta 5.
     pub(super) bent: [Lanes<S>; 2],
+}
+
+/// How compliant every configuration is.
+struct Compliances<S: Simd, C> {
+    counted: C,
+    found: [BranchLanes<S>; Configuration::COUNT],
+}
+
+impl<S: Simd, C: Counted> Sought<S> for Compliances<S, C> {
+    type Seen = C::Seen<S>;
+
+    #[inline(always)]
+    fn seen(&self, s1: Lanes<S>, c1: Lanes<S>) -> C::Seen<S> {
+        self.counted.seen(s1, c1)
+    }
+
+    #[inline(always)]
+    fn take(&mut self, arm: &SpatialArm, seen: &C::Seen<S>, branch: ArmBranch, held: &HeldLanes<S>) {
+        let ([s2, c2], [s23, c23], [forwards, across, _]) = (held.upper, held.forearm, held.bent);
+        let inverse = s2.all(1.0) / held.s5.max(SINGULAR);
+        let (axis_5_x, axis_5_y) = (-across * inverse, held.is_singular.select(s2.all(1.0), forwards * inverse));
+        let axis_5 = Triple([c23 * axis_5_x, axis_5_y, -(s23 * axis_5_x)]);
+        let (axis_6, wrist_to_tool) = (held.axis_6, held.wrist_to_tool);
+        let posture = PostureLanes { s2, c2, s23, c23, axis_5, axis_6, wrist_to_tool };
+        let worst = self.counted.of(seen, arm, &posture);
+        let flipped = match arm.coupling {
+            // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
+            Coupling::Serial | Coupling::QuasiSerial => worst,
+            Coupling::Any(_) => self.counted.of(seen, arm, &PostureLanes { axis_5: axis_5 * -1.0, ..posture }),
+        };
+        let worst = [worst, flipped];
+        for wrist in 0..2 {
+            let index = branch.with(Wrist::ALL[wrist]).index();
+            let (slack, links) = (held.slacks[wrist], held.links);
+            self.found[index] = BranchLanes { worst: worst[wrist], slack, links, bent: [forwards, across] };
+        }
+    }
 }
 
 /// The slack of what was not looked at, as no lane allows it.
@@ -68,6 +138,21 @@ impl SpatialArm {
         same_branch: &SameBranch,
         counted: C,
     ) -> [BranchLanes<S>; Configuration::COUNT] {
+        let (one, forbidden) = (flange.point.0[0].all(1.0), flange.point.0[0].all(FORBIDDEN));
+        let none = BranchLanes { worst: one, slack: forbidden, links: forbidden, bent: [one; 2] };
+        let mut sought = Compliances { counted, found: [none; Configuration::COUNT] };
+        self.branches::<S, _, ALL>(flange, same_branch, &mut sought);
+        sought.found
+    }
+
+    /// Hands every configuration of a pose to what is sought. Unless `ALL`, what is forbidden in every lane is left as soon as that is known.
+    #[inline(always)]
+    pub(super) fn branches<S: Simd, T: Sought<S>, const ALL: bool>(
+        &self,
+        flange: &FlangePoses<S>,
+        same_branch: &SameBranch,
+        sought: &mut T,
+    ) {
         let (px, py, pz) = flange.point.parts();
         let (ux, uy, uz) = flange.wrist_to_tool.parts();
         let (wx, wy, wz) = (px - ux, py - uy, pz - uz);
@@ -81,9 +166,6 @@ impl SpatialArm {
         let free = square.at_most(SINGULAR_SQUARE * self.geometry.c2 * self.geometry.c2);
         let inverse = free.select(px.all(0.0), px.all(1.0) / square);
         let one = px.all(1.0);
-        let forbidden = px.all(FORBIDDEN);
-        let mut found =
-            [BranchLanes { worst: one, slack: forbidden, links: forbidden, bent: [one; 2] }; Configuration::COUNT];
         for shoulder in 0..2 {
             let forwards = [ahead, -ahead][shoulder];
             let c1 = free.select(one, (wx * forwards + wy * b) * inverse);
@@ -100,23 +182,21 @@ impl SpatialArm {
                 wrist_to_tool: flange.wrist_to_tool.seen_turned(s1, c1),
                 x: forwards - self.geometry.a1,
                 z: wz - self.geometry.c1,
-                counted,
-                seen: counted.seen(s1, c1),
+                seen: sought.seen(s1, c1),
             };
-            self.elbows::<S, C, ALL>(&seen, [reached, turned], same_branch, Shoulder::ALL[shoulder], &mut found);
+            self.elbows::<S, T, ALL>(&seen, [reached, turned], same_branch, Shoulder::ALL[shoulder], sought);
         }
-        found
     }
 
     /// Elbow up and down, each with both wrists, of one shoulder.
     #[inline(always)]
-    fn elbows<S: Simd, C: Counted, const ALL: bool>(
+    fn elbows<S: Simd, T: Sought<S>, const ALL: bool>(
         &self,
-        seen: &FlangeInArmAxes<S, C>,
+        seen: &FlangeInArmAxes<S, T::Seen>,
         [reached, turned]: [Lanes<S>; 2],
         same_branch: &SameBranch,
         shoulder: Shoulder,
-        found: &mut [BranchLanes<S>; Configuration::COUNT],
+        sought: &mut T,
     ) {
         let (l2, l3) = (self.geometry.c2, self.geometry.l3());
         let (lean_c, lean_s) = (self.geometry.c3 / l3, self.geometry.a2 / l3);
@@ -150,20 +230,20 @@ impl SpatialArm {
                 continue;
             }
             let arm = ArmBranch { shoulder, elbow: ELBOWS[elbow] };
-            self.wrists::<S, C, ALL>(seen, [s2, c2, s23, c23], [links, turned], same_branch, arm, found);
+            self.wrists::<S, T, ALL>(seen, [s2, c2, s23, c23], [links, turned], same_branch, arm, sought);
         }
     }
 
     /// Both wrists of one shoulder and elbow.
     #[inline(always)]
-    fn wrists<S: Simd, C: Counted, const ALL: bool>(
+    fn wrists<S: Simd, T: Sought<S>, const ALL: bool>(
         &self,
-        seen: &FlangeInArmAxes<S, C>,
+        seen: &FlangeInArmAxes<S, T::Seen>,
         [s2, c2, s23, c23]: [Lanes<S>; 4],
         [links, turned]: [Lanes<S>; 2],
         same_branch: &SameBranch,
         arm: ArmBranch,
-        found: &mut [BranchLanes<S>; Configuration::COUNT],
+        sought: &mut T,
     ) {
         let zero = s2.all(0.0);
         let along = Triple([s23, zero, c23]);
@@ -172,7 +252,6 @@ impl SpatialArm {
         let (forwards, across, c5) = (c23 * axis_6_x - s23 * axis_6_z, axis_6_y, s23 * axis_6_x + c23 * axis_6_z);
         let s5 = (forwards * forwards + across * across).sqrt();
         let singular = s5.at_most(SINGULAR);
-        let inverse = s2.all(1.0) / s5.max(SINGULAR);
         let (cos_6, sin_6) = (-along.dot(seen.flange_x), along.dot(seen.axis_6.cross(seen.flange_x)));
         let [.., fourth, fifth, sixth] = self.angular_limits.joints;
         let straight = same_branch.clearance.sin();
@@ -193,21 +272,20 @@ impl SpatialArm {
         if !goes_on::<S, ALL>(slacks[0]) && !goes_on::<S, ALL>(slacks[1]) {
             return;
         }
-        let (axis_5_x, axis_5_y) = (-across * inverse, singular.select(s2.all(1.0), forwards * inverse));
-        let axis_5 = Triple([c23 * axis_5_x, axis_5_y, -(s23 * axis_5_x)]);
         let (axis_6, wrist_to_tool) = (seen.axis_6, seen.wrist_to_tool);
-        let posture = PostureLanes { s2, c2, s23, c23, axis_5, axis_6, wrist_to_tool };
-        let worst = seen.counted.of(&seen.seen, self, &posture);
-        let flipped = match self.coupling {
-            // The other wrist turns joint 5 the other way, which a drive of its own does not feel.
-            Coupling::Serial | Coupling::QuasiSerial => worst,
-            Coupling::Any(_) => seen.counted.of(&seen.seen, self, &PostureLanes { axis_5: axis_5 * -1.0, ..posture }),
+        let held = HeldLanes {
+            upper: [s2, c2],
+            forearm: [s23, c23],
+            axis_6,
+            wrist_to_tool,
+            bent: [forwards, across, c5],
+            s5,
+            sixth: [cos_6, sin_6],
+            is_singular: singular,
+            slacks,
+            links,
         };
-        let worst = [worst, flipped];
-        for wrist in 0..2 {
-            let index = arm.with(Wrist::ALL[wrist]).index();
-            found[index] = BranchLanes { worst: worst[wrist], slack: slacks[wrist], links, bent: [forwards, across] };
-        }
+        sought.take(self, &seen.seen, arm, &held);
     }
 }
 
@@ -224,13 +302,12 @@ pub(super) struct FlangePoses<S: Simd> {
 }
 
 /// The same in the axes of the arm, joint 1 turned; the wrist centre `x` forwards and `z` above the joint-2 axis.
-struct FlangeInArmAxes<S: Simd, C: Counted> {
+struct FlangeInArmAxes<S: Simd, T> {
     pub(super) axis_6: Triple<S>,
     pub(super) flange_x: Triple<S>,
     pub(super) wrist_to_tool: Triple<S>,
     x: Lanes<S>,
     z: Lanes<S>,
-    /// What counts, and its directions in the same axes.
-    counted: C,
-    seen: C::Seen<S>,
+    /// What all postures of this shoulder share of what is sought.
+    seen: T,
 }

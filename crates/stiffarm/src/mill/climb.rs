@@ -101,7 +101,9 @@ impl<'a, 'l> Climb<'a, 'l> {
             found.into_iter().find_map(|(known, q)| (known == arrangement.configuration).then_some(q))
         };
         match (held(k, from), held(next, to)) {
-            (Some(from), Some(to)) => self.motion(&from, &to, &self.farthest(self.ladder.rungs[next].time)).is_some(),
+            (Some(from), Some(to)) => {
+                self.motion(&from, &to, &self.farthest(self.ladder.rungs[next].time), f64::INFINITY).is_some()
+            }
             _ => false,
         }
     }
@@ -159,13 +161,20 @@ impl<'a, 'l> Climb<'a, 'l> {
             let roll = (roll + if step % 2 == 0 { self.rolls - aside } else { aside }) % self.rolls;
             let held = configuration * self.rolls + roll;
             let Some(from) = &last.joints[held] else { continue };
-            let Some(turn) = self.turn_before(from, q) else { continue };
+            let turn = if turns == 1 { Some(0) } else { self.turn_before(from, q) };
+            let Some(turn) = turn else { continue };
             let value = last.values[held * turns + turn];
             let at_least = if counts_error { value.max(error) } else { value };
             if !(at_least < best.0) {
                 continue;
             }
-            let motion = self.turned(from, turn).and_then(|from| self.motion(&from, q, farthest));
+            // More motion than this is no use; a hair more for rounding.
+            let most = if counts_error { f64::INFINITY } else { (best.0 - value) * time * (1.0 + 1e-9) };
+            let motion = if turn == 0 {
+                self.motion(from, q, farthest, most)
+            } else {
+                self.turned(from, turn).and_then(|from| self.motion(&from, q, farthest, most))
+            };
             let Some(motion) = motion else { continue };
             let value = if counts_error { at_least } else { value + motion / time };
             if value < best.0 {
@@ -207,8 +216,8 @@ impl<'a, 'l> Climb<'a, 'l> {
         by_speed.map_or([LARGEST_TURN; 6], |by_speed| by_speed.map(|turn| turn.min(LARGEST_TURN)))
     }
 
-    /// The sum of the squared turns of the joints, rad^2; `None` where a joint turns farther than it may.
-    fn motion(&self, from: &[f64; 6], to: &[f64; 6], farthest: &[f64; 6]) -> Option<f64> {
+    /// The sum of the squared turns of the joints, rad^2; `None` where it is more than `most`, or a joint turns farther than it may.
+    fn motion(&self, from: &[f64; 6], to: &[f64; 6], farthest: &[f64; 6], most: f64) -> Option<f64> {
         let mut motion = 0.0;
         for joint in 0..6 {
             let mut turn = to[joint] - from[joint];
@@ -219,6 +228,9 @@ impl<'a, 'l> Climb<'a, 'l> {
                 return None;
             }
             motion += turn * turn;
+            if most < motion {
+                return None;
+            }
         }
         Some(motion)
     }

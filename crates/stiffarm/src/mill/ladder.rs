@@ -8,13 +8,14 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
+use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
 use super::fault::MillError;
 use super::follow::{Arrangement, Stand};
 use super::stations::{ErrorPart, Station};
-use crate::batch::{Pushing, RollGrid, SpatialArm};
-use crate::inverse::{ArmBranch, Configuration, Wrist, postures_where, within_limits};
+use crate::batch::{Pushing, RollGrid, RolledTool, SpatialArm};
+use crate::inverse::{Configuration, postures, within_limits};
 use crate::watch::Watch;
 
 /// The roll may turn by so many steps of the grid from rung to rung, where speeds are known.
@@ -126,6 +127,12 @@ impl<'a> Ladder<'a> {
         Rung { samples, at, time, is_fresh, pinned, errors: std::array::from_fn(|_| Vec::new()) }
     }
 
+    /// No path over the ladder has a smaller error, m: the largest of the least errors of the rungs.
+    pub(super) fn floor(&self) -> f32 {
+        let least = |rung: &Rung| rung.errors.iter().flatten().copied().fold(f32::INFINITY, f32::min);
+        self.rungs.iter().map(least).fold(0.0, f32::max)
+    }
+
     /// The largest error of a rung's samples at every node.
     fn errors(&self, rung: &Rung, grid: &RollGrid) -> Result<[Vec<f32>; Configuration::COUNT], MillError> {
         let mut found: [Vec<f32>; Configuration::COUNT] = std::array::from_fn(|_| vec![0.0; grid.len()]);
@@ -155,18 +162,23 @@ impl<'a> Ladder<'a> {
         found: &mut [Vec<f32>; Configuration::COUNT],
     ) -> Result<(), MillError> {
         let Station { sample, acting, .. } = &self.stations[i];
-        let stand = &self.stand;
+        let (rolled_tool, point) = self.rolled(i)?;
+        let axes = self.stand.cutting_axes(sample);
+        let pushing = acting.map_or(Pushing::Nothing, |acting| acting.pushing(&axes, sample, self.part));
+        self.arm.errors_at_rolls(&rolled_tool, &point, &pushing, grid, found);
+        Ok(())
+    }
+
+    /// The tool at a station at every roll, and its tip, m, base axes.
+    fn rolled(&self, i: usize) -> Result<(RolledTool, Vector3<f64>), MillError> {
+        let (sample, stand) = (&self.stations[i].sample, &self.stand);
         let turned = |roll: f64| {
             let pose = stand.base_from_tool(sample, roll)?;
             Ok::<_, MillError>(*pose.rotation.to_rotation_matrix().matrix())
         };
         let tools = [turned(0.0)?, turned(TAU / 4.0)?, turned(TAU / 2.0)?];
-        let rolled_tool = self.arm.rolled_tool(tools.each_ref());
-        let point = (stand.base_from_part * nalgebra::Point3::from(sample.pose.tip)).coords;
-        let axes = stand.cutting_axes(sample);
-        let pushing = acting.map_or(Pushing::Nothing, |acting| acting.pushing(&axes, sample, self.part));
-        self.arm.errors_at_rolls(&rolled_tool, &point, &pushing, grid, found);
-        Ok(())
+        let point = (stand.base_from_part * Point3::from(sample.pose.tip)).coords;
+        Ok((self.arm.rolled_tool(tools.each_ref()), point))
     }
 
     /// The largest error of a rung's samples at rolls, rad, of one configuration, m; infinite where one of them is not held.
@@ -185,17 +197,27 @@ impl<'a> Ladder<'a> {
     pub(super) fn joints(&self, rung: &Rung, most: f32) -> Joints {
         let count = self.grid.len();
         let mut found = vec![None; Configuration::COUNT * count];
-        for roll in 0..count {
-            if !(0..Configuration::COUNT).any(|c| rung.errors[c][roll] <= most) {
-                continue;
+        let is_wanted: Vec<bool> = (0..count).map(|roll| rung.errors.iter().any(|of| of[roll] <= most)).collect();
+        let mut angles = Vec::new();
+        match self.rolled(rung.at) {
+            Ok((rolled_tool, point)) if rung.pinned.is_none() => {
+                self.arm.angles_at_rolls(&rolled_tool, &point, &self.grid, &is_wanted, &mut angles);
             }
-            let is_wanted =
-                |arm: ArmBranch| Wrist::ALL.iter().any(|wrist| rung.errors[arm.with(*wrist).index()][roll] <= most);
-            for (configuration, q) in self.postures_where(rung.at, self.roll_of(rung, roll), is_wanted) {
-                let c = configuration.index();
-                if rung.errors[c][roll] <= most {
-                    found[c * count + roll] = Some(self.turned_down(q));
-                }
+            // A roll that is none was refused when the errors were computed.
+            _ => angles.resize(found.len(), [f64::NAN; 6]),
+        }
+        let (geometry, limits) = (&self.arm.geometry, &self.arm.limits);
+        for roll in (0..count).filter(|roll| is_wanted[*roll]) {
+            let mut one_by_one = None;
+            for c in (0..Configuration::COUNT).filter(|c| rung.errors[*c][roll] <= most) {
+                let theta = &angles[c * count + roll];
+                let q = if theta[0].is_nan() {
+                    let held = one_by_one.get_or_insert_with(|| self.postures(rung.at, self.roll_of(rung, roll)));
+                    held.iter().find_map(|(known, q)| (known.index() == c).then_some(*q))
+                } else {
+                    within_limits(geometry, limits, theta)
+                };
+                found[c * count + roll] = q.map(|q| self.turned_down(q));
             }
         }
         found
@@ -203,16 +225,6 @@ impl<'a> Ladder<'a> {
 
     /// Every posture that holds a station at a roll within limits and margins.
     pub(super) fn postures(&self, i: usize, roll: f64) -> Vec<(Configuration, [f64; 6])> {
-        self.postures_where(i, roll, |_| true)
-    }
-
-    /// Those of some branches of the arm.
-    fn postures_where(
-        &self,
-        i: usize,
-        roll: f64,
-        is_wanted: impl Fn(ArmBranch) -> bool,
-    ) -> Vec<(Configuration, [f64; 6])> {
         // A roll that is none was refused when the errors were computed.
         let Ok(tool) = self.stand.base_from_tool(&self.stations[i].sample, roll) else { return Vec::new() };
         let flange = tool * self.arm.flange_from_tool.inverse();
@@ -220,7 +232,7 @@ impl<'a> Ladder<'a> {
         let held = |(configuration, theta): (Configuration, [f64; 6])| {
             Some((configuration, within_limits(geometry, limits, &theta)?))
         };
-        postures_where(geometry, &flange, is_wanted).found.into_iter().filter_map(held).collect()
+        postures(geometry, &flange).found.into_iter().filter_map(held).collect()
     }
 
     fn turned_down(&self, mut q: [f64; 6]) -> [f64; 6] {

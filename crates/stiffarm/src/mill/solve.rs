@@ -121,16 +121,14 @@ impl Question<'_> {
             if is_pinned(self.stations) { None } else { self.best_of(ladder, &ladder.constant_rolls(), stand)?.ok() };
         let most = constant.as_ref().map_or(f32::MAX, |found| (worst(found) * (1.0 + 1e-6)) as f32);
         for is_wound in [false, true] {
-            let (path, least) = match Climb::new(ladder, Sought::LeastError, most, is_wound).path(watch)? {
+            let (path, most) = match ladder.smoothest(most, is_wound, watch)? {
                 Ok(found) => found,
                 Err(rung) => match constant {
                     Some(found) => return Ok(Ok(found)),
                     None => return Ok(Err(ladder.why_blocked(rung, watch)?)),
                 },
             };
-            let most = ((least * (1.0 + SPARE)) as f32).min(most);
-            let smooth = Climb::new(ladder, Sought::LeastMotion, most, is_wound).path(watch)?;
-            let rough = ladder.arrangements(&smooth.map_or(path, |found| found.0));
+            let rough = ladder.arrangements(&path);
             let fine = smoothed(ladder, rough.clone(), f64::from(most), watch)?;
             let followed = |rungs: &[Arrangement]| {
                 let all = ladder.of_stations(rungs);
@@ -273,6 +271,30 @@ impl Ladder<'_> {
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         found.into_iter().map(|(_, course)| course).collect()
+    }
+
+    /// Of the paths whose largest error is nearly the least, and no more than `most`, that whose joints move least, and what error it
+    /// may have, m; the first rung that none reaches where there is none.
+    pub(super) fn smoothest(
+        &self,
+        most: f32,
+        is_wound: bool,
+        watch: Watch,
+    ) -> Result<Result<(Vec<Node>, f32), usize>, MillError> {
+        let sought = |sought: Sought, most: f32| Climb::new(self, sought, most, is_wound).path(watch);
+        // What is spared of the least error is no less than `most` where that is near what no path goes below.
+        if f64::from(most) <= (1.0 + SPARE) * f64::from(self.floor())
+            && let Ok((path, _)) = sought(Sought::LeastMotion, most)?
+        {
+            return Ok(Ok((path, most)));
+        }
+        let (path, least) = match sought(Sought::LeastError, most)? {
+            Ok(found) => found,
+            Err(rung) => return Ok(Err(rung)),
+        };
+        let most = ((least * (1.0 + SPARE)) as f32).min(most);
+        let smooth = sought(Sought::LeastMotion, most)?;
+        Ok(Ok((smooth.map_or(path, |found| found.0), most)))
     }
 
     /// A path of nodes as configurations and rolls, which go on over whole turns.

@@ -254,6 +254,89 @@ fn the_best_path_over_a_ladder_is_that_of_a_search_with_thresholds() {
     }
 }
 
+/// The path whose joints move least, by every pair of nodes one posture after the other.
+#[test]
+fn the_smoothest_path_over_a_ladder_is_that_of_every_pair_of_nodes() {
+    const ROLLS: usize = 36;
+    let (robot, one, options) = (robot(), stand(), with(RollMode::Free));
+    let arm = arm_with_margins(&robot, &one, &options).unwrap();
+    let mut rng = fastrand::Rng::with_seed(82);
+    for (path_of, by_chance) in [("line:0.5", false), ("circle:0.4", true)] {
+        let stations = path(path_of, KNOWN);
+        let grid = RollGrid::turn(ROLLS);
+        let mut ladder = Ladder::new(&arm, &stations, one, (ErrorPart::Total, grid), 0.8, Watch::nobody()).unwrap();
+        // By chance every third node is too soft, so that the way leads round them.
+        for error in ladder.rungs.iter_mut().flat_map(|rung| rung.errors.iter_mut().flatten()) {
+            if by_chance && error.is_finite() {
+                *error = if rng.usize(0..3) == 0 { 2.0 } else { 1.0 };
+            }
+        }
+        let most = if by_chance { 1.0 } else { f32::MAX };
+        let (nodes, value) =
+            Climb::new(&ladder, Sought::LeastMotion, most, false).path(Watch::nobody()).unwrap().expect("a path");
+        let speeds = ladder.speeds.expect("a robot whose speeds are known");
+        let joints = |k: usize| -> Vec<(usize, usize, [f64; 6])> {
+            let of = |roll: usize| {
+                let held = ladder.postures(ladder.rungs[k].at, ladder.grid.roll(roll));
+                held.into_iter().map(move |(configuration, q)| (configuration.index(), roll, q))
+            };
+            let all = (0..ROLLS).flat_map(of);
+            all.filter(|(c, roll, _)| ladder.rungs[k].errors[*c][*roll] <= most).collect()
+        };
+        let motion = |from: &[f64; 6], to: &[f64; 6], time: f64| -> f64 {
+            let turns = std::array::from_fn::<_, 6, _>(|joint| {
+                let turn = to[joint] - from[joint];
+                turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round()
+            });
+            let is_slow = (0..6).all(|joint| turns[joint].abs() <= (speeds[joint] * time).min(0.5) + 1e-9);
+            if is_slow { turns.iter().map(|turn| turn * turn).sum::<f64>() / time } else { f64::INFINITY }
+        };
+        let mut last: Vec<(usize, usize, [f64; 6], f64)> =
+            joints(0).into_iter().map(|(c, roll, q)| (c, roll, q, 0.0)).collect();
+        let mut of_nodes = 0.0;
+        for k in 1..ladder.rungs.len() {
+            let time = ladder.rungs[k].time.expect("a feed rate");
+            let held = joints(k);
+            let on_path = |k: usize, all: &[(usize, usize, [f64; 6])]| {
+                let node = nodes[k];
+                all.iter().find(|(c, roll, _)| *c == node.configuration && *roll == node.roll).expect("a node").2
+            };
+            of_nodes += motion(&on_path(k - 1, &joints(k - 1)), &on_path(k, &held), time);
+            let least = |(c, roll, q): (usize, usize, [f64; 6])| {
+                let is_near = |from: usize| (from + ROLLS - roll + 8) % ROLLS <= 16;
+                let before = last.iter().filter(|from| from.0 == c && is_near(from.1));
+                let value = before.map(|from| from.3 + motion(&from.2, &q, time)).fold(f64::INFINITY, f64::min);
+                (c, roll, q, value)
+            };
+            last = held.into_iter().map(least).filter(|node| node.3.is_finite()).collect();
+        }
+        let expected = last.iter().map(|node| node.3).fold(f64::INFINITY, f64::min);
+        assert!((value / expected - 1.0).abs() < 1e-9, "{path_of}: {value} {expected}");
+        assert!((of_nodes / expected - 1.0).abs() < 1e-9, "{path_of}: {of_nodes} {expected}");
+    }
+}
+
+/// Where the best constant roll is nearly as good as any, one sweep finds what two find.
+#[test]
+fn a_path_is_as_smooth_whether_its_least_error_was_sought_or_is_known() {
+    let (robot, one, options) = (robot(), stand(), with(RollMode::Free));
+    let stations = path("line:0.1", KNOWN);
+    let arm = arm_with_margins(&robot, &one, &options).unwrap();
+    let ladder =
+        Ladder::new(&arm, &stations, one, (ErrorPart::Total, RollGrid::turn(180)), 0.8, Watch::nobody()).unwrap();
+    let near = ladder.floor() * 1.005;
+    let climb = |sought, most| Climb::new(&ladder, sought, most, false).path(Watch::nobody()).unwrap().expect("a path");
+    let (_, least) = climb(Sought::LeastError, near);
+    assert!(f64::from(ladder.floor()) <= least && least <= f64::from(near), "{least}");
+    let (path, most) = ladder.smoothest(near, false, Watch::nobody()).unwrap().unwrap();
+    assert_eq!(most, near, "what is spared of the least error is more");
+    assert_eq!(path, climb(Sought::LeastMotion, near).0);
+    // Far above it the least error counts.
+    let (path, most) = ladder.smoothest(2.0 * near, false, Watch::nobody()).unwrap().unwrap();
+    assert!((f64::from(most) / least - 1.01).abs() < 1e-6, "{most} {least}");
+    assert_eq!(path, climb(Sought::LeastMotion, most).0);
+}
+
 /// What is enclosed over an interval of the roll lies below the error at every roll in it, one posture after the other, and hardly below that of a
 /// narrow one.
 #[test]
