@@ -4,6 +4,8 @@
 //! (drive 2 of a serial arm), `e x u` (of a parallelogram) and `e x g`. Seen along and across the force, both sides of the elbow share
 //! everything but the sign of `b`. Plain loops over columns, so that they run on as many at a time as the registers hold.
 
+use pulp::{Simd, WithSimd};
+
 use super::PlaneGrid;
 use super::spans::{RowSpans, Scratch};
 use crate::drive::Architecture;
@@ -64,56 +66,40 @@ impl DirectedRows {
         first: usize,
         cells: &mut [f64],
     ) {
-        let (this, points) = (*self, spans.points.as_slice());
-        let mut scratch = Scratch::default();
-        let mut pieces = Vec::new();
-        pulp::Arch::new().dispatch(|| {
-            for (j, row) in cells.chunks_mut(points.len()).enumerate() {
-                let z = grid.z.at(first + j);
-                spans.by_elbow(z, &mut scratch, &mut pieces);
-                let mut blank_from = 0;
-                for (span, by) in &pieces {
-                    row[blank_from..span.start].fill(f64::NAN);
-                    let (found, x) = (&mut row[span.clone()], &points[span.clone()]);
-                    match *by {
-                        [true, true] => this.both::<QUASI, ONE, ALONG>(z, x, found),
-                        [true, false] => this.one::<QUASI, ONE, ALONG>(Elbow::Up, z, x, found),
-                        _ => this.one::<QUASI, ONE, ALONG>(Elbow::Down, z, x, found),
-                    }
-                    blank_from = span.end;
-                }
-                row[blank_from..].fill(f64::NAN);
-            }
-        });
+        pulp::Arch::new().dispatch(Rows::<QUASI, ONE, ALONG> { rows: *self, spans, grid, first, cells });
     }
 
+    /// Cells that both sides of the elbow reach, or one of them: that of the sign.
     #[allow(clippy::inline_always, reason = "what is not inlined is compiled without the wide instructions")]
     #[inline(always)]
-    fn both<const QUASI: bool, const ONE: bool, const ALONG: bool>(&self, z: f64, x: &[f64], found: &mut [f64]) {
-        for (found, &x) in found.iter_mut().zip(x) {
-            let (part, height, along, across) = self.triangle(x, z);
-            let up = self.counted::<QUASI, ONE, ALONG>(part, height, along, across);
-            let down = self.counted::<QUASI, ONE, ALONG>(part, -height, along, across);
-            let stiffer = if up < down { up } else { down };
-            *found = if ALONG { stiffer } else { stiffer.sqrt() };
-        }
-    }
-
-    #[allow(clippy::inline_always, reason = "what is not inlined is compiled without the wide instructions")]
-    #[inline(always)]
-    fn one<const QUASI: bool, const ONE: bool, const ALONG: bool>(
+    fn each<const BOTH: bool, const QUASI: bool, const ONE: bool, const ALONG: bool>(
         &self,
-        elbow: Elbow,
+        sign: f64,
         z: f64,
         x: &[f64],
         found: &mut [f64],
     ) {
-        let sign = -elbow.sign();
         for (found, &x) in found.iter_mut().zip(x) {
-            let (part, height, along, across) = self.triangle(x, z);
-            let counted = self.counted::<QUASI, ONE, ALONG>(part, sign * height, along, across);
-            *found = if ALONG { counted } else { counted.sqrt() };
+            *found = self.cell::<BOTH, QUASI, ONE, ALONG>(sign, [x, z]);
         }
+    }
+
+    /// What counts at a cell, m, of the stiffer side or that of the sign.
+    #[allow(clippy::inline_always, reason = "what is not inlined is compiled without the wide instructions")]
+    #[inline(always)]
+    fn cell<const BOTH: bool, const QUASI: bool, const ONE: bool, const ALONG: bool>(
+        &self,
+        sign: f64,
+        [x, z]: [f64; 2],
+    ) -> f64 {
+        let (part, height, along, across) = self.triangle(x, z);
+        let height = sign * height;
+        let mut counted = self.counted::<QUASI, ONE, ALONG>(part, height, along, across);
+        if BOTH {
+            let other = self.counted::<QUASI, ONE, ALONG>(part, -height, along, across);
+            counted = if counted < other { counted } else { other };
+        }
+        if ALONG { counted } else { counted.sqrt() }
     }
 
     /// `a`, and `b` of the upper side; the wrist centre along the force and across it, m.
@@ -164,6 +150,44 @@ impl DirectedRows {
         let [c, s] = self.sector.twice;
         let at_edge = apart * c + mixed * s;
         0.5 * ((seen.along + seen.across) + if length * c <= apart { length } else { at_edge })
+    }
+}
+
+/// Rows that are filled. A type of its own: a closure as large as this is compiled without the wide instructions.
+struct Rows<'a, const QUASI: bool, const ONE: bool, const ALONG: bool> {
+    rows: DirectedRows,
+    spans: &'a RowSpans<'a>,
+    grid: &'a PlaneGrid,
+    first: usize,
+    cells: &'a mut [f64],
+}
+
+impl<const QUASI: bool, const ONE: bool, const ALONG: bool> WithSimd for Rows<'_, QUASI, ONE, ALONG> {
+    type Output = ();
+
+    #[allow(clippy::inline_always, reason = "what is not inlined is compiled without the wide instructions")]
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { rows, spans, grid, first, cells } = self;
+        let points = spans.points.as_slice();
+        let mut scratch = Scratch::default();
+        let mut pieces = Vec::new();
+        for (j, row) in cells.chunks_mut(points.len()).enumerate() {
+            let z = grid.z.at(first + j);
+            spans.by_elbow(z, &mut scratch, &mut pieces);
+            let mut blank_from = 0;
+            for (span, by) in &pieces {
+                row[blank_from..span.start].fill(f64::NAN);
+                let (found, x) = (&mut row[span.clone()], &points[span.clone()]);
+                match *by {
+                    [true, true] => rows.each::<true, QUASI, ONE, ALONG>(1.0, z, x, found),
+                    [true, false] => rows.each::<false, QUASI, ONE, ALONG>(-Elbow::Up.sign(), z, x, found),
+                    _ => rows.each::<false, QUASI, ONE, ALONG>(-Elbow::Down.sign(), z, x, found),
+                }
+                blank_from = span.end;
+            }
+            row[blank_from..].fill(f64::NAN);
+        }
     }
 }
 
