@@ -1,5 +1,6 @@
 //! Deflections over a grid of the arm plane, row by row within the circles that bound what is reached.
 
+use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::directed::DirectedRows;
@@ -71,7 +72,10 @@ pub(super) fn fill(
     let fill = |(number, block_cells): (usize, &mut [f64])| {
         let first = number * block;
         match &directed {
-            None => worst_rows(&arm.radial(), &spans, (grid, force), first, block_cells),
+            None => {
+                let (sigma, spans) = (arm.radial(), &spans);
+                Arch::new().dispatch(WorstRows { sigma, spans, grid, force, first, cells: block_cells });
+            }
             Some(directed) => directed.fill(&spans, grid, first, block_cells),
         }
         parts.one_more()
@@ -79,21 +83,30 @@ pub(super) fn fill(
     Ok(cells.par_chunks_mut(block * columns).enumerate().try_for_each(fill)?)
 }
 
-/// Rows from `first` on: sigma(r) over the reached spans, blank elsewhere. Vectorised with what the machine has.
-fn worst_rows(
-    sigma: &RadialCompliance,
-    spans: &RowSpans,
-    (grid, force): (&PlaneGrid, f64),
+/// Rows from `first` on: sigma(r) over the reached spans, blank elsewhere. A type of its own: a closure may be compiled without the wide
+/// instructions.
+struct WorstRows<'a> {
+    sigma: RadialCompliance,
+    spans: &'a RowSpans<'a>,
+    grid: &'a PlaneGrid,
+    force: f64,
     first: usize,
-    cells: &mut [f64],
-) {
-    // sigma F = (h0 + h1 t) + sqrt(a (t - t0)^2 + e), all scaled by F.
-    let (h0, h1) = (sigma.half_trace_0 * force, sigma.half_trace_1 * force);
-    let (a, e) = (sigma.a * force * force, sigma.e * force * force);
-    let t0 = sigma.t0;
-    let squares: &[f64] = &spans.squares;
-    let mut scratch = Scratch::default();
-    pulp::Arch::new().dispatch(|| {
+    cells: &'a mut [f64],
+}
+
+impl WithSimd for WorstRows<'_> {
+    type Output = ();
+
+    #[allow(clippy::inline_always, reason = "what is not inlined is compiled without the wide instructions")]
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { sigma, spans, grid, force, first, cells } = self;
+        // sigma F = (h0 + h1 t) + sqrt(a (t - t0)^2 + e), all scaled by F.
+        let (h0, h1) = (sigma.half_trace_0 * force, sigma.half_trace_1 * force);
+        let (a, e) = (sigma.a * force * force, sigma.e * force * force);
+        let t0 = sigma.t0;
+        let squares: &[f64] = &spans.squares;
+        let mut scratch = Scratch::default();
         for (j, row) in cells.chunks_mut(squares.len()).enumerate() {
             let z = grid.z.at(first + j);
             let z2 = z * z;
@@ -110,5 +123,5 @@ fn worst_rows(
             }
             row[blank_from..].fill(f64::NAN);
         }
-    });
+    }
 }
