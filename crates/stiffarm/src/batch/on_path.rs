@@ -275,7 +275,7 @@ mod tests {
                 let rolled = arm.rolled_tool(tools.each_ref());
                 let grid = RollGrid::turn(ROLLS);
                 // Whole registers are left out, and parts of others.
-                let is_wanted: Vec<bool> = (0..ROLLS).map(|i| i < 20 || 37 < i).collect();
+                let is_wanted: Vec<bool> = (0..ROLLS).map(|i| !(20..=37).contains(&i)).collect();
                 let mut found = Vec::new();
                 arm.angles_at_rolls(&rolled, &point, &grid, &is_wanted, &mut found);
                 for (i, configuration) in (0..ROLLS).flat_map(|i| Configuration::ALL.map(|one| (i, one))) {

@@ -66,7 +66,7 @@ impl DirectedRows {
         first: usize,
         cells: &mut [f64],
     ) {
-        pulp::Arch::new().dispatch(Rows::<QUASI, ONE, ALONG> { rows: *self, spans, grid, first, cells });
+        pulp::Arch::new().dispatch(Rows::<QUASI, ONE, ALONG> { counted: *self, spans, grid, first, cells });
     }
 
     /// Cells that both sides of the elbow reach, or one of them: that of the sign.
@@ -155,7 +155,7 @@ impl DirectedRows {
 
 /// Rows that are filled. A type of its own: a closure as large as this is compiled without the wide instructions.
 struct Rows<'a, const QUASI: bool, const ONE: bool, const ALONG: bool> {
-    rows: DirectedRows,
+    counted: DirectedRows,
     spans: &'a RowSpans<'a>,
     grid: &'a PlaneGrid,
     first: usize,
@@ -168,7 +168,7 @@ impl<const QUASI: bool, const ONE: bool, const ALONG: bool> WithSimd for Rows<'_
     #[allow(clippy::inline_always, reason = "what is not inlined is compiled without the wide instructions")]
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Self { rows, spans, grid, first, cells } = self;
+        let Self { counted, spans, grid, first, cells } = self;
         let points = spans.points.as_slice();
         let mut scratch = Scratch::default();
         let mut pieces = Vec::new();
@@ -180,9 +180,9 @@ impl<const QUASI: bool, const ONE: bool, const ALONG: bool> WithSimd for Rows<'_
                 row[blank_from..span.start].fill(f64::NAN);
                 let (found, x) = (&mut row[span.clone()], &points[span.clone()]);
                 match *by {
-                    [true, true] => rows.each::<true, QUASI, ONE, ALONG>(1.0, z, x, found),
-                    [true, false] => rows.each::<false, QUASI, ONE, ALONG>(-Elbow::Up.sign(), z, x, found),
-                    _ => rows.each::<false, QUASI, ONE, ALONG>(-Elbow::Down.sign(), z, x, found),
+                    [true, true] => counted.each::<true, QUASI, ONE, ALONG>(1.0, z, x, found),
+                    [true, false] => counted.each::<false, QUASI, ONE, ALONG>(-Elbow::Up.sign(), z, x, found),
+                    _ => counted.each::<false, QUASI, ONE, ALONG>(-Elbow::Down.sign(), z, x, found),
                 }
                 blank_from = span.end;
             }
