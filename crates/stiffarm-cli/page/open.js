@@ -3,17 +3,17 @@
 import { button, el, say } from "./dom.js";
 import { files } from "./state.js";
 
-/** A button that opens a file, and keeps its text. @param {string} label @param {string} id @param {(name: string, text: string) => void} then @param {string} [shown] */
+/** A button that opens files, and keeps their texts: the one that no other of them names is the one that is asked for. @param {string} label @param {string} id @param {(name: string, text: string) => void} then @param {string} [shown] */
 export function opener(label, id, then, shown = "open file") {
-  const file = el("input", { type: "file", class: "unseen", "aria-label": label, id: `${id}.file`, tabindex: "-1" });
+  const file = el("input", { type: "file", multiple: true, class: "unseen", "aria-label": label, id: `${id}.file`, tabindex: "-1" });
   file.addEventListener("change", async () => {
-    const [chosen] = file.files ?? [];
-    if (!chosen) return;
-    const text = await chosen.text();
-    files.set(chosen.name, text);
-    say(`opened ${chosen.name}`);
-    then(chosen.name, text);
+    const chosen = await Promise.all([...(file.files ?? [])].map(async (one) => ({ name: one.name, text: await one.text() })));
     file.value = "";
+    const first = chosen.find(({ name }) => !chosen.some((other) => other.name !== name && other.text.includes(name)));
+    if (!first) return;
+    for (const { name, text } of chosen) files.set(name, text);
+    say(`opened ${chosen.map(({ name }) => name).join(", ")}`);
+    then(first.name, first.text);
   });
   return el("span", { class: "opener" }, [button(shown, () => file.click(), { "aria-label": label }), file]);
 }

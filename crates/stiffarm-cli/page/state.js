@@ -89,8 +89,23 @@ export function question(verb, changed = {}) {
     const left = row(verb, name)?.excludes ?? [];
     if (name === "at" || name in changed) for (const other of left) if (!(other in changed)) delete options[other];
   }
-  const told = JSON.stringify(options);
-  return { options, files: Object.fromEntries([...files].filter(([name]) => told.includes(JSON.stringify(name).slice(1, -1)))) };
+  return { options, files: named(JSON.stringify(options)) };
+}
+
+/** The files that a question names, and those that they name themselves: a process its table of forces. @param {string} told */
+function named(told) {
+  /** @type {Record<string, string>} */
+  const found = {};
+  const texts = [told];
+  for (const text of texts) {
+    for (const [name, content] of files) {
+      const written = text === told ? JSON.stringify(name).slice(1, -1) : name;
+      if (name in found || !text.includes(written)) continue;
+      found[name] = content;
+      texts.push(content);
+    }
+  }
+  return found;
 }
 
 /** Takes the state from what a job file asks. @param {{verb: string, options: Record<string, unknown>}} job */

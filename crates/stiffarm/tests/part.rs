@@ -6,6 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{Rotation3, Vector3};
 use stiffarm::catalogue::paper_robots;
+use stiffarm::cell::{Block, Cell, Mount};
 use stiffarm::compliance::compliance;
 use stiffarm::interval::Interval;
 use stiffarm::inverse::{Configuration, reached};
@@ -148,6 +149,31 @@ fn a_part_of_one_face_is_a_flat_zone() {
         let apart = (alone.deflection - flat.deflection).abs() / flat.deflection;
         assert!(apart < 0.01, "{}: {} {}", robot.name, alone.deflection, flat.deflection);
         assert!(alone.lower_bound <= flat.deflection && flat.lower_bound <= alone.deflection, "{}", robot.name);
+    }
+}
+
+/// A pedestal moves the floor and nothing else: place and deflection are those without it, the cell tells them from its floor. A wall or a box
+/// beside it is another matter, which is refused.
+#[test]
+fn a_part_stands_before_a_robot_on_a_pedestal_as_before_one_without() {
+    let part = Part::of_box([0.4, 0.3, 0.1]).with_faces(&["top".into(), "front".into()]).unwrap();
+    let robot = &paper_robots()[4];
+    let model = Model::spatial(robot, &spindle()).unwrap();
+    let within = Within { x: Interval::new(0.8, 2.5).unwrap(), z: Interval::new(-0.2, 2.0).unwrap() };
+    let margins = Margins { floor: None, ..Margins::usual() };
+    let options = PlaceOptions { margins, within: Some(within), ..asked(Orientation::Axes) };
+    let cell = Cell::of(Mount::pedestal(0.6).turned(0.5));
+    let raised = place_part(&model, &part, &PlaceOptions { cell: Some(cell), ..options }).unwrap();
+    let alone = place_part(&model, &part, &options).unwrap();
+    let (raised, alone) = (raised.feasible().unwrap(), alone.feasible().unwrap());
+    assert_eq!((raised.deflection, raised.centre, raised.angle), (alone.deflection, alone.centre, alone.angle));
+    let [x, y, z] = raised.in_cell(&cell);
+    assert!((y / x - 0.5_f64.tan()).abs() < 1e-12 && (z - 0.6 - raised.centre[1]).abs() < 1e-12, "{x} {y} {z}");
+    let block = Block { x: within.x, y: Interval::spanning(0.5, 1.0), z: within.z };
+    let kept_free = Cell { keep_out: std::array::from_fn(|i| (i == 0).then_some(block)), ..cell };
+    for other in [Cell::of(Mount::wall(2.0)), Cell::of(Mount::ceiling(3.0)), kept_free] {
+        let found = place_part(&model, &part, &PlaceOptions { cell: Some(other), ..options });
+        assert!(matches!(found, Err(PlaceError::PartInCell)), "{other:?}: {found:?}");
     }
 }
 

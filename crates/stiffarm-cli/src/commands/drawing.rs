@@ -17,6 +17,7 @@ pub(super) fn scene(model: &Model, posture: Option<ArmPosture>, zone: Option<Zon
         links: points.collect(),
         link: link(robot),
         base: model.knows_base().then_some([0.0; 2]),
+        raised: 0.0,
         zone,
         windows: Vec::new(),
         keep_outs: Vec::new(),

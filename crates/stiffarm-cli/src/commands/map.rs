@@ -154,6 +154,7 @@ impl<'a> Drawn<'a> {
         let mut scene = scene(model, self.posture, self.mark);
         scene.windows.extend(placed.iter().flat_map(|zone| zone.windows()).map(|within| [within.x, within.z]));
         scene.keep_outs.extend(placed.iter().flat_map(|zone| zone.keep_outs()).map(|block| [block.x, block.z]));
+        scene.raised = placed.map_or(0.0, raised);
         scene.force = force(self.answer.options.load);
         let edge = match model {
             Model::Planar(model) => Some((model.arm(), model.axis_from_base())),
@@ -191,6 +192,7 @@ impl<'a> Drawn<'a> {
             Model::Planar(model) => (model.aside(), format!("section in the arm plane, m from {}", self.origin())),
             Model::Spatial(_) => (0.0, "the section stands for every direction about the joint-1 axis".to_owned()),
         };
+        let cell = zone.as_ref().and_then(|zone| zone.options.cell);
         let best = zone.as_ref().and_then(|zone| zone.placed.feasible());
         let colour_label = self.colour_label();
         let zone = best.zip(self.mark).map(|(best, mark)| Zone {
@@ -216,8 +218,16 @@ impl<'a> Drawn<'a> {
             scale: self.plate.ends(),
             arrows: arrows.into_iter().collect(),
             floor: model.knows_base(),
+            cell,
         }
     }
+}
+
+/// How high above the floor the base of a robot stands that stands upright, m.
+fn raised(placed: &PlaceAnswer) -> f64 {
+    let mount =
+        placed.options.cell.map(|cell| cell.mount).filter(|mount| mount.is_vertical() && 0.0 < mount.uprightness());
+    mount.map_or(0.0, |mount| mount.cell_from_base.translation.z)
 }
 
 fn subtitle(answer: &MapAnswer) -> String {

@@ -244,6 +244,7 @@ impl PlaceOutput {
             colour_label: Drawn::of_zone(&map).colour_label(),
             scale: self.plate.ends(),
             floor: true,
+            cell: self.answer.options.cell,
             ..View::default()
         })
     }

@@ -274,6 +274,7 @@ mod tests {
             links: Vec::new(),
             link: f64::midpoint(arm.l2, arm.l3),
             base: None,
+            raised: 0.0,
             zone: None,
             windows: Vec::new(),
             keep_outs: Vec::new(),

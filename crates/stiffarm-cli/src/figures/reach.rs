@@ -53,6 +53,7 @@ impl ReachFigure<'_> {
             links: usual_posture(self.arm).map_or_else(Vec::new, |posture| links(self.arm, posture)),
             link: f64::midpoint(self.arm.l2, self.arm.l3),
             base: self.base.map(|axis| axis.map(|part| -part)),
+            raised: 0.0,
             zone: None,
             windows: Vec::new(),
             keep_outs: Vec::new(),

@@ -24,6 +24,8 @@ pub(crate) struct Scene {
     pub link: f64,
     /// Where the joint-1 axis meets the floor; base and floor are drawn where the joint-2 axis is 5 cm or more above.
     pub base: Option<[f64; 2]>,
+    /// How high above the floor it stands, on a pedestal, m; below it where negative.
+    pub raised: f64,
     /// Where the work stands.
     pub zone: Option<ZoneMark>,
     /// Where it may stand; an end may be open.
@@ -73,7 +75,10 @@ impl Scene {
         shown.extend(self.joints().into_iter().flat_map(|[x, z]| [[x - room, z - room], [x + room, z + room]]));
         if let Some([x, z]) = self.standing() {
             let size = self.base_size();
-            shown.extend([[x - 0.45 * size, z - 0.15 * size], [x + 0.45 * size, self.axis[1] + room]]);
+            shown.extend([
+                [x - 0.45 * size, z - self.raised.max(0.0) - 0.15 * size],
+                [x + 0.45 * size, self.axis[1] + room],
+            ]);
         }
         shown.extend(self.zone.iter().flat_map(|mark| mark.rim.iter().copied()));
         let beyond = |[from, to]: [[f64; 2]; 2]| [0, 1].map(|k| to[k] + 0.1 * (to[k] - from[k]));
@@ -115,7 +120,7 @@ impl Scene {
     pub(super) fn floor(&self, canvas: &mut Canvas, frame: &Frame) {
         let Some([_, floor]) = self.standing() else { return };
         let [[left, bottom], [right, _]] = frame.corners();
-        let y = frame.y.at(floor);
+        let y = frame.y.at(floor - self.raised);
         for i in 0..=((right - left) / 12.0) as usize {
             let x = left + 12.0 * i as f64;
             canvas.line([x, y + 9.0], [x + 9.0, y], &format!(r#"stroke="{GROUND}" stroke-width="0.8""#));
@@ -145,6 +150,9 @@ impl Scene {
         let placed = points.map(|[right, up]| frame.at(x + right, z + up));
         let look =
             format!(r#"fill="{BASE}" fill-opacity="0.7" stroke="{INK}" stroke-width="1.2" stroke-linejoin="round""#);
+        if 0.0 < self.raised {
+            canvas.rect(frame.at(x - 0.85 * half, z - self.raised), frame.at(x + 0.85 * half, z), &look);
+        }
         canvas.path(&path(&placed, true), &look);
     }
 

@@ -33,6 +33,20 @@ def test_a_toolpath_and_a_process_are_opened_and_a_program_downloaded(look: Open
     assert b"DEF" in Path(saved.value.path()).read_bytes()
 
 
+def test_a_process_is_opened_with_the_table_of_forces_that_it_names(look: Open, tmp_path: Path) -> None:
+    process, table = tmp_path / "sawn.toml", tmp_path / "forces.csv"
+    process.write_text('[measured]\nfile = "forces.csv"\non = "tool"\n')
+    table.write_text("s_m,f_feed_n,f_across_n,f_axial_n\n0,200,0,0\n9,200,0,0\n")
+    address = "#mill?mill.at=1.7,0,0.8&robot=KR+210+R2700+extra&tool=spindle:250@90&mill.path=line:0.3&mill.force-n="
+    page = look(f"{address}200,0,0")
+    known = page.locator("#number").inner_text()
+    page = look(address.replace("&mill.force-n=", ""), refused=True)
+    page.get_by_label("open a file for process").and_(page.locator("input")).set_input_files([table, process])
+    expect(page.get_by_label("process", exact=True)).to_have_value("sawn.toml")
+    page.get_by_label("force [N]").fill("")
+    expect(page.locator("#number")).to_have_text(known)
+
+
 def test_postures_are_told_and_a_table_to_fill_in_is_downloaded(look: Open) -> None:
     page = look("#measure?measure.runs=6&measure.candidates=200")
     expect(page.locator(".plan tbody tr")).to_have_count(6)

@@ -233,7 +233,7 @@ impl PlaceAnswer {
             None => lines.extend(outside(best).map(|note| line("note", note))),
             Some(cell) => {
                 let [x, y, z] = best.in_cell(&cell).map(|part| fixed(part, 4));
-                lines.push(line("centre in the cell", format!("x {x} m, y {y} m, z {z} m")));
+                lines.push(line(format!("{centre} in the cell"), format!("x {x} m, y {y} m, z {z} m")));
             }
         }
         match best.space() {

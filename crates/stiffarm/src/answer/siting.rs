@@ -1,5 +1,7 @@
 //! Where must the work stand, as a shop drawing has it: heights, distances from the joint-1 axis, sideways?
 
+use std::f64::consts::TAU;
+
 use super::words::{degrees, fixed};
 use super::{Line, MillAnswer, PlaceAnswer, line};
 use crate::interval::Interval;
@@ -80,7 +82,8 @@ impl PlaceAnswer {
             x_axis: is_part.then(|| std::array::from_fn(|axis| x_axis[axis] - origin[axis])),
             dimensions: Vec::new(),
             turned: if is_part {
-                Some(line("turned about the vertical", degrees(best.angle)))
+                let turn = (x_axis[1] - origin[1]).atan2(x_axis[0] - origin[0]);
+                Some(line("turned about the vertical", degrees(turn.rem_euclid(TAU))))
             } else {
                 let bearing = best.space().map(|hold| hold.bearing).filter(|&bearing| bearing != 0.0);
                 bearing.map(|bearing| line("turned about the joint-1 axis", degrees(bearing)))
@@ -139,7 +142,7 @@ fn corners(zone: Zone) -> Vec<[f64; 2]> {
     match zone {
         Zone::Rectangle { .. } => [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|at| zone.at(at)).into(),
         Zone::Circle { diameter } => (0..CORNERS)
-            .map(|i| std::f64::consts::TAU * i as f64 / CORNERS as f64)
+            .map(|i| TAU * i as f64 / CORNERS as f64)
             .map(|turn| [turn.cos(), turn.sin()].map(|part| part * diameter / 2.0))
             .collect(),
     }

@@ -87,7 +87,7 @@ pub enum PlaceError {
     },
     /// What a cell is not asked for yet.
     #[error(
-        "a part with several faces; mounts, windows with y, keep-outs and a clearance that is asked for are known of one flat zone"
+        "a part with several faces; walls and ceilings, windows with y, keep-outs and a clearance that is asked for are known of one flat zone"
     )]
     PartInCell,
     /// A force along the axes of the base, and a cell in which the work may stand all around it.

@@ -43,8 +43,10 @@ pub(crate) struct View {
     pub colours: Colours,
     /// From where to where they go, where that was asked for.
     pub scale: Option<[f64; 2]>,
-    /// Whether the floor is known to lie at height zero.
+    /// Whether it is known where the base stands: on the floor, at height zero, unless the cell says otherwise.
     pub floor: bool,
+    /// The place where the robot works, where something is known of it: its floor, and what is kept free.
+    pub cell: Option<stiffarm::cell::Cell>,
 }
 
 /// A point with its deflection.
@@ -262,6 +264,33 @@ mod tests {
         });
         assert!(per_metre.iter().all(|scale| (scale / per_metre[0] - 1.0).abs() < 1e-12), "{per_metre:?}");
         assert_eq!(scene["aspectmode"], "manual");
+    }
+
+    /// On a pedestal of half a metre, beside a box that goes on without end to the right: by hand.
+    #[test]
+    fn floor_pedestal_and_what_is_kept_free_stand_where_the_cell_has_them() {
+        let mut cell = stiffarm::cell::Cell::of(stiffarm::cell::Mount::pedestal(0.5));
+        let range = |from, to| stiffarm::interval::Interval::new(from, to).unwrap();
+        let block = stiffarm::cell::Block {
+            x: range(1.0, 2.0),
+            y: range(f64::NEG_INFINITY, 0.0),
+            z: range(f64::NEG_INFINITY, 0.8),
+        };
+        cell.keep_out[0] = Some(block);
+        let figure = View { cell: Some(cell), ..view() }.figure();
+        let data = figure["data"].as_array().unwrap();
+        let ends = |name: &str, axis: &str| {
+            let trace = data.iter().find(|trace| trace["name"] == name).unwrap_or_else(|| panic!("no {name}"));
+            let known = || trace[axis].as_array().unwrap().iter().filter_map(Value::as_f64);
+            [known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max)]
+        };
+        // Nothing else lies to the right of the base: half a metre beyond it the box is cut off, and at the floor.
+        assert_eq!(["x", "y", "z"].map(|axis| ends("kept free", axis)), [[1.0, 2.0], [-0.5, 0.0], [-0.5, 0.3]]);
+        assert_eq!([ends("pedestal", "z"), ends("floor", "z")], [[-0.5, 0.0], [-0.5, -0.5]]);
+        assert!(figure["layout"]["scene"]["zaxis"]["range"][0].as_f64().unwrap() <= -0.5);
+        let hanging =
+            View { cell: Some(stiffarm::cell::Cell::of(stiffarm::cell::Mount::wall(2.0))), ..view() }.figure();
+        assert!(hanging["data"].as_array().unwrap().iter().all(|trace| trace["name"] != "floor"), "not level there");
     }
 
     #[test]

@@ -51,6 +51,16 @@ impl Solid {
         solid
     }
 
+    /// A box, or one that stands askew: corner `k` lies at the far end of axis `i` where bit `i` of `k` is set.
+    pub(super) fn block(corners: [Point; 8]) -> Self {
+        // Seen from outside.
+        let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3]];
+        Self {
+            points: corners.into(),
+            faces: sides.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect(),
+        }
+    }
+
     /// The body as plotly.js draws it.
     pub(super) fn trace(&self, name: &str, colour: &str) -> Value {
         let part = |k: usize| self.points.iter().map(|at| length(at[k])).collect::<Value>();
@@ -82,12 +92,15 @@ mod tests {
     }
 
     #[test]
-    fn a_capsule_encloses_a_cylinder_and_a_ball() {
+    fn bodies_enclose_what_they_should() {
         let radius: f64 = 0.2;
         let solid = Solid::capsule([1.0, 2.0, 3.0], [1.0, 2.6, 3.8], [radius; 2]);
         let exact = radius.powi(2) * std::f64::consts::PI * (1.0 + 4.0 / 3.0 * radius);
         // Flat faces cut off some per cent of what is round.
         assert!((0.93..1.0).contains(&(volume(&solid) / exact)), "{} {exact}", volume(&solid));
+        let corner =
+            |k: usize| std::array::from_fn(|i| if k >> i & 1 == 1 { [3.0, 2.5, 0.7][i] } else { [1.0, 2.0, -0.3][i] });
+        assert!((volume(&Solid::block(std::array::from_fn(corner))) - 1.0).abs() < 1e-12, "2 x 0.5 x 1 m");
         let ball = Solid::capsule([0.0; 3], [0.0; 3], [radius; 2]);
         assert!(ball.points.iter().all(|at| (Vector3::from(*at).norm() - radius).abs() < 1e-12));
     }

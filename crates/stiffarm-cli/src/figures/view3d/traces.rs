@@ -1,8 +1,10 @@
 //! What plotly.js is told to draw, in its own words.
 
-use nalgebra::Vector3;
+use nalgebra::{Point3, Vector3};
 use serde_json::{Value, json};
-use stiffarm::palette::{ARM_IN_SPACE, BASE, FAINT, FLOOR, GREY, INK, JOINT_IN_SPACE, TOOL, ZONE};
+use stiffarm::cell::Block;
+use stiffarm::interval::Interval;
+use stiffarm::palette::{ARM_IN_SPACE, BASE, FAINT, FLOOR, GREY, INK, JOINT_IN_SPACE, KEEP_OUT, TOOL, ZONE};
 
 use super::super::bands::Bands;
 use super::solids::Solid;
@@ -17,6 +19,8 @@ const SHAFT: f64 = 0.016;
 const MOST_TICKS: f64 = 6.0;
 /// Squares of the floor, m.
 const TILE: f64 = 0.5;
+/// Half the width of a pedestal, m.
+const PEDESTAL: f64 = 0.3;
 /// How far links and rims, and above them marks, are drawn from a section they lie in, m.
 const LINKS_APART: f64 = 0.012;
 const MARK_APART: f64 = 0.03;
@@ -38,9 +42,8 @@ impl View {
                 traces.push(surface(name, sheet, opacity, bands, with_bar.then_some(&*self.colour_label)));
             }
         }
-        if self.floor {
-            traces.push(self.floor());
-        }
+        traces.extend(self.floor_height().map(|height| self.floor(height)));
+        self.draw_cell(&mut traces);
         self.draw_arm(&mut traces);
         self.draw_zone(&mut traces);
         self.draw_arrows(&mut traces);
@@ -133,10 +136,18 @@ impl View {
         }
     }
 
+    /// How high above the base the floor lies, m, where that is known and it lies level there.
+    fn floor_height(&self) -> Option<f64> {
+        match self.cell.map(|cell| cell.mount) {
+            None => self.floor.then_some(0.0),
+            Some(mount) => mount.is_vertical().then(|| mount.heights_from_base(Interval::point(0.0)).min()),
+        }
+    }
+
     /// Light lines under everything that is shown.
-    fn floor(&self) -> Value {
+    fn floor(&self, height: f64) -> Value {
         let [x, y, _] = self.room().map(|range| range.map(|end| (end / TILE).round() as i64));
-        let at = |i: i64, j: i64| [TILE * i as f64, TILE * j as f64, 0.0];
+        let at = |i: i64, j: i64| [TILE * i as f64, TILE * j as f64, height];
         let along = (x[0]..=x[1]).map(|i| vec![at(i, y[0]), at(i, y[1])]);
         let across = (y[0]..=y[1]).map(|j| vec![at(x[0], j), at(x[1], j)]);
         let mut floor = lines("floor", &along.chain(across).collect::<Vec<_>>(), FLOOR, 2.0);
@@ -144,17 +155,57 @@ impl View {
         floor
     }
 
+    /// What the base stands on, and what is kept free.
+    fn draw_cell(&self, traces: &mut Vec<Value>) {
+        if let Some(height) = self.floor_height().filter(|height| *height < 0.0) {
+            let at =
+                |k: usize| [[-PEDESTAL, PEDESTAL][k & 1], [-PEDESTAL, PEDESTAL][k >> 1 & 1], [height, 0.0][k >> 2]];
+            traces.push(Solid::block(std::array::from_fn(at)).trace("pedestal", BASE));
+        }
+        for (i, corners) in self.keep_outs().into_iter().enumerate() {
+            let mut body = Solid::block(corners).trace("kept free", KEEP_OUT);
+            body["opacity"] = json!(0.3);
+            body["flatshading"] = json!(true);
+            body["legendgroup"] = json!("kept free");
+            body["showlegend"] = json!(i == 0);
+            traces.push(body);
+        }
+    }
+
+    /// Corners of what is kept free, base axes; what is open, or goes on far away, is cut off beyond everything else that is shown.
+    fn keep_outs(&self) -> Vec<[Point; 8]> {
+        let Some(cell) = self.cell else { return Vec::new() };
+        let pose = cell.mount.cell_from_base;
+        let shown: Vec<Point3<f64>> = self.shown().chain([[0.0; 3]]).map(|at| pose * Point3::from(at)).collect();
+        let ends = |block: &Block, i: usize| {
+            let known = || shown.iter().map(|at| at[i]).filter(|x| x.is_finite());
+            // Nothing is seen below the floor.
+            let low = if i == 2 { 0.0 } else { known().fold(0.0, f64::min) - TILE };
+            let high = known().fold(0.0, f64::max) + TILE;
+            let side = [block.x, block.y, block.z][i];
+            [side.min().clamp(low, high), side.max().clamp(low, high)]
+        };
+        let corners = |block: Block| {
+            let ends = [0, 1, 2].map(|i| ends(&block, i));
+            let at = |k: usize| pose.inverse() * Point3::from([0, 1, 2].map(|i| ends[i][k >> i & 1]));
+            ends.iter().all(|[from, to]| from < to).then(|| std::array::from_fn(|k| at(k).into()))
+        };
+        cell.keep_out().filter_map(corners).collect()
+    }
+
     /// From where to where the axes go: whole tiles that hold everything that is shown, and the base.
     fn room(&self) -> [[f64; 2]; 3] {
         [0, 1, 2].map(|k| {
-            let shown = self.shown().map(|at| at[k]).filter(|x| x.is_finite());
+            let blocks = self.keep_outs().into_iter().flatten();
+            let floor = self.floor_height().map(|height| [0.0, 0.0, height]);
+            let shown = self.shown().chain(blocks).chain(floor).map(|at| at[k]).filter(|x| x.is_finite());
             let around = if k == 2 { 0.0 } else { TILE };
             let [low, high] = shown.fold([-around, TILE], |[low, high], x| [low.min(x), high.max(x)]);
             [(low / TILE + 1e-9).floor() * TILE, (high / TILE - 1e-9).ceil() * TILE]
         })
     }
 
-    /// Every point that is drawn above the floor.
+    /// Every point of robot, work and map.
     fn shown(&self) -> impl Iterator<Item = Point> {
         let zone = self.zone.as_ref().and_then(|zone| zone.sheet.as_ref());
         let rim = self.zone.iter().flat_map(|zone| zone.rim.iter().copied());
