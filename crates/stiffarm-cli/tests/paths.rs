@@ -261,6 +261,15 @@ fn a_path_without_a_place_gets_the_best_one() {
     let number = |told: &Value, key: &str| told[key].as_f64().unwrap();
     assert!(number(&placed, "worst_mm") < number(&by_hand, "worst_mm"));
     assert!(0.8 * number(&placed, "worst_mm") < number(&placed, "lower_bound_mm"));
+    let told = String::from_utf8(stiffarm(folder.path(), &asked).stdout).unwrap();
+    let bound = number(&placed, "lower_bound_mm");
+    let proved = if 0.0 < bound { format!("{bound:.4} mm (gap") } else { "not proved: ".into() };
+    for words in [
+        &format!("no place has less than     {proved}"),
+        "18 x 14 x 24 places ahead, up and turned, the best refined to",
+    ] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
     let nowhere = json(folder.path(), &[&asked[..], &["--within", "6..7,0..1"]].concat());
     assert_eq!(nowhere["feasible"], false);
     assert!(nowhere["worst_mm"].is_null() && nowhere["reason"].as_str().unwrap().contains("no place"));

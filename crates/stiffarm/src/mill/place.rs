@@ -66,13 +66,15 @@ pub struct PathPlaced {
     pub milled: Milled,
     /// No place that is allowed has a smaller largest error, m; 0 where nothing is proved.
     pub lower_bound: f64,
-    /// How finely was sought: the last step, m; samples that stood for the path; nodes of the proof.
+    /// How finely was sought.
     pub resolution: PathResolution,
 }
 
 /// How finely a place was looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathResolution {
+    /// Places of the coarse search: ahead, up, and turned about the vertical.
+    pub coarse: [usize; 3],
     /// The last step, m.
     pub step: f64,
     /// Samples that stood for the path.
@@ -166,7 +168,7 @@ pub fn place_path(
     search.put_binding_first(&place)?;
     let (lower_bound, nodes) = search.lower_bound(value, watch)?;
     let placement = search.placement(&place);
-    let resolution = PathResolution { step, samples, nodes };
+    let resolution = PathResolution { coarse: COARSE, step, samples, nodes };
     Ok(Ok(PathPlaced { placement, milled, lower_bound, resolution }))
 }
 

@@ -5,7 +5,7 @@ use super::super::stiffness::stiffness;
 use super::super::words::{degrees, percentages, robot as named, tool};
 use super::super::{Line, Table, fixed, line, uncertainty};
 use super::{Compensation, MillAnswer, least};
-use crate::mill::{Acting, ErrorPart, Followed, MillOptions, PartPlacement, Remaining, RollMode};
+use crate::mill::{Acting, ErrorPart, Followed, MillOptions, PartPlacement, PathResolution, Remaining, RollMode};
 
 impl MillAnswer {
     /// For people.
@@ -96,10 +96,18 @@ impl MillAnswer {
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
         lines.push(line(format!("{} less than", self.bounded()), proved(found.lower_bound)));
         if let Some((resolution, lower)) = self.sought {
-            lines.push(line(
-                "no place has less than",
-                format!("{}, by {} boxes of places", proved(lower), resolution.nodes),
-            ));
+            let PathResolution { coarse: [ahead, up, turned], step, samples, nodes } = resolution;
+            let told = if 0.0 < lower {
+                format!("{}, by {nodes} boxes of places", proved(lower))
+            } else {
+                format!("not proved: {nodes} boxes of places are too few for a bound")
+            };
+            lines.push(line("no place has less than", told));
+            let step = fixed(step * 1e3, 1);
+            let sought = format!(
+                "{ahead} x {up} x {turned} places ahead, up and turned, the best refined to {step} mm; by {samples} samples, then by all"
+            );
+            lines.push(line("search", sought));
         }
         let json = self.roll().json();
         let angle = |key: &str| json[key].as_f64().map_or_else(String::new, |angle| format!("{} deg", fixed(angle, 1)));
