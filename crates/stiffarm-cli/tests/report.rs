@@ -238,7 +238,9 @@ fn a_part_has_its_shop_drawing() {
     let (page, drawn) = (page(&asked), written(&asked, "shop.svg"));
     let z_mm = json(&asked)["z_m"].as_f64().unwrap() * 1e3;
     let told = read(&page);
-    for words in ["height of its underside above the base", &format!("{z_mm:.1} mm"), "turned about the vertical"] {
+    for words in
+        ["height of the middle of its underside above the base", &format!("{z_mm:.1} mm"), "turned about the vertical"]
+    {
         assert!(told.contains(words), "{words}: {told}");
     }
     let drawn = String::from_utf8(drawn).unwrap();

@@ -65,28 +65,23 @@ impl ShopFigure<'_> {
         self.tell_work(&mut canvas, &scale);
         self.draw_side(&mut canvas, &scale, top);
         self.draw_above(&mut canvas, &scale);
-        let of = |axis: usize| self.siting.dimensions.iter().filter(move |one| one.axis == axis);
-        for (i, one) in of(2).enumerate() {
-            upright(
-                &mut canvas,
-                one,
-                scale.right + FIRST + 1.6 * STEP * i as f64,
-                &|z| scale.side([0.0, 0.0, z])[1],
-                scale.across(self.siting.extent(0)[1]),
-            );
+        let of = |axis: usize| self.siting.dimensions.iter().filter(move |one| one.axis == axis).enumerate();
+        let from = scale.across(self.siting.extent(0)[1]);
+        let column = |i: usize| scale.right + FIRST + 1.6 * STEP * i as f64;
+        let mut texts = Vec::new();
+        for (i, one) in of(2) {
+            texts.extend(upright(&mut canvas, one, column(i), &|z| scale.side([0.0, 0.0, z])[1], from));
         }
-        for (i, one) in of(1).enumerate() {
-            upright(
-                &mut canvas,
-                one,
-                scale.right + FIRST + 1.6 * STEP * i as f64,
-                &|y| scale.above([0.0, y, 0.0])[1],
-                scale.across(self.siting.extent(0)[1]),
-            );
+        for (i, one) in of(1) {
+            texts.extend(upright(&mut canvas, one, column(i), &|y| scale.above([0.0, y, 0.0])[1], from));
         }
         let below = scale.lower[1];
-        for (i, one) in of(0).enumerate() {
-            level(&mut canvas, one, below + FIRST + STEP * i as f64, &|x| scale.across(x), below);
+        for (i, one) in of(0) {
+            texts.extend(level(&mut canvas, one, below + FIRST + STEP * i as f64, &|x| scale.across(x), below));
+        }
+        // Over the lines of all the others.
+        for (at, text, font) in texts {
+            canvas.text(at, text, font);
         }
         canvas.height = below + FIRST + STEP * of(0).count() as f64 + 4.0;
         canvas.finish()
@@ -199,30 +194,54 @@ fn thin() -> String {
     format!("stroke=\"{INK}\" stroke-width=\"0.8\"")
 }
 
-/// A length along x, at the height `y`; lines lead up to `from`.
-fn level(canvas: &mut Canvas, one: &Dimension, y: f64, at: &dyn Fn(f64) -> f64, from: f64) {
+/// A text along a length would lie on the lines at its ends: it stands beyond one of them.
+fn is_too_short([a, b]: [f64; 2], text: &str) -> bool {
+    (b - a).abs() < Font::new(12.0).width(text) + 2.0
+}
+
+/// A text, where it stands, and how it looks.
+type Text<'a> = (Px, &'a str, Font<'static>);
+
+/// A length along x, at the height `y`; lines lead up to `from`. Its text is still to be drawn.
+fn level<'a>(canvas: &mut Canvas, one: &'a Dimension, y: f64, at: &dyn Fn(f64) -> f64, from: f64) -> Option<Text<'a>> {
     let [a, b] = one.ends.map(at);
     if (b - a).abs() < SHORTEST {
-        return;
+        return None;
     }
     for x in [a, b] {
         canvas.line([x, from + 4.0], [x, y + 5.0], &thin());
         canvas.line([x - 4.0, y + 4.0], [x + 4.0, y - 4.0], &thin());
     }
     canvas.line([a, y], [b, y], &thin());
-    canvas.text([f64::midpoint(a, b), y - 8.0], &one.text, Font::new(12.0).middle().halo());
+    let font = Font::new(12.0).halo();
+    Some(if is_too_short([a, b], &one.text) {
+        ([a.max(b) + 9.0, y], &one.text, font)
+    } else {
+        ([f64::midpoint(a, b), y - 8.0], &one.text, font.middle())
+    })
 }
 
-/// A length upwards, at `x`; lines lead left to `from`.
-fn upright(canvas: &mut Canvas, one: &Dimension, x: f64, at: &dyn Fn(f64) -> f64, from: f64) {
+/// A length upwards, at `x`; lines lead left to `from`. Its text is still to be drawn.
+fn upright<'a>(
+    canvas: &mut Canvas,
+    one: &'a Dimension,
+    x: f64,
+    at: &dyn Fn(f64) -> f64,
+    from: f64,
+) -> Option<Text<'a>> {
     let [a, b] = one.ends.map(at);
     if (b - a).abs() < SHORTEST {
-        return;
+        return None;
     }
     for y in [a, b] {
         canvas.line([from + 6.0, y], [x + 5.0, y], &thin());
         canvas.line([x - 4.0, y + 4.0], [x + 4.0, y - 4.0], &thin());
     }
     canvas.line([x, a], [x, b], &thin());
-    canvas.text([x - 9.0, f64::midpoint(a, b)], &one.text, Font::new(12.0).middle().turned(-90.0).halo());
+    let font = Font::new(12.0).halo();
+    Some(if is_too_short([a, b], &one.text) {
+        ([x, a.min(b) - 9.0], &one.text, font.middle())
+    } else {
+        ([x - 9.0, f64::midpoint(a, b)], &one.text, font.middle().turned(-90.0))
+    })
 }

@@ -1,8 +1,13 @@
 //! Where must the work stand, as a shop drawing has it: heights, distances from the joint-1 axis, sideways?
 
+mod dimensions;
+
 use std::f64::consts::TAU;
 
-use super::words::{degrees, fixed};
+pub use dimensions::Dimension;
+use dimensions::{from_an_origin, of_a_zone};
+
+use super::words::degrees;
 use super::{Line, MillAnswer, PlaceAnswer, line};
 use crate::interval::Interval;
 use crate::mill::Station;
@@ -42,19 +47,6 @@ pub struct Siting {
     pub turned: Option<Line>,
 }
 
-/// A length on a drawing, along one axis.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Dimension {
-    /// Along which axis: 0 ahead, 1 to the left, 2 up.
-    pub axis: usize,
-    /// From where to where along it, m.
-    pub ends: [f64; 2],
-    /// What it is.
-    pub name: String,
-    /// How long, in millimetres.
-    pub text: String,
-}
-
 impl PlaceAnswer {
     /// Where the zone or the part stands; `None` where it has no place, or nothing is known of the base.
     pub fn siting(&self) -> Option<Siting> {
@@ -89,7 +81,11 @@ impl PlaceAnswer {
                 bearing.map(|bearing| line("turned about the joint-1 axis", degrees(bearing)))
             },
         };
-        siting.dimensions = dimensions(&siting);
+        siting.dimensions = if is_part {
+            from_an_origin(&siting, "the middle of its underside", "the machined faces")
+        } else {
+            of_a_zone(&siting)
+        };
         Some(siting)
     }
 
@@ -185,7 +181,7 @@ impl MillAnswer {
                 degrees(placement.yaw),
             )),
         };
-        siting.dimensions = dimensions_of_path(&siting);
+        siting.dimensions = from_an_origin(&siting, "the path's origin", "the path");
         Some(siting)
     }
 }
@@ -212,81 +208,9 @@ fn extent(points: &[Vector3<f64>], axis: usize) -> f64 {
     along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
 }
 
-fn dimension(axis: usize, ends: [f64; 2], name: String) -> Dimension {
-    Dimension { axis, ends, name, text: fixed((ends[1] - ends[0]).abs() * 1e3, 1) }
-}
-
-fn side(ahead: f64, [positive, negative]: [&'static str; 2]) -> &'static str {
-    if ahead < -1e-9 { negative } else { positive }
-}
-
-/// Where a path's origin stands, and how far the path reaches.
-fn dimensions_of_path(siting: &Siting) -> Vec<Dimension> {
-    let ([x, y, z], [across, aside, up]) = (siting.centre, [0, 1, 2].map(|axis| siting.extent(axis)));
-    let mut told = vec![
-        dimension(2, [0.0, z], format!("height of the path's origin {} the base", side(z, ["above", "below"]))),
-        dimension(0, [0.0, x], format!("joint-1 axis to the path's origin, {}", side(x, ["ahead", "behind"]))),
-        dimension(1, [0.0, y], format!("the path's origin to the {} of the joint-1 axis", side(y, ["left", "right"]))),
-    ];
-    for (axis, ends, name) in [
-        (0, across, "extent of the path ahead"),
-        (1, aside, "extent of the path sideways"),
-        (2, up, "extent of the path upwards"),
-    ] {
-        if 1e-9 < ends[1] - ends[0] {
-            told.push(dimension(axis, ends, name.into()));
-        }
-    }
-    told
-}
-
-/// Lengths as a shop drawing has them, each once.
-fn dimensions(siting: &Siting) -> Vec<Dimension> {
-    let [across, aside, up] = [0, 1, 2].map(|axis| siting.extent(axis));
-    let floor = siting.floor.unwrap_or(siting.foot[2]);
-    let ground = if siting.floor.is_some() { "floor" } else { "base" };
-    let above = |z: f64| side(z - floor, ["above", "below"]);
-    let beside = side(siting.centre[1] - siting.foot[1], ["left", "right"]);
-    let flat = |[low, high]: [f64; 2]| high - low < 1e-9;
-    let mut told = Vec::new();
-    if siting.x_axis.is_some() {
-        let foot = siting.centre[2];
-        told.push(dimension(2, [floor, foot], format!("height of its underside {} the {ground}", above(foot))));
-        told.push(dimension(2, [foot, up[1]], "from there to its highest edge".into()));
-    } else if flat(up) {
-        told.push(dimension(2, [floor, up[0]], format!("height of the worked face {} the {ground}", above(up[0]))));
-    } else {
-        told.push(dimension(2, [floor, up[0]], format!("height of its lowest edge {} the {ground}", above(up[0]))));
-        told.push(dimension(2, up, "from there to its highest edge".into()));
-    }
-    told.push(dimension(
-        0,
-        [siting.foot[0], across[0]],
-        format!("joint-1 axis to its near edge, {}", side(across[0] - siting.foot[0], ["ahead", "behind"])),
-    ));
-    if flat(across) {
-        return told;
-    }
-    let centre = if siting.x_axis.is_some() { "the middle of its underside" } else { "its centre" };
-    told.push(dimension(
-        0,
-        [siting.foot[0], siting.centre[0]],
-        format!("joint-1 axis to {centre}, {}", side(siting.centre[0] - siting.foot[0], ["ahead", "behind"])),
-    ));
-    told.push(dimension(0, across, "its extent ahead".into()));
-    told.push(dimension(
-        1,
-        [siting.foot[1], siting.centre[1]],
-        format!("{centre} to the {beside} of the joint-1 axis"),
-    ));
-    if !flat(aside) {
-        told.push(dimension(1, aside, "its extent sideways".into()));
-    }
-    told
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::words::fixed;
     use super::*;
     use crate::catalogue::paper_robots;
     use crate::load::Load;
@@ -378,9 +302,9 @@ mod tests {
             siting.is_closed && siting.x_axis.is_some_and(|axis| (axis[0] - c).abs() + (axis[1] - s).abs() < 1e-12)
         );
         let told = siting.measured();
-        assert!(told[0][0].starts_with("height of its underside"), "{told:?}");
-        assert_eq!(told[0][1], format!("{} mm", fixed(z * 1e3, 1)));
-        assert_eq!(told[1], ["from there to its highest edge".to_owned(), "100.0 mm".into()]);
+        assert_eq!(told[0][0], "height of the middle of its underside above the base");
+        assert_eq!([0, 1, 2].map(|i| told[i][1].clone()), [z, x, 0.0].map(|m| format!("{} mm", fixed(m * 1e3, 1))));
+        assert_eq!(told[5], ["extent of the machined faces upwards".to_owned(), "100.0 mm".into()]);
         assert_eq!(told.last().unwrap()[1], degrees(best.angle));
     }
 

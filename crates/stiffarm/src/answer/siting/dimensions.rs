@@ -1,0 +1,90 @@
+//! Which lengths does a shop drawing have, each once?
+
+use super::super::words::fixed;
+use super::Siting;
+
+/// A length on a drawing, along one axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dimension {
+    /// Along which axis: 0 ahead, 1 to the left, 2 up.
+    pub axis: usize,
+    /// From where to where along it, m.
+    pub ends: [f64; 2],
+    /// What it is.
+    pub name: String,
+    /// How long, in millimetres.
+    pub text: String,
+}
+
+fn dimension(axis: usize, ends: [f64; 2], name: String) -> Dimension {
+    Dimension { axis, ends, name, text: fixed((ends[1] - ends[0]).abs() * 1e3, 1) }
+}
+
+fn side(ahead: f64, [positive, negative]: [&'static str; 2]) -> &'static str {
+    if ahead < -1e-9 { negative } else { positive }
+}
+
+fn is_flat([low, high]: [f64; 2]) -> bool {
+    high - low < 1e-9
+}
+
+/// What heights count from, and its name.
+fn ground(siting: &Siting) -> (f64, &'static str) {
+    siting.floor.map_or((siting.foot[2], "base"), |floor| (floor, "floor"))
+}
+
+/// Where the origin of a path or a part stands, and how far that reaches.
+pub(super) fn from_an_origin(siting: &Siting, origin: &str, whole: &str) -> Vec<Dimension> {
+    let ([x, y, z], [ahead, left, _], (floor, ground)) = (siting.centre, siting.foot, ground(siting));
+    let above = side(z - floor, ["above", "below"]);
+    let mut told = vec![
+        dimension(2, [floor, z], format!("height of {origin} {above} the {ground}")),
+        dimension(0, [ahead, x], format!("joint-1 axis to {origin}, {}", side(x - ahead, ["ahead", "behind"]))),
+        dimension(1, [left, y], format!("{origin} to the {} of the joint-1 axis", side(y - left, ["left", "right"]))),
+    ];
+    for (axis, way) in [(0, "ahead"), (1, "sideways"), (2, "upwards")] {
+        let ends = siting.extent(axis);
+        if !is_flat(ends) {
+            told.push(dimension(axis, ends, format!("extent of {whole} {way}")));
+        }
+    }
+    told
+}
+
+/// Where a zone stands.
+pub(super) fn of_a_zone(siting: &Siting) -> Vec<Dimension> {
+    let [across, aside, up] = [0, 1, 2].map(|axis| siting.extent(axis));
+    let (floor, ground) = ground(siting);
+    let above = |z: f64| side(z - floor, ["above", "below"]);
+    let beside = side(siting.centre[1] - siting.foot[1], ["left", "right"]);
+    let mut told = Vec::new();
+    if is_flat(up) {
+        told.push(dimension(2, [floor, up[0]], format!("height of the worked face {} the {ground}", above(up[0]))));
+    } else {
+        told.push(dimension(2, [floor, up[0]], format!("height of its lowest edge {} the {ground}", above(up[0]))));
+        told.push(dimension(2, up, "from there to its highest edge".into()));
+    }
+    told.push(dimension(
+        0,
+        [siting.foot[0], across[0]],
+        format!("joint-1 axis to its near edge, {}", side(across[0] - siting.foot[0], ["ahead", "behind"])),
+    ));
+    if is_flat(across) {
+        return told;
+    }
+    told.push(dimension(
+        0,
+        [siting.foot[0], siting.centre[0]],
+        format!("joint-1 axis to its centre, {}", side(siting.centre[0] - siting.foot[0], ["ahead", "behind"])),
+    ));
+    told.push(dimension(0, across, "its extent ahead".into()));
+    told.push(dimension(
+        1,
+        [siting.foot[1], siting.centre[1]],
+        format!("its centre to the {beside} of the joint-1 axis"),
+    ));
+    if !is_flat(aside) {
+        told.push(dimension(1, aside, "its extent sideways".into()));
+    }
+    told
+}
