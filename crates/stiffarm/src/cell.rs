@@ -146,6 +146,11 @@ impl Mount {
         1.0 - self.uprightness().abs() < 1e-12
     }
 
+    /// The base stands as on a floor, so high above it, m; `None` of walls, ceilings and whatever leans.
+    pub fn raised(&self) -> Option<f64> {
+        (self.is_vertical() && 0.0 < self.uprightness()).then_some(self.cell_from_base.translation.z)
+    }
+
     /// What is so high above the floor, as heights above a base with a vertical axis.
     pub fn heights_from_base(&self, z: Interval) -> Interval {
         let up = self.uprightness().signum();

@@ -154,7 +154,7 @@ impl<'a> Drawn<'a> {
         let mut scene = scene(model, self.posture, self.mark);
         scene.windows.extend(placed.iter().flat_map(|zone| zone.windows()).map(|within| [within.x, within.z]));
         scene.keep_outs.extend(placed.iter().flat_map(|zone| zone.keep_outs()).map(|block| [block.x, block.z]));
-        scene.raised = placed.map_or(0.0, raised);
+        scene.raised = placed.and_then(|zone| zone.options.cell?.mount.raised()).unwrap_or(0.0);
         scene.force = force(self.answer.options.load);
         let edge = match model {
             Model::Planar(model) => Some((model.arm(), model.axis_from_base())),
@@ -221,13 +221,6 @@ impl<'a> Drawn<'a> {
             cell,
         }
     }
-}
-
-/// How high above the floor the base of a robot stands that stands upright, m.
-fn raised(placed: &PlaceAnswer) -> f64 {
-    let mount =
-        placed.options.cell.map(|cell| cell.mount).filter(|mount| mount.is_vertical() && 0.0 < mount.uprightness());
-    mount.map_or(0.0, |mount| mount.cell_from_base.translation.z)
 }
 
 fn subtitle(answer: &MapAnswer) -> String {

@@ -357,3 +357,43 @@ pub(crate) fn rim(zone: Zone, centre: [f64; 2], angle: f64) -> Vec<[f64; 2]> {
     let (s, c) = angle.sin_cos();
     own.into_iter().map(|[x, z]| [centre[0] + c * x - s * z, centre[1] + s * x + c * z]).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Half a metre under a base that stands at -0.7 m: the floor lies there, in the picture, and the pedestal reaches down to it.
+    #[test]
+    fn below_a_raised_base_stand_a_pedestal_and_the_floor() {
+        let drawn = |raised: f64| {
+            let scene = Scene {
+                axis: [0.0; 2],
+                links: Vec::new(),
+                link: 1.0,
+                base: Some([-0.3, -0.7]),
+                raised,
+                zone: None,
+                windows: Vec::new(),
+                keep_outs: Vec::new(),
+                force: None,
+            };
+            let frame = scene.frame(vec![[0.0; 2], [1.0; 2]], 600.0, 20.0);
+            let mut canvas = Canvas::new(600.0, 600.0);
+            scene.floor(&mut canvas, &frame);
+            let floor = canvas.finish();
+            let mut canvas = Canvas::new(600.0, 600.0);
+            scene.draw_base(&mut canvas, &frame);
+            (frame, floor, canvas.finish())
+        };
+        let px = |x: f64| ((x * 100.0).round() / 100.0).to_string();
+        let (frame, floor, base) = drawn(0.5);
+        let [[left, bottom], [right, _]] = frame.corners();
+        let y = frame.y.at(-1.2);
+        assert!(y < bottom, "inside the picture");
+        assert!(floor.contains(&format!("M{} {}L{} {}", px(left), px(y), px(right), px(y))), "{y}: {floor}");
+        let height = px(y - frame.y.at(-0.7));
+        assert!(base.contains("<rect") && base.contains(&format!("height=\"{height}\"")), "{height}: {base}");
+        let (frame, floor, base) = drawn(0.0);
+        assert!(floor.contains(&px(frame.y.at(-0.7))) && base.matches("<rect").count() == 1, "the sheet alone: {base}");
+    }
+}

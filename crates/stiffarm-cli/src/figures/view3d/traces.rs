@@ -157,9 +157,9 @@ impl View {
 
     /// What the base stands on, and what is kept free.
     fn draw_cell(&self, traces: &mut Vec<Value>) {
-        if let Some(height) = self.floor_height().filter(|height| *height < 0.0) {
-            let at =
-                |k: usize| [[-PEDESTAL, PEDESTAL][k & 1], [-PEDESTAL, PEDESTAL][k >> 1 & 1], [height, 0.0][k >> 2]];
+        if let Some(raised) = self.cell.and_then(|cell| cell.mount.raised()).filter(|raised| 0.0 < *raised) {
+            let ends = [[-PEDESTAL, PEDESTAL], [-PEDESTAL, PEDESTAL], [-raised, 0.0]];
+            let at = |k: usize| [0, 1, 2].map(|i| ends[i][k >> i & 1]);
             traces.push(Solid::block(std::array::from_fn(at)).trace("pedestal", BASE));
         }
         for (i, corners) in self.keep_outs().into_iter().enumerate() {

@@ -9,7 +9,6 @@ use super::descent::{Score, descend};
 use super::search::{CELLS, FINALISTS, STARTS, Search, region};
 use super::{Outside, Question, Resolution, Solution};
 use crate::batch::{SameBranch, SpatialArm};
-use crate::cell::Cell;
 use crate::follow::NotFollowed;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
@@ -61,8 +60,7 @@ pub(in crate::place) fn place(
     options: &PlaceOptions,
     watch: Watch,
 ) -> Result<Placed, PlaceError> {
-    let is_raised = |cell: &Cell| cell.mount.is_vertical() && 0.0 < cell.mount.uprightness();
-    if options.cell.is_some_and(|cell| cell.decides_the_search() || !is_raised(&cell)) {
+    if options.cell.is_some_and(|cell| cell.decides_the_search() || cell.mount.raised().is_none()) {
         return Err(PlaceError::PartInCell);
     }
     let nothing_left = || Placed::Infeasible { reason: Misfit::Margins, is_proved: true, largest_scale: None };
