@@ -11,6 +11,9 @@ use pulp::Simd;
 
 use crate::real::Real;
 
+/// More numbers than any register holds.
+pub(super) const WIDEST: usize = 8;
+
 /// One register of numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Lanes<S: Simd> {

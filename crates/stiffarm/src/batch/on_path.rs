@@ -7,15 +7,12 @@ use pulp::{Arch, Simd, WithSimd};
 
 use super::branches::{FlangePoses, HeldLanes, Sought};
 use super::counted::{AnyDirection, Counted};
-use super::lanes::Lanes;
+use super::lanes::{Lanes, WIDEST};
 use super::vectors::Triple;
 use super::{RolledTool, SameBranch, SpatialArm};
 use crate::inverse::{ArmBranch, Configuration, Wrist};
 use crate::load::Push;
 use crate::tolerances::CLEARANCE;
-
-/// More numbers than any register holds.
-const WIDEST: usize = 8;
 
 /// Rolls at which errors are wanted.
 #[derive(Clone, Debug)]

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::branches::{BranchLanes, FlangePoses};
 use super::counted::{AnyDirection, Counted};
-use super::lanes::Lanes;
+use super::lanes::{Lanes, WIDEST};
 use super::orientation::{RolledTool, ToolOrientation};
 use super::vectors::Triple;
 use super::{SameBranch, SpatialArm};
@@ -15,8 +15,6 @@ use crate::spatial::Pose;
 
 /// Poses that one thread takes at a time.
 const BLOCK: usize = 1024;
-/// More numbers than any register holds.
-const WIDEST: usize = 8;
 
 /// The stiffest way to hold a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -161,8 +161,7 @@ impl<'a, 'l> Climb<'a, 'l> {
             let roll = (roll + if step % 2 == 0 { self.rolls - aside } else { aside }) % self.rolls;
             let held = configuration * self.rolls + roll;
             let Some(from) = &last.joints[held] else { continue };
-            let turn = if turns == 1 { Some(0) } else { self.turn_before(from, q) };
-            let Some(turn) = turn else { continue };
+            let Some(turn) = self.turn_before(from, q) else { continue };
             let value = last.values[held * turns + turn];
             let at_least = if counts_error { value.max(error) } else { value };
             if !(at_least < best.0) {
@@ -199,6 +198,9 @@ impl<'a, 'l> Climb<'a, 'l> {
 
     /// With how many turns the joints `from` lie nearest to `q`.
     fn turn_before(&self, from: &[f64; 6], q: &[f64; 6]) -> Option<usize> {
+        if self.turns == [1; 3] {
+            return Some(0);
+        }
         let mut turn = 0;
         for (joint, count) in WINDING.into_iter().zip(self.turns) {
             let turns = if count == 1 { 0.0 } else { ((q[joint] - from[joint]) / TAU).round() };
