@@ -9,7 +9,7 @@ export function opener(label, id, then, shown = "open file") {
   file.addEventListener("change", async () => {
     const chosen = await Promise.all([...(file.files ?? [])].map(async (one) => ({ name: one.name, text: await one.text() })));
     file.value = "";
-    const first = chosen.find(({ name }) => !chosen.some((other) => other.name !== name && other.text.includes(name)));
+    const first = chosen.find(({ name }) => !chosen.some((other) => other.name !== name && other.text.includes(name))) ?? chosen[0];
     if (!first) return;
     for (const { name, text } of chosen) files.set(name, text);
     say(`opened ${chosen.map(({ name }) => name).join(", ")}`);

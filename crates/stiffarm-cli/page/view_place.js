@@ -92,7 +92,7 @@ function tell(told, at, isHere = at !== null || value("at") !== "") {
         ["deflection", `${mm(told.deflection_mm)} mm`], ["stands at", where], ["worst point", `x ${mm(wx, 3)}, z ${mm(wz, 3)} m`],
         ["smallest margin", `${mm(told.smallest_margin_deg, 1)} deg, ${told.smallest_margin_of ?? ""}`],
       ]
-    : [["deflection", "not reached"], ...(at || typeof told.x_m === "number" ? [/** @type {[string, string]} */ (["stands at", where])] : []), ["why", String(told.reason ?? "")]];
+    : [["deflection", "not reached"], ["stands at", at || typeof told.x_m === "number" ? where : "no place"], ["why", String(told.reason ?? "")]];
   if (told.feasible && typeof told.clearance_mm === "number") rows.push(["clearance", `${mm(told.clearance_mm, 0)} mm, ${told.clearance_of ?? ""}`]);
   if (isHere && typeof proved.deflection_mm === "number") rows.push(["best place", `${mm(proved.deflection_mm)} mm, x ${mm(proved.x_m, 3)}, z ${mm(proved.z_m, 3)} m`]);
   const holds = told.feasible ? told.pass : null;
