@@ -1,6 +1,6 @@
 //! Does every command that the README shows still print what the README says?
 //!
-//! `BLESS=1 cargo test -p stiffarm-cli --test readme` writes what the program prints into the README.
+//! `BLESS=1 cargo test -p stiffarm-cli --test all readme` writes what the program prints into the README.
 
 use std::fmt::Write as _;
 use std::fs;

@@ -1,7 +1,5 @@
 //! Is nonsense refused with file, line, key, value and what was expected, at once and without a panic?
 
-mod links;
-
 use std::f64::consts::PI;
 
 use stiffarm::catalogue::{Faults, read};
@@ -15,7 +13,7 @@ use stiffarm::plane::{InvalidArm, PlanarArm};
 use stiffarm::study::{Contender, StudyError, StudyOptions, study};
 use stiffarm::task::Zone;
 
-use links::{map, over, place};
+use crate::links::{map, over, place};
 
 /// Six axes; the numbers on the right are the lines.
 const SIX_AXES: &str = r#"name = "Test 6"

@@ -1,11 +1,8 @@
 //! Does an identification find what is true, say how sure it is, and refuse to say what it cannot know?
 
-mod made;
-
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use made::{Made, Spot};
 use nalgebra::Vector3;
 use stiffarm::catalogue::measurements::{self, Marker, Measurements, Points};
 use stiffarm::catalogue::{find, read, write};
@@ -14,6 +11,8 @@ use stiffarm::identify::{Axes, Estimator, Identification, IdentifyError, Options
 use stiffarm::prior::with_prior;
 use stiffarm::robot::{Arm, Robot, StiffnessSource};
 use stiffarm::watch::Watch;
+
+use crate::made::{self, Made, Spot};
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const TRUTH: [f64; 6] = [0.5e-6, 0.3e-6, 0.6e-6, 2.5e-6, 3.5e-6, 4.0e-6];

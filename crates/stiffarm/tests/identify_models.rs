@@ -1,8 +1,5 @@
 //! Does an identification find a compensator, tell regions of joint 2 apart, and update a prior?
 
-mod made;
-
-use made::Made;
 use nalgebra::Matrix6;
 use stiffarm::catalogue::{find, read, write};
 use stiffarm::drive::{GravityCompensator, JointCompliance};
@@ -10,6 +7,8 @@ use stiffarm::identify::{Estimate, Identification, IdentifyError, Options, Sprin
 use stiffarm::prior::{by_size, factors};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::watch::Watch;
+
+use crate::made::Made;
 
 const TRUTH: [f64; 6] = [0.5e-6, 0.3e-6, 0.6e-6, 2.5e-6, 3.5e-6, 4.0e-6];
 

@@ -1,7 +1,5 @@
 //! Does a margin mean what it says? Each is held against the same question asked without it, of an arm or a window that is narrower.
 
-mod links;
-
 use std::f64::consts::PI;
 
 use stiffarm::catalogue::paper_robots;
@@ -17,6 +15,8 @@ use stiffarm::plane::PlanarArm;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
+
+use crate::links;
 
 fn asked(margins: Margins) -> PlaceOptions {
     PlaceOptions { margins, ..PlaceOptions::under(Load::PAPER) }

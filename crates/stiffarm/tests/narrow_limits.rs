@@ -1,7 +1,5 @@
 //! Are places found, or proved to be none, where joint limits leave no more than a sliver?
 
-mod links;
-
 use std::f64::consts::PI;
 
 use stiffarm::catalogue::paper_robots;
@@ -12,7 +10,7 @@ use stiffarm::place::{Orientation, PlaceOptions, Placed, Within};
 use stiffarm::plane::PlanarArm;
 use stiffarm::task::Zone;
 
-use links::place;
+use crate::links::place;
 
 /// Between two arcs of one radius about two ends of a link, `2 l sin(width/2)` apart, no circle is larger than that
 /// distance (triangle inequality), and where the other link points along the line through both, that one fits.

@@ -1,7 +1,5 @@
 //! Does every odd question end with an answer or a refusal, and say so without harm?
 
-mod links;
-
 use stiffarm::catalogue::read;
 use stiffarm::drive::Architecture::{QuasiSerial, Serial};
 use stiffarm::interval::Interval;
@@ -15,7 +13,7 @@ use stiffarm::plane::{InvalidArm, PlanarArm};
 use stiffarm::study::{StudyOptions, study};
 use stiffarm::task::Zone;
 
-use links::{map, over, place};
+use crate::links::{map, over, place};
 
 fn r(a: f64, b: f64) -> Interval {
     Interval::new(a, b).unwrap()

@@ -4,8 +4,6 @@
 //! zone, follows the bearing around the zone, tries every combination of whole turns against the limits, and takes the
 //! largest eigenvalue of a compliance that it sets up in joint coordinates.
 
-mod links;
-
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use stiffarm::drive::Architecture;
@@ -15,7 +13,7 @@ use stiffarm::place::{Orientation, PlaceOptions, Placed, Within};
 use stiffarm::plane::{InvalidArm, PlanarArm};
 use stiffarm::task::Zone;
 
-use links::place;
+use crate::links::place;
 
 const CASES: u64 = 2_400;
 const FORCE: f64 = 1000.0;

@@ -1,7 +1,5 @@
 //! Which statements hold for every arm, whatever its numbers? Scaling, symmetry, identities, bounds, monotony.
 
-mod links;
-
 use std::f64::consts::PI;
 
 use proptest::prelude::*;
@@ -18,7 +16,7 @@ use stiffarm::rank::rank;
 use stiffarm::task::{Task, Zone};
 use stiffarm::watch::Watch;
 
-use links::{map, over, place};
+use crate::links::{map, over, place};
 
 const FORCE: f64 = 1000.0;
 /// Two answers to one question written in two ways may each lie this far, relatively, above the true optimum.

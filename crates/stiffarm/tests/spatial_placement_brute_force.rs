@@ -22,9 +22,7 @@ use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::task::Zone;
 
-mod questions;
-
-use questions::{Asked, Question, random_question, random_robot};
+use crate::questions::{Asked, Question, random_question, random_robot};
 
 const CASES: u64 = 32;
 /// Places along each side of what the arm might reach, and places about the answer, nearer and farther.

@@ -1,0 +1,20 @@
+//! What the program and its server do, as those who type and those who send see it.
+
+// One program for all of them: each would link the library once more.
+mod catalogue;
+mod compare;
+mod habits;
+#[cfg(unix)]
+mod hostile;
+mod identify;
+mod import;
+mod job;
+#[cfg(unix)]
+mod large_maps;
+mod measure;
+mod path_ranking;
+mod paths;
+mod program;
+mod readme;
+mod report;
+mod serve;

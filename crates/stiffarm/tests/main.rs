@@ -1,0 +1,37 @@
+//! What the library promises, held against brute force, identities, other programs and published numbers.
+
+// One program for all of them: each would link the library once more.
+mod advice;
+mod architecture;
+mod at_one_place;
+mod bad_input;
+mod bad_measurements;
+mod cell;
+mod identify;
+mod identify_models;
+mod import;
+mod links;
+mod made;
+mod margins;
+mod measure;
+mod narrow_limits;
+mod not_of_the_plane;
+mod odd_questions;
+mod other_programs;
+mod part;
+mod placement_brute_force;
+mod programs;
+mod properties;
+mod published_numbers;
+mod questions;
+mod requests;
+mod rewritten;
+mod robot_conventions;
+mod round_trips;
+mod spatial;
+mod spatial_placement_brute_force;
+mod study;
+mod told_apart;
+mod toolpath_files;
+mod watch;
+mod written;
