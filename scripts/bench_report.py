@@ -12,7 +12,7 @@ import sys
 import time
 
 CRITERION = pathlib.Path(os.environ["CRITERION_HOME"])
-PROGRAM = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", "target")) / "release/stiffarm"
+PROGRAM = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", "target")) / "dist/stiffarm"
 # Directories of criterion, a kind of build each: with registers of eight numbers where the machine has them, and of four.
 WIDE, NARROW = "wide", "narrow"
 HAS_AVX512 = "avx512f" in pathlib.Path("/proc/cpuinfo").read_text().split() if sys.platform == "linux" else False
