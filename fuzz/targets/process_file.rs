@@ -1,25 +1,7 @@
 //! Is every text either a process with a finite force, or a list of faults with lines and reasons?
 #![no_main]
 
-use libfuzzer_sys::fuzz_target;
-use stiffarm::catalogue::read_process;
+#[path = "../promises/process_file.rs"]
+mod promise;
 
-fuzz_target!(|text: &str| {
-    match read_process(text, "fuzz.toml") {
-        Ok(found) => {
-            let force = found.process.force().expect("a process that was read has a force");
-            assert!(force.largest.is_finite() && force.moment.is_finite());
-            if let (Some(mean), Some([low, high])) = (force.mean, force.range) {
-                for i in 0..3 {
-                    let slack = 1e-6 * (1.0 + force.largest);
-                    assert!(low[i] - slack <= mean[i] && mean[i] <= high[i] + slack, "{low:?} {mean:?} {high:?}");
-                }
-            }
-        }
-        Err(faults) => {
-            assert!(!faults.faults.is_empty(), "refused without a reason");
-            let lines = text.split('\n').count();
-            assert!(faults.faults.iter().all(|fault| (1..=lines).contains(&fault.line) && !fault.message.is_empty()));
-        }
-    }
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| promise::holds(bytes));

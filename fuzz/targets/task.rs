@@ -1,23 +1,7 @@
 //! Is every text either a zone of a size a robot can reach, which its own name gives back, or refused with that text?
 #![no_main]
 
-use libfuzzer_sys::fuzz_target;
-use stiffarm::task::{Task, TaskError, Zone};
+#[path = "../promises/task.rs"]
+mod promise;
 
-fuzz_target!(|text: &str| {
-    match text.parse::<Task>() {
-        Ok(task) => {
-            let sides = match task.zone {
-                Zone::Circle { diameter } => [diameter; 2],
-                Zone::Rectangle { width, height } => [width, height],
-            };
-            assert!(sides.iter().all(|side| (1e-4..=50.0).contains(side)), "{task:?}");
-            let again: Task = task.zone.to_string().parse().expect("the name of a zone is a task");
-            assert_eq!(again.zone, task.zone);
-            assert!(!task.zone.describe().is_empty());
-        }
-        Err(TaskError::Zone(error)) => assert!(error.to_string().contains(text)),
-        // Of a part the face or the size that is wrong is named.
-        Err(TaskError::Part(error)) => assert!(!error.to_string().is_empty()),
-    }
-});
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| promise::holds(bytes));
