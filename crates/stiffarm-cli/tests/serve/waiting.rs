@@ -59,7 +59,7 @@ fn who_hangs_up_frees_the_worker_and_a_full_line_is_told_at_once() {
     drop(waiting);
     drop(working);
     // The short one now comes to its turn, though nobody has finished the long ones.
-    let freed = (0..100).any(|_| match served.ask("/api/place", &short).status {
+    let freed = (0..1200).any(|_| match served.ask("/api/place", &short).status {
         200 => true,
         503 => {
             thread::sleep(Duration::from_millis(100));
