@@ -20,6 +20,14 @@ fn json(folder: &Path, words: &[&str]) -> Value {
     serde_json::from_slice(&output.stdout).expect("JSON")
 }
 
+/// One answer as JSON and as people read it: a place that is sought is sought once.
+fn both(folder: &Path, words: &[&str]) -> (Value, String) {
+    let output = stiffarm(folder, &[words, &["-q", "-o", "answer.json", "-o", "answer.txt"]].concat());
+    assert!(output.status.success(), "{words:?}: {output:?}");
+    let read = |name| fs::read_to_string(folder.join(name)).unwrap();
+    (serde_json::from_str(&read("answer.json")).expect("JSON"), read("answer.txt"))
+}
+
 fn close(found: &Value, expected: f64, within: f64) {
     let found = found.as_f64().expect("a number");
     assert!((found - expected).abs() <= within, "{found} is not {expected}");
@@ -256,20 +264,19 @@ fn a_path_without_a_place_gets_the_best_one() {
     let folder = TempDir::new().unwrap();
     let asked =
         ["mill", "line:0.2", "--robot", KUKA, "--tool", "spindle:250@90", "--force-n", "400", "--step-mm", "40"];
-    let placed = json(folder.path(), &asked);
+    let (placed, told) = both(folder.path(), &asked);
     let by_hand = json(folder.path(), &[&asked[..], &["--at", "1.7,0,0.8,20"]].concat());
     let number = |told: &Value, key: &str| told[key].as_f64().unwrap();
     assert!(number(&placed, "worst_mm") < number(&by_hand, "worst_mm"));
     assert!(0.8 * number(&placed, "worst_mm") < number(&placed, "lower_bound_mm"));
-    let told = |asked: &[&str]| String::from_utf8(stiffarm(folder.path(), asked).stdout).unwrap();
     let bound = format!("no place has less than     {:.4} mm (gap", number(&placed, "lower_bound_mm"));
     for words in [bound.as_str(), "18 x 14 x 24 places ahead, up and turned, the best refined to"] {
-        assert!(told(&asked).contains(words), "{words}: {}", told(&asked));
+        assert!(told.contains(words), "{words}: {told}");
     }
     // A force of one direction may not move the tip at all where nobody has looked closely enough.
-    let along = asked.map(|word| if word == "400" { "300,-120,80" } else { word });
-    assert_eq!(json(folder.path(), &along)["lower_bound_mm"], 0.0);
-    assert!(told(&along).contains("no place has less than     not proved: "), "{}", told(&along));
+    let (placed, told) = both(folder.path(), &asked.map(|word| if word == "400" { "300,-120,80" } else { word }));
+    assert_eq!(placed["lower_bound_mm"], 0.0);
+    assert!(told.contains("no place has less than     not proved: "), "{told}");
     let nowhere = json(folder.path(), &[&asked[..], &["--within", "6..7,0..1"]].concat());
     assert_eq!(nowhere["feasible"], false);
     assert!(nowhere["worst_mm"].is_null() && nowhere["reason"].as_str().unwrap().contains("no place"));

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use std::fs;
 
 use assert_cmd::Command;
+use rayon::prelude::*;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 /// Letters in a line of the README's terminal.
@@ -41,11 +42,17 @@ fn the_readme_shows_what_the_program_prints() {
     let readme = fs::read_to_string(&file).unwrap();
     let mut blocks = readme.split("```text\n");
     let mut blessed = blocks.next().expect("a beginning").to_owned();
-    let (mut shown, mut others) = (0, Vec::new());
-    for block in blocks {
-        let (block, after) = block.split_once("\n```").expect("a closed block");
-        let (command, expected) = block.split_once('\n').expect("a command and what it prints");
-        let printed = printed(command);
+    let blocks: Vec<(&str, &str, &str)> = blocks
+        .map(|block| {
+            let (block, after) = block.split_once("\n```").expect("a closed block");
+            let (command, expected) = block.split_once('\n').expect("a command and what it prints");
+            (command, expected, after)
+        })
+        .collect();
+    assert!(5 <= blocks.len(), "the README lost its tour");
+    let all_printed: Vec<String> = blocks.par_iter().map(|(command, ..)| printed(command)).collect();
+    let mut others = Vec::new();
+    for ((command, expected, after), printed) in blocks.into_iter().zip(all_printed) {
         for line in printed.lines() {
             assert!(
                 line.chars().count() <= COLUMNS,
@@ -57,9 +64,7 @@ fn the_readme_shows_what_the_program_prints() {
             others.push(format!("`{command}` prints something else than the README shows:\n{printed}"));
         }
         let _ = write!(blessed, "```text\n{command}\n{printed}\n```{after}");
-        shown += 1;
     }
-    assert!(5 <= shown, "the README lost its tour");
     if std::env::var_os("BLESS").is_some() {
         fs::write(&file, blessed).unwrap();
     } else {

@@ -78,11 +78,19 @@ fn run(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
 
 /// The file that a run writes under this name, byte by byte.
 fn written(asked: &[&str], name: &str) -> Vec<u8> {
+    let [bytes] = all_written(asked, [name]);
+    bytes
+}
+
+/// Files of one answer: what takes long is asked once.
+fn all_written<const N: usize>(asked: &[&str], names: [&str; N]) -> [Vec<u8>; N] {
     let folder = TempDir::new().expect("a folder");
-    let file = folder.path().join(name);
-    let (code, _, errors) = run(Path::new(ROOT), &[asked, &["-q", "-o", &file.to_string_lossy()]].concat());
+    let files = names.map(|name| folder.path().join(name));
+    let mut words = [asked, &["-q"]].concat().into_iter().map(str::to_owned).collect::<Vec<_>>();
+    words.extend(files.iter().flat_map(|file| ["-o".into(), file.to_string_lossy().into_owned()]));
+    let (code, _, errors) = run(Path::new(ROOT), &words.iter().map(String::as_str).collect::<Vec<_>>());
     assert_eq!(code, 0, "{asked:?}: {errors}");
-    fs::read(file).expect("written")
+    files.map(|file| fs::read(file).expect("written"))
 }
 
 fn page(asked: &[&str]) -> String {
@@ -235,9 +243,10 @@ fn a_place_a_path_and_an_identification_have_their_numbers() {
 fn a_part_has_its_shop_drawing() {
     let robot = ["place", "KR 210 R2700 extra", "--model", "spatial", "--tool", "spindle:250@90", "--force-n", "400"];
     let asked = [&robot[..], &["--task", "box:0.4x0.3x0.1", "--faces", "top,front"]].concat();
-    let (page, drawn) = (page(&asked), written(&asked, "shop.svg"));
-    let z_mm = json(&asked)["z_m"].as_f64().unwrap() * 1e3;
-    let told = read(&page);
+    let [page, drawn, answer] = all_written(&asked, ["report.html", "shop.svg", "answer.json"]);
+    let answer: Value = serde_json::from_slice(&answer).expect("JSON");
+    let z_mm = answer["z_m"].as_f64().unwrap() * 1e3;
+    let told = read(&String::from_utf8(page).expect("text"));
     for words in
         ["height of the middle of its underside above the base", &format!("{z_mm:.1} mm"), "turned about the vertical"]
     {
