@@ -1,7 +1,7 @@
 // How is the server asked, so that the newest question wins?
 
 /** @typedef {{options: Record<string, unknown>, files: Record<string, string>}} Question */
-/** @typedef {{doing: string, done: number, total: number}} Progress */
+/** @typedef {{doing: string, done: number, total: number | null}} Progress */
 
 /** What the server refused, with what it says would help. */
 export class Refusal extends Error {

@@ -72,14 +72,18 @@ function entry(row, key, id) {
     const pressed = (/** @type {Event} */ event) => change({ [key]: /** @type {HTMLInputElement} */ (event.target).checked ? "true" : "" });
     return [el("input", { ...described, type: "checkbox", checked: given === "true", change: pressed })];
   }
-  const typed = (/** @type {Event} */ event) => change({ [key]: /** @type {HTMLInputElement} */ (event.target).value.trim() });
+  const isOne = ["number", "integer"].includes(row.kind) && !row.list;
+  const typed = (/** @type {Event} */ event) => {
+    const text = /** @type {HTMLInputElement} */ (event.target).value.trim();
+    // Where one number is expected a comma can only be a decimal one.
+    change({ [key]: isOne ? text.replace(/^([-+]?\d*),(\d+)$/, "$1.$2") : text });
+  };
   if (row.kind === "choice" && !row.list) {
     const options = row.choices.map(({ word, help }) => el("option", { value: word, title: help, selected: word === given }, [word]));
     if (!row.required) options.unshift(el("option", { value: "" }, [absent === "" ? "not asked" : absent]));
     return [el("select", { ...described, change: typed }, options)];
   }
   if (row.kind === "robot") return pickRobots(row, key, described);
-  const isOne = ["number", "integer"].includes(row.kind) && !row.list;
   const input = el("input", { ...described, type: "text", inputmode: isOne ? "decimal" : "text", value: given, placeholder: absent, spellcheck: "false", autocomplete: "off", input: typed });
   return row.kind === "file" ? [input, opener(`open a file for ${row.name}`, input.id, (name) => change({ [key]: name }))] : [input];
 }

@@ -1,7 +1,7 @@
 // How is a file of the user opened, so that questions can name it?
 
 import { button, el, say } from "./dom.js";
-import { files } from "./state.js";
+import { keep } from "./state.js";
 
 /** A button that opens files, and keeps their texts: the one that no other of them names is the one that is asked for. @param {string} label @param {string} id @param {(name: string, text: string) => void} then @param {string} [shown] */
 export function opener(label, id, then, shown = "open file") {
@@ -11,7 +11,7 @@ export function opener(label, id, then, shown = "open file") {
     file.value = "";
     const first = chosen.find(({ name }) => !chosen.some((other) => other.name !== name && other.text.includes(name))) ?? chosen[0];
     if (!first) return;
-    for (const { name, text } of chosen) files.set(name, text);
+    keep(chosen.map(({ name, text }) => [name, text]));
     say(`opened ${chosen.map(({ name }) => name).join(", ")}`);
     then(first.name, first.text);
   });

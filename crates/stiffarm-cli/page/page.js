@@ -3,9 +3,10 @@
 import { call, get } from "./ask.js";
 import { byId, button, el, save, say } from "./dom.js";
 import { tellFault } from "./figure.js";
+import { packed } from "./files.js";
 import { build, faulty, refresh } from "./form.js";
 import { opener } from "./open.js";
-import { change, files, firstQuestion, onChange, question, readAddress, readJob, value, view } from "./state.js";
+import { addressWith, change, firstQuestion, forget, onChange, question, readAddress, readJob, value, view } from "./state.js";
 import { learn } from "./table.js";
 import { measure } from "./view_measure.js";
 import { mill } from "./view_mill.js";
@@ -59,8 +60,8 @@ function later() {
   }, 120);
 }
 
-function fromAddress() {
-  readAddress();
+async function fromAddress() {
+  await readAddress();
   mounted = `${mounted.split(" ")[0]} anew`;
   later();
 }
@@ -79,7 +80,7 @@ async function saveJob() {
 /** @param {string} name @param {string} text */
 async function openJob(name, text) {
   try {
-    files.delete(name);
+    forget(name);
     const job = await call("/api/job", { name, text });
     mounted = `${mounted.split(" ")[0]} anew`;
     readJob(job);
@@ -89,14 +90,18 @@ async function openJob(name, text) {
 }
 
 async function share() {
-  await navigator.clipboard.writeText(location.href);
-  say("the address is copied: it holds the whole question");
+  const { files } = question(current().verb);
+  const along = await packed(files);
+  await navigator.clipboard.writeText(addressWith(along ?? ""));
+  const names = Object.keys(files).join(", ");
+  const told = along === null ? `without ${names}, too long for an address: hand that on beside it` : "it holds the whole question";
+  byId("shared").textContent = `copied: ${told}`;
 }
 
 async function begin() {
   learn(await get("/api/options"));
   firstQuestion();
-  byId("job").append(button("copy link", share), button("save job", saveJob), opener("open a job file", "job", openJob, "open job"));
+  byId("job").append(button("copy link", share), el("output", { id: "shared" }), button("save job", saveJob), opener("open a job file", "job", openJob, "open job"));
   for (const link of document.querySelectorAll("nav a")) {
     link.addEventListener("click", (event) => {
       event.preventDefault();
@@ -108,7 +113,7 @@ async function begin() {
   cancellable();
   onChange(later);
   addEventListener("popstate", fromAddress);
-  readAddress();
+  await readAddress().catch((fault) => say(`the files in the address are broken: ${fault.message}`));
   show();
   await work((signal) => current().update(signal));
 }

@@ -3,7 +3,7 @@
 import { call, get } from "./ask.js";
 import { button, el, say } from "./dom.js";
 import { opener } from "./open.js";
-import { change, files, value } from "./state.js";
+import { change, files, forget, value } from "./state.js";
 
 /** @typedef {{robot: string, vendor: string, payload_kg: number | null, reach_m: number | null, architecture: string, status: string}} Entry */
 
@@ -121,7 +121,7 @@ async function checked(name, text) {
   const told = await call("/api/robots/check", { name, text }).catch((fault) => ({ robot: null, faults: `${fault.message}\n${fault.hint ?? ""}`, notes: [] }));
   const faults = Array.isArray(told.faults) ? told.faults.map(line) : [String(told.faults)].filter((fault) => fault !== "");
   const notes = (told.notes ?? []).map(line);
-  if (!told.robot) files.delete(name);
+  if (!told.robot) forget(name);
   say(told.robot ? `${name} can be used` : `${name} cannot be used`);
   const head = el("p", { class: told.robot ? "" : "fail" }, [told.robot ? `${name}: ${told.robot.robot} can be used` : `${name} cannot be used`]);
   return [head, ...[...faults, ...notes].map((words) => el("p", {}, [words]))];

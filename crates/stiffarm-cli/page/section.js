@@ -34,9 +34,9 @@ export class Section {
     this.box.addEventListener("pointerleave", () => (this.tip.hidden = true));
   }
 
-  /** @param {any} here the fields of the place that is shown @param {any} best @param {AbortSignal} signal */
-  async update(here, best, signal) {
-    await this.picture.show(await this.drawn(signal), here.feasible ? `section map: the zone at x ${rounded(here.x_m)} m, z ${rounded(here.z_m)} m` : "section map");
+  /** @param {any} here the fields of the place that is shown @param {any} best @param {string} drawn */
+  async update(here, best, drawn) {
+    await this.picture.show(drawn, here.feasible ? `section map: the zone at x ${rounded(here.x_m)} m, z ${rounded(here.z_m)} m` : "section map");
     this.scale = scaleOf(this.picture.svg);
     // Behind a mount heights count from another floor than those of the map.
     this.window.show(this.scale, boxOf(this.picture.svg, "map"), value("mount") === "" ? windowOf(value("within")) : null);

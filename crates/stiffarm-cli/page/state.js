@@ -1,5 +1,6 @@
 // What is asked, and how do the address and a job file hold it?
 
+import { recalled, remember, unpacked } from "./files.js";
 import { asked, keyOf, row, rows, typed } from "./table.js";
 
 /** @typedef {import("./ask.js").Question} Question */
@@ -7,7 +8,19 @@ import { asked, keyOf, row, rows, typed } from "./table.js";
 export const VIEWS = ["robots", "place", "mill", "measure"];
 
 /** Files that were opened, by name: they go with every question that names them. @type {Map<string, string>} */
-export const files = new Map();
+export const files = new Map(recalled());
+
+/** @param {[string, string][]} opened */
+export function keep(opened) {
+  for (const [name, text] of opened) files.set(name, text);
+  remember(files);
+}
+
+/** @param {string} name */
+export function forget(name) {
+  files.delete(name);
+  remember(files);
+}
 
 /** @type {Map<string, string>} */
 const values = new Map();
@@ -16,6 +29,8 @@ const first = new Map();
 /** @type {(() => void)[]} */
 const listeners = [];
 let shown = "robots";
+/** What was changed last: while one thing changes again and again, by key or hand, Back leads to before. */
+let changed = "";
 
 /** @returns {string} */
 export function view() {
@@ -38,9 +53,10 @@ export function change(changes, next = shown) {
     if (text === (first.get(key) ?? "")) values.delete(key);
     else values.set(key, text);
   }
-  const turns = next !== shown;
+  const what = next === shown ? Object.keys(changes).sort().join() : next;
   shown = next;
-  history[turns ? "pushState" : "replaceState"](null, "", address());
+  history[what === changed ? "replaceState" : "pushState"](null, "", address());
+  changed = what;
   for (const listener of listeners) listener();
 }
 
@@ -50,12 +66,27 @@ export function address() {
   return `#${shown}${values.size === 0 ? "" : `?${query}`}`;
 }
 
-/** Takes the state from the address. */
-export function readAddress() {
+/** Under which name files go along with an address. */
+const FILES = "files";
+
+/** Takes the state from the address, and what came along with it. */
+export async function readAddress() {
   const [name = "", query = ""] = location.hash.slice(1).split(/\?(.*)/s);
   values.clear();
   for (const [key, text] of new URLSearchParams(query)) values.set(key, text);
   shown = VIEWS.includes(name) ? name : "robots";
+  changed = "";
+  const along = values.get(FILES);
+  if (along === undefined) return;
+  values.delete(FILES);
+  keep(Object.entries(await unpacked(along)));
+  history.replaceState(null, "", address());
+}
+
+/** The address with what goes along. @param {string} along */
+export function addressWith(along) {
+  const whole = new URL(address(), location.href).href;
+  return along === "" ? whole : `${whole}${values.size === 0 ? "?" : "&"}${FILES}=${along}`;
 }
 
 /** What must be given is first asked with the example of its row, so that the first picture needs no click. */

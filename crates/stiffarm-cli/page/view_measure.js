@@ -4,7 +4,7 @@ import { fields, watched, written } from "./ask.js";
 import { button, el, say } from "./dom.js";
 import { Picture, takeaway, tellFault } from "./figure.js";
 import { opener } from "./open.js";
-import { change, files, question, value } from "./state.js";
+import { change, keep, question, value } from "./state.js";
 import { list, read, sortable, under, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 
@@ -22,7 +22,7 @@ const identified = () => ({ verb: "identify", question: question("identify") });
 async function use() {
   try {
     const text = await (await written("identify", question("identify"), "toml")).text();
-    files.set("identified.toml", text);
+    keep([["identified.toml", text]]);
     change({ robot: "identified.toml" }, "place");
   } catch (fault) {
     tellFault(fault);

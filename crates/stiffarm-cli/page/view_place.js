@@ -148,13 +148,16 @@ export const place = {
     }
     const now = question("place");
     const told = value("at") === "" ? proved : await fields("place", now, signal);
+    // The picture is drawn while the words are read.
+    const drawn = shown() === "section" ? section.drawn(signal) : Promise.resolve("");
+    drawn.catch(() => undefined);
     const answer = read(await (await written("place", now, "md", signal)).text());
     const [sheet] = answer.sheets;
     rests = under(sheet, /^stiffness$/);
     tell(told, null);
     says.replaceChildren(...answer.sheets.map((sheet) => list(sheet, TOLD)), words(answer.sentences.flat()));
     say(told.feasible ? `${under(sheet, /^worst deflection/)}${told.pass === false ? ", fail" : ""}` : "no place");
-    if (shown() === "section") await section.update(told, proved, signal);
+    if (shown() === "section") await section.update(told, proved, await drawn);
     if (shown() === "space") space.show(asked());
     if (shown() === "compare") await comparison.update(signal);
     if (shown() === "study") await drawStudy(signal);

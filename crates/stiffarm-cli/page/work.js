@@ -11,8 +11,10 @@ let running = 0;
 
 /** @param {Progress} at */
 export function progress({ doing, done, total }) {
-  byId("doing").textContent = `${doing} ${done} of ${total}`;
+  byId("doing").textContent = total === null ? `${doing} ${done}` : `${doing} ${done} of ${total}`;
   const bar = /** @type {HTMLProgressElement} */ (byId("done"));
+  bar.removeAttribute("value");
+  if (total === null) return;
   bar.max = total;
   bar.value = done;
 }
@@ -30,10 +32,16 @@ export async function work(task) {
   try {
     await newest.run(async (signal) => {
       await task(signal);
-      if (!signal.aborted) faulty(null);
+      if (signal.aborted) return;
+      faulty(null);
+      document.body.removeAttribute("data-stale");
     });
   } catch (fault) {
-    if (mine === running) faulty(/** @type {Error} */ (fault));
+    if (mine === running) {
+      faulty(/** @type {Error} */ (fault));
+      // What is seen answers another question.
+      document.body.setAttribute("data-stale", "");
+    }
   }
   clearTimeout(soon);
   if (mine !== running) return;

@@ -189,6 +189,10 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
         )));
     }
     let request = Request::of_task(verb, &pairs, reader)?;
+    if common.check && request.verb == Verb::Mill && request.is_dry() {
+        let why = "check does not go with dry: of a path that is only read nothing holds or fails";
+        return Err(Failure::Usage(why.into()));
+    }
     if let Some(file) = matches.get_one::<String>(SAVE_JOB) {
         request.check_complete()?;
         save(&request, Path::new(file), &common)?;

@@ -1,20 +1,15 @@
 //! Somebody who asks from elsewhere: is the work still wanted, how far is it, and what was said beside the answer?
 
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use stiffarm::watch::Waiting;
-
-/// Not known.
-const UNKNOWN: usize = usize::MAX;
 
 /// Who waits for one answer.
 #[derive(Debug)]
 pub(crate) struct Client {
     is_gone: AtomicBool,
-    doing: Mutex<&'static str>,
-    done: AtomicUsize,
-    total: AtomicUsize,
+    far: Mutex<Far>,
     remarks: Mutex<Vec<String>>,
 }
 
@@ -34,9 +29,7 @@ impl Client {
     pub(crate) fn waiting() -> Self {
         Self {
             is_gone: AtomicBool::new(false),
-            doing: Mutex::new("waiting"),
-            done: AtomicUsize::new(0),
-            total: AtomicUsize::new(UNKNOWN),
+            far: Mutex::new(Far { doing: "waiting", done: 0, total: None }),
             remarks: Mutex::default(),
         }
     }
@@ -48,17 +41,12 @@ impl Client {
 
     /// The next thing is done.
     pub(crate) fn begins(&self, doing: &'static str) {
-        let mut known = locked(&self.doing);
-        self.done.store(0, Ordering::Relaxed);
-        self.total.store(UNKNOWN, Ordering::Relaxed);
-        *known = doing;
+        *locked(&self.far) = Far { doing, done: 0, total: None };
     }
 
     /// How far it is.
     pub(crate) fn far(&self) -> Far {
-        let doing = *locked(&self.doing);
-        let total = Some(self.total.load(Ordering::Relaxed)).filter(|total| *total != UNKNOWN);
-        Far { doing, done: self.done.load(Ordering::Relaxed), total }
+        *locked(&self.far)
     }
 
     /// Says something beside the answer.
@@ -78,12 +66,39 @@ impl Waiting for Client {
     }
 
     fn told(&self, done: usize, total: Option<usize>) {
-        self.total.store(total.unwrap_or(UNKNOWN), Ordering::Relaxed);
-        self.done.fetch_max(done, Ordering::Relaxed);
+        let mut far = locked(&self.far);
+        // Parts that end at once are told in any order; other parts begin anew.
+        let done = if far.total == total { far.done.max(done) } else { done };
+        *far = Far { done: total.map_or(done, |total| done.min(total)), total, ..*far };
     }
 }
 
 /// What is kept is whole after every step, whoever panicked.
 fn locked<T>(kept: &Mutex<T>) -> MutexGuard<'_, T> {
     kept.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A verb does several works one after the other, each of parts of its own.
+    #[test]
+    fn no_more_is_done_than_there_is_to_do_and_the_next_work_begins_anew() {
+        let client = Client::waiting();
+        client.begins("milling");
+        for (told, far) in [
+            ((3, Some(9)), (3, Some(9))),
+            ((2, Some(9)), (3, Some(9))),
+            ((9, Some(9)), (9, Some(9))),
+            ((1, Some(4)), (1, Some(4))),
+            ((7, None), (7, None)),
+            ((8, None), (8, None)),
+            ((2, Some(5)), (2, Some(5))),
+        ] {
+            client.told(told.0, told.1);
+            let Far { done, total, doing } = client.far();
+            assert_eq!(((done, total), doing), (far, "milling"));
+        }
+    }
 }

@@ -7,6 +7,8 @@ use std::sync::Arc;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, ValueEnum};
 use stiffarm::request::{Pair, Refusal, job};
+use stiffarm::toolpath::MOST_SAMPLES;
+use stiffarm::watch::Watch;
 
 use crate::client::Client;
 use crate::failure::Failure;
@@ -38,6 +40,9 @@ pub(crate) struct Common {
     /// Where what is named comes from.
     #[arg(skip)]
     pub(crate) shelf: Shelf,
+    /// Into how many samples a path may be cut.
+    #[arg(skip = MOST_SAMPLES)]
+    pub(crate) most_samples: usize,
     /// Who waits, where it is not the one before this terminal.
     #[arg(skip)]
     pub(crate) client: Option<Arc<Client>>,
@@ -59,8 +64,14 @@ impl Common {
             check: false,
             job: None,
             shelf: Shelf::Disk,
+            most_samples: MOST_SAMPLES,
             client: None,
         }
+    }
+
+    /// Who waits, where that is not the one before this terminal.
+    pub(crate) fn watch(&self) -> Watch<'_> {
+        self.client.as_ref().map_or(Watch::nobody(), |client| Watch::of(client.as_ref()))
     }
 
     /// Says something beside the answer, where that is wanted.

@@ -14,6 +14,7 @@ use stiffarm::rank::RankError;
 use stiffarm::request::{Refusal, SetupError};
 use stiffarm::robot::NoArmPlane;
 use stiffarm::toolpath::{PathFault, ToolpathError};
+use stiffarm::watch::Stopped;
 
 /// Every way in which a command ends without an answer.
 #[derive(Debug, thiserror::Error)]
@@ -102,6 +103,9 @@ pub(crate) enum Failure {
         /// Whether the user has said at which links the arm begins and ends.
         ends_are_given: bool,
     },
+    /// Nobody waits any longer.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// A toolpath that is not read.
     #[error(transparent)]
     Path(#[from] PathFault),
@@ -275,7 +279,7 @@ impl Failure {
             Self::Pattern { .. } => {
                 "* stands for any letters, ? for one, [abc] for one of these; a * or [ itself is written [*] and [[]"
             }
-            Self::ClosedPipe => "nothing is left to do",
+            Self::ClosedPipe | Self::Stopped(_) => "nothing is left to do",
             Self::NotHeld(_) => "the answer stands above; without --check it is no failure",
             Self::Stdout(_) => "-o FILE writes the answer to a file instead",
             Self::Listen { .. } => "--port 0 takes a free port; --host takes an address of this machine, usually 127.0.0.1",
@@ -342,6 +346,7 @@ fn import_hint(error: &ImportError, ends_are_given: bool) -> &'static str {
         ImportError::NoLimits { .. } => {
             "give them: stiffarm robots import FILE --limits-deg=-185..185,-140..-5,-120..155,-350..350,-125..125,-350..350"
         }
+        ImportError::NoLinks { .. } => "--base and --tip say where in a URDF the arm begins and ends",
         ImportError::Which(_) if !ends_are_given => {
             "stiffarm robots import FILE --base LINK --tip LINK says where the arm begins and ends"
         }

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, is_separator};
 
 use atomic_write_file::AtomicWriteFile;
 use serde::Serialize;
@@ -149,6 +149,14 @@ impl<'a> Outputs<'a> {
     }
 }
 
+/// What an answer says of what was asked, also where its reader has seen enough and gone.
+pub(crate) fn verdict(delivered: Result<(), Failure>, holds: Result<(), Failure>) -> Result<(), Failure> {
+    match delivered {
+        Ok(()) | Err(Failure::ClosedPipe) => holds,
+        failed => failed,
+    }
+}
+
 /// The form that a name asks for, where the command makes it.
 fn known<A: Answer>(path: &Path) -> Result<Form, Failure> {
     form::<A>(path).ok_or_else(|| Failure::Ending { command: A::COMMAND, path: path.into(), expected: endings::<A>() })
@@ -157,6 +165,11 @@ fn known<A: Answer>(path: &Path) -> Result<Form, Failure> {
 /// Opens one file, whatever it points to.
 fn sink(path: &Path, inputs: &[&Path]) -> Result<Sink, Failure> {
     let failure = |error| Failure::Write { path: path.into(), error };
+    // A name with a separator behind it is that of a folder, whatever its ending.
+    let last = path.as_os_str().to_string_lossy();
+    if last.trim_end_matches('.').ends_with(is_separator) {
+        return Err(failure(io::ErrorKind::IsADirectory.into()));
+    }
     let target = match fs::canonicalize(path) {
         Ok(target) => target,
         Err(error) if error.kind() == io::ErrorKind::NotFound => path.into(),

@@ -26,6 +26,7 @@ pub(crate) fn robot(name: &str, common: &Common) -> Result<Robot, Failure> {
 pub(crate) fn robots(wanted: &[String], common: &Common) -> Result<Vec<Robot>, Failure> {
     let mut found: Vec<Found> = Vec::new();
     for name in wanted {
+        common.watch().go_on()?;
         for one in matching(name.trim(), common)? {
             if found.iter().all(|known| known.robot != one.robot) {
                 found.push(one);

@@ -28,7 +28,8 @@ pub(crate) fn shown(table: &Table, look: Look) -> String {
     };
     if cells.names_lines() || table.is_broken {
         let all: Vec<usize> = (0..table.headings.len()).collect();
-        return cells.with_lines_broken(width).drawn(&all, look);
+        let fits = cells.width(&all) <= width;
+        return if fits { cells } else { cells.with_lines_broken(width) }.drawn(&all, look);
     }
     let (kept, left_out) = cells.kept(table, width);
     let blocks = cells.stacked(&kept, table.keys, width);
@@ -54,10 +55,21 @@ impl Cells {
         self.headings.len() == 2 && self.headings.iter().all(String::is_empty)
     }
 
-    /// What is said behind the first column, in as many lines as it takes; the columns share the room.
+    /// What is said behind the first column, in as many lines as it takes; the columns share the room, and what narrow ones leave is the
+    /// others'.
     fn with_lines_broken(mut self, width: usize) -> Self {
-        let columns = self.headings.len().saturating_sub(1).max(1);
-        let room = (width.saturating_sub(1 + self.width_of(0)) / columns).saturating_sub(BETWEEN).max(20);
+        let mut widths: Vec<usize> = (1..self.headings.len()).map(|column| self.width_of(column) + BETWEEN).collect();
+        widths.sort_unstable();
+        let mut left = width.saturating_sub(1 + self.width_of(0));
+        let mut share = left;
+        for (i, wanted) in widths.iter().enumerate() {
+            share = left / (widths.len() - i);
+            if share < *wanted {
+                break;
+            }
+            left -= wanted;
+        }
+        let room = share.saturating_sub(BETWEEN).max(12);
         for cell in self.rows.iter_mut().flat_map(|row| row.iter_mut().skip(1)) {
             let lines = textwrap::wrap(cell, textwrap::Options::new(room).break_words(false));
             *cell = lines.join("\n");

@@ -51,6 +51,7 @@ fn exit_codes_are_as_help_says() {
         (&["place", "nobody", "--task", "A:0.1", "--check"], 1),
         (&["place", "BT200L", "--check"], 2),
         (&["map", "BT200L", "--check"], 2),
+        (&["mill", "line:0.1", "--dry", "--check"], 2),
     ];
     for (arguments, code) in cases {
         let ran = ran(&[], arguments);
@@ -189,4 +190,20 @@ fn shells_and_manuals_know_every_command() {
     }
     let rank = std::fs::read_to_string(folder.path().join("stiffarm-rank.1")).expect("written");
     assert!(rank.contains("Examples") && !rank.contains("joints"), "{rank}");
+}
+
+/// In narrow lines, too, what is printed stands beside what is computed.
+#[test]
+fn a_published_number_stands_beside_the_computed_one_in_lines_of_any_length() {
+    for width in ["80", "100", "139", "200"] {
+        let told = ran(&[("COLUMNS", width)], &["validate"]).out;
+        let heads = told.lines().find(|line| line.contains("source")).expect("headings");
+        for heading in ["item", "cell", "printed", "computed", "verdict", "reason"] {
+            assert!(heads.contains(heading), "{width}: {heads}");
+        }
+        let row = told.lines().find(|line| line.contains("3.83")).expect("the first number");
+        assert!(row.matches("3.8").count() == 2 && row.contains("agrees"), "{width}: {row}");
+        let table = told.lines().take_while(|line| !line.starts_with("[1]"));
+        assert!(table.into_iter().all(|line| line.chars().count() <= width.parse().unwrap()), "{width}");
+    }
 }

@@ -122,6 +122,11 @@ fn opw_parameters_need_limits_and_say_so() {
     let limits = "--limits-deg=-180..180,-65..85,-180..70,-360..360,-120..120,-360..360";
     let (code, out, report) = run(&["robots", "import", &file, limits]);
     assert!(code == 0 && out.contains("[-65, 85]") && report.contains("largest error below 0.001 um"), "{out}{report}");
+    for end in ["--base", "--tip"] {
+        let (code, out, errors) = run(&["robots", "import", &file, limits, end, "link_1"]);
+        assert!(code == 1 && out.is_empty() && errors.contains("OPW parameters name no links"), "{errors}");
+        assert!(errors.contains("hint: --base and --tip say where in a URDF"), "{errors}");
+    }
     for (bad, says) in [
         ("--limits-deg=-180..180", "1 ranges; expected six"),
         ("--limits-deg=1..-1", "such as -185..185"),

@@ -76,6 +76,7 @@ fn what_is_refused_names_line_and_word_and_gives_advice() {
     write("c.xyz", b"1 2 3\n");
     write("d.nc", &[0x7f, b'E', b'L', b'F', 0, 0, 1]);
     write("e.nc", b"");
+    write("g.csv", b"x_mm,y_mm,z_mm\n0,0,0\n9,0,0\n");
     write("p.toml", b"[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = 'al7075'\n");
     for (words, code, says) in [
         (&["mill", "a.nc", "--dry"][..], 1, "error: a.nc:2: G1: no feed rate"),
@@ -111,6 +112,23 @@ fn what_is_refused_names_line_and_word_and_gives_advice() {
         (&["mill", ".", "--read-as", "gcode", "--dry"], 1, "it is a folder"),
         (&["mill", "line:-1", "--dry"], 1, "error: path 'line:-1' is not understood"),
         (&["mill", "--dry"], 2, "<PATH> is missing"),
+        // What is said where a file is silent, of files that are not silent of it.
+        (&["mill", "line:0.2", "--dry", "--columns", "x_mm"], 2, "--columns says nothing of a path built in"),
+        (&["mill", "line:0.2", "--dry", "--read-as", "apt"], 2, "--read-as says nothing of a path built in"),
+        (&["mill", "a.nc", "--dry", "--columns", "x_mm,y_mm,z_mm"], 2, "--columns says nothing of G-code"),
+        (&["mill", "a.nc", "--dry", "--arc-sense", "left"], 2, "--arc-sense says nothing of G-code"),
+        (&["mill", "g.csv", "--dry", "--rotary", "head-ac"], 2, "--rotary says nothing of a table"),
+        (&["mill", "line:0.2", "--dry", "--check"], 2, "check does not go with dry"),
+        (
+            &["mill", "g.csv", "--robot", "BT200L", "--force-n", "9", "--error", "normal", "--at", "1.8,0,0.8"],
+            1,
+            "BT200L along g.csv: line 3: no outward normal",
+        ),
+        (
+            &["mill", "raster:rect:50x50@0.0005", "--robot", "BT200L", "--force-n", "9"],
+            2,
+            "--step-mm of 10 mm, with chords within 0.01 mm, cuts the path into more than 10000000 samples",
+        ),
         (&["force", "p.toml"], 1, "engagement: missing; expected a table with ap_mm"),
         (
             &["force", "p.toml"],

@@ -228,6 +228,11 @@ fn what_makes_no_sense_is_refused_with_what_to_do() {
         (&["validate", "-o", "ledger.svg"], 2, "expected a name that ends in .json"),
         (&["rank", "-o", "no/such/folder/ranking.csv"], 1, "cannot write no/such/folder/ranking.csv"),
         (&["rank", "-o", "no/such/folder/ranking.csv"], 1, "hint: there is no folder no/such/folder; make it first"),
+        (&["rank", "-o", "ranking.json/"], 1, "cannot write ranking.json/: is a directory"),
+        (&["rank", "-o", "ranking.json/."], 1, "cannot write ranking.json/.: is a directory"),
+        (&["identify", "a.csv", "--robot", "BT200L", "--regions", "3"], 2, "--regions says nothing of this model"),
+        (&["measure", "BT200L", "--runs", "200", "--candidates", "100"], 2, "--runs of 200 among 100 candidates"),
+        (&["measure", "BT200L", "--criterion", "d", "--task", "A:0.5"], 2, "--task says nothing where the drives"),
         (&["rank", "-o", "-"], 2, "hint: without -o the answer goes to standard output; --format json"),
         (&["study", "--k2", "inf"], 2, "'inf' for '--k2 <K>': expected a number from 0.001 to 1000"),
         (&["study", "--k2", "1e-4"], 2, "or 0 for a rigid drive"),
@@ -500,6 +505,25 @@ fn a_reader_that_has_seen_enough_is_no_failure() {
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
     assert!(output.status.success());
     assert_eq!(output.stdout, b"x_m,z_m,deflection_mm\n");
+}
+
+/// The reader has gone before anything is written: what was asked is no, all the same.
+#[cfg(unix)]
+#[test]
+fn a_verdict_stands_also_where_its_reader_has_gone() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("good.toml"), SMALLEST).unwrap();
+    for (asked, code) in [
+        ("robots check good.toml", 0),
+        ("robots check good.toml none.toml", 1),
+        ("place BT200L --task A:0.1", 0),
+        ("place BT200L --task A:0.1 --tolerance-mm 0.01 --check", 3),
+        ("rank --task A:0.1 --tolerance-mm 0.01 --check", 3),
+    ] {
+        let script = format!("mkfifo p; (exec 3<p) & exec 4>p; wait; rm p; \"$STIFFARM\" {asked} >&4");
+        let output = shell(&script, folder.path());
+        assert_eq!(output.status.code(), Some(code), "{asked}: {}", String::from_utf8_lossy(&output.stderr));
+    }
 }
 
 #[cfg(unix)]

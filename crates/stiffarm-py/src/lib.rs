@@ -52,13 +52,13 @@ mod _stiffarm {
     #[pymodule_export]
     use super::palette::{colours, looks};
     #[pymodule_export]
-    use super::paths::{force, mill};
+    use super::paths::{force, mill, milled_program};
     #[pymodule_export]
     use super::pool::set_threads;
     #[pymodule_export]
     use super::robot::{Robot, robots, select};
     #[pymodule_export]
-    use super::verbs::{compare, distinct, identify, map, measure, order, place, posture, rank, study};
+    use super::verbs::{compare, distinct, identify, map, measure, order, place, posture, rank, study, validate};
 
     use pyo3::prelude::*;
 

@@ -1,14 +1,17 @@
 //! Toolpaths and processes.
 
+use std::cell::RefCell;
+use std::io::BufReader;
 use std::path::Path;
 
 use pyo3::prelude::*;
 use stiffarm::answer::{CuttingAnswer, MillAnswer, MillAnswerError, PathAnswer, PathRankAnswer};
 use stiffarm::catalogue::{ProcessFile, files, read_process_beside};
+use stiffarm::program::Language;
 use stiffarm::request::{Request, Verb};
 use stiffarm::robot::Robot as Arms;
-use stiffarm::toolpath::{Move, Survey, read_toolpath};
-use stiffarm::watch::Watch;
+use stiffarm::toolpath::{Builtin, MOST_SAMPLES, Move, Original, Survey, read_toolpath};
+use stiffarm::watch::{Stopped, Watch};
 
 use crate::asked::Asked;
 use crate::json::to_python;
@@ -68,23 +71,85 @@ pub(crate) fn mill<'py>(
         }
         (None, None) => Milling::One(named(&asked.robot().map_err(refused)?)?.0),
     };
-    let process = asked.given_process().map(|file| {
-        let named = files::shown(Path::new(&file));
-        let process = process_of(Path::new(&file), &named)?;
-        Ok::<_, PyErr>((named, process))
-    });
-    let process = process.transpose()?;
-    let told = detached(py, &progress, |watch| {
-        let mut moves = Vec::new();
-        let each = &mut |one: &Move| moves.push(*one);
-        let understood = read_toolpath(path, format, &options, each, &mut |_, _| watch.go_on());
-        let assumed = understood.map_err(|error| error.to_string())?.into_iter().flat_map(|told| told.assumed);
-        let told = milling.told(&asked, (path, &moves), process, (assumed.collect(), watch));
-        told.map_err(|error| error.to_string())
-    })?;
-    match told.map_err(refused)? {
+    let process = given_process(&asked)?;
+    let question = Milled { asked: &asked, path, milling };
+    match detached(py, &progress, |watch| question.told(process, watch))?.map_err(refused)? {
         Told::One(answer) => Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?)),
         Told::Several(answer) => Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?)),
+    }
+}
+
+/// What a controller reads of a path that one robot mills, by the ending of its files; of `None` the path's own file with its tips led aside.
+#[pyfunction]
+#[pyo3(signature = (path, asked, robot, ending = None, progress = None))]
+pub(crate) fn milled_program(
+    py: Python,
+    path: &str,
+    asked: Asked,
+    robot: &Robot,
+    ending: Option<&str>,
+    progress: Progress,
+) -> PyResult<String> {
+    let asked = asked.with(Verb::Mill, &[("path", path), ("robot", robot.0.name.as_str())])?;
+    let process = given_process(&asked)?;
+    let question = Milled { asked: &asked, path, milling: Milling::One(robot.0.clone()) };
+    let told = detached(py, &progress, |watch| question.told(process, watch))?.map_err(refused)?;
+    let Told::One(answer) = told else { unreachable!("one robot was asked") };
+    let Some(ending) = ending else { return rewritten(&answer, &asked) };
+    let language = [Language::Krl, Language::Rapid, Language::Ls].into_iter().find(|one| one.ending() == ending);
+    let language =
+        language.ok_or_else(|| refused(format!("no controller reads '{ending}'; expected src, mod or ls")))?;
+    answer.program(language).map_err(refused)
+}
+
+/// The path's own file with its tips led aside.
+fn rewritten(answer: &MillAnswer, asked: &Request) -> PyResult<String> {
+    let name = &answer.path;
+    if Builtin::is_meant(name) {
+        return Err(refused(format!(
+            "{name} is built in: there is no file to write back; program() writes one for a controller"
+        )));
+    }
+    let (options, format) = (asked.read_options(), asked.path_format(name).map_err(refused)?);
+    let mut input = BufReader::new(files::open(Path::new(name)).map_err(refused)?);
+    let original = Original { input: &mut input, file: &files::shown(Path::new(name)), format, options: &options };
+    let mut output = Vec::new();
+    answer.rewritten(original, &asked.steps(), &mut output).map_err(refused)?;
+    String::from_utf8(output).map_err(|_| refused(format!("{name} is no UTF-8 text")))
+}
+
+/// The process that is asked for, with the name of its file.
+fn given_process(asked: &Request) -> PyResult<Option<(String, ProcessFile)>> {
+    let read = |file: String| {
+        let named = files::shown(Path::new(&file));
+        let process = process_of(Path::new(&file), &named)?;
+        Ok((named, process))
+    };
+    asked.given_process().map(read).transpose()
+}
+
+/// A path, what is asked of it, and who mills.
+struct Milled<'a> {
+    asked: &'a Request,
+    path: &'a str,
+    milling: Milling,
+}
+
+impl Milled<'_> {
+    /// The answer, with what was assumed of the path among the remarks.
+    fn told(self, process: Option<(String, ProcessFile)>, watch: Watch) -> Result<Told, String> {
+        let Self { asked, path, milling } = self;
+        let format = asked.path_format(path).map_err(|error| error.to_string())?;
+        let options = asked.read_options();
+        let gathered = RefCell::new(asked.gathered(MOST_SAMPLES / milling.robots().max(1)));
+        let each = &mut |one: &Move| gathered.borrow_mut().add(one);
+        let goes_on = &mut |_, _| if gathered.borrow().is_over() { Err(Stopped) } else { watch.go_on() };
+        let understood = read_toolpath(path, format, &options, each, goes_on);
+        // Of a path that was left because it is too long that is said.
+        let moves = asked.all_moves(gathered.into_inner()).map_err(|error| error.to_string())?;
+        let assumed = understood.map_err(|error| error.to_string())?.into_iter().flat_map(|told| told.assumed);
+        let told = milling.told(asked, (path, moves), process, (assumed.collect(), watch));
+        told.map_err(|error| error.to_string())
     }
 }
 
@@ -101,23 +166,30 @@ enum Told {
 }
 
 impl Milling {
+    fn robots(&self) -> usize {
+        match self {
+            Self::One(_) => 1,
+            Self::Several(robots) => robots.len(),
+        }
+    }
+
     /// The answer, with what was assumed of the path among the remarks.
     fn told(
         self,
         asked: &Request,
-        (path, moves): (&str, &[Move]),
+        (path, moves): (&str, Vec<Move>),
         process: Option<(String, ProcessFile)>,
         (assumed, watch): (Vec<String>, Watch),
     ) -> Result<Told, MillAnswerError> {
-        let path = (path.to_owned(), moves);
+        let path = path.to_owned();
         Ok(match self {
             Self::One(robot) => {
-                let mut answer = MillAnswer::of(asked, &robot, path, process, watch)?;
+                let mut answer = MillAnswer::of(asked, &robot, (path, moves), process, watch)?;
                 answer.remarks.extend(assumed);
                 Told::One(answer)
             }
             Self::Several(robots) => {
-                let mut answer = PathRankAnswer::of(asked, robots, path, process.as_ref(), watch)?;
+                let mut answer = PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch)?;
                 answer.remarks.extend(assumed);
                 Told::Several(answer)
             }

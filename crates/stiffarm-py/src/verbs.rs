@@ -6,12 +6,13 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use stiffarm::advice::{advise, advise_best};
 use stiffarm::answer::{
-    Cell, ColumnKind, CompareAnswer, ComplianceAnswer, IdentifyAnswer, MapAnswer, MeasureAnswer, PlaceAnswer,
-    RankAnswer, Rows, StudyAnswer, stiffness, words,
+    Cell, ColumnKind, CompareAnswer, ComplianceAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer,
+    PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
 };
 use stiffarm::catalogue::{files, measurements, paper_robots};
 use stiffarm::compliance::compliance;
 use stiffarm::identify::identify as identified;
+use stiffarm::ledger::{self, Printed};
 use stiffarm::map::map_watched;
 use stiffarm::model::ModelKind;
 use stiffarm::place::{PlaceError, PlaceOptions, place_task_watched};
@@ -373,5 +374,14 @@ pub(crate) fn measure<'py>(py: Python<'py>, robot: &Robot, asked: Asked, progres
         };
         Ok::<_, PyErr>(MeasureAnswer { robot: robot.clone(), options, work, plan, compared })
     })??;
+    Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
+}
+
+/// The published numbers beside the computed ones.
+#[pyfunction]
+#[pyo3(signature = (progress = None))]
+pub(crate) fn validate(py: Python, progress: Progress) -> WithColumns {
+    let found = detached(py, &progress, |_| ledger::validate(&Printed::PAPER))?;
+    let answer = LedgerAnswer(found.map_err(refused)?);
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }

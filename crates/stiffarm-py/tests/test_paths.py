@@ -86,3 +86,32 @@ def test_who_mills_must_be_clear() -> None:
     ]:
         with pytest.raises(stiffarm.StiffarmError, match=match):
             stiffarm.mill("line:0.1", **given)  # type: ignore[call-overload]
+
+
+def test_programs_and_rewritten_paths_are_the_programs(tmp_path: Path) -> None:
+    """As the program writes them, at the place that the answer told."""
+    import os
+    import subprocess
+
+    file = tmp_path / "part.nc"
+    file.write_text("G21 G90\nG0 X0 Y0 Z5\nG1 Z0 F600\nG1 X50\nG1 Y20\nM30\n")
+    options = {"tool": "spindle:250@90", "force_n": (300, -120, 80), "at_m_deg": (1.7, 0, 0.8, 20), "compensate": True}
+    milled = stiffarm.mill(file, "KR 210 R2700 extra", **options)
+    typed = ["--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8,20", "--compensate"]
+    program = os.environ.get("STIFFARM_PROGRAM", str(ROOT / "target/debug/stiffarm"))
+    for ending, told in [("src", milled.program("src")), ("mod", milled.program("mod")), ("ls", milled.program("ls")), ("nc", milled.rewritten())]:
+        written = tmp_path / f"out.{ending}"
+        asked = [program, "mill", str(file), "--robot", "KR 210 R2700 extra", *typed, "-o", str(written), "--quiet"]
+        subprocess.run(asked, check=True, capture_output=True)
+        assert told == written.read_text(), ending
+    plain = stiffarm.mill("line:0.1", "KR 210 R2700 extra", force_n=400, at_m_deg=(1.7, 0, 0.8, 20))
+    assert plain.program("src").startswith("&ACCESS") or "DEF" in plain.program("src")
+    for refused, says in [(plain.rewritten, "built in"), (lambda: plain.program("exe"), "expected src, mod or ls")]:  # type: ignore[arg-type]
+        with pytest.raises(stiffarm.StiffarmError, match=says):
+            refused()
+
+
+def test_published_numbers_are_those_of_the_program(program) -> None:
+    ledger = stiffarm.validate()
+    assert ledger.to_dict() == program("validate")
+    assert len(ledger) == len(ledger.to_pandas()) and "agree" in repr(ledger)

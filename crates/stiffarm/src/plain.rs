@@ -34,6 +34,14 @@ fn without(text: &str, written_out: impl Fn(char) -> bool) -> Cow<'_, str> {
     clean.into()
 }
 
+/// No name that is known has more letters.
+const LONGEST_NAME: usize = 200;
+
+/// How alike two names are spelt: 1 of the same, 0 of those that share nothing, and of what is too long to be a name.
+pub(crate) fn alike(known: &str, typed: &str) -> f64 {
+    if LONGEST_NAME < known.len().max(typed.len()) { 0.0 } else { strsim::jaro_winkler(known, typed) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

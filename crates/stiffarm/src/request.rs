@@ -102,6 +102,9 @@ impl Request {
         request.check_force()?;
         request.check_markers()?;
         request.check_dry()?;
+        request.check_silent()?;
+        request.check_regions()?;
+        request.check_runs()?;
         request.check_filters()?;
         Ok(request)
     }
@@ -284,7 +287,7 @@ fn setting_of(verb: Verb, pair: &Pair) -> Result<&'static Setting, Refusal> {
     if !of.is_empty() {
         return Err(Refusal::Verb { at, name, verb, of });
     }
-    let near = verb.settings().map(|setting| (strsim::jaro_winkler(setting.name, &pair.name), setting.name));
+    let near = verb.settings().map(|setting| (crate::plain::alike(setting.name, &pair.name), setting.name));
     let near = near.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(score, _)| 0.8 < *score);
     Err(Refusal::Unknown { at, name, verb, near: near.map(|(_, near)| near) })
 }

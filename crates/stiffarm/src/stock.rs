@@ -14,6 +14,7 @@ use nalgebra::{Vector2, Vector3};
 
 use crate::cutting::Engagement;
 use crate::toolpath::{Move, MoveKind, Sample, Steps, samples};
+use crate::watch::{Stopped, Watch};
 
 /// More cells need more than 400 MB.
 const MOST_CELLS: f64 = 5e7;
@@ -62,6 +63,9 @@ pub enum StockError {
     /// Heights know one direction.
     #[error("line {0}: the tool axis is not z; heights know three-axis paths only")]
     Axis(usize),
+    /// It is no longer wanted.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
 }
 
 /// What of the rim is in the work.
@@ -188,13 +192,14 @@ impl Stock {
     /// Tells the line of the first rapid move that cuts, if any does.
     ///
     /// # Errors
-    /// A tool axis other than z, a radius of less than four cells.
+    /// A tool axis other than z, a radius of less than four cells; what was stopped.
     pub fn follow<'m>(
         &mut self,
         moves: impl IntoIterator<Item = &'m Move>,
         steps: &Steps,
         radius: f64,
         each: &mut dyn FnMut(&Sample, Option<Engaged>),
+        watch: Watch,
     ) -> Result<Option<usize>, StockError> {
         if !(4.0 * self.cell <= radius && radius.is_finite()) {
             return Err(StockError::Tool { radius, cell: self.cell });
@@ -206,6 +211,7 @@ impl Stock {
             }
             let mut last = one.from.tip;
             for sample in samples(one, steps, way) {
+                watch.go_on()?;
                 let found = sample.direction.and_then(|direction| self.engaged(&sample.pose.tip, &direction, radius));
                 each(&sample, found);
                 let has_cut = self.cut(&last, &sample.pose.tip, radius);
@@ -323,8 +329,9 @@ mod tests {
         crate::toolpath::read(&mut program.as_bytes(), "a", format, &options, &mut each, &mut |_| Ok(())).unwrap();
         let mut found = Vec::new();
         let steps = Steps { longest: 1e-3, ..Steps::USUAL };
-        let hit =
-            block().follow(&moves, &steps, R, &mut |sample, engaged| found.push((sample.pose.tip.x, engaged))).unwrap();
+        let hit = block()
+            .follow(&moves, &steps, R, &mut |sample, engaged| found.push((sample.pose.tip.x, engaged)), Watch::nobody())
+            .unwrap();
         assert_eq!(hit, Some(4));
         let air = found.iter().filter(|(x, _)| *x < -R - CELL).all(|(_, engaged)| engaged.is_none());
         let cut = found.iter().filter(|(x, _)| R < *x && *x < 0.05 - 1e-9).all(|(_, engaged)| {
@@ -341,7 +348,7 @@ mod tests {
         assert!(matches!(Stock::block([0.0; 3], [1.0, f64::NAN, 1.0], 0.1), Err(StockError::Block { .. })));
         assert!(matches!(Stock::block([0.0; 3], [1.0; 3], 1e-5), Err(StockError::Cell(_))));
         assert!(matches!(Stock::block([0.0; 3], [1.0; 3], f64::NAN), Err(StockError::Cell(_))));
-        let tool = block().follow(&[], &Steps::USUAL, 2e-4, &mut |_, _| ());
+        let tool = block().follow(&[], &Steps::USUAL, 2e-4, &mut |_, _| (), Watch::nobody());
         assert!(matches!(tool, Err(StockError::Tool { .. })));
     }
 }

@@ -12,7 +12,7 @@ use stiffarm::robot::Robot;
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty, say};
+use crate::output::{Answer, Outputs, pretty, say, verdict};
 use crate::table::shown;
 
 pub(crate) fn run(asked: &[PathBuf], common: &Common) -> Result<(), Failure> {
@@ -41,12 +41,12 @@ pub(crate) fn run(asked: &[PathBuf], common: &Common) -> Result<(), Failure> {
         }
     }
     let check = Check(checked);
-    outputs.deliver(&check)?;
     let bad: Vec<&Failure> = check.0.iter().filter_map(|checked| checked.found.as_ref().err()).collect();
-    match bad[..] {
+    let holds = match bad[..] {
         [] => Ok(()),
         [first, ..] => Err(Failure::BadFiles { count: bad.len(), hint: first.hint() }),
-    }
+    };
+    verdict(outputs.deliver(&check), holds)
 }
 
 /// Every file, and what was found in it.

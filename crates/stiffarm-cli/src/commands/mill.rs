@@ -1,5 +1,6 @@
 //! `stiffarm mill PATH`: the error along a toolpath; with `--dry` what is understood of it.
 
+use std::cell::RefCell;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -10,7 +11,7 @@ use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
 use stiffarm::request::Request;
 use stiffarm::toolpath::{Builtin, Format, Move, Original, Survey, Understood};
-use stiffarm::watch::Watch;
+use stiffarm::watch::{Stopped, Watch};
 
 use super::path_ranking::PathRankOutput;
 use super::{drawing, process_of, progress, watched};
@@ -21,7 +22,7 @@ use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Sheet, View, Zone};
 use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty};
+use crate::output::{Answer, Outputs, pretty, verdict};
 use crate::report::{self, Report};
 use crate::selection;
 use crate::table::{prose, shown};
@@ -46,14 +47,13 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<MillOutput>(common, &inputs)?;
     let found = answer(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&found)?;
-    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+    verdict(outputs.deliver(&found), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))
 }
 
 /// What is understood of a path.
 pub(super) fn surveyed(asked: &Request, common: &Common) -> Result<PathOutput, Failure> {
     let (path, mut survey) = (asked.path()?, Survey::new(asked.steps()));
-    let understood = read_moves(asked, &path, common, &mut |one| survey.add(one))?;
+    let understood = read_moves(asked, &path, common, &mut |one| survey.add(one), &|| Ok(()))?;
     Ok(PathOutput(PathAnswer { path, understood, survey }))
 }
 
@@ -61,9 +61,8 @@ pub(super) fn answer<'a>(asked: &'a Request, common: &'a Common) -> Result<MillO
     let path = asked.path()?;
     let robot = selection::robot(&asked.robot()?, common)?;
     let process = read_process_of(asked, common)?;
-    let mut moves: Vec<Move> = Vec::new();
-    let understood = read_moves(asked, &path, common, &mut |one| moves.push(*one))?;
-    let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, &moves), process, watch);
+    let (moves, understood) = all_moves(asked, &path, common, 1)?;
+    let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, moves), process, watch);
     let mut answer = watched("milling", common, milled)?;
     answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
     Ok(MillOutput { answer, asked, common, plate: Plate::of(asked)? })
@@ -76,16 +75,14 @@ fn ranked_on_path(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<PathRankOutput>(common, &inputs)?;
     let found = ranked(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&found)?;
-    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+    verdict(outputs.deliver(&found), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))
 }
 
 pub(super) fn ranked<'a>(asked: &'a Request, common: &Common) -> Result<PathRankOutput<'a>, Failure> {
     let path = asked.path()?;
     let robots = selection::keep(selection::robots(&asked.robots(), common)?, asked, &[])?;
     let process = read_process_of(asked, common)?;
-    let mut moves: Vec<Move> = Vec::new();
-    let understood = read_moves(asked, &path, common, &mut |one| moves.push(*one))?;
+    let (moves, understood) = all_moves(asked, &path, common, robots.len())?;
     let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch);
     let mut answer = watched("milling with every robot", common, ranked)?;
     answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
@@ -100,19 +97,36 @@ fn read_process_of(asked: &Request, common: &Common) -> Result<Option<(String, P
     Ok(Some((named, read)))
 }
 
-/// Reads the path, move by move.
+/// All moves of the path, as long as no more samples come of them, each kept for so many robots, than there may be.
+fn all_moves(
+    asked: &Request,
+    path: &str,
+    common: &Common,
+    robots: usize,
+) -> Result<(Vec<Move>, Option<Understood>), Failure> {
+    let gathered = RefCell::new(asked.gathered(common.most_samples / robots.max(1)));
+    let goes_on = || if gathered.borrow().is_over() { Err(Stopped) } else { Ok(()) };
+    let understood = read_moves(asked, path, common, &mut |one| gathered.borrow_mut().add(one), &goes_on);
+    // Of a path that was left because it is too long that is said.
+    let moves = asked.all_moves(gathered.into_inner())?;
+    Ok((moves, understood?))
+}
+
+/// Reads the path, move by move, as long as it goes on.
 fn read_moves(
     asked: &Request,
     path: &str,
     common: &Common,
     each: &mut dyn FnMut(&Move),
+    goes_on: &dyn Fn() -> Result<(), Stopped>,
 ) -> Result<Option<Understood>, Failure> {
     let format = asked.path_format(path)?;
     let bar = progress(1, "reading", common);
     let mut told = |done: u64, all: u64| {
         bar.set_length(all);
         bar.set_position(done);
-        common.client.as_ref().map_or(Watch::nobody(), |client| Watch::of(client.as_ref())).go_on()
+        goes_on()?;
+        common.watch().go_on()
     };
     let found = common.shelf.moves((path, format), &asked.read_options(), each, &mut told);
     bar.finish_and_clear();

@@ -23,7 +23,7 @@ use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
 use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty};
+use crate::output::{Answer, Outputs, pretty, verdict};
 use crate::report::{self, Report};
 use crate::selection;
 use crate::table::{prose, shown};
@@ -37,8 +37,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<PlaceOutput>(common, &[Path::new(&asked.robot()?)])?;
     let found = answer(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&found)?;
-    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+    verdict(outputs.deliver(&found), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))
 }
 
 pub(super) fn answer(asked: &Request, common: &Common) -> Result<PlaceOutput, Failure> {

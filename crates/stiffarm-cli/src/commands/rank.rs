@@ -21,7 +21,7 @@ use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::figures::ranking::{self, Curve, Panel};
 use crate::look::Look;
-use crate::output::{Answer, Outputs, figure, pretty};
+use crate::output::{Answer, Outputs, figure, pretty, verdict};
 use crate::report::{self, Report};
 use crate::selection;
 use crate::table::{prose, shown};
@@ -37,8 +37,7 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<RankOutput>(common, &inputs(&asked.robots()))?;
     let found = answer(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
-    outputs.deliver(&found)?;
-    shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why)))
+    verdict(outputs.deliver(&found), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))
 }
 
 pub(super) fn answer<'a>(asked: &'a Request, common: &'a Common) -> Result<RankOutput<'a>, Failure> {

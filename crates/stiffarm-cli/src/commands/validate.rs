@@ -8,17 +8,17 @@ use stiffarm::ledger::{Printed, validate};
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty};
+use crate::output::{Answer, Outputs, pretty, verdict};
 use crate::table::{prose, shown};
 
 pub(crate) fn run(common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open::<Ledger>(common, &[])?;
     let ledger = Ledger(LedgerAnswer(validate(&Printed::PAPER)?));
-    outputs.deliver(&ledger)?;
-    match ledger.0.unsettled() {
+    let holds = match ledger.0.unsettled() {
         0 => Ok(()),
         unsettled => Err(Failure::Unsettled(unsettled)),
-    }
+    };
+    verdict(outputs.deliver(&ledger), holds)
 }
 
 struct Ledger(LedgerAnswer);

@@ -113,11 +113,14 @@ impl Grid {
         share: impl Fn([i64; 2], [i64; 2]) -> f64,
     ) -> Vec<Line> {
         let on_grid = |[i, j]: [i64; 2]| (0..self.columns as i64).contains(&i) && (0..self.rows as i64).contains(&j);
-        let mut steps = Vec::new();
+        // Every node is asked once, and belongs to four cells.
+        let row = |j: i64| -> Vec<bool> { (-rim..self.columns as i64 + rim).map(|i| inside(i, j)).collect() };
+        let (mut steps, mut above) = (Vec::new(), row(-rim));
         for j in -rim..self.rows as i64 - 1 + rim {
-            for i in -rim..self.columns as i64 - 1 + rim {
+            let below = std::mem::replace(&mut above, row(j + 1));
+            for (i, (low, high)) in (-rim..).zip(below.windows(2).zip(above.windows(2))) {
+                let within = [low[0], low[1], high[1], high[0]];
                 let around = corners(i, j);
-                let within = around.map(|[i, j]| inside(i, j));
                 if within == [true; 4] || within == [false; 4] || !cell(i, j) {
                     continue;
                 }

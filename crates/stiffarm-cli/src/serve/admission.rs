@@ -26,7 +26,9 @@ pub(super) fn admit(method: &Method, uri: &Uri, headers: &HeaderMap, own_name: &
         let hint = "it is called localhost, by its address, or by the name given with --host";
         return Err(Refused::new(StatusCode::FORBIDDEN, why, hint));
     }
-    if matches!(*method, Method::GET | Method::HEAD) {
+    // The page itself may be opened from anywhere; what computes is asked from nowhere else.
+    let is_page = uri.path() == "/" || uri.path().starts_with("/assets/");
+    if is_page && matches!(*method, Method::GET | Method::HEAD) {
         return Ok(());
     }
     let own_origin = format!("http://{host}");

@@ -19,6 +19,9 @@ const MOST_CANDIDATES: usize = 20_000;
 /// Along a path, m.
 const LEAST_ALONG_PATH: f64 = 1e-5;
 
+/// Samples of a path, whose length is known once it is read.
+pub(super) const MOST_SAMPLES: usize = 1_000_000;
+
 /// Refuses what would need memory without end.
 pub(super) fn check(asked: &Request) -> Result<(), Refused> {
     let too_much = |what: String| {

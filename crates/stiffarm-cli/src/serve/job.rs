@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 use stiffarm::request::job::read_sent;
 
-use super::question::{object, unlike};
+use super::question::{check_name, object, unlike};
 use super::reply::{Refused, Reply, json_reply};
 use crate::failure::Failure;
 
@@ -14,6 +14,7 @@ pub(super) fn understood(body: &[u8]) -> Result<Reply, Refused> {
     let (Some(name), Some(text), 2) = (field("name"), field("text"), told.len()) else {
         return Err(unlike("expected {\"name\": \"job.toml\", \"text\": \"...\"}, and nothing else"));
     };
+    check_name(name)?;
     let job = read_sent(text, name).map_err(Failure::Request)?;
     let mut options: Map<String, Value> = Map::new();
     for pair in job.pairs {

@@ -60,10 +60,12 @@ fn asked(verb: Verb, about: &str) -> Value {
     let required: Vec<&str> =
         settings.iter().filter(|row| row.absent == Absent::Required).map(|row| row.name).collect();
     let options: Map<String, Value> = settings.iter().map(|row| (row.name.to_owned(), taken(row))).collect();
+    let mut options = json!({ "type": "object", "properties": options, "required": required });
+    go_together(verb, &settings, &mut options);
     let mut question = json!({
         "type": "object", "additionalProperties": false,
         "properties": {
-            "options": { "type": "object", "properties": options, "required": required },
+            "options": options,
             "files": {
                 "type": "object", "additionalProperties": { "type": "string" },
                 "description": "Texts that options name: robot files, processes, toolpaths, tables. No file of the server is read.",
@@ -94,6 +96,27 @@ fn asked(verb: Verb, about: &str) -> Value {
     })
 }
 
+/// Which options need others, and which exclude one another.
+fn go_together(verb: Verb, settings: &[&Setting], options: &mut Value) {
+    let is_known = |name: &str| settings.iter().any(|row| row.name == name);
+    let mut pairs: Vec<[&str; 2]> = Vec::new();
+    for row in settings {
+        for other in row.excludes.iter().filter(|other| is_known(other)) {
+            let pair = [row.name.min(other), row.name.max(other)];
+            if !pairs.contains(&pair) {
+                pairs.push(pair);
+            }
+        }
+        let needs: Vec<&str> = row.needs.iter().filter(|(of, _)| *of == verb).map(|(_, name)| *name).collect();
+        if !needs.is_empty() {
+            options["dependentRequired"][row.name] = json!(needs);
+        }
+    }
+    if !pairs.is_empty() {
+        options["allOf"] = pairs.iter().map(|pair| json!({ "not": { "required": pair } })).collect();
+    }
+}
+
 /// What an option takes in JSON: numbers where a job file has numbers, else texts.
 fn taken(row: &Setting) -> Value {
     let number = |kind: &str| {
@@ -106,7 +129,8 @@ fn taken(row: &Setting) -> Value {
         }
         schema
     };
-    let numbers = json!({ "type": "array", "items": { "type": "number" } });
+    let list = |items: &Value| json!({ "type": "array", "items": items, "minItems": 1 });
+    let numbers = list(&json!({ "type": "number" }));
     let text = json!({ "type": "string" });
     let one = match row.kind {
         Kind::Number { .. } => number("number"),
@@ -119,11 +143,11 @@ fn taken(row: &Setting) -> Value {
         Kind::Tool | Kind::Point => json!({ "anyOf": [text, numbers] }),
         Kind::Angle | Kind::Elevation | Kind::Floor | Kind::Yaw | Kind::Roll => json!({ "type": ["string", "number"] }),
         Kind::Range { .. } | Kind::Within => {
-            json!({ "anyOf": [text, { "type": "array", "items": { "type": ["string", "number"] } }] })
+            json!({ "anyOf": [text, list(&json!({ "type": ["string", "number"] }))] })
         }
         _ => text,
     };
-    let schema = if row.is_list() { json!({ "anyOf": [one, { "type": "array", "items": one }] }) } else { one };
+    let schema = if row.is_list() { json!({ "anyOf": [one, list(&one)] }) } else { one };
     described(schema, row)
 }
 

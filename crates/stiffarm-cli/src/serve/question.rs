@@ -53,7 +53,8 @@ impl Question {
 
     /// What the commands need besides what is asked.
     pub(super) fn common(&self, client: Arc<Client>) -> Common {
-        Common { shelf: Shelf::Sent(self.files.clone()), client: Some(client), ..Common::usual() }
+        let (shelf, client) = (Shelf::Sent(self.files.clone()), Some(client));
+        Common { shelf, client, most_samples: bounds::MOST_SAMPLES, ..Common::usual() }
     }
 }
 
@@ -66,7 +67,19 @@ pub(super) fn object(body: &[u8]) -> Result<Map<String, Value>, Refused> {
     }
 }
 
+/// No system has longer names of files.
+const LONGEST_NAME: usize = 255;
+
+/// That what is said to be the name of a file can be one.
+pub(super) fn check_name(name: &str) -> Result<(), Refused> {
+    if name.len() <= LONGEST_NAME {
+        return Ok(());
+    }
+    Err(unlike(&format!("a file's name has {} bytes; expected at most {LONGEST_NAME}", name.len())))
+}
+
 fn texts(files: Map<String, Value>) -> Result<BTreeMap<String, String>, Refused> {
+    files.keys().try_for_each(|name| check_name(name))?;
     let text = |(name, value): (String, Value)| match value {
         Value::String(text) => Ok((name.trim().to_owned(), text)),
         _ => Err(unlike(&format!("'{}' in 'files' is no text", on_one_line(&name)))),

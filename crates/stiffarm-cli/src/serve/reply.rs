@@ -85,10 +85,31 @@ impl From<Failure> for Refused {
                 "GET /api/robots names the robots; a robot file of your own comes along under \"files\"".into()
             }
             Failure::Usage(_) | Failure::Request(_) => "GET /api/options tells what every option takes".into(),
+            Failure::Place { robot, .. } | Failure::Posture { robot, .. } => {
+                format!("GET /api/robots/NAME tells what is known of {robot}; within, angle and gap bound a search")
+            }
+            Failure::Path(_) | Failure::Mill(_) => {
+                "GET /api/options tells what can be said of a path, a process and a stock".into()
+            }
             _ => failure.hint(),
         };
-        Self { exit_code: Some(failure.exit_code()), ..Self::new(status, failure.to_string(), hint) }
+        let [error, hint] = [failure.to_string(), hint].map(|text| as_sent(&text));
+        Self { exit_code: Some(failure.exit_code()), ..Self::new(status, error, hint) }
     }
+}
+
+/// Options as a question spells them: where something was sent nothing is typed.
+fn as_sent(text: &str) -> String {
+    let mut sent = String::with_capacity(text.len());
+    for (i, part) in text.split("--").enumerate() {
+        let begins_a_name = part.starts_with(|c: char| c.is_ascii_lowercase());
+        let ends_a_word = sent.ends_with([' ', '(', '`', '"']) || sent.is_empty();
+        if 0 < i && !(begins_a_name && ends_a_word) {
+            sent.push_str("--");
+        }
+        sent.push_str(part);
+    }
+    sent
 }
 
 /// Bytes of some type.
@@ -158,6 +179,18 @@ pub(super) fn guarded(mut reply: Reply) -> Reply {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_of_options_are_told_without_what_is_typed_before_them() {
+        for (typed, sent) in [
+            ("--model spatial asks; --within, --gap", "model spatial asks; within, gap"),
+            ("without --force-n 3..4 one", "without force-n 3..4 one"),
+            ("a--b and 3 -- 4 --5 (--x)", "a--b and 3 -- 4 --5 (x)"),
+            ("", ""),
+        ] {
+            assert_eq!(as_sent(typed), sent);
+        }
+    }
 
     #[test]
     fn notes_of_any_letters_stand_in_a_header_and_are_read_back() {

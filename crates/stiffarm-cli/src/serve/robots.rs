@@ -13,7 +13,7 @@ use stiffarm::robot::Robot;
 
 use super::answer::written;
 use super::form::Form;
-use super::question::{decoded, form_of, object, query, unlike};
+use super::question::{check_name, decoded, form_of, object, query, unlike};
 use super::reply::{Refused, Reply, json_reply, keep_as, reply};
 use super::route::computed;
 use super::{Server, named};
@@ -70,6 +70,7 @@ pub(super) async fn checked(server: &Arc<Server>, body: Vec<u8>) -> Result<Reply
     let (Some(name), Some(text), 2) = (field("name"), field("text"), told.len()) else {
         return Err(unlike("expected {\"name\": \"mine.toml\", \"text\": \"...\"}, and nothing else"));
     };
+    check_name(&name)?;
     let (bytes, _) = computed(server, move |_| Ok(verdict(&name, &text).to_string().into_bytes())).await?;
     let value = serde_json::from_slice(&bytes).map_err(|error| unlike(&error.to_string()))?;
     Ok(json_reply(&value))

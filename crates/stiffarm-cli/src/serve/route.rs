@@ -13,8 +13,9 @@ use tokio::time::timeout;
 use super::admission::{admit, is_json};
 use super::answer::answered;
 use super::form::Form;
-use super::question::{Question, form_of, query, unlike};
+use super::question::{Question, form_of, unlike};
 use super::reply::{Refused, Reply, guarded, keep_as, note, reply};
+use super::work::{Patience, aside};
 use super::{Server, job, openapi, options, page, robots, stream, view};
 use crate::client::Client;
 
@@ -44,7 +45,10 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
         "/api/options" => read_only(Ok(options::reply())),
         "/api/robots" if is_read => robots::listed(server, asked.as_deref()).await,
         "/api/robots" => Err(Refused::method("GET")),
-        "/api/job" => job::understood(&posted(request).await?),
+        "/api/job" => {
+            let body = posted(request).await?;
+            aside(move || job::understood(&body)).await
+        }
         "/api/robots/check" => robots::checked(server, posted(request).await?).await,
         path => {
             let verb = |prefix: &str| {
@@ -53,8 +57,9 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
             };
             match (verb("/api/"), verb("/view/")) {
                 (Some(verb), _) => answer(server, verb, form_of(asked.as_deref())?, request).await,
-                (_, Some(verb)) if is_read => view::got(server, verb, &query(asked.as_deref())?).await,
-                (_, Some(verb)) => view::posted(server, verb, &body(request).await?).await,
+                // Any page may have a browser read an address, in a picture say: what reads computes little.
+                (_, Some(_)) if *request.method() != Method::POST => Err(Refused::method("POST")),
+                (_, Some(verb)) => view::posted(server, verb, body(request).await?).await,
                 _ => page::part(path, request.headers()).and_then(|part| read_only(Ok(part))),
             }
         }
@@ -110,13 +115,14 @@ fn large() -> Refused {
 async fn answer(server: &Arc<Server>, verb: Verb, form: Form, request: Request<Incoming>) -> Result<Reply, Refused> {
     let accepts = request.headers().get_all(ACCEPT).iter().filter_map(|kinds| kinds.to_str().ok());
     let is_stream = accepts.flat_map(|kinds| kinds.split(',')).any(|kind| kind.trim().starts_with(stream::KIND));
-    let question = Question::read(verb, form, &posted(request).await?)?;
+    let body = posted(request).await?;
+    let question = aside(move || Question::read(verb, form, &body)).await?;
     if is_stream {
         if !question.form.is_text() {
             let why = "a picture does not come line by line";
             return Err(Refused::new(StatusCode::BAD_REQUEST, why, "ask for it without Accept: application/x-ndjson"));
         }
-        return Ok(stream::stream(Arc::clone(&server.workshop), server.workshop.line_up()?, question));
+        return Ok(stream::stream(Arc::clone(&server.workshop), server.workshop.line_up(Patience::Long)?, question));
     }
     let (kind, is_json) = (question.form.media_type(), question.form.is_json());
     // Of a task that is a toolpath mill is asked.
@@ -136,7 +142,7 @@ pub(super) async fn computed(
     work: impl FnOnce(Arc<Client>) -> Result<Vec<u8>, Refused> + Send + 'static,
 ) -> Result<(Vec<u8>, Vec<String>), Refused> {
     let client = Arc::new(Client::waiting());
-    let place = server.workshop.line_up()?;
+    let place = server.workshop.line_up(Patience::Short)?;
     let late = |_| {
         let why = format!("there was no answer after {} s", server.time_limit.as_secs());
         let hint = "ask with Accept: application/x-ndjson: then it may take as long as somebody waits, and tells how far it is";

@@ -13,36 +13,33 @@ use super::form::Form;
 use super::question::{Question, query};
 use super::reply::{Refused, Reply, reply};
 use super::route::computed;
+use super::work::aside;
 
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:; \
                       connect-src 'none'; sandbox allow-scripts; frame-ancestors 'self'";
 /// Under which name the question stands.
 const QUESTION: &str = "question";
 
-/// What stands behind the question mark: `question=` and the JSON that [`Question`] reads.
-pub(super) async fn got(server: &Arc<Server>, verb: Verb, asked: &[(String, String)]) -> Result<Reply, Refused> {
-    let [(name, text)] = asked else { return Err(unlike()) };
-    if name != QUESTION {
-        return Err(unlike());
-    }
-    let question = Question::read(verb, Form::View, text.as_bytes())?;
+/// A form that is posted: `question=` and the JSON that [`Question`] reads.
+pub(super) async fn posted(server: &Arc<Server>, verb: Verb, body: Vec<u8>) -> Result<Reply, Refused> {
+    let question = aside(move || read(verb, &body)).await?;
     let (bytes, _) = computed(server, move |client| answered(&question, client)).await?;
     let mut page = reply(bytes, Form::View.media_type());
     page.headers_mut().insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY));
     Ok(page)
 }
 
-/// The same as a form sends it.
-pub(super) async fn posted(server: &Arc<Server>, verb: Verb, body: &[u8]) -> Result<Reply, Refused> {
+fn read(verb: Verb, body: &[u8]) -> Result<Question, Refused> {
     let text = std::str::from_utf8(body).map_err(|_| unlike())?;
-    got(server, verb, &query(Some(text))?).await
+    let asked = query(Some(text))?;
+    let [(name, text)] = asked.as_slice() else { return Err(unlike()) };
+    if name != QUESTION {
+        return Err(unlike());
+    }
+    Question::read(verb, Form::View, text.as_bytes())
 }
 
 fn unlike() -> Refused {
     let why = "a view is asked with one field, 'question', and the JSON of a question in it";
-    Refused::new(
-        StatusCode::BAD_REQUEST,
-        why,
-        "GET /view/place?question=%7B%22options%22...%7D, or a form that is posted",
-    )
+    Refused::new(StatusCode::BAD_REQUEST, why, "POST /view/place as a form sends it: question=%7B%22options%22...%7D")
 }

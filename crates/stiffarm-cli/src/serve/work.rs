@@ -20,13 +20,29 @@ const LEAST_WAITING: usize = 8;
 /// Of one question; more share the cores anyway.
 const MOST_THREADS: usize = 16;
 
-/// Where answers are computed.
+/// How long somebody may wait: long questions have a line and benches of their own, so that short ones get to theirs however many there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Patience {
+    /// Until the time limit.
+    Short,
+    /// As long as it takes.
+    Long,
+}
+
+/// Those that wait and those that work.
 #[derive(Debug)]
-pub(super) struct Workshop {
-    /// Places of those that wait or work.
+struct Lane {
+    /// Places of both.
     line: Arc<Semaphore>,
     /// Places of those that work.
     benches: Arc<Semaphore>,
+}
+
+/// Where answers are computed.
+#[derive(Debug)]
+pub(super) struct Workshop {
+    short: Lane,
+    long: Lane,
     /// Threads that nobody uses; each question has some of its own, so that a long one leaves the others their share.
     idle: Mutex<Vec<ThreadPool>>,
     threads: usize,
@@ -34,7 +50,11 @@ pub(super) struct Workshop {
 
 /// A place in the line, which is free again when it is dropped.
 #[derive(Debug)]
-pub(super) struct Place(#[expect(dead_code, reason = "held")] OwnedSemaphorePermit);
+pub(super) struct Place {
+    #[expect(dead_code, reason = "held")]
+    permit: OwnedSemaphorePermit,
+    benches: Arc<Semaphore>,
+}
 
 /// Whoever holds this waits; once it is dropped nobody does.
 #[derive(Debug)]
@@ -47,24 +67,28 @@ impl Drop for Waits {
 }
 
 impl Workshop {
-    /// With so many benches, or one for each core.
+    /// With so many benches of either kind, or one for each core.
     pub(super) fn new(threads: Option<usize>) -> Self {
         let cores = threads.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from));
-        Self {
+        let lane = || Lane {
             line: Arc::new(Semaphore::new(cores + (WAITING * cores).max(LEAST_WAITING))),
             benches: Arc::new(Semaphore::new(cores)),
-            idle: Mutex::default(),
-            threads: cores.min(MOST_THREADS),
-        }
+        };
+        Self { short: lane(), long: lane(), idle: Mutex::default(), threads: cores.min(MOST_THREADS) }
     }
 
     /// A place in the line, where there is one.
-    pub(super) fn line_up(&self) -> Result<Place, Refused> {
+    pub(super) fn line_up(&self, patience: Patience) -> Result<Place, Refused> {
+        let lane = match patience {
+            Patience::Short => &self.short,
+            Patience::Long => &self.long,
+        };
         let full = |_| {
             let why = "the server computes as much as it can, and as many questions wait as may";
             Refused::new(StatusCode::SERVICE_UNAVAILABLE, why, "ask again in a moment")
         };
-        Arc::clone(&self.line).try_acquire_owned().map(Place).map_err(full)
+        let permit = Arc::clone(&lane.line).try_acquire_owned().map_err(full)?;
+        Ok(Place { permit, benches: Arc::clone(&lane.benches) })
     }
 
     /// Waits for a bench, and computes there. Whoever drops this leaves the line, and keeps the bench only until the work notices.
@@ -76,7 +100,7 @@ impl Workshop {
     ) -> Result<T, Refused> {
         let _waits = Waits(Arc::clone(&client));
         let ending = |_| Refused::new(StatusCode::SERVICE_UNAVAILABLE, "the server is ending", "start it again");
-        let bench = Arc::clone(&self.benches).acquire_owned().await.map_err(ending)?;
+        let bench = Arc::clone(&place.benches).acquire_owned().await.map_err(ending)?;
         let shop = Arc::clone(self);
         let computed = task::spawn_blocking(move || {
             let _held = (place, bench);
@@ -98,6 +122,18 @@ impl Workshop {
             Refused::new(StatusCode::SERVICE_UNAVAILABLE, why, "ask again in a moment")
         };
         ThreadPoolBuilder::new().num_threads(self.threads).stack_size(STACK).build().map_err(none)
+    }
+}
+
+/// Reads what was sent beside the threads that speak HTTP: megabytes of it take a while.
+pub(super) async fn aside<T: Send + 'static>(
+    read: impl FnOnce() -> Result<T, Refused> + Send + 'static,
+) -> Result<T, Refused> {
+    let found = task::spawn_blocking(move || catch_unwind(AssertUnwindSafe(read)));
+    match found.await {
+        Ok(Ok(found)) => found,
+        Ok(Err(panic)) => Err(broken(&*panic)),
+        Err(error) => Err(broken(&error.to_string())),
     }
 }
 
@@ -130,12 +166,12 @@ mod tests {
         let shop = Arc::new(Workshop::new(Some(1)));
         Runtime::new().unwrap().block_on(async {
             for _ in 0..3 {
-                let place = shop.line_up().unwrap();
+                let place = shop.line_up(Patience::Short).unwrap();
                 let refused = shop.work::<()>(place, client(), |_| panic!("on purpose")).await.unwrap_err();
                 assert_eq!(refused.status, StatusCode::INTERNAL_SERVER_ERROR);
                 assert!(refused.json()["error"].as_str().unwrap().ends_with("on purpose"));
             }
-            assert_eq!(shop.work(shop.line_up().unwrap(), client(), |_| Ok(7)).await, Ok(7));
+            assert_eq!(shop.work(shop.line_up(Patience::Short).unwrap(), client(), |_| Ok(7)).await, Ok(7));
         });
     }
 
@@ -154,16 +190,18 @@ mod tests {
                 Ok(())
             };
             let working = tokio::spawn({
-                let (shop, place) = (Arc::clone(&shop), shop.line_up().unwrap());
+                let (shop, place) = (Arc::clone(&shop), shop.line_up(Patience::Short).unwrap());
                 async move { shop.work(place, client(), until_left).await }
             });
             begins.recv().unwrap();
-            let waiting: Vec<Place> = (0..LEAST_WAITING).map(|_| shop.line_up().unwrap()).collect();
-            assert_eq!(shop.line_up().unwrap_err().status, StatusCode::SERVICE_UNAVAILABLE);
+            let waiting: Vec<Place> = (0..LEAST_WAITING).map(|_| shop.line_up(Patience::Short).unwrap()).collect();
+            assert_eq!(shop.line_up(Patience::Short).unwrap_err().status, StatusCode::SERVICE_UNAVAILABLE);
+            let long = shop.line_up(Patience::Long).unwrap();
+            assert_eq!(shop.work(long, client(), |_| Ok(3)).await, Ok(3), "the others have benches of their own");
             drop(waiting);
             working.abort();
             ends.recv().unwrap();
-            assert_eq!(shop.work(shop.line_up().unwrap(), client(), |_| Ok(1)).await, Ok(1));
+            assert_eq!(shop.work(shop.line_up(Patience::Short).unwrap(), client(), |_| Ok(1)).await, Ok(1));
         });
     }
 }

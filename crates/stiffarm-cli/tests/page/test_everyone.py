@@ -73,3 +73,18 @@ def test_the_policy_lets_nothing_in(look: Open, origin: str) -> None:
     assert "unsafe-eval" not in policy
     scripts = policy.split("script-src")[1].split(";")[0]
     assert "unsafe-inline" not in scripts
+
+
+SMALL = """() => [...document.querySelectorAll('button, select, summary, nav a, input:not([type=checkbox], [type=file])')]
+    .filter(element => element.checkVisibility() && !element.closest('.opener'))
+    .map(element => [element.getBoundingClientRect().height, element.outerHTML.slice(0, 100)])
+    .filter(([height]) => height < 44)"""
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_on_a_phone_the_answer_stands_first_and_everything_is_as_large_as_a_finger(look: Open, view: str) -> None:
+    page = look(f"#{view}", width=390, height=844)
+    tops = [page.locator(f"#{name}").bounding_box()["y"] for name in ("decide", "look", "asked")]
+    assert tops == sorted(tops)
+    assert page.locator("#decide .verdict").first.bounding_box()["y"] < 844
+    assert page.evaluate(SMALL) == []

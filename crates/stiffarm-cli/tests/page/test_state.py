@@ -59,3 +59,53 @@ def test_figures_and_tables_are_downloaded_and_commands_copied(look: Open) -> No
     page.get_by_role("button", name="copy as command").click()
     expect(page.get_by_role("status").filter(has_text="as command is copied")).to_have_count(1)
     assert page.evaluate("navigator.clipboard.readText()").startswith("stiffarm place")
+
+
+TWO_LINKS = 'name = "two links"\nvendor = "nobody"\narchitecture = "serial"\nstatus = "derived"\n[planar]\nl2_mm = 1000\nl3_mm = 800\n'
+
+
+def test_a_link_holds_the_files_and_a_reload_keeps_them(look: Open, tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text(TWO_LINKS)
+    page = look("#place?task=circle:0.2")
+    page.get_by_label("open a robot file for robot").and_(page.locator("input")).first.set_input_files(file)
+    until(page, "location.hash.includes('mine.toml')")
+    settled(page)
+    said = page.locator(".live").inner_text()
+    assert "mm" in said
+    page.reload()
+    settled(page)
+    assert page.locator(".live").inner_text() == said
+    page.get_by_role("button", name="copy link").click()
+    expect(page.locator("#shared")).to_have_text("copied: it holds the whole question")
+    link = page.evaluate("navigator.clipboard.readText()")
+    # In a window of its own, which has opened nothing.
+    other = look(link[link.index("#") :])
+    assert other.locator(".live").inner_text() == said
+    assert "files=" not in other.url
+
+
+def test_back_leads_to_the_question_before(look: Open) -> None:
+    page = look("#place?robot=BT200L&task=A:0.3")
+    page.get_by_label("force [N]").fill("800")
+    page.wait_for_url("**force-n=800*")
+    page.get_by_label("tolerance [mm]").fill("2")
+    page.wait_for_url("**tolerance-mm=2*")
+    settled(page)
+    page.go_back()
+    page.wait_for_url("**force-n=800*")
+    expect(page.get_by_label("tolerance [mm]")).to_have_value("")
+    page.go_back()
+    until(page, "!location.hash.includes('force-n')")
+    expect(page.locator("nav a[aria-current]")).to_contain_text("Place")
+
+
+def test_what_is_refused_dims_the_answer_before_and_a_comma_is_a_point(look: Open) -> None:
+    page = look("#place?robot=BT200L&task=A:0.3", refused=True)
+    page.get_by_label("force [N]").fill("80x")
+    page.locator("body[data-stale]").wait_for(state="attached")
+    assert float(page.locator("#decide > *").first.evaluate("element => getComputedStyle(element).opacity")) < 0.5
+    page.get_by_label("force [N]").fill("812,5")
+    page.wait_for_url("**force-n=812.5*")
+    settled(page)
+    page.locator("body:not([data-stale])").wait_for(state="attached")

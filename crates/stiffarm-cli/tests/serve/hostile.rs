@@ -62,6 +62,66 @@ fn no_name_that_is_sent_leads_to_a_file_of_the_server() {
     }
 }
 
+/// 10^10 samples of a question of a hundred letters, and of a program of one line that drills a million holes.
+#[test]
+fn a_path_of_more_samples_than_memory_has_room_for_is_refused_before_they_are_made() {
+    let served = Served::start(&[]);
+    let drilled = "G21 G90 G0 X0 Y0 Z5\nF100 G98 G83 X1 Y1 Z-10 R1 Q.01\n".to_owned() + &"X.001 L9\n".repeat(400_000);
+    for options in [json!({ "path": "raster:rect:50x50@0.0005" }), json!({ "path": "a.nc" })] {
+        for who in [json!({ "robot": "BT200L", "at": "1,0,0.5,0" }), json!({ "robots": "all" })] {
+            let mut asked = options.clone();
+            asked.as_object_mut().unwrap().extend(who.as_object().unwrap().clone());
+            asked["force-n"] = json!(100);
+            let told = served.ask("/api/mill", &json!({ "options": asked, "files": { "a.nc": drilled } }));
+            assert_eq!(told.status, 400, "{asked}: {}", told.text());
+            assert!(told.text().contains("step-mm of"), "{asked}: {}", told.text());
+        }
+    }
+}
+
+/// Each of these took the square of its length, some of them on the threads that speak HTTP: minutes to hours.
+#[test]
+fn what_is_sent_is_read_in_a_time_that_goes_with_its_length() {
+    let served = Served::start(&["--threads", "1"]);
+    let many = |count: usize, one: &dyn Fn(usize) -> String| (0..count).map(one).collect::<String>();
+    let name = "n".repeat(3 << 20);
+    let job = "verb = 'place'\n".to_owned() + &many(250_000, &|i| format!("key{i} = {i}\n"));
+    let listed = "verb = 'place'\nwithin = [".to_owned() + &"'1..2,1..2',\n".repeat(200_000) + "]\n";
+    let links =
+        many(40_000, &|i| format!("<link name='l{i}'/><joint name='j{i}' type='fixed'><parent link='l{i}'/></joint>"));
+    let columns = many(500_000, &|i| format!("c{i},"));
+    let options = |options: serde_json::Value| json!({ "options": options });
+    let with =
+        |options: serde_json::Value, name: &str, text: &str| json!({ "options": options, "files": { name: text } });
+    for (path, question, status) in [
+        ("/api/job", json!({ "name": "job.toml", "text": job }), 200),
+        ("/api/job", json!({ "name": "job.toml", "text": listed }), 200),
+        ("/api/job", json!({ "name": name, "text": "verb = 'place'" }), 400),
+        ("/api/robots/check", json!({ "name": name, "text": "" }), 400),
+        ("/api/robots/check", json!({ "name": "a.toml", "text": job }), 200),
+        ("/api/robots/check", json!({ "name": "a.urdf", "text": format!("<robot name='r'>{links}</robot>") }), 200),
+        ("/api/place", options(json!({ "robot": name, "task": "circle:0.3" })), 422),
+        ("/api/place", options(json!({ "robot": "BT200L", "task": name })), 400),
+        ("/api/place", options(json!({ "robot": "BT200L", "task": "circle:0.3", (name.clone()): 1 })), 400),
+        ("/api/rank", options(json!({ "robots": format!("*{name}"), "task": "circle:0.3" })), 422),
+        ("/api/rank", options(json!({ "robots": vec!["*"; 1000], "task": "circle:9" })), 200),
+        ("/api/force", with(json!({ "process": name }), &name, ""), 400),
+        ("/api/identify", with(json!({ "robot": "KR 210 R2700 extra", "data": "a.csv" }), "a.csv", &columns), 422),
+        (
+            "/api/force",
+            with(json!({ "process": "p.toml" }), "p.toml", &format!("[material]\npreset = '{name}'\n")),
+            422,
+        ),
+        ("/api/mill", with(json!({ "path": "a.csv", "dry": true }), "a.csv", &columns), 422),
+    ] {
+        let reply = served.ask(path, &question);
+        let said = reply.text();
+        let start: String = said.chars().take(300).collect();
+        assert_eq!(reply.status, status, "{path}: {start}");
+        assert_eq!(served.get("/api/options").status, 200);
+    }
+}
+
 #[test]
 fn only_who_calls_the_server_by_its_own_name_and_from_its_own_page_is_answered() {
     let served = Served::start(&[]);
@@ -92,6 +152,21 @@ fn only_who_calls_the_server_by_its_own_name_and_from_its_own_page_is_answered()
         assert_eq!(ask(&own, &format!("{from}\r\n")), 403, "{from}");
     }
     assert_eq!(served.post("/api/place", "Content-Type: text/plain\r\n", "{}").status, 415);
+    // A picture or a link of any page may lead here: the page may be opened, and nothing be computed.
+    for from in ["Sec-Fetch-Site: cross-site", "Sec-Fetch-Site: same-site", "Origin: http://evil.example"] {
+        let read = |path: &str| {
+            served.raw(format!("GET {path} HTTP/1.1\r\n{own}Connection: close\r\n{from}\r\n\r\n").as_bytes()).status
+        };
+        assert_eq!(["/", "/assets/page.js"].map(read), [200; 2], "{from}");
+        let computed = [
+            "/api/robots",
+            "/api/robots/BT200L?as=png",
+            "/api/options",
+            "/openapi.json",
+            "/view/place?question=%7B%7D",
+        ];
+        assert_eq!(computed.map(read), [403; 5], "{from}");
+    }
     let page = served.get("/");
     assert_eq!(page.status, 200);
     let policy = page.header("content-security-policy").unwrap();

@@ -6,12 +6,16 @@ use super::served::Served;
 
 /// Why a value is not as a schema says; the part of JSON Schema that the description uses, and a panic for any other.
 fn unlike(value: &Value, schema: &Value, whole: &Value) -> Option<String> {
-    const KNOWN: [&str; 13] = [
+    const KNOWN: [&str; 17] = [
         "type",
         "properties",
         "required",
         "additionalProperties",
         "items",
+        "minItems",
+        "not",
+        "allOf",
+        "dependentRequired",
         "enum",
         "anyOf",
         "minimum",
@@ -60,9 +64,19 @@ fn unlike(value: &Value, schema: &Value, whole: &Value) -> Option<String> {
     if beyond("maximum", 1.0) || beyond("minimum", -1.0) {
         return Some(format!("{value} is beyond {schema}"));
     }
+    let all = schema["allOf"].as_array();
+    if let Some(wrong) = all.into_iter().flatten().find_map(|one| unlike(value, one, whole)) {
+        return Some(wrong);
+    }
+    if !schema["not"].is_null() && unlike(value, &schema["not"], whole).is_none() {
+        return Some(format!("{value} is {}", schema["not"]));
+    }
     if let Value::Array(items) = value
         && !schema["items"].is_null()
     {
+        if items.len() < schema["minItems"].as_u64().unwrap_or(0) as usize {
+            return Some(format!("{value} is too short a list"));
+        }
         return items.iter().find_map(|item| unlike(item, &schema["items"], whole));
     }
     let Value::Object(fields) = value else { return None };
@@ -70,6 +84,14 @@ fn unlike(value: &Value, schema: &Value, whole: &Value) -> Option<String> {
         schema["required"].as_array().into_iter().flatten().find(|key| !fields.contains_key(key.as_str().unwrap()));
     if let Some(missing) = missing {
         return Some(format!("{missing} is missing in {value}"));
+    }
+    let needed = |(key, others): (&String, &Value)| {
+        let lacks = |other: &Value| !fields.contains_key(other.as_str().unwrap());
+        fields.contains_key(key) && others.as_array().unwrap().iter().any(lacks)
+    };
+    if let Some((key, others)) = schema["dependentRequired"].as_object().into_iter().flatten().find(|row| needed(*row))
+    {
+        return Some(format!("{key} needs {others}"));
     }
     fields.iter().find_map(|(key, field)| match (&schema["properties"][key], &schema["additionalProperties"]) {
         (Value::Null, Value::Bool(false)) => Some(format!("{key} is not described")),
@@ -145,6 +167,13 @@ fn every_answer_and_every_refusal_is_as_it_is_described() {
         (json!({ "options": {} }), 400),
         (json!({ "nothing": 1 }), 400),
         (json!({ "options": { "robot": 3, "task": 4 } }), 400),
+        (json!({ "options": { "robot": "BT200L", "task": "A:0.1", "tool-mm": [], "model": "spatial" } }), 400),
+        (json!({ "options": { "robot": "BT200L", "task": "A:0.1", "drive-urad-per-nm": [] } }), 400),
+        (json!({ "options": { "robot": "BT200L", "task": "A:0.1", "at": "2,0.5", "within": "1..,.." } }), 400),
+        (
+            json!({ "options": { "robot": "BT200L", "task": "A:0.1", "force-n": [1, 2, 3], "feed-deg": 3, "model": "spatial" } }),
+            400,
+        ),
     ] {
         assert!(unlike(&body, body_schema(&whole, "/api/place"), &whole).is_some(), "{body} is described as right");
         assert_eq!(held(&served, &whole, ("/api/place", "/api/place"), Some(&body)), status);

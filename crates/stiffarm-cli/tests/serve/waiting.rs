@@ -53,13 +53,14 @@ fn who_hangs_up_frees_the_worker_and_a_full_line_is_told_at_once() {
         })
         .collect();
     let short = json!({ "options": { "robot": "BT200L", "task": "circle:0.3" } });
-    let full = served.ask("/api/place", &short);
+    let full = served.post("/api/rank", accept, &long().to_string());
     assert_eq!((full.status, full.header("retry-after")), (503, Some("1")), "{}", full.text());
     assert_eq!(served.get("/").status, 200, "what needs no worker is answered");
+    assert_eq!(served.ask("/api/place", &short).status, 200, "streams, however many, keep no short question out");
     drop(waiting);
     drop(working);
-    // The short one now comes to its turn, though nobody has finished the long ones.
-    let freed = (0..1200).any(|_| match served.ask("/api/place", &short).status {
+    // A short one now comes to its turn among the long ones, though nobody has finished these.
+    let freed = (0..1200).any(|_| match served.post("/api/place", accept, &short.to_string()).status {
         200 => true,
         503 => {
             thread::sleep(Duration::from_millis(100));

@@ -13,6 +13,7 @@ A robot and a task go in; each verb is one function:
 `measure`      which postures and loads must be measured for that?
 `force`        with what force does a process push on its tool?
 `mill`         how far is the tool pushed off along a toolpath?
+`validate`     is what the paper printed reproduced?
 ============== ==========================================================
 
 Units stand in the names: ``force_n``, ``tool_mm``, ``deflection_mm``. The numbers are those of the program `stiffarm`, to
@@ -31,6 +32,7 @@ from ._answers import (
     Compliances,
     Force,
     Identification,
+    Ledger,
     Map,
     MeasurementPlan,
     Milled,
@@ -41,7 +43,7 @@ from ._answers import (
     Toolpath,
 )
 from ._stiffarm import Robot, StiffarmError, __version__, set_threads
-from ._verbs import cell, compare, compliance, force, identify, map, measure, mill, place, rank, robots, study
+from ._verbs import cell, compare, compliance, force, identify, map, measure, mill, place, rank, robots, study, validate
 
 __all__ = [
     "Answer",
@@ -50,6 +52,7 @@ __all__ = [
     "Compliances",
     "Force",
     "Identification",
+    "Ledger",
     "Map",
     "MeasurementPlan",
     "Milled",
@@ -74,4 +77,5 @@ __all__ = [
     "robots",
     "set_threads",
     "study",
+    "validate",
 ]

@@ -139,6 +139,10 @@ def mill(
     robots: Sequence[Robot] | None = None,
     progress: _Told | None = None,
 ) -> tuple[dict[str, Any], dict[str, Any]]: ...
+def milled_program(
+    path: str, asked: dict[str, str], robot: Robot, ending: str | None = None, progress: _Told | None = None
+) -> str: ...
+def validate(progress: _Told | None = None) -> tuple[dict[str, Any], dict[str, Any]]: ...
 def study(
     robot: Robot | None,
     asked: dict[str, str],

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING, Literal, overload
 
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Comparison, Compliance, Compliances, Force, Identification, Map, MeasurementPlan, Milled, PathRanking, Placement, Ranking, Study, Toolpath
+from ._answers import Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, PathRanking, Placement, Ranking, Study, Toolpath
 from ._given import RobotLike
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
@@ -60,6 +60,14 @@ def robots(
 def compliance(
     robot: RobotLike, *, joints_deg: Sequence[float], full: bool = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
 ) -> Compliance: ...
+@overload
+def compliance(
+    robot: RobotLike, *, joints_deg: Sequence[Sequence[float]], full: bool = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
+) -> Compliances: ...
+@overload
+def compliance(
+    robot: RobotLike, *, joints_deg: npt.ArrayLike, full: Literal[True], progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
+) -> Compliances: ...
 @overload
 def compliance(
     robot: RobotLike, *, joints_deg: npt.ArrayLike, full: bool = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
@@ -449,4 +457,21 @@ def mill(
         found = _stiffarm.mill(os.fspath(path), asked, one, several, tell)
     if several is not None:
         return PathRanking(*found)
-    return Milled(*found) if one is not None else Toolpath(*found)
+    return Milled(*found, (os.fspath(path), asked, one)) if one is not None else Toolpath(*found)
+
+
+def validate(*, progress: ProgressLike = None) -> Ledger:
+    """Every published number of the paper beside the computed one.
+
+    Parameters
+    ----------
+    progress : bool or callable, optional
+        As in `place`.
+
+    Returns
+    -------
+    Ledger
+        A row for each number: whether both agree within the printed digits, and where not, why.
+    """
+    with told("validating", progress) as tell:
+        return Ledger(*_stiffarm.validate(tell))

@@ -332,7 +332,7 @@ def ranking(
     """
     tasks = list(result.tasks) if task is None else [task]
     if task is not None and task not in result.tasks:
-        raise KeyError(task)
+        raise KeyError(f"no task {task!r}; expected one of {', '.join(result.tasks)}")
     rows = result.rows[: max(most, 1)]
     if ax is None:
         height = 1.5 + 0.27 * len(rows)
@@ -434,7 +434,8 @@ def study(result: Study, *, task: str | None = None, ax: Axes | None = None) -> 
     task = result.rows[0]["task"] if task is None else task
     rows = [row for row in result.rows if row["task"] == task]
     if not rows:
-        raise KeyError(task)
+        known = dict.fromkeys(row["task"] for row in result.rows)
+        raise KeyError(f"no task {task!r}; expected one of {', '.join(known)}")
     lines: dict[tuple[tuple[Any, ...], float | None], list[StudyRow]] = {}
     for row in rows:
         who = (row["architecture"], row["k2"], row["k3"])

@@ -196,6 +196,10 @@ fn write_paths(text: &mut String) {
     class(text, ("PathRankingRow", "_Pass"), "One robot of a ranking on a path.", ranked.under("rows"), &within);
     let within = [("part", "PathLength"), ("rows", "PathRankingRow"), with_schema[0]];
     class(text, ("PathRankingDict", "TypedDict"), "`stiffarm.PathRanking.to_dict`.", &ranked, &within);
+    let ledger = Fields::of(&samples::ledgers());
+    class(text, ("PublishedNumber", "TypedDict"), "A published number.", ledger.under("rows"), &[]);
+    let within = [("rows", "PublishedNumber"), with_schema[0]];
+    class(text, ("LedgerDict", "TypedDict"), "`stiffarm.Ledger.to_dict`.", &ledger, &within);
     class(text, ("ToolpathDict", "TypedDict"), "`stiffarm.Toolpath.to_dict`.", &paths, &with_schema);
 }
 

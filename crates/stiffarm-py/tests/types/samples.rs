@@ -5,13 +5,14 @@ use std::path::Path;
 use serde_json::Value;
 use stiffarm::advice::{advise, advise_best};
 use stiffarm::answer::{
-    CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, MapAnswer, MeasureAnswer, MillAnswer, PathAnswer,
-    PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
+    CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer,
+    PathAnswer, PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
 };
 use stiffarm::catalogue::measurements::{self, Measurements};
 use stiffarm::catalogue::{find, read, read_process};
 use stiffarm::compliance::compliance;
 use stiffarm::identify::{Identification, IdentifyError, identify};
+use stiffarm::ledger::{Printed, validate};
 use stiffarm::map::map;
 use stiffarm::measure::plan;
 use stiffarm::place::{Hold, PlaceError, Placed, place_task};
@@ -285,6 +286,10 @@ pub(crate) fn milled() -> Vec<Value> {
         of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("pin", "0@10")]),
         of(&[tool, ("roll", "constant"), ("within", "1..,0.5..")]),
     ]
+}
+
+pub(crate) fn ledgers() -> Vec<Value> {
+    vec![LedgerAnswer(validate(&Printed::PAPER).unwrap()).json()]
 }
 
 pub(crate) fn path_rankings() -> Vec<Value> {

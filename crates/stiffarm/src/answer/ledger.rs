@@ -57,7 +57,8 @@ impl LedgerAnswer {
                 number.map_or_else(String::new, |number| format!("[{}]", number + 1)),
             ]);
         }
-        table
+        // What is printed and what is computed stand side by side, however narrow the lines.
+        table.with_broken_lines()
     }
 
     /// What stands below the table: the reasons, the units, and how many numbers agree.

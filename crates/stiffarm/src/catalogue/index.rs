@@ -92,7 +92,12 @@ pub fn names(robot: &Robot, typed: &str) -> bool {
 /// Names that hold what was typed come before those that are merely spelt alike.
 pub fn suggestions(typed: &str) -> Vec<&'static str> {
     let typed = key(typed);
+    // Of a text so long no name can be spelt alike.
+    let is_too_long_for = |name: &str| 3 * name.len() < typed.len();
     let similar = |name: &str| {
+        if is_too_long_for(name) {
+            return 0.0;
+        }
         let within = if 3 <= typed.len() && name.contains(&typed) { 1.0 } else { 0.0 };
         within + strsim::normalized_damerau_levenshtein(&typed, name)
     };

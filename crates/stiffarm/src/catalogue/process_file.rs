@@ -204,8 +204,7 @@ fn preset(table: &mut Table) -> Option<Material> {
     if let Some(found) = all.iter().find(|material| plain(&material.name) == plain(&asked)) {
         return Some(found.clone());
     }
-    let near =
-        all.iter().map(|material| (strsim::jaro_winkler(&plain(&material.name), &plain(&asked)), &material.name));
+    let near = all.iter().map(|material| (crate::plain::alike(&plain(&material.name), &plain(&asked)), &material.name));
     let near = near.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(score, _)| 0.75 < *score);
     let hint = near.map_or_else(
         || format!("expected {}", all.iter().map(|material| material.name.clone()).collect::<Vec<_>>().join(", ")),

@@ -322,7 +322,7 @@ impl<'a, 'i> Table<'a, 'i> {
             if self.taken.contains(&name) {
                 continue;
             }
-            let near = self.taken.iter().map(|known| (strsim::jaro_winkler(known, name), known));
+            let near = self.taken.iter().map(|known| (crate::plain::alike(known, name), known));
             let near = near.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(score, _)| 0.8 < *score);
             let hint = near.map_or_else(
                 || format!("expected {}", self.taken.join(", ")),

@@ -160,22 +160,24 @@ impl<'a> ThickArm<'a> {
 
     /// The nearest to anything over postures given by their model angles; `None` where there are none, or nothing to meet.
     pub(crate) fn clearance(&self, postures: &[[f64; 6]], about: &Surroundings) -> Option<Clearance> {
-        let mut nearest: Option<Clearance> = None;
+        let (mut nearest, mut before) = (Nearest(None), Vec::new());
         for theta in postures {
-            for (link, to, distance) in self.distances(theta, about) {
-                if nearest.is_none_or(|nearest| distance < nearest.distance) {
-                    nearest = Some(Clearance {
-                        distance,
-                        link,
-                        to,
-                        is_estimated: self.is_estimated,
-                        knows_tool: !self.ends_at_wrist,
-                        poses: postures.len(),
-                    });
-                }
-            }
+            let links: Vec<(Link, Capsule)> = links(self.geometry, &self.body, about.pedestal, theta, self.tool)
+                .into_iter()
+                .filter(|(link, _)| !(self.ends_at_wrist && *link == Link::Wrist))
+                .collect();
+            self.compare(&links, &before, about, &mut nearest);
+            before = links;
         }
-        nearest
+        let Nearest(found) = nearest;
+        found.map(|(distance, link, to)| Clearance {
+            distance,
+            link,
+            to,
+            is_estimated: self.is_estimated,
+            knows_tool: !self.ends_at_wrist,
+            poses: postures.len(),
+        })
     }
 
     /// A link stands between a point on the wrist and another one, m from the base, at model angles.
@@ -189,35 +191,61 @@ impl<'a> ThickArm<'a> {
         links.iter().any(|(link, capsule)| !carries(link, capsule) && line.apart_from(capsule) < -GRAZED)
     }
 
-    /// Every pair that may meet in one posture.
-    fn distances(&self, theta: &[f64; 6], about: &Surroundings) -> Vec<(Link, Obstacle, f64)> {
-        let links: Vec<(Link, Capsule)> = links(self.geometry, &self.body, about.pedestal, theta, self.tool)
-            .into_iter()
-            .filter(|(link, _)| !(self.ends_at_wrist && *link == Link::Wrist))
-            .collect();
-        let mut found = Vec::new();
+    /// Looks at every pair that may meet in one posture. What stands about the arm does not move, so that of a link that stands where it did
+    /// before nothing new is to be said.
+    fn compare(
+        &self,
+        links: &[(Link, Capsule)],
+        before: &[(Link, Capsule)],
+        about: &Surroundings,
+        nearest: &mut Nearest,
+    ) {
         for (i, &(link, capsule)) in links.iter().enumerate() {
+            let has_moved = before.get(i) != Some(&(link, capsule));
             // The last one is there to touch the work, and the round end of its capsule would reach beyond.
             let is_last = i + 1 == links.len() && link != Link::Wrist;
             // In the arm plane the work lies where the links move.
             let may_touch = if self.ends_at_wrist { link == Link::Column } else { link != links[links.len() - 1].0 };
-            let work = about.work.filter(|_| may_touch);
-            found.extend(work.map(|work| (link, Obstacle::Work, capsule.apart_from_solid(&work))));
+            if let Some(work) = about.work.filter(|_| may_touch && has_moved) {
+                nearest.solid((link, &capsule), Obstacle::Work, &work);
+            }
             let Some(capsule) = (if is_last { capsule.cut_back(capsule.radius) } else { Some(capsule) }) else {
                 continue;
             };
-            if let Some([through, up]) = about.floor.filter(|_| link != Link::Column) {
-                found.push((link, Obstacle::Floor, capsule.above(&through, &up)));
+            if has_moved {
+                if let Some([through, up]) = about.floor.filter(|_| link != Link::Column) {
+                    nearest.take(capsule.above(&through, &up), link, Obstacle::Floor);
+                }
+                if let Some([through, up]) = about.mounting.filter(|_| link != Link::Column) {
+                    nearest.take(capsule.above(&through, &up), link, Obstacle::Mounting);
+                }
+                for (i, solid) in about.keep_out.iter().enumerate() {
+                    nearest.solid((link, &capsule), Obstacle::KeepOut(i + 1), solid);
+                }
             }
-            if let Some([through, up]) = about.mounting.filter(|_| link != Link::Column) {
-                found.push((link, Obstacle::Mounting, capsule.above(&through, &up)));
+            for (other, thick) in links.iter().filter(|(other, _)| link.may_meet(*other)) {
+                nearest.take(capsule.apart_from(thick), link, Obstacle::Link(*other));
             }
-            let kept_out = about.keep_out.iter().enumerate();
-            found.extend(kept_out.map(|(i, solid)| (link, Obstacle::KeepOut(i + 1), capsule.apart_from_solid(solid))));
-            let others = links.iter().filter(|(other, _)| link.may_meet(*other));
-            found.extend(others.map(|(other, thick)| (link, Obstacle::Link(*other), capsule.apart_from(thick))));
         }
-        found
+    }
+}
+
+/// The nearest so far: how far, which link, to what.
+struct Nearest(Option<(f64, Link, Obstacle)>);
+
+impl Nearest {
+    fn take(&mut self, distance: f64, link: Link, to: Obstacle) {
+        if self.0.is_none_or(|(nearest, ..)| distance < nearest) {
+            self.0 = Some((distance, link, to));
+        }
+    }
+
+    /// Asks `parry` only where the balls about both come nearer than what is known.
+    fn solid(&mut self, (link, capsule): (Link, &Capsule), to: Obstacle, solid: &Solid) {
+        let at_least = capsule.ball().apart_from_ball(&solid.ball());
+        if self.0.is_none_or(|(nearest, ..)| !(nearest <= at_least)) {
+            self.take(capsule.apart_from_solid(solid), link, to);
+        }
     }
 }
 

@@ -28,7 +28,27 @@ pub(crate) enum Solid {
     Disc { pose: Pose, radius: f64, half_thickness: f64 },
 }
 
+/// A ball about something.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ball {
+    centre: Vector3<f64>,
+    radius: f64,
+}
+
+impl Ball {
+    /// To another one, m; negative where they overlap.
+    pub(super) fn apart_from_ball(&self, other: &Self) -> f64 {
+        (self.centre - other.centre).norm() - self.radius - other.radius
+    }
+}
+
 impl Capsule {
+    /// About all of it.
+    pub(super) fn ball(&self) -> Ball {
+        let [from, to] = self.ends;
+        Ball { centre: (from + to) / 2.0, radius: (to - from).norm() / 2.0 + self.radius }
+    }
+
     /// The same without the last `length`, m, before its second end; `None` where nothing remains.
     pub(crate) fn cut_back(self, length: f64) -> Option<Self> {
         let [from, to] = self.ends;
@@ -67,6 +87,16 @@ impl Capsule {
 }
 
 impl Solid {
+    /// About all of it.
+    pub(super) fn ball(&self) -> Ball {
+        match self {
+            Self::Box { pose, half } => Ball { centre: pose.translation.vector, radius: Vector3::from(*half).norm() },
+            Self::Disc { pose, radius, half_thickness } => {
+                Ball { centre: pose.translation.vector, radius: radius.hypot(*half_thickness) }
+            }
+        }
+    }
+
     /// They share a point.
     pub(crate) fn touches(&self, other: &Self) -> bool {
         let shared = self.with_shape(|pose, shape| {

@@ -23,6 +23,7 @@ use crate::spatial::{Pose, Wrench};
 use crate::tolerances::LIMIT;
 use crate::toolpath::ToolPose;
 use crate::uncertainty::{quantile, quantile_of};
+use crate::watch::Watch;
 
 /// Rounds in which the loaded posture is sought, and the joints' change that ends them, rad.
 const ROUNDS: usize = 40;
@@ -77,18 +78,19 @@ struct Commanded {
 /// Takes the deflection out of a path that is followed.
 ///
 /// # Errors
-/// A force that may point anywhere at some station: nobody knows which way the tool gives; a planar robot.
+/// A force that may point anywhere at some station: nobody knows which way the tool gives; a planar robot; what was stopped.
 pub fn compensate(
     robot: &Robot,
     stand: &Stand,
-    stations: &[Station],
-    followed: &[Pushed],
+    (stations, followed): (&[Station], &[Pushed]),
     part: ErrorPart,
+    watch: Watch,
 ) -> Result<Compensated, MillError> {
     let Arm::SixAxis { geometry, limits, .. } = &robot.arm else {
         return Err(PostureError::Planar(robot.name.clone()).into());
     };
     let one = |(station, pushed): (&Station, &Pushed)| {
+        watch.go_on()?;
         let target = geometry.model_angles(&pushed.joints, limits.third_axis);
         let Some(wrench) = known_wrench(stand, station)? else {
             return Ok(Commanded { joints: pushed.joints, pose: station.sample.pose, by_joints: 0.0, by_tips: 0.0 });
@@ -134,22 +136,24 @@ pub fn compensate(
 pub fn remaining(
     robot: &Robot,
     stand: &Stand,
-    stations: &[Station],
-    followed: &[Pushed],
+    (stations, followed): (&[Station], &[Pushed]),
     (part, factors): (ErrorPart, &[[f64; 6]]),
+    watch: Watch,
 ) -> Result<Remaining, MillError> {
-    let gives = given_by_drives(robot, stand, stations, followed, part)?;
-    let missing = |factor: f64| factor - 1.0;
-    let mut all = largest_errors(&gives, factors, missing)?;
-    all.sort_by(f64::total_cmp);
-    let offs: Vec<Vector6<f64>> = factors.iter().map(|factors| Vector6::from(factors.map(missing))).collect();
+    let offs = times(factors, |factor| factor - 1.0)?;
     let of_station = |given: &Given| {
         let mut errors: Vec<f64> = offs.iter().map(|off| given.error(off)).collect();
         quantile_of(&mut errors, 0.95)
     };
-    let found: Vec<f64> = gives.par_iter().map(of_station).collect();
-    let mut along = vec![0.0; stations.len()];
-    gives.iter().zip(found).for_each(|(given, error)| along[given.station] = error);
+    let (mut all, mut along) = (vec![0.0; offs.len()], vec![0.0; stations.len()]);
+    by_drives(robot, stand, (stations, followed), part, &mut |gives| {
+        watch.go_on()?;
+        raise(&mut all, gives, &offs);
+        let found: Vec<f64> = gives.par_iter().map(of_station).collect();
+        gives.iter().zip(found).for_each(|(given, error)| along[given.station] = error);
+        Ok(())
+    })?;
+    all.sort_by(f64::total_cmp);
     Ok(Remaining { median: quantile(&all, 0.5), p95: quantile(&all, 0.95), draws: all.len(), along })
 }
 
@@ -161,12 +165,18 @@ pub fn remaining(
 pub fn drawn_errors(
     robot: &Robot,
     stand: &Stand,
-    stations: &[Station],
-    followed: &[Pushed],
+    (stations, followed): (&[Station], &[Pushed]),
     (part, factors): (ErrorPart, &[[f64; 6]]),
+    watch: Watch,
 ) -> Result<Vec<f64>, MillError> {
-    let gives = given_by_drives(robot, stand, stations, followed, part)?;
-    largest_errors(&gives, factors, |factor| factor)
+    let times = times(factors, |factor| factor)?;
+    let mut largest = vec![0.0; times.len()];
+    by_drives(robot, stand, (stations, followed), part, &mut |gives| {
+        watch.go_on()?;
+        raise(&mut largest, gives, &times);
+        Ok(())
+    })?;
+    Ok(largest)
 }
 
 /// What each drive gives of the displacement at a station.
@@ -186,42 +196,51 @@ impl Given {
     }
 }
 
-/// Of every station at which something pushes.
-fn given_by_drives(
+/// Stations whose drives are looked at together: enough for all threads, and little memory.
+const TOGETHER: usize = 4096;
+
+/// Hands out what the drives give at every station at which something pushes, some stations at a time.
+fn by_drives(
     robot: &Robot,
     stand: &Stand,
-    stations: &[Station],
-    followed: &[Pushed],
+    (stations, followed): (&[Station], &[Pushed]),
     part: ErrorPart,
-) -> Result<Vec<Given>, MillError> {
-    let of = |(i, (station, pushed)): (usize, (&Station, &Pushed))| {
-        let acting = station.acting?;
-        let axes = stand.cutting_axes(&station.sample);
-        let counted = part.direction(&axes, &station.sample);
+    each: &mut dyn FnMut(&[Given]) -> Result<(), MillError>,
+) -> Result<(), MillError> {
+    let of = |(station, (found, pushed)): (usize, (&Station, &Pushed))| {
+        let acting = found.acting?;
+        let axes = stand.cutting_axes(&found.sample);
+        let counted = part.direction(&axes, &found.sample);
         let posture = compliance(robot, &pushed.joints, &stand.flange_from_tool);
         Some(posture.map(|posture| {
             let wrench = wrench_of(acting, &posture, &axes, counted.as_ref());
             let by_drive = Matrix3x6::from_columns(&posture.by_drive.map(|drive| drive.deflection(&wrench).0));
-            Given { station: i, by_drive, counted }
+            Given { station, by_drive, counted }
         }))
     };
-    Ok(stations.iter().zip(followed).enumerate().filter_map(of).collect::<Result<_, _>>()?)
+    let all: Vec<(&[Station], &[Pushed])> = stations.chunks(TOGETHER).zip(followed.chunks(TOGETHER)).collect();
+    for (i, (stations, followed)) in all.into_iter().enumerate() {
+        let numbered = (i * TOGETHER..).zip(stations.iter().zip(followed));
+        let gives: Vec<Given> = numbered.filter_map(of).collect::<Result<_, _>>()?;
+        each(&gives)?;
+    }
+    Ok(())
 }
 
-/// The largest error of every draw: a sum over the drives, each times what `part` makes of its factor.
-fn largest_errors(
-    gives: &[Given],
-    factors: &[[f64; 6]],
-    part: impl Fn(f64) -> f64 + Sync,
-) -> Result<Vec<f64>, MillError> {
+/// What `part` makes of the factors of every draw.
+fn times(factors: &[[f64; 6]], part: impl Fn(f64) -> f64) -> Result<Vec<Vector6<f64>>, MillError> {
     if factors.is_empty() {
         return Err(MillError::Value { what: "a number of draws", value: 0.0, expected: "at least one" });
     }
-    let largest = |factors: &[f64; 6]| {
-        let times = Vector6::from_fn(|i, _| part(factors[i]));
-        gives.iter().map(|given| given.error(&times)).fold(0.0, f64::max)
+    Ok(factors.iter().map(|factors| Vector6::from_fn(|i, _| part(factors[i]))).collect())
+}
+
+/// Raises the largest error of every draw to that of some stations: a sum over the drives, each so many times as it gives.
+fn raise(largest: &mut [f64], gives: &[Given], times: &[Vector6<f64>]) {
+    let of = |(largest, times): (&mut f64, &Vector6<f64>)| {
+        *largest = gives.iter().map(|given| given.error(times)).fold(*largest, f64::max);
     };
-    Ok(factors.par_iter().map(largest).collect())
+    largest.par_iter_mut().zip(times).for_each(of);
 }
 
 /// The known force on the tool, base axes; `None` in air.

@@ -17,6 +17,7 @@ use super::follow::{Pushed, Stand, wrench};
 use super::stations::{Acting, ErrorPart, Station};
 use crate::compliance::compliance;
 use crate::robot::Robot;
+use crate::watch::Watch;
 
 /// What becomes of a path whose cut changes with the displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,13 +37,14 @@ pub struct FedBack {
 pub fn fed_back(
     robot: &Robot,
     stand: &Stand,
-    stations: &[Station],
-    followed: &[Pushed],
+    (stations, followed): (&[Station], &[Pushed]),
     part: ErrorPart,
+    watch: Watch,
 ) -> Result<Option<FedBack>, MillError> {
     let mut found: Option<FedBack> = None;
     for (station, pushed) in stations.iter().zip(followed) {
-        let (Some(Acting::Known { force, moment }), Some(changes)) = (station.acting, station.changes) else {
+        watch.go_on()?;
+        let (Some(Acting::Known { force, moment }), Some(changes)) = (station.acting, &station.changes) else {
             continue;
         };
         let axes = stand.cutting_axes(&station.sample);

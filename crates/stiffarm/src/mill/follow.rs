@@ -18,6 +18,7 @@ use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::tolerances::LIMIT;
 use crate::toolpath::{Sample, ToolPose};
+use crate::watch::Watch;
 
 /// Between two samples no joint turns farther, rad: a path cut more coarsely is not followed.
 pub(super) const LARGEST_TURN: f64 = 0.5;
@@ -63,10 +64,6 @@ pub struct Pushed {
     /// By how much the tip is moved, m, base axes: in the softest direction where the force may point anywhere; `None` where no force
     /// acts.
     pub moved: Option<Vector3<f64>>,
-    /// The same along the feed, across it and axial, m.
-    pub parts: Option<[f64; 3]>,
-    /// The same along the outward normal of the surface, m, where the path says one: material left where it is positive.
-    pub normal: Option<f64>,
     /// What of it counts, m; 0 where no force acts.
     pub error: f64,
     /// What each drive gives of the displacement; sums to one.
@@ -75,6 +72,24 @@ pub struct Pushed {
     pub limit_margin: f64,
     /// The smallest angle of wrist and arm from straight, rad.
     pub singular_margin: f64,
+}
+
+impl Pushed {
+    /// Where nothing pushes, of margins that are not known yet.
+    fn untouched(arrangement: Arrangement, joints: [f64; 6]) -> Self {
+        Self { arrangement, joints, moved: None, error: 0.0, shares: None, limit_margin: 0.0, singular_margin: 0.0 }
+    }
+
+    /// By how much the tip is moved along the feed, across it and axial, m.
+    pub fn parts(&self, stand: &Stand, sample: &Sample) -> Option<[f64; 3]> {
+        self.moved.map(|moved| (stand.cutting_axes(sample).transpose() * moved).into())
+    }
+
+    /// The same along the outward normal of the surface, m, where the path says one: material left where it is positive.
+    pub fn normal(&self, stand: &Stand, sample: &Sample) -> Option<f64> {
+        let normal = ErrorPart::Normal.direction(&stand.cutting_axes(sample), sample);
+        self.moved.zip(normal).map(|(moved, normal)| normal.dot(&moved))
+    }
 }
 
 /// The tool's pose in the part: z into the work, x turned by a roll from the part's x axis; `None` where the axis lies along that.
@@ -98,34 +113,40 @@ pub(super) fn follow(
     stand: &Stand,
     stations: &[Station],
     part: ErrorPart,
-    arrangement: impl Fn(usize) -> Arrangement,
+    arrangements: impl Iterator<Item = Arrangement>,
+    watch: Watch,
 ) -> Result<Result<Vec<Pushed>, Blocked>, MillError> {
-    let mut joints: Vec<[f64; 6]> = Vec::with_capacity(stations.len());
-    for (i, station) in stations.iter().enumerate() {
-        let mut q = match held(arm, stand, &station.sample, arrangement(i))? {
+    // Joints first, which are turned into their ranges all together; then what happens there, in the same memory.
+    let mut found: Vec<Pushed> = Vec::with_capacity(stations.len());
+    for (station, arrangement) in stations.iter().zip(arrangements) {
+        watch.go_on()?;
+        let mut q = match held(arm, stand, &station.sample, arrangement)? {
             Ok(q) => q,
             Err(why) => return Ok(Err(stand.blocked(&station.sample, why))),
         };
-        if let Some(before) = joints.last().filter(|_| !station.is_fresh) {
-            for (joint, angle) in q.iter_mut().enumerate() {
-                *angle += TAU * ((before[joint] - *angle) / TAU).round();
-                if !((*angle - before[joint]).abs() <= LARGEST_TURN) {
+        if let Some(before) = found.last().filter(|_| !station.is_fresh) {
+            for (angle, before) in q.iter_mut().zip(before.joints) {
+                *angle += TAU * ((before - *angle) / TAU).round();
+                if !((*angle - before).abs() <= LARGEST_TURN) {
                     return Ok(Err(stand.blocked(&station.sample, Why::Jump)));
                 }
             }
         }
-        joints.push(q);
+        found.push(Pushed::untouched(arrangement, q));
     }
     let mut from = 0;
     while from < stations.len() {
         let to = (from + 1..stations.len()).find(|i| stations[*i].is_fresh).unwrap_or(stations.len());
-        if let Err(at) = turn_into_range(&mut joints[from..to], arm) {
+        if let Err(at) = turn_into_range(&mut found[from..to], arm) {
             return Ok(Err(stand.blocked(&stations[from + at].sample, Why::Jump)));
         }
         from = to;
     }
-    let pushed = |(i, q): (usize, &[f64; 6])| pushed(robot, stand, &stations[i], part, (arrangement(i), q));
-    Ok(Ok(joints.iter().enumerate().map(pushed).collect::<Result<_, _>>()?))
+    for (station, one) in stations.iter().zip(&mut found) {
+        watch.go_on()?;
+        *one = pushed(robot, stand, station, part, (one.arrangement, &one.joints))?;
+    }
+    Ok(Ok(found))
 }
 
 /// The joints with which the arm holds a sample.
@@ -157,17 +178,7 @@ pub(super) fn pushed(
     };
     let posture = compliance(robot, joints, &stand.flange_from_tool)?;
     let (limit_margin, singular_margin) = margins(geometry, limits, joints);
-    let mut found = Pushed {
-        arrangement,
-        joints: *joints,
-        moved: None,
-        parts: None,
-        normal: None,
-        error: 0.0,
-        shares: None,
-        limit_margin,
-        singular_margin,
-    };
+    let mut found = Pushed { limit_margin, singular_margin, ..Pushed::untouched(arrangement, *joints) };
     let Some(acting) = station.acting else { return Ok(found) };
     let axes = stand.cutting_axes(&station.sample);
     let counted = part.direction(&axes, &station.sample);
@@ -177,8 +188,6 @@ pub(super) fn pushed(
     let by_drive = posture.by_drive.map(|drive| drive.deflection(&wrench).0.dot(&along));
     let sum: f64 = by_drive.iter().sum();
     found.moved = Some(moved);
-    found.parts = Some((axes.transpose() * moved).into());
-    found.normal = ErrorPart::Normal.direction(&axes, &station.sample).map(|normal| normal.dot(&moved));
     found.error = along.dot(&moved).abs();
     found.shares = (sum != 0.0).then(|| by_drive.map(|drive| drive / sum));
     Ok(found)
@@ -224,17 +233,17 @@ impl Stand {
 }
 
 /// Turns each joint by whole turns, the same all along, so that it keeps its range; the first place that leaves it where none do.
-fn turn_into_range(joints: &mut [[f64; 6]], arm: &SpatialArm) -> Result<(), usize> {
+fn turn_into_range(found: &mut [Pushed], arm: &SpatialArm) -> Result<(), usize> {
     for joint in 0..6 {
         let range = arm.limits.joints[joint];
         if !range.is_bounded() {
             continue;
         }
-        let all = joints.iter().map(|q| q[joint]);
+        let all = found.iter().map(|one| one.joints[joint]);
         let (from, to) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), q| (low.min(q), high.max(q)));
         // The turns that leave the most room at the nearer end.
         let turns = TAU * ((range.middle() - f64::midpoint(from, to)) / TAU).round();
-        for (i, q) in joints.iter_mut().enumerate() {
+        for (i, q) in found.iter_mut().map(|one| &mut one.joints).enumerate() {
             q[joint] += turns;
             if !range.contains(q[joint], LIMIT) {
                 return Err(i);

@@ -1,12 +1,15 @@
 //! What pushes on the tool along a path: as the path says, as a process has it, or as what is left of the stock lets it.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::fault::of_line;
-use super::stations::{Acting, Station, cutting_axes, stations};
+use super::stations::{Acting, Station, cut, cutting_axes};
 use crate::cutting::{Along, CuttingError, Engagement, Law, Measured, MeasuredAxes, Milling, Process, Side};
 use crate::stock::{Engaged, Stock, StockError};
 use crate::toolpath::{Given, Move, Sample, Steps};
+use crate::watch::{Stopped, Watch};
 
 /// What was typed of the ends of a measured force is rounded to this, m or s.
 const ROUNDED: f64 = 1e-3;
@@ -71,6 +74,9 @@ pub enum ForcedError {
         "a stock tells how much of a mill is in the work; expected a process with a mill: [tool], [engagement] and a material"
     )]
     NoMill,
+    /// It is no longer wanted.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
 }
 
 /// How long the tool has fed.
@@ -96,12 +102,13 @@ impl Clock {
 /// gives, or at what of the tool is in the stock.
 ///
 /// # Errors
-/// An engagement of which no force is known; a stock and no mill, or a path that is none of three axes through it.
+/// An engagement of which no force is known; a stock and no mill, or a path that is none of three axes through it; what was stopped.
 pub fn forced(
     moves: &[Move],
     steps: &Steps,
     forcing: &Forcing,
     stock: Option<&mut Stock>,
+    watch: Watch,
 ) -> Result<Forced, ForcedError> {
     let at = |line: usize| move |error| ForcedError::Cutting { line, error };
     let usual = match forcing {
@@ -109,57 +116,42 @@ pub fn forced(
         Forcing::Process(process) => cutting(process).map_err(at(0))?,
     };
     let mut remarks = Vec::new();
-    let cut = match (stock, forcing) {
+    let in_work = match (stock, forcing) {
         (None, _) => None,
         (Some(stock), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
-            Some(through(stock, moves, steps, milling, &mut remarks)?)
+            Some(through(stock, (moves, steps), milling, &mut remarks, watch)?)
         }
         (Some(_), _) => return Err(ForcedError::NoMill),
     };
-    remarks.extend(cut.iter().filter(|cut| cut.iter().all(Option::is_none)).map(|_| {
+    remarks.extend(in_work.iter().filter(|engaged| engaged.iter().all(Option::is_none)).map(|_| {
         "the path never meets the stock: nothing pushes on the tool; is the block given in the path's own frame?"
             .to_owned()
     }));
-    let mut changes = Vec::new();
-    let (mut next, mut fault, mut clock) = (0, None, Clock { way: 0.0, time: Some(0.0) });
-    let stations = stations(moves, steps, |sample| {
-        let engaged = cut.as_ref().map(|cut| cut[next]);
+    let (mut next, mut clock) = (0, Clock { way: 0.0, time: Some(0.0) });
+    let stations = cut(moves, steps, |one, sample| {
+        watch.go_on()?;
+        let engaged = in_work.as_ref().map(|engaged| engaged[next]);
         next += 1;
         let time = clock.at(sample);
         if !sample.is_cutting {
-            changes.push(None);
-            return None;
+            return Ok((None, None));
         }
-        let of_law = |error| Some(at(sample.line)(error));
-        let found = given_force(sample).map_or_else(
-            || match (forcing, engaged) {
-                (_, Some(None)) => Err(None),
-                (Forcing::Process(process), Some(Some(engaged))) => in_stock(process, &engaged).map_err(of_law),
-                (Forcing::Process(Process { law: Law::Measured(measured), .. }), None) => {
-                    as_measured(measured, sample, time).map(|acting| (acting, None)).map_err(Some)
-                }
-                (Forcing::Process(process), None) => {
-                    as_given(process, &sample.given).unwrap_or(Ok(usual)).map_err(of_law)
-                }
-                (Forcing::Same(_), _) => Ok(usual),
-            },
-            |acting| Ok((acting, None)),
-        );
-        let (acting, change) = match found {
-            Ok((acting, change)) => (Some(acting), change),
-            Err(error) => {
-                fault = fault.take().or(error);
-                (None, None)
+        if let Some(force) = one.given.force {
+            return Ok((Some(along_cut(sample, &force)), None));
+        }
+        let found = match (forcing, engaged) {
+            (_, Some(None)) => return Ok((None, None)),
+            (Forcing::Process(process), Some(Some(engaged))) => in_stock(process, &engaged).map_err(at(sample.line)),
+            (Forcing::Process(Process { law: Law::Measured(measured), .. }), None) => {
+                as_measured(measured, sample, time).map(|acting| (acting, None))
             }
+            (Forcing::Process(process), None) => {
+                as_given(process, &one.given).unwrap_or_else(|| Ok(usual.clone())).map_err(at(sample.line))
+            }
+            (Forcing::Same(_), _) => Ok(usual.clone()),
         };
-        changes.push(change);
-        acting
-    });
-    if let Some(fault) = fault {
-        return Err(fault);
-    }
-    let stations: Vec<Station> =
-        stations.into_iter().zip(changes).map(|(station, changes)| Station { changes, ..station }).collect();
+        found.map(|(acting, changes)| (Some(acting), changes))
+    })?;
     remarks.extend(about_feeds(&stations, forcing));
     Ok(Forced { stations, remarks })
 }
@@ -208,10 +200,10 @@ fn about_feeds(stations: &[Station], forcing: &Forcing) -> Vec<String> {
 /// What of a mill is in the stock at every sample.
 fn through(
     stock: &mut Stock,
-    moves: &[Move],
-    steps: &Steps,
+    (moves, steps): (&[Move], &Steps),
     milling: &Milling,
     remarks: &mut Vec<String>,
+    watch: Watch,
 ) -> Result<Vec<Option<Engaged>>, ForcedError> {
     let (mut found, mut plunging, mut in_pieces) = (Vec::new(), 0, 0);
     let mut each = |sample: &Sample, engaged: Option<Engaged>| {
@@ -220,7 +212,7 @@ fn through(
         in_pieces += usize::from(engaged.is_some_and(|engaged| 1 < engaged.pieces));
         found.push(engaged);
     };
-    let hit = stock.follow(moves, steps, milling.diameter / 2.0, &mut each)?;
+    let hit = stock.follow(moves, steps, milling.diameter / 2.0, &mut each, watch)?;
     remarks.extend(hit.map(|line| format!("line {line}: a rapid move goes through the stock")));
     if 0 < plunging {
         remarks
@@ -235,7 +227,7 @@ fn through(
 }
 
 /// What pushes, and what of it changes where the tool is moved across and axially, N/m.
-type Cutting = (Acting, Option<[[f64; 3]; 2]>);
+type Cutting = (Acting, Option<Arc<[[f64; 3]; 2]>>);
 
 /// The mean force of a process.
 fn cutting(process: &Process) -> Result<Cutting, CuttingError> {
@@ -244,7 +236,7 @@ fn cutting(process: &Process) -> Result<Cutting, CuttingError> {
         || Acting::Any(if let Law::Worst(newtons) = process.law { newtons } else { 0.0 }),
         |(force, moment)| Acting::Known { force, moment },
     );
-    Ok((acting, process.changes()?))
+    Ok((acting, process.changes()?.map(Arc::new)))
 }
 
 /// A mill of a process at what of it is in the stock.
@@ -292,9 +284,8 @@ fn as_measured(measured: &Measured, sample: &Sample, time: Option<f64>) -> Resul
 }
 
 /// The force that a path gives in its own axes, along those of the cut.
-fn given_force(sample: &Sample) -> Option<Acting> {
-    let force: Vector3<f64> = sample.given.force?;
-    Some(Acting::Known { force: (cutting_axes(sample).transpose() * force).into(), moment: 0.0 })
+fn along_cut(sample: &Sample, force: &Vector3<f64>) -> Acting {
+    Acting::Known { force: (cutting_axes(sample).transpose() * force).into(), moment: 0.0 }
 }
 
 #[cfg(test)]
@@ -319,7 +310,7 @@ mod tests {
     #[test]
     fn a_slot_pushes_as_four_lines_by_hand_say() {
         let moves = "line:0.1".parse::<Builtin>().unwrap().moves(Some(0.01));
-        let found = forced(&moves, &Steps::USUAL, &Forcing::Process(process()), None).unwrap();
+        let found = forced(&moves, &Steps::USUAL, &Forcing::Process(process()), None, Watch::nobody()).unwrap();
         let pi = std::f64::consts::PI;
         let expected = [
             -(4.0 * 2.0 * 168.8 * 0.1 / 4.0) - 4.0 * 2.0 * 26.6 / pi,
@@ -349,7 +340,7 @@ mod tests {
             let law = Law::Measured(Measured::new(along, axes, rows).unwrap());
             let process = Process { spindle: None, is_clockwise: true, law };
             // Fine enough for samples near the ends.
-            forced(&moves, &Steps { longest: 2e-4, ..Steps::USUAL }, &Forcing::Process(process), None)
+            forced(&moves, &Steps { longest: 2e-4, ..Steps::USUAL }, &Forcing::Process(process), None, Watch::nobody())
         };
         for station in of(Along::Way, MeasuredAxes::Cut, 0.399_2).unwrap().stations {
             // The table ends 0.8 mm before the path does, by rounding.
@@ -372,7 +363,7 @@ mod tests {
         let row = |at| MeasuredForce { at, force: [at, 0.0, 0.0], moment: 0.0 };
         let law = Law::Measured(Measured::new(Along::Time, MeasuredAxes::Cut, vec![row(0.0), row(8.0)]).unwrap());
         let process = Process { spindle: None, is_clockwise: true, law };
-        let found = forced(&led, &Steps::USUAL, &Forcing::Process(process), None).unwrap().stations;
+        let found = forced(&led, &Steps::USUAL, &Forcing::Process(process), None, Watch::nobody()).unwrap().stations;
         let last = found.last().unwrap();
         assert!((last.sample.way - 2.4).abs() < 1e-9 && (force(last)[0] - 8.0).abs() < 1e-9, "{last:?}");
         let short = of(Along::Way, MeasuredAxes::Cut, 0.3).unwrap_err().to_string();
@@ -384,7 +375,7 @@ mod tests {
         let law = Law::Measured(Measured::new(Along::Time, MeasuredAxes::Cut, rows).unwrap());
         let timeless = "rect:0.1x0.1".parse::<Builtin>().unwrap().moves(None);
         let process = Process { spindle: None, is_clockwise: true, law };
-        let refused = forced(&timeless, &Steps::USUAL, &Forcing::Process(process), None);
+        let refused = forced(&timeless, &Steps::USUAL, &Forcing::Process(process), None, Watch::nobody());
         assert!(matches!(refused, Err(ForcedError::NoTime { .. })), "{refused:?}");
     }
 
@@ -395,7 +386,7 @@ mod tests {
         moves[1].given.axial_depth = Some(1e-3);
         moves[2].given.force = Some(Vector3::new(10.0, 20.0, 30.0));
         moves[3].given.radial_width = Some(4e-3);
-        let found = forced(&moves, &Steps::USUAL, &Forcing::Process(process()), None).unwrap();
+        let found = forced(&moves, &Steps::USUAL, &Forcing::Process(process()), None, Watch::nobody()).unwrap();
         let of =
             |one: &Move| force(found.stations.iter().find(|it| it.sample.direction == one.direction(0.5)).unwrap());
         let [whole, half, turned, narrow] = [0, 1, 2, 3].map(|i| of(&moves[i]));
@@ -418,7 +409,8 @@ mod tests {
         let middle = f64::midpoint(from.x, to.x);
         let mut stock =
             Stock::block([from.x - 0.05, y, from.z - 0.01], [middle, y + 0.05, from.z + 2e-3], 2e-4).unwrap();
-        let found = forced(&moves, &Steps::USUAL, &Forcing::Process(process()), Some(&mut stock)).unwrap();
+        let found =
+            forced(&moves, &Steps::USUAL, &Forcing::Process(process()), Some(&mut stock), Watch::nobody()).unwrap();
         let pi = std::f64::consts::PI;
         // Left of the feed the tooth enters, seen clockwise: from 0 to 90 deg. Mean by hand: N a / (2 pi) times the integral.
         let n_a = 4.0 * 2.0;
@@ -437,6 +429,6 @@ mod tests {
         }
         assert!(found.stations.iter().any(|station| station.acting.is_none()));
         let same = Forcing::Same(Acting::Any(5.0));
-        assert_eq!(forced(&moves, &Steps::USUAL, &same, Some(&mut stock)), Err(ForcedError::NoMill));
+        assert_eq!(forced(&moves, &Steps::USUAL, &same, Some(&mut stock), Watch::nobody()), Err(ForcedError::NoMill));
     }
 }

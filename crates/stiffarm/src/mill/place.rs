@@ -17,7 +17,7 @@ use super::follow::Stand;
 use super::ladder::Ladder;
 use super::solve::{MillOptions, RollMode};
 use super::stations::{Station, check_normals};
-use super::{Milled, arm_with_margins, is_pinned, mill};
+use super::{Followed, Milled, arm_with_margins, is_pinned, mill};
 use crate::batch::{RollGrid, SpatialArm};
 use crate::enclose::ArmEnclosure;
 use crate::interval::Interval;
@@ -121,7 +121,7 @@ pub fn place_path(
     check_normals(stations, options.part)?;
     let sought = Search::new(robot, flange_from_tool, stations, (options, margins, within))?;
     let Some(mut search) = sought else { return Ok(Err(None)) };
-    let (mut best, mut nearest): (Option<(f64, Place, Milled)>, Option<Blocked>) = (None, None);
+    let (mut best, mut nearest): (Option<(f64, Place, Followed)>, Option<Blocked>) = (None, None);
     let mut starts = search.coarse(watch)?;
     let mut step = 0.0;
     for _ in 0..ROUNDS {
@@ -138,17 +138,16 @@ pub fn place_path(
             if best.as_ref().is_some_and(|best| best.0 <= *value) {
                 break;
             }
-            let milled = mill(robot, &search.stand(place), stations, options, watch)?;
-            let key = match &milled {
+            let key = match mill(robot, &search.stand(place), stations, options, watch)? {
                 Milled::Followed(found) => {
                     let key = found.worst.1;
                     if best.as_ref().is_none_or(|best| found.worst.0 < best.0) {
-                        best = Some((found.worst.0, *place, milled.clone()));
+                        best = Some((found.worst.0, *place, found));
                     }
                     key
                 }
                 Milled::Blocked(blocked) => {
-                    nearest = nearest.filter(|other| blocked.way <= other.way).or(Some(*blocked));
+                    nearest = nearest.filter(|other| blocked.way <= other.way).or(Some(blocked));
                     stations.partition_point(|station| station.sample.way < blocked.way).min(stations.len() - 1)
                 }
             };
@@ -164,12 +163,12 @@ pub fn place_path(
         starts = steps;
     }
     let samples = search.keys.len();
-    let Some((value, place, milled)) = best else { return Ok(Err(nearest)) };
+    let Some((value, place, followed)) = best else { return Ok(Err(nearest)) };
     search.put_binding_first(&place)?;
     let (lower_bound, nodes) = search.lower_bound(value, watch)?;
     let placement = search.placement(&place);
     let resolution = PathResolution { coarse: COARSE, step, samples, nodes };
-    Ok(Ok(PathPlaced { placement, milled, lower_bound, resolution }))
+    Ok(Ok(PathPlaced { placement, milled: Milled::Followed(followed), lower_bound, resolution }))
 }
 
 /// Of every station, how often the arm may have been arranged anew before it.

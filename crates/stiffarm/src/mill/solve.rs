@@ -82,30 +82,41 @@ impl Question<'_> {
         let MillOptions { roll, part, share_of_speed, .. } = *self.options;
         let grid = if let RollMode::Fixed(roll) = roll { RollGrid::at([roll]) } else { RollGrid::turn(ROLLS) };
         let ladder = Ladder::new(self.arm, self.stations, *stand, (part, grid), share_of_speed, watch)?;
-        let found = match roll {
-            RollMode::Fixed(_) => self.best_of(&ladder, &ladder.constant_rolls(), stand),
-            RollMode::Constant => self.best_of(&ladder, &ladder.fine_constant_rolls()?, stand),
-            RollMode::Linear => self.best_of(&ladder, &ladder.linear_rolls(), stand),
-            RollMode::Free => self.free(&ladder, stand, watch),
+        let courses = match roll {
+            RollMode::Fixed(_) => Some(ladder.constant_rolls()),
+            RollMode::Constant => Some(ladder.fine_constant_rolls()?),
+            RollMode::Linear => Some(ladder.linear_rolls()),
+            RollMode::Free => None,
         };
-        Ok((ladder, found?))
+        let found = match courses {
+            Some(courses) => self.best_of(&ladder, &courses, stand, watch)?.map(|(_, found)| found),
+            None => self.free(&ladder, stand, watch)?,
+        };
+        Ok((ladder, found))
     }
 
     pub(super) fn follow(
         &self,
         stand: &Stand,
-        arrangement: impl Fn(usize) -> Arrangement,
+        arrangements: impl Iterator<Item = Arrangement>,
+        watch: Watch,
     ) -> Result<Outcome, MillError> {
-        follow((self.robot, self.arm), stand, self.stations, self.options.part, arrangement)
+        follow((self.robot, self.arm), stand, self.stations, self.options.part, arrangements, watch)
     }
 
-    /// The first of some courses, the best first, that is followed.
-    fn best_of(&self, ladder: &Ladder, courses: &[Course], stand: &Stand) -> Result<Outcome, MillError> {
+    /// The first of some courses, the best first, that is followed, and the robot along it.
+    fn best_of(
+        &self,
+        ladder: &Ladder,
+        courses: &[Course],
+        stand: &Stand,
+        watch: Watch,
+    ) -> Result<Result<(Course, Vec<Pushed>), Blocked>, MillError> {
         let mut first = None;
         for course in courses.iter().take(MOST_TRIED) {
-            match self.follow(stand, |i| course.at(self.stations, i))? {
+            match self.follow(stand, course.all(self.stations), watch)? {
                 Ok(found) => match ladder.too_fast(&found, 1.0) {
-                    None => return Ok(Ok(found)),
+                    None => return Ok(Ok((course.clone(), found))),
                     Some(i) => first = first.or(Some(ladder.blocked_at(i, Why::Fast))),
                 },
                 Err(blocked) => first = first.or(Some(blocked)),
@@ -115,43 +126,47 @@ impl Question<'_> {
     }
 
     /// The path whose largest error is least, and of those nearly as good the smoothest.
+    ///
+    /// Of long paths memory holds one answer: of each that is tried its largest error is kept, and the best is followed again.
     fn free(&self, ladder: &Ladder, stand: &Stand, watch: Watch) -> Result<Outcome, MillError> {
         // No error needs to be larger than that of the best constant roll.
-        let constant =
-            if is_pinned(self.stations) { None } else { self.best_of(ladder, &ladder.constant_rolls(), stand)?.ok() };
-        let most = constant.as_ref().map_or(f32::MAX, |found| (worst(found) * (1.0 + 1e-6)) as f32);
+        let constant = if is_pinned(self.stations) {
+            None
+        } else {
+            let found = self.best_of(ladder, &ladder.constant_rolls(), stand, watch)?.ok();
+            found.map(|(course, found)| (worst(&found), Way::Course(course)))
+        };
+        let most = constant.as_ref().map_or(f32::MAX, |(worst, _)| (worst * (1.0 + 1e-6)) as f32);
+        let followed = |way: &Way| match way {
+            Way::Course(course) => self.follow(stand, course.all(self.stations), watch),
+            Way::Rungs(rungs) => self.follow(stand, ladder.of_stations(rungs), watch),
+        };
         for is_wound in [false, true] {
             let (path, most) = match ladder.smoothest(most, is_wound, watch)? {
                 Ok(found) => found,
                 Err(rung) => match constant {
-                    Some(found) => return Ok(Ok(found)),
+                    Some((_, constant)) => return followed(&constant),
                     None => return Ok(Err(ladder.why_blocked(rung, watch)?)),
                 },
             };
             let rough = ladder.arrangements(&path);
             let fine = smoothed(ladder, rough.clone(), f64::from(most), watch)?;
-            let followed = |rungs: &[Arrangement]| {
-                let all = ladder.of_stations(rungs);
-                self.follow(stand, |i| all[i])
-            };
             // Between the rungs joints may turn faster than from rung to rung: never faster than the machine can.
             let full_speed = 1.0 / self.options.share_of_speed;
-            let keeps_speeds = |found: &Vec<Pushed>| ladder.too_fast(found, full_speed).is_none();
-            let found: Vec<Vec<Pushed>> =
-                [followed(&fine)?, followed(&rough)?].into_iter().flatten().filter(keeps_speeds).collect();
-            if found.is_empty() && !is_wound {
+            let mut ways = Vec::new();
+            for way in [fine, rough].map(Way::Rungs) {
+                let found = followed(&way)?.ok().filter(|found| ladder.too_fast(found, full_speed).is_none());
+                ways.extend(found.map(|found| (worst(&found), way)));
+            }
+            if ways.is_empty() && !is_wound {
                 continue;
             }
-            let best = found.into_iter().chain(constant.clone()).min_by(|a, b| {
+            let best = ways.into_iter().chain(constant.clone()).min_by(|(a, _), (b, _)| {
                 // Errors that hardly differ are alike: then the first, which is the smoothest.
-                if (worst(a) / worst(b) - 1.0).abs() <= SPARE {
-                    std::cmp::Ordering::Equal
-                } else {
-                    worst(a).total_cmp(&worst(b))
-                }
+                if (a / b - 1.0).abs() <= SPARE { std::cmp::Ordering::Equal } else { a.total_cmp(b) }
             });
-            if let Some(best) = best {
-                return Ok(Ok(best));
+            if let Some((_, best)) = best {
+                return followed(&best);
             }
         }
         Ok(Err(ladder.blocked_at(0, Why::Jump)))
@@ -173,10 +188,22 @@ pub(super) struct Course {
     change: f64,
 }
 
+/// How the robot stands all along a path.
+#[derive(Clone, Debug)]
+enum Way {
+    Course(Course),
+    /// At every rung.
+    Rungs(Vec<Arrangement>),
+}
+
 impl Course {
     fn configuration_at(&self, i: usize) -> Configuration {
         let run = self.configurations.partition_point(|(from, _)| *from <= i).saturating_sub(1);
         self.configurations[run].1
+    }
+
+    fn all(&self, stations: &[Station]) -> impl Iterator<Item = Arrangement> {
+        (0..stations.len()).map(|i| self.at(stations, i))
     }
 
     fn at(&self, stations: &[Station], i: usize) -> Arrangement {
@@ -311,24 +338,24 @@ impl Ladder<'_> {
     }
 
     /// From the arrangement of every rung to that of every station: rolls change evenly along the way, but where the arm is arranged anew.
-    pub(super) fn of_stations(&self, rungs: &[Arrangement]) -> Vec<Arrangement> {
-        let mut found = Vec::with_capacity(self.stations.len());
-        for (k, rung) in self.rungs.iter().enumerate() {
-            for i in rung.samples.clone() {
-                let other = if i < rung.at {
-                    k.checked_sub(1).filter(|_| !rung.is_fresh)
-                } else {
-                    Some(k + 1).filter(|next| self.rungs.get(*next).is_some_and(|next| !next.is_fresh))
-                };
-                let way = |k: usize| self.stations[self.rungs[k].at].sample.way;
-                let share = other.map_or(0.0, |other| {
-                    let length = way(other) - way(k);
-                    if length == 0.0 { 0.0 } else { (self.stations[i].sample.way - way(k)) / length }
-                });
-                let roll = rungs[k].roll + share * other.map_or(0.0, |other| rungs[other].roll - rungs[k].roll);
-                found.push(Arrangement { roll, ..rungs[k] });
-            }
-        }
-        found
+    fn of_stations(&self, rungs: &[Arrangement]) -> impl Iterator<Item = Arrangement> {
+        let each = (0..self.rungs.len()).flat_map(|k| self.rungs[k].samples.clone().map(move |i| (k, i)));
+        each.map(|(k, i)| self.of_station(rungs, k, i))
+    }
+
+    fn of_station(&self, rungs: &[Arrangement], k: usize, i: usize) -> Arrangement {
+        let rung = &self.rungs[k];
+        let other = if i < rung.at {
+            k.checked_sub(1).filter(|_| !rung.is_fresh)
+        } else {
+            Some(k + 1).filter(|next| self.rungs.get(*next).is_some_and(|next| !next.is_fresh))
+        };
+        let way = |k: usize| self.stations[self.rungs[k].at].sample.way;
+        let share = other.map_or(0.0, |other| {
+            let length = way(other) - way(k);
+            if length == 0.0 { 0.0 } else { (self.stations[i].sample.way - way(k)) / length }
+        });
+        let roll = rungs[k].roll + share * other.map_or(0.0, |other| rungs[other].roll - rungs[k].roll);
+        Arrangement { roll, ..rungs[k] }
     }
 }

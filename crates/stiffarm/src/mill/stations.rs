@@ -1,5 +1,8 @@
 //! A path made ready for milling: samples in the part frame, what pushes on the tool at each, and how long the way to the next takes.
 
+use std::convert::Infallible;
+use std::sync::Arc;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::fault::MillError;
@@ -81,14 +84,15 @@ impl Acting {
 }
 
 /// The tool at one place of its path.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Station {
     /// Where.
     pub sample: Sample,
     /// What pushes; `None` in air.
     pub acting: Option<Acting>,
-    /// By how much that changes, along feed, across and axial, where the tool is moved across and axially, N/m; `None` where no cut is known.
-    pub changes: Option<[[f64; 3]; 2]>,
+    /// By how much that changes, along feed, across and axial, where the tool is moved across and axially, N/m, once for all stations of the
+    /// same cut; `None` where no cut is known.
+    pub changes: Option<Arc<[[f64; 3]; 2]>>,
     /// How long the way from the station before takes, s; `None` at the beginning, in rapid moves, and where the feed rate is not said.
     pub time: Option<f64>,
     /// The arm may come here in any configuration and at any roll: the path begins, goes on elsewhere, or is clear of the work.
@@ -124,7 +128,23 @@ const CLEAR: f64 = 1e-6;
 
 /// Cuts moves into stations; `acting` is asked at every sample what pushes on the tool, and counts where it feeds.
 pub fn stations(moves: &[Move], steps: &Steps, mut acting: impl FnMut(&Sample) -> Option<Acting>) -> Vec<Station> {
-    let (mut found, mut way) = (Vec::<Station>::new(), 0.0);
+    let pushed = |_: &Move, sample: &Sample| Ok::<_, Infallible>((acting(sample), None));
+    let Ok(found) = cut(moves, steps, pushed);
+    found
+}
+
+/// What pushes on the tool, and what of it changes where the tool is moved across and axially, N/m.
+pub(super) type Pushes = (Option<Acting>, Option<Arc<[[f64; 3]; 2]>>);
+
+/// The same where what pushes may have no answer: the first sample without one ends it.
+pub(super) fn cut<E>(
+    moves: &[Move],
+    steps: &Steps,
+    mut pushes: impl FnMut(&Move, &Sample) -> Result<Pushes, E>,
+) -> Result<Vec<Station>, E> {
+    // Of long paths there is no memory to be moved about.
+    let count = moves.iter().map(|one| steps.pieces(one) + 1).sum();
+    let (mut found, mut way) = (Vec::<Station>::with_capacity(count), 0.0);
     for one in moves {
         for (piece, sample) in samples(one, steps, way).enumerate() {
             let before = found.last().map(|before| before.sample);
@@ -133,13 +153,14 @@ pub fn stations(moves: &[Move], steps: &Steps, mut acting: impl FnMut(&Sample) -
                 Some(feed) => Some((sample.way - before.way) / feed),
                 None => (sample.way == before.way).then_some(0.0),
             });
-            let acting = acting(&sample).filter(|_| sample.is_cutting);
-            found.push(Station { sample, acting, changes: None, time, is_fresh: !goes_on, pinned: None });
+            let (acting, changes) = pushes(one, &sample)?;
+            let acting = acting.filter(|_| sample.is_cutting);
+            found.push(Station { sample, acting, changes, time, is_fresh: !goes_on, pinned: None });
         }
         way += one.length();
     }
     mark_clear(&mut found);
-    found
+    Ok(found)
 }
 
 /// At the highest place of every rapid way, along the tool axis, the arm may be arranged anew.

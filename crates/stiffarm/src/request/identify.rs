@@ -48,6 +48,15 @@ impl Request {
         }
     }
 
+    /// Regions are a matter of one model, and of the choice among all.
+    pub(super) fn check_regions(&self) -> Result<(), Refusal> {
+        let has_regions = matches!(self.word("model"), Some("regions" | "auto"));
+        if self.verb != Verb::Identify || !self.is_given("regions") || has_regions {
+            return Ok(());
+        }
+        Err(self.refused("regions", "says nothing of this model; expected the model regions, or auto".into()))
+    }
+
     /// Several markers are told apart by names.
     pub(super) fn check_markers(&self) -> Result<(), Refusal> {
         if !matches!(self.verb, Verb::Identify | Verb::Measure) {

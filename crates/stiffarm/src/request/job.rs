@@ -14,6 +14,7 @@
 //! keep-out = ["1.0..2.0,-3.0..-1.5,..1.2"]
 //! ```
 
+use std::collections::HashSet;
 use std::fmt::Write as _;
 use std::path::{MAIN_SEPARATOR, Path, absolute};
 
@@ -55,7 +56,7 @@ pub fn is_job(text: &str) -> bool {
 /// # Errors
 /// The first fault, with its line: no TOML, no verb, a key twice, a value of another type than its option takes.
 pub fn read(text: &str, file: &Path) -> Result<Job, Refusal> {
-    Reader { text, file: files::shown(file), folder: Some(file.parent().unwrap_or(Path::new(""))) }.job()
+    Reader::of(text, files::shown(file), Some(file.parent().unwrap_or(Path::new("")))).job()
 }
 
 /// Reads the text of a job file that was sent under this name: names in it stay as they are, and are looked for on no disk.
@@ -63,11 +64,13 @@ pub fn read(text: &str, file: &Path) -> Result<Job, Refusal> {
 /// # Errors
 /// As [`read`].
 pub fn read_sent(text: &str, name: &str) -> Result<Job, Refusal> {
-    Reader { text, file: on_one_line(name).into_owned(), folder: None }.job()
+    Reader::of(text, on_one_line(name).into_owned(), None).job()
 }
 
 struct Reader<'a> {
     text: &'a str,
+    /// Where its lines begin.
+    lines: Vec<usize>,
     file: String,
     /// From which relative paths count; `None` where there is no disk.
     folder: Option<&'a Path>,
@@ -76,10 +79,15 @@ struct Reader<'a> {
 /// A key with the tables before it, where it stands, and its value.
 type Entry<'a, 'i> = (String, usize, &'a DeValue<'i>);
 
-impl Reader<'_> {
+impl<'t> Reader<'t> {
+    fn of(text: &'t str, file: String, folder: Option<&'t Path>) -> Self {
+        let lines = std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
+        Self { text, lines, file, folder }
+    }
+
     fn at(&self, place: usize) -> Spelling {
-        let before = self.text.get(..place).unwrap_or(self.text);
-        Spelling::Key { file: self.file.clone(), line: Some(before.matches('\n').count() + 1) }
+        let line = self.lines.partition_point(|start| *start <= place);
+        Spelling::Key { file: self.file.clone(), line: Some(line) }
     }
 
     fn fault(&self, place: usize, why: impl Into<String>) -> Refusal {
@@ -91,8 +99,12 @@ impl Reader<'_> {
             self.fault(error.span().map_or(0, |span| span.start), on_one_line(error.message()).into_owned())
         })?;
         let mut entries = Vec::new();
-        self.collect(root.get_ref(), "", &mut entries)?;
+        Self::collect(root.get_ref(), "", &mut entries);
         entries.sort_by_key(|(_, place, _)| *place);
+        let mut seen = HashSet::new();
+        if let Some((name, place, _)) = entries.iter().find(|(name, ..)| !seen.insert(name.as_str())) {
+            return Err(self.fault(*place, format!("{} is given twice; expected it once", on_one_line(name))));
+        }
         let verb = self.verb(&entries)?;
         let mut job = Job { verb, pairs: Vec::new(), program: Vec::new() };
         for (name, place, value) in entries.iter().filter(|(name, ..)| name != "verb") {
@@ -120,26 +132,17 @@ impl Reader<'_> {
         Ok(job)
     }
 
-    fn collect<'a, 'i>(
-        &self,
-        table: &'a DeTable<'i>,
-        before: &str,
-        entries: &mut Vec<Entry<'a, 'i>>,
-    ) -> Result<(), Refusal> {
+    fn collect<'a, 'i>(table: &'a DeTable<'i>, before: &str, entries: &mut Vec<Entry<'a, 'i>>) {
         for (key, value) in table {
             let place = key.span().start;
             let name = format!("{before}{}", key.get_ref().replace('_', "-"));
             match value.get_ref() {
                 // What is known of the cell is called the same outside of its table.
-                DeValue::Table(inner) if before.is_empty() && name == "cell" => self.collect(inner, "", entries)?,
-                DeValue::Table(inner) if before.is_empty() => self.collect(inner, &format!("{name}-"), entries)?,
-                _ if entries.iter().any(|(known, ..)| *known == name) => {
-                    return Err(self.fault(place, format!("{} is given twice; expected it once", on_one_line(&name))));
-                }
+                DeValue::Table(inner) if before.is_empty() && name == "cell" => Self::collect(inner, "", entries),
+                DeValue::Table(inner) if before.is_empty() => Self::collect(inner, &format!("{name}-"), entries),
                 value => entries.push((name, place, value)),
             }
         }
-        Ok(())
     }
 
     fn verb(&self, entries: &[Entry]) -> Result<Verb, Refusal> {

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::kind::Value;
-use super::{Request, Verb};
+use super::{Refusal, Request, Verb};
 use crate::measure::{Cone, Criterion, Instrument, Options};
 
 impl Request {
@@ -34,6 +34,27 @@ impl Request {
             instrument: self.instrument(),
             work: Vec::new(),
             tool: self.held().tool().translation.vector,
+        }
+    }
+
+    /// More runs than there are candidates would only repeat some; work is looked at by one criterion alone.
+    pub(super) fn check_runs(&self) -> Result<(), Refusal> {
+        if self.verb != Verb::Measure {
+            return Ok(());
+        }
+        let (runs, candidates) = (self.count("runs"), self.count("candidates"));
+        if candidates < runs {
+            return Err(
+                self.refused("runs", format!("of {runs} among {candidates} candidates; expected at most as many"))
+            );
+        }
+        let is_of_work = !matches!(self.word("criterion"), Some("a" | "d"));
+        match ["task", "tool-mm"].into_iter().find(|name| !is_of_work && self.is_given(name)) {
+            Some(name) => {
+                let why = "says nothing where the drives themselves are judged; expected the criterion prediction";
+                Err(self.refused(name, why.into()))
+            }
+            None => Ok(()),
         }
     }
 

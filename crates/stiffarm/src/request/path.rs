@@ -2,15 +2,27 @@
 
 use super::kind::Value;
 use super::wishes::number;
-use super::{Force, Refusal, Request};
+use super::{Force, Refusal, Request, Verb};
 use crate::cell::{Block, Window};
 use crate::load::Load;
 use crate::mill::{Acting, ErrorPart, MillOptions, PartPlacement};
 use crate::place::{Margins, Within};
 use crate::toolpath::{
-    ArcCentres, ArcSense, Builtin, CutterCompensation, Format, IncrementalCycles, LengthUnit, ReadOptions, Rotary,
-    Steps,
+    ArcCentres, ArcSense, Builtin, CutterCompensation, Format, Gathered, IncrementalCycles, LengthUnit, Move,
+    ReadOptions, Rotary, Steps,
 };
+
+/// What may be said of files, and of which: see `toolpath`.
+const SILENT_OF: [(&str, &[Format]); 8] = [
+    ("read-as", &Format::ALL),
+    ("unit", &Format::ALL),
+    ("arc-centres", &[Format::GCode]),
+    ("arc-sense", &[Format::Apt]),
+    ("cutter-compensation", &[Format::GCode, Format::Apt]),
+    ("incremental-cycles", &[Format::GCode]),
+    ("rotary", &[Format::GCode]),
+    ("columns", &[Format::Csv]),
+];
 
 impl Request {
     /// The toolpath: a file's name, or a path built in.
@@ -145,6 +157,31 @@ impl Request {
         })
     }
 
+    /// That what is said where a file is silent is said of such a file as this one: a path built in is silent of nothing, and each format
+    /// of something else.
+    pub(super) fn check_silent(&self) -> Result<(), Refusal> {
+        let Some(path) = self.texts("path").pop().filter(|_| self.verb == Verb::Mill) else { return Ok(()) };
+        let format = if Builtin::is_meant(&path) {
+            None
+        } else {
+            // Without a format nothing is read, which is refused where that is.
+            let Ok(format) = self.path_format(&path) else { return Ok(()) };
+            Some(format)
+        };
+        for (name, formats) in SILENT_OF {
+            let goes = format.is_some_and(|format| formats.contains(&format));
+            if self.is_given(name) && !goes {
+                let what = format.map_or("a path built in", |format| match format {
+                    Format::GCode => "G-code",
+                    Format::Apt => "APT",
+                    Format::Csv => "a table",
+                });
+                return Err(self.refused(name, format!("says nothing of {what}; expected it left out")));
+            }
+        }
+        Ok(())
+    }
+
     /// What is said where a file of a path is silent.
     pub fn read_options(&self) -> ReadOptions {
         let cutter_compensation = match self.word("cutter-compensation") {
@@ -174,6 +211,19 @@ impl Request {
             columns: self.texts("columns"),
             feed: self.number("feed-mm-per-min").map(|feed| feed / 60e3),
         }
+    }
+
+    /// What takes the moves of the path, which may be cut into so many samples.
+    pub fn gathered(&self, most_samples: usize) -> Gathered {
+        Gathered::new(self.steps(), most_samples)
+    }
+
+    /// The moves that were taken, all of them.
+    ///
+    /// # Errors
+    /// Where they are cut into too many samples, by the name of the step.
+    pub fn all_moves(&self, gathered: Gathered) -> Result<Vec<Move>, Refusal> {
+        gathered.whole().map_err(|error| self.refused("step-mm", error.to_string()))
     }
 
     /// How finely a path is cut into samples.

@@ -1,5 +1,7 @@
 //! What is asked by a request that was sent? An object of options, as the keys of a job file, from JSON.
 
+use std::collections::HashSet;
+
 use serde_json::{Map, Value};
 use toml::de::{DeTable, DeValue};
 
@@ -16,10 +18,10 @@ use crate::plain::on_one_line;
 pub fn sent(verb: Verb, options: &Map<String, Value>) -> Result<Vec<Pair>, Refusal> {
     let mut entries: Vec<(String, &Value)> = Vec::new();
     collect(options, "", &mut entries);
-    let mut pairs: Vec<Pair> = Vec::new();
+    let (mut pairs, mut seen): (Vec<Pair>, HashSet<String>) = (Vec::new(), HashSet::new());
     for (name, value) in entries {
         let fault = |why: String| Refusal::Job { at: Spelling::Sent, why };
-        if pairs.iter().any(|known| known.name == name) {
+        if !seen.insert(name.clone()) {
             return Err(fault(format!("{} is given twice; expected it once", on_one_line(&name))));
         }
         let text = format!("v={}", literal(value));

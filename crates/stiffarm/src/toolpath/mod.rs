@@ -24,6 +24,7 @@ mod csv;
 mod emitted;
 mod fault;
 mod file;
+mod gathered;
 mod gcode;
 mod lines;
 mod moves;
@@ -33,11 +34,13 @@ mod rewrite;
 mod samples;
 mod survey;
 
+use std::cell::Cell;
 use std::io::BufRead;
 
 pub use builtin::Builtin;
 pub use fault::PathFault;
 pub use file::{ToolpathError, read_toolpath};
+pub use gathered::{Gathered, MOST_SAMPLES, TooManySamples};
 pub use moves::{Arc, Course, Given, Move, MoveKind, ToolPose};
 pub use options::{ArcCentres, ArcSense, CutterCompensation, IncrementalCycles, LengthUnit, ReadOptions, Rotary};
 pub use rewrite::{Original, Rewriting, Rewritten, rewrite};
@@ -114,7 +117,7 @@ pub struct Progress {
     pub bytes: u64,
 }
 
-/// Lines between two reports.
+/// Lines, and moves, between two reports: a line may ask for thousands of moves.
 const REPORT: usize = 1 << 14;
 
 /// Reads a toolpath: `each` takes its moves in their order, `progress` is told now and then how far it is, and may stop it. `file` names it
@@ -130,23 +133,25 @@ pub fn read(
     each: &mut dyn FnMut(&Move),
     progress: &mut dyn FnMut(Progress) -> Result<(), Stopped>,
 ) -> Result<Understood, PathFault> {
-    let mut moved = false;
+    let moves = Cell::new(0_usize);
     let mut sink = |one: &Move| {
-        moved = true;
+        moves.set(moves.get() + 1);
         each(one);
     };
+    let mut reported = 0;
     let mut lines = Lines::of(input, file);
     let mut reader = Reader::new(format, options, &mut sink);
     while let Some((number, line)) = lines.next()? {
         reader.line(line, number).map_err(|wrong| wrong.at(file, number))?;
-        if number.is_multiple_of(REPORT) {
+        if number.is_multiple_of(REPORT) || REPORT <= moves.get() - reported {
+            reported = moves.get();
             progress(Progress { lines: number, bytes: lines.bytes })?;
         }
     }
     let read = lines.number;
     let Ending { notes, apart, arc_miss } = reader.finish(read).map_err(|wrong| wrong.at(file, read))?;
     progress(Progress { lines: read, bytes: lines.bytes })?;
-    if !moved {
+    if moves.get() == 0 {
         let why = format!("nothing in it moves the tool; expected a toolpath as {}", format.name());
         return Err(PathFault::Empty { file: file.into(), why });
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::moves::{Given, Move, MoveKind, ToolPose};
+use super::moves::{Move, MoveKind, ToolPose};
 
 /// How finely moves are cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,8 +50,6 @@ pub struct Sample {
     pub is_cutting: bool,
     /// Outward normal of the surface, unit vector, where the file says it.
     pub normal: Option<Vector3<f64>>,
-    /// What else the file says.
-    pub given: Given,
 }
 
 /// The samples of one move: its beginning, its end and what lies between; `way` is that of its beginning.
@@ -70,7 +68,6 @@ pub fn samples(one: &Move, steps: &Steps, way: f64) -> impl Iterator<Item = Samp
             feed: one.feed,
             is_cutting: one.kind == MoveKind::Feed,
             normal: one.normal(t),
-            given: one.given,
         }
     })
 }

@@ -3,7 +3,7 @@
 from .base import Answer
 from .map import Map
 from .measuring import Identification, MeasurementPlan
-from .milling import Force, Milled, PathRanking, Toolpath
+from .milling import Force, Ledger, Milled, PathRanking, Toolpath
 from .placing import Comparison, Placement, Ranking, Study
 from .posture import Compliance, Compliances
 
@@ -14,6 +14,7 @@ __all__ = [
     "Compliances",
     "Force",
     "Identification",
+    "Ledger",
     "Map",
     "MeasurementPlan",
     "Milled",

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+from typing import Any, Literal
+
 import numpy as np
 
+from .. import _stiffarm
 from .._given import Array
+from .._stiffarm import StiffarmError
 from ..types import (
     FedBackDict,
     ForceDict,
+    LedgerDict,
     MilledDict,
     PathLength,
     PathRankingDict,
     PathRankingRow,
     PlaceSearch,
+    PublishedNumber,
     RollChoice,
     Schema,
     ToolpathDict,
@@ -133,11 +139,41 @@ class Milled(Table[MilledDict]):
     fed_back: FedBackDict | None
     remarks: list[str]
 
+    #: Path, options and robot, from which programs are written.
+    _asked: tuple[str, dict[str, str], Any] | None
+
+    def __init__(
+        self,
+        data: dict[str, Any],
+        columns: dict[str, Any] | None = None,
+        asked: tuple[str, dict[str, str], Any] | None = None,
+    ) -> None:
+        super().__init__(data, columns)
+        self._asked = asked
+
     @property
     def passes(self) -> bool | None:
         """The key ``pass``: whether the tolerance is kept; None where none was given."""
         verdict: bool | None = self._data.get("pass")
         return verdict
+
+    def program(self, controller: Literal["src", "mod", "ls"]) -> str:
+        """The path as a program of a controller, by the ending of its files, compensated where that was asked for; the rolls are sought once more."""
+        return self._written(controller)
+
+    def rewritten(self) -> str:
+        """The path's own file with its tips led aside by what the tool is pushed off; needs ``compensate=True``."""
+        return self._written(None)
+
+    def _written(self, ending: str | None) -> str:
+        if self._asked is None or self.at_m is None:
+            raise StiffarmError(f"there is no program: {self.reason or 'the answer does not know what was asked'}")
+        path, asked, robot = self._asked
+        x, y, z = self.at_m.tolist()
+        # Where the part was found to stand; its place need not be sought again.
+        here = {key: text for key, text in asked.items() if not key.startswith("within")}
+        here["at_m_deg"] = ",".join(repr(part) for part in (x, y, z, self.at_yaw_deg or 0.0))
+        return _stiffarm.milled_program(path, here, robot, ending)
 
     def _words(self) -> str:
         if self.worst_mm is None:
@@ -167,3 +203,17 @@ class PathRanking(Table[PathRankingDict]):
     def _words(self) -> str:
         best = next((f"; best {row['robot']}" for row in self.rows if row["rank"] == 1 and row["feasible"]), "")
         return f"{len(self)} robots along {self.path}{best}"
+
+
+class Ledger(Table[LedgerDict]):
+    """Published numbers beside the computed ones; its data frame has a row for each."""
+
+    schema: Schema
+    #: One per number: where it is printed, as it is printed, as it is computed, whether both agree, and where not, why.
+    rows: list[PublishedNumber]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def _words(self) -> str:
+        return f"{len(self)} published numbers, of which {sum(row['agrees'] for row in self.rows)} agree within their printed digits"

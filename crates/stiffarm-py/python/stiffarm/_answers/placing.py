@@ -173,7 +173,8 @@ class Ranking(Table[RankingDict]):
         cells = [cell for row in self.rows for cell in row["cells"]]
         found = [i for i, cell in enumerate(cells) if (cell["robot"], cell["task"]) == asked]
         if not found:
-            raise KeyError(asked)
+            names = ", ".join(str(row["robot"]) for row in self.rows[:10])
+            raise KeyError(f"no robot {robot!r} with a task {task!r}; expected one of {names}{', ...' if 10 < len(self) else ''} and of {', '.join(self.tasks)}")
         if len(found) > 1:
             raise StiffarmError(f"{len(found)} robots are called {robot}; their placements stand in rows")
         columns = {key: column[found[0] : found[0] + 1] for key, column in self._rows.items()}

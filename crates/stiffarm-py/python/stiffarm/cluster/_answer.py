@@ -358,7 +358,8 @@ class Sweep:
         force_n = self._question.forces_n[0] if force_n is None else force_n
         rows = [row for row in self.wins().rows if (row["task"], row["force_n"]) == (task, force_n)]
         if not rows:
-            raise KeyError((task, force_n))
+            tasks, forces = self._question.labels, [f"{known:g}" for known in self._question.forces_n]
+            raise KeyError(f"no task {task!r} under {force_n!r} N; expected one of {', '.join(tasks)} and of {', '.join(forces)} N")
         left_out = len(rows) - max(most, 1)
         rows = rows[: max(most, 1)]
         ax = _axes(ax, figsize=(6.8, 1.6 + 0.27 * len(rows)))

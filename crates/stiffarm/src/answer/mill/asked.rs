@@ -1,13 +1,16 @@
 //! What a request asks of a path: from its options to stations, a place, and what happens there.
 
+use std::borrow::Cow;
+
 use super::super::fixed;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::catalogue::ProcessFile;
 use crate::cutting::{Law, Process};
 use crate::mill::{
-    self, Acting, ErrorPart, Followed, ForcedError, Forcing, MillError, Milled, PathPlaced, Stand, Station, compensate,
+    self, Acting, ErrorPart, ForcedError, Forcing, MillError, Milled, PathPlaced, Pushed, Stand, Station, compensate,
     drawn_errors, forced, place_path, remaining,
 };
+use crate::plain::on_one_line;
 use crate::prior::{factors, factors_of};
 use crate::request::Request;
 use crate::robot::Robot;
@@ -26,16 +29,18 @@ impl MillAnswer {
     ///
     /// # Errors
     /// What makes no sense together; what nobody waited for.
-    pub fn of(
+    pub fn of<'m>(
         asked: &Request,
         robot: &Robot,
-        (path, moves): (String, &[Move]),
+        (path, moves): (String, impl Into<Cow<'m, [Move]>>),
         process: Option<(String, ProcessFile)>,
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let robot = asked.equipped(robot.clone())?;
         let (options, flange_from_tool) = (asked.mill_options(), asked.held().tool());
         let (forcing, force, mut remarks) = forcing(asked, process)?;
+        let moves: Cow<[Move]> = moves.into();
+        let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
         let mut stock = match (asked.stock()?, &forcing) {
             (Some([low, high]), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
                 let area = (high[0] - low[0]) * (high[1] - low[1]);
@@ -47,12 +52,15 @@ impl MillAnswer {
                 ));
                 Some(Stock::block(low, high, cell)?)
             }
-            (Some(_), _) => return Err(ForcedError::NoMill.into()),
+            (Some(_), _) => return Err(of_force(ForcedError::NoMill)),
             (None, _) => None,
         };
-        let forced = forced(moves, &asked.steps(), &forcing, stock.as_mut())?;
+        let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
+        // Long ones need the memory.
+        drop(moves);
         remarks.extend(forced.remarks);
-        let failed = |error| MillAnswerError::Mill { robot: robot.name.clone(), error };
+        let failed =
+            |error| MillAnswerError::Mill { robot: robot.name.clone(), path: on_one_line(&path).into_owned(), error };
         let mut stations = forced.stations;
         mill::pin(&mut stations, &asked.pins()).map_err(failed)?;
         let (placement, sought, milled) = if let Some(placement) = asked.at() {
@@ -74,13 +82,14 @@ impl MillAnswer {
         if let (Some(Milled::Followed(found)), Some(placement)) = (&milled, placement) {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
             let drawn = |draws: Vec<[f64; 6]>| {
-                drawn_errors(&robot, &stand, &stations, &found.samples, (options.part, &draws)).map_err(failed)
+                drawn_errors(&robot, &stand, (&stations, &found.samples), (options.part, &draws), watch).map_err(failed)
             };
             draws = factors(&robot, DRAWS).map(drawn).transpose()?;
-            fed_back = mill::fed_back(&robot, &stand, &stations, &found.samples, options.part).map_err(failed)?;
+            fed_back =
+                mill::fed_back(&robot, &stand, (&stations, &found.samples), options.part, watch).map_err(failed)?;
             if asked.is_compensated() {
-                let what = (&stations[..], found, options.part);
-                compensated = Some(compensation(asked, &robot, &stand, what).map_err(failed)?);
+                let what = (&stations[..], &found.samples[..], options.part);
+                compensated = Some(compensation(asked, &robot, &stand, what, watch).map_err(failed)?);
             }
         }
         Ok(Self {
@@ -107,9 +116,11 @@ fn compensation(
     asked: &Request,
     robot: &Robot,
     stand: &Stand,
-    (stations, found, part): (&[Station], &Followed, ErrorPart),
+    (stations, followed, part): (&[Station], &[Pushed], ErrorPart),
+    watch: Watch,
 ) -> Result<Compensation, MillError> {
-    let done = compensate(robot, stand, stations, &found.samples, part)?;
+    let path = (stations, followed);
+    let done = compensate(robot, stand, path, part, watch)?;
     let draws = match asked.stiffness_uncertainty() {
         Some(share) => {
             Some((factors_of(share, DRAWS), format!("every drive within {} % or so", fixed(100.0 * share, 0))))
@@ -117,9 +128,7 @@ fn compensation(
         None => factors(robot, DRAWS).map(|draws| (draws, "the drives as they may be".to_owned())),
     };
     let remaining = draws
-        .map(|(draws, who)| {
-            Ok::<_, MillError>((remaining(robot, stand, stations, &found.samples, (part, &draws))?, who))
-        })
+        .map(|(draws, who)| Ok::<_, MillError>((remaining(robot, stand, path, (part, &draws), watch)?, who)))
         .transpose()?;
     Ok(Compensation { done, remaining })
 }

@@ -76,8 +76,13 @@ pub enum MillAnswerError {
     #[error("stock: {0}")]
     Stock(#[from] StockError),
     /// Of a process no force is known.
-    #[error(transparent)]
-    Force(#[from] ForcedError),
+    #[error("{path}: {error}")]
+    Force {
+        /// As it was asked for.
+        path: String,
+        /// Why.
+        error: ForcedError,
+    },
     /// There is no program to write.
     #[error("no program: {0}")]
     NoProgram(String),
@@ -88,10 +93,12 @@ pub enum MillAnswerError {
     #[error(transparent)]
     Path(#[from] PathFault),
     /// The robot cannot be judged, or was not waited for.
-    #[error("{robot}: {error}")]
+    #[error("{robot} along {path}: {error}")]
     Mill {
         /// Which.
         robot: String,
+        /// Along what, as it was asked for.
+        path: String,
         /// Why.
         error: MillError,
     },
@@ -114,7 +121,11 @@ impl MillAnswer {
         let Some((placement, found)) = self.placement.zip(self.followed()) else { return Ok(None) };
         let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: self.flange_from_tool };
         let map = roll_map(&self.robot, &stand, &self.stations, &self.options, (found, places));
-        map.map(Some).map_err(|error| MillAnswerError::Mill { robot: self.robot.name.clone(), error })
+        map.map(Some).map_err(|error| MillAnswerError::Mill {
+            robot: self.robot.name.clone(),
+            path: self.path.clone(),
+            error,
+        })
     }
 
     /// Where the largest error lies with 90 %, as the drives may be, m.

@@ -14,7 +14,7 @@ use crate::request::Request;
 use crate::robot::{Robot, Status};
 use crate::toolpath::Move;
 use crate::uncertainty::{Chances, of_task};
-use crate::watch::Watch;
+use crate::watch::{Stopped, Watch};
 
 /// The answer of a ranking on a path.
 #[derive(Clone, Debug)]
@@ -62,9 +62,11 @@ impl PathRankAnswer {
                 Err(MillAnswerError::Mill { error: MillError::Posture(error), .. }) => Err(error),
                 milled => Ok(milled?),
             };
-            parts
-                .one_more()
-                .map_err(|error| MillAnswerError::Mill { robot: robot.name.clone(), error: error.into() })?;
+            parts.one_more().map_err(|error: Stopped| MillAnswerError::Mill {
+                robot: robot.name.clone(),
+                path: path.clone(),
+                error: error.into(),
+            })?;
             // With the drives that were asked for.
             let robot = milled.as_ref().map_or(robot, |milled| milled.robot.clone());
             all.push((robot, milled));

@@ -6,7 +6,7 @@ use super::super::place::Verdict;
 use super::super::stiffness::stiffness;
 use super::super::{Cell, Column, ColumnKind, Record, Rows, field};
 use super::{Compensation, MillAnswer, least};
-use crate::mill::{Acting, FedBack, Pushed, Station};
+use crate::mill::{Acting, FedBack, Pushed, Stand, Station};
 use crate::robot::Arm;
 
 impl MillAnswer {
@@ -174,8 +174,14 @@ impl MillAnswer {
             _ => (None, Cell::Absent),
         };
         // As the tip is told: in the axes of the part.
-        let turn = self.placement.map(|placement| placement.base_from_part().rotation.inverse());
+        let stand = self.placement.map(|placement| Stand {
+            base_from_part: placement.base_from_part(),
+            flange_from_tool: self.flange_from_tool,
+        });
+        let turn = stand.map(|stand| stand.base_from_part.rotation.inverse());
         let moved = pushed.moved.zip(turn).map(|(moved, turn)| <[f64; 3]>::from(turn * moved));
+        let parts = stand.and_then(|stand| pushed.parts(&stand, sample));
+        let normal = stand.and_then(|stand| pushed.normal(&stand, sample));
         let degrees = |x: f64| number(x.to_degrees());
         let mut cells = vec![Cell::Count(sample.line as i64), number(sample.way)];
         cells.extend(all(sample.pose.tip.as_slice(), 1e3));
@@ -187,8 +193,8 @@ impl MillAnswer {
         cells.push(moment);
         cells.push(number(pushed.error * 1e3));
         cells.extend(some(moved.as_ref().map(|moved| &moved[..]), 3, 1e3));
-        cells.extend(some(pushed.parts.as_ref().map(|parts| &parts[..]), 3, 1e3));
-        cells.push(pushed.normal.map_or(Cell::Absent, |normal| number(normal * 1e3)));
+        cells.extend(some(parts.as_ref().map(|parts| &parts[..]), 3, 1e3));
+        cells.push(normal.map_or(Cell::Absent, |normal| number(normal * 1e3)));
         cells.extend(some(pushed.shares.as_ref().map(|shares| &shares[..]), 6, 1.0));
         cells.extend([degrees(pushed.limit_margin), degrees(pushed.singular_margin)]);
         let passes = self.tolerance_mm.map(|tolerance| Verdict::of(pushed.error, tolerance).passes);

@@ -178,7 +178,7 @@ impl<'a> Tree<'a> {
         let Some(name) = name else { return Ok(None) };
         let found = self.urdf.links.iter().find(|link| link.name == name);
         if found.is_none() {
-            let near = self.urdf.links.iter().map(|link| (strsim::jaro_winkler(&link.name, name), &link.name));
+            let near = self.urdf.links.iter().map(|link| (crate::plain::alike(&link.name, name), &link.name));
             let near = near.max_by(|a, b| a.0.total_cmp(&b.0)).map_or("", |(_, near)| near);
             log.add(0, "", format!("no link is named '{}'; did you mean '{}'?", shown(name), shown(near)));
         }

@@ -104,6 +104,14 @@ pub enum ImportError {
         /// As the user named it.
         file: String,
     },
+    /// OPW parameters know no links.
+    #[error("{file}: OPW parameters name no links, of which one could be the {end}; expected it left out")]
+    NoLinks {
+        /// As the user named it.
+        file: String,
+        /// Which end of the arm was given.
+        end: &'static str,
+    },
     /// OPW parameters say nothing of limits.
     #[error("{file}: OPW parameters have no joint limits; expected six ranges beside the file")]
     NoLimits {
@@ -239,6 +247,10 @@ fn from_opw(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> R
     let Some(geometry) = opw_yaml::parse(text, log) else {
         return Err(ImportError::Faults(faults(log.clone(), file)));
     };
+    let end = [("base", &options.base), ("tip", &options.tip)].into_iter().find(|(_, link)| link.is_some());
+    if let Some((end, _)) = end {
+        return Err(ImportError::NoLinks { file: file.into(), end });
+    }
     let joints = options.limits.ok_or_else(|| ImportError::NoLimits { file: file.into() })?;
     let mut notes = vec!["base and flange: as the parameters have them".into()];
     let name = options.name.clone().unwrap_or_else(|| {

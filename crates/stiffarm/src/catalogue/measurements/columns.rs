@@ -1,5 +1,7 @@
 //! Which columns does a table of measurements have, and in which units?
 
+use std::collections::HashSet;
+
 use super::super::Fault;
 use super::super::cells::{cells, miscounted};
 use super::super::reader::shown;
@@ -103,9 +105,8 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     fn columns(mut self) -> Option<Columns> {
-        if let Some(twice) =
-            self.names.iter().enumerate().find_map(|(i, name)| self.names[..i].contains(name).then_some(name))
-        {
+        let mut seen = HashSet::new();
+        if let Some(twice) = self.names.iter().find(|name| !seen.insert(name.as_str())) {
             self.fault(twice.clone(), "stands twice; expected each column once".into());
             return None;
         }
@@ -171,7 +172,7 @@ impl Finder<'_> {
     fn all<const N: usize>(&mut self, names: [&str; N], expected: &str) -> Option<[usize; N]> {
         let missing: Vec<&str> = names.into_iter().filter(|name| self.position(name).is_none()).collect();
         for name in &missing {
-            let near = self.names.iter().map(|known| (strsim::jaro_winkler(known, name), known));
+            let near = self.names.iter().map(|known| (crate::plain::alike(known, name), known));
             let near = near.filter(|(_, known)| !names.contains(&known.as_str())).max_by(|a, b| a.0.total_cmp(&b.0));
             let hint = near.filter(|(score, _)| 0.75 < *score);
             let hint = hint.map_or_else(String::new, |(_, known)| format!("; is it the column {}?", shown(known)));

@@ -70,7 +70,7 @@ fn every_sample_is_reached_and_pushed_as_its_posture_says() {
         let moved = c.fixed_view::<3, 3>(0, 0) * force + c.fixed_view::<3, 3>(0, 3) * (-4.0 * z);
         assert!((moved - pushed.moved.unwrap()).norm() < 1e-12);
         assert!((pushed.error - moved.norm()).abs() < 1e-12);
-        let [along, across, axial] = pushed.parts.unwrap();
+        let [along, across, axial] = pushed.parts(&stand, &station.sample).unwrap();
         assert!((along - moved.dot(&feed)).abs() < 1e-12 && (axial + moved.dot(&z)).abs() < 1e-12);
         assert!((along.hypot(across).hypot(axial) / moved.norm() - 1.0).abs() < 1e-12);
         assert!((pushed.shares.unwrap().iter().sum::<f64>() - 1.0).abs() < 1e-12);
@@ -383,8 +383,8 @@ fn a_part_turned_about_the_first_axis_is_milled_as_before() {
     let other = Stand { base_from_part: turned, ..one };
     let (a, b) =
         (followed(&one, &stations, &with(RollMode::Constant)), followed(&other, &stations, &with(RollMode::Constant)));
-    for (a, b) in a.samples.iter().zip(&b.samples) {
-        let (a, b) = (a.parts.unwrap(), b.parts.unwrap());
+    for ((a, b), station) in a.samples.iter().zip(&b.samples).zip(&stations) {
+        let (a, b) = (a.parts(&one, &station.sample).unwrap(), b.parts(&other, &station.sample).unwrap());
         assert!((0..3).all(|i| (a[i] - b[i]).abs() < 1e-12), "{a:?} {b:?}");
     }
     let [free, linear] = [RollMode::Free, RollMode::Linear].map(|roll| followed(&one, &stations, &with(roll)).worst.0);
@@ -401,10 +401,12 @@ fn parts_of_the_error_are_those_of_the_whole() {
     let all = followed(&stand(), &stations, &fixed(ErrorPart::Total));
     for (part, i) in [(ErrorPart::Across, 1), (ErrorPart::Axial, 2)] {
         let some = followed(&stand(), &stations, &fixed(part));
-        let same = |(a, b): (&Pushed, &Pushed)| (a.parts.unwrap()[i].abs() - b.error).abs() < 1e-15;
+        let same = |((a, b), station): ((&Pushed, &Pushed), &Station)| {
+            (a.parts(&stand(), &station.sample).unwrap()[i].abs() - b.error).abs() < 1e-15
+        };
         assert!(some.samples[0].arrangement == all.samples[0].arrangement || some.worst.0 < all.worst.0);
         if some.samples[0].arrangement == all.samples[0].arrangement {
-            assert!(all.samples.iter().zip(&some.samples).all(same));
+            assert!(all.samples.iter().zip(&some.samples).zip(&stations).all(same));
         }
         let any = followed(&stand(), &path("line:0.3", Acting::Any(100.0)), &fixed(part));
         for (pushed, station) in any.samples.iter().zip(&stations) {
@@ -426,9 +428,12 @@ fn an_error_that_is_fed_back_is_that_at_which_its_rounds_settle() {
         let process = crate::catalogue::read_process(&text.replace("SIDE", side), "p").unwrap().process;
         let changes = process.changes().unwrap().unwrap().map(Vector3::from);
         let moves = "circle:0.2".parse::<Builtin>().unwrap().moves(Some(0.01));
-        let stations = forced(&moves, &Steps::USUAL, &Forcing::Process(process), None).unwrap().stations;
+        let stations =
+            forced(&moves, &Steps::USUAL, &Forcing::Process(process), None, Watch::nobody()).unwrap().stations;
         let found = followed(&stand(), &stations, &with(RollMode::Free));
-        let told = fed_back(&robot(), &stand(), &stations, &found.samples, ErrorPart::Total).unwrap().unwrap();
+        let told = fed_back(&robot(), &stand(), (&stations, &found.samples), ErrorPart::Total, Watch::nobody())
+            .unwrap()
+            .unwrap();
         assert_eq!(told.unsettled, 0);
         assert!(0.01 < told.contraction && told.contraction < 0.9, "{}", told.contraction);
         let mut worst = 0.0_f64;
@@ -453,7 +458,7 @@ fn an_error_that_is_fed_back_is_that_at_which_its_rounds_settle() {
     // A force that is given has no cut.
     let stations = path("line:0.3", KNOWN);
     let found = followed(&stand(), &stations, &with(RollMode::Free));
-    assert_eq!(fed_back(&robot(), &stand(), &stations, &found.samples, ErrorPart::Total), Ok(None));
+    assert_eq!(fed_back(&robot(), &stand(), (&stations, &found.samples), ErrorPart::Total, Watch::nobody()), Ok(None));
 }
 
 /// A normal across the feed counts what `across` counts; a slanting one, which is told in the part's axes, the part of the displacement along it,
@@ -464,7 +469,7 @@ fn the_error_along_a_normal_is_the_part_of_the_displacement_along_it() {
     let stations = path("circle:0.3", KNOWN);
     let with_normals = |normal: &dyn Fn(&Station) -> Vector3<f64>| -> Vec<Station> {
         let told = |station: &Station| crate::toolpath::Sample { normal: Some(normal(station)), ..station.sample };
-        stations.iter().map(|station| Station { sample: told(station), ..*station }).collect()
+        stations.iter().map(|station| Station { sample: told(station), ..station.clone() }).collect()
     };
     let options = |part| MillOptions { part, ..with(RollMode::Free) };
     let across = with_normals(&|station| cutting_axes(&station.sample).column(1).into());
@@ -474,9 +479,10 @@ fn the_error_along_a_normal_is_the_part_of_the_displacement_along_it() {
     let slanted = with_normals(&|_| slanting);
     let found = followed(&stand(), &slanted, &options(ErrorPart::Normal));
     let normal = stand().base_from_part.rotation * slanting;
-    for pushed in &found.samples {
+    for (pushed, station) in found.samples.iter().zip(&slanted) {
         let along = pushed.moved.unwrap().dot(&normal);
-        assert!((pushed.normal.unwrap() - along).abs() < 1e-15 && (pushed.error - along.abs()).abs() < 1e-15);
+        let told = pushed.normal(&stand(), &station.sample).unwrap();
+        assert!((told - along).abs() < 1e-15 && (pushed.error - along.abs()).abs() < 1e-15);
     }
     assert!(found.samples.iter().any(|pushed| pushed.error < 0.999 * pushed.moved.unwrap().norm()));
     assert!(0.5 * found.worst.0 < found.lower_bound && found.lower_bound <= found.worst.0, "{:?}", found.lower_bound);
@@ -526,7 +532,10 @@ fn what_is_not_followed_says_where_and_why() {
     assert!(matches!(mill(&robot, &one, &aside, &options, Watch::nobody()), Err(MillError::Roll { .. })));
     let air: Vec<Station> = stations
         .iter()
-        .map(|station| Station { sample: crate::toolpath::Sample { is_cutting: false, ..station.sample }, ..*station })
+        .map(|station| Station {
+            sample: crate::toolpath::Sample { is_cutting: false, ..station.sample },
+            ..station.clone()
+        })
         .collect();
     assert_eq!(mill(&robot, &one, &air, &options, Watch::nobody()), Err(MillError::NothingFeeds));
 }
@@ -573,7 +582,7 @@ fn a_compensated_path_stands_where_it_should_when_it_is_loaded() {
     let (robot, stand) = (robot(), stand());
     let stations = path("circle:0.3", KNOWN);
     let found = followed(&stand, &stations, &with(RollMode::Constant));
-    let done = compensate(&robot, &stand, &stations, &found.samples, ErrorPart::Total).unwrap();
+    let done = compensate(&robot, &stand, (&stations, &found.samples), ErrorPart::Total, Watch::nobody()).unwrap();
     let crate::robot::Arm::SixAxis { geometry, limits, drives } = &robot.arm else { unreachable!() };
     let loaded_tip = |commanded: &[f64; 6], factors: &[f64; 6], station: &Station| {
         let axes = stand.base_from_part.rotation.to_rotation_matrix() * cutting_axes(&station.sample);
@@ -614,14 +623,15 @@ fn a_compensated_path_stands_where_it_should_when_it_is_loaded() {
     }
     assert!(done.by_joints < 1e-9 && done.by_tips() < 0.02 * found.worst.0, "{done:?}");
     assert!(0.5 * found.worst.0 < done.largest && done.largest < 1.1 * found.worst.0 && done.beyond.is_empty());
-    let left = remaining(&robot, &stand, &stations, &found.samples, (ErrorPart::Total, &[factors])).unwrap();
+    let left = remaining(&robot, &stand, (&stations, &found.samples), (ErrorPart::Total, &[factors]), Watch::nobody())
+        .unwrap();
     let most = softer.iter().copied().fold(0.0, f64::max);
     assert!((left.p95 / most - 1.0).abs() < 0.01 && left.median == left.p95 && left.draws == 1, "{left:?} {most}");
     assert!(left.along.iter().zip(&softer).all(|(told, found)| (told - found).abs() < 0.01 * most));
     assert_eq!(done.left_by_tips.len(), stations.len());
     let any = path("line:0.1", Acting::Any(100.0));
     let held = followed(&stand, &any, &with(RollMode::Constant));
-    let refused = compensate(&robot, &stand, &any, &held.samples, ErrorPart::Total);
+    let refused = compensate(&robot, &stand, (&any, &held.samples), ErrorPart::Total, Watch::nobody());
     assert_eq!(refused, Err(MillError::AnyDirection));
 }
 
@@ -664,4 +674,15 @@ fn no_place_by_chance_is_better_than_what_is_proved() {
         }
     }
     assert!(20 < followed && best.worst.0 <= least * 1.001, "{followed}: {} {least}", best.worst.0);
+}
+
+/// A million blocks shorter than a step make two million samples, of which memory holds the stations and one answer: less than 1 GB together.
+#[test]
+fn a_million_blocks_have_room_in_a_gigabyte() {
+    let of_sample = size_of::<Station>() + size_of::<Pushed>();
+    assert!(2_000_000 * of_sample < 850_000_000, "{of_sample} bytes a sample");
+    // A hundred moves, one sample at each end: no memory besides.
+    let moves: Vec<_> = moves("raster:rect:0.3x0.3@0.006").into_iter().take(100).collect();
+    let coarse = Steps { longest: 1.0, ..Steps::USUAL };
+    assert_eq!(stations(&moves, &coarse, |_| Some(KNOWN)).capacity(), 200);
 }

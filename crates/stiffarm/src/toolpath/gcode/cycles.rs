@@ -9,7 +9,7 @@ use super::arcs::Plane;
 use super::codes::named;
 use super::machine::Machine;
 
-/// No cycle of a real program repeats, or pecks, more often.
+/// No block of a real program repeats a cycle, or pecks, more often, all its holes together.
 const MOST: f64 = 10_000.0;
 
 /// What holds from hole to hole.
@@ -162,12 +162,14 @@ impl Cycle {
         rapid(machine, level(at, r))?;
         match self.code {
             830 => {
-                let peck = self.peck.filter(|peck| 0.0 < *peck && (r - z) / peck <= MOST);
+                let repeats = hole.repeats.unwrap_or(1.0);
+                let peck = self.peck.filter(|peck| 0.0 < *peck && (r - z) / peck * repeats <= MOST);
                 let peck = peck.ok_or_else(|| {
                     Wrong::new(
                         name.clone(),
                         format!(
-                            "Q is missing or too small; expected the depth of a peck, more than a {MOST}th of the hole"
+                            "Q is missing or too small; expected the depth of a peck, more than a {}th of the hole",
+                            (MOST / repeats).floor()
                         ),
                     )
                 })?;
