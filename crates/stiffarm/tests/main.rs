@@ -13,6 +13,7 @@ mod identify;
 mod identify_models;
 mod import;
 mod links;
+mod linuxcnc;
 mod made;
 mod margins;
 mod measure;
