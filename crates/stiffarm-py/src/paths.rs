@@ -7,7 +7,7 @@ use stiffarm::answer::{CuttingAnswer, MillAnswer, MillAnswerError, PathAnswer, P
 use stiffarm::catalogue::{ProcessFile, files, read_process_beside};
 use stiffarm::request::{Request, Verb};
 use stiffarm::robot::Robot as Arms;
-use stiffarm::toolpath::{Move, Survey, read_toolpath};
+use stiffarm::toolpath::{Move, Survey, Understood, read_toolpath};
 use stiffarm::watch::Watch;
 
 use crate::asked::Asked;
@@ -78,8 +78,8 @@ pub(crate) fn mill<'py>(
         let mut moves = Vec::new();
         let each = &mut |one: &Move| moves.push(*one);
         let understood = read_toolpath(path, format, &options, each, &mut |_, _| watch.go_on());
-        let assumed = understood.map_err(|error| error.to_string())?.into_iter().flat_map(|told| told.assumed);
-        let told = milling.told(&asked, (path, &moves), process, (assumed.collect(), watch));
+        let remarks = understood.map_err(|error| error.to_string())?.into_iter().flat_map(Understood::remarks);
+        let told = milling.told(&asked, (path, &moves), process, (remarks.collect(), watch));
         told.map_err(|error| error.to_string())
     })?;
     match told.map_err(refused)? {
@@ -101,24 +101,24 @@ enum Told {
 }
 
 impl Milling {
-    /// The answer, with what was assumed of the path among the remarks.
+    /// The answer, with what is to be said of the path among the remarks.
     fn told(
         self,
         asked: &Request,
         (path, moves): (&str, &[Move]),
         process: Option<(String, ProcessFile)>,
-        (assumed, watch): (Vec<String>, Watch),
+        (remarks, watch): (Vec<String>, Watch),
     ) -> Result<Told, MillAnswerError> {
         let path = (path.to_owned(), moves);
         Ok(match self {
             Self::One(robot) => {
                 let mut answer = MillAnswer::of(asked, &robot, path, process, watch)?;
-                answer.remarks.extend(assumed);
+                answer.remarks.extend(remarks);
                 Told::One(answer)
             }
             Self::Several(robots) => {
                 let mut answer = PathRankAnswer::of(asked, robots, path, process.as_ref(), watch)?;
-                answer.remarks.extend(assumed);
+                answer.remarks.extend(remarks);
                 Told::Several(answer)
             }
         })

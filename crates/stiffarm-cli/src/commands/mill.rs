@@ -65,7 +65,7 @@ pub(super) fn answer<'a>(asked: &'a Request, common: &'a Common) -> Result<MillO
     let understood = read_moves(asked, &path, common, &mut |one| moves.push(*one))?;
     let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, &moves), process, watch);
     let mut answer = watched("milling", common, milled)?;
-    answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
+    answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
     Ok(MillOutput { answer, asked, common, plate: Plate::of(asked)? })
 }
 
@@ -88,7 +88,7 @@ pub(super) fn ranked<'a>(asked: &'a Request, common: &Common) -> Result<PathRank
     let understood = read_moves(asked, &path, common, &mut |one| moves.push(*one))?;
     let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch);
     let mut answer = watched("milling with every robot", common, ranked)?;
-    answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
+    answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
     Ok(PathRankOutput { answer, asked, plate: Plate::of(asked)? })
 }
 

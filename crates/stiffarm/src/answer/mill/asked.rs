@@ -12,7 +12,7 @@ use crate::prior::{factors, factors_of};
 use crate::request::Request;
 use crate::robot::Robot;
 use crate::stock::Stock;
-use crate::toolpath::Move;
+use crate::toolpath::{Move, Survey};
 use crate::uncertainty::DRAWS;
 use crate::watch::Watch;
 
@@ -50,6 +50,10 @@ impl MillAnswer {
             (Some(_), _) => return Err(ForcedError::NoMill.into()),
             (None, _) => None,
         };
+        let mut survey = Survey::new(asked.steps());
+        for one in moves {
+            survey.add(one);
+        }
         let forced = forced(moves, &asked.steps(), &forcing, stock.as_mut())?;
         remarks.extend(forced.remarks);
         let failed = |error| MillAnswerError::Mill { robot: robot.name.clone(), error };
@@ -89,6 +93,7 @@ impl MillAnswer {
             force,
             flange_from_tool,
             options,
+            survey,
             stations,
             placement,
             sought,
