@@ -10,7 +10,7 @@ use stiffarm::catalogue::{ProcessFile, files, read_process_beside};
 use stiffarm::program::Language;
 use stiffarm::request::{Request, Verb};
 use stiffarm::robot::Robot as Arms;
-use stiffarm::toolpath::{Builtin, MOST_SAMPLES, Move, Original, Survey, read_toolpath};
+use stiffarm::toolpath::{Builtin, MOST_SAMPLES, Move, Original, Survey, Understood, read_toolpath};
 use stiffarm::watch::{Stopped, Watch};
 
 use crate::asked::Asked;
@@ -136,7 +136,7 @@ struct Milled<'a> {
 }
 
 impl Milled<'_> {
-    /// The answer, with what was assumed of the path among the remarks.
+    /// The answer, with what is to be said of the path among the remarks.
     fn told(self, process: Option<(String, ProcessFile)>, watch: Watch) -> Result<Told, String> {
         let Self { asked, path, milling } = self;
         let format = asked.path_format(path).map_err(|error| error.to_string())?;
@@ -147,8 +147,8 @@ impl Milled<'_> {
         let understood = read_toolpath(path, format, &options, each, goes_on);
         // Of a path that was left because it is too long that is said.
         let moves = asked.all_moves(gathered.into_inner()).map_err(|error| error.to_string())?;
-        let assumed = understood.map_err(|error| error.to_string())?.into_iter().flat_map(|told| told.assumed);
-        let told = milling.told(asked, (path, moves), process, (assumed.collect(), watch));
+        let remarks = understood.map_err(|error| error.to_string())?.into_iter().flat_map(Understood::remarks);
+        let told = milling.told(asked, (path, moves), process, (remarks.collect(), watch));
         told.map_err(|error| error.to_string())
     }
 }
@@ -173,24 +173,24 @@ impl Milling {
         }
     }
 
-    /// The answer, with what was assumed of the path among the remarks.
+    /// The answer, with what is to be said of the path among the remarks.
     fn told(
         self,
         asked: &Request,
         (path, moves): (&str, Vec<Move>),
         process: Option<(String, ProcessFile)>,
-        (assumed, watch): (Vec<String>, Watch),
+        (remarks, watch): (Vec<String>, Watch),
     ) -> Result<Told, MillAnswerError> {
         let path = path.to_owned();
         Ok(match self {
             Self::One(robot) => {
                 let mut answer = MillAnswer::of(asked, &robot, (path, moves), process, watch)?;
-                answer.remarks.extend(assumed);
+                answer.remarks.extend(remarks);
                 Told::One(answer)
             }
             Self::Several(robots) => {
                 let mut answer = PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch)?;
-                answer.remarks.extend(assumed);
+                answer.remarks.extend(remarks);
                 Told::Several(answer)
             }
         })

@@ -64,7 +64,7 @@ pub(super) fn answer<'a>(asked: &'a Request, common: &'a Common) -> Result<MillO
     let (moves, understood) = all_moves(asked, &path, common, 1)?;
     let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, moves), process, watch);
     let mut answer = watched("milling", common, milled)?;
-    answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
+    answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
     Ok(MillOutput { answer, asked, common, plate: Plate::of(asked)? })
 }
 
@@ -85,7 +85,7 @@ pub(super) fn ranked<'a>(asked: &'a Request, common: &Common) -> Result<PathRank
     let (moves, understood) = all_moves(asked, &path, common, robots.len())?;
     let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch);
     let mut answer = watched("milling with every robot", common, ranked)?;
-    answer.remarks.extend(understood.into_iter().flat_map(|understood| understood.assumed));
+    answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
     Ok(PathRankOutput { answer, asked, plate: Plate::of(asked)? })
 }
 

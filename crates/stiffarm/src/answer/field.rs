@@ -372,6 +372,8 @@ fields! {
     ARC_LENGTH: "arc_length_m", Kind::Number(Unit::Metre), "Length of the arcs.";
     BOX: "box_m", Kind::Numbers { unit: Unit::Metre, columns: &["box_x0_m", "box_y0_m", "box_z0_m", "box_x1_m", "box_y1_m", "box_z1_m"], nested: 3 },
         "Two corners of the box about all feed moves, in the axes of the path.";
+    RAPID_BOX: "rapid_box_m", Kind::Numbers { unit: Unit::Metre, columns: &["rapid_box_x0_m", "rapid_box_y0_m", "rapid_box_z0_m", "rapid_box_x1_m", "rapid_box_y1_m", "rapid_box_z1_m"], nested: 3 },
+        "Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the path; null where there is none.";
     FEEDS: "feed_mm_per_min", numbers(Unit::MillimetrePerMinute, &["feed_min_mm_per_min", "feed_max_mm_per_min"]), "The smallest and the largest feed rate; null where none is said.";
     FEED_TIME: "time_s", Kind::Number(Unit::Second), "Time of all feed moves; null where a feed rate is missing.";
     TILT: "tilt_deg", Kind::Number(Unit::Degree), "The largest angle between tool axis and z while it feeds.";

@@ -1,5 +1,6 @@
 //! What is told of a toolpath before anything is milled: what was understood, assumed and ignored.
 
+use nalgebra::Vector3;
 use serde_json::{Value, json};
 
 use super::{Line, Record, Rows, Table, field, fixed, line, schema_of, under};
@@ -14,6 +15,17 @@ pub struct PathAnswer {
     pub understood: Option<Understood>,
     /// What the path is.
     pub survey: Survey,
+}
+
+/// Two corners of a box as they are told.
+pub(super) fn corners([a, b]: [Vector3<f64>; 2]) -> [f64; 6] {
+    [a.x, a.y, a.z, b.x, b.y, b.z]
+}
+
+/// A box as people read it, one axis after the other.
+pub(super) fn within([low, high]: [Vector3<f64>; 2]) -> [String; 3] {
+    let mm = |metres: f64| fixed(metres * 1e3, 3);
+    std::array::from_fn(|axis| format!("{} to {} mm", mm(low[axis]), mm(high[axis])))
 }
 
 impl PathAnswer {
@@ -34,7 +46,8 @@ impl PathAnswer {
             .put(field::ARCS, survey.arcs)
             .put(field::FULL_CIRCLES, survey.full_circles)
             .put(field::ARC_LENGTH, survey.arc_length)
-            .put(field::BOX, survey.extent.map(|[a, b]| [a.x, a.y, a.z, b.x, b.y, b.z]))
+            .put(field::BOX, survey.extent.map(corners))
+            .put(field::RAPID_BOX, survey.rapid_extent.map(corners))
             .put(field::FEEDS, survey.feeds.map(|feeds| [feeds.min(), feeds.max()]))
             .put(field::FEED_TIME, survey.feed_time)
             .put(field::TILT, survey.tilt)
@@ -79,10 +92,12 @@ impl PathAnswer {
             lines
                 .push(line("not of the path", format!("{} moves to or from where only the machine knows", told.apart)));
         }
-        if let Some([low, high]) = survey.extent {
-            for (i, axis) in ["extent of feed moves x", "y", "z"].into_iter().enumerate() {
-                lines.push(line(axis, format!("{} to {} mm", mm(low[i]), mm(high[i]))));
-            }
+        for (names, extent) in [
+            (["extent of feed moves x", "y", "z"], survey.extent),
+            (["rapid moves end at x", "y", "z"], survey.rapid_extent),
+        ] {
+            let told = extent.map(within).into_iter().flatten();
+            lines.extend(names.into_iter().zip(told).map(|(name, told)| line(name, told)));
         }
         let per_minute = |feed: f64| fixed(feed * 60e3, 1);
         lines.push(match survey.feeds {

@@ -152,7 +152,10 @@ impl Request {
         }
         let said = self.word("read-as").and_then(|word| Format::ALL.into_iter().find(|format| format.name() == word));
         said.or_else(|| Format::of_name(name)).ok_or_else(|| {
-            let why = format!("does not say by its ending how it is written; expected {}, or read-as", Format::ENDINGS);
+            let why = Format::not_read(name).map_or_else(
+                || format!("does not say by its ending how it is written; expected {}, or read-as", Format::ENDINGS),
+                |what| format!("is by its ending {what}"),
+            );
             self.refused("path", why)
         })
     }

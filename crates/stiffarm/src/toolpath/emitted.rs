@@ -16,12 +16,21 @@ pub(super) struct Line<'a> {
     pub(super) ending: &'a [u8],
 }
 
+/// What ends a line.
+#[derive(Clone, Copy, Debug, Default)]
+enum End {
+    #[default]
+    LineFeed,
+    Both,
+    Return,
+}
+
 /// What is written of a file, and how its lines end.
 #[derive(Debug, Default)]
 pub(super) struct Emitted {
     pub(super) bytes: Vec<u8>,
-    /// Lines are parted by a carriage return, too.
-    has_returns: bool,
+    /// What ends the lines that are added.
+    end: End,
     /// Lines that are not as they were.
     pub(super) changed: usize,
     /// Lines that were not there.
@@ -31,13 +40,20 @@ pub(super) struct Emitted {
 impl Emitted {
     /// A line of the file comes: the next ones end as it does.
     pub(super) fn follows(&mut self, line: &Line) {
-        if line.ending.ends_with(b"\n") {
-            self.has_returns = line.ending.ends_with(b"\r\n");
-        }
+        self.end = match line.ending {
+            [.., b'\r', b'\n'] => End::Both,
+            [.., b'\n'] => End::LineFeed,
+            [.., b'\r'] => End::Return,
+            _ => self.end,
+        };
     }
 
     fn end(&self) -> &'static [u8] {
-        if self.has_returns { b"\r\n" } else { b"\n" }
+        match self.end {
+            End::LineFeed => b"\n",
+            End::Both => b"\r\n",
+            End::Return => b"\r",
+        }
     }
 
     /// A line as it is.

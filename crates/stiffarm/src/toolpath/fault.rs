@@ -66,14 +66,22 @@ pub enum PathFault {
 pub(super) struct Wrong {
     pub(super) word: String,
     pub(super) why: String,
+    /// Where it stands, if not in the line that is read.
+    pub(super) line: Option<usize>,
 }
 
 impl Wrong {
     pub(super) fn new(word: impl Into<String>, why: impl Into<String>) -> Self {
-        Self { word: word.into(), why: why.into() }
+        Self { word: word.into(), why: why.into(), line: None }
+    }
+
+    /// Of a line that was kept, and runs later; the innermost one is told.
+    pub(super) fn in_line(self, line: usize) -> Self {
+        Self { line: self.line.or(Some(line)), ..self }
     }
 
     pub(super) fn at(self, file: &str, line: usize) -> PathFault {
+        let line = self.line.unwrap_or(line);
         PathFault::Refused { file: file.into(), line, word: shown(&self.word), why: self.why }
     }
 }

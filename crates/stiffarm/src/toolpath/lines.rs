@@ -26,7 +26,7 @@ impl<'a> Lines<'a> {
         Self { input, file, buffer: Vec::new(), text: 0..0, number: 0, bytes: 0 }
     }
 
-    /// The next line without its end, and its number from 1; `None` after the last one.
+    /// The next line without its end (CR, LF or CR LF), and its number from 1; `None` after the last one.
     ///
     /// # Errors
     /// A line that is too long or holds a zero byte: no text. What the system refuses.
@@ -39,9 +39,14 @@ impl<'a> Lines<'a> {
                 line: self.number,
                 error,
             })?;
-            let (taken, is_whole) = match found.iter().position(|byte| *byte == b'\n') {
-                Some(at) => (at + 1, true),
-                None => (found.len(), found.is_empty()),
+            // A line feed behind a carriage return may come with the next bytes.
+            let (taken, is_whole) = if self.buffer.last() == Some(&b'\r') {
+                (usize::from(found.first() == Some(&b'\n')), true)
+            } else {
+                match found.iter().position(|byte| matches!(byte, b'\n' | b'\r')) {
+                    Some(at) => (at + 1, found[at] == b'\n'),
+                    None => (found.len(), found.is_empty()),
+                }
             };
             if LONGEST < self.buffer.len() + taken {
                 return Err(self.wrong(format!("it is longer than {LONGEST} bytes; expected a toolpath as text")));
@@ -80,6 +85,23 @@ impl<'a> Lines<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Whatever part of a file comes at once.
+    #[test]
+    fn cr_lf_and_cr_lf_each_end_one_line() {
+        let text = b"a \r\nb\rc\n\rd\r\r\n\n";
+        let expected = [(1, "a"), (2, "b"), (3, "c"), (4, ""), (5, "d"), (6, ""), (7, "")];
+        for capacity in 1..=text.len() {
+            let mut input = std::io::BufReader::with_capacity(capacity, &text[..]);
+            let (mut lines, mut whole) = (Lines::of(&mut input, "x"), Vec::new());
+            for (number, line) in expected {
+                assert_eq!(lines.next().unwrap().unwrap(), (number, line.as_bytes()), "{capacity}");
+                whole.extend(lines.last().concat());
+            }
+            assert!(lines.next().unwrap().is_none());
+            assert_eq!((lines.bytes, &whole[..]), (text.len() as u64, &text[..]), "{capacity}");
+        }
+    }
 
     #[test]
     fn lines_come_without_their_ends_and_too_long_ones_are_refused() {

@@ -19,6 +19,7 @@
 
 mod apt;
 mod builtin;
+mod closing;
 mod corrections;
 mod csv;
 mod emitted;
@@ -48,6 +49,7 @@ pub use samples::{Sample, Steps, samples};
 pub use survey::Survey;
 
 use crate::watch::Stopped;
+use gcode::language::Language;
 use lines::Lines;
 
 /// How a toolpath is written.
@@ -78,17 +80,33 @@ impl Format {
     pub fn of_name(name: &str) -> Option<Self> {
         let (_, ending) = name.rsplit_once('.')?;
         match ending.to_ascii_lowercase().as_str() {
-            "nc" | "ngc" | "gcode" | "cnc" | "tap" | "ncc" | "mpf" | "eia" | "iso" | "gc" | "din" | "min" | "g" => {
-                Some(Self::GCode)
-            }
+            "nc" | "ngc" | "gcode" | "cnc" | "tap" | "ncc" | "mpf" | "spf" | "ptp" | "eia" | "iso" | "gc" | "din"
+            | "min" | "g" => Some(Self::GCode),
             "apt" | "cls" | "clsf" | "cl" | "aptsource" | "apt-source" => Some(Self::Apt),
             "csv" | "tsv" => Some(Self::Csv),
             _ => None,
         }
     }
 
+    /// What a file of this name is by its ending, where that is known and no path is read from it.
+    pub fn not_read(name: &str) -> Option<&'static str> {
+        let (_, ending) = name.rsplit_once('.')?;
+        Some(match ending.to_ascii_lowercase().as_str() {
+            "h" | "hnc" => Language::HeidenhainConversational.told(),
+            "i" => Language::HeidenhainIso.told(),
+            "sbp" => Language::OpenSbp.told(),
+            "plt" | "hpgl" => Language::Hpgl.told(),
+            "nci" => "the intermediate file of Mastercam; choose a post of G-code in it",
+            "txt" => "text, which may be written in any way; say read-as gcode, apt or csv",
+            "step" | "stp" | "stl" | "iges" | "igs" | "dxf" => {
+                "a shape and no path of a tool; expected what a CAM program has made of it"
+            }
+            _ => return None,
+        })
+    }
+
     /// The endings that are known, for messages.
-    pub const ENDINGS: &'static str = ".nc, .ngc, .gcode, .tap, .cnc (G-code), .apt, .cls (APT), .csv";
+    pub const ENDINGS: &'static str = ".nc, .ngc, .gcode, .tap, .cnc, .mpf (G-code), .apt, .cls (APT), .csv";
 }
 
 /// What a file says besides its moves.
@@ -106,6 +124,24 @@ pub struct Understood {
     pub apart: usize,
     /// By how much the ends of an arc miss one radius at most, m.
     pub arc_miss: f64,
+}
+
+impl Understood {
+    /// What is to be said of the file beside every answer that rests on it: what was assumed, what was left out and what was ignored.
+    pub fn remarks(self) -> Vec<String> {
+        let mut remarks = self.assumed;
+        if !closing::Closing::default().is_tight(self.arc_miss) {
+            remarks.push(format!("the ends of arcs miss one radius by up to {:.4} mm", self.arc_miss * 1e3));
+        }
+        if 0 < self.apart {
+            let what = "moves to or from where only the machine knows are no part of the path";
+            remarks.push(format!("{} {what}", self.apart));
+        }
+        if !self.ignored.is_empty() {
+            remarks.push(format!("ignored in the file of the path: {}", self.ignored.join(", ")));
+        }
+        remarks
+    }
 }
 
 /// How far a file is read.
@@ -184,7 +220,7 @@ impl<'a> Reader<'a> {
 
     fn finish(self, line: usize) -> Result<Ending, fault::Wrong> {
         match self {
-            Self::GCode(reader) => Ok(reader.finish(line)),
+            Self::GCode(reader) => reader.finish(line),
             Self::Apt(reader) => reader.finish(line),
             Self::Csv(reader) => reader.finish(),
         }

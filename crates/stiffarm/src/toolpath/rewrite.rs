@@ -159,7 +159,7 @@ impl<'a> Rewriter<'a> {
 
     fn finish(self, emitted: &mut Emitted, line: usize) -> Result<Ending, Wrong> {
         match self {
-            Self::GCode(one) => Ok(one.original.finish(line)),
+            Self::GCode(one) => one.original.finish(line),
             Self::Apt(one) => one.original.finish(line),
             Self::Csv(mut one) => {
                 one.release(emitted)?;

@@ -25,6 +25,8 @@ pub struct Survey {
     pub arc_length: f64,
     /// The corners of the box about all feed moves, m; `None` where there is none.
     pub extent: Option<[Vector3<f64>; 2]>,
+    /// The corners of the box about the ends of all rapid moves, m; `None` where there is none.
+    pub rapid_extent: Option<[Vector3<f64>; 2]>,
     /// Of feed rates, m/s; `None` where none is said.
     pub feeds: Option<Interval>,
     /// Of all feed moves, s; `None` where a feed rate is missing.
@@ -55,6 +57,7 @@ impl Survey {
             full_circles: 0,
             arc_length: 0.0,
             extent: None,
+            rapid_extent: None,
             feeds: None,
             feed_time: Some(0.0),
             tilt: 0.0,
@@ -74,18 +77,19 @@ impl Survey {
         if one.kind == MoveKind::Rapid {
             self.rapid_length += length;
             self.rapid_moves += 1;
+            hold(&mut self.rapid_extent, &one.to.tip);
             return;
         }
         self.feed_length += length;
         self.feed_moves += 1;
-        self.hold(&one.from.tip);
-        self.hold(&one.to.tip);
+        hold(&mut self.extent, &one.from.tip);
+        hold(&mut self.extent, &one.to.tip);
         if let Course::Arc(arc) = &one.course {
             self.arcs += 1;
             self.full_circles += usize::from(std::f64::consts::TAU - 1e-9 <= arc.angle);
             self.arc_length += length;
             for t in one.extremes() {
-                self.hold(&one.tip(t));
+                hold(&mut self.extent, &one.tip(t));
             }
         }
         self.take_time(one, length);
@@ -93,12 +97,6 @@ impl Survey {
         let pieces = self.steps.pieces(one);
         self.samples += pieces + 1;
         self.chord_error = self.chord_error.max(one.chord_error(1.0 / pieces as f64));
-    }
-
-    fn hold(&mut self, tip: &Vector3<f64>) {
-        let [low, high] = self.extent.get_or_insert([*tip, *tip]);
-        *low = low.inf(tip);
-        *high = high.sup(tip);
     }
 
     fn take_time(&mut self, one: &Move, length: f64) {
@@ -123,4 +121,11 @@ impl Survey {
             }
         }
     }
+}
+
+/// A box that holds a tip, too.
+fn hold(extent: &mut Option<[Vector3<f64>; 2]>, tip: &Vector3<f64>) {
+    let [low, high] = extent.get_or_insert([*tip, *tip]);
+    *low = low.inf(tip);
+    *high = high.sup(tip);
 }

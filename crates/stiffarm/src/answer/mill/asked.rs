@@ -15,7 +15,7 @@ use crate::prior::{factors, factors_of};
 use crate::request::Request;
 use crate::robot::Robot;
 use crate::stock::Stock;
-use crate::toolpath::Move;
+use crate::toolpath::{Move, Survey};
 use crate::uncertainty::DRAWS;
 use crate::watch::Watch;
 
@@ -55,6 +55,10 @@ impl MillAnswer {
             (Some(_), _) => return Err(of_force(ForcedError::NoMill)),
             (None, _) => None,
         };
+        let mut survey = Survey::new(asked.steps());
+        for one in moves.iter() {
+            survey.add(one);
+        }
         let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
         // Long ones need the memory.
         drop(moves);
@@ -98,6 +102,7 @@ impl MillAnswer {
             force,
             flange_from_tool,
             options,
+            survey,
             stations,
             placement,
             sought,

@@ -21,7 +21,7 @@ use crate::request::Refusal;
 use crate::robot::Robot;
 use crate::spatial::Pose;
 use crate::stock::StockError;
-use crate::toolpath::PathFault;
+use crate::toolpath::{PathFault, Survey};
 use crate::uncertainty::Spread;
 
 /// The answer of `mill`, with what was asked.
@@ -37,6 +37,8 @@ pub struct MillAnswer {
     pub flange_from_tool: Pose,
     /// What else was asked.
     pub options: MillOptions,
+    /// What the path is, as its file has it.
+    pub survey: Survey,
     /// The path, cut and under its forces.
     pub stations: Vec<Station>,
     /// Where the part stands; `None` where no place was found.

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::super::path::corners;
 use super::super::place::Verdict;
 use super::super::stiffness::stiffness;
 use super::super::{Cell, Column, ColumnKind, Record, Rows, field};
@@ -64,7 +65,10 @@ impl MillAnswer {
             .put(field::SAMPLES_OF_PATH, self.stations.len())
             .put(field::PATH_LENGTH, way(self.stations.last()) - way(self.stations.first()))
             .put(field::CUTTING_LENGTH, cutting.map(|pair| pair[1].sample.way - pair[0].sample.way).sum::<f64>())
-            .put(field::TIME, feeding.map(|station| station.time).sum::<Option<f64>>());
+            .put(field::TIME, feeding.map(|station| station.time).sum::<Option<f64>>())
+            .put(field::BOX, self.survey.extent.map(corners))
+            .put(field::RAPID_LENGTH, self.survey.rapid_length)
+            .put(field::RAPID_BOX, self.survey.rapid_extent.map(corners));
         record
     }
 

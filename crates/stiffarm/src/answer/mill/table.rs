@@ -1,5 +1,6 @@
 //! A path that is milled, as people read it.
 
+use super::super::path::within;
 use super::super::place::Verdict;
 use super::super::stiffness::stiffness;
 use super::super::words::{degrees, percentages, robot as named, tool};
@@ -15,9 +16,17 @@ impl MillAnswer {
             line("stiffness", stiffness(&self.robot)),
             line("tool", tool(&self.flange_from_tool)),
             line("path", self.length()),
-            line("force on the tool", &self.force),
-            line("what counts", counted(self.options.part)),
         ];
+        let told = |extent| {
+            let [x, y, z] = within(extent);
+            format!("x {x}, y {y}, z {z}")
+        };
+        lines.extend(self.survey.extent.map(|extent| line("feed moves within", told(extent))));
+        lines.extend(self.survey.rapid_extent.map(|extent| {
+            let length = fixed(self.survey.rapid_length * 1e3, 3);
+            line("rapid moves", format!("{length} mm, ending within {}", told(extent)))
+        }));
+        lines.extend([line("force on the tool", &self.force), line("what counts", counted(self.options.part))]);
         lines.push(line("keeps", self.kept()));
         lines.extend(self.place_lines());
         match self.followed() {

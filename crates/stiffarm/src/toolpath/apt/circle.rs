@@ -1,16 +1,14 @@
 //! Which arc does `CIRCLE/` mean? Its axis does not say it: programs differ in the sense in which it turns.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
+use super::super::closing::Closing;
 use super::super::fault::Wrong;
 use super::super::moves::Arc;
 use super::super::options::ArcSense;
 use super::statement::{Part, Statement};
-
-/// By how much the radii at both ends, and the one that is told, may differ, m.
-const CLOSES: f64 = 2e-5;
 
 /// Beyond this cosine a path goes on, or back.
 const SAME_WAY: f64 = 0.9;
@@ -80,7 +78,9 @@ impl Circle {
         let (start, end) = (across(from), across(to));
         let radii = [start.norm(), end.norm(), self.radius.unwrap_or(start.norm())];
         let miss = radii.iter().fold(0.0_f64, |most, radius| most.max((radius - radii[0]).abs()));
-        if !(miss <= CLOSES && 1e-9 < radii[0]) {
+        // Files with fewer decimals than two of a millimetre are rare.
+        let closing = Closing::of_decimals(1e-3, 2, 2);
+        if !(closing.holds(miss, radii[0].max(radii[1])) && 1e-9 < radii[0]) {
             let [a, b, said] = radii.map(|radius| radius * 1e3);
             let why = format!(
                 "the arc does not close: its radius is {a:.4} mm at its beginning and {b:.4} mm at its end, told as {said:.4} mm"
@@ -94,6 +94,14 @@ impl Circle {
             x if x < -SAME_WAY => Some(ArcSense::LeftHand),
             _ => None,
         };
+        let is_full = (end - start).norm() <= 1e-9;
+        let sweep = |sense: ArcSense| {
+            let normal = if sense == ArcSense::RightHand { self.axis } else { -self.axis };
+            let turned = normal.dot(&start.cross(&end)).atan2(start.dot(&end)).rem_euclid(TAU);
+            (normal, if is_full { TAU } else { turned })
+        };
+        // A cutter that cleans a corner turns back in a short arc; the other sense would sweep over most of a turn.
+        let cleans_corner = |sense: ArcSense| sweep(sense).1 < FRAC_PI_2;
         let (sense, told) = match (asked, self.sense.or(by_dialect), by_tangent) {
             (Some(asked), _, _) => (
                 asked,
@@ -103,7 +111,7 @@ impl Circle {
                     "arcs turn counter-clockwise about their axis, as was said"
                 },
             ),
-            (None, Some(known), Some(seen)) if known != seen => {
+            (None, Some(known), Some(seen)) if known != seen && !cleans_corner(known) => {
                 let why = "turned as the program that wrote the file turns arcs, it goes back against the move before it; say arc-sense left or right";
                 return Err(wrong(why.into()));
             }
@@ -125,9 +133,7 @@ impl Circle {
                 return Err(wrong(why.into()));
             }
         };
-        let normal = if sense == ArcSense::RightHand { self.axis } else { -self.axis };
-        let is_full = (end - start).norm() <= 1e-9;
-        let turned = normal.dot(&start.cross(&end)).atan2(start.dot(&end)).rem_euclid(TAU);
-        Ok((Arc { centre: self.centre, normal, angle: if is_full { TAU } else { turned } }, miss, told))
+        let (normal, angle) = sweep(sense);
+        Ok((Arc { centre: self.centre, normal, angle }, miss, told))
     }
 }

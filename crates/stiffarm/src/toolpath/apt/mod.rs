@@ -2,11 +2,13 @@
 //! program that wrote it (found from its head, checked against the tangent before it), cycles that say their levels.
 
 mod circle;
+mod frames;
+mod inert;
 pub(super) mod rewrite;
 mod speeds;
 mod statement;
 
-use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Vector3};
 
 use super::Ending;
 use super::fault::{Wrong, shown};
@@ -14,48 +16,10 @@ use super::moves::{Course, Given, Move, MoveKind, ToolPose};
 use super::notes::Notes;
 use super::options::{ArcSense, CutterCompensation, FARTHEST, LengthUnit, ReadOptions};
 use circle::Circle;
-use statement::{Part, Statement};
-
-/// Statements that move nothing, whoever writes them.
-const INERT: [&str; 37] = [
-    "TOOL PATH",
-    "TLDATA",
-    "PAINT",
-    "LOAD",
-    "LOADTL",
-    "SELECT",
-    "INSERT",
-    "PPRINT",
-    "PARTNO",
-    "CUTTER",
-    "COOLNT",
-    "MACHIN",
-    "OPSTOP",
-    "STOP",
-    "SEQNO",
-    "AUXFUN",
-    "PREFUN",
-    "INTOL",
-    "OUTTOL",
-    "TOLER",
-    "TOOLNO",
-    "DELAY",
-    "MODE",
-    "MULTAX",
-    "REWIND",
-    "END",
-    "PPFUN",
-    "DISPLY",
-    "CATMAT",
-    "CHECK",
-    "PROTOL",
-    "TPRINT",
-    "CLPRNT",
-    "NOPOST",
-    "CLEARP",
-    "OPTYPE",
-    "SET",
-];
+use frames::Setup;
+use inert::{Inert, meaning_of};
+use speeds::Feed;
+use statement::Statement;
 
 /// Who wrote a file, as far as its statements say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,7 +36,7 @@ struct Cycle {
     above: f64,
     bottom: f64,
     retract: f64,
-    feed: Option<f64>,
+    feed: Option<Feed>,
     /// It comes out at the feed rate, too.
     feeds_out: bool,
 }
@@ -97,20 +61,27 @@ pub(super) struct Reader<'a> {
     /// Where the tool is; nobody knows before the first point.
     tip: Option<Vector3<f64>>,
     axis: Vector3<f64>,
+    /// That of the next point, where TLAXIS has said it.
+    axis_to: Option<Vector3<f64>>,
     /// Along the end of the last feed move.
     tangent: Option<Vector3<f64>>,
     is_rapid: bool,
-    feed: Option<f64>,
+    feed: Option<Feed>,
+    /// Turns a minute.
     spindle: Option<f64>,
     circle: Option<Circle>,
     cycle: Option<Cycle>,
+    /// A cycle has begun in this line, and what it does was not said yet.
+    cycle_begun: Option<usize>,
     first_frame: Option<Isometry3<f64>>,
     part_from_coordinates: Isometry3<f64>,
-    csys: Option<Vec<f64>>,
+    setup: Setup,
     has_moved: bool,
     apart: usize,
     arc_miss: f64,
     has_ended: bool,
+    /// The first line behind the end that says something, and how many do.
+    after_end: (usize, usize),
 }
 
 impl<'a> Reader<'a> {
@@ -125,19 +96,22 @@ impl<'a> Reader<'a> {
             unit_is_said: false,
             tip: None,
             axis: Vector3::z(),
+            axis_to: None,
             tangent: None,
             is_rapid: false,
             feed: None,
             spindle: None,
             circle: None,
             cycle: None,
+            cycle_begun: None,
             first_frame: None,
             part_from_coordinates: Isometry3::identity(),
-            csys: None,
+            setup: Setup::default(),
             has_moved: false,
             apart: 0,
             arc_miss: 0.0,
             has_ended: false,
+            after_end: (0, 0),
         }
     }
 
@@ -149,7 +123,14 @@ impl<'a> Reader<'a> {
         // Names and remarks may be in any script; what moves the tool is ASCII.
         let text = String::from_utf8_lossy(text);
         let (text, goes_on) = without_remark(&text);
-        if text.is_empty() && !goes_on || self.has_ended {
+        if self.has_ended {
+            if !text.is_empty() {
+                let (first, count) = self.after_end;
+                self.after_end = (if count == 0 { line } else { first }, count + 1);
+            }
+            return Ok(());
+        }
+        if text.is_empty() && !goes_on {
             return Ok(());
         }
         let (mut whole, first) = self.begun.take().unwrap_or((String::new(), line));
@@ -181,6 +162,9 @@ impl<'a> Reader<'a> {
         if self.dialect == Some(Dialect::Nx) && self.tip.is_some() {
             self.notes.assume(line, "the path ends with the file, without END-OF-PATH");
         }
+        if let (first, 1..) = self.after_end {
+            self.notes.ignore_all(first, self.after_end.1, "lines behind FINI");
+        }
         Ok(Ending { notes: self.notes, apart: self.apart, arc_miss: self.arc_miss })
     }
 
@@ -194,7 +178,7 @@ impl<'a> Reader<'a> {
             _ => {}
         }
         if self.circle.is_some()
-            && matches!(name, "CIRCLE" | "MOVARC" | "RAPID" | "FROM" | "GODLTA" | "CYCLE" | "MSYS" | "FINI")
+            && matches!(name, "CIRCLE" | "MOVARC" | "RAPID" | "FROM" | "GODLTA" | "GOHOME" | "CYCLE" | "MSYS" | "FINI")
         {
             return Err(Wrong::new(name, "expected the GOTO to the end of the arc"));
         }
@@ -219,31 +203,27 @@ impl<'a> Reader<'a> {
             }
             "FEDRAT" => self.take_feed(statement),
             "CIRCLE" | "MOVARC" => self.take_circle(statement, line),
-            "CYCLE" => self.take_cycle(statement),
+            "CYCLE" => self.take_cycle(statement, line),
             "UNIT" | "UNITS" => self.take_unit(statement),
             "SPINDL" => {
-                self.spindle = statement.first_number().or(self.spindle);
+                self.take_spindle(statement);
                 self.notes.ignore(line, name);
                 Ok(())
             }
+            "TLAXIS" => {
+                let n = statement.numbers(&[3])?;
+                self.axis_to = Some(self.direction(&n, name)?);
+                Ok(())
+            }
+            "GOHOME" => {
+                (self.tip, self.tangent) = (None, None);
+                self.apart += 1;
+                self.notes.assume(line, "GOHOME leads the tool to the machine's home");
+                Ok(())
+            }
             "MSYS" => self.take_frame(statement),
-            "CSYS" => {
-                let numbers = statement.numbers(&[12])?;
-                match &self.csys {
-                    Some(known) if *known != numbers && self.has_moved => Err(Wrong::new(
-                        name,
-                        "the coordinates change after moves; in which order its numbers stand is not known",
-                    )),
-                    _ => {
-                        self.csys = Some(numbers);
-                        self.notes.assume(line, "the part frame is that of the first CSYS");
-                        Ok(())
-                    }
-                }
-            }
-            "TRNTYP" if statement.parts.iter().any(|part| matches!(part, Part::Number(number) if *number != 0.0)) => {
-                Err(Wrong::new(name, "the path is shifted by it; expected WORLD,0,0,0"))
-            }
+            "CSYS" => self.take_setup(statement, line),
+            "TRNTYP" => self.take_points(statement, line),
             "CUTCOM" => self.take_compensation(statement, line),
             "END-OF-PATH" => {
                 (self.tip, self.tangent, self.cycle) = (None, None, None);
@@ -254,12 +234,31 @@ impl<'a> Reader<'a> {
                 self.has_ended = true;
                 Ok(())
             }
-            name if INERT.contains(&name) || name == "TRNTYP" => {
-                self.notes.ignore(line, name);
-                Ok(())
-            }
-            _ => Err(Wrong::new(name, "it is not known whether this statement moves the tool")),
+            name => match meaning_of(name) {
+                Inert::Known(known) => {
+                    self.notes.ignore(line, known);
+                    Ok(())
+                }
+                // Of coordinates that were never shifted.
+                Inert::Shifts if statement.words().eq(["NOMORE"]) => {
+                    self.notes.ignore(line, name);
+                    Ok(())
+                }
+                Inert::Shifts => {
+                    let why = "it shifts or turns the path as only the post knows; let the CAM write true coordinates";
+                    Err(Wrong::new(name, why))
+                }
+                Inert::Unknown => Err(Wrong::new(name, "it is not known whether this statement moves the tool")),
+            },
         }
+    }
+
+    /// A vector from the tip to the spindle, part frame.
+    fn direction(&self, n: &[f64], name: &str) -> Result<Vector3<f64>, Wrong> {
+        let axis = Vector3::new(n[0], n[1], n[2]).try_normalize(1e-6);
+        let axis = axis
+            .ok_or_else(|| Wrong::new(name, "the tool axis is zero; expected a vector from the tip to the spindle"))?;
+        Ok(self.part_from_coordinates.rotation * axis)
     }
 
     /// A point with the tool axis, which holds on where none is given; part frame.
@@ -279,16 +278,12 @@ impl<'a> Reader<'a> {
                 format!("a coordinate of {} mm; expected at most {FARTHEST} m", x * 1e3),
             ));
         }
-        let axis = match numbers[3..] {
-            [i, j, k] => {
-                let axis = Vector3::new(i, j, k).try_normalize(1e-6);
-                let axis = axis.ok_or_else(|| {
-                    Wrong::new(name.clone(), "the tool axis is zero; expected a vector from the tip to the spindle")
-                })?;
-                self.part_from_coordinates.rotation * axis
-            }
-            _ => self.axis,
+        let said = self.axis_to.take();
+        let axis = match &numbers[3..] {
+            [] => said.unwrap_or(self.axis),
+            vector => self.direction(vector, name)?,
         };
+        self.setup.check(&axis, name)?;
         Ok((tip.coords, axis))
     }
 
@@ -296,6 +291,12 @@ impl<'a> Reader<'a> {
         let (tip, axis) = self.point(statement)?;
         let before = self.axis;
         self.axis = axis;
+        if let Some(begun) = self.cycle_begun {
+            let why = format!(
+                "the cycle of line {begun} has not said what it does; expected CYCLE/DRILL or its like before it"
+            );
+            return Err(Wrong::new("GOTO", why));
+        }
         let Some(cycle) = self.cycle else {
             self.axis = before;
             return self.go_with(tip, axis, line, "GOTO");
@@ -355,10 +356,7 @@ impl<'a> Reader<'a> {
             return Err(Wrong::new(word, "the tool axis turns right over: no one knows which way round"));
         }
         let kind = if is_rapid { MoveKind::Rapid } else { MoveKind::Feed };
-        let feed = if is_rapid { None } else { self.feed.or(self.options.feed) };
-        if !is_rapid && feed.is_none() {
-            return Err(Wrong::new(word, "no feed rate: expected FEDRAT before it, or feed-mm-per-min for the file"));
-        }
+        let feed = if is_rapid { None } else { Some(self.speed(word)?) };
         let one = Move { line, kind, from, to, course, feed, normals: None, given: Given::default() };
         (self.sink)(&one);
         self.tangent = one.direction(1.0).filter(|_| !is_rapid);
@@ -391,24 +389,6 @@ impl<'a> Reader<'a> {
             return Err(Wrong::new(&statement.name, "the unit changes after points were given"));
         }
         (self.unit, self.unit_is_said) = (unit, true);
-        Ok(())
-    }
-
-    /// `MSYS/`: origin, x and y axis of the coordinates; the first one is the part's.
-    fn take_frame(&mut self, statement: &Statement) -> Result<(), Wrong> {
-        let n = statement.numbers(&[9])?;
-        let (x, y) = (Vector3::new(n[3], n[4], n[5]), Vector3::new(n[6], n[7], n[8]));
-        if 1e-3 < (x.norm() - 1.0).abs().max((y.norm() - 1.0).abs()).max(x.dot(&y).abs()) {
-            return Err(Wrong::new(&statement.name, "its axes are no unit vectors at a right angle"));
-        }
-        let x = x.normalize();
-        let y = (y - x.dot(&y) * x).normalize();
-        let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[x, y, x.cross(&y)]));
-        let origin = Vector3::new(n[0], n[1], n[2]) * self.unit.metres();
-        let frame = Isometry3::from_parts(Translation3::from(origin), UnitQuaternion::from_rotation_matrix(&rotation));
-        let first = *self.first_frame.get_or_insert(frame);
-        // A frame that stays the same changes nothing, not even by rounding.
-        self.part_from_coordinates = if first == frame { Isometry3::identity() } else { first.inverse() * frame };
         Ok(())
     }
 

@@ -4,13 +4,13 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
+use super::super::closing::Closing;
 use super::super::fault::Wrong;
 use super::super::moves::Arc;
 use super::super::options::ArcCentres;
 
-/// By how much the radii at both ends of an arc may differ, m: what rounding to 0.01 mm or 0.001 in at both ends and at the centre
-/// makes of them.
-const CLOSES: f64 = 2e-5;
+/// Centres that are no farther apart, m, are one: what rounding to 0.01 mm makes of them.
+const ONE_CENTRE: f64 = 2e-5;
 
 /// Ends that are no farther apart, m, are one: a full circle.
 const SAME: f64 = 1e-10;
@@ -62,6 +62,8 @@ pub(super) struct Asked {
     pub(super) turns: f64,
     /// The origin from which absolute centres count.
     pub(super) origin: [f64; 3],
+    /// By how much its ends may miss one radius.
+    pub(super) closing: Closing,
 }
 
 /// Which reading of I, J and K is in force, and who says so.
@@ -144,7 +146,7 @@ impl Asked {
         let (x, y) = (self.to[a] - self.from[a], self.to[b] - self.from[b]);
         let half = 0.5 * x.hypot(y);
         let height = radius.abs().powi(2) - half * half;
-        if half - radius.abs() > CLOSES {
+        if !self.closing.holds(half - radius.abs(), half) {
             let (r, needed) = (radius.abs() * 1e3, half * 1e3);
             return Err(Wrong::new(
                 word,
@@ -169,6 +171,10 @@ impl Asked {
         let both = [ArcCentres::Incremental, ArcCentres::Absolute].map(|how| (how, self.centre(how)));
         let misses = both.map(|(_, centre)| miss(&centre));
         let of = |how: ArcCentres| usize::from(how == ArcCentres::Absolute);
+        let holds = |how: ArcCentres| {
+            let [start, end] = self.radii(&both[of(how)].1);
+            self.closing.holds(misses[of(how)], start.max(end))
+        };
         let told = |how: ArcCentres| {
             let radii = self.radii(&both[of(how)].1);
             format!("{:.4} mm at its beginning and {:.4} mm at its end", radii[0] * 1e3, radii[1] * 1e3)
@@ -176,8 +182,10 @@ impl Asked {
         let how = if let Some(said) = reading.said {
             said
         } else {
-            let closes = misses.map(|miss| miss <= CLOSES);
-            let differ = CLOSES < (both[0].1 - both[1].1).norm();
+            // What closes to a hair in one reading is meant, whatever a large radius lets pass in the other.
+            let tight = misses.map(|miss| self.closing.is_tight(miss));
+            let closes = if tight == [false; 2] { both.map(|(how, _)| holds(how)) } else { tight };
+            let differ = ONE_CENTRE < (both[0].1 - both[1].1).norm();
             match closes {
                 // On a short arc a wrong centre closes, too: it says nothing.
                 [true, true] => {
@@ -202,7 +210,7 @@ impl Asked {
             }
         };
         let miss = misses[of(how)];
-        if !(miss <= CLOSES) {
+        if !holds(how) {
             return Err(Wrong::new(word, format!("the arc does not close: its radius is {}", told(how))));
         }
         reading.worst = reading.worst.max(miss);

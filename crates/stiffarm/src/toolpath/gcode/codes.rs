@@ -56,12 +56,20 @@ pub(super) enum Meaning {
     Vectors(bool),
     /// X, Y and Z are the tip whatever A, B and C are.
     TipControl,
+    /// What was in force before a cycle goes on.
+    Cancel,
     /// Writes offsets.
     Data,
-    /// Waits: P or X is a time.
+    /// The words of a place are its own, and move nothing: limits of the machine, or names of axes.
+    OwnWords,
+    /// Look-ahead by P or Q; with a place to go to, a spline.
+    LookAhead,
+    /// Waits.
     Dwell,
     /// Moves nothing.
     Inert,
+    /// Moves nothing where the block names no place; else this is why it is refused.
+    InertAlone(&'static str),
     Refused(&'static str),
 }
 
@@ -73,22 +81,24 @@ pub(super) fn of_g(code: u16) -> Meaning {
         20 => Meaning::Motion(Motion::Clockwise),
         30 => Meaning::Motion(Motion::CounterClockwise),
         40 => Meaning::Dwell,
+        50 | 51 => Meaning::LookAhead,
         100 => Meaning::Data,
         170 => Meaning::Plane(Plane::Xy),
         180 => Meaning::Plane(Plane::Zx),
         190 => Meaning::Plane(Plane::Yz),
+        220 | 501 => Meaning::OwnWords,
         200 | 700 => Meaning::Unit(LengthUnit::Inch),
         210 | 710 => Meaning::Unit(LengthUnit::Millimetre),
         280 | 300 => Meaning::Home,
         410 | 411 | 420 | 421 => Meaning::Compensation,
-        434 => Meaning::TipControl,
+        434 | 2340 => Meaning::TipControl,
         435 => Meaning::Vectors(true),
         490 => Meaning::Vectors(false),
         520 => Meaning::Shift,
         530 => Meaning::Machine,
-        540..=599 => Meaning::System,
+        540..=599 | 1540 => Meaning::System,
         730 | 740 | 810..=890 if code.is_multiple_of(10) => Meaning::Motion(Motion::Cycle(code)),
-        800 => Meaning::Motion(Motion::None),
+        800 => Meaning::Cancel,
         900 => Meaning::Incremental(false),
         910 => Meaning::Incremental(true),
         901 => Meaning::Centres(ArcCentres::Absolute),
@@ -102,10 +112,12 @@ pub(super) fn of_g(code: u16) -> Meaning {
         950 => Meaning::Feed(FeedMode::PerTurn),
         980 => Meaning::RetractToR(false),
         990 => Meaning::RetractToR(true),
-        // Feed override, exact stop, cutter compensation off, tool length, mirror, scale, rotation and polar off, look-ahead.
-        51 | 80 | 81 | 90 | 150 | 400 | 430 | 440 | 500 | 501 | 610 | 611 | 620 | 630 | 640 | 670 | 690 | 961 | 970 => {
-            Meaning::Inert
-        }
+        // What the machine keeps as its home; scale off, which on lathes names a place.
+        281 | 301 => Meaning::InertAlone("where the machine's home is kept, words of a place make no sense"),
+        500 => Meaning::InertAlone("a place is named by it on lathes only; expected the program of a mill"),
+        // Feed override, exact stop, polar off, cutter compensation off, tool length, rotation and macros off, smoothing, limits off.
+        80 | 81 | 90 | 131 | 150 | 230 | 400 | 401 | 430 | 440 | 610 | 611 | 620 | 630 | 640 | 670 | 690 | 961
+        | 970 | 1030 | 1870 => Meaning::Inert,
         other => Meaning::Refused(refusal(other)),
     }
 }
@@ -113,19 +125,22 @@ pub(super) fn of_g(code: u16) -> Meaning {
 /// Why a G code is refused.
 fn refusal(code: u16) -> &'static str {
     match code {
-        50 | 52 | 61 | 62 => "splines are not modelled; let the CAM write lines and arcs",
+        52 | 53 | 61 | 62 => "splines are not modelled; let the CAM write lines and arcs",
         70 => "diameters are of lathes; expected the program of a mill",
-        120 | 130 | 121 | 131 => "pocket cycles differ between makers; let the CAM write the moves",
+        120 | 130 | 121 | 1500 => "pocket cycles differ between makers; let the CAM write the moves",
         160 => "polar coordinates are not modelled; let the CAM write X Y",
         290 => "where the way back from home leads is not in the file",
         330 | 331 => "threading moves with the spindle; it is no path of a robot",
-        380..=389 => "where a probe stops is not in the file",
+        270 => "it is known to the machine only where it goes",
+        310 | 380..=389 => "where a probe stops is not in the file",
         431 => "the tool length is shifted by what the file says; let the CAM write the tip",
         510 => "scaling is not modelled; let the CAM write true coordinates",
         511 => "mirroring is not modelled; let the CAM write true coordinates",
         650 | 660 => "macros are not run; let the CAM write the moves",
         680..=689 => "turned coordinates are not modelled; let the CAM write true coordinates",
         760 => "fine boring and threading share this code, and makers differ; let the CAM write the moves",
+        960 => "the speed of a surface is kept on lathes; expected G97",
+        2540 => "coordinates that follow a turned table are not modelled; let the CAM write true coordinates",
         _ => "it is not known whether this code moves the tool",
     }
 }
@@ -135,6 +150,10 @@ fn refusal(code: u16) -> &'static str {
 pub(super) enum Auxiliary {
     /// The program ends.
     End,
+    /// Another program of the file is run.
+    Call,
+    /// That is over.
+    Return,
     Inert,
     Refused(&'static str),
 }
@@ -143,8 +162,15 @@ pub(super) enum Auxiliary {
 pub(super) fn of_m(code: u16) -> Auxiliary {
     match code {
         20 | 300 => Auxiliary::End,
-        960..=980 => Auxiliary::Refused("other programs are not called; let the CAM write one file"),
-        990 => Auxiliary::Refused("a jump back makes the program run without end; expected M2 or M30"),
+        980 => Auxiliary::Call,
+        990 => Auxiliary::Return,
+        470 => Auxiliary::Refused("it makes the program run without end; expected M2 or M30"),
+        700..=739 => Auxiliary::Refused(
+            "it restores what was in force, or mirrors the path, as the machine has it; let the CAM write true coordinates",
+        ),
+        960 | 970 | 1980 => {
+            Auxiliary::Refused("a program that is not this file's is not called; let the CAM write one file")
+        }
         _ => Auxiliary::Inert,
     }
 }

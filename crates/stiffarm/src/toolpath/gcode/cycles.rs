@@ -86,24 +86,25 @@ impl Cycle {
         if hole.plane != Plane::Xy {
             machine.notes.assume(line, &format!("under {} a cycle has the tool along its normal", hole.plane.code()));
         }
+        for axis in 0..3 {
+            machine.counted_from(axis, line, &name)?;
+        }
+        // Every repeat is as deep as the first one.
+        let [r, z] = self.levels_now(hole, machine.tip[n], n);
+        let r = r.ok_or_else(|| wrong("R is missing: the level from which the tool feeds".into()))?;
+        let z = z.ok_or_else(|| wrong("the depth is missing".into()))?;
+        if !(z < r) {
+            return Err(wrong(format!("it ends at {:.4} mm, above R at {:.4} mm", z * 1e3, r * 1e3)));
+        }
+        let above = if hole.how == Some(IncrementalCycles::Nist) { machine.tip[n] } else { self.initial };
+        let clear = if hole.returns_to_r { r } else { r.max(above) };
         for _ in 0..repeats as usize {
-            for axis in 0..3 {
-                machine.counted_from(axis, line, &name)?;
-            }
-            let [r, z] = self.levels_now(hole, machine.tip[n], n);
-            let r = r.ok_or_else(|| wrong("R is missing: the level from which the tool feeds".into()))?;
-            let z = z.ok_or_else(|| wrong("the depth is missing".into()))?;
-            if !(z < r) {
-                return Err(wrong(format!("it ends at {:.4} mm, above R at {:.4} mm", z * 1e3, r * 1e3)));
-            }
             let mut at = machine.tip;
             for axis in [a, b] {
                 if let Some(word) = hole.words[axis] {
                     at[axis] = if hole.is_incremental { at[axis] + word } else { word + hole.origin[axis] };
                 }
             }
-            let above = if hole.how == Some(IncrementalCycles::Nist) { machine.tip[n] } else { self.initial };
-            let clear = if hole.returns_to_r { r } else { r.max(above) };
             self.hole(hole, machine, line, &Levels { at, n, r, z, clear })?;
         }
         Ok(())

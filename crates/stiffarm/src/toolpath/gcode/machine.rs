@@ -61,6 +61,26 @@ impl<'a> Machine<'a> {
         self.known[axis] == Known::Yes
     }
 
+    /// Has the program said any coordinate of the tool?
+    pub(super) fn is_anywhere(&self) -> bool {
+        self.known.contains(&Known::Yes)
+    }
+
+    /// All coordinates that were said are the machine's, no longer the part's.
+    pub(super) fn leaves_all(&mut self, line: usize) {
+        for axis in (0..3).filter(|axis| self.is_known(*axis)).collect::<Vec<_>>() {
+            self.leaves(axis, line);
+        }
+    }
+
+    /// It goes to the machine's home along all axes.
+    pub(super) fn leaves_home(&mut self, line: usize) {
+        for axis in 0..3 {
+            self.leaves(axis, line);
+        }
+        self.apart += 1;
+    }
+
     /// Can a move through these coordinates, of the axes that are named, be told?
     pub(super) fn is_known_at(&self, words: &[Option<f64>; 3], is_incremental: bool) -> bool {
         (0..3).all(|axis| self.known[axis] == Known::Yes || (words[axis].is_some() && !is_incremental))
@@ -94,7 +114,7 @@ impl<'a> Machine<'a> {
     }
 
     /// A straight move to `to`, where `said` tells which coordinates the program names; from where the tool is not known, a rapid
-    /// move is no part of the path.
+    /// move is no part of the path, and neither is one at a feed rate at the machine's own height.
     ///
     /// # Errors
     /// Where a feed move begins at the machine's home, or the tip leaves all measure.
@@ -106,7 +126,16 @@ impl<'a> Machine<'a> {
         said: [bool; 3],
         feed: Option<f64>,
     ) -> Result<(), Wrong> {
-        if kind == MoveKind::Rapid && self.known != [Known::Yes; 3] {
+        let is_in_the_air = kind == MoveKind::Feed
+            && matches!(self.known[2], Known::AtMachine(_))
+            && !said[2]
+            && (said[0] || said[1])
+            && self.axis_to == Vector3::z();
+        if is_in_the_air {
+            self.notes
+                .assume(line, "feed moves along X and Y while Z is the machine's are in the air, no part of the path");
+        }
+        if (kind == MoveKind::Rapid && self.known != [Known::Yes; 3]) || is_in_the_air {
             check(&to, word)?;
             for axis in (0..3).filter(|axis| said[*axis]) {
                 self.is_at(axis, to[axis]);

@@ -2,30 +2,38 @@
 //!
 //! Every word is modelled, kept as inert and told, or refused with its line. Words without blanks, in either case; `( )` and `;`
 //! comments; `%`, O and N; modal codes; arcs in three planes by centre (whose reading is found by which one closes) or radius, full
-//! circles and helices; G90 and G91; drilling cycles; G28, G30 and G53 as moves of the machine; tool axes by I J K or by A B C under
-//! a convention that the user names.
+//! circles and helices; G90 and G91; drilling cycles; subprograms of the same file; G28, G30, G53 and rapids under another origin as
+//! moves of the machine; tool axes by I J K or by A B C under a convention that the user names. Other languages are refused by name.
 
 mod arcs;
+mod calls;
 mod codes;
 mod cycles;
 mod edit;
+pub(super) mod language;
 mod machine;
 mod modal;
 mod motion;
+mod origins;
 pub(super) mod rewrite;
+mod sender;
 mod words;
 
 use nalgebra::Vector3;
 
 use super::Ending;
+use super::closing::Closing;
 use super::fault::Wrong;
 use super::moves::Move;
 use super::options::{ArcCentres, LengthUnit, ReadOptions};
 use arcs::{Plane, Reading};
+use calls::Calls;
 use codes::{Auxiliary, FeedMode, Meaning, Motion, named, of_m};
 use cycles::Cycle;
+use language::Language;
 use machine::Machine;
-use words::Block;
+use origins::System;
+use words::{Block, Percent};
 
 /// What is in force, block after block.
 #[expect(clippy::struct_excessive_bools, reason = "each is what one code leaves in force")]
@@ -36,18 +44,26 @@ pub(super) struct Reader<'a> {
     unit: LengthUnit,
     unit_is_said: bool,
     unit_is_told: bool,
+    /// The most decimals of lengths so far, in this unit.
+    decimals: u8,
     plane: Plane,
     is_incremental: bool,
     reading: Reading,
     motion: Motion,
+    /// G0 to G3 as it stood before a cycle, and whether G80 has brought it back.
+    lasting: Motion,
+    is_resumed: bool,
     feed_mode: FeedMode,
-    /// F as it was said, in its own unit.
+    /// F in the unit in force where it stands, m a minute or a turn, and its line.
     feed: Option<f64>,
+    feed_line: usize,
     spindle: Option<f64>,
     /// From the program's coordinates to the part's, m: by G92 and by G52.
     shifts: [[f64; 3]; 2],
-    suspended: [f64; 3],
-    system: Option<(u16, usize)>,
+    suspended: [[f64; 3]; 2],
+    /// The origin of the part, where the file names one, and another one that is in force.
+    system: Option<System>,
+    elsewhere: Option<System>,
     returns_to_r: bool,
     cycle: Option<Cycle>,
     /// The tool axis of all moves but cycles.
@@ -57,6 +73,7 @@ pub(super) struct Reader<'a> {
     angles: [f64; 3],
     letters: [Seen; 26],
     codes: [Vec<Seen>; 2],
+    calls: Calls,
     has_words: bool,
     /// Nothing is read any more, since this line.
     pub(super) ended: Option<usize>,
@@ -86,8 +103,13 @@ struct Once {
     /// The code that takes the axis words in place of the motion.
     takes: Option<(u16, Meaning)>,
     is_machine: bool,
+    /// The words of a place are data: offsets or limits.
     is_data: bool,
+    /// It waits, for as long as the number behind this letter says.
     is_dwell: bool,
+    time: Option<u8>,
+    /// It calls a program.
+    is_call: bool,
     has_motion: bool,
 }
 
@@ -100,16 +122,21 @@ impl<'a> Reader<'a> {
             unit: options.unit.unwrap_or(LengthUnit::Millimetre),
             unit_is_said: false,
             unit_is_told: false,
+            decimals: 0,
             plane: Plane::Xy,
             is_incremental: false,
             reading: Reading { said: options.arc_centres, ..Reading::default() },
             motion: Motion::None,
+            lasting: Motion::None,
+            is_resumed: false,
             feed_mode: FeedMode::PerMinute,
             feed: None,
+            feed_line: 0,
             spindle: None,
             shifts: [[0.0; 3]; 2],
-            suspended: [0.0; 3],
+            suspended: [[0.0; 3]; 2],
             system: None,
+            elsewhere: None,
             returns_to_r: false,
             cycle: None,
             axis: Vector3::z(),
@@ -118,6 +145,7 @@ impl<'a> Reader<'a> {
             angles: [0.0; 3],
             letters: [Seen::default(); 26],
             codes: [Vec::new(), Vec::new()],
+            calls: Calls::default(),
             has_words: false,
             ended: None,
             after_end: Seen::default(),
@@ -135,19 +163,41 @@ impl<'a> Reader<'a> {
             }
             return Ok(());
         }
+        self.run_or_keep(text, line)
+    }
+
+    /// Runs a line.
+    fn run(&mut self, text: &[u8], line: usize) -> Result<(), Wrong> {
+        if self.take_o_word(text, line)? || self.take_sender(text, line)? {
+            return Ok(());
+        }
         let mut block = std::mem::replace(&mut self.block, Block::new());
-        let outcome = block.read(text).and_then(|()| self.take(&block, line));
+        let outcome =
+            match block.read(text) {
+                Ok(()) => self.take(&block, line),
+                Err(wrong) => Err(Language::of(text)
+                    .map_or(wrong, |language| Wrong::new(String::from_utf8_lossy(text), language.told()))),
+            };
         self.block = block;
         outcome
     }
 
     fn take(&mut self, block: &Block, line: usize) -> Result<(), Wrong> {
-        if block.is_percent {
+        match block.percent {
+            Percent::No => {}
             // The first one opens the program, the next one closes it.
-            if self.has_words {
-                self.ended = Some(line);
+            Percent::Alone => {
+                self.ended = self.has_words.then_some(line);
+                return Ok(());
             }
-            return Ok(());
+            Percent::Numbered if self.has_words => {
+                let why = "a number behind %: whether the program ends here is not known; expected % alone";
+                return Err(Wrong::new("%", why));
+            }
+            Percent::Numbered => {
+                self.machine.notes.ignore(line, "% (program number)");
+                return Ok(());
+            }
         }
         if block.is_empty() {
             return Ok(());
@@ -159,13 +209,14 @@ impl<'a> Reader<'a> {
         if block.has_number_without_point {
             self.machine.notes.assume(line, "numbers without a decimal point are whole units");
         }
+        self.decimals = self.decimals.max(block.decimals);
         let once = self.take_codes(block, line)?;
-        self.take_values(block, line)?;
+        self.take_values(block, &once, line)?;
         if let Some((code, meaning)) = once.takes {
             self.take_axes(code, meaning, block, line)?;
         } else if once.is_machine {
             self.machine_move(block, line)?;
-        } else if !once.is_data && !once.is_dwell {
+        } else if !once.is_data && once.time != Some(b'X') {
             self.take_motion(block, &once, line)?;
         }
         self.keep_letters(block, &once, line);
@@ -180,10 +231,12 @@ impl<'a> Reader<'a> {
     fn keep_letters(&mut self, block: &Block, once: &Once, line: usize) {
         for letter in block.letters() {
             let is_modelled = match letter {
-                b'X'..=b'Z' | b'I'..=b'K' | b'R' => !once.is_data && !once.is_dwell,
+                letter if once.time == Some(letter) => false,
+                b'X'..=b'Z' | b'I'..=b'K' | b'R' => !once.is_data,
                 b'F' | b'A'..=b'C' => true,
-                b'L' | b'Q' => self.cycle.is_some(),
-                b'P' => matches!(self.motion, Motion::Clockwise | Motion::CounterClockwise) && !once.is_dwell,
+                b'L' => self.cycle.is_some() || once.is_call,
+                b'Q' => self.cycle.is_some(),
+                b'P' => matches!(self.motion, Motion::Clockwise | Motion::CounterClockwise) || once.is_call,
                 _ => false,
             };
             if !is_modelled {
@@ -192,9 +245,22 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// By how much the ends of an arc may miss one radius.
+    fn closing(&self) -> Closing {
+        let least = if self.unit == LengthUnit::Inch { 3 } else { 2 };
+        Closing::of_decimals(self.unit.metres(), self.decimals, least)
+    }
+
     /// What is to be said of the file.
-    pub(super) fn finish(mut self, line: usize) -> Ending {
+    ///
+    /// # Errors
+    /// What is refused in the programs that it calls.
+    pub(super) fn finish(mut self, line: usize) -> Result<Ending, Wrong> {
+        self.run_kept()?;
         let notes = &mut self.machine.notes;
+        if let Some(system) = self.system.filter(|system| system.line != 0) {
+            notes.assume(system.line, &format!("the part frame is that of {}", system.name()));
+        }
         if self.ended.is_none() && self.has_words {
             notes.assume(line, "the program ends with the file, without M2, M30 or %");
         }
@@ -220,7 +286,7 @@ impl<'a> Reader<'a> {
         if 0 < self.after_end.count {
             notes.ignore_all(self.after_end.first, self.after_end.count, "lines behind the end of the program");
         }
-        Ending { notes: std::mem::take(notes), apart: self.machine.apart, arc_miss: self.reading.worst }
+        Ok(Ending { notes: std::mem::take(notes), apart: self.machine.apart, arc_miss: self.reading.worst })
     }
 }
 

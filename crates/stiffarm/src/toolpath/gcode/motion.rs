@@ -7,7 +7,7 @@ use super::super::moves::{Course, MoveKind, ToolPose};
 use super::arcs::Asked;
 use super::codes::{FeedMode, Meaning, Motion, named};
 use super::cycles::Hole;
-use super::machine::AXES;
+use super::origins::System;
 use super::words::Block;
 use super::{Once, Reader};
 
@@ -18,18 +18,13 @@ const MOST_TURNS: f64 = 10_000.0;
 const POSITION: [u8; 3] = [b'X', b'Y', b'Z'];
 
 impl Reader<'_> {
-    /// From the program's coordinates to the part's, m.
-    fn origin(&self) -> [f64; 3] {
-        std::array::from_fn(|axis| self.shifts[0][axis] + self.shifts[1][axis])
-    }
-
     fn lengths(&self, block: &Block, letters: [u8; 3]) -> [Option<f64>; 3] {
         let unit = self.unit.metres();
         letters.map(|letter| block.get(letter).map(|number| number * unit))
     }
 
     /// X, Y and Z of a block, m.
-    fn words(&mut self, block: &Block) -> [Option<f64>; 3] {
+    pub(super) fn words(&mut self, block: &Block) -> [Option<f64>; 3] {
         let words = self.lengths(block, POSITION);
         if !self.unit_is_said && !self.unit_is_told && words.iter().flatten().any(|word| *word != 0.0) {
             let by = if self.options.unit.is_some() { "as was said" } else { "since the file names none" };
@@ -60,13 +55,22 @@ impl Reader<'_> {
         let has_position = block.has_any(b"XYZ");
         let has_offsets = block.has_any(b"IJK");
         if !has_position && !has_offsets && !turns && !(block.has(b'R') && matches!(self.motion, Motion::Cycle(_))) {
-            let stray = block.has(b'R')
-                || (block.get(b'L').is_some_and(|count| 1.0 < count) && !matches!(self.motion, Motion::Cycle(_)));
-            return if stray {
-                Err(Wrong::new(if block.has(b'R') { "R" } else { "L" }, "it belongs to no arc and no cycle"))
-            } else {
-                Ok(())
+            return if block.has(b'R') { Err(Wrong::new("R", "it belongs to no arc and no cycle")) } else { Ok(()) };
+        }
+        if let Some(elsewhere) = self.elsewhere {
+            return self.move_elsewhere(block, elsewhere, line);
+        }
+        if std::mem::take(&mut self.is_resumed) {
+            let goes_on = match self.motion {
+                Motion::None | Motion::Cycle(_) => "",
+                Motion::Rapid => "G0",
+                Motion::Line => "G1",
+                Motion::Clockwise => "G2",
+                Motion::CounterClockwise => "G3",
             };
+            if !goes_on.is_empty() {
+                self.machine.notes.assume(line, &format!("behind G80 the motion before it goes on, {goes_on}"));
+            }
         }
         match self.motion {
             Motion::None => {
@@ -81,11 +85,29 @@ impl Reader<'_> {
         }
     }
 
-    fn straight(&mut self, block: &Block, (kind, word): (MoveKind, &'static str), line: usize) -> Result<(), Wrong> {
-        for letter in [b'R', b'L'] {
-            if block.get(letter).is_some_and(|number| number != 0.0 && (letter == b'R' || number != 1.0)) {
-                return Err(Wrong::new(char::from(letter), format!("what it means to {word} differs between makers")));
+    /// A move under another origin than the part's: the machine's, where it is a rapid one.
+    fn move_elsewhere(&mut self, block: &Block, elsewhere: System, line: usize) -> Result<(), Wrong> {
+        if self.motion != Motion::Rapid || block.has_any(b"IJKR") {
+            return Err(self.refused_elsewhere(elsewhere));
+        }
+        for (axis, letter) in POSITION.into_iter().enumerate() {
+            if block.has(letter) {
+                self.machine.leaves(axis, line);
             }
+        }
+        self.machine.axis = self.axis;
+        self.machine.apart += 1;
+        let what = format!(
+            "rapid moves under {} are the machine's: where its origin lies is not in the file",
+            elsewhere.name()
+        );
+        self.machine.notes.assume(line, &what);
+        Ok(())
+    }
+
+    fn straight(&mut self, block: &Block, (kind, word): (MoveKind, &'static str), line: usize) -> Result<(), Wrong> {
+        if block.get(b'R').is_some_and(|number| number != 0.0) {
+            return Err(Wrong::new("R", format!("what it means to {word} differs between makers")));
         }
         if block.has_any(b"IJK") {
             self.take_vector(block, line)?;
@@ -135,10 +157,9 @@ impl Reader<'_> {
                 Err(Wrong::new(word, "a feed rate of 0: the tool would never arrive; expected F of more than 0"))
             }
         };
-        let per_second = self.unit.metres() / 60.0;
         match self.feed_mode {
             FeedMode::PerMinute => match (self.feed, self.options.feed) {
-                (Some(feed), _) => positive(feed * per_second),
+                (Some(feed), _) => positive(feed / 60.0),
                 (None, Some(given)) => Ok(Some(given)),
                 (None, None) => Err(missing("F in this or an earlier block, or feed-mm-per-min for the file")),
             },
@@ -150,7 +171,7 @@ impl Reader<'_> {
                 let feed = self.feed.ok_or_else(|| missing("F in this or an earlier block"))?;
                 let speed = self.spindle.filter(|speed| 0.0 < *speed);
                 let speed = speed.ok_or_else(|| missing("S, since F is per turn under G95"))?;
-                positive(feed * speed * per_second)
+                positive(feed * speed / 60.0)
             }
         }
     }
@@ -181,6 +202,7 @@ impl Reader<'_> {
             radius: block.get(b'R').map(|radius| radius * self.unit.metres()),
             turns,
             origin: self.origin(),
+            closing: self.closing(),
         };
         let arc = asked.arc(&mut self.reading, line)?;
         let [a, b, n] = self.plane.axes();
@@ -247,7 +269,7 @@ impl Reader<'_> {
         match meaning {
             Meaning::Home => {
                 // Through the point that is named, then to the machine's home along the axes that are named, or along all.
-                if self.machine.is_known_at(&words, self.is_incremental) {
+                if self.elsewhere.is_none() && self.machine.is_known_at(&words, self.is_incremental) {
                     let (through, said) = self.target(block, line, &name)?;
                     self.machine.axis_to = self.axis;
                     self.machine.go(line, (MoveKind::Rapid, &name), through, said, None)?;
@@ -258,30 +280,7 @@ impl Reader<'_> {
                 }
                 self.machine.apart += 1;
             }
-            Meaning::SetPosition => {
-                for axis in 0..3 {
-                    let Some(at) = words[axis] else { continue };
-                    if self.machine.is_known(axis) {
-                        self.shifts[0][axis] = self.machine.tip[axis] - at - self.shifts[1][axis];
-                    } else {
-                        // Nothing was said in other coordinates yet: these are the part's.
-                        let place = at + self.origin()[axis];
-                        self.machine.is_at(axis, place);
-                        let what = format!("the tool is where {name} says along {}", AXES[axis]);
-                        self.machine.notes.assume(line, &what);
-                    }
-                }
-            }
-            Meaning::ClearPosition(for_good) => {
-                self.suspended = if for_good { [0.0; 3] } else { self.shifts[0] };
-                self.shifts[0] = [0.0; 3];
-            }
-            Meaning::RestorePosition => self.shifts[0] = self.suspended,
-            _ => {
-                for (shift, word) in self.shifts[1].iter_mut().zip(words) {
-                    *shift = word.unwrap_or(*shift);
-                }
-            }
+            _ => return self.take_shift((code, meaning), block, line),
         }
         Ok(())
     }

@@ -12,6 +12,7 @@ use super::super::options::{ReadOptions, Rotary};
 use super::Reader;
 use super::codes::{FeedMode, Meaning, Motion, of_g};
 use super::edit::{Edit, Fate};
+use super::words::Percent;
 
 /// M codes that act when the block's motion is over: stops, ends, and what machines switch off then.
 const AFTER_THE_MOTION: [f64; 7] = [0.0, 1.0, 2.0, 5.0, 9.0, 30.0, 60.0];
@@ -64,12 +65,17 @@ impl<'a> Rewriter<'a> {
     ) -> Result<(), Wrong> {
         let is_over = self.original.ended.is_some();
         self.before = self.original.machine.tip;
+        let apart = self.original.machine.apart;
         self.original.line(line.text, line.number)?;
+        if self.original.calls.is_used {
+            let why = "a line of a subprogram may stand for several moves, which are not corrected alike; let the CAM write every move, or write a robot program";
+            return Err(Wrong::new("M98", why));
+        }
         if is_over {
             emitted.keep(line);
             return Ok(());
         }
-        let opens = line.text.is_empty() || self.original.block.is_percent || self.original.block.has(b'O');
+        let opens = line.text.is_empty() || self.original.block.percent != Percent::No || self.original.block.has(b'O');
         if !opens {
             for text in self.head.drain(..) {
                 emitted.add(format!("({})", remark(&text)).as_bytes());
@@ -78,7 +84,7 @@ impl<'a> Rewriter<'a> {
         let moves = moves.take();
         let blocks = match moves[..] {
             [one] if one.kind == MoveKind::Feed && self.is_motion() => Some(self.led(line, &one, path)?),
-            [] if self.is_motion() && self.stays() => Some(self.held(line)?),
+            [] if self.is_motion() && self.stays() && apart == self.original.machine.apart => Some(self.held(line)?),
             // Words that a rapid move or a cycle leaves out would keep what was corrected before.
             [one] if one.kind == MoveKind::Rapid && self.is_across() => {
                 path.skip(&one);
@@ -167,6 +173,8 @@ impl<'a> Rewriter<'a> {
                     | Meaning::Shift
                     | Meaning::Machine
                     | Meaning::Data
+                    | Meaning::OwnWords
+                    | Meaning::LookAhead
                     | Meaning::Dwell
             )
         };

@@ -20,8 +20,20 @@ pub(super) struct Block {
     pub(super) may_be_skipped: bool,
     /// A word of a position has no decimal point and is no zero: some machines read it as thousandths.
     pub(super) has_number_without_point: bool,
-    /// `%` alone.
-    pub(super) is_percent: bool,
+    /// The most decimals of a word of a position.
+    pub(super) decimals: u8,
+    pub(super) percent: Percent,
+}
+
+/// What `%` at the beginning of a line means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Percent {
+    /// There is none.
+    No,
+    /// It stands alone: the program begins or ends.
+    Alone,
+    /// With the number of the program behind it.
+    Numbered,
 }
 
 /// A few codes in the order in which they stand.
@@ -47,7 +59,8 @@ impl Block {
             m: none,
             may_be_skipped: false,
             has_number_without_point: false,
-            is_percent: false,
+            decimals: 0,
+            percent: Percent::No,
         }
     }
 
@@ -82,18 +95,15 @@ impl Block {
     pub(super) fn read(&mut self, line: &[u8]) -> Result<(), Wrong> {
         self.given = 0;
         (self.g.count, self.m.count) = (0, 0);
-        (self.may_be_skipped, self.is_percent, self.has_number_without_point) = (false, false, false);
+        (self.may_be_skipped, self.has_number_without_point) = (false, false);
+        (self.decimals, self.percent) = (0, Percent::No);
         let mut at = 0;
         while at < line.len() {
             let byte = line[at].to_ascii_uppercase();
             match byte {
                 b' ' | b'\t' | b'\r' => at += 1,
                 b'A'..=b'Z' => at = self.word(byte, line, at)?,
-                b'(' => {
-                    let end = line[at..].iter().position(|byte| *byte == b')');
-                    let end = end.ok_or_else(|| Wrong::new("(", "the comment has no end; expected )"))?;
-                    at += end + 1;
-                }
+                b'(' => at += comment(&line[at..])?,
                 b';' => break,
                 b'/' if self.is_empty() => {
                     self.may_be_skipped = true;
@@ -104,7 +114,7 @@ impl Block {
                     }
                 }
                 b'%' if self.is_empty() && !self.may_be_skipped => {
-                    self.is_percent = true;
+                    self.percent = percent(&line[at..])?;
                     break;
                 }
                 b':' if self.is_empty() => at = self.word(b'O', line, at)?,
@@ -126,8 +136,13 @@ impl Block {
 
     /// Reads one word from its letter on; tells where the next begins.
     fn word(&mut self, letter: u8, line: &[u8], at: usize) -> Result<usize, Wrong> {
-        let (number, has_point, end) = number(line, at + 1)?;
+        let Number { value: number, decimals, end } = number(line, at + 1)?;
         let word = || String::from_utf8_lossy(&line[at..end]).into_owned();
+        if line.get(end).is_some_and(|byte| matches!(byte, b'E' | b'e')) && is_quantity(letter) {
+            let rest = String::from_utf8_lossy(&line[at..]).into_owned();
+            let why = "an exponent, or E as a word of its own; expected decimals, and a blank before a word E";
+            return Err(Wrong::new(rest, why));
+        }
         match letter {
             b'G' | b'M' => {
                 let tenths = (number * 10.0).round();
@@ -151,13 +166,48 @@ impl Block {
                 }
                 self.given |= 1 << index;
                 self.values[index] = number;
-                if !has_point && number != 0.0 && matches!(letter, b'X'..=b'Z' | b'I'..=b'K' | b'R') {
-                    self.has_number_without_point = true;
+                if matches!(letter, b'X'..=b'Z' | b'I'..=b'K' | b'R') {
+                    self.has_number_without_point |= decimals.is_none() && number != 0.0;
+                    self.decimals = self.decimals.max(decimals.unwrap_or(0));
                 }
             }
         }
         Ok(end)
     }
+}
+
+/// The length of a comment in parentheses.
+fn comment(line: &[u8]) -> Result<usize, Wrong> {
+    match line[1..].iter().position(|byte| matches!(byte, b'(' | b')')) {
+        Some(at) if line[1 + at] == b')' => Ok(at + 2),
+        Some(_) => {
+            let why = "a comment within a comment: machines differ in where it ends; expected one ( and one )";
+            Err(Wrong::new(String::from_utf8_lossy(line), why))
+        }
+        None => Err(Wrong::new("(", "the comment has no end; expected )")),
+    }
+}
+
+/// What `%` and the rest of its line mean.
+fn percent(line: &[u8]) -> Result<Percent, Wrong> {
+    let mut rest = line[1..].trim_ascii();
+    while rest.first() == Some(&b'(') {
+        rest = rest[comment(rest)?..].trim_ascii();
+    }
+    if matches!(rest.first(), None | Some(b';')) {
+        return Ok(Percent::Alone);
+    }
+    let number = rest.strip_prefix(b"O").or(rest.strip_prefix(b"o")).unwrap_or(rest);
+    if !number.is_empty() && number.iter().all(u8::is_ascii_digit) {
+        return Ok(Percent::Numbered);
+    }
+    let why = "text behind %: whether the program ends here is not known; expected % alone, and remarks in ( )";
+    Err(Wrong::new(String::from_utf8_lossy(line), why))
+}
+
+/// Letters whose numbers are lengths, angles and speeds.
+const fn is_quantity(letter: u8) -> bool {
+    matches!(letter, b'A'..=b'C' | b'F' | b'I'..=b'K' | b'Q' | b'R' | b'U'..=b'Z')
 }
 
 /// A word where it stands in its line.
@@ -178,11 +228,11 @@ pub(super) fn placed(line: &[u8]) -> Result<Vec<Placed>, Wrong> {
     while at < line.len() {
         match line[at].to_ascii_uppercase() {
             letter @ b'A'..=b'Z' => {
-                let (number, _, end) = number(line, at + 1)?;
+                let Number { value: number, end, .. } = number(line, at + 1)?;
                 words.push(Placed { letter, number, span: at..end });
                 at = end;
             }
-            b'(' => at += line[at..].iter().position(|byte| *byte == b')').map_or(line.len() - at, |end| end + 1),
+            b'(' => at += comment(&line[at..])?,
             b';' => break,
             _ => at += 1,
         }
@@ -193,10 +243,18 @@ pub(super) fn placed(line: &[u8]) -> Result<Vec<Placed>, Wrong> {
 /// Powers of ten that are exact.
 const TENS: [f64; 16] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
-/// A number with sign and decimal point, blanks before and within it; whether it has a point, and where it ends.
+/// A number as it stands in a line.
+struct Number {
+    value: f64,
+    /// Digits behind the decimal point; `None` without one.
+    decimals: Option<u8>,
+    end: usize,
+}
+
+/// A number with sign and decimal point, blanks before and within it.
 ///
 /// Up to 15 digits make a whole number below 2^53, and that over an exact power of ten is rounded once: the nearest number.
-fn number(line: &[u8], start: usize) -> Result<(f64, bool, usize), Wrong> {
+fn number(line: &[u8], start: usize) -> Result<Number, Wrong> {
     let (mut whole, mut digits, mut decimals) = (0_u64, 0_usize, 0_usize);
     let (mut is_negative, mut has_sign, mut has_point) = (false, false, false);
     let (mut at, mut end) = (start, start);
@@ -230,17 +288,19 @@ fn number(line: &[u8], start: usize) -> Result<(f64, bool, usize), Wrong> {
         return long(line, start);
     }
     let size = whole as f64 / TENS[decimals];
-    Ok((if is_negative { -size } else { size }, has_point, end))
+    let value = if is_negative { -size } else { size };
+    Ok(Number { value, decimals: has_point.then_some(decimals as u8), end })
 }
 
 /// The same for numbers of more digits than fit.
-fn long(line: &[u8], start: usize) -> Result<(f64, bool, usize), Wrong> {
+fn long(line: &[u8], start: usize) -> Result<Number, Wrong> {
     let is_part = |byte: &u8| byte.is_ascii_digit() || matches!(byte, b'.' | b'+' | b'-' | b' ' | b'\t');
     let end = start + line[start..].iter().position(|byte| !is_part(byte)).unwrap_or(line.len() - start);
     let text: String =
         line[start..end].iter().filter(|byte| !byte.is_ascii_whitespace()).map(|b| char::from(*b)).collect();
-    let number = text.parse().map_err(|_| Wrong::new(text.clone(), "it is no number; expected such as -1.5"))?;
-    Ok((number, text.contains('.'), end))
+    let value = text.parse().map_err(|_| Wrong::new(text.clone(), "it is no number; expected such as -1.5"))?;
+    let decimals = text.split_once('.').map(|(_, behind)| behind.len().min(usize::from(u8::MAX)) as u8);
+    Ok(Number { value, decimals, end })
 }
 
 #[cfg(test)]
@@ -260,9 +320,21 @@ mod tests {
         assert_eq!((block.get(b'F'), block.get(b'N')), (Some(120.5), Some(10.0)));
         assert_eq!((block.g.all(), block.m.all()), (&[10, 434][..], &[80][..]));
         assert!(block.has_number_without_point && !read("X1. F3 Y0").has_number_without_point);
-        assert!(read("/2 G0 X0").may_be_skipped && read("%").is_percent && read("").is_empty());
+        assert!(read("/2 G0 X0").may_be_skipped && read("").is_empty());
+        for (line, percent) in [
+            ("%", Percent::Alone),
+            (" % (a) ; b", Percent::Alone),
+            ("%1234", Percent::Numbered),
+            ("%O7", Percent::Numbered),
+            ("G1", Percent::No),
+        ] {
+            assert_eq!(read(line).percent, percent, "{line}");
+        }
+        assert_eq!((read("X1. Y2.50 F1.2345").decimals, read("X1").decimals), (2, 0));
         assert!(read(" ( X1 ) ").is_empty());
         assert_eq!(read(":12").get(b'O'), Some(12.0));
+        // E with a blank before it, or behind a letter that takes whole numbers, is a word of its own.
+        assert_eq!((read("X1 E5").get(b'E'), read("G187P2E.02").get(b'E')), (Some(5.0), Some(0.02)));
     }
 
     #[test]
@@ -292,22 +364,23 @@ mod tests {
             ("X-", "X-", "no number follows"),
             ("X1X2", "X2", "given twice"),
             ("(open", "(", "no end"),
+            ("G1 (a (b) c) X1", "(a (b) c) X1", "a comment within a comment"),
+            ("% LED ON", "% LED ON", "text behind %"),
             ("X#1", "X#1", "no number"),
             ("#1=2", "#1=2", "variables"),
             ("X[1+2]", "X[1+2]", "no number"),
             ("G1.23", "G1.23", "no such code"),
             ("G-1", "G-1", "no such code"),
-            ("X1e5", "e5", ""),
+            ("X1.5E-5", "X1.5E-5", "an exponent"),
+            ("f1e3", "f1e3", "an exponent"),
             ("X99999999999999999999", "X99999999999999999999", "beyond all machines"),
             ("X1-2", "-2", "no word"),
             ("X1.2.3", ".3", "no word"),
             ("\u{fc}", "\u{fc}", "no word"),
         ] {
             let mut block = Block::new();
-            match block.read(line.as_bytes()) {
-                Ok(()) => assert_eq!((word, block.get(b'E')), ("e5", Some(5.0)), "{line}"),
-                Err(wrong) => assert!(wrong.word.contains(word) && wrong.why.contains(why), "{line}: {wrong:?}"),
-            }
+            let wrong = block.read(line.as_bytes()).expect_err(line);
+            assert!(wrong.word.contains(word) && wrong.why.contains(why), "{line}: {wrong:?}");
         }
     }
 }
