@@ -1,6 +1,6 @@
 //! What a request asks of a path: from its options to stations, a place, and what happens there.
 
-use super::super::fixed;
+use super::super::{fixed, words};
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::catalogue::ProcessFile;
 use crate::cutting::{Law, Process};
@@ -52,6 +52,7 @@ impl MillAnswer {
         };
         let forced = forced(moves, &asked.steps(), &forcing, stock.as_mut())?;
         remarks.extend(forced.remarks);
+        remarks.extend(words::pendant(&robot));
         let failed = |error| MillAnswerError::Mill { robot: robot.name.clone(), error };
         let mut stations = forced.stations;
         mill::pin(&mut stations, &asked.pins()).map_err(failed)?;
