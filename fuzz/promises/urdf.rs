@@ -24,7 +24,12 @@ pub(crate) fn holds(bytes: &[u8]) {
             }
             assert!(faults.to_string().starts_with("fuzz.urdf:"));
         }
-        Err(ImportError::Xacro { file } | ImportError::NoLimits { file } | ImportError::Inexact { file, .. }) => {
+        Err(
+            ImportError::Xacro { file }
+            | ImportError::NoLinks { file, .. }
+            | ImportError::NoLimits { file }
+            | ImportError::Inexact { file, .. },
+        ) => {
             assert_eq!(file, "fuzz.urdf");
         }
     }

@@ -134,6 +134,9 @@ impl Cells {
 
 /// Comma-separated values with a line of headings.
 pub(crate) fn write_csv(rows: &Rows, out: &mut dyn Write) -> io::Result<()> {
+    if let Some(remark) = rows.remark() {
+        writeln!(out, "# {}", on_one_line(remark))?;
+    }
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(rows.columns().iter().map(|column| &column.name)).map_err(of_system)?;
     for row in rows.iter() {

@@ -127,3 +127,35 @@ fn the_postures_of_a_plan_are_drawn() {
     let joint_1 = runs[0]["joints_deg"][0].as_f64().unwrap();
     assert!(drawn.contains(&format!("joint 1 at {joint_1:.2}°")), "{joint_1}");
 }
+
+#[test]
+fn a_plan_for_a_robot_whose_pendant_is_not_known_opens_with_that_and_is_read_all_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("plan.csv").to_string_lossy().into_owned();
+    let asked = |robot: &'static str| ["measure", robot, "--runs", "8", "--candidates", "200", "-q", "-o", &table];
+    program(&asked("GP200R")).success();
+    let text = fs::read_to_string(&table).unwrap();
+    let first = text.lines().next().unwrap();
+    assert!(first.starts_with("# joints are told as the robot file of GP200R counts them"), "{first}");
+    let read = program(&["measure", "GP200R", "--runs", "8", "--candidates", "200", "--compare", &table]).success();
+    let told = String::from_utf8_lossy(&read.get_output().stdout).into_owned();
+    assert!(told.contains("your table") && told.contains("compare before you type them"), "{told}");
+    // Filled in with a push along the force.
+    let mut lines = text.lines().skip(1);
+    let headings: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let at = |name: &str| headings.iter().position(|heading| *heading == name).unwrap();
+    let mut made = format!("{first}\n{}\n", headings.join(","));
+    for line in lines {
+        let mut cells: Vec<String> = line.split(',').map(Into::into).collect();
+        for (moved, force) in [("dx_mm", "fx_n"), ("dy_mm", "fy_n"), ("dz_mm", "fz_n")] {
+            cells[at(moved)] = (1e-3 * cells[at(force)].parse::<f64>().unwrap()).to_string();
+        }
+        writeln!(made, "{}", cells.join(",")).unwrap();
+    }
+    fs::write(&table, made).unwrap();
+    let found = program(&["identify", &table, "--robot", "GP200R"]).success();
+    let told = String::from_utf8_lossy(&found.get_output().stdout).into_owned();
+    assert!(told.contains("compare one posture"), "{told}");
+    program(&asked("KR 210 R2700 extra")).success();
+    assert!(fs::read_to_string(&table).unwrap().starts_with("run,posture,q1_deg"));
+}

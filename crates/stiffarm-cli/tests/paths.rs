@@ -381,3 +381,25 @@ fn a_force_that_was_measured_acts_along_the_path() {
     let refused = String::from_utf8(milled("line:0.2").stderr).unwrap();
     assert!(refused.contains("forces.csv:3: f_feed_n: inf; expected a number of at most 100000"), "{refused}");
 }
+
+/// What the pendant of a GP200R shows is not known: its description turns joint 6 otherwise than the maker's other arms.
+#[test]
+fn no_program_has_joints_of_a_robot_whose_pendant_is_not_known_until_somebody_vouches_for_it() {
+    let folder = TempDir::new().unwrap();
+    let asked = ["mill", "line:0.2", "--force-n", "300,100,50", "--feed-mm-per-min", "600", "--at", "2.2,0,0.4", "-q"];
+    let written = |robot: &str, further: &[&str]| {
+        let output = stiffarm(folder.path(), &[&asked[..], &["--robot", robot, "-o", "p.ls"], further].concat());
+        assert!(output.status.success(), "{output:?}");
+        (fs::read_to_string(folder.path().join("p.ls")).unwrap(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (program, _) = written("GP200R", &[]);
+    let first_lines: Vec<&str> = program.lines().skip_while(|line| *line != "/MN").skip(1).take(2).collect();
+    assert!(!program.contains("J1=") && first_lines[0].contains("WARNING: it is not known"), "{program}");
+    let (program, _) = written("GP200R", &["--pendant-as-file"]);
+    assert!(program.contains("J1=") && program.contains("WARNING"), "{program}");
+    let told = json(folder.path(), &[&asked[..8], &["--robot", "GP200R"]].concat());
+    assert_eq!(told["pendant"], "unknown");
+    assert!(told["remarks"].as_array().unwrap().iter().any(|one| one.as_str().unwrap().contains("GP200R")), "{told}");
+    let (program, _) = written("R-2000iC/210R", &[]);
+    assert!(program.contains("J1=") && !program.contains("WARNING"), "{program}");
+}

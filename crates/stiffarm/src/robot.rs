@@ -7,7 +7,7 @@ use crate::body::Body;
 use crate::drive::{Architecture, Drives, Identified, JointCompliance, Knowledge, Scatter};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
-use crate::limits::{Limits, ThirdAxis};
+use crate::limits::{Limits, Pendant, ThirdAxis};
 use crate::plane::{InvalidArm, PlanarArm};
 
 /// How well a robot's numbers are known; shown wherever the robot is.
@@ -162,6 +162,23 @@ impl Robot {
     /// Maker and name, or the name alone where no maker is known.
     pub fn full_name(&self) -> String {
         format!("{} {}", self.vendor, self.name).trim().into()
+    }
+
+    /// Whether its pendant shows the joints as they are counted here; `None` of two links, which have no joints to be shown.
+    pub fn pendant(&self) -> Option<&Pendant> {
+        match &self.arm {
+            Arm::SixAxis { limits, .. } => Some(&limits.pendant),
+            Arm::Planar(_) => None,
+        }
+    }
+
+    /// The same robot whose pendant shows the joints as they are counted here, by the word of whoever asks where nobody else says it.
+    #[must_use]
+    pub fn with_pendant_given(mut self) -> Self {
+        if let Arm::SixAxis { limits: Limits { pendant: pendant @ Pendant::Unknown, .. }, .. } = &mut self.arm {
+            *pendant = Pendant::Given;
+        }
+        self
     }
 
     /// How thick its links are, and whether that is an estimate.

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use stiffarm::catalogue::{Faults, read};
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
+use stiffarm::limits::{Pendant, Verified};
 use stiffarm::load::{Component, Load, LoadError};
 use stiffarm::map::{Axis, MOST_CELLS, MapError, MapOptions};
 use stiffarm::model::ModelError;
@@ -247,7 +248,7 @@ fn an_unknown_key_is_answered_with_the_one_that_was_meant() {
         ("vendor", "vendro = \"Maker\"", 2, "vendro", "did you mean vendor?"),
         ("payload_kg", "payload = 200", 5, "payload", "did you mean payload_kg?"),
         ("third_axis", "third_axes = \"elbow\"", 21, "limits.third_axes", "did you mean third_axis?"),
-        ("elbow_deg", "zzz = 1", 22, "limits.zzz", "expected joint_deg, third_axis, elbow_deg"),
+        ("elbow_deg", "zzz = 1", 22, "limits.zzz", "expected joint_deg, third_axis, pendant, elbow_deg"),
         ("[compliance]", "[complaince]", 24, "complaince", "did you mean compliance?"),
     ] {
         assert_fault(&with(SIX_AXES, start, line), number, key, &["unknown key", says]);
@@ -257,6 +258,26 @@ fn an_unknown_key_is_answered_with_the_one_that_was_meant() {
     let keys: Vec<&str> = faults.faults.iter().map(|fault| fault.key.as_str()).collect();
     assert_eq!(keys, ["geometry.c2_mm", "geometry.c2_m"], "{faults}");
     assert!(faults.faults[1].message.contains("did you mean c2_mm?"), "{faults}");
+}
+
+#[test]
+fn what_the_pendant_shows_needs_a_source_or_readings_that_agree() {
+    let as_file = with(SIX_AXES, "third_axis", "pendant = \"as-file\"");
+    assert_fault(&as_file, 21, "limits.pendant", &["[source] pendant is missing", "[verified]"]);
+    let sourced = with(&as_file, "geometry = ", "pendant = \"a manual\"");
+    let said = |text: &str| read(text, "test.toml").unwrap().pendant().cloned().unwrap();
+    assert_eq!(said(&sourced), Pendant::AsFile);
+    assert_eq!(said(SIX_AXES), Pendant::Unknown);
+    let verified = |rows: &str, date: &str, mm: &str| {
+        format!("{SIX_AXES}\n[verified]\nrows = {rows}\ndate = \"{date}\"\nlargest_mm = {mm}\n")
+    };
+    let agreed = Verified { rows: 6, date: "2026-05-31".into(), largest: 0.02e-3 };
+    assert_eq!(said(&verified("6", "2026-05-31", "0.02")), Pendant::Verified(agreed));
+    assert_fault(&verified("2", "2026-05-31", "0.02"), 31, "verified.rows", &["expected 3"]);
+    assert_fault(&verified("6", "2026-02-31", "0.02"), 32, "verified.date", &["is no date"]);
+    assert_fault(&verified("6", "2026-05-31", "0.2"), 33, "verified.largest_mm", &["0.2 mm", "0.05"]);
+    let both = verified("6", "2026-05-31", "0.02").replace("third_axis = \"elbow\"", "pendant = \"unknown\"");
+    assert_fault(&both, 21, "limits.pendant", &["[verified] says"]);
 }
 
 #[test]

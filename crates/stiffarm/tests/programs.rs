@@ -3,9 +3,11 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
+use stiffarm::catalogue::find;
 use stiffarm::geometry::Geometry;
-use stiffarm::limits::ThirdAxis;
+use stiffarm::limits::{Pendant, ThirdAxis};
 use stiffarm::program::{Language, ProgramFault, ProgramFile, Setup, Station, Style, write};
+use stiffarm::robot::Arm;
 use stiffarm::spatial::Pose;
 
 /// What a pose may be off: 1 um, 1 urad.
@@ -22,6 +24,7 @@ fn setup(geometry: &Geometry) -> Setup<'_> {
         robot: "KR 210",
         geometry,
         third_axis: ThirdAxis::Elbow,
+        pendant: &Pendant::AsFile,
         base_from_part: Pose::new(Vector3::new(1.4, -0.3, 0.8), Vector3::new(0.1, -0.2, 0.7)),
         flange_from_tool: Pose::new(Vector3::new(0.05, 0.02, 0.31), Vector3::new(0.0, 0.6, 0.0)),
         stiffness: Some("robot file"),
@@ -392,4 +395,98 @@ fn what_a_program_cannot_hold_is_refused_with_its_line() {
         told(&good[..1], &style(), Language::Krl),
         "1 places of the robot; expected at least 2, from where to where"
     );
+}
+
+/// The chain that the authors of docs/examples/fanuc_r2000ic.md state of the R-2000iC, in modified Denavit-Hartenberg parameters (alpha, a, d),
+/// whose angles are `(q1, q2, -(q2 + q3), -q4, -q5, -q6)` of those that the pendant shows; joint 2 stands upright at zero.
+fn published_chain(q: &[f64; 6]) -> Pose {
+    let quarter = FRAC_PI_2;
+    let rows = [
+        (0.0, 0.0, 0.670, q[0]),
+        (-quarter, 0.312, 0.0, q[1] - quarter),
+        (0.0, 1.075, 0.0, -(q[1] + q[2])),
+        (-quarter, 0.225, 1.280, -q[3]),
+        (quarter, 0.0, 0.0, -q[4]),
+        (-quarter, 0.0, 0.215, -q[5]),
+    ];
+    rows.into_iter().fold(Pose::identity(), |chain, (alpha, a, d, theta)| {
+        let turn = |axis: Vector3<f64>, angle: f64| Pose::rotation(axis * angle);
+        chain
+            * turn(Vector3::x(), alpha)
+            * Pose::translation(a, 0.0, 0.0)
+            * turn(Vector3::z(), theta)
+            * Pose::translation(0.0, 0.0, d)
+    })
+}
+
+/// `J1= 1 deg,	J2= ...` of the first position.
+fn first_joints(text: &str) -> [f64; 6] {
+    let (_, positions) = text.split_once("P[1]{").unwrap();
+    std::array::from_fn(|i| {
+        let (_, rest) = positions.split_once(&format!("J{}= ", i + 1)).unwrap();
+        rest.split_once(" deg").unwrap().0.parse::<f64>().unwrap().to_radians()
+    })
+}
+
+#[test]
+fn the_first_joints_of_a_fanuc_program_lead_its_published_chain_to_where_the_path_begins() {
+    let robot = find("R-2000iC/165F").unwrap().robot();
+    let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { panic!("six axes") };
+    let setup =
+        Setup { geometry, third_axis: limits.third_axis, pendant: &limits.pendant, ..setup(geometry) };
+    let mut stations = stations(3, 5);
+    // Joint 2 leans, so that an elbow and a forearm are not the same.
+    stations[0].joints = [10.0, 35.0, -20.0, 30.0, -60.0, 100.0].map(f64::to_radians);
+    let text = one_file(Language::Ls, &setup, &stations, &style());
+    let reached = published_chain(&first_joints(&text));
+    let wanted = setup.base_from_part * setup.part_from_tool(&stations[0].joints) * setup.flange_from_tool.inverse();
+    // Angles to 1e-6 deg on 3 m; the two flange frames differ by a turn about their common z.
+    assert!((reached.translation.vector - wanted.translation.vector).norm() < NEAR, "{reached} {wanted}");
+    assert!((reached.rotation * Vector3::z() - wanted.rotation * Vector3::z()).norm() < NEAR, "{reached} {wanted}");
+}
+
+#[test]
+fn where_it_is_not_known_what_the_pendant_shows_no_joint_angle_is_written_and_the_first_lines_say_so() {
+    let geometry = kuka();
+    let setup = Setup { pendant: &Pendant::Unknown, ..setup(&geometry) };
+    let stations = stations(30, 9);
+    let start = setup.part_from_tool(&stations[0].joints);
+    for (language, first_move, joints) in
+        [(Language::Krl, "PTP {X ", "{A1"), (Language::Rapid, "MoveJ [", "MoveAbsJ"), (Language::Ls, "J P[1]", "J1=")]
+    {
+        let text = one_file(language, &setup, &stations, &style());
+        assert!(text.contains(first_move) && !text.contains(joints), "{text}");
+        let head: String = text.lines().take(24).collect::<Vec<_>>().join(" ");
+        let said = head.replace(" ;", "").replace('!', "").replace(char::is_numeric, "").replace(": ", "");
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        let warning = said.find("WARNING").unwrap_or_else(|| panic!("{head}"));
+        assert!(warning < said.find("Robot").unwrap(), "{said}");
+    }
+    let krl = one_file(Language::Krl, &setup, &stations, &style());
+    let line = krl.lines().find(|line| line.starts_with("PTP ")).unwrap();
+    assert_near(&of_angles(krl_frame(line)), &start, line);
+    let rapid = one_file(Language::Rapid, &setup, &stations, &style());
+    assert!(rapid.contains("ConfJ\\Off;") && rapid.contains("ConfL\\Off;"), "{rapid}");
+    let refused = write(Language::JointsCsv, &setup, &stations, &style()).unwrap_err();
+    assert!(refused.to_string().contains("KR 210") && refused.to_string().contains("pendant-as-file"), "{refused}");
+}
+
+#[test]
+fn whoever_says_that_the_pendant_counts_so_gets_the_move_in_joints_and_is_told_what_it_rests_on() {
+    let geometry = kuka();
+    let (known, given) = (setup(&geometry), Setup { pendant: &Pendant::Given, ..setup(&geometry) });
+    let stations = stations(30, 9);
+    for language in Language::ALL {
+        let [known, given] = [known, given].map(|setup| one_file(language, &setup, &stations, &style()));
+        assert!(given.contains("WARNING") && !known.contains("WARNING"), "{given}");
+        // Else the two programs are one.
+        let moves = |text: &str| {
+            let is_remark = |line: &&str| !line.trim_start().starts_with([';', '!', '#']) && !line.contains("  !");
+            let of_count = |line: &&str| !line.starts_with("LINE_COUNT");
+            let rest = text.lines().filter(is_remark).filter(of_count);
+            // Lines of a Fanuc program are numbered.
+            rest.map(|line| line.split_once(':').map_or(line, |(_, after)| after).to_owned()).collect::<Vec<_>>()
+        };
+        assert_eq!(moves(&given), moves(&known));
+    }
 }

@@ -7,10 +7,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
-use stiffarm::catalogue::{names, paper_robots, read};
+use stiffarm::catalogue::{find, names, paper_robots, read, robots};
+use stiffarm::drive::Architecture;
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
-use stiffarm::limits::{Limits, ThirdAxis};
+use stiffarm::limits::{Limits, Pendant, ThirdAxis};
 use stiffarm::load::Load;
 use stiffarm::model::Model;
 use stiffarm::place::{PlaceOptions, Within, place};
@@ -203,32 +204,123 @@ fn the_limits_of_a_fanuc_pendant_keep_their_sense() {
     assert_limits(&robot("M-900iA/200P"), [15.0, 165.0], [-160.0 + up, -20.0 + up], [-121.28 + up, 90.0 + up]);
 }
 
-// Serial Fanuc rack robot as its maker's description counts: J2 = 0 upper arm straight ahead (zero offset -90 moves
-// upright to -90), + down; J3 the angle between the links, 0 a right angle, + opens it, the forearm going up.
+// Serial Fanuc rack robot as its pendant counts: J2 = 0 upper arm straight ahead (zero offset -90 moves upright to -90), + down; J3 = 0
+// the forearm hanging, + up, whatever J2 does: the elbow of the maker's description less J2.
 //
-// -90, 0: x = a1 + c3 = 0.720 + 1.280 = 2.000      z = c1 + c2 + 0.225 = 0.600 + 1.075 + 0.225 = 1.900
+// -90, 90: upper arm upright, forearm ahead.
+//   x = a1 + c3 = 0.720 + 1.280 = 2.000              z = c1 + c2 + 0.225 = 0.600 + 1.075 + 0.225 = 1.900
 // 0, 0: upper arm ahead, forearm hanging, its axis displaced forwards.
 //   x = a1 + c2 + 0.225 = 2.020                    z = c1 - c3 = -0.680
 // 0, 90: stretched ahead.
 //   x = a1 + c2 + c3 = 3.075                       z = c1 + 0.225 = 0.825
+// -30, 90: the forearm is still level.
+//   x = a1 + c2 cos 30 + c3                        z = c1 + c2 sin 30 + 0.225
 #[test]
-fn a_serial_fanuc_opens_the_elbow_with_joint_3() {
+fn joint_3_of_a_fanuc_rack_robot_counts_upwards_from_the_hanging_forearm() {
     let fanuc = robot("R-2000iC/210R");
     let up = rise(0.225, 1.280);
-    assert_wrist(&fanuc, [0.0, -90.0, 0.0], [2.000, 0.0, 1.900]);
+    assert_wrist(&fanuc, [0.0, -90.0, 90.0], [2.000, 0.0, 1.900]);
     assert_plane(&fanuc, [90.0, up], [2.000, 0.0, 1.900]);
     assert_wrist(&fanuc, [0.0, 0.0, 0.0], [2.020, 0.0, -0.680]);
     assert_plane(&fanuc, [0.0, -90.0 + up], [2.020, 0.0, -0.680]);
     assert_wrist(&fanuc, [0.0, 0.0, 90.0], [3.075, 0.0, 0.825]);
     assert_plane(&fanuc, [0.0, up], [3.075, 0.0, 0.825]);
+    let raised = [0.720 + 1.075 * 0.75_f64.sqrt() + 1.280, 0.0, 0.600 + 1.075 * 0.5 + 0.225];
+    assert_wrist(&fanuc, [0.0, -30.0, 90.0], raised);
+    assert_plane(&fanuc, [30.0, up], raised);
 }
 
-// Upper arm: -J2, so [-120, 80] gives [-80, 120]. Forearm axis from the upper arm: J3 - 90, so [-79, 180] gives
-// [-169, 90], plus atan(225/1280).
+// Upper arm: -J2, so [-120, 80] gives [-80, 120]. The elbow as the maker's description has it, E = J2 + J3, in [-79, 180]: forearm axis from
+// the upper arm E - 90, [-169, 90], plus atan(225/1280). Forearm axis J3 - 90; that J2 and elbow leave [-159, 300] of J3 bounds nothing
+// more: [-249, 210], plus the same.
 #[test]
 fn the_limits_of_a_serial_fanuc_bind_the_elbow() {
     let up = rise(0.225, 1.280);
-    assert_limits(&robot("R-2000iC/210R"), [-80.0, 120.0], [-169.0 + up, 90.0 + up], NO_LIMIT);
+    let elbow = [-169.0 + up, 90.0 + up];
+    assert_limits(&robot("R-2000iC/210R"), [-80.0, 120.0], elbow, [-249.0 + up, 210.0 + up]);
+}
+
+// Upper arm: 90 - J2, so [-60, 76] gives [14, 150]. The elbow of the maker's description, E in [-79, 180], is the forearm axis from the upper
+// arm plus 90. Joint 3 of the pendant, [-132, 180], is the forearm axis itself. All plus atan(225/1280).
+#[test]
+fn a_serial_fanuc_keeps_the_limits_of_its_elbow_and_those_of_its_pendant() {
+    let fanuc = find("R-2000iC/165F").unwrap().robot();
+    let up = rise(0.225, 1.280);
+    assert_limits(&fanuc, [14.0, 150.0], [-169.0 + up, 90.0 + up], [-132.0 + up, 180.0 + up]);
+    assert_eq!(fanuc.architecture, Architecture::Serial, "the drives stay where they are");
+}
+
+// onerobotics.com, The perils of six-axis robots (2013): of an R-2000iB/165F the pendant shows X 1500 Y 0 Z 360 mm, W 135 P -45 R 0 deg, and
+// J1 7.962 J2 -5.284 J3 -36.250 deg. Fanuc counts z from joint 2, and turns R about z, P about y, W about x. Nothing is said of the tool:
+// as most are, it lies along axis 6, so the wrist centre lies behind the tool point on the tool's z. With joint 3 between the links it
+// would miss that line by 114 mm.
+#[test]
+fn the_wrist_of_a_fanuc_stands_where_a_published_reading_of_its_pendant_has_it() {
+    let fanuc = find("R-2000iB/165F").unwrap().robot();
+    let (geometry, limits) = six_axis(&fanuc);
+    let [j1, j2, j3] = [7.962, -5.284, -36.250].map(f64::to_radians);
+    let wrist = wrist_centre(geometry, [j1, j2, j3, 0.0, 0.0, 0.0], limits.third_axis);
+    let (s, c) = 45_f64.to_radians().sin_cos();
+    // Ry(-45) Rx(135) z = Ry(-45) (0, -sin 135, cos 135).
+    let z = [s * s, -s, -s * c];
+    let back = [wrist[0] - 1.500, wrist[1], wrist[2] - geometry.c1 - 0.360];
+    let along: f64 = (0..3).map(|i| back[i] * z[i]).sum();
+    let beside = (0..3).map(|i| (back[i] - along * z[i]).powi(2)).sum::<f64>().sqrt();
+    // Angles to 0.0005 deg on 2 m are 0.02 mm.
+    assert!(beside < 3e-5, "{beside} m beside the tool's axis");
+    assert!((-along - 0.270).abs() < 3e-5, "a tool point {} m before the wrist centre", -along);
+}
+
+// ros-industrial/fanuc_experimental, issue 17: where the pendant of an R-1000iA shows J3 = -33.342 deg, the driver reports the elbow of its
+// description at -0.035214900970458984 rad and joint 2 at 0.5467115640640259 rad; the elbow at 0 is a right angle, and + opens it.
+#[test]
+fn joint_3_of_a_fanuc_pendant_is_the_elbow_less_joint_2() {
+    let fanuc = find("R-1000iA/80F").unwrap().robot();
+    let (geometry, limits) = six_axis(&fanuc);
+    let (j2, elbow) = (0.546_711_564_064_025_9, -0.035_214_900_970_458_984);
+    let model = geometry.model_angles(&[0.0, j2, -33.342_f64.to_radians(), 0.0, 0.0, 0.0], limits.third_axis);
+    // The pendant rounds to 0.001 deg.
+    assert!((model[2] - (FRAC_PI_2 - elbow)).abs() < 2e-5, "{model:?}");
+}
+
+#[test]
+fn every_fanuc_counts_joint_3_whatever_joint_2_does_and_every_robot_says_what_its_pendant_shows() {
+    let all = robots();
+    let fanucs: Vec<_> = all.iter().filter(|robot| robot.vendor == "Fanuc").collect();
+    assert!(70 < fanucs.len());
+    for robot in fanucs {
+        let (_, limits) = six_axis(robot);
+        let stated = limits.third_axis == ThirdAxis::Forearm || limits.pendant == Pendant::Unknown;
+        assert!(stated, "{} counts joint 3 from the upper arm", robot.name);
+    }
+    for robot in &all {
+        let (Some(pendant), source) = (robot.pendant(), &robot.source["pendant"]) else { panic!("{}", robot.name) };
+        let is_known = *pendant == Pendant::AsFile;
+        assert!(is_known || *pendant == Pendant::Unknown, "{}: nobody read this pendant", robot.name);
+        assert_eq!(source.starts_with("not known: "), !is_known, "{}: {source}", robot.name);
+    }
+}
+
+/// What a controller counts is a matter of its maker: all of one maker count with the same signs, but for where the file says otherwise.
+#[test]
+fn arms_of_one_maker_whose_pendant_is_known_have_the_same_signs() {
+    for (vendor, signs) in [
+        ("KUKA", [-1.0, 1.0, 1.0, -1.0, 1.0, -1.0]),
+        ("ABB", [1.0; 6]),
+        ("Fanuc", [1.0, 1.0, -1.0, -1.0, -1.0, -1.0]),
+        ("Yaskawa", [1.0, 1.0, -1.0, -1.0, -1.0, -1.0]),
+        ("Staubli", [1.0; 6]),
+        ("Kawasaki", [-1.0, 1.0, -1.0, 1.0, -1.0, 1.0]),
+        ("Comau", [-1.0, 1.0, -1.0, -1.0, 1.0, -1.0]),
+        ("Hyundai", [1.0, -1.0, -1.0, 1.0, -1.0, 1.0]),
+    ] {
+        let known = robots().into_iter().filter(|robot| robot.vendor == vendor);
+        let known: Vec<_> = known.filter(|robot| robot.pendant() == Some(&Pendant::AsFile)).collect();
+        assert!(2 < known.len(), "{vendor}");
+        for robot in known {
+            assert_eq!(six_axis(&robot).0.sign, signs, "{}", robot.full_name());
+        }
+    }
 }
 
 // Yaskawa rack robot: L = 0 upper arm straight ahead, + down; U = 0 the forearm at a right angle below it, + opens.
@@ -261,32 +353,32 @@ fn the_limits_of_a_yaskawa_rack_robot_bind_the_elbow() {
     assert_limits(&robot("ES200RD II"), [-80.0, 130.0], [-168.4 + up, -12.0 + up], NO_LIMIT);
 }
 
-// Kawasaki shelf robot: JT1 = 0 points to the left (+y), JT1 = -90 ahead. JT2 = 0 upper arm straight ahead, + up and
-// back. JT3 = 0 the forearm at a right angle below it, + opens.
+// Kawasaki shelf robot: JT1 = 0 points to the left (+y), JT1 = 90 ahead. JT2 = 0 upper arm straight ahead, + down, as on all robots of
+// the maker. JT3 = 0 the forearm at a right angle below it, + opens.
 //
-// -90, 90, 0: upper arm upright, forearm ahead.
+// 90, -90, 0: upper arm upright, forearm ahead.
 //   x = a1 + c3 = 0.720 + 1.250 = 1.970            z = c1 + c2 + 0.230 = 0.450 + 1.160 + 0.230 = 1.840
-// -90, 0, 90: stretched ahead.
+// 90, 0, 90: stretched ahead.
 //   x = a1 + c2 + c3 = 3.130                       z = c1 + 0.230 = 0.680
-// -90, 135, 0: upper arm 135 deg, leaning back; the forearm axis at 45 deg.
+// 90, -135, 0: upper arm 135 deg, leaning back; the forearm axis at 45 deg.
 //   x = a1 - c2 h + c3 h - 0.230 h                 z = c1 + c2 h + c3 h + 0.230 h,  h = sqrt(1/2)
-// 0, 90, 0: the first pose, turned to +y.
+// 0, -90, 0: the first pose, turned to +y.
 #[test]
-fn a_kawasaki_shelf_robot_lifts_its_upper_arm_with_positive_joint_2() {
+fn a_kawasaki_shelf_robot_lowers_its_upper_arm_with_positive_joint_2() {
     let kawasaki = robot("BT200L");
     let up = rise(0.230, 1.250);
-    assert_wrist(&kawasaki, [-90.0, 90.0, 0.0], [1.970, 0.0, 1.840]);
+    assert_wrist(&kawasaki, [90.0, -90.0, 0.0], [1.970, 0.0, 1.840]);
     assert_plane(&kawasaki, [90.0, up], [1.970, 0.0, 1.840]);
-    assert_wrist(&kawasaki, [-90.0, 0.0, 90.0], [3.130, 0.0, 0.680]);
+    assert_wrist(&kawasaki, [90.0, 0.0, 90.0], [3.130, 0.0, 0.680]);
     assert_plane(&kawasaki, [0.0, up], [3.130, 0.0, 0.680]);
     let h = 0.5_f64.sqrt();
     let back = [0.720 + (-1.160 + 1.250 - 0.230) * h, 0.0, 0.450 + (1.160 + 1.250 + 0.230) * h];
-    assert_wrist(&kawasaki, [-90.0, 135.0, 0.0], back);
+    assert_wrist(&kawasaki, [90.0, -135.0, 0.0], back);
     assert_plane(&kawasaki, [135.0, 45.0 + up], back);
-    assert_wrist(&kawasaki, [0.0, 90.0, 0.0], [0.0, 1.970, 1.840]);
+    assert_wrist(&kawasaki, [0.0, -90.0, 0.0], [0.0, 1.970, 1.840]);
 }
 
-// Upper arm: JT2 itself, [-80, 135]. Forearm axis from the upper arm: JT3 - 90, so [-75, 90] gives [-165, 0], plus
+// Upper arm: -JT2, so [-135, 80] gives [-80, 135]. Forearm axis from the upper arm: JT3 - 90, so [-75, 90] gives [-165, 0], plus
 // atan(230/1250).
 #[test]
 fn the_limits_of_a_kawasaki_shelf_robot_keep_their_sense() {

@@ -8,7 +8,7 @@ use stiffarm::compliance::compliance;
 use stiffarm::drive::{Architecture, Drives, JointCompliance};
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
-use stiffarm::limits::{Limits, ThirdAxis};
+use stiffarm::limits::{Limits, Pendant, ThirdAxis};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::{Pose, Wrench};
 
@@ -26,7 +26,7 @@ fn random_robot(rng: &mut fastrand::Rng, architecture: Architecture, drives: [f6
         sign: std::array::from_fn(|_| 1.0),
     };
     let limits =
-        Limits { joints: [Interval::ALL; 6], third_axis: ThirdAxis::Elbow, elbow: Interval::ALL, speeds: None };
+        Limits { joints: [Interval::ALL; 6], third_axis: ThirdAxis::Elbow, pendant: Pendant::Unknown, elbow: Interval::ALL, speeds: None };
     let mut robot = paper_robots().swap_remove(0);
     robot.architecture = architecture;
     robot.arm = Arm::SixAxis { geometry, limits, drives: Drives::new(architecture, JointCompliance(drives)) };

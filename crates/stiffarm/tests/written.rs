@@ -10,7 +10,7 @@ use stiffarm::catalogue::{read, write};
 use stiffarm::drive::{Architecture, Drives, GravityCompensator, Identified, JointCompliance, Transmission};
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
-use stiffarm::limits::{Limits, ThirdAxis};
+use stiffarm::limits::{Limits, PENDANT_SOURCE, Pendant, ThirdAxis, Verified};
 use stiffarm::plane::PlanarArm;
 use stiffarm::robot::{Arm, Robot, Status};
 
@@ -66,9 +66,15 @@ fn limits() -> impl Strategy<Value = Limits> {
         enclosed.prop_map(|enclosed| (ThirdAxis::Forearm, enclosed)),
     ];
     let speeds = proptest::option::of(six(|| angle(1.0, 900.0)));
-    (six(range), third, speeds).prop_map(|(joints, (third_axis, elbow), speeds)| Limits {
+    let verified = (3_usize..20, 0_u32..50).prop_map(|(rows, um)| {
+        let largest = f64::from(um) / 1e3 / 1e3;
+        Pendant::Verified(Verified { rows, date: "2026-05-31".into(), largest })
+    });
+    let pendant = prop_oneof![Just(Pendant::Unknown), Just(Pendant::AsFile), verified];
+    (six(range), third, pendant, speeds).prop_map(|(joints, (third_axis, elbow), pendant, speeds)| Limits {
         joints,
         third_axis,
+        pendant,
         elbow,
         speeds,
     })
@@ -173,20 +179,26 @@ fn robot() -> impl Strategy<Value = Robot> {
             source,
             (architecture, arm),
             status,
-        )| Robot {
-            name,
-            vendor,
-            architecture,
-            architecture_is_assumed: assumed,
-            stiffness_is_assumed: assumed && may_be_assumed(&arm),
-            status,
-            payload_kg,
-            reach,
-            mass_kg,
-            repeatability,
-            body: if matches!(arm, Arm::SixAxis { .. }) { body } else { None },
-            arm,
-            source: BTreeMap::from_iter(source),
+        )| {
+            let mut source = BTreeMap::from_iter(source);
+            if matches!(&arm, Arm::SixAxis { limits, .. } if limits.pendant == Pendant::AsFile) {
+                source.insert(PENDANT_SOURCE.into(), "a manual".into());
+            }
+            Robot {
+                name,
+                vendor,
+                architecture,
+                architecture_is_assumed: assumed,
+                stiffness_is_assumed: assumed && may_be_assumed(&arm),
+                status,
+                payload_kg,
+                reach,
+                mass_kg,
+                repeatability,
+                body: if matches!(arm, Arm::SixAxis { .. }) { body } else { None },
+                arm,
+                source,
+            }
         },
     )
 }

@@ -9,7 +9,7 @@ use stiffarm::catalogue::write;
 use stiffarm::drive::{Architecture, Drives, Transmission};
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
-use stiffarm::limits::{Limits, ThirdAxis};
+use stiffarm::limits::{Limits, Pendant, ThirdAxis, Verified};
 use stiffarm::map::MapError;
 use stiffarm::plane::PlanarArm;
 use stiffarm::robot::{Arm, ArmPlane, Robot};
@@ -118,10 +118,24 @@ fn limit_rows(limits: &Limits) -> Lines {
         let remark = if forearm { " (absolute angle of the forearm)" } else { "" };
         rows.push((format!("joint {} as reported", i + 1), degrees(*range) + &speed + remark));
     }
+    rows.push(("pendant".into(), pendant(&limits.pendant)));
     if !limits.elbow.is_all() {
         rows.push(("angle between the links".into(), degrees(limits.elbow)));
     }
     rows
+}
+
+/// Whether it shows those angles.
+fn pendant(pendant: &Pendant) -> String {
+    match pendant {
+        Pendant::Unknown => "not known to show the joints as they are counted here".into(),
+        Pendant::AsFile => "shows the joints as they are counted here".into(),
+        Pendant::Verified(Verified { rows, date, largest }) => format!(
+            "shows the joints as they are counted here: {rows} readings of {date} agree within {} mm",
+            rounded(Unit::Millimetre.told(*largest))
+        ),
+        Pendant::Given => "said to show the joints as they are counted here".into(),
+    }
 }
 
 fn drive_rows(drives: &Drives, architecture: Architecture) -> Lines {

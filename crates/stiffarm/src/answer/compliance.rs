@@ -10,6 +10,7 @@ use super::{
 };
 use crate::batch::{RowsError, Units, matrices_of_rows, worst_of_rows};
 use crate::compliance::Posture;
+use crate::limits::Pendant;
 use crate::load::{Direction, Largest, Load};
 use crate::robot::Robot;
 use crate::spatial::{Pose, Wrench};
@@ -67,6 +68,7 @@ impl ComplianceAnswer {
         record
             .put(field::MODEL, "spatial")
             .put(field::JOINTS, *joints_deg)
+            .put(field::PENDANT, robot.pendant().map(Pendant::name))
             .put(field::TCP, posture.tool.translation.vector.as_slice())
             .put(field::COMPLIANCE, by_rows(3, &|i, j| translation[(i, j)]))
             .put(field::COMPLIANCE_6X6, by_rows(6, &|i, j| whole[(i, j)]))
@@ -112,7 +114,7 @@ impl ComplianceAnswer {
         let mut lines = vec![
             line("robot", words::robot(robot)),
             line("stiffness", stiffness(robot)),
-            line("joints as reported", format!("{} deg", joints_deg.map(|angle| angle.to_string()).join(", "))),
+            line(words::joints_reported(robot), format!("{} deg", joints_deg.map(|angle| angle.to_string()).join(", "))),
             line("tool point from the base", format!("{} m", vector(&posture.tool.translation.vector, 4))),
         ];
         for (name, (value, direction)) in
@@ -149,7 +151,8 @@ impl ComplianceAnswer {
     /// What stands below the table.
     pub fn notes(&self) -> String {
         let assumed = words::assumed_architecture([&self.robot]);
-        format!("{assumed}base axes: x forward, y left, z up; all six drives compliant, everything else rigid\n")
+        let pendant = words::pendant_note(&self.robot);
+        format!("{assumed}{pendant}base axes: x forward, y left, z up; all six drives compliant, everything else rigid\n")
     }
 }
 

@@ -343,7 +343,20 @@ impl IdentifyAnswer {
         for remark in &found.remarks {
             let _ = writeln!(notes, "{remark}");
         }
+        notes += &self.read_as();
         notes + "-o robot.toml writes the robot file, -o fit.svg, .png or .pdf draws what remains\n"
+    }
+
+    /// How the joint angles of the table were read.
+    fn read_as(&self) -> String {
+        if words::pendant(&self.before).is_none() {
+            return String::new();
+        }
+        format!(
+            "the joints of {} are read as the robot file counts them; it is not known whether the pendant shows the same zeros, signs and joint 3: \
+             if the joints were read there, compare one posture\n",
+            self.data
+        )
     }
 
     /// The readings that do not fit, the worst first; `None` where all do.

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use super::stiffness::digits;
 use super::words::{self, fixed};
 use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, Unit, field, line, stiffness, with_schema};
+use crate::limits::Pendant;
 use crate::measure::{Cone, Criterion, Instrument, Options, Plan, Run};
 use crate::robot::{Arm, Robot};
 
@@ -96,6 +97,7 @@ impl MeasureAnswer {
         let mut record = Record::new();
         stiffness::put_robot(&mut record, &self.robot);
         record
+            .put(field::PENDANT, self.robot.pendant().map(Pendant::name))
             .put(field::CRITERION, criterion)
             .put(field::CRITERION_VALUE, plan.value * squared)
             .put(field::CRITERION_BOUND, plan.lower_bound * squared)
@@ -172,7 +174,7 @@ impl MeasureAnswer {
                 rows.push(row);
             }
         }
-        Rows::new(columns, rows)
+        Rows::new(columns, rows).under(words::pendant(&self.robot))
     }
 
     /// What stands above the runs.
@@ -254,7 +256,8 @@ impl MeasureAnswer {
 
     /// One row per run.
     pub fn table(&self) -> Table {
-        let mut table = Table::new(["run", "joints as reported deg", "load", "force N", "expected mm"]);
+        let joints_in_deg = format!("{} deg", words::joints_reported(&self.robot));
+        let mut table = Table::new(["run", &joints_in_deg, "load", "force N", "expected mm"]);
         for (i, run) in self.plan.runs.iter().enumerate() {
             let force = run.load.0.fixed_rows::<3>(0);
             let most = largest(run);
@@ -290,8 +293,9 @@ impl MeasureAnswer {
         let sight = if self.options.instrument.is_some() { ", sight" } else { "" };
         let coarse = if self.robot.thickness().1 { "as capsules of estimated radii" } else { "as capsules" };
         format!(
-            "{unseen}in this order the joints travel little; looked at were joint limits, window{sight}, and the links ({coarse}) towards floor and each other, in these postures and not on the way\n\
-             -o plan.csv writes the table to be filled in (dx_mm, dy_mm, dz_mm), which `stiffarm identify` reads\n"
+            "{unseen}{}in this order the joints travel little; looked at were joint limits, window{sight}, and the links ({coarse}) towards floor and each other, in these postures and not on the way\n\
+             -o plan.csv writes the table to be filled in (dx_mm, dy_mm, dz_mm), which `stiffarm identify` reads\n",
+            words::pendant_note(&self.robot)
         )
     }
 }

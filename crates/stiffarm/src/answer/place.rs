@@ -215,7 +215,12 @@ impl PlaceAnswer {
             ModelKind::Spatial(_) if has_boxes => "of tables and fixtures only the keep-outs are known\n",
             ModelKind::Spatial(_) => "nothing is known of tables and fixtures\n",
         };
-        format!("{}{notes}{around}", words::assumed_architecture([&self.robot]))
+        // The plane has no joint angles to tell.
+        let pendant = match self.model {
+            ModelKind::Planar => String::new(),
+            ModelKind::Spatial(_) => words::pendant_note(&self.robot),
+        };
+        format!("{}{pendant}{notes}{around}", words::assumed_architecture([&self.robot]))
     }
 
     fn lines(&self, best: &Placement) -> Vec<Line> {

@@ -6,7 +6,7 @@ use super::{Object, Record, Rows, Table, field, stiffness, stiffnesses, words};
 use crate::catalogue::microradians;
 use crate::geometry::Geometry;
 use crate::interval::Interval;
-use crate::limits::{Limits, ThirdAxis};
+use crate::limits::{Limits, Pendant, ThirdAxis, Verified};
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot};
 
@@ -45,6 +45,9 @@ pub fn sheet(robot: &Robot) -> Value {
                 "axis_from_base_m": matches!(robot.arm, Arm::SixAxis { .. }).then_some(plane.axis_from_base), "bound_um_per_n": floor(robot),
             }),
         );
+    }
+    if let Some(Pendant::Verified(Verified { rows, date, largest })) = robot.pendant() {
+        put("verified", json!({ "rows": rows, "date": date, "largest_mm": rounded(largest * 1e3) }));
     }
     put("source", json!(robot.source));
     Value::Object(sheet)
@@ -152,6 +155,7 @@ fn limits_json(limits: &Limits) -> Value {
             ThirdAxis::Elbow => "elbow",
             ThirdAxis::Forearm => "forearm",
         },
+        "pendant": limits.pendant.name(),
         "elbow_deg": range(limits.elbow),
         "speed_deg_per_s": limits.speeds.map(|speeds| speeds.map(|speed| rounded(speed.to_degrees()))),
     })

@@ -61,6 +61,7 @@ impl std::fmt::Display for Cell {
 
 /// Rows under typed columns.
 pub struct Rows<'a> {
+    remark: Option<String>,
     columns: Vec<Column>,
     rows: Kept<'a>,
 }
@@ -74,12 +75,23 @@ enum Kept<'a> {
 impl<'a> Rows<'a> {
     /// A table of rows that are there.
     pub fn new(columns: Vec<Column>, rows: Vec<Vec<Cell>>) -> Self {
-        Self { columns, rows: Kept::All(rows) }
+        Self { remark: None, columns, rows: Kept::All(rows) }
     }
 
     /// A table of `count` rows, of which each is made anew when it is needed.
     pub fn made(columns: Vec<Column>, count: usize, row: impl Fn(usize) -> Vec<Cell> + 'a) -> Self {
-        Self { columns, rows: Kept::Made(count, Box::new(row)) }
+        Self { remark: None, columns, rows: Kept::Made(count, Box::new(row)) }
+    }
+
+    /// The same under a remark that whoever uses the table must have read.
+    #[must_use]
+    pub fn under(self, remark: Option<String>) -> Self {
+        Self { remark, ..self }
+    }
+
+    /// What stands above the headings, on one line.
+    pub fn remark(&self) -> Option<&str> {
+        self.remark.as_deref()
     }
 
     /// The headings.

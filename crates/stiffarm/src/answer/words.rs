@@ -5,6 +5,7 @@ pub use super::force::{acting, component, force, loaded, mapped};
 use super::{Line, line};
 use crate::clearance::{Clearance, Obstacle};
 use crate::interval::Interval;
+use crate::limits::{Pendant, ThirdAxis};
 use crate::load::Load;
 use crate::model::ModelKind;
 use crate::place::Within;
@@ -36,6 +37,31 @@ pub fn robot(robot: &Robot) -> String {
 /// Architecture and status, for a line below a name.
 pub fn class(robot: &Robot) -> String {
     format!("{}, {}", architecture(robot), robot.status)
+}
+
+/// That joint angles may not be those of the pendant; `None` where somebody says that they are, and of two links.
+pub fn pendant(robot: &Robot) -> Option<String> {
+    (robot.pendant()? == &Pendant::Unknown).then(|| {
+        format!(
+            "joints are told as the robot file of {} counts them; it is not known whether its pendant shows the same zeros, signs and joint 3: compare before you type them",
+            robot.name
+        )
+    })
+}
+
+/// The same as a note below a table.
+pub fn pendant_note(robot: &Robot) -> String {
+    pendant(robot).map_or_else(String::new, |remark| remark + "\n")
+}
+
+/// Of which joints angles are told, and what joint 3 counts from where that is not the upper arm.
+pub fn joints_reported(robot: &Robot) -> &'static str {
+    match &robot.arm {
+        Arm::SixAxis { limits, .. } if limits.third_axis == ThirdAxis::Forearm => {
+            "joints as reported (joint 3 against the horizontal)"
+        }
+        _ => "joints as reported",
+    }
 }
 
 /// Its architecture, with a question mark where nothing says that it is.

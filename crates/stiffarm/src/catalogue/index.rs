@@ -178,6 +178,7 @@ mod tests {
             let stated = [
                 ("geometry", true),
                 ("limits", true),
+                ("pendant", true),
                 ("architecture", robot.architecture_is_assumed),
                 ("elbow_deg", !limits.elbow.is_all()),
                 ("speed", limits.speeds.is_some()),

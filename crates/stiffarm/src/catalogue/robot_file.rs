@@ -11,7 +11,7 @@ use crate::body::Body;
 use crate::drive::{Architecture, Drives, GravityCompensator, Identified, JointCompliance, Transmission};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
-use crate::limits::{Limits, ThirdAxis};
+use crate::limits::{Limits, PENDANT_SOURCE, Pendant, ThirdAxis, Verified};
 use crate::plain::on_one_line;
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot, Status};
@@ -30,6 +30,10 @@ const COMPLIANCE: Quantity =
 const COVARIANCE: Quantity = Quantity { unit: "(urad/(N m))^2", min: -1e8, max: 1e8, suspect: None };
 const POSTURES: Quantity = Quantity { unit: "(postures)", min: 2.0, max: 1e6, suspect: None };
 const RESIDUAL: Quantity = Quantity { unit: "mm", min: 0.0, max: 100.0, suspect: None };
+/// Rows that were read from a pendant.
+const READ: Quantity = Quantity { unit: "(rows)", min: 3.0, max: 1e6, suspect: None };
+/// How far they may be off and still agree.
+const OFF: Quantity = Quantity { unit: "mm", min: 0.0, max: 0.05, suspect: None };
 const COUPLING: Quantity = Quantity { unit: "(ratio)", min: -1000.0, max: 1000.0, suspect: None };
 const SPRING: Quantity = Quantity { unit: "N/mm", min: 1e-3, max: 1e6, suspect: None };
 const SPRING_LENGTH: Quantity = Quantity { unit: "mm", min: 0.0, max: 10_000.0, suspect: None };
@@ -113,20 +117,20 @@ fn robot(mut root: Table) -> Option<Robot> {
     let reach = root.optional_number("reach_m", REACH);
     let source: BTreeMap<String, String> = root.table("source").texts();
     let arm = if root.has("planar") {
-        for key in ["geometry", "limits", "compliance", "compensator", "body"] {
+        for key in ["geometry", "limits", "compliance", "compensator", "body", "verified"] {
             if root.has(key) {
                 root.fault(key, "does not go with [planar]; a robot has either [planar] or [geometry] and [limits]");
             }
         }
         planar(root.table("planar"), architecture)
     } else if root.has("geometry") {
-        six_axis(&mut root, architecture)
+        six_axis(&mut root, architecture, &source)
     } else {
         root.fault("", "neither [geometry] with [limits] nor [planar]; a robot needs one of them");
         None
     };
     let body = if root.has("body") { body(root.table("body")) } else { Some(None) };
-    root.finish(&["geometry", "limits", "compliance", "compensator", "body", "planar"]);
+    root.finish(&["geometry", "limits", "compliance", "compensator", "body", "planar", "verified"]);
     let vendor = vendor.unwrap_or_default();
     let (arm, stiffness_is_assumed) = arm?;
     Some(Robot {
@@ -172,12 +176,17 @@ fn planar(mut table: Table, architecture: Option<Architecture>) -> Option<Moving
     Some((Arm::Planar(arm), stiffness_is_assumed))
 }
 
-fn six_axis(root: &mut Table, architecture: Option<Architecture>) -> Option<Moving> {
+fn six_axis(
+    root: &mut Table,
+    architecture: Option<Architecture>,
+    source: &BTreeMap<String, String>,
+) -> Option<Moving> {
     let geometry = geometry(root.table("geometry"));
     if !root.has("limits") {
         root.fault("limits", "missing; expected a table with joint_deg, six times [min, max] in deg");
     }
-    let limits = limits(root.table("limits"));
+    let verified = if root.has("verified") { verified(root.table("verified")).map(Some) } else { Some(None) };
+    let limits = limits(root.table("limits"), verified, source.contains_key(PENDANT_SOURCE));
     let (drives, stiffness_is_assumed) = drives(root, architecture)?;
     Some((Arm::SixAxis { geometry: geometry?, limits: limits?, drives }, stiffness_is_assumed))
 }
@@ -326,7 +335,41 @@ fn geometry(mut table: Table) -> Option<Geometry> {
     Some(Geometry { a1: a1?, a2: a2?, b: b?, c1: c1?, c2: c2?, c3: c3?, c4: c4?, offset: offset?, sign: sign? })
 }
 
-fn limits(mut table: Table) -> Option<Limits> {
+/// What was read from the pendant of the very robot.
+fn verified(mut table: Table) -> Option<Verified> {
+    let rows = table.number("rows", READ);
+    if rows.is_some_and(|rows| rows.fract() != 0.0) {
+        table.fault("rows", "is no whole number");
+    }
+    let date = table.text("date", true);
+    if let Some(date) = date.as_ref().filter(|date| !is_date(date)) {
+        table.fault("date", format!("\"{date}\" is no date; expected such as \"2026-05-31\""));
+    }
+    let largest = table.number("largest_mm", OFF);
+    table.finish(&[]);
+    Some(Verified { rows: rows? as usize, date: date?, largest: largest? / 1e3 })
+}
+
+/// Readings of the robot count more than what is published, and what is published must have a source.
+fn pendant(table: &mut Table, verified: Option<Verified>, is_sourced: bool) -> Option<Pendant> {
+    let said = table.choice("pendant", &[("as-file", true), ("unknown", false)], Some(false))?;
+    match (verified, said) {
+        (Some(_), false) if table.has("pendant") => {
+            table.fault("pendant", "unknown, but [verified] says that the pendant shows what the file says");
+            None
+        }
+        (Some(verified), _) => Some(Pendant::Verified(verified)),
+        (None, true) if !is_sourced => {
+            table.fault("pendant", "as-file, but [source] pendant is missing; expected who says so, or [verified]");
+            None
+        }
+        (None, true) => Some(Pendant::AsFile),
+        (None, false) => Some(Pendant::Unknown),
+    }
+}
+
+/// `verified` is `None` where that table is faulty.
+fn limits(mut table: Table, verified: Option<Option<Verified>>, is_sourced: bool) -> Option<Limits> {
     let joints: Option<[(f64, f64); 6]> = table.ranges("joint_deg", ANGLE);
     // A turn is 6.3 rad; joints 4 and 6 may make several.
     if joints.is_some_and(|joints| joints[..3].iter().all(|(min, max)| max - min < 7.0)) {
@@ -340,12 +383,14 @@ fn limits(mut table: Table) -> Option<Limits> {
         &[("elbow", ThirdAxis::Elbow), ("forearm", ThirdAxis::Forearm)],
         Some(ThirdAxis::Elbow),
     );
+    let pendant = verified.and_then(|verified| pendant(&mut table, verified, is_sourced));
     let elbow = table.angles("elbow_deg", ENCLOSED);
     let speeds = table.optional_numbers("speed_deg_per_s", SPEED);
     table.finish(&[]);
     Some(Limits {
         joints: joints?.map(radians),
         third_axis: third_axis?,
+        pendant: pendant?,
         elbow: elbow?,
         speeds: speeds?.map(|speeds| speeds.map(f64::to_radians)),
     })

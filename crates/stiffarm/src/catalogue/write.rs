@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::drive::{Drives, Identified, JointCompliance, Transmission};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
-use crate::limits::{Limits, ThirdAxis};
+use crate::limits::{Limits, Pendant, ThirdAxis, Verified};
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot};
 
@@ -16,7 +16,7 @@ const WIDEST_DEG: f64 = 1080.0;
 ///
 /// Equal to the last bit for every robot that was read from a file; lengths and angles that were computed may differ in
 /// the last bit, because not every number of metres is a thousandth of a number. What a file leaves to its defaults is
-/// left out. An open end of a joint's range is written as 1080 deg, the widest that a file can say.
+/// left out, and what only whoever asked has said of the pendant. An open end of a joint's range is written as 1080 deg, the widest that a file can say.
 pub fn write(robot: &Robot) -> String {
     let mut file = Text::default();
     file.text("name", &robot.name);
@@ -103,9 +103,18 @@ impl Text {
         if limits.third_axis == ThirdAxis::Forearm {
             self.text("third_axis", "forearm");
         }
+        if limits.pendant == Pendant::AsFile {
+            self.text("pendant", limits.pendant.name());
+        }
         self.range("elbow_deg", limits.elbow);
         if let Some(speeds) = limits.speeds {
             self.list("speed_deg_per_s", speeds.map(degrees));
+        }
+        if let Pendant::Verified(Verified { rows, date, largest }) = &limits.pendant {
+            self.table("verified");
+            self.entry("rows", &rows.to_string());
+            self.text("date", date);
+            self.entry("largest_mm", &millimetres(*largest));
         }
     }
 

@@ -27,6 +27,15 @@ pub enum ProgramFault {
         /// What makes sense.
         expected: &'static str,
     },
+    /// A table of joints that nobody may give a controller.
+    #[error(
+        "{robot}: a table of joints is not written: it is not known whether the pendant shows the joints as the robot file counts them; \
+         expected pendant = \"as-file\" with its source, or [verified], in the robot file, or pendant-as-file"
+    )]
+    Pendant {
+        /// Which.
+        robot: String,
+    },
     /// A joint angle.
     #[error("line {line}: joint {joint} at {} deg: expected a number of at most {most_deg} deg", angle.to_degrees())]
     Joint {

@@ -2,6 +2,7 @@
 
 use super::angles::{Zyx, fixed, mm};
 use super::steps::Program;
+use crate::limits::Pendant;
 use crate::plain::on_one_line;
 use crate::spatial::Pose;
 
@@ -21,7 +22,8 @@ pub(super) struct Dialect<'a> {
 pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
     let setup = program.setup;
     let frame = |what: &str, pose: &Pose| format!("{what}: {}", told(pose, dialect.angles));
-    let mut head = vec![
+    let mut head: Vec<String> = of_joints(setup.pendant).iter().map(|sentence| (*sentence).to_owned()).collect();
+    head.extend([
         format!("Robot: {}", ascii(setup.robot)),
         frame(dialect.frame.0, &dialect.frame.1),
         frame(dialect.tool.0, &dialect.tool.1),
@@ -29,7 +31,7 @@ pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
             "Flange frame: z out along axis 6; with the forearm level and the wrist straight, x points {}.",
             dialect.flange_x
         ),
-    ];
+    ]);
     head.push(match setup.stiffness {
         Some(source) => format!("The deflection under the cutting force is taken out. Stiffness: {}", ascii(source)),
         None => "The deflection under the cutting force is not taken out.".into(),
@@ -46,6 +48,21 @@ pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
         count => format!("{count} poses have {y} at 90 or -90 deg, where the angles are not unique: {x} is set to 0."),
     });
     head
+}
+
+/// What is to be known of joint angles before anything else.
+fn of_joints(pendant: &Pendant) -> &'static [&'static str] {
+    match pendant {
+        Pendant::AsFile | Pendant::Verified(_) => &[],
+        Pendant::Unknown => &[
+            "WARNING: it is not known whether the pendant shows the joints as the robot file counts them (zeros, signs, joint 3).",
+            "So no move in joints is here: first jog the robot near the first pose, in the posture that is wanted.",
+        ],
+        Pendant::Given => &[
+            "WARNING: it is not known whether the pendant shows the joints as the robot file counts them (zeros, signs, joint 3), only said by whoever wrote this program (pendant-as-file).",
+            "Compare the joints of the first move with the pendant before it runs.",
+        ],
+    }
 }
 
 /// A pose in words.

@@ -3,7 +3,8 @@
 use super::angles::{fixed, quaternion};
 use super::head::{Dialect, Text, sentences};
 use super::steps::Program;
-use super::{Language, ProgramFile};
+use super::{Language, ProgramFault, ProgramFile};
+use crate::plain::on_one_line;
 
 /// Decimals of every number: 1e-8 deg, 0.01 nm. A table is read in double precision.
 const DECIMALS: usize = 8;
@@ -12,8 +13,11 @@ const DECIMALS: usize = 8;
 const COLUMNS: &str =
     "line,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,feed_mm_per_min,cutting";
 
-pub(super) fn files(program: &Program) -> Vec<ProgramFile> {
+pub(super) fn files(program: &Program) -> Result<Vec<ProgramFile>, ProgramFault> {
     let setup = program.setup;
+    if !setup.knows_joints() {
+        return Err(ProgramFault::Pendant { robot: on_one_line(setup.robot).into_owned() });
+    }
     let dialect = Dialect {
         angles: ["Rz", "Ry", "Rx"],
         frame: ("Part, in the robot's base", setup.base_from_part),
@@ -40,5 +44,5 @@ pub(super) fn files(program: &Program) -> Vec<ProgramFile> {
         let feed = fixed(step.speed * 60e3, 4);
         text.line(&format!("{},{},{feed},{}", step.line, numbers.join(","), u8::from(step.is_cutting)));
     }
-    vec![ProgramFile { name: format!("{}.{}", program.name_of(None), Language::JointsCsv.ending()), text: text.0 }]
+    Ok(vec![ProgramFile { name: format!("{}.{}", program.name_of(None), Language::JointsCsv.ending()), text: text.0 }])
 }

@@ -49,9 +49,14 @@ fn part(program: &Program, name: &str, steps: &[Step]) -> Text {
     text.line(&format!("$BASE={{{}}}", frame(&setup.base_from_part)));
     text.line(&format!("$TOOL={{{}}}", frame(&setup.flange_from_tool)));
     text.line(&format!("$APO.CDIS={}", mm(style.blend)));
-    let joints: Vec<String> =
-        (1..).zip(steps[0].joints).map(|(i, q)| format!("A{i} {}", fixed(q.to_degrees(), OF_JOINT))).collect();
-    text.line(&format!("PTP {{{}}}", joints.join(",")));
+    let start = if setup.knows_joints() {
+        let joint = |(i, q): (usize, f64)| format!("A{i} {}", fixed(q.to_degrees(), OF_JOINT));
+        (1..).zip(steps[0].joints).map(joint).collect::<Vec<_>>().join(",")
+    } else {
+        // Without S and T the axes stay in the quarter turns in which they are.
+        frame(&steps[0].part_from_tool)
+    };
+    text.line(&format!("PTP {{{start}}}"));
     let mut speed = None;
     for (i, step) in steps.iter().enumerate().skip(1) {
         if speed.replace(step.speed) != Some(step.speed) {

@@ -1,4 +1,4 @@
-//! Fanuc: `R = Rz(R) Ry(P) Rx(W)`, mm, deg, mm/s; positions behind the program, the first in joints.
+//! Fanuc: `R = Rz(R) Ry(P) Rx(W)`, mm, deg, mm/s; positions behind the program, the first in joints where the pendant counts them as we do.
 
 use std::f64::consts::PI;
 
@@ -98,7 +98,7 @@ fn moves(program: &Program, steps: &[Step]) -> Vec<String> {
 fn positions(program: &Program, steps: &[Step]) -> String {
     let mut text = Text::default();
     for (i, step) in (1..).zip(steps) {
-        let body = if i == 1 { in_joints(step) } else { in_space(program, step) };
+        let body = if i == 1 && program.setup.knows_joints() { in_joints(step) } else { in_space(program, step) };
         text.line(&format!("P[{i}]{{\n   GP1:\n\tUF : {NUMBER}, UT : {NUMBER},{body}\n}};"));
     }
     text.0

@@ -1,7 +1,9 @@
 //! What does a robot's controller read, so that it follows these joints? KUKA KRL, ABB RAPID, Fanuc LS, and a table of joints.
 //!
-//! The pose that is written of a place is the forward kinematics of the joints that are commanded there. Every program begins with a
-//! move in joints, so that its configuration is settled, and goes on with straight moves of the tool in the frame of the part.
+//! The pose that is written of a place is the forward kinematics of the joints that are commanded there. A program begins with a
+//! move in joints, so that its configuration is settled, and goes on with straight moves of the tool in the frame of the part. Where it is
+//! not known whether the pendant counts the joints as the robot file does, no joint angle is written: the program says so in its first
+//! lines, and begins with a move to the first pose in the posture in which it finds the robot.
 //! A controller that corrects elastic or other errors on its own would do so twice: the head of each file says that it must not.
 //!
 //! Frames: the base is that of the robot's geometry, z up, x forward, on the floor. In the flange frame z points out along axis 6;
@@ -22,7 +24,7 @@ mod steps;
 pub use fault::ProgramFault;
 
 use crate::geometry::Geometry;
-use crate::limits::ThirdAxis;
+use crate::limits::{Pendant, ThirdAxis};
 use crate::spatial::Pose;
 use steps::Program;
 
@@ -48,6 +50,8 @@ pub struct Setup<'a> {
     pub geometry: &'a Geometry,
     /// What it reports as joint 3.
     pub third_axis: ThirdAxis,
+    /// Whether its pendant shows the joints so.
+    pub pendant: &'a Pendant,
     /// The part in the robot's base frame.
     pub base_from_part: Pose,
     /// The tool in the flange frame.
@@ -57,6 +61,11 @@ pub struct Setup<'a> {
 }
 
 impl Setup<'_> {
+    /// Joint angles may be written: the controller counts them as the robot file does.
+    pub fn knows_joints(&self) -> bool {
+        *self.pendant != Pendant::Unknown
+    }
+
     /// The tool in the part at joint angles as reported, rad.
     pub fn part_from_tool(&self, joints: &[f64; 6]) -> Pose {
         let flange = self.geometry.forward(&self.geometry.model_angles(joints, self.third_axis));
@@ -151,6 +160,6 @@ pub fn write(
         Language::Krl => krl::files(&program),
         Language::Rapid => rapid::files(&program),
         Language::Ls => ls::files(&program),
-        Language::JointsCsv => joints::files(&program),
+        Language::JointsCsv => joints::files(&program)?,
     })
 }

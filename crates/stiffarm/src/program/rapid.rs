@@ -73,10 +73,17 @@ fn data(program: &Program, text: &mut Text) {
 fn procedure(program: &Program, name: &str, steps: &[Step], text: &mut Text) {
     let (setup, style) = (program.setup, program.style);
     let with = format!("{0}_tool\\WObj:={0}_wobj", style.name);
-    let joints = steps[0].joints.map(|q| fixed(q.to_degrees(), OF_JOINT)).join(",");
     text.line(&format!("  PROC {name}()"));
-    text.line("    ConfL\\On;");
-    text.line(&format!("    MoveAbsJ [[{joints}],{EXTERNAL}],v100,fine,{with};"));
+    if setup.knows_joints() {
+        let joints = steps[0].joints.map(|q| fixed(q.to_degrees(), OF_JOINT)).join(",");
+        text.line("    ConfL\\On;");
+        text.line(&format!("    MoveAbsJ [[{joints}],{EXTERNAL}],v100,fine,{with};"));
+    } else {
+        // The configuration is that in which the robot stands.
+        text.line("    ConfJ\\Off;");
+        text.line("    ConfL\\Off;");
+        text.line(&format!("    MoveJ {},v100,fine,{with};", target(setup, &steps[0])));
+    }
     let zone = if style.blend == 0.0 {
         "fine".to_owned()
     } else {
@@ -86,11 +93,15 @@ fn procedure(program: &Program, name: &str, steps: &[Step], text: &mut Text) {
     };
     for (i, step) in steps.iter().enumerate().skip(1) {
         let zone = if i + 1 == steps.len() { "fine" } else { &zone };
-        let target = format!("[{},[{}],{EXTERNAL}]", frame(&step.part_from_tool), configuration(setup, &step.joints));
-        let speed = fixed(step.speed * 1e3, 3);
+        let (target, speed) = (target(setup, step), fixed(step.speed * 1e3, 3));
         text.line(&format!("    MoveL {target},[{speed},{OTHER_SPEEDS}],{zone},{with};"));
     }
     text.line("  ENDPROC");
+}
+
+/// A place as a robtarget.
+fn target(setup: &Setup, step: &Step) -> String {
+    format!("[{},[{}],{EXTERNAL}]", frame(&step.part_from_tool), configuration(setup, &step.joints))
 }
 
 fn frame(pose: &Pose) -> String {
@@ -100,8 +111,12 @@ fn frame(pose: &Pose) -> String {
 }
 
 /// cf1, cf4, cf6: in which quarter turn these joints stand. cfx: 4 with the wrist centre behind axis 1, 2 with it behind the upper
-/// arm, 1 with joint 5 below 0, as the confdata of serial robots has it.
+/// arm, 1 with joint 5 below 0, as the confdata of serial robots has it. Zeros, which are then not looked at, where it is not known how
+/// the controller counts.
 fn configuration(setup: &Setup, joints: &[f64; 6]) -> String {
+    if !setup.knows_joints() {
+        return "0,0,0,0".into();
+    }
     let quarter = |joint: usize| (joints[joint] / FRAC_PI_2).floor();
     let theta = setup.geometry.model_angles(joints, setup.third_axis);
     let [_, shoulder, elbow, wrist, _] = setup.geometry.points(&theta).map(Vector3::from);

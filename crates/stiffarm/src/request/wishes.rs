@@ -98,11 +98,16 @@ impl Request {
         if self.is_spatial() { ModelKind::Spatial(self.held().tool()) } else { ModelKind::Planar }
     }
 
-    /// The robot with the stiffness that is asked for, or as it is where none is.
+    /// The robot with the stiffness that is asked for, or as it is where none is; and with what is said of its pendant.
     ///
     /// # Errors
     /// Where no robot has such drives: all of them rigid, or too soft for the gravity compensator.
     pub fn equipped(&self, robot: Robot) -> Result<Robot, Refusal> {
+        let robot = self.with_asked_stiffness(robot)?;
+        Ok(if self.is_wished("pendant-as-file") { robot.with_pendant_given() } else { robot })
+    }
+
+    fn with_asked_stiffness(&self, robot: Robot) -> Result<Robot, Refusal> {
         let compliances = self.all("drive-urad-per-nm", number);
         // k = 1 / K, in urad/(N m).
         let stiffnesses = self.all("stiffness-nm-per-rad", number).into_iter().map(|stiffness| 1e6 / stiffness);

@@ -7,7 +7,7 @@ use stiffarm::catalogue::{entries, paper_robots};
 use stiffarm::drive::{Architecture, Drives, JointCompliance};
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
-use stiffarm::limits::{Limits, ThirdAxis};
+use stiffarm::limits::{Limits, Pendant, ThirdAxis};
 use stiffarm::load::Load;
 use stiffarm::model::{Model, ModelError};
 use stiffarm::place::{Column, Margins, Orientation, PlaceError, PlaceOptions, Placed, Stance, Within, place};
@@ -99,7 +99,7 @@ pub(crate) fn random_robot(rng: &mut fastrand::Rng) -> Robot {
     });
     let elbow =
         if length(0.0, 1.0) < 0.5 { Interval::ALL } else { Interval::spanning(length(0.2, 1.0), length(2.6, 3.6)) };
-    let limits = Limits { joints, third_axis, elbow, speeds: None };
+    let limits = Limits { joints, third_axis, pendant: Pendant::Unknown, elbow, speeds: None };
     let mut robot = paper_robots().swap_remove(0);
     robot.architecture = architecture;
     robot.arm = Arm::SixAxis { geometry, limits, drives: Drives::new(architecture, drives) };

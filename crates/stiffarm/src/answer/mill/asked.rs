@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::super::fixed;
+use super::super::{fixed, words};
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::catalogue::ProcessFile;
 use crate::cutting::{Law, Process};
@@ -63,6 +63,7 @@ impl MillAnswer {
         // Long ones need the memory.
         drop(moves);
         remarks.extend(forced.remarks);
+        remarks.extend(words::pendant(&robot));
         let failed =
             |error| MillAnswerError::Mill { robot: robot.name.clone(), path: on_one_line(&path).into_owned(), error };
         let mut stations = forced.stations;

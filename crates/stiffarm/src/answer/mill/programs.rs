@@ -43,6 +43,7 @@ impl MillAnswer {
             robot: &self.robot.name,
             geometry,
             third_axis: limits.third_axis,
+            pendant: &limits.pendant,
             base_from_part: placement.base_from_part(),
             flange_from_tool: self.flange_from_tool,
             stiffness: done.map(|_| stiffness.as_str()),

@@ -7,6 +7,7 @@ use super::super::place::Verdict;
 use super::super::stiffness::stiffness;
 use super::super::{Cell, Column, ColumnKind, Record, Rows, field};
 use super::{Compensation, MillAnswer, least};
+use crate::limits::Pendant;
 use crate::mill::{Acting, FedBack, Pushed, Stand, Station};
 use crate::robot::Arm;
 
@@ -21,6 +22,7 @@ impl MillAnswer {
         record
             .put(field::ROBOT, &robot.name)
             .put(field::STIFFNESS_SOURCE, stiffness(robot))
+            .put(field::PENDANT, robot.pendant().map(Pendant::name))
             .put(field::PATH, &self.path)
             .put(field::CUTTING_FORCE, &self.force)
             .put(field::PART, self.part())

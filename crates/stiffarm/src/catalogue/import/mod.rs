@@ -27,7 +27,7 @@ use super::{Fault, Faults, read, write};
 use crate::drive::{Architecture, Drives, JointCompliance};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
-use crate::limits::{Limits, ThirdAxis};
+use crate::limits::{Limits, Pendant, ThirdAxis};
 use crate::robot::{Arm, Robot, Status};
 use crate::spatial::Pose;
 
@@ -269,6 +269,7 @@ fn from_opw(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> R
         limits: Limits {
             joints: joints.map(hundredths),
             third_axis: ThirdAxis::Elbow,
+            pendant: Pendant::Unknown,
             elbow: Interval::ALL,
             speeds: None,
         },

@@ -5,7 +5,7 @@ use super::chain::Chain;
 use super::urdf::{Joint, Kind};
 use crate::catalogue::reader::{Log, shown};
 use crate::interval::Interval;
-use crate::limits::{Limits, ThirdAxis};
+use crate::limits::{Limits, Pendant, ThirdAxis};
 
 /// Speeds outside, rad/s, are placeholders.
 const SPEEDS: std::ops::RangeInclusive<f64> = 0.02..=170.0;
@@ -35,7 +35,8 @@ pub(super) fn joint_limits(
         notes.push("speeds: not every joint has a speed, so none is taken".into());
     }
     let speeds = speeds.map(|speeds| speeds.map(|speed| round(speed.to_degrees(), 1e2).to_radians()));
-    Some(Limits { joints, third_axis: ThirdAxis::Elbow, elbow: Interval::ALL, speeds })
+    // A description counts as its author pleased: what the pendant shows, it does not say.
+    Some(Limits { joints, third_axis: ThirdAxis::Elbow, pendant: Pendant::Unknown, elbow: Interval::ALL, speeds })
 }
 
 fn joint_range(joint: &Joint, log: &Log, notes: &mut Vec<String>) -> Option<Interval> {

@@ -52,7 +52,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Robot,
         count: SEVERAL,
         value: "ROBOTS",
-        excludes: &["robot", "at", "compensate"],
+        excludes: &["robot", "at", "compensate", "pendant-as-file"],
         help: "Robots that are ranked on the path, each at its best place: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times",
         example: "KR 210*,BT200L",
         ..MILLED
@@ -174,6 +174,17 @@ pub(super) const ROWS: &[Setting] = &[
         help: "By how much the compliance of every drive may be off: one standard deviation of its logarithm, for what compensation leaves",
         heading: "Compensation",
         example: "0.2",
+        ..MILLED
+    },
+    Setting {
+        name: "pendant-as-file",
+        kind: Kind::Flag,
+        excludes: &["robots"],
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "The pendant shows the joints as the robot file counts them (zeros, signs, joint 3): programs then begin with a move in joints where the file does not say so",
+        heading: "Programs",
+        example: "true",
         ..MILLED
     },
     Setting {
