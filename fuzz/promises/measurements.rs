@@ -44,14 +44,14 @@ pub(crate) fn holds(bytes: &[u8]) {
                 }
             }
         }
-        if let Ok(found) = read(text, "fuzz.csv", points) {
-            if found.readings.len() <= MOST {
-                for with_prior in [false, true] {
-                    let options = Options { with_prior, ..Options::default() };
-                    if let Ok(found) = identify(&ROBOT, &found, &options, Watch::nobody()) {
-                        let k = found.robot.drive_compliance();
-                        assert!(k.iter().flatten().all(|k| k.is_finite() && 0.0 <= *k), "{k:?}");
-                    }
+        if let Ok(found) = read(text, "fuzz.csv", points)
+            && found.readings.len() <= MOST
+        {
+            for with_prior in [false, true] {
+                let options = Options { with_prior, ..Options::default() };
+                if let Ok(found) = identify(&ROBOT, &found, &options, Watch::nobody()) {
+                    let k = found.robot.drive_compliance();
+                    assert!(k.iter().flatten().all(|k| k.is_finite() && 0.0 <= *k), "{k:?}");
                 }
             }
         }

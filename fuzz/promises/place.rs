@@ -89,7 +89,7 @@ pub(crate) fn holds(bytes: &[u8]) {
             assert!(missed <= 1e-4 * (arm.l2 + arm.l3), "{missed} {best:?}");
         }
         Ok(Placed::Infeasible { largest_scale, .. }) => {
-            assert!(largest_scale.is_some_and(|scale| (0.0..=1.0).contains(&scale)), "{largest_scale:?}")
+            assert!(largest_scale.is_some_and(|scale| (0.0..=1.0).contains(&scale)), "{largest_scale:?}");
         }
         Err(error) => assert!(!error.to_string().is_empty()),
     }

@@ -40,7 +40,7 @@ pub(crate) fn holds(bytes: &[u8]) {
     match rewrite(original, &mut output, &how, &mut |sample| sample.pose, &mut |_| Ok(())) {
         Ok(told) => {
             let after = moves(&output).expect("what was written is a path");
-            let ends = |moves: &[Move], kind| moves.iter().filter(|one| one.kind == kind).last().map(|one| one.to.tip);
+            let ends = |moves: &[Move], kind| moves.iter().rfind(|one| one.kind == kind).map(|one| one.to.tip);
             for kind in [MoveKind::Feed, MoveKind::Rapid] {
                 let off = ends(&before, kind).zip(ends(&after, kind)).map(|(a, b)| (a - b).norm());
                 assert!(off.is_none_or(|off| off < 1e-5), "{kind:?} ends {off:?} m off: {told:?}");

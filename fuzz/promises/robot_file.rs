@@ -1,6 +1,7 @@
 //! Is every text either a robot with a reachable arm, or a list of faults with lines and reasons?
 
 use stiffarm::catalogue;
+use stiffarm::interval::Interval;
 use stiffarm::robot::Arm;
 
 /// Panics where the promise is broken.
@@ -14,7 +15,7 @@ pub(crate) fn holds(bytes: &[u8]) {
             assert!(!robot.name.is_empty());
             if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
                 assert!(geometry.sign.iter().all(|sign| sign.abs() == 1.0));
-                let middle = limits.joints.map(|range| range.middle());
+                let middle = limits.joints.map(Interval::middle);
                 let flange = geometry.forward(&geometry.model_angles(&middle, limits.third_axis)).translation.vector;
                 assert!(flange.iter().all(|x| x.is_finite()), "{flange}");
             }
