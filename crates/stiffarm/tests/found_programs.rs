@@ -359,7 +359,7 @@ fn subprograms_that_cannot_be_followed_are_refused_by_line_and_name() {
         ("M98 P2\nM30\nO2\nM99 P5\n", "p:7: M99: it jumps to a block"),
         ("M98 P2\nM30\nO2\nG1 X1 Y\nM99\n", "p:7: Y: no number follows"),
         ("M98 P2\nM30\nO2\nM98 P2\nM99\n", "p:7: M98 P2: programs call one another more than 10 deep"),
-        ("M98 P2 L9999\nM30\nO2\nM98 P3 L9999\nM99\nO3\nG91 X0\nM99\n", "subprograms of more than 2097152 lines"),
+        ("M98 P2 L9999\nM30\nO2\nM98 P3 L9999\nM99\nO3\nG91 X0\nM99\n", "subprograms of more than 1048576 lines"),
         ("G1 X1\nM99\n", "p:5: M99: a jump back"),
         ("o5 call\n", "p:4: o5 call: this sub does not stand before it"),
         ("o5 sub\nG1 X1\n", "O5: the file ends before its endsub"),
@@ -416,4 +416,47 @@ fn modes_that_move_nothing_are_told() {
         says(&told.understood.ignored, what);
     }
     assert_eq!(told.survey.feed_length * 1e3, 1.0);
+}
+
+#[test]
+fn files_are_named_for_what_they_are() {
+    for (name, says) in [
+        ("part.h", "Heidenhain's conversational language"),
+        ("PART.H", "Heidenhain's conversational language"),
+        ("part.i", "Heidenhain's DIN/ISO"),
+        ("part.txt", "say read-as gcode, apt or csv"),
+        ("part.nci", "choose a post of G-code"),
+        ("part.stl", "a shape and no path"),
+    ] {
+        assert!(Format::of_name(name).is_none() && Format::not_read(name).unwrap().contains(says), "{name}");
+    }
+    assert_eq!((Format::of_name("part.mpf"), Format::not_read("part.mpf")), (Some(Format::GCode), None));
+    // What Siemens' control knows besides is named where it stands.
+    assert!(is_refused("G21 G90\nG0 X0 Y0 Z0\nTRANS X5\n").starts_with("p:3: TRANS X5: the language of Siemens"));
+}
+
+/// What `mill` and its reports say of a file besides its answer.
+#[test]
+fn everything_that_was_assumed_or_left_out_is_a_remark() {
+    let told = is_read(
+        "G20 G90 T1 M6\nG0 X0 Y0 Z0\nG2 Y4.001 I0 J2. F10\nG53 Z0\nM30\n".replace("G53 Z0", "G0 G53 Z0").as_str(),
+    );
+    let remarks = told.understood.remarks();
+    for what in [
+        "the ends of arcs miss one radius by up to 0.0254 mm",
+        "2 moves to or from where only the machine knows are no part of the path",
+        "ignored in the file of the path: T (tool) (line 1), M6 (line 1)",
+    ] {
+        says(&remarks, what);
+    }
+}
+
+/// The way of rapid moves and where they end, by hand: from (0, 0, 5) on.
+#[test]
+fn rapid_moves_have_a_box_of_their_own() {
+    let told = is_read("G21 G90 F100\nG0 X0 Y0 Z5\nG1 Z0\nG0 Z9\nX-3 Y4\nG1 Z0\nM30\n");
+    let [low, high] = told.survey.rapid_extent.unwrap().map(|corner| corner * 1e3);
+    assert!((low.x + 3.0).abs() < 1e-9 && low.y.abs() < 1e-9 && (low.z - 9.0).abs() < 1e-9, "{low}");
+    assert!(high.x.abs() < 1e-9 && (high.y - 4.0).abs() < 1e-9 && (high.z - 9.0).abs() < 1e-9, "{high}");
+    close(told.survey.rapid_length, 0.014);
 }

@@ -453,3 +453,38 @@ fn what_cannot_be_written_is_told_with_the_line() {
     let why = rewrite(original, &mut Full, &how(&[]), &mut |sample| sample.pose, &mut |_| Ok(())).unwrap_err();
     assert_eq!(why.to_string(), "p:1: what is made of it cannot be written: no space left");
 }
+
+#[test]
+fn files_with_carriage_returns_alone_keep_them() {
+    let text = "G21 G90 F100\nG0 X0 Y0 Z5\nG1 Z0 ; down\nG2 X10 I5\nM30\n";
+    let (output, rewritten) = gcode(&text.replace('\n', "\r"), ASIDE);
+    assert!(!output.contains('\n') && 5 < output.split('\r').count() && 0 < rewritten.added, "{output:?}");
+    assert_eq!(output.replace('\r', "\n"), gcode(text, ASIDE).0);
+}
+
+/// A feed at the machine's own height is no part of the path, and keeps its words; G80 stays where it stands beside a motion.
+#[test]
+fn what_is_no_part_of_the_path_stays_byte_by_byte() {
+    let air = "G1 X7.1884 Y0.159 F650.";
+    let park = "G90 G58 G0 X12. Y20.";
+    let text = format!(
+        "G21 G90 G54\nG0 X0 Y0 Z5\nG1 Z0 F100\nG1 X5\nG53 G0 Z0.\n{air}\nG0 Z0.6\nG80 G1 X20 Y0 Z0\nG0 Z9\n{park}\nM30\n"
+    );
+    let (output, _) = gcode(&text, ASIDE);
+    let lines = body(&output);
+    assert!(
+        lines.contains(&air) && lines.contains(&park) && lines.iter().any(|line| line.starts_with("G80 G1 X")),
+        "{output}"
+    );
+}
+
+#[test]
+fn a_file_with_subprograms_is_not_written_back() {
+    for text in [
+        "G21 G90 F100\nG0 X0 Y0 Z0\nM98 P2\nM30\nO2\nG1 X1\nM99\n",
+        "o1 sub\nG1 X1\no1 endsub\nG21 G90 F100\nG0 X0 Y0 Z0\no1 call\nM2\n",
+    ] {
+        let refused = told(text, Format::GCode, &asked(), NOWHERE).unwrap_err().to_string();
+        assert!(refused.contains("a line of a subprogram may stand for several moves"), "{refused}");
+    }
+}

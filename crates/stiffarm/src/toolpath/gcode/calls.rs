@@ -12,7 +12,7 @@ use super::{Reader, codes::named};
 const DEEPEST: usize = 10;
 
 /// Lines that calls may run, all in all.
-const MOST_LINES: usize = 1 << 21;
+const MOST_LINES: usize = 1 << 20;
 
 /// No program is called more often at once.
 const MOST_REPEATS: f64 = 9999.0;

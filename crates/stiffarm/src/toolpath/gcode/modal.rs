@@ -287,7 +287,9 @@ impl Reader<'_> {
     /// F, S and the angles.
     pub(super) fn take_values(&mut self, block: &Block, once: &Once, line: usize) -> Result<(), Wrong> {
         let is_time = |letter: u8| once.time == Some(letter);
-        if let Some(number) = block.get(b'L').filter(|_| self.cycle.is_none() && !once.is_data && !once.is_call) {
+        // To M66 it is how an input is waited for.
+        let has_l = self.cycle.is_some() || once.is_data || once.is_call || block.m.all().contains(&660);
+        if let Some(number) = block.get(b'L').filter(|_| !has_l) {
             let why = "there is nothing to repeat, it belongs to no arc and no cycle; to Siemens it calls a program: let the CAM write every move";
             return Err(Wrong::new(format!("L{number}"), why));
         }
