@@ -32,7 +32,7 @@ pub(crate) const NOTHING: f64 = 1e-15;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
     /// In the arm plane the first side horizontal or vertical, as in the paper; in space ahead (on a wall: upright) or a quarter turn to
-    /// the left.
+    /// the left, and under a force of which half a turn of the zone makes another one also half a turn and three quarters.
     Axes,
     /// First side at this angle, rad.
     Fixed(f64),
@@ -159,7 +159,8 @@ pub struct Placement {
     pub lower_bound: f64,
     /// Centre of the zone, ahead and up; in space before it is turned by the bearing. Of a part the middle of its underside.
     pub centre: [f64; 2],
-    /// Angle of the first side, rad, in `[0, pi)` in the arm plane; zero for a circle. Of a part its turn about the vertical, in `[0, 2 pi)`.
+    /// Angle of the first side, rad, in `[0, pi)`, or in `[0, 2 pi)` where half a turn of the zone makes another force of that which acts (one
+    /// along a known feed and along the axis); zero for a circle. Of a part its turn about the vertical, in `[0, 2 pi)`.
     pub angle: f64,
     /// Elbow side of the whole zone.
     pub elbow: Elbow,

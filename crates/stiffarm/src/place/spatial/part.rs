@@ -18,6 +18,7 @@ use crate::place::{
     FacePlacement, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within,
 };
 use crate::tolerances;
+use crate::task::Zone;
 use crate::watch::{Parts, Stopped, Watch};
 use crate::work::{Grid, WorkPlacement, WorkPlane};
 
@@ -120,8 +121,9 @@ fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> R
 fn alone<'a>(part: &Part, face: &Face, question: &Question<'a>) -> Question<'a> {
     let is_vertical = FRAC_PI_2 - face.elevation.abs() < 1e-9;
     let is_central = face.centre[0] == 0.0 && face.centre[1] == 0.0;
+    let is_alike = matches!(face.zone, Zone::Circle { .. }) && !question.load.turns_with_work();
     let orientation = match question.orientation {
-        _ if !is_vertical => Orientation::Fixed(0.0),
+        _ if !is_vertical || is_alike => Orientation::Fixed(0.0),
         Orientation::Fixed(angle) if is_central => Orientation::Fixed(angle + face.azimuth),
         Orientation::Axes if is_central && face.azimuth.rem_euclid(FRAC_PI_2).abs() < 1e-12 => Orientation::Axes,
         _ => Orientation::Free,

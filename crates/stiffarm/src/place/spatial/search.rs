@@ -1,7 +1,5 @@
 //! Where must a zone stand? A coarse search over every place, yaw, angle and roll, then local descent from the best.
 
-use std::f64::consts::PI;
-
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
@@ -168,7 +166,7 @@ impl<'a> Search<'a> {
 
     /// What of a placement may change: ahead, up, yaw, angle, roll.
     fn free(&self) -> [bool; 5] {
-        let angle = self.options.orientation == Orientation::Free && !matches!(self.zone, Zone::Circle { .. });
+        let angle = self.options.orientation == Orientation::Free;
         let yaw = 0.0 < self.options.yaw.width() && !self.options.is_vertical();
         [true, true, yaw, angle, self.options.roll.is_none() && !self.roll_is_free]
     }
@@ -206,13 +204,6 @@ impl<'a> Search<'a> {
         let every = |step_deg: f64, turn_deg: f64| -> Vec<f64> {
             (0..(turn_deg / step_deg) as usize).map(|i| (i as f64 * step_deg).to_radians()).collect()
         };
-        let is_circle = matches!(self.zone, Zone::Circle { .. });
-        let angles = match self.options.orientation {
-            _ if is_circle => vec![0.0],
-            Orientation::Axes => vec![0.0, PI / 2.0],
-            Orientation::Fixed(angle) => vec![angle],
-            Orientation::Free => every(15.0, 180.0),
-        };
         let rolls_matter = self.options.roll.is_none() && !self.roll_is_free;
         let step = if rolls_matter && !self.options.is_vertical() { 30.0 } else { 15.0 };
         let yaw = self.options.yaw;
@@ -230,7 +221,7 @@ impl<'a> Search<'a> {
         };
         let mut turns = Vec::new();
         for &yaw in &yaws {
-            for &angle in &angles {
+            for angle in self.options.angles() {
                 turns.extend(rolls.iter().map(|&roll| [yaw, angle, roll]));
             }
         }

@@ -159,12 +159,6 @@ impl<'a> Ground<'a> {
                 (0..=count).map(|i| yaw.min() + yaw.width() * i as f64 / count.max(1) as f64).collect()
             }
         };
-        let angles = match self.options.orientation {
-            _ if matches!(self.zone, Zone::Circle { .. }) => vec![0.0],
-            Orientation::Axes => vec![self.angle_of_base(0.0), self.angle_of_base(PI / 2.0)],
-            Orientation::Fixed(angle) => vec![self.angle_of_base(angle)],
-            Orientation::Free => every(15.0, 180.0),
-        };
         let rolls = match self.options.roll {
             Some(roll) => vec![roll],
             None if self.roll_is_free => vec![0.0],
@@ -172,7 +166,7 @@ impl<'a> Ground<'a> {
         };
         let mut turns = Vec::new();
         for &yaw in &yaws {
-            for &angle in &angles {
+            for angle in self.options.angles().into_iter().map(|angle| self.angle_of_base(angle)) {
                 turns.extend(rolls.iter().map(|&roll| [yaw, angle, roll]));
             }
         }
@@ -282,7 +276,7 @@ impl<'a> Ground<'a> {
 
     /// All steps along one or two of what is free.
     pub(super) fn directions(&self) -> Vec<[f64; 6]> {
-        let free_angle = self.options.orientation == Orientation::Free && !matches!(self.zone, Zone::Circle { .. });
+        let free_angle = self.options.orientation == Orientation::Free;
         let free_yaw = self.cell.azimuth.is_none() && 0.0 < self.options.yaw.width() && !self.options.is_vertical();
         let free_roll = self.options.roll.is_none() && !self.roll_is_free;
         let free: Vec<usize> = (0..6).filter(|i| [true, true, true, free_yaw, free_angle, free_roll][*i]).collect();
