@@ -17,8 +17,8 @@ use crate::part::{Face, Part};
 use crate::place::{
     FacePlacement, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within,
 };
-use crate::tolerances;
 use crate::task::Zone;
+use crate::tolerances;
 use crate::watch::{Parts, Stopped, Watch};
 use crate::work::{Grid, WorkPlacement, WorkPlane};
 
@@ -124,7 +124,10 @@ fn alone<'a>(part: &Part, face: &Face, question: &Question<'a>) -> Question<'a> 
     let is_alike = matches!(face.zone, Zone::Circle { .. }) && !question.load.turns_with_work();
     let orientation = match question.orientation {
         _ if !is_vertical || is_alike => Orientation::Fixed(0.0),
-        Orientation::Fixed(angle) if is_central => Orientation::Fixed(angle + face.azimuth),
+        // Of a tool that points up the angle counts the other way about.
+        Orientation::Fixed(angle) if is_central => {
+            Orientation::Fixed((angle + face.azimuth) * -face.elevation.signum())
+        }
         Orientation::Axes if is_central && face.azimuth.rem_euclid(FRAC_PI_2).abs() < 1e-12 => Orientation::Axes,
         _ => Orientation::Free,
     };
@@ -176,6 +179,8 @@ fn infeasible(
         return told(Misfit::Margins, false);
     }
     for (face, question) in part.faces.iter().zip(questions) {
+        // Turned about the joint-1 axis a face is reached as before, whatever pushes.
+        let question = &Question { load: question.load.in_worst_direction(), ..*question };
         let alone = alone(part, face, question);
         let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
         let [x, z] = region(arm, alone.within);
