@@ -17,7 +17,7 @@ use crate::cell::Cell;
 use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::load::Load;
+use crate::load::{Forces, Load};
 use crate::model::{ArmPosture, Model, ModelKind};
 use crate::part::{Face, Part};
 use crate::plane::Elbow;
@@ -228,8 +228,10 @@ pub struct SpaceHold {
     pub joints: [f64; 6],
     /// What each drive gives of the deflection there, adding up to 1.
     pub shares: [f64; 6],
-    /// What each drive gives of the compliance of the translation there, m/N, before the zone is turned by the bearing.
+    /// What each drive gives of the compliance of the translation there, m/N, base axes.
     pub by_drive: [Matrix3<f64>; 6],
+    /// The forces that may act there, base axes; any where `None`.
+    pub(crate) forces: Option<Forces>,
     /// The smallest distance of any joint to its limits anywhere in the zone, rad, proved, and that joint from 1; 0 is the angle
     /// between the links.
     pub limit_margin: (f64, usize),

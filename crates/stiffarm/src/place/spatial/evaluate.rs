@@ -135,6 +135,7 @@ impl Search<'_> {
             worst_joints: followed.joints[at],
             worst_shares: evaluated[at].shares_of(&most),
             worst_by_drive: evaluated[at].by_drive.each_ref().map(Compliance::translation),
+            worst_forces: forces,
             // The arm's limits are narrower by the margin that was asked for.
             limit_margin: (followed.limit_margin.0 + self.options.margins.limit, followed.limit_margin.1),
             singular_margin: followed.singular_margin,

@@ -26,7 +26,7 @@ use crate::cell::Cell;
 use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::load::Load;
+use crate::load::{Forces, Load};
 use crate::model::{ModelKind, SpatialModel};
 use crate::task::Zone;
 use crate::watch::{Parts, Watch};
@@ -146,6 +146,7 @@ struct Solution {
     worst_joints: [f64; 6],
     worst_shares: [f64; 6],
     worst_by_drive: [Matrix3<f64>; 6],
+    worst_forces: Option<Forces>,
     limit_margin: (f64, usize),
     singular_margin: f64,
     clearance: Option<Clearance>,
@@ -180,6 +181,7 @@ impl Solution {
             joints: self.worst_joints,
             shares: self.worst_shares,
             by_drive: self.worst_by_drive,
+            forces: self.worst_forces,
             limit_margin: self.limit_margin,
             singular_margin: self.singular_margin,
             resolution: self.resolution,
