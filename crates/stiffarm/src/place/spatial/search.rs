@@ -71,10 +71,11 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
             }
             .into(),
         ),
-        Err(_) if search.window_is_too_narrow() => {
-            Placed::Infeasible { reason: Misfit::WindowTooNarrow, is_proved: true, largest_scale: None }
+        // Between the turns that are tried another may be narrower: only the proof knows of all.
+        Err(reason) => {
+            let reason = if search.window_is_too_narrow() { Misfit::WindowTooNarrow } else { reason };
+            Placed::Infeasible { reason, is_proved: proof.unfathomed.is_empty(), largest_scale: None }
         }
-        Err(reason) => Placed::Infeasible { reason, is_proved: proof.unfathomed.is_empty(), largest_scale: None },
     })
 }
 
@@ -85,10 +86,16 @@ pub(super) fn has_place(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Q
 
 /// Where centres may lie by the lengths of the arm, ahead of the joint-1 axis and behind it, and up.
 pub(super) fn region(arm: &SpatialArm, within: Within) -> [Interval; 2] {
-    let [ahead, up] = arm.reach();
-    let both = Interval::spanning(-ahead.max(), ahead.max());
+    let [_, up] = arm.reach();
     // Where both share nothing, one place far away says so.
-    [within.x.intersect(both), within.z.intersect(up)].map(|range| range.unwrap_or(Interval::point(1e9)))
+    [within.x.intersect(ahead_and_behind(arm)), within.z.intersect(up)]
+        .map(|range| range.unwrap_or(Interval::point(1e9)))
+}
+
+/// How far ahead of the joint-1 axis and behind it the tool point can be by the lengths alone, m.
+pub(super) fn ahead_and_behind(arm: &SpatialArm) -> Interval {
+    let [ahead, _] = arm.reach();
+    Interval::spanning(-ahead.max(), ahead.max())
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -327,7 +334,7 @@ impl<'a> Search<'a> {
             || self.options.column <= plane.distance_from_axis_1(work, self.zone) + tolerances::WINDOW)
     }
 
-    /// The window is too narrow for the zone however it is turned.
+    /// The window is too narrow for the zone at all turns that are tried.
     fn window_is_too_narrow(&self) -> bool {
         let Within { x, z } = self.options.within;
         self.turns().into_iter().all(|[yaw, angle, roll]| {
