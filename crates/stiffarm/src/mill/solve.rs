@@ -15,10 +15,13 @@ use crate::inverse::Configuration;
 use crate::robot::Robot;
 use crate::watch::Watch;
 
-/// Rolls of the grid: steps of 2 deg.
-const ROLLS: usize = 180;
+/// Rolls of the grid: steps of 2 deg, and of half a deg where these leave a doubt.
+pub(super) const ROLLS: [usize; 2] = [180, 720];
 /// By how much of its largest error a path may be worse for the sake of smoother joints.
 const SPARE: f64 = 0.01;
+/// How often a path is sought at a slower pace where joints turn too fast between its rungs, and by how much more than that asks for.
+const PACES: usize = 5;
+const SLOWER: f64 = 0.98;
 /// Constant and linear rolls that are followed at most before it is said that none is.
 const MOST_TRIED: usize = 400;
 
@@ -77,16 +80,16 @@ pub(super) struct Question<'a> {
 }
 
 impl Question<'_> {
-    /// The best rolls for a part that stands somewhere; inner: where and why there are none.
-    pub(super) fn solve(&self, stand: &Stand, watch: Watch) -> Result<(Ladder<'_>, Outcome), MillError> {
+    /// The best of so many rolls for a part that stands somewhere; inner: where and why there are none.
+    pub(super) fn solve(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<(Ladder<'_>, Outcome), MillError> {
         let MillOptions { roll, part, share_of_speed, .. } = *self.options;
-        let grid = if let RollMode::Fixed(roll) = roll { RollGrid::at([roll]) } else { RollGrid::turn(ROLLS) };
-        let ladder = Ladder::new(self.arm, self.stations, *stand, (part, grid), share_of_speed, watch)?;
+        let grid = if let RollMode::Fixed(roll) = roll { RollGrid::at([roll]) } else { RollGrid::turn(rolls) };
+        let mut ladder = Ladder::new(self.arm, self.stations, *stand, (part, grid), share_of_speed, watch)?;
         let found = match roll {
             RollMode::Fixed(_) => self.best_of(&ladder, &ladder.constant_rolls(), stand),
             RollMode::Constant => self.best_of(&ladder, &ladder.fine_constant_rolls()?, stand),
             RollMode::Linear => self.best_of(&ladder, &ladder.linear_rolls(), stand),
-            RollMode::Free => self.free(&ladder, stand, watch),
+            RollMode::Free => self.free(&mut ladder, stand, watch),
         };
         Ok((ladder, found?))
     }
@@ -104,9 +107,9 @@ impl Question<'_> {
         let mut first = None;
         for course in courses.iter().take(MOST_TRIED) {
             match self.follow(stand, |i| course.at(self.stations, i))? {
-                Ok(found) => match ladder.too_fast(&found, 1.0) {
+                Ok(found) => match ladder.too_fast(&found) {
                     None => return Ok(Ok(found)),
-                    Some(i) => first = first.or(Some(ladder.blocked_at(i, Why::Fast))),
+                    Some((i, _)) => first = first.or(Some(ladder.blocked_at(i, Why::Fast))),
                 },
                 Err(blocked) => first = first.or(Some(blocked)),
             }
@@ -114,48 +117,86 @@ impl Question<'_> {
         Ok(Err(first.map_or_else(|| ladder.never_held(), Ok)?))
     }
 
-    /// The path whose largest error is least, and of those nearly as good the smoothest.
-    fn free(&self, ladder: &Ladder, stand: &Stand, watch: Watch) -> Result<Outcome, MillError> {
+    /// Of the paths whose largest error is nearly the least the smoothest, or the best constant roll where that is better.
+    fn free(&self, ladder: &mut Ladder, stand: &Stand, watch: Watch) -> Result<Outcome, MillError> {
         // No error needs to be larger than that of the best constant roll.
         let constant =
             if is_pinned(self.stations) { None } else { self.best_of(ladder, &ladder.constant_rolls(), stand)?.ok() };
         let most = constant.as_ref().map_or(f32::MAX, |found| (worst(found) * (1.0 + 1e-6)) as f32);
+        let mut blocked = None;
         for is_wound in [false, true] {
+            ladder.pace = 1.0;
+            match self.at_its_pace(ladder, stand, (most, is_wound), watch)? {
+                Found::Paths(found) => return Ok(Ok(best_of(found.into_iter().chain(constant).collect()))),
+                Found::NotFollowed(why) => blocked = blocked.or(Some(why)),
+                Found::Nothing(why) => {
+                    blocked = blocked.or(Some(why));
+                    break;
+                }
+            }
+        }
+        Ok(constant.ok_or(blocked.unwrap_or_else(|| ladder.blocked_at(0, Why::Jump))))
+    }
+
+    /// The smoothest of the best paths, as it goes between the lines of the grid and on them; where joints turn too fast between its rungs, that
+    /// of a pace that is slower by as much.
+    fn at_its_pace(
+        &self,
+        ladder: &mut Ladder,
+        stand: &Stand,
+        (most, is_wound): (f32, bool),
+        watch: Watch,
+    ) -> Result<Found, MillError> {
+        let mut blocked = None;
+        for _ in 0..PACES {
             let (path, most) = match ladder.smoothest(most, is_wound, watch)? {
                 Ok(found) => found,
-                Err(rung) => match constant {
-                    Some(found) => return Ok(Ok(found)),
-                    None => return Ok(Err(ladder.why_blocked(rung, watch)?)),
-                },
+                Err(rung) if blocked.is_none() => return Ok(Found::Nothing(ladder.why_blocked(rung, watch)?)),
+                Err(_) => break,
             };
             let rough = ladder.arrangements(&path);
             let fine = smoothed(ladder, rough.clone(), f64::from(most), watch)?;
-            let followed = |rungs: &[Arrangement]| {
-                let all = ladder.of_stations(rungs);
-                self.follow(stand, |i| all[i])
-            };
-            // Between the rungs joints may turn faster than from rung to rung: never faster than the machine can.
-            let full_speed = 1.0 / self.options.share_of_speed;
-            let keeps_speeds = |found: &Vec<Pushed>| ladder.too_fast(found, full_speed).is_none();
-            let found: Vec<Vec<Pushed>> =
-                [followed(&fine)?, followed(&rough)?].into_iter().flatten().filter(keeps_speeds).collect();
-            if found.is_empty() && !is_wound {
-                continue;
-            }
-            let best = found.into_iter().chain(constant.clone()).min_by(|a, b| {
-                // Errors that hardly differ are alike: then the first, which is the smoothest.
-                if (worst(a) / worst(b) - 1.0).abs() <= SPARE {
-                    std::cmp::Ordering::Equal
-                } else {
-                    worst(a).total_cmp(&worst(b))
+            let (mut kept, mut least) = (Vec::new(), f64::INFINITY);
+            for rungs in [fine, rough] {
+                let all = ladder.of_stations(&rungs);
+                match self.follow(stand, |i| all[i])? {
+                    Err(why) => blocked = blocked.or(Some(why)),
+                    Ok(found) => match ladder.too_fast(&found) {
+                        None => kept.push(found),
+                        Some((i, times)) => {
+                            blocked = Some(ladder.blocked_at(i, Why::Fast));
+                            least = least.min(times);
+                        }
+                    },
                 }
-            });
-            if let Some(best) = best {
-                return Ok(Ok(best));
             }
+            if !kept.is_empty() {
+                return Ok(Found::Paths(kept));
+            }
+            if least == f64::INFINITY {
+                break;
+            }
+            ladder.pace *= SLOWER / least;
         }
-        Ok(Err(ladder.blocked_at(0, Why::Jump)))
+        Ok(Found::NotFollowed(blocked.unwrap_or_else(|| ladder.blocked_at(0, Why::Jump))))
     }
+}
+
+/// What becomes of paths over a ladder.
+enum Found {
+    /// Some are followed, the smoothest first.
+    Paths(Vec<Vec<Pushed>>),
+    /// There are some, and none is followed from sample to sample.
+    NotFollowed(Blocked),
+    /// There are none.
+    Nothing(Blocked),
+}
+
+/// The first of some paths, the smoothest first, whose largest error is nearly the least.
+fn best_of(found: Vec<Vec<Pushed>>) -> Vec<Pushed> {
+    let least = found.iter().map(|found| worst(found)).fold(f64::INFINITY, f64::min);
+    let mut found = found.into_iter();
+    found.find(|found| worst(found) <= least * (1.0 + SPARE)).expect("one of them has the least")
 }
 
 /// The largest error of a path, m.
