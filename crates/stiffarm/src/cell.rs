@@ -212,8 +212,8 @@ impl Cell {
         Some(crossed)
     }
 
-    /// How far from the joint-1 axis and how high above the base, along it, a point of a window may lie, m: a box about all windows;
-    /// `None` where there are no windows.
+    /// How far from the joint-1 axis (of a ring ahead of it, and negative behind it) and how high above the base, along it, a point of a window
+    /// may lie, m: a box about all windows; `None` where there are no windows.
     pub(crate) fn around(&self) -> Option<[Interval; 2]> {
         let parts: Vec<[Interval; 2]> = self.windows().map(|window| self.around_one(&window)).collect();
         let hull = |i: usize| {

@@ -23,9 +23,14 @@ impl Posture {
     /// The feed counts from the x axis of the tool, counter-clockwise seen from the spindle: where a zone is placed, its first side lies
     /// there at roll and angle zero.
     pub fn under(&self, load: Load) -> Largest {
+        self.forces(load).largest(&self.compliance.translation())
+    }
+
+    /// The forces that a load may be, as [`Self::under`] has them, base axes.
+    pub(crate) fn forces(&self, load: Load) -> Forces {
         let tool = self.tool.rotation.to_rotation_matrix();
         let [x, y, z] = [0, 1, 2].map(|i| Vector3::from(tool.matrix().column(i)));
-        load.forces(&Matrix3::from_columns(&[x, -y, -z])).largest(&self.compliance.translation())
+        load.forces(&Matrix3::from_columns(&[x, -y, -z]))
     }
 
     /// What some forces do at most; any where `None`.

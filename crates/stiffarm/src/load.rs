@@ -4,7 +4,7 @@ mod forces;
 mod in_plane;
 mod push;
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -219,6 +219,22 @@ impl Load {
         }
     }
 
+    /// It turns with the work about the normal of its face.
+    pub(crate) fn turns_with_work(self) -> bool {
+        matches!(self.direction, Direction::Tool { force: [along, across, _], feed: Some(_) } if along != 0.0 || across != 0.0)
+    }
+
+    /// After what turn of the work about the normal of its face, rad, does a zone give way as before, where the turn maps it onto itself?
+    ///
+    /// Half a turn reverses the force along the feed and across it, and leaves that along the axis. Where it has both, it is another force;
+    /// else the same or its opposite, which counts alike.
+    pub(crate) fn period_of_turns(self) -> f64 {
+        match self.direction {
+            Direction::Tool { force: [.., axial], .. } if self.turns_with_work() && axial != 0.0 => TAU,
+            _ => PI,
+        }
+    }
+
     /// The unit forces that may act, in base axes, where the columns of `work` are the first side of the zone, its second side and the
     /// direction away from the work.
     ///
@@ -277,6 +293,35 @@ mod tests {
         // Fed to the left, what is left of the feed lies back.
         close(axis([5.0, 0.0, 0.0], 90.0), [0.0, 1.0, 0.0]);
         close(axis([0.0, 5.0, 0.0], 90.0), [-1.0, 0.0, 0.0]);
+    }
+
+    /// On any compliance, whatever counts and however wide the cone.
+    #[test]
+    fn half_a_turn_of_the_work_is_told_where_the_force_does_something_else() {
+        let c = Matrix3::new(3.0, 0.4, -0.7, 0.4, 2.0, 0.5, -0.7, 0.5, 1.0);
+        let half_turn = Matrix3::from_diagonal(&Vector3::new(-1.0, -1.0, 1.0));
+        let cases: [([f64; 3], Option<f64>, f64); 6] = [
+            ([3.0, 1.0, 2.0], Some(0.4), TAU),
+            ([0.0, 1.0, -2.0], Some(0.4), TAU),
+            ([3.0, 1.0, 0.0], Some(0.4), PI),
+            ([0.0, 0.0, 2.0], Some(0.4), PI),
+            ([3.0, 1.0, 2.0], None, PI),
+            ([3.0, 0.0, 2.0], Some(0.0), TAU),
+        ];
+        for (force, feed, period) in cases {
+            let load = Load::along_tool(force, feed).unwrap();
+            assert_eq!(load.period_of_turns(), period, "{force:?} {feed:?}");
+            for (component, cone) in
+                [(Component::Total, 0.0), (Component::Along, 0.3), (Component::Normal, 0.0), (Component::Total, 0.5)]
+            {
+                let load = load.with_cone(cone).unwrap().counting(component);
+                let [one, other] = [Matrix3::identity(), half_turn].map(|work| load.forces(&work).largest(&c).value);
+                let is_same = (one - other).abs() < 1e-12;
+                assert_eq!(is_same, period == PI, "{force:?} {feed:?} {component:?}: {one} {other}");
+            }
+        }
+        assert_eq!(Load::PAPER.period_of_turns(), PI);
+        assert_eq!(Load::along_base([1.0, 2.0, 3.0]).unwrap().period_of_turns(), PI);
     }
 
     #[test]

@@ -164,3 +164,43 @@ fn a_job_has_its_cell_in_a_table() {
     let again = Request::read(again.verb, &again.pairs, Spelling::Typed).unwrap();
     assert_eq!(again.place_options(None), request.place_options(None));
 }
+
+/// A circle under a vertical tool is as stiff behind the robot as before it, and a box far away changes nothing.
+#[test]
+fn a_window_behind_the_robot_is_searched_in_a_cell_too() {
+    let options = |more: &[(&str, &str)]| {
+        let given = [&[("within", "-1.7..-1.3,0.8..1.4"), ("task", "circle:0.1")], more].concat();
+        asked(&given)
+    };
+    let zone = Zone::Circle { diameter: 0.1 };
+    let [alone, in_cell] = [options(&[]), options(&[("keep-out", "5..6,5..6,5..6")])].map(|asked| best(zone, &asked));
+    assert!(in_cell.centre[0] <= -1.35 && -1.65 <= in_cell.centre[0], "{in_cell:?}");
+    // Both searches end at steps of 0.05 mm.
+    assert!((in_cell.deflection / alone.deflection - 1.0).abs() < 1e-3, "{alone:?} {in_cell:?}");
+    assert!(in_cell.lower_bound <= alone.deflection && alone.lower_bound <= in_cell.deflection);
+    assert!(0.9 * in_cell.deflection < in_cell.lower_bound);
+}
+
+/// By forward kinematics: the axis of the tool in the axes of the cell, however the base leans.
+#[test]
+fn a_tool_that_points_down_points_down_from_a_base_that_leans() {
+    let robot = stiffarm::prior::as_in_the_paper(&find("IRB 2400-12/1.55").unwrap().robot());
+    let model = Model::spatial(&robot, &Pose::identity()).unwrap();
+    let zone = Zone::Rectangle { width: 0.34, height: 0.22 };
+    for (mount, within) in [
+        ("pose:0.7,0.45,0.88,39,-22,-173", "0.229..1.314,-0.005..0.888,1.841..2.754"),
+        ("pose:0,0,1.2,0,70,20", "0.2..1.2,-0.8..0.8,0.2..1.4"),
+    ] {
+        let options = asked(&[("mount", mount), ("within", within), ("task", "rect:0.34x0.22")]);
+        let placed = place(&model, zone, &options).unwrap();
+        let found = placed.feasible().unwrap_or_else(|| panic!("{mount}: {placed:?}"));
+        let cell = options.cell.unwrap();
+        let there =
+            stiffarm::compliance::compliance(&robot, &found.space().unwrap().joints, &Pose::identity()).unwrap();
+        let axis = cell.mount.cell_from_base.rotation * there.tool.rotation * Vector3::z();
+        assert!((axis + Vector3::z()).norm() < 1e-9, "{mount}: the tool points along {axis}");
+        // The worst point lies on a level zone, too.
+        let at = cell.mount.cell_from_base * Point3::from(there.tool.translation.vector);
+        assert!((at.z - found.in_cell(&cell)[2]).abs() < 1e-9, "{mount}: {at}");
+    }
+}

@@ -7,6 +7,7 @@ mod at_one_place;
 mod bad_input;
 mod bad_measurements;
 mod cell;
+mod feeds;
 mod found_apt;
 mod found_programs;
 mod fuzz_seeds;

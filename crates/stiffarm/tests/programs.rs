@@ -432,8 +432,7 @@ fn first_joints(text: &str) -> [f64; 6] {
 fn the_first_joints_of_a_fanuc_program_lead_its_published_chain_to_where_the_path_begins() {
     let robot = find("R-2000iC/165F").unwrap().robot();
     let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { panic!("six axes") };
-    let setup =
-        Setup { geometry, third_axis: limits.third_axis, pendant: &limits.pendant, ..setup(geometry) };
+    let setup = Setup { geometry, third_axis: limits.third_axis, pendant: &limits.pendant, ..setup(geometry) };
     let mut stations = stations(3, 5);
     // Joint 2 leans, so that an elbow and a forearm are not the same.
     stations[0].joints = [10.0, 35.0, -20.0, 30.0, -60.0, 100.0].map(f64::to_radians);

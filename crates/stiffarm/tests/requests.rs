@@ -35,7 +35,18 @@ fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static s
     if setting.name == "faces" {
         given.push(("task", "box:0.3x0.2x0.1"));
     }
+    // A cone is about a direction, and a force has a size unless another is given.
+    if setting.name == "force-cone-deg" && verb != Verb::Compliance {
+        given.push(("force-n", "300,0,-50"));
+    }
     given
+}
+
+#[test]
+fn a_cone_goes_with_a_direction_whatever_the_size_of_the_force() {
+    for verb in [Verb::Rank, Verb::Place, Verb::Map] {
+        assert!(asked(verb, &[("direction-deg", "30"), ("force-cone-deg", "20")]).is_ok(), "{verb:?}");
+    }
 }
 
 #[test]
@@ -233,7 +244,12 @@ fn what_makes_no_sense_is_refused_with_option_value_and_what_is_expected() {
         (Verb::Place, &[("force-n", "1"), ("force-n", "2")], "--force-n is given twice; expected one value"),
         (Verb::Place, &[("force-n", "nan")], "invalid value 'nan' for '--force-n <N>': expected a number from 0.001"),
         (Verb::Map, &[("size", "9"), ("step-m", "0.1")], "--size and --step-m exclude each other; give one of them"),
-        (Verb::Map, &[("force-cone-deg", "9")], "--force-cone-deg needs --force-n"),
+        (Verb::Map, &[("force-cone-deg", "9")], "--force-cone-deg is the doubt about where a force points"),
+        (
+            Verb::Compliance,
+            &[("force-cone-deg", "9"), ("joints-deg", "1,2,3,4,5,6")],
+            "--force-cone-deg needs --force-n",
+        ),
         (
             Verb::Map,
             &[("force-cone-deg", "9"), ("force-n", "4")],

@@ -72,10 +72,10 @@ fn led(text: &str, format: Format, options: &ReadOptions, field: Field) -> (Stri
     let mut put = Vec::new();
     for (i, one) in before.iter().enumerate().filter(|(_, one)| one.kind == MoveKind::Feed) {
         let last = i.checked_sub(1).map(|last| before[last]);
-        let goes_on = last.is_some_and(|last| last.kind == MoveKind::Feed && last.to == one.from);
+        // A table and APT begin where their first row or statement is; that stays where the tool was not led before.
+        let is_led = last.is_some() || is_nowhere(field);
         let found: Vec<Sample> = samples(one, &STEPS, 0.0).collect();
-        // The first feed move starts where the rapid one ended.
-        let from = if goes_on || is_nowhere(field) { 0 } else { found.len() - 1 };
+        let from = if is_led { 0 } else { found.len() - 1 };
         put.extend(found[from..].iter().map(|sample| (sample.pose.tip + field(sample.pose.tip), one.feed)));
     }
     for (p, feed) in &put {
@@ -193,12 +193,12 @@ fn words_change_where_they_stand_and_missing_ones_come_behind_them() {
     let output =
         by_ends("%\nO1 (A)\nG21 G90\nG0 X0 Y0 Z5\nN7 g1 x10. F600 (go) M8\nY20\nG0 Z5\nM30\n%\n", Format::GCode, ASIDE);
     let expected = "%\nO1 (A)\n(Feed moves are corrected. Arcs are straight moves, off by at most 0.0110 mm)\n\
-        (Rapid moves and drilling cycles are not corrected, from a rapid move the path is reached by its first sample)\nG21 G90\nG0 X0 Y0 Z5\n\
-        N7 g1 x10.05 Y-0.03 Z5.02 F600 (go) M8\nY19.97\nG0 Z5\nM30\n%\n";
+        (Rapid moves and drilling cycles are not corrected, from where a rapid move ends a feed move leads to the corrected path)\nG21 G90\nG0 X0 Y0 Z5\n\
+        N7 g1 x0.05 Y-0.03 Z5.02 F600 (go) M8\nX10.05\nY19.97\nG0 Z5\nM30\n%\n";
     assert_eq!(output, expected);
     let output = by_ends("G20G90G0X0Y0Z1\nG1X1.F10\nZ0\n", Format::GCode, ASIDE);
     // 50, -30 and 20 um in inches.
-    assert_eq!(body(&output), ["G20G90G0X0Y0Z1", "G1X1.00197Y-0.00118Z1.00079F10", "Z0.00079"]);
+    assert_eq!(body(&output), ["G20G90G0X0Y0Z1", "G1X0.00197Y-0.00118Z1.00079F10", "X1.00197", "Z0.00079"]);
 }
 
 #[test]
@@ -237,13 +237,13 @@ fn differences_count_from_where_the_machine_stands() {
         assert!(rewritten.aside < 2e-4);
     }
     let output = by_ends(text, Format::GCode, ASIDE);
-    assert_eq!(body(&output)[2..4], ["G1 X10.05 Y-0.03 Z0.02 F600", "Y10"]);
+    assert_eq!(body(&output)[2..5], ["G1 X0.05 Y-0.03 Z0.02 F600", "X10.0", "Y10"]);
 }
 
 #[test]
 fn a_point_that_is_named_again_stays_corrected() {
     let output = by_ends("G21 G90 G0 X0 Y0 Z0\nG1 X10 F600\nG1 X10\nX10 Y5\n", Format::GCode, ASIDE);
-    assert_eq!(body(&output)[1..], ["G1 X10.05 Y-0.03 Z0.02 F600", "G1 X10.05", "X10.05 Y4.97"]);
+    assert_eq!(body(&output)[1..], ["G1 X0.05 Y-0.03 Z0.02 F600", "X10.05", "G1 X10.05", "X10.05 Y4.97"]);
     let apt = "UNITS/MM\nFEDRAT/MMPM,600\nGOTO/0,0,0\nGOTO/10,0,0\nGOTO/10,0,0\nGOTO/10,5,0\nFINI\n";
     let output = by_ends(apt, Format::Apt, ASIDE);
     assert!(output.ends_with("GOTO/10.05,-0.03,0.02\nGOTO/10.05,-0.03,0.02\nGOTO/10.05,4.97,0.02\nFINI\n"), "{output}");

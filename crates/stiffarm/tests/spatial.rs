@@ -25,8 +25,13 @@ fn random_robot(rng: &mut fastrand::Rng, architecture: Architecture, drives: [f6
         offset: std::array::from_fn(|_| 0.0),
         sign: std::array::from_fn(|_| 1.0),
     };
-    let limits =
-        Limits { joints: [Interval::ALL; 6], third_axis: ThirdAxis::Elbow, pendant: Pendant::Unknown, elbow: Interval::ALL, speeds: None };
+    let limits = Limits {
+        joints: [Interval::ALL; 6],
+        third_axis: ThirdAxis::Elbow,
+        pendant: Pendant::Unknown,
+        elbow: Interval::ALL,
+        speeds: None,
+    };
     let mut robot = paper_robots().swap_remove(0);
     robot.architecture = architecture;
     robot.arm = Arm::SixAxis { geometry, limits, drives: Drives::new(architecture, JointCompliance(drives)) };

@@ -84,9 +84,9 @@ impl ComplianceAnswer {
         record
     }
 
-    /// Where the length of the translation lies with 90 %, as far as the drives may be off; `None` where nothing says how far.
+    /// Where what counts of the translation lies with 90 %, as far as the drives may be off; `None` where nothing says how far.
     fn spread(&self) -> Option<Spread> {
-        of_posture(&self.robot, &self.posture, &self.force()?)
+        of_posture(&self.robot, &self.posture, self.load?)
     }
 
     /// As JSON.
@@ -114,7 +114,10 @@ impl ComplianceAnswer {
         let mut lines = vec![
             line("robot", words::robot(robot)),
             line("stiffness", stiffness(robot)),
-            line(words::joints_reported(robot), format!("{} deg", joints_deg.map(|angle| angle.to_string()).join(", "))),
+            line(
+                words::joints_reported(robot),
+                format!("{} deg", joints_deg.map(|angle| angle.to_string()).join(", ")),
+            ),
             line("tool point from the base", format!("{} m", vector(&posture.tool.translation.vector, 4))),
         ];
         for (name, (value, direction)) in
@@ -137,10 +140,10 @@ impl ComplianceAnswer {
             }
             let whole = moved.norm() * 1e3;
             lines.push(line("deflection", format!("{} mm, {whole:.4} mm in all", vector(&(moved * 1e3), 4))));
-            lines.extend(uncertainty::told(self.spread()));
             if let (false, Some(largest)) = (words::component(*load).is_empty(), self.largest()) {
                 lines.push(line(words::component(*load), format!("{:.4} mm", largest.value * load.newtons() * 1e3)));
             }
+            lines.extend(uncertainty::told(self.spread()));
             lines.push(line("rotation", format!("{} mrad", vector(&(turned * 1e3), 4))));
             let shares = percentages(&posture.shares(&force.normalize()));
             lines.push(line("share of drives 1-6 along the force", shares));
@@ -152,7 +155,9 @@ impl ComplianceAnswer {
     pub fn notes(&self) -> String {
         let assumed = words::assumed_architecture([&self.robot]);
         let pendant = words::pendant_note(&self.robot);
-        format!("{assumed}{pendant}base axes: x forward, y left, z up; all six drives compliant, everything else rigid\n")
+        format!(
+            "{assumed}{pendant}base axes: x forward, y left, z up; all six drives compliant, everything else rigid\n"
+        )
     }
 }
 

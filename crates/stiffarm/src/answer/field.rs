@@ -162,7 +162,7 @@ fields! {
     Z: "z_m", Kind::Number(Unit::Metre), "Up, from the base.";
     BEARING: "bearing_deg", Kind::Number(Unit::Degree), "Where about the joint-1 axis the zone stands.";
     YAW: "yaw_deg", Kind::Number(Unit::Degree), "Of the zone's plane about the vertical.";
-    ANGLE: "angle_deg", Kind::Number(Unit::Degree), "Of the first side of a rectangle.";
+    ANGLE: "angle_deg", Kind::Number(Unit::Degree), "Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it.";
     ROLL: "roll_deg", Kind::Number(Unit::Degree), "About the tool axis.";
     SHOULDER: "shoulder", Kind::Text, "front or back.";
     ELBOW: "elbow", Kind::Text, "up or down.";

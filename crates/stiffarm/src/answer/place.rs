@@ -229,7 +229,7 @@ impl PlaceAnswer {
             if best.faces.is_empty() { ("in the zone", "centre") } else { ("on the part", "middle of its underside") };
         let mut lines = vec![
             line(format!("worst deflection {whole}"), format!("{:.4} mm", best.deflection * 1e3)),
-            line("no place has less than", proof(best)),
+            line(self.none_has_less(), proof(best, &self.options)),
         ];
         lines.extend(uncertainty::told(uncertainty::of(&self.robot, self.options.load, Some(best))));
         lines
@@ -266,6 +266,11 @@ impl PlaceAnswer {
             lines.push(line(format!("tolerance {tolerance} mm"), says));
         }
         lines
+    }
+
+    /// Of what the lower bound is.
+    fn none_has_less(&self) -> &'static str {
+        if self.is_at_one_place() { "no way to hold it there has less than" } else { "no place has less than" }
     }
 
     fn stance_lines(&self, best: &Placement, hold: &SpaceHold) -> Vec<Line> {
@@ -361,10 +366,15 @@ fn hold_lines(hold: &SpaceHold) -> Vec<Line> {
 }
 
 /// The lower bound and how far it lies from the value.
-fn proof(best: &Placement) -> String {
+fn proof(best: &Placement, options: &PlaceOptions) -> String {
     let (gap, lower) = (best.gap(), best.lower_bound * 1e3);
+    let asked = options.gap();
     match best.space().map(|hold| hold.resolution.boxes) {
         None if gap < 1e-11 => format!("{lower:.4} mm (exact)"),
+        // So near to the gap that was asked for the digits that are told agree.
+        None if asked * 1.05 < gap => {
+            format!("{lower:.4} mm (gap {gap:.1e}; {asked:.1e} was asked for and took more boxes than are looked at)")
+        }
         None => format!("{lower:.4} mm (gap {gap:.1e})"),
         Some(boxes) if best.lower_bound <= 0.0 && 0.0 < gap => format!("nothing is proved ({boxes} boxes)"),
         Some(boxes) => format!("{lower:.4} mm (proved with {boxes} boxes; gap {:.1} %)", 100.0 * gap),

@@ -176,11 +176,7 @@ fn planar(mut table: Table, architecture: Option<Architecture>) -> Option<Moving
     Some((Arm::Planar(arm), stiffness_is_assumed))
 }
 
-fn six_axis(
-    root: &mut Table,
-    architecture: Option<Architecture>,
-    source: &BTreeMap<String, String>,
-) -> Option<Moving> {
+fn six_axis(root: &mut Table, architecture: Option<Architecture>, source: &BTreeMap<String, String>) -> Option<Moving> {
     let geometry = geometry(root.table("geometry"));
     if !root.has("limits") {
         root.fault("limits", "missing; expected a table with joint_deg, six times [min, max] in deg");

@@ -78,6 +78,9 @@ pub struct Milling {
     pub edge: Edge,
 }
 
+/// Angle, rad, below which two angles of the spindle are one but for rounding.
+const HAIR: f64 = 1e-12;
+
 /// Force along feed, across and axial, N, and moment about the axis, N m.
 type Felt = [f64; 4];
 
@@ -149,10 +152,13 @@ impl Milling {
         let Engagement { depth, entry, exit, .. } = self.engagement;
         let (lag, mut sum) = (self.lag(), [0.0; 4]);
         for tooth in 0..self.teeth {
-            let bottom = (angle + TAU * tooth as f64 / self.teeth as f64).rem_euclid(TAU);
+            let at = angle + TAU * tooth as f64 / self.teeth as f64;
+            let bottom = at.rem_euclid(TAU);
             if lag < 1e-9 {
-                if entry <= bottom && bottom <= exit {
-                    let felt = self.tooth(bottom);
+                // Of two teeth as far apart as entry and exit one cuts: it enters a hair before the other would, which leaves as early.
+                let cut = (at - entry + HAIR).rem_euclid(TAU);
+                if cut < exit - entry {
+                    let felt = self.tooth((entry + cut - HAIR).max(entry));
                     (0..4).for_each(|i| sum[i] += depth * felt[i]);
                 }
                 continue;
@@ -317,6 +323,26 @@ mod tests {
         // Four teeth in a slot: two always cut, so that the force across never vanishes.
         let four = mill(Side::Slot, 0.016, 0.0, LINEAR).force(1.0).unwrap().range.unwrap();
         assert!(0.0 < four[0][1]);
+    }
+
+    /// In a slot half of an even number of straight teeth cut at every angle, in half the width a quarter of those whose number four divides: as one
+    /// enters another leaves. Edges that only rub axially feel 20 N/mm on 2 mm each.
+    #[test]
+    fn as_a_straight_tooth_enters_another_leaves() {
+        let rubs = Edge::Linear { chip: [0.0; 3], rubbing: [0.0, 0.0, 20e3] };
+        let cases = [(Side::Slot, 0.016, 2), (Side::Up, 0.008, 4), (Side::Down, 0.008, 4)];
+        for (side, width, apart) in cases {
+            for teeth in (apart..=24).step_by(apart) {
+                let one = Milling { teeth, ..mill(side, width, 0.0, rubs) };
+                let found = one.force(1.0).unwrap();
+                let expected = 40.0 * (teeth / apart) as f64;
+                let [low, high] = found.range.unwrap();
+                for told in [low[2], high[2], found.largest, found.mean.unwrap()[2]] {
+                    assert!((told - expected).abs() < 1e-9, "{side:?}, {teeth} teeth: {told} is not {expected}");
+                }
+                assert!(found.revolution.iter().all(|force| (force[2] - expected).abs() < 1e-9), "{teeth} teeth");
+            }
+        }
     }
 
     /// Up milling has its material to the left of a tool that turns clockwise: moved there it cuts a wider strip, as if that had been asked; moved

@@ -50,6 +50,12 @@ impl Forces {
         Self { axis, from: ends[0], to: ends[1], normal, component }
     }
 
+    /// The same, seen from axes against which they are turned.
+    #[must_use]
+    pub(crate) fn turned(&self, turn: &Matrix3<f64>) -> Self {
+        Self { axis: turn * self.axis, normal: turn * self.normal, ..*self }
+    }
+
     pub(crate) fn axis(&self) -> Vector3<f64> {
         self.axis
     }

@@ -1,6 +1,6 @@
 //! Verb 2 in space: a section through everything the tool reaches, straight ahead of the robot.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -44,8 +44,22 @@ pub(super) fn joints(
     let arm = model.arm();
     let work = WorkPlacement { x, y: 0.0, z, yaw: held.yaw, angle: 0.0, roll };
     let theta = of_configuration(&at_centre(arm, &WorkPlane::of(held.elevation, &work), &work), configuration)?;
-    let q = within_limits(&arm.geometry, &freed(arm, load, held).limits, &theta);
+    let q = roomiest(&freed(arm, load, held), &theta);
     Some(q.unwrap_or_else(|| arm.geometry.reported(&theta, arm.limits.third_axis)))
+}
+
+/// The joint angles a robot reports for model angles, each turned to where its range leaves it most room; `None` where a limit forbids it.
+fn roomiest(arm: &SpatialArm, theta: &[f64; 6]) -> Option<[f64; 6]> {
+    let Limits { joints, .. } = &arm.limits;
+    let mut q = within_limits(&arm.geometry, &arm.limits, theta)?;
+    for (joint, (q, range)) in q.iter_mut().zip(joints).enumerate() {
+        let turned = *q + TAU * ((range.middle() - *q) / TAU).round();
+        // What else the limits say leaves joint 3 no choice, or all.
+        if range.is_bounded() && range.room(*q) < range.room(turned) && !(joint == 2 && arm.limits.third_is_wound()) {
+            *q = turned;
+        }
+    }
+    Some(q)
 }
 
 /// The deflection over a section, all six drives compliant, at the best configuration and roll of every point.
@@ -260,7 +274,7 @@ impl<'a> Scan<'a> {
     /// The cell that one way to hold a point gives, from its model angles.
     fn told(&self, hold: &Hold, theta: Option<[f64; 6]>) -> Cell {
         let limit_margin = theta.and_then(|theta| {
-            let q = within_limits(&self.freed.geometry, &self.freed.limits, &theta)?;
+            let q = roomiest(self.freed, &theta)?;
             let Limits { joints, elbow, .. } = &self.freed.limits;
             let enclosed = elbow.room(elbow.turn_to(PI - theta[2], tolerances::LIMIT)?);
             let rooms = q.into_iter().zip(joints).map(|(q, range)| range.room(q));
@@ -368,6 +382,44 @@ mod tests {
             }
         }
         assert!(60 < told, "{told}");
+    }
+
+    /// Joints 4 and 6 turn by two turns and more: whichever of their angles is told, no other number of whole turns leaves more room.
+    #[test]
+    fn the_margin_told_is_that_of_the_turns_with_most_room() {
+        let mut robot = paper_robots().swap_remove(4);
+        let crate::robot::Arm::SixAxis { limits, .. } = &mut robot.arm else { unreachable!("six axes") };
+        limits.joints[3] = Interval::spanning(-7.0, 6.0);
+        let tool = Pose::translation(0.15, 0.05, 0.1);
+        let (x, z) = (Axis::between(0.9, 1.9, 6), Axis::between(0.3, 1.3, 6));
+        let held = Held { elevation: -1.2, roll: Some(0.3), ..Held::TOOL_DOWN };
+        // Where one posture is told joint 6 has next to no room, and a turn further much.
+        let model = spatial(&robot, &tool);
+        let way = section(model.arm(), x, z, Load::UNIT, &held).space.unwrap().at(3, 3).unwrap();
+        let [.., sixth] = joints(&model, (Load::UNIT, &held), way, [x.at(3), z.at(3)]).unwrap();
+        let crate::robot::Arm::SixAxis { limits, .. } = &mut robot.arm else { unreachable!("six axes") };
+        limits.joints[5] = Interval::spanning(sixth - 0.02, sixth + TAU + 2.0);
+        let limits = limits.clone();
+        let model = spatial(&robot, &tool);
+        let map = section(model.arm(), x, z, Load::UNIT, &held);
+        let margins = map.space.as_ref().unwrap();
+        let (mut told, mut decided) = (0, 0);
+        for (i, j) in (0..36).map(|cell| (cell % 6, cell / 6)) {
+            let Some(way) = margins.at(i, j) else { continue };
+            let q = joints(&model, (Load::UNIT, &held), way, [x.at(i), z.at(j)]).unwrap();
+            // Joint 1 is left aside; no other joint has a choice.
+            let room = |joint: usize, turns: i32| limits.joints[joint].room(q[joint] + TAU * f64::from(turns));
+            let most = |joint: usize| (-3..=3).map(|turns| room(joint, turns)).fold(f64::NEG_INFINITY, f64::max);
+            let rooms = [room(1, 0), room(2, 0), most(3), room(4, 0), most(5)];
+            let enclosed = PI - model.arm().geometry.model_angles(&q, limits.third_axis)[2];
+            let links = limits.elbow.room(limits.elbow.turn_to(enclosed, 1e-9).unwrap());
+            let expected = rooms.into_iter().fold(links, f64::min);
+            let found = margins.limits.get(i, j).unwrap();
+            assert!((found - expected).abs() < 1e-9, "{found} {expected} {q:?}");
+            told += 1;
+            decided += usize::from(limits.joints[5].room(limits.joints[5].turn_to(q[5], 0.0).unwrap()) < expected);
+        }
+        assert!(10 < told && 0 < decided, "{told} {decided}");
     }
 
     #[test]

@@ -8,16 +8,21 @@ use crate::interval::Interval;
 use crate::inverse::{Configuration, postures, within_limits};
 use crate::watch::Watch;
 
+/// By so much more than its speed allows a joint may turn from sample to sample by rounding, rad.
+const ROUNDING: f64 = 1e-6;
+
 impl Ladder<'_> {
-    /// The first sample to which a joint turns faster than so many times what is allowed.
-    pub(super) fn too_fast(&self, found: &[Pushed], times: f64) -> Option<usize> {
+    /// The sample to which a joint turns fastest, where that is faster than is allowed, and how many times as fast.
+    pub(super) fn too_fast(&self, found: &[Pushed]) -> Option<(usize, f64)> {
         let speeds = self.speeds?;
-        let is_fast = |i: &usize| {
-            let Some(time) = self.stations[*i].time else { return false };
-            let turn = |joint: usize| (found[*i].joints[joint] - found[*i - 1].joints[joint]).abs();
-            (0..6).any(|joint| times * speeds[joint] * time + 1e-6 < turn(joint))
+        let times = |i: usize| {
+            let time = self.stations[i].time.filter(|_| !self.stations[i].is_fresh)?;
+            let turn = |joint: usize| (found[i].joints[joint] - found[i - 1].joints[joint]).abs() - ROUNDING;
+            let times = (0..6).map(|joint| turn(joint).max(0.0) / (speeds[joint] * time).max(f64::MIN_POSITIVE));
+            Some((i, times.fold(0.0, f64::max)))
         };
-        (1..found.len()).filter(|i| !self.stations[*i].is_fresh).find(is_fast)
+        let fastest = (1..found.len()).filter_map(times).max_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some(fastest).filter(|(_, times)| 1.0 < *times)
     }
 
     /// Why no path leads to a rung.

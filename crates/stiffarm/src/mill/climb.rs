@@ -214,7 +214,8 @@ impl<'a, 'l> Climb<'a, 'l> {
 
     /// How far each joint may turn from one rung to the next, rad: no farther than a line is followed, or than its speed allows.
     fn farthest(&self, time: Option<f64>) -> [f64; 6] {
-        let by_speed = self.ladder.speeds.zip(time).map(|(speeds, time)| speeds.map(|speed| speed * time + ROUNDING));
+        let Ladder { speeds, pace, .. } = self.ladder;
+        let by_speed = speeds.zip(time).map(|(speeds, time)| speeds.map(|speed| speed * pace * time + ROUNDING));
         by_speed.map_or([LARGEST_TURN; 6], |by_speed| by_speed.map(|turn| turn.min(LARGEST_TURN)))
     }
 

@@ -10,11 +10,11 @@
 //! rotation of the commanded pose: what that leaves is found from the loaded posture itself. How well the drives are known decides what
 //! is left in truth: `(C_true - C_model) w`.
 
-use nalgebra::{Matrix3x6, Point3, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix3x6, Point3, Vector3, Vector6};
 use rayon::prelude::*;
 
 use super::fault::MillError;
-use super::follow::{Pushed, Stand, wrench, wrench_of};
+use super::follow::{Pushed, Stand, wrench};
 use super::stations::{Acting, ErrorPart, Station};
 use crate::compliance::{PostureError, compliance};
 use crate::inverse::posture_of;
@@ -28,6 +28,8 @@ use crate::watch::Watch;
 /// Rounds in which the loaded posture is sought, and the joints' change that ends them, rad.
 const ROUNDS: usize = 40;
 const SETTLED: f64 = 1e-12;
+/// Relative allowance for rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// A path whose deflection is taken out.
 #[derive(Clone, Debug, PartialEq)]
@@ -158,7 +160,7 @@ pub fn remaining(
 }
 
 /// The largest error along a path, m, of every draw of the drives; the path stays as it is. Of a force that may point anywhere that which does
-/// most for the drives as they are told.
+/// most in the draw.
 ///
 /// # Errors
 /// As [`super::mill`].
@@ -182,17 +184,40 @@ pub fn drawn_errors(
 /// What each drive gives of the displacement at a station.
 struct Given {
     station: usize,
-    /// m, a column for every drive.
-    by_drive: Matrix3x6<f64>,
-    /// The direction that counts; `None` where all of it does.
-    counted: Option<Vector3<f64>>,
+    by_drive: ByDrive,
+}
+
+enum ByDrive {
+    /// Under a force that is known: m, a column for every drive, and the direction that counts; `None` where all of it does.
+    Known(Matrix3x6<f64>, Option<Vector3<f64>>),
+    /// Under a force that may point anywhere: m along each of three axes where it points along each of them.
+    Any(Box<[Matrix3<f64>; 6]>),
 }
 
 impl Given {
     /// The error, m, where each drive gives so many times that.
     fn error(&self, times: &Vector6<f64>) -> f64 {
-        let moved = self.by_drive * times;
-        self.counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs())
+        match &self.by_drive {
+            ByDrive::Known(by_drive, counted) => {
+                let moved = by_drive * times;
+                counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs())
+            }
+            ByDrive::Any(by_drive) => {
+                let sum: Matrix3<f64> = by_drive.iter().zip(times).map(|(part, times)| part * *times).sum();
+                sum.symmetric_eigenvalues().amax()
+            }
+        }
+    }
+
+    /// No error is larger, m, and this is sooner found: no eigenvalue is larger than the sum of all, of which a drive has none below zero.
+    fn most(&self, times: &Vector6<f64>) -> f64 {
+        match &self.by_drive {
+            ByDrive::Known(..) => f64::INFINITY,
+            ByDrive::Any(by_drive) => {
+                by_drive.iter().zip(times).map(|(part, times)| part.trace() * times.abs()).sum::<f64>()
+                    * (1.0 + ROUNDING)
+            }
+        }
     }
 }
 
@@ -213,9 +238,21 @@ fn by_drives(
         let counted = part.direction(&axes, &found.sample);
         let posture = compliance(robot, &pushed.joints, &stand.flange_from_tool);
         Some(posture.map(|posture| {
-            let wrench = wrench_of(acting, &posture, &axes, counted.as_ref());
-            let by_drive = Matrix3x6::from_columns(&posture.by_drive.map(|drive| drive.deflection(&wrench).0));
-            Given { station, by_drive, counted }
+            let moved = |wrench: Wrench| posture.by_drive.each_ref().map(|drive| drive.deflection(&wrench).0);
+            let by_drive = match (acting, counted) {
+                (Acting::Any(newtons), None) => {
+                    let parts = posture.by_drive.each_ref().map(|drive| drive.translation() * newtons);
+                    ByDrive::Any(Box::new(parts))
+                }
+                // Along one direction a force of any does as much as one along it moves in all.
+                (Acting::Any(newtons), Some(counted)) => {
+                    ByDrive::Known(Matrix3x6::from_columns(&moved(Wrench::force(counted * newtons))), None)
+                }
+                (Acting::Known { force, moment }, counted) => {
+                    ByDrive::Known(Matrix3x6::from_columns(&moved(wrench(&axes, force, moment))), counted)
+                }
+            };
+            Given { station, by_drive }
         }))
     };
     let all: Vec<(&[Station], &[Pushed])> = stations.chunks(TOGETHER).zip(followed.chunks(TOGETHER)).collect();
@@ -238,7 +275,10 @@ fn times(factors: &[[f64; 6]], part: impl Fn(f64) -> f64) -> Result<Vec<Vector6<
 /// Raises the largest error of every draw to that of some stations: a sum over the drives, each so many times as it gives.
 fn raise(largest: &mut [f64], gives: &[Given], times: &[Vector6<f64>]) {
     let of = |(largest, times): (&mut f64, &Vector6<f64>)| {
-        *largest = gives.iter().map(|given| given.error(times)).fold(*largest, f64::max);
+        let worse = |worst: f64, given: &Given| {
+            if given.most(times) <= worst { worst } else { worst.max(given.error(times)) }
+        };
+        *largest = gives.iter().fold(*largest, worse);
     };
     largest.par_iter_mut().zip(times).for_each(of);
 }

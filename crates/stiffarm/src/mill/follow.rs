@@ -194,12 +194,7 @@ pub(super) fn pushed(
 }
 
 /// What acts at a posture, base axes; of a force that may point anywhere that which moves most of what counts.
-pub(super) fn wrench_of(
-    acting: Acting,
-    posture: &Posture,
-    axes: &Matrix3<f64>,
-    counted: Option<&Vector3<f64>>,
-) -> Wrench {
+fn wrench_of(acting: Acting, posture: &Posture, axes: &Matrix3<f64>, counted: Option<&Vector3<f64>>) -> Wrench {
     match acting {
         Acting::Known { force, moment } => wrench(axes, force, moment),
         Acting::Any(newtons) => {

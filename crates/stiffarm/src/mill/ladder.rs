@@ -55,6 +55,8 @@ pub(super) struct Ladder<'a> {
     pub(super) rungs: Vec<Rung>,
     /// Largest speed of each joint that is used, rad/s, where the robot says one.
     pub(super) speeds: Option<[f64; 6]>,
+    /// From rung to rung joints keep to this part of these speeds, since between the rungs they may turn faster.
+    pub(super) pace: f64,
 }
 
 /// The joints of a rung's nodes, rad, as the robot reports them, each turned down to the least that its range allows.
@@ -71,7 +73,7 @@ impl<'a> Ladder<'a> {
         watch: Watch,
     ) -> Result<Self, MillError> {
         let speeds = arm.limits.speeds.map(|speeds| speeds.map(|speed| share_of_speed * speed));
-        let mut ladder = Self { arm, stations, stand, part, grid, rungs: Vec::new(), speeds };
+        let mut ladder = Self { arm, stations, stand, part, grid, rungs: Vec::new(), speeds, pace: 1.0 };
         ladder.rungs = ladder.rungs_of_stations();
         let parts = watch.parts(Some(ladder.rungs.len()));
         let errors: Result<Vec<_>, MillError> = ladder
@@ -90,7 +92,7 @@ impl<'a> Ladder<'a> {
 
     /// Without rungs: for single stations.
     pub(super) fn bare(arm: &'a SpatialArm, stations: &'a [Station], stand: Stand, part: ErrorPart) -> Self {
-        Self { arm, stations, stand, part, grid: RollGrid::turn(1), rungs: Vec::new(), speeds: None }
+        Self { arm, stations, stand, part, grid: RollGrid::turn(1), rungs: Vec::new(), speeds: None, pace: 1.0 }
     }
 
     /// Groups samples: until the wrist could turn by some steps of the grid, or as far as a rung may reach.

@@ -1,8 +1,8 @@
 //! Verb: how far is the tool pushed off along a path that a robot mills, at the best roll of the tool about its axis?
 //!
-//! The tool is round: how far it is turned about its axis is free (functional redundancy). What is sought is the path of rolls whose
-//! largest error is least (`climb`, over the nodes of `ladder`), smoothed (`smooth`), with a lower bound that no path of rolls beats
-//! (`bound`). Every number that is told is that of `follow`: one posture after the other, as [`crate::compliance`] has it.
+//! The tool is round: how far it is turned about its axis is free (functional redundancy). What is sought is the smoothest path of rolls of
+//! those whose largest error is nearly the least (`climb`, over the nodes of `ladder`), smoothed (`smooth`), with a lower bound that no path of
+//! rolls beats (`bound`); where that lies far below, rolls are looked at once more in finer steps. Every number that is told is that of `follow`: one posture after the other, as [`crate::compliance`] has it.
 
 mod blocked;
 mod bound;
@@ -29,8 +29,8 @@ pub use follow::{Arrangement, Pushed, Stand, part_from_tool};
 pub use forces::{Forced, ForcedError, Forcing, forced};
 pub use map::{RollCell, RollMap, roll_map};
 pub use place::{PartPlacement, PathPlaced, PathResolution, place_path};
-use solve::Question;
 pub use solve::{MillOptions, RollMode};
+use solve::{Question, ROLLS};
 use stations::check_normals;
 pub use stations::{Acting, ErrorPart, Station, cutting_axes, pin, stations};
 
@@ -40,6 +40,13 @@ use crate::robot::Robot;
 use crate::tolerances::CLEARANCE;
 use crate::toolpath::ToolPose;
 use crate::watch::Watch;
+
+/// Where the bound lies so far below the error, as a part of it, rolls are looked at more finely; those found are told where they are better by
+/// more than the second part.
+const DOUBTFUL: f64 = 0.2;
+const WORTH: f64 = 1e-3;
+/// Of longer paths the finer rolls would need more memory and time than a doubt is worth.
+const MOST_FINER: usize = 1000;
 
 /// What was found of a path for a part that stands somewhere.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,16 +129,45 @@ pub fn mill(
         return Err(MillError::PinnedElse);
     }
     let question = Question { robot, arm, stations, options };
-    let (ladder, solved) = question.solve(stand, watch)?;
-    let samples = match solved {
-        Ok(samples) => samples,
-        Err(blocked) => return Ok(Milled::Blocked(blocked)),
-    };
-    let worst = samples.iter().map(|sample| sample.error).enumerate();
-    let worst = worst.fold((0.0, 0), |worst, (i, error)| if worst.0 < error { (error, i) } else { worst });
-    let lower_bound = Floor::new(&question, stand).lower_bound(&ladder, worst.0)?;
-    let rms = rms(stations, &samples);
-    Ok(Milled::Followed(Followed { samples, worst, lower_bound, rms }))
+    let found = question.milled(stand, ROLLS[0], watch)?;
+    question.without_doubt(found, stand, watch)
+}
+
+impl Question<'_> {
+    /// The best of so many rolls, with what is proved of all.
+    fn milled(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<Milled, MillError> {
+        let (ladder, solved) = self.solve(stand, rolls, watch)?;
+        let samples = match solved {
+            Ok(samples) => samples,
+            Err(blocked) => return Ok(Milled::Blocked(blocked)),
+        };
+        let worst = samples.iter().map(|sample| sample.error).enumerate();
+        let worst = worst.fold((0.0, 0), |worst, (i, error)| if worst.0 < error { (error, i) } else { worst });
+        let lower_bound = Floor::new(self, stand).lower_bound(&ladder, worst.0)?;
+        let rms = rms(self.stations, &samples);
+        Ok(Milled::Followed(Followed { samples, worst, lower_bound, rms }))
+    }
+
+    /// What was found, or what finer rolls give where that leaves a doubt: the bound lies far below, or nothing was found.
+    fn without_doubt(&self, found: Milled, stand: &Stand, watch: Watch) -> Result<Milled, MillError> {
+        let is_doubtful = match &found {
+            Milled::Followed(found) => found.lower_bound < found.worst.0 * (1.0 - DOUBTFUL),
+            Milled::Blocked(blocked) => !matches!(blocked.why, Why::Reach { .. }),
+        };
+        if self.options.roll != RollMode::Free || !is_doubtful || MOST_FINER < self.stations.len() {
+            return Ok(found);
+        }
+        Ok(match (found, self.milled(stand, ROLLS[1], watch)?) {
+            (Milled::Followed(found), Milled::Followed(fine)) => {
+                // Both bounds hold for every path.
+                let lower_bound = found.lower_bound.max(fine.lower_bound);
+                let better = if fine.worst.0 < found.worst.0 * (1.0 - WORTH) { fine } else { found };
+                Milled::Followed(Followed { lower_bound: lower_bound.min(better.worst.0), ..better })
+            }
+            (Milled::Blocked(_), fine) => fine,
+            (found, Milled::Blocked(_)) => found,
+        })
+    }
 }
 
 /// Some roll is pinned.

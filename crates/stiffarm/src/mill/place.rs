@@ -15,9 +15,9 @@ use rayon::prelude::*;
 use super::fault::{Blocked, MillError};
 use super::follow::Stand;
 use super::ladder::Ladder;
-use super::solve::{MillOptions, RollMode};
+use super::solve::{self, MillOptions, Question, RollMode};
 use super::stations::{Station, check_normals};
-use super::{Followed, Milled, arm_with_margins, is_pinned, mill};
+use super::{Followed, Milled, arm_with_margins, is_pinned};
 use crate::batch::{RollGrid, SpatialArm};
 use crate::enclose::ArmEnclosure;
 use crate::interval::Interval;
@@ -121,6 +121,8 @@ pub fn place_path(
     check_normals(stations, options.part)?;
     let sought = Search::new(robot, flange_from_tool, stations, (options, margins, within))?;
     let Some(mut search) = sought else { return Ok(Err(None)) };
+    let arm = search.arm.clone();
+    let question = Question { robot, arm: &arm, stations, options };
     let (mut best, mut nearest): (Option<(f64, Place, Followed)>, Option<Blocked>) = (None, None);
     let mut starts = search.coarse(watch)?;
     let mut step = 0.0;
@@ -138,7 +140,7 @@ pub fn place_path(
             if best.as_ref().is_some_and(|best| best.0 <= *value) {
                 break;
             }
-            let key = match mill(robot, &search.stand(place), stations, options, watch)? {
+            let key = match question.milled(&search.stand(place), solve::ROLLS[0], watch)? {
                 Milled::Followed(found) => {
                     let key = found.worst.1;
                     if best.as_ref().is_none_or(|best| found.worst.0 < best.0) {
@@ -163,7 +165,12 @@ pub fn place_path(
         starts = steps;
     }
     let samples = search.keys.len();
-    let Some((value, place, followed)) = best else { return Ok(Err(nearest)) };
+    let Some((_, place, followed)) = best else { return Ok(Err(nearest)) };
+    let followed = match question.without_doubt(Milled::Followed(followed), &search.stand(&place), watch)? {
+        Milled::Followed(followed) => followed,
+        Milled::Blocked(_) => unreachable!("what is followed stays so"),
+    };
+    let value = followed.worst.0;
     search.put_binding_first(&place)?;
     let (lower_bound, nodes) = search.lower_bound(value, watch)?;
     let placement = search.placement(&place);

@@ -15,10 +15,13 @@ use crate::inverse::Configuration;
 use crate::robot::Robot;
 use crate::watch::Watch;
 
-/// Rolls of the grid: steps of 2 deg.
-const ROLLS: usize = 180;
+/// Rolls of the grid: steps of 2 deg, and of half a deg where these leave a doubt.
+pub(super) const ROLLS: [usize; 2] = [180, 720];
 /// By how much of its largest error a path may be worse for the sake of smoother joints.
 const SPARE: f64 = 0.01;
+/// How often a path is sought at a slower pace where joints turn too fast between its rungs, and by how much more than that asks for.
+const PACES: usize = 5;
+const SLOWER: f64 = 0.98;
 /// Constant and linear rolls that are followed at most before it is said that none is.
 const MOST_TRIED: usize = 400;
 
@@ -77,11 +80,11 @@ pub(super) struct Question<'a> {
 }
 
 impl Question<'_> {
-    /// The best rolls for a part that stands somewhere; inner: where and why there are none.
-    pub(super) fn solve(&self, stand: &Stand, watch: Watch) -> Result<(Ladder<'_>, Outcome), MillError> {
+    /// The best of so many rolls for a part that stands somewhere; inner: where and why there are none.
+    pub(super) fn solve(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<(Ladder<'_>, Outcome), MillError> {
         let MillOptions { roll, part, share_of_speed, .. } = *self.options;
-        let grid = if let RollMode::Fixed(roll) = roll { RollGrid::at([roll]) } else { RollGrid::turn(ROLLS) };
-        let ladder = Ladder::new(self.arm, self.stations, *stand, (part, grid), share_of_speed, watch)?;
+        let grid = if let RollMode::Fixed(roll) = roll { RollGrid::at([roll]) } else { RollGrid::turn(rolls) };
+        let mut ladder = Ladder::new(self.arm, self.stations, *stand, (part, grid), share_of_speed, watch)?;
         let courses = match roll {
             RollMode::Fixed(_) => Some(ladder.constant_rolls()),
             RollMode::Constant => Some(ladder.fine_constant_rolls()?),
@@ -90,7 +93,7 @@ impl Question<'_> {
         };
         let found = match courses {
             Some(courses) => self.best_of(&ladder, &courses, stand, watch)?.map(|(_, found)| found),
-            None => self.free(&ladder, stand, watch)?,
+            None => self.free(&mut ladder, stand, watch)?,
         };
         Ok((ladder, found))
     }
@@ -115,9 +118,9 @@ impl Question<'_> {
         let mut first = None;
         for course in courses.iter().take(MOST_TRIED) {
             match self.follow(stand, course.all(self.stations), watch)? {
-                Ok(found) => match ladder.too_fast(&found, 1.0) {
+                Ok(found) => match ladder.too_fast(&found) {
                     None => return Ok(Ok((course.clone(), found))),
-                    Some(i) => first = first.or(Some(ladder.blocked_at(i, Why::Fast))),
+                    Some((i, _)) => first = first.or(Some(ladder.blocked_at(i, Why::Fast))),
                 },
                 Err(blocked) => first = first.or(Some(blocked)),
             }
@@ -125,10 +128,10 @@ impl Question<'_> {
         Ok(Err(first.map_or_else(|| ladder.never_held(), Ok)?))
     }
 
-    /// The path whose largest error is least, and of those nearly as good the smoothest.
+    /// Of the paths whose largest error is nearly the least the smoothest, or the best constant roll where that is better.
     ///
     /// Of long paths memory holds one answer: of each that is tried its largest error is kept, and the best is followed again.
-    fn free(&self, ladder: &Ladder, stand: &Stand, watch: Watch) -> Result<Outcome, MillError> {
+    fn free(&self, ladder: &mut Ladder, stand: &Stand, watch: Watch) -> Result<Outcome, MillError> {
         // No error needs to be larger than that of the best constant roll.
         let constant = if is_pinned(self.stations) {
             None
@@ -137,40 +140,92 @@ impl Question<'_> {
             found.map(|(course, found)| (worst(&found), Way::Course(course)))
         };
         let most = constant.as_ref().map_or(f32::MAX, |(worst, _)| (worst * (1.0 + 1e-6)) as f32);
-        let followed = |way: &Way| match way {
+        let mut blocked = None;
+        for is_wound in [false, true] {
+            ladder.pace = 1.0;
+            match self.at_its_pace(ladder, stand, (most, is_wound), watch)? {
+                Found::Paths(ways) => {
+                    let best = best_way(ways.into_iter().chain(constant).collect());
+                    return self.follow_way(ladder, stand, &best, watch);
+                }
+                Found::NotFollowed(why) => blocked = blocked.or(Some(why)),
+                Found::Nothing(why) => {
+                    blocked = blocked.or(Some(why));
+                    break;
+                }
+            }
+        }
+        match constant {
+            Some((_, way)) => self.follow_way(ladder, stand, &way, watch),
+            None => Ok(Err(blocked.unwrap_or_else(|| ladder.blocked_at(0, Why::Jump)))),
+        }
+    }
+
+    fn follow_way(&self, ladder: &Ladder, stand: &Stand, way: &Way, watch: Watch) -> Result<Outcome, MillError> {
+        match way {
             Way::Course(course) => self.follow(stand, course.all(self.stations), watch),
             Way::Rungs(rungs) => self.follow(stand, ladder.of_stations(rungs), watch),
-        };
-        for is_wound in [false, true] {
+        }
+    }
+
+    /// The smoothest of the best paths, as it goes between the lines of the grid and on them; where joints turn too fast between its rungs, that
+    /// of a pace that is slower by as much.
+    fn at_its_pace(
+        &self,
+        ladder: &mut Ladder,
+        stand: &Stand,
+        (most, is_wound): (f32, bool),
+        watch: Watch,
+    ) -> Result<Found, MillError> {
+        let mut blocked = None;
+        for _ in 0..PACES {
             let (path, most) = match ladder.smoothest(most, is_wound, watch)? {
                 Ok(found) => found,
-                Err(rung) => match constant {
-                    Some((_, constant)) => return followed(&constant),
-                    None => return Ok(Err(ladder.why_blocked(rung, watch)?)),
-                },
+                Err(rung) if blocked.is_none() => return Ok(Found::Nothing(ladder.why_blocked(rung, watch)?)),
+                Err(_) => break,
             };
             let rough = ladder.arrangements(&path);
             let fine = smoothed(ladder, rough.clone(), f64::from(most), watch)?;
-            // Between the rungs joints may turn faster than from rung to rung: never faster than the machine can.
-            let full_speed = 1.0 / self.options.share_of_speed;
-            let mut ways = Vec::new();
+            let (mut kept, mut least) = (Vec::new(), f64::INFINITY);
             for way in [fine, rough].map(Way::Rungs) {
-                let found = followed(&way)?.ok().filter(|found| ladder.too_fast(found, full_speed).is_none());
-                ways.extend(found.map(|found| (worst(&found), way)));
+                match self.follow_way(ladder, stand, &way, watch)? {
+                    Err(why) => blocked = blocked.or(Some(why)),
+                    Ok(found) => match ladder.too_fast(&found) {
+                        None => kept.push((worst(&found), way)),
+                        Some((i, times)) => {
+                            blocked = Some(ladder.blocked_at(i, Why::Fast));
+                            least = least.min(times);
+                        }
+                    },
+                }
             }
-            if ways.is_empty() && !is_wound {
-                continue;
+            if !kept.is_empty() {
+                return Ok(Found::Paths(kept));
             }
-            let best = ways.into_iter().chain(constant.clone()).min_by(|(a, _), (b, _)| {
-                // Errors that hardly differ are alike: then the first, which is the smoothest.
-                if (a / b - 1.0).abs() <= SPARE { std::cmp::Ordering::Equal } else { a.total_cmp(b) }
-            });
-            if let Some((_, best)) = best {
-                return followed(&best);
+            if least == f64::INFINITY {
+                break;
             }
+            ladder.pace *= SLOWER / least;
         }
-        Ok(Err(ladder.blocked_at(0, Why::Jump)))
+        Ok(Found::NotFollowed(blocked.unwrap_or_else(|| ladder.blocked_at(0, Why::Jump))))
     }
+}
+
+/// What becomes of paths over a ladder.
+enum Found {
+    /// Some are followed, the smoothest first, with their largest errors, m.
+    Paths(Vec<(f64, Way)>),
+    /// There are some, and none is followed from sample to sample.
+    NotFollowed(Blocked),
+    /// There are none.
+    Nothing(Blocked),
+}
+
+/// The first of some paths, the smoothest first, whose largest error is nearly the least.
+fn best_way(found: Vec<(f64, Way)>) -> Way {
+    let least = found.iter().map(|(worst, _)| *worst).fold(f64::INFINITY, f64::min);
+    let best = found.into_iter().find(|(worst, _)| *worst <= least * (1.0 + SPARE));
+    best.expect("one of them has the least").1
 }
 
 /// The largest error of a path, m.

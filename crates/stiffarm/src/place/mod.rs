@@ -17,7 +17,7 @@ use crate::cell::Cell;
 use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::load::Load;
+use crate::load::{Forces, Load};
 use crate::model::{ArmPosture, Model, ModelKind};
 use crate::part::{Face, Part};
 use crate::plane::Elbow;
@@ -32,7 +32,7 @@ pub(crate) const NOTHING: f64 = 1e-15;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
     /// In the arm plane the first side horizontal or vertical, as in the paper; in space ahead (on a wall: upright) or a quarter turn to
-    /// the left.
+    /// the left, and under a force of which half a turn of the zone makes another one also half a turn and three quarters.
     Axes,
     /// First side at this angle, rad.
     Fixed(f64),
@@ -159,7 +159,8 @@ pub struct Placement {
     pub lower_bound: f64,
     /// Centre of the zone, ahead and up; in space before it is turned by the bearing. Of a part the middle of its underside.
     pub centre: [f64; 2],
-    /// Angle of the first side, rad, in `[0, pi)` in the arm plane; zero for a circle. Of a part its turn about the vertical, in `[0, 2 pi)`.
+    /// Angle of the first side, rad, in `[0, pi)`, or in `[0, 2 pi)` where half a turn of the zone makes another force of that which acts (one
+    /// along a known feed and along the axis); zero for a circle. Of a part its turn about the vertical, in `[0, 2 pi)`.
     pub angle: f64,
     /// Elbow side of the whole zone.
     pub elbow: Elbow,
@@ -227,8 +228,10 @@ pub struct SpaceHold {
     pub joints: [f64; 6],
     /// What each drive gives of the deflection there, adding up to 1.
     pub shares: [f64; 6],
-    /// What each drive gives of the compliance of the translation there, m/N, before the zone is turned by the bearing.
+    /// What each drive gives of the compliance of the translation there, m/N, base axes.
     pub by_drive: [Matrix3<f64>; 6],
+    /// The forces that may act there, base axes; any where `None`.
+    pub(crate) forces: Option<Forces>,
     /// The smallest distance of any joint to its limits anywhere in the zone, rad, proved, and that joint from 1; 0 is the angle
     /// between the links.
     pub limit_margin: (f64, usize),

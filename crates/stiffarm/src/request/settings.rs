@@ -524,13 +524,7 @@ const OF_ZONES: &[Setting] = &[
         unit: "deg",
         value: "DEG",
         absent: Absent::Means("0"),
-        needs: &[
-            (Verb::Rank, "force-n"),
-            (Verb::Place, "force-n"),
-            (Verb::Map, "force-n"),
-            (Verb::Compliance, "force-n"),
-            (Verb::Compare, "force-n"),
-        ],
+        needs: &[(Verb::Compliance, "force-n")],
         help: "Half angle of a cone about its direction in which the force may point: the largest deflection over it",
         example: "20",
         ..ROW
@@ -627,7 +621,7 @@ const OF_ZONES: &[Setting] = &[
         value: "ANGLE",
         absent: Absent::Default("axes"),
         needs: A_ZONE,
-        help: "Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or degrees of its first side",
+        help: "Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns), horizontal, vertical (its long side), free, or degrees of its first side",
         example: "30",
         ..ROW
     },

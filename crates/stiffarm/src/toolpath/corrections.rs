@@ -23,8 +23,6 @@ pub(super) struct Corrections<'a> {
     straight: f64,
     corrected: &'a mut dyn FnMut(&Sample) -> ToolPose,
     way: f64,
-    /// The tool stands where the last feed move was led.
-    is_led: bool,
     /// By how much the tool axis is off where the file cannot say it, rad, at most.
     pub(super) turn_lost: f64,
     /// How far from its place in the original a move that is kept ends, m, at most.
@@ -37,7 +35,7 @@ pub(super) struct Corrections<'a> {
 
 impl<'a> Corrections<'a> {
     pub(super) fn new(steps: &'a Steps, straight: f64, corrected: &'a mut dyn FnMut(&Sample) -> ToolPose) -> Self {
-        Self { steps, straight, corrected, way: 0.0, is_led: false, turn_lost: 0.0, aside: 0.0, arcs: 0, of_cycles: 0 }
+        Self { steps, straight, corrected, way: 0.0, turn_lost: 0.0, aside: 0.0, arcs: 0, of_cycles: 0 }
     }
 
     /// All places of a move, that of its beginning first. Where the file cannot say the tool axis (`tilts` is false), it stays.
@@ -62,21 +60,19 @@ impl<'a> Corrections<'a> {
         let mut places = self.places(one, tilts);
         if let Some(first) = places.first_mut() {
             let stands = start(&first.pose);
-            // Where the force jumps from one feed move to the next, the correction does: that is a way of its own.
-            if self.is_led && self.straight < (first.pose.tip - stands.tip).norm() {
+            // Where the force jumps from one feed move to the next, or begins after a rapid one, the correction does: that is a way of its own.
+            if self.straight < (first.pose.tip - stands.tip).norm() {
                 let stands = Place { pose: stands, share: 0.0 };
                 places.insert(0, stands);
             } else {
                 first.pose = stands;
             }
         }
-        self.is_led = true;
         thinned(&places, self.straight)
     }
 
     /// A move that is kept.
     pub(super) fn skip(&mut self, one: &Move) {
-        self.is_led = false;
         self.of_cycles += usize::from(one.kind == MoveKind::Feed);
         // It is asked for all the same: who answers by counting goes on.
         for sample in samples(one, self.steps, self.way) {

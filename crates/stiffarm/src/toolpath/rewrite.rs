@@ -60,7 +60,7 @@ pub struct Rewritten {
 /// of every move, in the order of [`read`](super::read) and [`samples`](super::samples()); what it answers of rapid moves and of
 /// drilling cycles is not written, since these stay as they are. Order, remarks, block numbers, feed rates and ends of lines stay,
 /// a move that needs no change stays byte by byte. Arcs become straight moves. From where a rapid move ended, uncorrected, a feed move
-/// comes to the corrected path by its first sample. What is written is read at once, so that moves by
+/// leads to the corrected beginning of the cut. What is written is read at once, so that moves by
 /// differences count from where the machine will really stand.
 ///
 /// # Errors
@@ -131,12 +131,12 @@ impl<'a> Rewriter<'a> {
         match format {
             Format::GCode => {
                 head.push(format!("Feed moves are corrected. Arcs are straight moves, off by at most {chord:.4} mm"));
-                head.push("Rapid moves and drilling cycles are not corrected; from a rapid move the path is reached by its first sample".into());
+                head.push("Rapid moves and drilling cycles are not corrected; from where a rapid move ends a feed move leads to the corrected path".into());
                 Self::GCode(Box::new(gcode::rewrite::Rewriter::new(options, head, sinks)))
             }
             Format::Apt => {
                 head.push(format!("Feed moves are corrected. Arcs are straight moves, off by at most {chord:.4} mm"));
-                head.push("Rapid moves and drilling cycles are not corrected; from a rapid move the path is reached by its first sample".into());
+                head.push("Rapid moves and drilling cycles are not corrected; from where a rapid move ends a feed move leads to the corrected path".into());
                 Self::Apt(Box::new(apt::rewrite::Rewriter::new(options, head, sinks)))
             }
             Format::Csv => Self::Csv(Box::new(csv::rewrite::Rewriter::new(options, head, sinks))),

@@ -686,3 +686,87 @@ fn a_million_blocks_have_room_in_a_gigabyte() {
     let coarse = Steps { longest: 1.0, ..Steps::USUAL };
     assert_eq!(stations(&moves, &coarse, |_| Some(KNOWN)).capacity(), 200);
 }
+
+/// Under a force that may point anywhere every draw has its own worst direction: that of an arm with such drives in the same postures.
+#[test]
+fn drawn_errors_under_any_force_are_those_of_robots_with_such_drives() {
+    let (robot, stand) = (robot(), stand());
+    let stations = path("line:0.2", Acting::Any(400.0));
+    for part in [ErrorPart::Total, ErrorPart::Axial] {
+        let found = followed(&stand, &stations, &MillOptions { part, ..with(RollMode::Constant) });
+        let factors = crate::prior::factors_of(0.7, 30);
+        let drawn =
+            drawn_errors(&robot, &stand, (&stations, &found.samples), (part, &factors), Watch::nobody()).unwrap();
+        let k = robot.drive_compliance().map(|k| k.unwrap());
+        for (factors, drawn) in factors.iter().zip(drawn) {
+            let other = crate::catalogue::with_compliance(&robot, std::array::from_fn(|i| k[i] * factors[i] * 1e6));
+            let other = other.unwrap();
+            let error = |(station, pushed): (&Station, &Pushed)| {
+                let compliance = compliance(&other, &pushed.joints, &stand.flange_from_tool).unwrap().compliance;
+                let axis = stand.base_from_part.rotation * station.sample.pose.axis;
+                let most = match part {
+                    ErrorPart::Axial => (compliance.translation() * axis).norm(),
+                    _ => compliance.worst().0,
+                };
+                400.0 * most
+            };
+            let expected = stations.iter().zip(&found.samples).map(error).fold(0.0, f64::max);
+            assert!((drawn / expected - 1.0).abs() < 1e-9, "{part:?}: {drawn} {expected}");
+        }
+    }
+}
+
+/// Feeds at which joints would have to turn faster than they may, between the rungs of the ladder, too: no sample is reached faster than by the
+/// share of the speeds that is used.
+#[test]
+fn no_joint_turns_faster_than_its_share_from_sample_to_sample() {
+    let (robot, stand) = (robot(), stand());
+    let crate::robot::Arm::SixAxis { limits, .. } = &robot.arm else { unreachable!("six axes") };
+    let speeds = limits.speeds.expect("the file says them");
+    let (mut kept, mut nearest) = (0, 0.0_f64);
+    for (text, feed) in [("circle:0.3", 0.3), ("circle:0.3", 0.6), ("circle:0.3", 1.0), ("rect:0.3x0.1", 0.5)] {
+        let moves = text.parse::<Builtin>().unwrap().moves(Some(feed));
+        let stations = stations(&moves, &Steps::USUAL, |_| Some(KNOWN));
+        let options = MillOptions { share_of_speed: 0.5, ..with(RollMode::Free) };
+        let Milled::Followed(found) = mill(&robot, &stand, &stations, &options, Watch::nobody()).unwrap() else {
+            continue;
+        };
+        kept += 1;
+        for i in (1..stations.len()).filter(|i| !stations[*i].is_fresh) {
+            let Some(time) = stations[i].time else { continue };
+            for joint in 0..6 {
+                let turned = (found.samples[i].joints[joint] - found.samples[i - 1].joints[joint]).abs();
+                let may = 0.5 * speeds[joint] * time;
+                assert!(
+                    turned <= may + 1e-6,
+                    "{text} at {feed} m/s: joint {} by {} of its share",
+                    joint + 1,
+                    turned / may
+                );
+                nearest = nearest.max(turned / may.max(1e-6));
+            }
+        }
+    }
+    assert!(2 <= kept && 0.5 < nearest, "{kept} {nearest}");
+}
+
+/// A joint 6 that may turn by 0.7 deg about an angle between two lines of the coarse grid: only finer steps find rolls that keep it.
+#[test]
+fn rolls_that_only_finer_steps_reach_are_found() {
+    let (mut robot, stand) = (robot(), stand());
+    let stations = path("line:0.03", KNOWN);
+    let options = MillOptions { limit_margin: 0.0, ..with(RollMode::Free) };
+    let free = followed(&stand, &stations, &options);
+    let between = (free.samples[0].arrangement.roll.to_degrees() / 2.0).floor() * 2.0 + 1.0;
+    let ladder_arm = arm_with_margins(&robot, &stand, &options).unwrap();
+    let ladder = Ladder::bare(&ladder_arm, &stations, stand, ErrorPart::Total);
+    let held = ladder.postures(0, between.to_radians());
+    let configuration = free.samples[0].arrangement.configuration;
+    let q = held.into_iter().find(|(known, _)| *known == configuration).expect("a degree aside it is held").1;
+    let crate::robot::Arm::SixAxis { limits, .. } = &mut robot.arm else { unreachable!("six axes") };
+    let room = 0.35_f64.to_radians();
+    limits.joints[5] = Interval::spanning(q[5] - room, q[5] + room);
+    let answer = mill(&robot, &stand, &stations, &options, Watch::nobody()).unwrap();
+    let Milled::Followed(found) = answer else { panic!("{answer:?}") };
+    assert!(found.samples.iter().all(|pushed| (pushed.joints[5] - q[5]).abs() <= room + 1e-9));
+}

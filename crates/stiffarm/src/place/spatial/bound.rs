@@ -1,6 +1,6 @@
 //! How much better could another place be? A lower bound by branch and bound over nodes, each held in one arm branch.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::TAU;
 
 use super::Question;
 use crate::batch::SpatialArm;
@@ -113,7 +113,7 @@ impl<'a> BranchAndBound<'a> {
             coarse: COARSE * arm.geometry.c2,
             samples: Grid::of(zone, if matches!(zone, Zone::Circle { .. }) { 8 } else { 4 }).points,
             lever,
-            roots: roots(zone, options, region, roll_is_free),
+            roots: roots(options, region, roll_is_free),
         }
     }
 
@@ -295,14 +295,11 @@ fn cut<const N: usize>(node: &mut Node, part: &[Interval; N]) {
 }
 
 /// Nodes that together hold every placement that is asked for.
-fn roots(zone: Zone, options: &Question, [x, z]: [Interval; 2], roll_is_free: bool) -> Vec<Node> {
-    let is_circle = matches!(zone, Zone::Circle { .. });
+fn roots(options: &Question, [x, z]: [Interval; 2], roll_is_free: bool) -> Vec<Node> {
     let zero = Interval::point(0.0);
     let angles = match options.orientation {
-        _ if is_circle => vec![zero],
-        Orientation::Axes => vec![zero, Interval::point(FRAC_PI_2)],
-        Orientation::Fixed(angle) => vec![Interval::point(angle)],
-        Orientation::Free => vec![Interval::spanning(0.0, PI)],
+        Orientation::Free => vec![Interval::spanning(0.0, options.load.period_of_turns())],
+        Orientation::Axes | Orientation::Fixed(_) => options.angles().into_iter().map(Interval::point).collect(),
     };
     let yaw = match options.yaw {
         _ if options.is_vertical() => zero,
@@ -319,6 +316,8 @@ fn roots(zone: Zone, options: &Question, [x, z]: [Interval; 2], roll_is_free: bo
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::FRAC_PI_2;
+
     use super::*;
     use crate::catalogue::paper_robots;
     use crate::compliance::compliance;
@@ -413,7 +412,7 @@ mod tests {
             // Other places, held as any posture may: never under the bound.
             let mut rng = fastrand::Rng::with_seed(9);
             for _ in 0..300 {
-                let (x, z, angle) = (0.6 + 2.0 * rng.f64(), 1.5 * rng.f64(), [0.0, FRAC_PI_2][rng.usize(..2)]);
+                let (x, z, angle) = (0.6 + 2.0 * rng.f64(), 1.5 * rng.f64(), FRAC_PI_2 * f64::from(rng.u32(..4)));
                 let work = WorkPlacement { x, y: 0.0, z, yaw: 0.0, angle, roll: 0.0 };
                 let plane = WorkPlane::of(-FRAC_PI_2, &work);
                 let forces = plane.forces(load).unwrap();

@@ -1,7 +1,5 @@
 //! What is the answer at a placement: which configuration follows the zone, and how far is the tool pushed off?
 
-use std::f64::consts::PI;
-
 use nalgebra::{Rotation3, Vector3};
 
 use super::descent::{FINE, Score};
@@ -12,7 +10,6 @@ use crate::compliance::compliance;
 use crate::follow::{Followed, NotFollowed, PlacedZone};
 use crate::inverse::Configuration;
 use crate::spatial::Compliance;
-use crate::task::Zone;
 use crate::tolerances;
 use crate::watch::Stopped;
 use crate::work::{Grid, WorkPlacement, WorkPlane};
@@ -123,14 +120,13 @@ impl Search<'_> {
             Rotation3::from_axis_angle(&Vector3::z_axis(), followed.bearing) * plane.point(work, grid.points[at]);
         let from_axis_1 = points().map(|point| point.xy().norm()).fold(f64::INFINITY, f64::min);
         let reaches = |axis: usize| points().any(|point| point[axis] < -tolerances::OUTSIDE);
-        let half_turn = |angle: f64| angle.rem_euclid(PI);
         Some(Solution {
             deflection: most.value * self.options.force,
             lower_bound: 0.0,
             centre: [work.x, work.z],
             bearing: followed.bearing,
             yaw: wrapped(work.yaw),
-            angle: if matches!(self.zone, Zone::Circle { .. }) { 0.0 } else { half_turn(work.angle) },
+            angle: work.angle.rem_euclid(self.options.load.period_of_turns()),
             roll: wrapped(followed.roll),
             configuration,
             worst_point: worst_point.into(),
@@ -139,6 +135,7 @@ impl Search<'_> {
             worst_joints: followed.joints[at],
             worst_shares: evaluated[at].shares_of(&most),
             worst_by_drive: evaluated[at].by_drive.each_ref().map(Compliance::translation),
+            worst_forces: forces,
             // The arm's limits are narrower by the margin that was asked for.
             limit_margin: (followed.limit_margin.0 + self.options.margins.limit, followed.limit_margin.1),
             singular_margin: followed.singular_margin,

@@ -25,15 +25,25 @@ use crate::task::Zone;
 use crate::watch::{Parts, Stopped};
 use crate::work::{Grid, WorkPlane};
 
-/// Places that are evaluated in the coarse search, about.
-const PLACES: f64 = 40_000.0;
-/// Places that are refined, and once more with the samples of the answer.
-const STARTS: [usize; 2] = [24, 6];
+/// How much is looked at; the second where the first finds nothing and nothing is proved.
+const EFFORTS: [Effort; 2] =
+    [Effort { places: 40_000.0, starts: 24, finalists: 6 }, Effort { places: 320_000.0, starts: 120, finalists: 40 }];
 
 /// How often a place is sought anew with more clearance than was asked for.
 const TOUCHES: usize = 3;
 /// So far, m, a place may move until every limit is kept between its samples.
 const NEAR: f64 = 0.05;
+
+/// How much a search looks at.
+#[derive(Clone, Copy, Debug)]
+struct Effort {
+    /// Places that are evaluated in the coarse search, about.
+    places: f64,
+    /// Places that are refined.
+    starts: usize,
+    /// Places that are refined once more with the samples of the answer.
+    finalists: usize,
+}
 
 /// A site with its score.
 #[derive(Clone, Copy, Debug)]
@@ -52,18 +62,19 @@ pub(super) fn search(
 ) -> Result<Placed, Stopped> {
     let ground = Ground::new(arm, zone, options, cell);
     let mut search = CellSearch { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, reserve: 0.0 };
-    let mut found = search.find()?;
-    // The search looks at few poses of a zone, the answer at many: what they come nearer by is asked for besides.
-    for _ in 0..TOUCHES {
-        let Err(Untaken { short: Some(short), .. }) = found else { break };
-        search.reserve += short + FINE.0;
-        found = search.find()?;
-    }
-    let found = found.map_err(|untaken| untaken.reason);
+    let mut found = search.taken(EFFORTS[0])?;
     let (relaxed, region) = search.ground.relaxed();
     let bound = BranchAndBound::new(arm, zone, &relaxed, region, search.roll_is_free);
-    let value = found.as_ref().map_or(f64::INFINITY, |solution| solution.deflection / options.force);
-    let proof = bound.prove(value)?;
+    let value = |found: &Result<Solution, _>| {
+        found.as_ref().map_or(f64::INFINITY, |solution| solution.deflection / options.force)
+    };
+    let mut proof = bound.prove(value(&found))?;
+    if found.is_err() && !proof.unfathomed.is_empty() {
+        found = search.taken(EFFORTS[1])?;
+        if found.is_ok() {
+            proof = bound.prove(value(&found))?;
+        }
+    }
     Ok(match found {
         Ok(solution) => Placed::Feasible(
             Solution {
@@ -104,8 +115,21 @@ struct CellSearch<'a> {
 }
 
 impl CellSearch<'_> {
-    fn find(&self) -> Result<Result<Solution, Untaken>, Stopped> {
-        let (sites, step) = self.ground.sites(PLACES);
+    /// The best place that keeps the clearance that is asked for, or why none was found.
+    fn taken(&mut self, effort: Effort) -> Result<Result<Solution, Misfit>, Stopped> {
+        self.reserve = 0.0;
+        let mut found = self.find(effort)?;
+        // The search looks at few poses of a zone, the answer at many: what they come nearer by is asked for besides.
+        for _ in 0..TOUCHES {
+            let Err(Untaken { short: Some(short), .. }) = found else { break };
+            self.reserve += short + FINE.0;
+            found = self.find(effort)?;
+        }
+        Ok(found.map_err(|untaken| untaken.reason))
+    }
+
+    fn find(&self, effort: Effort) -> Result<Result<Solution, Untaken>, Stopped> {
+        let (sites, step) = self.ground.sites(effort.places);
         let grid = Grid::of(self.zone, CELLS[0]);
         if sites.is_empty() {
             let why = if self.ground.has_room() { Misfit::NothingReached } else { Misfit::WindowTooNarrow };
@@ -119,9 +143,9 @@ impl CellSearch<'_> {
             return Ok(Err(Misfit::Within.into()));
         }
         let coarse = seen[0].score;
-        let starts = apart(&seen, step);
+        let starts = apart(&seen, step, effort.starts);
         let mut rough = self.refined(&starts, CELLS[1], step / 2.0)?;
-        rough.truncate(STARTS[1]);
+        rough.truncate(effort.finalists);
         let refined = self.refined(&rough, CELLS[2], step / 8.0)?;
         if refined.is_empty() {
             return Ok(Err(Misfit::NowhereWhole { step }.into()));
@@ -210,12 +234,15 @@ impl CellSearch<'_> {
             return Ok(None);
         }
         let turned = Rotation3::from_axis_angle(&Vector3::z_axis(), bearing);
+        let axes = turned.matrix();
         let mut worst_joints = solution.worst_joints;
         worst_joints[0] += self.arm.geometry.sign[0] * bearing;
         Ok(Some(Solution {
             bearing: wrapped(bearing),
             worst_point: (turned * Point3::from(solution.worst_point)).into(),
             worst_joints,
+            worst_by_drive: solution.worst_by_drive.map(|part| axes * part * axes.transpose()),
+            worst_forces: solution.worst_forces.map(|forces| forces.turned(axes)),
             resolution: Resolution { coarse_step: step, ..solution.resolution },
             ..solution
         }))
@@ -257,6 +284,7 @@ fn start_from(site: &Site, direction: &[f64; 6], step: f64, turn: f64) -> Site {
     let [x, y, z, yaw, angle, roll] = *direction;
     Site {
         at: site.at + Vector3::new(x, y, z) * step,
+        is_behind: site.is_behind,
         yaw: site.yaw + yaw * turn,
         angle: site.angle + angle * turn,
         roll: site.roll + roll * turn,
@@ -264,7 +292,7 @@ fn start_from(site: &Site, direction: &[f64; 6], step: f64, turn: f64) -> Site {
 }
 
 /// The first of a sorted list that are two steps or another turn apart.
-fn apart(sorted: &[Scored], step: f64) -> Vec<Scored> {
+fn apart(sorted: &[Scored], step: f64, most: usize) -> Vec<Scored> {
     let mut chosen: Vec<Scored> = Vec::new();
     for scored in sorted {
         let near = |other: &Scored| {
@@ -275,7 +303,7 @@ fn apart(sorted: &[Scored], step: f64) -> Vec<Scored> {
         if !chosen.iter().any(near) {
             chosen.push(*scored);
         }
-        if chosen.len() == STARTS[0] {
+        if chosen.len() == most {
             break;
         }
     }

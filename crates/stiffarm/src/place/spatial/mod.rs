@@ -26,7 +26,7 @@ use crate::cell::Cell;
 use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::load::Load;
+use crate::load::{Forces, Load};
 use crate::model::{ModelKind, SpatialModel};
 use crate::task::Zone;
 use crate::watch::{Parts, Watch};
@@ -87,6 +87,21 @@ impl<'a> Question<'a> {
         }))
     }
 
+    /// Angles of the first side that a coarse search tries, rad: of those that may be any, every 15 deg up to where the zone gives way as at
+    /// the first.
+    fn angles(&self) -> Vec<f64> {
+        let period = self.load.period_of_turns();
+        let every = |step_deg: f64| {
+            let count = (period.to_degrees() / step_deg).round() as usize;
+            (0..count).map(|i| (i as f64 * step_deg).to_radians()).collect()
+        };
+        match self.orientation {
+            Orientation::Axes => every(90.0),
+            Orientation::Fixed(angle) => vec![angle],
+            Orientation::Free => every(15.0),
+        }
+    }
+
     /// The tool axis is vertical: the zone's yaw and its angle are the same thing.
     fn is_vertical(&self) -> bool {
         Stance { elevation: self.elevation, yaw: self.yaw, roll: self.roll }.is_vertical()
@@ -131,6 +146,7 @@ struct Solution {
     worst_joints: [f64; 6],
     worst_shares: [f64; 6],
     worst_by_drive: [Matrix3<f64>; 6],
+    worst_forces: Option<Forces>,
     limit_margin: (f64, usize),
     singular_margin: f64,
     clearance: Option<Clearance>,
@@ -165,6 +181,7 @@ impl Solution {
             joints: self.worst_joints,
             shares: self.worst_shares,
             by_drive: self.worst_by_drive,
+            forces: self.worst_forces,
             limit_margin: self.limit_margin,
             singular_margin: self.singular_margin,
             resolution: self.resolution,
@@ -180,6 +197,9 @@ pub(super) fn place(
     watch: Watch,
 ) -> Result<Placed, PlaceError> {
     let parts = watch.parts(None);
+    // A circle has no sides to turn: from straight ahead its feed counts.
+    let orientation = if matches!(zone, Zone::Circle { .. }) { Orientation::Fixed(0.0) } else { options.orientation };
+    let options = &PlaceOptions { orientation, ..*options };
     let nothing_left = || Placed::Infeasible { reason: Misfit::Margins, is_proved: true, largest_scale: None };
     let Some(question) = Question::of(model, options, &parts)? else { return Ok(nothing_left()) };
     let Margins { limit, singular, .. } = question.margins;

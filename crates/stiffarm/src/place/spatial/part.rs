@@ -17,6 +17,7 @@ use crate::part::{Face, Part};
 use crate::place::{
     FacePlacement, Margins, Misfit, Orientation, PlaceError, PlaceOptions, Placed, Placement, Stance, Within,
 };
+use crate::task::Zone;
 use crate::tolerances;
 use crate::watch::{Parts, Stopped, Watch};
 use crate::work::{Grid, WorkPlacement, WorkPlane};
@@ -120,9 +121,13 @@ fn prove(arm: &SpatialArm, part: &Part, questions: &[Question], upper: f64) -> R
 fn alone<'a>(part: &Part, face: &Face, question: &Question<'a>) -> Question<'a> {
     let is_vertical = FRAC_PI_2 - face.elevation.abs() < 1e-9;
     let is_central = face.centre[0] == 0.0 && face.centre[1] == 0.0;
+    let is_alike = matches!(face.zone, Zone::Circle { .. }) && !question.load.turns_with_work();
     let orientation = match question.orientation {
-        _ if !is_vertical => Orientation::Fixed(0.0),
-        Orientation::Fixed(angle) if is_central => Orientation::Fixed(angle + face.azimuth),
+        _ if !is_vertical || is_alike => Orientation::Fixed(0.0),
+        // Of a tool that points up the angle counts the other way about.
+        Orientation::Fixed(angle) if is_central => {
+            Orientation::Fixed((angle + face.azimuth) * -face.elevation.signum())
+        }
         Orientation::Axes if is_central && face.azimuth.rem_euclid(FRAC_PI_2).abs() < 1e-12 => Orientation::Axes,
         _ => Orientation::Free,
     };
@@ -174,6 +179,8 @@ fn infeasible(
         return told(Misfit::Margins, false);
     }
     for (face, question) in part.faces.iter().zip(questions) {
+        // Turned about the joint-1 axis a face is reached as before, whatever pushes.
+        let question = &Question { load: question.load.in_worst_direction(), ..*question };
         let alone = alone(part, face, question);
         let roll_is_free = alone.roll.is_none() && arm.tool_turns_about_axis_6();
         let [x, z] = region(arm, alone.within);

@@ -1,7 +1,5 @@
 //! Where must a zone stand? A coarse search over every place, yaw, angle and roll, then local descent from the best.
 
-use std::f64::consts::PI;
-
 use rayon::prelude::*;
 
 use super::bound::BranchAndBound;
@@ -73,10 +71,11 @@ pub(super) fn search(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Ques
             }
             .into(),
         ),
-        Err(_) if search.window_is_too_narrow() => {
-            Placed::Infeasible { reason: Misfit::WindowTooNarrow, is_proved: true, largest_scale: None }
+        // Between the turns that are tried another may be narrower: only the proof knows of all.
+        Err(reason) => {
+            let reason = if search.window_is_too_narrow() { Misfit::WindowTooNarrow } else { reason };
+            Placed::Infeasible { reason, is_proved: proof.unfathomed.is_empty(), largest_scale: None }
         }
-        Err(reason) => Placed::Infeasible { reason, is_proved: proof.unfathomed.is_empty(), largest_scale: None },
     })
 }
 
@@ -87,10 +86,16 @@ pub(super) fn has_place(robot: &Robot, arm: &SpatialArm, zone: Zone, options: &Q
 
 /// Where centres may lie by the lengths of the arm, ahead of the joint-1 axis and behind it, and up.
 pub(super) fn region(arm: &SpatialArm, within: Within) -> [Interval; 2] {
-    let [ahead, up] = arm.reach();
-    let both = Interval::spanning(-ahead.max(), ahead.max());
+    let [_, up] = arm.reach();
     // Where both share nothing, one place far away says so.
-    [within.x.intersect(both), within.z.intersect(up)].map(|range| range.unwrap_or(Interval::point(1e9)))
+    [within.x.intersect(ahead_and_behind(arm)), within.z.intersect(up)]
+        .map(|range| range.unwrap_or(Interval::point(1e9)))
+}
+
+/// How far ahead of the joint-1 axis and behind it the tool point can be by the lengths alone, m.
+pub(super) fn ahead_and_behind(arm: &SpatialArm) -> Interval {
+    let [ahead, _] = arm.reach();
+    Interval::spanning(-ahead.max(), ahead.max())
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -168,7 +173,7 @@ impl<'a> Search<'a> {
 
     /// What of a placement may change: ahead, up, yaw, angle, roll.
     fn free(&self) -> [bool; 5] {
-        let angle = self.options.orientation == Orientation::Free && !matches!(self.zone, Zone::Circle { .. });
+        let angle = self.options.orientation == Orientation::Free;
         let yaw = 0.0 < self.options.yaw.width() && !self.options.is_vertical();
         [true, true, yaw, angle, self.options.roll.is_none() && !self.roll_is_free]
     }
@@ -206,13 +211,6 @@ impl<'a> Search<'a> {
         let every = |step_deg: f64, turn_deg: f64| -> Vec<f64> {
             (0..(turn_deg / step_deg) as usize).map(|i| (i as f64 * step_deg).to_radians()).collect()
         };
-        let is_circle = matches!(self.zone, Zone::Circle { .. });
-        let angles = match self.options.orientation {
-            _ if is_circle => vec![0.0],
-            Orientation::Axes => vec![0.0, PI / 2.0],
-            Orientation::Fixed(angle) => vec![angle],
-            Orientation::Free => every(15.0, 180.0),
-        };
         let rolls_matter = self.options.roll.is_none() && !self.roll_is_free;
         let step = if rolls_matter && !self.options.is_vertical() { 30.0 } else { 15.0 };
         let yaw = self.options.yaw;
@@ -230,7 +228,7 @@ impl<'a> Search<'a> {
         };
         let mut turns = Vec::new();
         for &yaw in &yaws {
-            for &angle in &angles {
+            for angle in self.options.angles() {
                 turns.extend(rolls.iter().map(|&roll| [yaw, angle, roll]));
             }
         }
@@ -336,7 +334,7 @@ impl<'a> Search<'a> {
             || self.options.column <= plane.distance_from_axis_1(work, self.zone) + tolerances::WINDOW)
     }
 
-    /// The window is too narrow for the zone however it is turned.
+    /// The window is too narrow for the zone at all turns that are tried.
     fn window_is_too_narrow(&self) -> bool {
         let Within { x, z } = self.options.within;
         self.turns().into_iter().all(|[yaw, angle, roll]| {

@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 
 use nalgebra::{Point3, Rotation3, Vector3};
 
+use super::search::ahead_and_behind;
 use super::{Question, Solution};
+use crate::angle::wrapped;
 use crate::batch::SpatialArm;
 use crate::cell::{Block, Cell, Window};
 use crate::clearance::Solid;
@@ -15,11 +17,16 @@ use crate::task::Zone;
 use crate::tolerances;
 use crate::work::{WorkPlacement, WorkPlane};
 
+/// By how much a tool may point aside, rad: rounding.
+const TURN: f64 = 1e-9;
+
 /// A place in a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Site {
     /// The centre of the zone, m, in the axes of the cell.
     pub(super) at: Vector3<f64>,
+    /// The robot is turned away from it: it lies behind the joint-1 axis.
+    pub(super) is_behind: bool,
     /// As in [`WorkPlacement`]; counted from the base's axes where the mount decides where the tool points.
     pub(super) yaw: f64,
     /// As in [`WorkPlacement`]; counted from the base's axes where [`Ground::angle_is_of_base`].
@@ -62,13 +69,16 @@ impl<'a> Ground<'a> {
     /// Where a site lies about the joint-1 axis, and how it is seen straight ahead from there.
     pub(super) fn local(&self, site: &Site) -> (f64, WorkPlacement) {
         let at = self.cell.mount.cell_from_base.inverse_transform_point(&site.at.into());
-        let from_axis = at.x.hypot(at.y);
-        let bearing = if from_axis < 1e-9 { 0.0 } else { at.y.atan2(at.x) };
+        let (from_axis, side) = (at.x.hypot(at.y), if site.is_behind { -1.0 } else { 1.0 });
+        let bearing = if from_axis < 1e-9 { 0.0 } else { (side * at.y).atan2(side * at.x) };
         let turned = if self.cell.azimuth.is_some() { bearing } else { 0.0 };
         // Of a tool that points up the angle counts the other way about.
         let way = if self.options.elevation < 0.0 { 1.0 } else { -1.0 };
         let angle = if self.angle_is_of_base { site.angle - way * bearing } else { site.angle };
-        (bearing, WorkPlacement { x: from_axis, y: 0.0, z: at.z, yaw: site.yaw - turned, angle, roll: site.roll })
+        (
+            bearing,
+            WorkPlacement { x: side * from_axis, y: 0.0, z: at.z, yaw: site.yaw - turned, angle, roll: site.roll },
+        )
     }
 
     /// The site of an answer that was found straight ahead.
@@ -79,22 +89,30 @@ impl<'a> Ground<'a> {
         let turned = if self.cell.azimuth.is_some() { bearing } else { 0.0 };
         Site {
             at: (self.cell.mount.cell_from_base * at).coords,
+            is_behind: x < 0.0,
             yaw: found.yaw + turned,
             angle: found.angle + if self.angle_is_of_base { way * bearing } else { 0.0 },
             roll: found.roll,
         }
     }
 
-    /// The question as it is asked straight ahead of a robot that is turned to a bearing.
+    /// The question as it is asked straight ahead of a robot that is turned to a bearing. Where the mount decides where the tool points, no yaw
+    /// is left to choose.
     pub(super) fn seen_from(&self, bearing: f64) -> Question<'a> {
-        Question { within: Within::ANYWHERE, cell: Some(self.cell.with_base_turned(bearing)), ..*self.options }
+        let cell = self.cell.with_base_turned(bearing);
+        let yaw = cell.azimuth.map_or(self.options.yaw, Interval::point);
+        Question { within: Within::ANYWHERE, cell: Some(cell), yaw, ..*self.options }
     }
 
     /// All of the zone lies in a window, nothing of it in what must be kept free, and the tool may be turned so.
     pub(super) fn allows(&self, site: &Site) -> bool {
         let (bearing, work) = self.local(site);
         let plane = WorkPlane::of(self.options.elevation, &work);
-        if self.cell.azimuth.is_none() && !self.options.is_vertical() && !self.options.yaw.contains(work.yaw, 1e-9) {
+        let may_point_so = match self.cell.azimuth {
+            Some(azimuth) => wrapped(site.yaw - azimuth).abs() <= TURN,
+            None => self.options.is_vertical() || self.options.yaw.contains(work.yaw, TURN),
+        };
+        if !may_point_so {
             return false;
         }
         let cell_from_here = self.cell.mount.cell_from_base * Pose::rotation(Vector3::z() * bearing);
@@ -133,7 +151,7 @@ impl<'a> Ground<'a> {
 
     /// What is asked, relaxed to all places about the robot: for the lower bound; and where centres may lie.
     pub(super) fn relaxed(&self) -> (Question<'a>, [Interval; 2]) {
-        let [ahead, up] = self.arm.reach();
+        let [_, up] = self.arm.reach();
         let mut cell = *self.cell;
         if self.cell.windows().next().is_none() {
             cell.windows[0] = Some(self.windows[0]);
@@ -142,7 +160,8 @@ impl<'a> Ground<'a> {
         let yaw = if self.cell.azimuth.is_some() { Interval::spanning(-PI, PI) } else { self.options.yaw };
         let orientation = if self.angle_is_of_base { Orientation::Free } else { self.options.orientation };
         let within = Within { x: Interval::ALL, z: high };
-        let region = [far.intersect(ahead), high.intersect(up)].map(|range| range.unwrap_or(Interval::point(1e9)));
+        let region = [far.intersect(ahead_and_behind(self.arm)), high.intersect(up)]
+            .map(|range| range.unwrap_or(Interval::point(1e9)));
         (Question { within, yaw, orientation, cell: None, ..*self.options }, region)
     }
 
@@ -159,12 +178,6 @@ impl<'a> Ground<'a> {
                 (0..=count).map(|i| yaw.min() + yaw.width() * i as f64 / count.max(1) as f64).collect()
             }
         };
-        let angles = match self.options.orientation {
-            _ if matches!(self.zone, Zone::Circle { .. }) => vec![0.0],
-            Orientation::Axes => vec![self.angle_of_base(0.0), self.angle_of_base(PI / 2.0)],
-            Orientation::Fixed(angle) => vec![self.angle_of_base(angle)],
-            Orientation::Free => every(15.0, 180.0),
-        };
         let rolls = match self.options.roll {
             Some(roll) => vec![roll],
             None if self.roll_is_free => vec![0.0],
@@ -172,7 +185,7 @@ impl<'a> Ground<'a> {
         };
         let mut turns = Vec::new();
         for &yaw in &yaws {
-            for &angle in &angles {
+            for angle in self.options.angles().into_iter().map(|angle| self.angle_of_base(angle)) {
                 turns.extend(rolls.iter().map(|&roll| [yaw, angle, roll]));
             }
         }
@@ -210,19 +223,19 @@ impl<'a> Ground<'a> {
         let (mut sites, mut step) = (Vec::new(), 0.0_f64);
         for window in &self.windows {
             for &[yaw, angle, roll] in &turns {
-                let (points, apart) = match window {
+                let (places, apart) = match window {
                     Window::Block(block) => self.points_in_block(block, [yaw, angle, roll], along),
                     Window::Ring { ahead, z } => self.points_in_ring(*ahead, *z, along),
                 };
                 step = step.max(apart);
-                sites.extend(points.into_iter().map(|at| Site { at, yaw, angle, roll }));
+                sites.extend(places.into_iter().map(|(at, is_behind)| Site { at, is_behind, yaw, angle, roll }));
             }
         }
         (sites, step.max(1e-3))
     }
 
     /// Centres at which the zone lies in the block, where it is not turned with its bearing.
-    fn points_in_block(&self, block: &Block, turn: [f64; 3], along: usize) -> (Vec<Vector3<f64>>, f64) {
+    fn points_in_block(&self, block: &Block, turn: [f64; 3], along: usize) -> (Vec<(Vector3<f64>, bool)>, f64) {
         let base = self.cell.mount.cell_from_base.translation.vector;
         let [ahead, up] = self.arm.reach();
         let far = ahead.max().hypot(up.max().abs().max(up.min().abs()));
@@ -233,16 +246,17 @@ impl<'a> Ground<'a> {
                 let reached = Interval::spanning(base[i] - far, base[i] + far);
                 // Exactly as wide as the zone is wide enough.
                 let [low, high] = [side.min() + half[i], side.max() - half[i]];
-                let room = if low <= high { Interval::new(low, high) } else { None };
-                let tight = (low <= high + 2.0 * tolerances::WINDOW).then(|| Interval::point(f64::midpoint(low, high)));
-                room.or(tight)?.intersect(reached)
+                let is_tight = high < low && low <= high + 2.0 * tolerances::WINDOW;
+                let room =
+                    if is_tight { Some(Interval::point(f64::midpoint(low, high))) } else { Interval::new(low, high) };
+                room?.intersect(reached)
             })
             .collect();
         let Some(ranges) = ranges.into_iter().collect::<Option<Vec<Interval>>>() else { return (Vec::new(), 0.0) };
         let spread: Vec<Vec<f64>> = ranges.iter().map(|&range| over(range, along)).collect();
         let points = spread[0].iter().flat_map(|&x| {
             let spread = &spread;
-            spread[1].iter().flat_map(move |&y| spread[2].iter().map(move |&z| Vector3::new(x, y, z)))
+            spread[1].iter().flat_map(move |&y| spread[2].iter().map(move |&z| (Vector3::new(x, y, z), false)))
         });
         let apart = ranges.iter().map(|range| range.width() / (along - 1) as f64).fold(0.0, f64::max);
         (points.collect(), apart)
@@ -250,7 +264,8 @@ impl<'a> Ground<'a> {
 
     /// Of a turn that stays the same in the cell half the sides of the upright box about the zone; else only what it is sure of.
     fn extents_of_turn(&self, [yaw, angle, roll]: [f64; 3]) -> Vector3<f64> {
-        let site = Site { at: self.cell.mount.cell_from_base.translation.vector, yaw, angle, roll };
+        let at = self.cell.mount.cell_from_base.translation.vector;
+        let site = Site { at, is_behind: false, yaw, angle, roll };
         let stays = self.angle_is_of_base || self.cell.azimuth.is_some() || matches!(self.zone, Zone::Circle { .. });
         let (bearing, work) = self.local(&site);
         let plane = WorkPlane::of(self.options.elevation, &work);
@@ -263,17 +278,18 @@ impl<'a> Ground<'a> {
         }
     }
 
-    fn points_in_ring(&self, ahead: Interval, z: Interval, along: usize) -> (Vec<Vector3<f64>>, f64) {
-        let [reach, up] = self.arm.reach();
+    fn points_in_ring(&self, ahead: Interval, z: Interval, along: usize) -> (Vec<(Vector3<f64>, bool)>, f64) {
+        let [_, up] = self.arm.reach();
         let heights = self.cell.mount.heights_from_base(z).intersect(up);
-        let (Some(ahead), Some(heights)) = (ahead.intersect(reach), heights) else { return (Vec::new(), 0.0) };
+        let ahead = ahead.intersect(ahead_and_behind(self.arm));
+        let (Some(ahead), Some(heights)) = (ahead, heights) else { return (Vec::new(), 0.0) };
         let bearings = over(Interval::spanning(-PI, PI), 25);
         let mut points = Vec::new();
-        for from_axis in over(ahead, along) {
+        for x in over(ahead, along) {
             for height in over(heights, along) {
                 points.extend(bearings[1..].iter().map(|bearing| {
-                    let at = Point3::new(from_axis * bearing.cos(), from_axis * bearing.sin(), height);
-                    (self.cell.mount.cell_from_base * at).coords
+                    let at = Point3::new(x * bearing.cos(), x * bearing.sin(), height);
+                    ((self.cell.mount.cell_from_base * at).coords, x < 0.0)
                 }));
             }
         }
@@ -282,7 +298,7 @@ impl<'a> Ground<'a> {
 
     /// All steps along one or two of what is free.
     pub(super) fn directions(&self) -> Vec<[f64; 6]> {
-        let free_angle = self.options.orientation == Orientation::Free && !matches!(self.zone, Zone::Circle { .. });
+        let free_angle = self.options.orientation == Orientation::Free;
         let free_yaw = self.cell.azimuth.is_none() && 0.0 < self.options.yaw.width() && !self.options.is_vertical();
         let free_roll = self.options.roll.is_none() && !self.roll_is_free;
         let free: Vec<usize> = (0..6).filter(|i| [true, true, true, free_yaw, free_angle, free_roll][*i]).collect();
@@ -311,4 +327,48 @@ fn over(range: Interval, count: usize) -> Vec<f64> {
         return vec![range.min()];
     }
     (0..count).map(|i| range.min() + range.width() * i as f64 / (count - 1) as f64).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::paper_robots;
+    use crate::cell::Mount;
+    use crate::interval::Interval;
+    use crate::load::Load;
+    use crate::model::Model;
+    use crate::place::PlaceOptions;
+    use crate::watch::Watch;
+
+    /// Of all ways to leave sides of a block open: places are found, inside and finite.
+    #[test]
+    fn a_window_may_be_open_on_any_side() {
+        let Model::Spatial(model) = Model::spatial(&paper_robots()[4], &Pose::identity()).unwrap() else {
+            unreachable!("asked for")
+        };
+        let open = f64::INFINITY;
+        let sides = |low: f64, high: f64| [[low, high], [-open, high], [low, open], [-open, open]];
+        for mount in [Mount::pedestal(0.5), Mount::wall(1.0)] {
+            for n in 0..64 {
+                let side = |i: usize, low: f64, high: f64| {
+                    let [low, high] = sides(low, high)[n / 4_usize.pow(i as u32) % 4];
+                    Interval::spanning(low, high)
+                };
+                let block = Block { x: side(0, 0.2, 1.5), y: side(1, -1.0, 0.8), z: side(2, 0.4, 1.6) };
+                let mut cell = Cell::of(mount);
+                cell.windows[0] = Some(Window::Block(block));
+                let options = PlaceOptions { cell: Some(cell), ..PlaceOptions::under(Load::UNIT) };
+                let parts = Watch::nobody().parts(None);
+                let question = Question::of(&model, &options, &parts).unwrap().expect("all of the window is left");
+                let ground = Ground::new(&model.arm, Zone::Circle { diameter: 0.2 }, &question, &cell);
+                let (sites, step) = ground.sites(500.0);
+                assert!(!sites.is_empty() && step.is_finite() && 0.0 < step, "{block:?}");
+                for site in sites {
+                    assert!(site.at.iter().all(|part| part.is_finite()), "{block:?}: {site:?}");
+                    assert!(block.holds(&site.at, &Vector3::zeros(), 1e-9), "{block:?}: {site:?}");
+                }
+                assert!(ground.has_room() && ground.relaxed().1.iter().all(|range| range.is_bounded()), "{block:?}");
+            }
+        }
+    }
 }
