@@ -7,8 +7,9 @@
 //! ```
 //!
 //! at the joints `q_t` of the target: loaded there, the springs give way by what was taken off. A file that holds only positions loses the
-//! rotation of the commanded pose: what that leaves is found from the loaded posture itself. How well the drives are known decides what
-//! is left in truth: `(C_true - C_model) w`.
+//! rotation of the commanded pose: what that leaves is found from the loaded posture itself. How well the drives are known decides the
+//! residual that is to be expected: `(C_true - C_model) w`, and of a robot that was measured what its identification did not explain, which is
+//! drawn once for a path: its postures are alike, and miss alike.
 
 use nalgebra::{Matrix3x6, Point3, Vector3, Vector6};
 use rayon::prelude::*;
@@ -18,6 +19,7 @@ use super::follow::{Pushed, Stand, wrench, wrench_of};
 use super::stations::{Acting, ErrorPart, Station};
 use crate::compliance::{PostureError, compliance};
 use crate::inverse::posture_of;
+use crate::prior::{Drawn, Unexplained};
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::tolerances::LIMIT;
@@ -60,10 +62,14 @@ pub struct Remaining {
     pub median: f64,
     /// 95 of a hundred do.
     pub p95: f64,
-    /// How many draws there were.
-    pub draws: usize,
+    /// Of every draw, ascending.
+    pub all: Vec<f64>,
     /// What 95 of a hundred draws leave at most at each station by itself, m.
     pub along: Vec<f64>,
+    /// What half of the draws do, m.
+    pub median_along: Vec<f64>,
+    /// What 95 of a hundred have where nothing is compensated, m.
+    pub without: Vec<f64>,
 }
 
 /// What is commanded at one station, and what that leaves, m.
@@ -127,7 +133,7 @@ pub fn compensate(
     })
 }
 
-/// What is left of the largest error where the drives are drawn: every factor is that of a drive's compliance.
+/// What is left of the largest error where the robot differs from the model as drawn.
 ///
 /// # Errors
 /// As [`compensate`].
@@ -136,21 +142,20 @@ pub fn remaining(
     stand: &Stand,
     stations: &[Station],
     followed: &[Pushed],
-    (part, factors): (ErrorPart, &[[f64; 6]]),
+    (part, drawn): (ErrorPart, &Drawn),
 ) -> Result<Remaining, MillError> {
     let gives = given_by_drives(robot, stand, stations, followed, part)?;
     let missing = |factor: f64| factor - 1.0;
-    let mut all = largest_errors(&gives, factors, missing)?;
+    let mut all = largest_errors(&gives, drawn, missing)?;
     all.sort_by(f64::total_cmp);
-    let offs: Vec<Vector6<f64>> = factors.iter().map(|factors| Vector6::from(factors.map(missing))).collect();
-    let of_station = |given: &Given| {
-        let mut errors: Vec<f64> = offs.iter().map(|off| given.error(off)).collect();
-        quantile_of(&mut errors, 0.95)
-    };
-    let found: Vec<f64> = gives.par_iter().map(of_station).collect();
-    let mut along = vec![0.0; stations.len()];
-    gives.iter().zip(found).for_each(|(given, error)| along[given.station] = error);
-    Ok(Remaining { median: quantile(&all, 0.5), p95: quantile(&all, 0.95), draws: all.len(), along })
+    Ok(Remaining {
+        median: quantile(&all, 0.5),
+        p95: quantile(&all, 0.95),
+        all,
+        along: along(&gives, stations.len(), (drawn, 0.95), missing),
+        median_along: along(&gives, stations.len(), (drawn, 0.5), missing),
+        without: along(&gives, stations.len(), (drawn, 0.95), |factor| factor),
+    })
 }
 
 /// The largest error along a path, m, of every draw of the drives; the path stays as it is. Of a force that may point anywhere that which does
@@ -163,10 +168,9 @@ pub fn drawn_errors(
     stand: &Stand,
     stations: &[Station],
     followed: &[Pushed],
-    (part, factors): (ErrorPart, &[[f64; 6]]),
+    (part, drawn): (ErrorPart, &Drawn),
 ) -> Result<Vec<f64>, MillError> {
-    let gives = given_by_drives(robot, stand, stations, followed, part)?;
-    largest_errors(&gives, factors, |factor| factor)
+    largest_errors(&given_by_drives(robot, stand, stations, followed, part)?, drawn, |factor| factor)
 }
 
 /// What each drive gives of the displacement at a station.
@@ -179,11 +183,33 @@ struct Given {
 }
 
 impl Given {
-    /// The error, m, where each drive gives so many times that.
-    fn error(&self, times: &Vector6<f64>) -> f64 {
-        let moved = self.by_drive * times;
+    /// The error, m, where each drive gives so many times that, and a draw adds what was not explained.
+    fn error(&self, times: &Vector6<f64>, (unexplained, draw): (Option<&Unexplained>, usize)) -> f64 {
+        let missed =
+            unexplained.map_or_else(Vector3::zeros, |one| one.in_space(draw, self.by_drive.column_sum().norm()));
+        let moved = self.by_drive * times + missed;
         self.counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs())
     }
+}
+
+/// What a share of the draws has at most at each of so many stations by itself; zero where nothing pushes.
+fn along(
+    gives: &[Given],
+    stations: usize,
+    (drawn, share): (&Drawn, f64),
+    part: impl Fn(f64) -> f64 + Sync,
+) -> Vec<f64> {
+    let times: Vec<Vector6<f64>> =
+        drawn.factors.iter().map(|factors| Vector6::from_fn(|i, _| part(factors[i]))).collect();
+    let of_station = |given: &Given| {
+        let error = |(draw, times): (usize, &Vector6<f64>)| given.error(times, (drawn.unexplained.as_ref(), draw));
+        let mut errors: Vec<f64> = times.iter().enumerate().map(error).collect();
+        quantile_of(&mut errors, share)
+    };
+    let found: Vec<f64> = gives.par_iter().map(of_station).collect();
+    let mut along = vec![0.0; stations];
+    gives.iter().zip(found).for_each(|(given, error)| along[given.station] = error);
+    along
 }
 
 /// Of every station at which something pushes.
@@ -209,19 +235,16 @@ fn given_by_drives(
 }
 
 /// The largest error of every draw: a sum over the drives, each times what `part` makes of its factor.
-fn largest_errors(
-    gives: &[Given],
-    factors: &[[f64; 6]],
-    part: impl Fn(f64) -> f64 + Sync,
-) -> Result<Vec<f64>, MillError> {
-    if factors.is_empty() {
+fn largest_errors(gives: &[Given], drawn: &Drawn, part: impl Fn(f64) -> f64 + Sync) -> Result<Vec<f64>, MillError> {
+    if drawn.factors.is_empty() {
         return Err(MillError::Value { what: "a number of draws", value: 0.0, expected: "at least one" });
     }
-    let largest = |factors: &[f64; 6]| {
+    let largest = |(draw, factors): (usize, &[f64; 6])| {
         let times = Vector6::from_fn(|i, _| part(factors[i]));
-        gives.iter().map(|given| given.error(&times)).fold(0.0, f64::max)
+        let of_draw = (drawn.unexplained.as_ref(), draw);
+        gives.iter().map(|given| given.error(&times, of_draw)).fold(0.0, f64::max)
     };
-    Ok(factors.par_iter().map(largest).collect())
+    Ok(drawn.factors.par_iter().enumerate().map(largest).collect())
 }
 
 /// The known force on the tool, base axes; `None` in air.
