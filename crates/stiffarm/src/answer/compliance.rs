@@ -135,7 +135,7 @@ impl ComplianceAnswer {
             }
             let whole = moved.norm() * 1e3;
             lines.push(line("deflection", format!("{} mm, {whole:.4} mm in all", vector(&(moved * 1e3), 4))));
-            lines.extend(uncertainty::told(self.spread()));
+            lines.extend(uncertainty::told(&self.robot, self.spread()));
             if let (false, Some(largest)) = (words::component(*load).is_empty(), self.largest()) {
                 lines.push(line(words::component(*load), format!("{:.4} mm", largest.value * load.newtons() * 1e3)));
             }
