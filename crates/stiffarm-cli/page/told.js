@@ -108,11 +108,23 @@ export function words(sentences, name = "notes") {
 }
 
 /**
- * The number that decides, and beside it in the same size what it rests on.
- * @param {string} number @param {string} means @param {boolean | null} holds @param {string} rests
+ * The verdict of an answer in its three words, with how likely it is held where that is known.
+ * @param {{verdict?: string | null, probability?: number | null} | null} answer
  */
-export function verdict(number, means, holds, rests) {
-  const says = holds === null || holds === undefined ? [] : [el("b", { class: holds ? "pass" : "fail" }, [holds ? "pass" : "fail"])];
+function judged(answer) {
+  const word = answer?.verdict;
+  if (typeof word !== "string") return [];
+  const known = answer?.probability;
+  const sure = typeof known === "number" ? ` (P = ${Math.floor(100 * known + 1e-9)} %)` : word.includes(",") ? " (P not known)" : "";
+  return [el("b", { class: word === "fail" ? "fail" : word === "pass" ? "pass" : "pass unsure" }, [word + sure])];
+}
+
+/**
+ * The number that decides, and beside it in the same size what it rests on.
+ * @param {string} number @param {string} means @param {{verdict?: string | null, probability?: number | null} | null} answer @param {string} rests
+ */
+export function verdict(number, means, answer, rests) {
+  const says = judged(answer);
   return el("div", { class: "verdict" }, [
     el("p", { class: "means" }, [means]),
     el("p", { class: "number" }, [el("output", { id: "number" }, [number]), " ", ...says]),

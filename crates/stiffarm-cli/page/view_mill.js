@@ -105,7 +105,7 @@ export const mill = {
     const label = answer.feasible ? under(sheet, /^largest error/) : value("mill.at") === "" ? "no place" : "not followed";
     const means = answer.feasible ? "largest error of the tool along the path" : String(answer.reason ?? "");
     says.replaceChildren(
-      verdict(label, means, answer.pass, under(sheet, /^stiffness$/)),
+      verdict(label, means, answer, under(sheet, /^stiffness$/)),
       ...sheets.map((sheet) => list(sheet, /^(stiffness|largest error)$/)),
       words(sentences.flat()),
     );

@@ -95,7 +95,7 @@ function tell(told, at, isHere = at !== null || value("at") !== "") {
     : [["deflection", "not reached"], ["stands at", at || typeof told.x_m === "number" ? where : "no place"], ["why", String(told.reason ?? "")]];
   if (told.feasible && typeof told.clearance_mm === "number") rows.push(["clearance", `${mm(told.clearance_mm, 0)} mm, ${told.clearance_of ?? ""}`]);
   if (isHere && typeof proved.deflection_mm === "number") rows.push(["best place", `${mm(proved.deflection_mm)} mm, x ${mm(proved.x_m, 3)}, z ${mm(proved.z_m, 3)} m`]);
-  const holds = told.feasible ? told.pass : null;
+  const holds = told.feasible ? told : null;
   live.replaceChildren(
     verdict(rows.shift()?.[1] ?? "", `worst deflection in the zone ${isHere ? "here" : "at its best place"}`, holds, rests),
     el("dl", {}, rows.flatMap(([name, text]) => [el("dt", {}, [name]), el("dd", {}, [text])])),

@@ -11,6 +11,7 @@ use stiffarm::request::Verb;
 
 use crate::asked::Asked;
 use crate::json::to_python;
+use crate::paths::under_process;
 use crate::pool::detached;
 use crate::refused;
 use crate::robot::Robot;
@@ -31,7 +32,7 @@ pub(crate) fn drawn_place<'py>(
     let asked = asked.with(Verb::Place, &[("task", wanted_task)])?;
     let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
     let (task, kind) = (asked.task().map_err(refused)?, asked.model());
-    let options = asked.place_options(Some(task.zone)).map_err(refused)?;
+    let options = under_process(asked)?.place_options(Some(task.zone)).map_err(refused)?;
     let (shown, drawn) = detached(py, &None, |watch| {
         let model = kind.of(robot).map_err(of(robot))?;
         let placed = place_task_watched(&model, &task.zone.into(), &options, watch).map_err(of(robot))?;

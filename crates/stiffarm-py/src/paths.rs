@@ -27,6 +27,13 @@ fn process_of(path: &Path, shown: &str) -> PyResult<ProcessFile> {
     read_process_beside(&files::text(path).map_err(refused)?, shown, &mut beside).map_err(refused)
 }
 
+/// What is asked of a zone, under the force of its process where one is given.
+pub(crate) fn under_process(asked: Request) -> PyResult<Request> {
+    let Some(file) = asked.given_process() else { return Ok(asked) };
+    let path = Path::new(&file);
+    asked.under(&process_of(path, &files::shown(path))?.process).map_err(refused)
+}
+
 /// The force of a process.
 #[pyfunction]
 pub(crate) fn force<'py>(py: Python<'py>, process: &str) -> WithColumns<'py> {

@@ -25,6 +25,7 @@ use stiffarm::watch::Watch;
 
 use crate::asked::{Asked, task};
 use crate::json::to_python;
+use crate::paths::under_process;
 use crate::pool::detached;
 use crate::refused;
 use crate::robot::{Robot, kept, robot as named};
@@ -110,7 +111,7 @@ struct Question {
 impl Question {
     fn of(asked: &Request, robot: Arms) -> PyResult<Self> {
         let (robot, task) = (asked.equipped(robot).map_err(refused)?, asked.task().map_err(refused)?);
-        let options = asked.place_options(Some(task.zone)).map_err(refused)?;
+        let options = under_process(asked.clone())?.place_options(Some(task.zone)).map_err(refused)?;
         Ok(Self { robot, task, kind: asked.model(), options, tolerance_mm: asked.tolerance_mm() })
     }
 
@@ -209,7 +210,7 @@ pub(crate) fn rank<'py>(
         return Err(refused("no task to rank for; give tasks"));
     }
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
-    let options = asked.place_options(only).map_err(refused)?;
+    let options = under_process(asked.clone())?.place_options(only).map_err(refused)?;
     let found = detached(py, &progress, |watch| {
         let ranking = stiffarm::rank::rank(&robots, &tasks, &kind, &options, watch)?;
         let advice = tolerance_mm.map(|mm| advise_best(&ranking, &options, mm / 1e3, watch)).transpose()?;

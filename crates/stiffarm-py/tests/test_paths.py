@@ -52,7 +52,7 @@ def test_what_is_refused_says_line_and_word() -> None:
 
 
 def test_a_milled_path_is_the_programs(program) -> None:
-    options = {"tool": "spindle:250@90", "force_n": (300, -120, 80), "at_m_deg": (1.7, 0, 0.8, 20), "roll": "constant"}
+    options = {"tool": "spindle:250@90", "force_n": (300, -120, 80), "at": (1.7, 0, 0.8, 20), "roll": "constant"}
     milled = stiffarm.mill("circle:0.2", "KR 210 R2700 extra", tolerance_mm=0.3, compensate=True, **options)
     typed = ["--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8,20", "--roll", "constant"]
     told = program("mill", "circle:0.2", "--robot", "KR 210 R2700 extra", *typed, "--tolerance-mm", "0.3", "--compensate")

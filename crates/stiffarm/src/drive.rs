@@ -99,6 +99,30 @@ pub struct Identified {
     pub date: Option<String>,
     /// What is left of a coordinate of a displacement, root mean square, m.
     pub residual: f64,
+    /// The same of each posture by the others, where that is known.
+    pub left_out: Option<f64>,
+    /// How far a coordinate moved, root mean square, m; `None` in a file that does not tell it.
+    pub moved: Option<f64>,
+}
+
+impl Identified {
+    /// What was not explained as a share of what moved; `None` where it is not told how far that was.
+    pub fn residual_share(&self) -> Option<f64> {
+        self.moved.map(|moved| self.missed() / moved)
+    }
+
+    /// Standard deviation of each of so many coordinates of what the model misses of a displacement of this length, m.
+    ///
+    /// What an elastic model misses grows with the load: the share that it missed of what was measured. Noise of the measurement counts with
+    /// it. Where it is not told how far that moved, what was missed is taken as it is.
+    pub fn unexplained(&self, length: f64, coordinates: usize) -> f64 {
+        self.residual_share().map_or(self.missed(), |share| share * length / (coordinates as f64).sqrt())
+    }
+
+    /// What the model misses of a coordinate that it was not fitted to, root mean square, m.
+    fn missed(&self) -> f64 {
+        self.left_out.map_or(self.residual, |left_out| left_out.max(self.residual))
+    }
 }
 
 impl Drives {

@@ -9,9 +9,9 @@
 
 use std::sync::LazyLock;
 
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::{Matrix6, Vector3, Vector6};
 
-use crate::drive::{Drives, JointCompliance, Knowledge, Scatter};
+use crate::drive::{Drives, Identified, JointCompliance, Knowledge, Scatter};
 use crate::robot::{Arm, COMPLIANCE_SOURCE, Robot};
 
 /// m/s^2.
@@ -217,6 +217,60 @@ pub fn factors(robot: &Robot, draws: usize) -> Option<Vec<[f64; 6]>> {
     Some((0..draws).map(|_| scatter.draw(&mut shared, &mut own).map(f64::exp)).collect())
 }
 
+/// How a robot may differ from what is told of it, draw by draw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// Factors on the compliances of its drives.
+    pub factors: Vec<[f64; 6]>,
+    /// What its identification did not explain; `None` of a robot that was not measured.
+    pub unexplained: Option<Unexplained>,
+}
+
+/// What an identification did not explain, draw by draw: a part of every displacement that no compliance of the drives gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unexplained {
+    identified: Identified,
+    /// Of variance 1 in each of three directions that nothing distinguishes.
+    errors: Vec<Vector3<f64>>,
+}
+
+impl Drawn {
+    /// As far as it is told of a robot; `None` where nothing says how far its drives may be wrong.
+    pub fn of(robot: &Robot, draws: usize) -> Option<Self> {
+        Some(Self { factors: factors(robot, draws)?, unexplained: Unexplained::of(robot, draws) })
+    }
+
+    /// The logarithms of the compliances off by so much, as [`factors_of`] has it.
+    pub fn within(robot: &Robot, deviation: f64, draws: usize) -> Self {
+        Self { factors: factors_of(deviation, draws), unexplained: Unexplained::of(robot, draws) }
+    }
+}
+
+impl Unexplained {
+    /// Deterministic, by the name of the robot.
+    fn of(robot: &Robot, draws: usize) -> Option<Self> {
+        let identified = robot.identified()?.clone();
+        let mut own = fastrand::Rng::with_seed(seed(&robot.full_name()) ^ UNEXPLAINED_SEED);
+        let errors = (0..draws).map(|_| Vector3::from_fn(|_, _| normal(&mut own))).collect();
+        Some(Self { identified, errors })
+    }
+
+    /// What a draw adds to a displacement of this length, m, in space.
+    pub fn in_space(&self, draw: usize, length: f64) -> Vector3<f64> {
+        self.errors[draw] * self.identified.unexplained(length, 3)
+    }
+
+    /// The length, m, of a displacement of which the model tells `nominal` and a draw of the drives `drawn`, with so many coordinates.
+    pub fn added(&self, draw: usize, (nominal, drawn): (f64, f64), coordinates: usize) -> f64 {
+        let error = self.errors[draw] * self.identified.unexplained(nominal, coordinates);
+        let across: f64 = error.iter().skip(1).take(coordinates - 1).map(|part| part * part).sum();
+        (drawn + error.x).hypot(across.sqrt())
+    }
+}
+
+/// Of what an identification did not explain: other draws than those of the drives.
+const UNEXPLAINED_SEED: u64 = 0x6e6f_7468_696e_6721;
+
 /// Of the errors that all robots share.
 const SHARED_SEED: u64 = 0x5717_ffa1;
 
@@ -229,10 +283,44 @@ impl Scatter {
         std::array::from_fn(|i| self.global[i] * all[i] + self.common[i] * common + self.own[i] * each[i])
     }
 
+    /// Of ln k of the drives of one robot.
+    pub(crate) fn covariance(&self) -> Matrix6<f64> {
+        Matrix6::from_fn(|i, j| {
+            let own = if i == j { self.global[i].powi(2) + self.own[i].powi(2) } else { 0.0 };
+            own + self.common[i] * self.common[j]
+        })
+    }
+
     /// Standard deviation of ln k of each drive.
     pub fn total(&self) -> [f64; 6] {
         std::array::from_fn(|i| (self.global[i].powi(2) + self.common[i].powi(2) + self.own[i].powi(2)).sqrt())
     }
+}
+
+/// By how much the compliances of two drives may be off together, in parts of them: means of `(f_i - 1) (f_j - 1)` over the factors f. Of drives that
+/// were identified by their covariance; of others by what scatters, and where nothing is told of that as drives of any robot do.
+pub(crate) fn doubt(robot: &Robot) -> Matrix6<f64> {
+    let (_, of_any) = of_size(1.0, 1.0);
+    let ln = robot.scatter().unwrap_or(&of_any).covariance();
+    // Of log-normal factors about their median.
+    let mut doubt = Matrix6::from_fn(|i, j| {
+        let [a, b] = [ln[(i, i)] / 2.0, ln[(j, j)] / 2.0];
+        (a + b + ln[(i, j)]).exp() - a.exp() - b.exp() + 1.0
+    });
+    if let Some(identified) = robot.identified() {
+        let k = robot.drive_compliance().map(|k| k.unwrap_or(0.0));
+        let is_told = |i: usize| identified.drives[i] || 0.0 < identified.covariance[(i, i)];
+        for i in 0..6 {
+            for j in 0..6 {
+                doubt[(i, j)] = match (is_told(i), is_told(j)) {
+                    (true, true) if 0.0 < k[i] * k[j] => identified.covariance[(i, j)] / (k[i] * k[j]),
+                    (false, false) => doubt[(i, j)],
+                    _ => 0.0,
+                };
+            }
+        }
+    }
+    doubt
 }
 
 /// Factors on compliances of which is only said that their logarithms are off by so much, as a standard deviation, each drive on its own.

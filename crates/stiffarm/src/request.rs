@@ -55,6 +55,8 @@ pub struct Request {
     /// How whoever asks spells what is missing.
     reader: Spelling,
     given: Vec<Given>,
+    /// The force of the process that was given, once its file was read.
+    process_force: Option<Force>,
 }
 
 /// An option with its values.
@@ -86,7 +88,7 @@ impl Request {
                 Some(_) => return Err(Refusal::Twice { at: pair.at.clone(), name: pair.at.name(setting) }),
             }
         }
-        let request = Self { verb, reader, given };
+        let request = Self { verb, reader, given, process_force: None };
         if verb == Verb::Compare {
             // What goes together is a matter of each setup, whose job file may say more.
             request.given.iter().try_for_each(check_count)?;
@@ -162,7 +164,9 @@ impl Request {
     fn check_others(&self, given: &Given) -> Result<(), Refusal> {
         let Given { setting, at, .. } = given;
         let (at, name) = (at.clone(), at.name(setting));
-        if let Some(other) = self.needed(setting).filter(|other| !self.is_given(other.name)) {
+        // A process says what a force would.
+        let is_said = |other: &str| self.is_given(other) || other == "force-n" && self.is_given("process");
+        if let Some(other) = self.needed(setting).filter(|other| !is_said(other.name)) {
             let other = at.name(other);
             return Err(Refusal::Needs { at, name, other });
         }

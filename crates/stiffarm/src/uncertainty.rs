@@ -2,14 +2,14 @@
 //!
 //! Factors on the compliances are drawn (`prior`), and the deflection is computed again at the worst point of the place that was found: places are
 //! not sought anew. Of forces that are known in part the worst is taken in every draw. What is wrong for all robots alike is the same in a draw of each, so it widens the interval of a deflection and
-//! leaves the order as it is.
+//! leaves the order as it is. Of a robot that was measured, what its identification did not explain is added to every draw.
 
 use nalgebra::Matrix3;
 
 use crate::compliance::Posture;
-use crate::load::{Forces, Load, NotInPlane};
+use crate::load::{Component, Forces, Load, NotInPlane};
 use crate::place::{Hold, Placement};
-use crate::prior::factors;
+use crate::prior::{Drawn, factors};
 use crate::rank::{Ranking, Row};
 use crate::robot::{Robot, Status};
 use crate::spatial::Compliance;
@@ -78,16 +78,50 @@ fn most(by_drive: &[Matrix3<f64>; 6], factors: &[f64; 6], forces: Option<&Forces
     forces.map_or_else(|| drawn.symmetric_eigenvalues().max(), |forces| forces.largest(&drawn).value)
 }
 
+/// Deflections at a place that was found, m, draw by draw, with what an identification did not explain; `None` where nothing says how far
+/// the drives may be off, or the arm plane does not know the force.
+pub fn drawn(robot: &Robot, load: Load, placed: &Placement) -> Option<Vec<f64>> {
+    let mut found = draws(robot, load, placed)?;
+    let coordinates = match (&placed.hold, load.component()) {
+        (_, Component::Normal) => 1,
+        (_, Component::Along) if !load.is_worst() => 1,
+        (Hold::Plane { .. }, Component::Along | Component::Total) => 2,
+        (Hold::Space(_), Component::Along | Component::Total) => 3,
+    };
+    if let Some(unexplained) = Drawn::of(robot, DRAWS)?.unexplained {
+        for (draw, value) in found.iter_mut().enumerate() {
+            *value = unexplained.added(draw, (placed.deflection, *value), coordinates);
+        }
+    }
+    Some(found)
+}
+
+/// Which share of draws, at least one, is no more than a bound.
+pub fn share_within(draws: &[f64], bound: f64) -> f64 {
+    draws.iter().filter(|value| **value <= bound).count() as f64 / draws.len() as f64
+}
+
 /// Where the deflection at a place lies with 90 %; `None` where nothing says how far the drives may be off.
 pub fn spread(robot: &Robot, load: Load, placed: &Placement) -> Option<Spread> {
-    draws(robot, load, placed).map(Spread::of)
+    drawn(robot, load, placed).map(Spread::of)
 }
 
 /// Where what counts of the displacement of a posture under a load lies with 90 %, m; `None` where nothing says how far the drives may be off.
 pub fn of_posture(robot: &Robot, posture: &Posture, load: Load) -> Option<Spread> {
     let (parts, forces) = (posture.by_drive.each_ref().map(Compliance::translation), posture.forces(load));
     let moved = |factor: &[f64; 6]| load.newtons() * most(&parts, factor, Some(&forces));
-    factors(robot, DRAWS).map(|factors| Spread::of(factors.iter().map(moved).collect()))
+    let nominal = moved(&[1.0; 6]);
+    let coordinates = match load.component() {
+        Component::Normal => 1,
+        Component::Along if !load.is_worst() => 1,
+        Component::Along | Component::Total => 3,
+    };
+    let Drawn { factors, unexplained } = Drawn::of(robot, DRAWS)?;
+    let of_draw = |(draw, factor): (usize, &[f64; 6])| match &unexplained {
+        Some(unexplained) => unexplained.added(draw, (nominal, moved(factor)), coordinates),
+        None => moved(factor),
+    };
+    Some(Spread::of(factors.iter().enumerate().map(of_draw).collect()))
 }
 
 /// How a robot stands at a task, over all draws.
@@ -103,13 +137,27 @@ pub struct Chances {
 
 /// Of every row and task; `None` where a robot has no place, is estimated (it cannot win), or nothing says how far its drives may be off.
 pub fn chances(ranking: &Ranking) -> Vec<Vec<Option<Chances>>> {
-    let tasks = ranking.tasks.len();
-    let drawn = |row: &Row, task: usize| {
-        let placed = row.placement(task).filter(|_| row.robot.status != Status::Estimated)?;
-        draws(&row.robot, ranking.load, placed)
+    chances_of(ranking, &drawn_in(ranking))
+}
+
+/// The draws of every row and task, as [`drawn`] has them.
+pub(crate) fn drawn_in(ranking: &Ranking) -> Vec<Vec<Option<Vec<f64>>>> {
+    let of_row = |row: &Row| {
+        (0..ranking.tasks.len()).map(|task| drawn(&row.robot, ranking.load, row.placement(task)?)).collect()
     };
-    let of_tasks: Vec<Vec<Option<Chances>>> =
-        (0..tasks).map(|task| of_task(&ranking.rows.iter().map(|row| drawn(row, task)).collect::<Vec<_>>())).collect();
+    ranking.rows.iter().map(of_row).collect()
+}
+
+/// As [`chances`], by draws that are known.
+pub(crate) fn chances_of(ranking: &Ranking, drawn: &[Vec<Option<Vec<f64>>>]) -> Vec<Vec<Option<Chances>>> {
+    let rows = || ranking.rows.iter().zip(drawn);
+    let of_task = |task: usize| {
+        let may_win = |(row, drawn): (&Row, &Vec<Option<Vec<f64>>>)| {
+            drawn[task].clone().filter(|_| row.robot.status != Status::Estimated)
+        };
+        of_task(&rows().map(may_win).collect::<Vec<_>>())
+    };
+    let of_tasks: Vec<Vec<Option<Chances>>> = (0..ranking.tasks.len()).map(of_task).collect();
     (0..ranking.rows.len()).map(|row| of_tasks.iter().map(|of_task| of_task[row]).collect()).collect()
 }
 
@@ -227,6 +275,37 @@ mod tests {
             }
         }
         assert!(0.05 < off, "{off}");
+    }
+
+    /// Drives that are known to the last digit, and an identification that missed a tenth of what moved: in the plane two coordinates of
+    /// `d / 10 sqrt 2` each about a deflection d, in which the one along it decides: 1.645 standard deviations either way, to the half of the
+    /// square of what lies across, `d (1 / 10 sqrt 2)^2 / 2`.
+    #[test]
+    fn a_deflection_of_a_measured_robot_is_as_uncertain_as_its_residual() {
+        let mut robot = find("KR 210 R2700-2").unwrap().robot();
+        let crate::robot::Arm::SixAxis { drives, .. } = &mut robot.arm else { unreachable!("six axes") };
+        drives.identified = Some(crate::drive::Identified {
+            drives: [true; 6],
+            covariance: nalgebra::Matrix6::zeros(),
+            postures: 20,
+            date: None,
+            residual: 1e-4,
+            left_out: None,
+            moved: Some(1e-3),
+        });
+        let (task, options): (Task, _) = ("A:0.3".parse().unwrap(), PlaceOptions::under(Load::PAPER));
+        let placed = crate::place::place_task(&ModelKind::Planar.of(&robot).unwrap(), &task, &options).unwrap();
+        let placed = placed.feasible().unwrap();
+        let sd = 0.1 / 2.0_f64.sqrt();
+        let Spread { p05, p95 } = spread(&robot, Load::PAPER, placed).unwrap();
+        for (found, side) in [(p05, -1.0), (p95, 1.0)] {
+            let by_hand = 1.0 + side * 1.645 * sd + sd * sd / 2.0;
+            assert!((found / placed.deflection - by_hand).abs() < 0.01, "{found:e} {by_hand}");
+        }
+        let draws = drawn(&robot, Load::PAPER, placed).unwrap();
+        // Half of them are more, and as many again as lie between the deflection and the shift by what lies across.
+        assert!((share_within(&draws, placed.deflection) - 0.5).abs() < 0.04);
+        assert!(share_within(&draws, p95) - 0.95 < 1e-3 && share_within(&draws, 0.0) == 0.0);
     }
 
     #[test]

@@ -112,13 +112,16 @@ fn identified() -> impl Strategy<Value = Identified> {
         Matrix6::from_fn(|i, j| rounded(whole[(i.min(j), i.max(j))]))
     };
     let date = prop_oneof![Just(None), Just(Some("2024-02-29".to_owned()))];
-    (six(|| 0.01..2.0_f64), six(any::<bool>), 2_usize..500, date, length(0.0, 10.0)).prop_map(
-        move |(parts, drives, postures, date, residual)| Identified {
+    let rms = || proptest::option::of(length(0.1, 10.0));
+    (six(|| 0.01..2.0_f64), six(any::<bool>), 2_usize..500, date, length(0.0, 10.0), rms(), rms()).prop_map(
+        move |(parts, drives, postures, date, residual, left_out, moved)| Identified {
             drives,
             covariance: square(parts),
             postures,
             date,
             residual,
+            left_out,
+            moved,
         },
     )
 }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::answer::words::{acting, class, mapped, tool};
-use stiffarm::answer::{CompareAnswer, PlaceAnswer, Rows, Unit, Verdict, stiffness};
+use stiffarm::answer::{CompareAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::model::ModelKind;
 use stiffarm::request::Request;
 use stiffarm::robot::Robot;
@@ -88,7 +88,7 @@ impl CompareOutput {
 
 /// What a panel shows.
 fn words(side: &PlaceAnswer) -> String {
-    let PlaceAnswer { robot, model, task, options, tolerance_mm, .. } = side;
+    let PlaceAnswer { robot, model, task, options, .. } = side;
     let held = match model {
         ModelKind::Planar => "planar model".to_owned(),
         ModelKind::Spatial(flange_from_tool) => format!("tool: {}", tool(flange_from_tool)),
@@ -96,8 +96,7 @@ fn words(side: &PlaceAnswer) -> String {
     let found = match side.best() {
         None => format!("no place for {}", task.label),
         Some(best) => {
-            let verdict = tolerance_mm.map(|tolerance| Verdict::of(best.deflection, tolerance).word());
-            let verdict = verdict.map_or_else(String::new, |word| format!(" ({word})"));
+            let verdict = side.verdict().map_or_else(String::new, |verdict| format!("; {}", verdict.told()));
             format!("{}: {:.3} mm at worst{verdict}", task.label, Unit::Millimetre.told(best.deflection))
         }
     };

@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::figures::{Plate, identify as figure};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty};
-use crate::report::{self, Report};
+use crate::report::{self, Inputs, Report};
 use crate::selection;
 use crate::table::sheet;
 
@@ -32,12 +32,13 @@ pub(super) fn answer<'a>(asked: &'a Request, common: &Common) -> Result<Identify
     let found = found.map_err(|error| Failure::Identify { data: data.clone(), error })?;
     found.remarks.iter().for_each(|remark| common.remark(&format!("warning: {remark}")));
     let answer = IdentifyAnswer { found, before: robot, data, date: options.date };
-    Ok(IdentifyOutput { answer, asked, plate: Plate::of(asked)? })
+    Ok(IdentifyOutput { answer, asked, inputs: Inputs::of(asked, common), plate: Plate::of(asked)? })
 }
 
 pub(crate) struct IdentifyOutput<'a> {
     pub(crate) answer: IdentifyAnswer,
     asked: &'a Request,
+    pub(crate) inputs: Inputs,
     pub(crate) plate: Plate,
 }
 
@@ -69,7 +70,7 @@ impl Answer for IdentifyOutput<'_> {
     }
 
     fn report(&self) -> Option<Result<Report, Failure>> {
-        Some(Ok(report::identify::of(self, self.asked)))
+        Some(report::identify::of(self, self.asked))
     }
 
     fn plate(&self) -> Plate {

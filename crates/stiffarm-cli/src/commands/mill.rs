@@ -23,7 +23,7 @@ use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Sheet, View, Zone};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, verdict};
-use crate::report::{self, Report};
+use crate::report::{self, Inputs, Report};
 use crate::selection;
 use crate::table::{prose, shown};
 
@@ -86,7 +86,7 @@ pub(super) fn ranked<'a>(asked: &'a Request, common: &Common) -> Result<PathRank
     let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch);
     let mut answer = watched("milling with every robot", common, ranked)?;
     answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
-    Ok(PathRankOutput { answer, asked, plate: Plate::of(asked)? })
+    Ok(PathRankOutput { answer, asked, inputs: Inputs::of(asked, common), plate: Plate::of(asked)? })
 }
 
 /// The process that is asked for, with the name of its file.
@@ -159,6 +159,11 @@ pub(crate) struct MillOutput<'a> {
 }
 
 impl MillOutput<'_> {
+    /// What it rests on that was read.
+    pub(crate) fn inputs(&self) -> Inputs {
+        Inputs::of(self.asked, self.common)
+    }
+
     /// The path's own file with its tips led aside.
     fn rewritten(&self, ending: &str) -> Result<Vec<u8>, Failure> {
         let name = &self.answer.path;

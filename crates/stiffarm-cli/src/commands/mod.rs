@@ -46,6 +46,16 @@ fn process_of(name: &str, shown: &str, common: &Common) -> Result<ProcessFile, F
     read_process_beside(&common.shelf.text(name)?, shown, &mut beside).map_err(Failure::ProcessFile)
 }
 
+/// What is asked of a zone, under the force of its process where one is given.
+pub(crate) fn under_process<'a>(asked: &'a Request, common: &Common) -> Result<Cow<'a, Request>, Failure> {
+    let Some(name) = asked.given_process() else { return Ok(Cow::Borrowed(asked)) };
+    let read = process_of(&name, &files::shown(Path::new(&name)), common)?;
+    for remark in &read.assumed {
+        common.remark(&format!("note: {remark}"));
+    }
+    Ok(Cow::Owned(asked.under(&read.process)?))
+}
+
 /// The answer of a verb, whichever it is.
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use stiffarm::answer::{PathRankAnswer, Rows, Unit, looks, stiffnesses, words};
+use stiffarm::answer::{MillAnswer, PathRankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
 use stiffarm::drive::Architecture;
 use stiffarm::request::Request;
 use stiffarm::robot::Status;
@@ -12,7 +12,7 @@ use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::look::Look;
 use crate::output::{Answer, pretty};
-use crate::report::{self, Report};
+use crate::report::{self, Inputs, Report};
 use crate::table::{prose, shown};
 
 /// More bars are not told apart on one page.
@@ -21,6 +21,7 @@ const MOST_BARS: usize = 60;
 pub(crate) struct PathRankOutput<'a> {
     pub(crate) answer: PathRankAnswer,
     pub(super) asked: &'a Request,
+    pub(crate) inputs: Inputs,
     pub(crate) plate: Plate,
 }
 
@@ -37,6 +38,14 @@ impl PathRankOutput<'_> {
             serial: row.robot.architecture == Architecture::Serial,
             estimated: row.robot.status == Status::Estimated,
             look,
+            intervals: vec![
+                row.milled
+                    .as_ref()
+                    .ok()
+                    .and_then(MillAnswer::spread)
+                    .map(|spread| [spread.p05, spread.p95].map(|metres| Unit::Millimetre.told(metres))),
+            ],
+            verdicts: vec![row.milled.as_ref().ok().and_then(MillAnswer::verdict).map(Verdict::told)],
             values: vec![
                 row.proved().map(|[bound, value]| [value, bound].map(|metres| Unit::Millimetre.told(metres)).into()),
             ],

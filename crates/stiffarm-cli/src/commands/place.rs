@@ -14,7 +14,7 @@ use stiffarm::robot::Robot;
 use stiffarm::watch::Watch;
 
 use super::map::Drawn;
-use super::watched;
+use super::{under_process, watched};
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -24,7 +24,7 @@ use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, verdict};
-use crate::report::{self, Report};
+use crate::report::{self, Inputs, Report};
 use crate::selection;
 use crate::table::{prose, shown};
 
@@ -51,6 +51,7 @@ pub(crate) struct PlaceOutput {
     pub(crate) answer: PlaceAnswer,
     pub(crate) plate: Plate,
     asked: Request,
+    inputs: Inputs,
     /// Points along the longer side of the map.
     points: usize,
 }
@@ -59,7 +60,8 @@ impl PlaceOutput {
     /// Places what is asked for, and seeks what its tolerance says of force, stiffness and size.
     pub(super) fn of(asked: &Request, robot: Robot, common: &Common) -> Result<Self, Failure> {
         let (task, kind, robot) = (asked.task()?, asked.model(), asked.equipped(robot)?);
-        let (options, plate) = (asked.place_options(Some(task.zone))?, Plate::of(asked)?);
+        let options = under_process(asked, common)?.place_options(Some(task.zone))?;
+        let plate = Plate::of(asked)?;
         let failure = |error| Failure::Place { robot: robot.name.clone(), error };
         let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
         let search = |watch: Watch| place_task_watched(&model, &task, &options, watch);
@@ -72,14 +74,23 @@ impl PlaceOutput {
         let advice = tolerance_mm.map(sought).transpose().map_err(failure)?;
         let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice };
         let points = if kind == ModelKind::Planar { FIGURE_SIZE[0] } else { FIGURE_SIZE[1] };
-        Ok(Self { model, answer, plate, asked: asked.clone(), points })
+        Ok(Self { model, answer, plate, asked: asked.clone(), inputs: Inputs::of(asked, common), points })
+    }
+
+    /// What it rests on that was read.
+    pub(crate) fn inputs(&self) -> &Inputs {
+        &self.inputs
     }
 
     /// An answer that is there, with a map of so many points.
-    pub(crate) fn told(answer: PlaceAnswer, (asked, plate, points): (&Request, Plate, usize)) -> Result<Self, Failure> {
+    pub(crate) fn told(
+        answer: PlaceAnswer,
+        (asked, inputs): (&Request, Inputs),
+        (plate, points): (Plate, usize),
+    ) -> Result<Self, Failure> {
         let failure = |error: ModelError| Failure::Place { robot: answer.robot.name.clone(), error: error.into() };
         let model = answer.model.of(&answer.robot).map_err(failure)?;
-        Ok(Self { model, answer, plate, asked: asked.clone(), points })
+        Ok(Self { model, answer, plate, asked: asked.clone(), inputs, points })
     }
 
     fn elevation(&self) -> f64 {

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::advice::advise_best;
-use stiffarm::answer::{self, RankAnswer, Rows, Unit, looks, stiffnesses, words};
+use stiffarm::answer::{self, RankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
 use stiffarm::place::PlaceOptions;
@@ -14,7 +14,7 @@ use stiffarm::request::{Request, distinct};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
 
-use super::watched;
+use super::{under_process, watched};
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -22,7 +22,7 @@ use crate::figures::bars::{BarRow, BarsFigure};
 use crate::figures::ranking::{self, Curve, Panel};
 use crate::look::Look;
 use crate::output::{Answer, Outputs, figure, pretty, verdict};
-use crate::report::{self, Report};
+use crate::report::{self, Inputs, Report};
 use crate::selection;
 use crate::table::{prose, shown};
 
@@ -50,7 +50,7 @@ pub(super) fn answer<'a>(asked: &'a Request, common: &'a Common) -> Result<RankO
         return Err(Failure::Usage("no task to rank for; give --task".into()));
     }
     let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
-    let (options, plate) = (asked.place_options(only)?, Plate::of(asked)?);
+    let (options, plate) = (under_process(asked, common)?.place_options(only)?, Plate::of(asked)?);
     let ranking = watched("placing zones", common, |watch| rank(&robots, &tasks, &kind, &options, watch))?;
     let tolerance_mm = asked.tolerance_mm();
     let advice = match tolerance_mm {
@@ -86,6 +86,11 @@ pub(crate) struct RankOutput<'a> {
 }
 
 impl RankOutput<'_> {
+    /// What it rests on that was read.
+    pub(crate) fn inputs(&self) -> Inputs {
+        Inputs::of(self.asked, self.common)
+    }
+
     pub(crate) fn figure(&self, plate: Plate) -> Result<String, Failure> {
         match self.answer.ranking.model {
             ModelKind::Planar => self.curves(plate),
@@ -142,18 +147,19 @@ impl RankOutput<'_> {
         let RankAnswer { ranking: Ranking { tasks, rows, load, .. }, tolerance_mm, .. } = &self.answer;
         let left_out = rows.len().saturating_sub(MOST_BARS);
         let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
-        let drawn = rows.iter().zip(self.looks()).take(MOST_BARS).map(|(row, look)| BarRow {
+        let mm = |metres: f64| Unit::Millimetre.told(metres);
+        let drawn = rows.iter().zip(self.looks()).enumerate().take(MOST_BARS).map(|(at, (row, look))| BarRow {
             robot: words::marked(&row.robot),
             serial: row.robot.architecture == Architecture::Serial,
             estimated: row.robot.status == Status::Estimated,
             look,
             values: (0..tasks.len())
-                .map(|task| {
-                    row.placement(task).map(|best| {
-                        [best.deflection, best.lower_bound].map(|metres| Unit::Millimetre.told(metres)).into()
-                    })
-                })
+                .map(|task| row.placement(task).map(|best| [best.deflection, best.lower_bound].map(mm).into()))
                 .collect(),
+            intervals: (0..tasks.len())
+                .map(|task| self.answer.spread(at, task).map(|spread| [spread.p05, spread.p95].map(mm)))
+                .collect(),
+            verdicts: (0..tasks.len()).map(|task| self.answer.verdict(at, task).map(Verdict::told)).collect(),
         });
         BarsFigure {
             title: format!("Worst deflection inside each flat zone at its best place, {}{first}", words::loaded(*load)),

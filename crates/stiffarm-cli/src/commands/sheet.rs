@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use stiffarm::answer::robot::{lengths, rounded, sheet};
-use stiffarm::answer::words::{architecture, assumed_architecture, class};
+use stiffarm::answer::words::{architecture, assumed_architecture, class, status};
 use stiffarm::answer::{Cell, Rows, Table, Unit, columns_of, field, stiffness};
 use stiffarm::catalogue::write;
 use stiffarm::drive::{Architecture, Drives, Transmission};
@@ -40,7 +40,7 @@ impl Sheet {
         let mut rows: Lines = vec![
             ("robot".into(), robot.full_name()),
             ("architecture".into(), architecture(robot)),
-            ("status".into(), robot.status.to_string()),
+            ("status".into(), status(robot).into()),
             ("payload".into(), robot.payload_kg.map_or_else(|| "-".into(), |kg| format!("{kg} kg"))),
             ("reach".into(), robot.reach.map_or_else(|| "-".into(), |reach| format!("{reach:.3} m"))),
         ];

@@ -1,5 +1,7 @@
 //! Robots in order as bars, one column per task: the deflection found, what is proved, the tolerance.
 
+use std::fmt::Write as _;
+
 use stiffarm::answer::Look;
 use stiffarm::palette::{
     ESTIMATED, FAINT, GREY, INK, LIMIT, QUASI_SERIAL, QUASI_SERIAL_CURVES, SERIAL, SERIAL_CURVES, TOLERANCE,
@@ -29,6 +31,10 @@ pub(crate) struct BarRow {
     pub look: Option<Look>,
     /// By task: deflection and its proved lower bound, mm; absent where the task does not fit.
     pub values: Vec<Option<(f64, f64)>>,
+    /// By task: where it lies with 90 %, mm; absent where nothing says how far the drives may be off.
+    pub intervals: Vec<Option<[f64; 2]>>,
+    /// By task: verdict and probability, where there is a tolerance.
+    pub verdicts: Vec<Option<String>>,
 }
 
 /// A ranking as it was asked for.
@@ -98,8 +104,12 @@ impl BarsFigure {
         [top, bottom]: [f64; 2],
     ) {
         let value = |row: &BarRow| row.values.get(task).copied().flatten();
-        let most = self.rows.iter().filter_map(value).map(|(found, _)| found).filter(|mm| mm.is_finite());
-        let most = most.fold(0.0, f64::max);
+        let interval = |row: &BarRow| row.intervals.get(task).copied().flatten();
+        let values = self.rows.iter().filter_map(value).map(|(found, _)| found).filter(|mm| mm.is_finite());
+        let largest = values.fold(0.0, f64::max);
+        // Of intervals as much as leaves the bars half of the room.
+        let ends = self.rows.iter().filter_map(interval).map(|[_, high]| high.min(2.0 * largest));
+        let most = ends.filter(|mm| mm.is_finite()).fold(largest, f64::max);
         // A tolerance far above all bars would press them flat; it is then only named in the legend.
         let tolerance = self.tolerance_mm.filter(|tolerance| *tolerance <= 2.0 * most);
         // Numbers stand behind the bars.
@@ -122,7 +132,14 @@ impl BarsFigure {
                 continue;
             };
             let x = axis.at(found).clamp(left, end);
-            let told = format!("{}, {name}: {found:.3} mm; proved: no place has less than {bound:.3} mm", row.robot);
+            let mut told =
+                format!("{}, {name}: {found:.3} mm; proved: no place has less than {bound:.3} mm", row.robot);
+            if let Some([low, high]) = interval(row) {
+                let _ = write!(told, "; 90 % interval {low:.3} .. {high:.3} mm");
+            }
+            if let Some(verdict) = row.verdicts.get(task).and_then(Option::as_ref) {
+                let _ = write!(told, "; {verdict}");
+            }
             canvas.told(&told, |canvas| {
                 canvas.rect([left, y - BAR / 2.0], [x, y + BAR / 2.0], &look(row.colour(), row.estimated));
             });
@@ -138,7 +155,12 @@ impl BarsFigure {
                     &format!(r#"fill="{}""#, row.colour()),
                 );
             }
-            let x = if axis.to < found { x + 4.0 } else { x };
+            let mut x = if axis.to < found { x + 4.0 } else { x };
+            if let Some(ends) = interval(row) {
+                let [low, high] = ends.map(|mm| axis.at(mm).clamp(left, end));
+                whisker(canvas, [low, high], y, axis.contains(ends[1]));
+                x = x.max(high);
+            }
             numbers.push(([x + 5.0, y], format!("{found:.3}")));
         }
         if let Some(tolerance) = tolerance {
@@ -182,6 +204,11 @@ impl BarsFigure {
         entries.push(Entry::new("proved: no place has less", |canvas, [x, y]| {
             canvas.line([x, y - 7.0], [x, y + 7.0], &bound_look());
         }));
+        if self.rows.iter().any(|row| row.intervals.iter().any(Option::is_some)) {
+            entries.push(Entry::new("90 % interval (drive stiffness)", |canvas, [x, y]| {
+                whisker(canvas, [x - 15.0, x + 15.0], y, true);
+            }));
+        }
         if let Some(tolerance) = self.tolerance_mm {
             entries.push(Entry::line(
                 format!("tolerance {tolerance} mm"),
@@ -202,6 +229,15 @@ fn look(colour: &str, estimated: bool) -> String {
     format!(r#"fill="{colour}" fill-opacity="{opacity}" stroke="{colour}" stroke-width="1""#)
 }
 
+/// From where to where, px; without an end on the right where it goes on.
+fn whisker(canvas: &mut Canvas, [low, high]: [f64; 2], y: f64, is_ended: bool) {
+    let look = format!(r#"stroke="{GREY}" stroke-width="1.4""#);
+    canvas.line([low, y], [high, y], &look);
+    for x in [Some(low), is_ended.then_some(high)].into_iter().flatten() {
+        canvas.line([x, y - 3.5], [x, y + 3.5], &look);
+    }
+}
+
 fn bound_look() -> String {
     format!(r#"fill="none" stroke="{LIMIT}" stroke-width="2""#)
 }
@@ -211,6 +247,17 @@ mod tests {
     use super::super::png;
     use super::*;
 
+    /// From where to where lines of a look go along x, in the order in which they are drawn.
+    fn lines_at(svg: &str, look: &str) -> Vec<[f64; 2]> {
+        let number = |line: &str, key: &str| {
+            let (_, rest) = line.split_once(&format!("{key}=\""))?;
+            rest.split('"').next()?.parse::<f64>().ok()
+        };
+        let lines =
+            svg.split("<line").skip(1).filter(|line| line.split('>').next().is_some_and(|line| line.contains(look)));
+        lines.filter_map(|line| Some([number(line, "x1")?, number(line, "x2")?])).collect()
+    }
+
     #[test]
     fn every_bar_is_as_long_as_its_value_and_odd_rankings_are_drawn() {
         let row = |robot: &str, values: Vec<Option<(f64, f64)>>| BarRow {
@@ -218,6 +265,8 @@ mod tests {
             serial: robot.len().is_multiple_of(2),
             estimated: false,
             look: (robot == "one").then_some(Look { colour: stiffarm::palette::RATIOS[0], mark: 3 }),
+            intervals: values.iter().map(|value| value.map(|(found, _)| [0.5 * found, 1.5 * found])).collect(),
+            verdicts: vec![Some("pass (P = 97 %)".into()), None],
             values,
         };
         let figure = |rows: Vec<BarRow>, tolerance_mm| BarsFigure {
@@ -243,6 +292,11 @@ mod tests {
         assert!((widths[1] / widths[0] - 2.0).abs() < 1e-2 && (widths[2] / widths[0] - 4.0).abs() < 2e-2, "{widths:?}");
         assert_eq!(svg.matches("does not fit").count(), 2);
         assert!(svg.contains("tolerance 3 mm") && png(&svg, 0.5).is_ok());
+        assert!(svg.contains("90 % interval 0.500 .. 1.500 mm; pass (P = 97 %)"), "{svg}");
+        // An interval of three times the length of its bar, whose middle is where the bar ends; the axis begins at zero.
+        let whiskers = lines_at(&svg, r#"stroke-width="1.4""#);
+        let [low, high] = whiskers.iter().copied().find(|[low, high]| low < high).unwrap();
+        assert!(((high - low) / widths[0] - 1.0).abs() < 1e-2, "{whiskers:?} {widths:?}");
         assert!(png(&figure(Vec::new(), None).svg(), 0.5).is_ok());
     }
 }

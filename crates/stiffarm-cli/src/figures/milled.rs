@@ -50,7 +50,8 @@ impl MilledFigure<'_> {
         let room = [LEFT, canvas.width - RIGHT];
         let bands = self.bands(worst);
         let way = self.way(room);
-        let left = self.left().map_or(0.0, |(_, left)| left.iter().copied().fold(0.0, f64::max) * 1e3);
+        let lines = self.compared();
+        let left = lines.iter().flat_map(|line| line.1).copied().fold(0.0, f64::max) * 1e3;
         let most = worst.max(left).max(self.answer.tolerance_mm.unwrap_or(0.0));
         let errors = Frame { x: way, y: Axis::new(0.0, 1.08 * most, [top + ERROR, top]) };
         self.errors(&mut canvas, found, errors, bound);
@@ -94,10 +95,9 @@ impl MilledFigure<'_> {
         for points in self.cuts(found, |way, _, error| frame.at(way, error)) {
             canvas.polyline(&points, &look);
         }
-        if let Some((_, left)) = self.left() {
-            let after = format!(r#"fill="none" stroke="{COMPENSATED}" stroke-width="1.6" stroke-dasharray="6 2""#);
+        for (_, left, look) in self.compared() {
             for points in self.lines(|i, station| frame.at(station.sample.way * 1e3, left[i] * 1e3)) {
-                canvas.polyline(&points, &after);
+                canvas.polyline(&points, &format!(r#"fill="none" {look}"#));
             }
         }
         let [[left, _], [right, _]] = frame.corners();
@@ -129,14 +129,23 @@ impl MilledFigure<'_> {
         }
     }
 
-    /// What compensation leaves at every station, m, and by which account; nothing where it was not asked for, or is not known all along.
-    fn left(&self) -> Option<(&'static str, &[f64])> {
-        let Compensation { done, remaining } = self.answer.compensation.as_ref()?;
-        let (words, left) = match remaining {
-            Some((remaining, _)) => ("left by compensation, 95 % of draws", &remaining.along),
-            None => ("left by compensation of tips, by the model", &done.left_by_tips),
+    /// What compensation leaves at every station, m, beside what is there without it by the same account, each with its name and look;
+    /// nothing where it was not asked for, or is not known all along.
+    fn compared(&self) -> Vec<(&'static str, &[f64], String)> {
+        let Some(Compensation { done, remaining }) = &self.answer.compensation else { return Vec::new() };
+        let look = |colour: &str, dashes: &str| {
+            format!(r#"stroke="{colour}" stroke-width="1.6" stroke-linejoin="round" stroke-dasharray="{dashes}""#)
         };
-        left.iter().all(|left| left.is_finite()).then_some((words, left))
+        let lines = match remaining {
+            Some((remaining, _)) => vec![
+                ("error, 95 % of draws", &remaining.without[..], look(DEFLECTION, "1 3")),
+                ("compensated, 95 % of draws", &remaining.along[..], look(COMPENSATED, "1 3")),
+                ("compensated, median of draws", &remaining.median_along[..], look(COMPENSATED, "6 2")),
+            ],
+            // Beside the error by the model.
+            None => vec![("compensated tips, by the model", &done.left_by_tips[..], look(COMPENSATED, "6 2"))],
+        };
+        lines.into_iter().filter(|line| line.1.iter().all(|left| left.is_finite())).collect()
     }
 
     /// What lies between rapid ways, each as a line.
@@ -264,7 +273,7 @@ impl MilledFigure<'_> {
         };
         let has = |wanted: RollCell| self.rolls.cells.iter().flatten().any(|cell| *cell == wanted);
         let mut entries = vec![
-            Entry::line("error", format!(r#"stroke="{DEFLECTION}" stroke-width="1.6""#)),
+            Entry::line("error, by the model", format!(r#"stroke="{DEFLECTION}" stroke-width="1.6""#)),
             Entry::line(
                 format!("{} less", self.answer.bounded()),
                 format!(r#"stroke="{LIMIT}" stroke-width="1" stroke-dasharray="2 3""#),
@@ -276,12 +285,7 @@ impl MilledFigure<'_> {
                 format!(r#"stroke="{TOLERANCE}" stroke-width="1.8" stroke-dasharray="9 4""#),
             ));
         }
-        if let Some((words, _)) = self.left() {
-            entries.push(Entry::line(
-                words,
-                format!(r#"stroke="{COMPENSATED}" stroke-width="1.6" stroke-dasharray="6 2""#),
-            ));
-        }
+        entries.extend(self.compared().into_iter().map(|(words, _, look)| Entry::line(words, look)));
         entries.push(Entry::new("worst sample", |canvas, at| canvas.circle(at, 4.0, &format!(r#"fill="{ALARM}""#))));
         entries.push(Entry::line("roll that is taken", format!(r#"stroke="{INK}" stroke-width="1.8""#)));
         if self.answer.pins().next().is_some() {

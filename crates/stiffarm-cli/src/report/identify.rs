@@ -5,10 +5,14 @@ use stiffarm::request::Request;
 use super::robots::provenance_of;
 use super::{Block, Report, Section, plate, repeated};
 use crate::commands::identify::IdentifyOutput;
+use crate::failure::Failure;
 use crate::figures::identify as figure;
 
 /// The document.
-pub(crate) fn of(found: &IdentifyOutput, asked: &Request) -> Report {
+///
+/// # Errors
+/// Where a file is no longer there.
+pub(crate) fn of(found: &IdentifyOutput, asked: &Request) -> Result<Report, Failure> {
     let answer = &found.answer;
     let mut decided = Section::new("What decides");
     let svg = figure::svg(answer, &plate(found.plate));
@@ -31,10 +35,10 @@ pub(crate) fn of(found: &IdentifyOutput, asked: &Request) -> Report {
     let mut provenance = provenance_of(&answer.before);
     provenance.text("The identification takes lengths and limits as they are.");
     let date = answer.date.as_ref().map_or_else(String::new, |date| format!(", measured {date}"));
-    Report {
+    Ok(Report {
         title: format!("Stiffness of the drives of {}", answer.before.full_name()),
         asked: format!("Identified from {}{date}", answer.data),
         headline: answer.headline(),
-        sections: vec![decided, fitting, file, provenance, repeated(asked)],
-    }
+        sections: vec![decided, fitting, file, provenance, repeated(asked, &found.inputs)?],
+    })
 }

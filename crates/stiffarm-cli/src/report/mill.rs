@@ -4,7 +4,7 @@ use stiffarm::answer::MillAnswer;
 use stiffarm::request::Request;
 
 use super::robots::provenance_of;
-use super::{Report, Section, place, plate, repeated};
+use super::{Report, Section, meaning, place, plate, repeated};
 use crate::commands::mill::{MillOutput, rolls};
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -19,7 +19,9 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, Failure>
     let mut decided = Section::new("What decides");
     picture(answer, found.plate, &mut decided)?;
     decided.table(answer.table());
-    let mut sections = vec![decided];
+    let (mut sections, inputs) = (vec![decided], found.inputs());
+    sections.extend(meaning(asked));
+    sections.extend(inputs.process()?);
     sections.extend(site(answer).map(Section::on_new_page));
     sections.extend(answer.worst_lines().map(|table| {
         let mut worst = Section::new("Where the error is largest");
@@ -32,7 +34,7 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, Failure>
         drives.table(table);
         drives
     }));
-    sections.extend([provenance_of(&answer.robot), repeated(asked)]);
+    sections.extend([provenance_of(&answer.robot), repeated(asked, &inputs)?]);
     Ok(Report {
         title: format!("{} along {}", answer.robot.full_name(), answer.path),
         asked: format!("How far the tool is pushed off; {}", answer.force),

@@ -3,8 +3,10 @@
 //! [`Report`] is the document, [`html`] and [`pdf`] print it, and a file a verb makes it of its answer. Nothing is computed here: every
 //! sentence and every number is what `answer` tells, every picture one of `figures`.
 
+mod date;
 pub(crate) mod html;
 pub(crate) mod identify;
+mod inputs;
 pub(crate) mod mill;
 pub(crate) mod path_ranking;
 mod pdf;
@@ -14,13 +16,18 @@ mod robots;
 
 use std::path::Path;
 
-use stiffarm::answer::{Headline, Table};
+pub(crate) use inputs::Inputs;
+use stiffarm::answer::{HOLDS, Headline, ON_TOP, Table};
 use stiffarm::request::{Request, job};
 
+use crate::failure::Failure;
 use crate::figures::Plate;
 
 /// How wide figures are laid out: within the margins of A4, mm.
 const WIDTH_MM: f64 = 174.0;
+
+/// So many letters of a command stand side by side on a page.
+const CODE_LETTERS: usize = 92;
 
 /// A document.
 pub(crate) struct Report {
@@ -125,16 +132,30 @@ pub(crate) fn plate(asked: Plate) -> Plate {
     Plate { width_mm: Some(WIDTH_MM), ..asked }
 }
 
-/// Who says this, and how it is asked again: the last part of every report.
-fn repeated(asked: &Request) -> Section {
+/// What a verdict is about, and how large what it is not about usually is; nothing where there is no tolerance.
+fn meaning(asked: &Request) -> Option<Section> {
+    asked.tolerance_mm()?;
+    let mut section = Section::new("What \"holds\" means");
+    section.text(HOLDS);
+    section.notes(ON_TOP);
+    Some(section)
+}
+
+/// Who says this, when, of which files, and how it is asked again: the last part of every report.
+///
+/// # Errors
+/// Where a file is no longer there.
+fn repeated(asked: &Request, inputs: &Inputs) -> Result<Section, Failure> {
     let mut section = Section::new("To ask the same again");
-    section.text(concat!(
-        "Computed by stiffarm ",
-        env!("CARGO_PKG_VERSION"),
-        ". The same numbers come from this command, in the folder in which it was asked:"
-    ));
-    section.blocks.push(Block::Code(asked.command()));
+    section.text(format!("Computed on {} (UTC) by stiffarm {}.", date::today(), env!("CARGO_PKG_VERSION")));
+    if let Some(files) = inputs.files()? {
+        section
+            .text("Files that it rests on, with their digests; what was not read from a file comes with the program:");
+        section.table(files);
+    }
+    section.text("The same numbers come from this command, in the folder in which it was asked:");
+    section.blocks.push(Block::Code(asked.command_in_lines(CODE_LETTERS)));
     section.text("or from this job file, job.toml, in that folder:");
     section.blocks.push(Block::Code(job::write(asked, &[], Path::new("job.toml"))));
-    section
+    Ok(section)
 }

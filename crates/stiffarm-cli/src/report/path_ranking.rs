@@ -4,7 +4,7 @@ use stiffarm::answer::MillAnswer;
 use stiffarm::request::Request;
 
 use super::robots::provenance;
-use super::{Block, Listing, Report, Section, mill, plate, repeated};
+use super::{Block, Listing, Report, Section, meaning, mill, plate, repeated};
 use crate::commands::path_ranking::PathRankOutput;
 use crate::failure::Failure;
 
@@ -27,6 +27,8 @@ pub(crate) fn of(found: &PathRankOutput, asked: &Request) -> Result<Report, Fail
     decided.blocks.push(Block::Table(Listing { table: answer.table(), is_sortable: true }));
     decided.notes(answer.notes().lines().filter(|line| !line.is_empty()));
     let mut sections = vec![decided];
+    sections.extend(meaning(asked));
+    sections.extend(found.inputs.process()?);
     let milled = answer.rows.iter().filter_map(|row| Some((row, row.milled.as_ref().ok()?)));
     for (row, milled) in milled.take(MOST_PARTS) {
         let rank = row.standing.rank.map_or_else(String::new, |rank| format!("{rank}  "));
@@ -42,7 +44,7 @@ pub(crate) fn of(found: &PathRankOutput, asked: &Request) -> Result<Report, Fail
     }
     let robots: Vec<_> = answer.rows.iter().map(|row| &row.robot).collect();
     let (told, others) = robots.split_at(MOST_PARTS.min(robots.len()));
-    sections.extend([provenance(told, others), repeated(asked)]);
+    sections.extend([provenance(told, others), repeated(asked, &found.inputs)?]);
     Ok(Report {
         title: format!("Which of {} robots for {}?", robots.len(), answer.path),
         asked: format!("Ranking by the largest error along the path; {}", answer.force()),

@@ -5,7 +5,7 @@ use stiffarm::model::ModelKind;
 use stiffarm::request::Request;
 
 use super::robots::provenance_of;
-use super::{Report, Section, plate, repeated};
+use super::{Report, Section, meaning, plate, repeated};
 use crate::commands::place::PlaceOutput;
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -24,8 +24,10 @@ pub(crate) fn of(found: &PlaceOutput, asked: &Request) -> Result<Report, Failure
     }
     decided.table(answer.table());
     let mut sections = vec![decided];
+    sections.extend(meaning(asked));
+    sections.extend(found.inputs().process()?);
     sections.extend(site(found).map(Section::on_new_page));
-    sections.extend([provenance_of(&answer.robot), repeated(asked)]);
+    sections.extend([provenance_of(&answer.robot), repeated(asked, found.inputs())?]);
     let sought = if answer.is_at_one_place() { "A given place" } else { "Best place" };
     let how = if answer.model == ModelKind::Planar { "planar model" } else { "spatial model, all six drives" };
     Ok(Report {

@@ -9,7 +9,7 @@ use stiffarm::study::{StudyOptions, study};
 use stiffarm::task::Task;
 
 use super::robots::provenance;
-use super::{Block, Listing, Report, Section, place, plate, repeated};
+use super::{Block, Listing, Report, Section, meaning, place, plate, repeated};
 use crate::commands::place::PlaceOutput;
 use crate::commands::rank::{RankOutput, shapes};
 use crate::commands::study::StudyOutput;
@@ -28,7 +28,9 @@ pub(crate) fn of(found: &RankOutput, asked: &Request) -> Result<Report, Failure>
     let answer = &found.answer;
     let Ranking { tasks, rows, model, .. } = &answer.ranking;
     let labels: Vec<&str> = tasks.iter().map(|task| task.label.as_str()).collect();
-    let mut sections = vec![deciding(found)?];
+    let (mut sections, inputs) = (vec![deciding(found)?], found.inputs());
+    sections.extend(meaning(asked));
+    sections.extend(inputs.process()?);
     let parts = with_parts(&answer.ranking);
     for &at in &parts {
         sections.push(robot(found, (at, &rows[at]), asked)?);
@@ -44,7 +46,7 @@ pub(crate) fn of(found: &RankOutput, asked: &Request) -> Result<Report, Failure>
     sections.extend(boundary(answer, found)?);
     let (told, others): (Vec<usize>, Vec<usize>) = (0..rows.len()).partition(|at| parts.contains(at));
     let robots = |of: Vec<usize>| of.into_iter().map(|at| &rows[at].robot).collect::<Vec<_>>();
-    sections.extend([provenance(&robots(told), &robots(others)), repeated(asked)]);
+    sections.extend([provenance(&robots(told), &robots(others)), repeated(asked, &inputs)?]);
     let how = if *model == ModelKind::Planar { "planar model" } else { "spatial model, all six drives" };
     Ok(Report {
         title: match rows.as_slice() {
@@ -144,7 +146,7 @@ fn placed(found: &RankOutput, (at, task): (usize, usize), asked: &Request) -> Re
         tolerance_mm: *tolerance_mm,
         advice: found.answer.advice.get(at).and_then(|of_row| of_row.get(task)?.clone()),
     };
-    PlaceOutput::told(answer, (asked, found.plate, MAP_POINTS))
+    PlaceOutput::told(answer, (asked, found.inputs()), (found.plate, MAP_POINTS))
 }
 
 /// Which architecture suits which size, where the planar model of the paper says that.

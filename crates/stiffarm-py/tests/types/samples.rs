@@ -117,7 +117,8 @@ pub(crate) fn rankings() -> Vec<Value> {
         ("feed-deg", "10"),
     ];
     let other = find("KR 210 R2700-2").expect("in the catalogue").robot();
-    let scattered = ranked(&[kuka(), other], &[("task", "A:0.3,A:9"), ("stiffness", "prior")]);
+    let known = [("task", "A:0.3,A:9"), ("stiffness", "prior"), ("tolerance-mm", "2"), ("tool-mass-kg", "25")];
+    let scattered = ranked(&[kuka(), other], &known);
     [plane, alike, unknown, space, ranked(&[kuka()], &directed), scattered].iter().map(RankAnswer::json).collect()
 }
 

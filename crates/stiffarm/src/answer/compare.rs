@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::words::{self, degrees, fixed};
-use super::{ORIGIN, PlaceAnswer, Record, Rows, Table, Verdict, advice, field, margins, stiffness, with_schema};
+use super::{ORIGIN, PlaceAnswer, Record, Rows, Table, advice, field, margins, stiffness, with_schema};
 use crate::model::ModelKind;
 use crate::place::{Placed, Placement};
 use crate::rank::may_be_as_good;
@@ -24,7 +24,7 @@ type Says = fn(&PlaceAnswer) -> Option<String>;
 const LINES: [(&str, Says); 20] = [
     ("robot", |side| Some(side.robot.full_name())),
     ("architecture", |side| Some(words::architecture(&side.robot))),
-    ("status", |side| Some(side.robot.status.to_string())),
+    ("status", |side| Some(words::status(&side.robot).into())),
     ("stiffness", |side| Some(stiffness(&side.robot))),
     ("model", |side| Some(side.model.name().into())),
     ("tool", |side| if let ModelKind::Spatial(tool) = &side.model { Some(words::tool(tool)) } else { None }),
@@ -55,9 +55,8 @@ const LINES: [(&str, Says); 20] = [
     }),
     ("tolerance", |side| side.tolerance_mm.map(|tolerance| format!("{tolerance} mm"))),
     ("verdict", |side| {
-        let verdict =
-            side.tolerance_mm.zip(side.best()).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance))?;
-        Some(format!("{}, margin {} mm", verdict.word(), fixed(verdict.margin_mm, 4)))
+        let verdict = side.verdict()?;
+        Some(format!("{}, margin {} mm", verdict.told(), fixed(verdict.margin_mm, 4)))
     }),
 ];
 

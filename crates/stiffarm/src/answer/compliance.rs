@@ -143,7 +143,7 @@ impl ComplianceAnswer {
             if let (false, Some(largest)) = (words::component(*load).is_empty(), self.largest()) {
                 lines.push(line(words::component(*load), format!("{:.4} mm", largest.value * load.newtons() * 1e3)));
             }
-            lines.extend(uncertainty::told(self.spread()));
+            lines.extend(uncertainty::told(&self.robot, self.spread()));
             lines.push(line("rotation", format!("{} mrad", vector(&(turned * 1e3), 4))));
             let shares = percentages(&posture.shares(&force.normalize()));
             lines.push(line("share of drives 1-6 along the force", shares));

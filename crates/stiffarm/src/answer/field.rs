@@ -198,7 +198,9 @@ fields! {
     HALVING: "halving", Kind::Number(Unit::One), "By how much the value grew when that distance was halved last, relative.";
     BOXES: "boxes", Kind::Count, "Boxes of places behind the lower bound.";
     TOLERANCE: "tolerance_mm", Kind::Number(Unit::Given("mm")), "The largest deflection that is acceptable.";
-    PASS: "pass", Kind::Truth, "The tolerance is kept.";
+    PASS: "pass", Kind::Truth, "The tolerance is kept, the drives taken as they are told.";
+    VERDICT: "verdict", Kind::Text, "pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is kept so, else fail; of the elastic deflection of the drives under the mean force and of nothing else.";
+    PROBABILITY: "probability", Kind::Number(Unit::One), "How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be off; null where nothing is known of that.";
     MARGIN: "margin_mm", Kind::Number(Unit::Given("mm")), "What is left of the tolerance.";
     ADVICE: "advice", Kind::Nested, "What is missing where the tolerance is not kept, and what is left where it is; null where none was given, and in a ranking of all but the best robots.";
     FORCE_FACTOR: "force_factor", Kind::Number(Unit::One), "So many times the force keeps the tolerance at this place, exactly; null where nothing gives way.";
@@ -275,6 +277,8 @@ fields! {
     POSTURE: "posture", Kind::Text, "The configuration that holds a point.";
     ZONE: "zone", Kind::Nested, "The best placement of the task that was given.";
     PAYLOAD: "payload_kg", Kind::Number(Unit::Kilogram), "Nominal payload.";
+    TOOL_MASS: "tool_mass_kg", Kind::Number(Unit::Kilogram), "Mass of the tool, where it was told: it is held against the payload and bends nothing.";
+    OVERLOADED: "overloaded", Kind::Truth, "The tool and a mass that weighs as much as the force are more than the payload together; null where no payload is known.";
     REACH: "reach_m", Kind::Number(Unit::Metre), "Reach by the data sheet, from the joint-1 axis.";
     L2: "l2_m", Kind::Number(Unit::Metre), "Upper arm.";
     L3: "l3_m", Kind::Number(Unit::Metre), "Elbow to wrist centre.";
@@ -357,6 +361,8 @@ fields! {
     RANDOM_EFFICIENCY: "random_efficiency", Kind::Number(Unit::One), "The same of the median random choice; null where that leaves some drive unseen.";
     CANDIDATES: "candidates", Kind::Count, "Among so many was chosen.";
     UNSEEN: "unseen_drives", Kind::Nested, "Drives that no candidate shows.";
+    UNSEEN_SHARE: "unseen_share", Kind::Number(Unit::One), "What part of the variance of the prediction is the prior of these drives.";
+    ADVISED_LOADS: "advised_loads", Kind::Nested, "Directions of loads that show them, where some do.";
     COMPARED: "compared", Kind::Nested, "What the table that was given is worth.";
     REMARKS: "remarks", Kind::Nested, "What is odd.";
     ENTRY: "row", Kind::Text, "Which row of a matrix.";

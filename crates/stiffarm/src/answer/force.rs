@@ -1,6 +1,7 @@
 //! How is a force told?
 
 use super::angles::asked_degrees;
+use super::stiffness::digits;
 use super::{Record, field};
 use crate::load::{Component, Direction, Load};
 
@@ -32,7 +33,7 @@ pub fn force(load: Load) -> String {
     let newtons = load.newtons();
     let along = |force: [f64; 3], names: [&str; 3]| {
         let parts = force.iter().zip(names).filter(|(part, _)| **part != 0.0);
-        parts.map(|(part, name)| format!("{part} N {name}")).collect::<Vec<_>>().join(", ")
+        parts.map(|(part, name)| format!("{} N {name}", digits(*part, 6))).collect::<Vec<_>>().join(", ")
     };
     let cone = if load.cone() == 0.0 {
         String::new()

@@ -105,10 +105,23 @@ impl MeasureAnswer {
             .put(field::RANDOM_EFFICIENCY, Some(plan.lower_bound / plan.random).filter(|share| 0.0 < *share))
             .put(field::CANDIDATES, plan.candidates)
             .put(field::DRIVES, self.drives())
-            .put(field::UNSEEN, json!(plan.unseen.iter().map(|drive| drive + 1).collect::<Vec<_>>()))
+            .put(field::UNSEEN, json!(plan.unseen.iter().map(|one| one.drive + 1).collect::<Vec<_>>()))
+            .put(field::UNSEEN_SHARE, plan.unseen_value / plan.value)
+            .put(field::ADVISED_LOADS, json!(self.advised_loads()))
             .put(field::RUNS, runs)
             .put(field::COMPARED, compared);
         record
+    }
+
+    /// Directions of loads that show drives which are not shown.
+    fn advised_loads(&self) -> Vec<&'static str> {
+        let mut found: Vec<&str> = Vec::new();
+        for way in self.plan.unseen.iter().filter_map(|one| one.shown_by) {
+            if !found.contains(&way) {
+                found.push(way);
+            }
+        }
+        found
     }
 
     /// What is expected of each drive.
@@ -206,8 +219,16 @@ impl MeasureAnswer {
             line("loads", format!("{} N {}", options.newtons, ways.join(", "))),
             line("work", format!("{}, {} postures", self.work, plan.work)),
             line("markers are seen", self.sight()),
-            line("candidates", format!("{}; noise {} mm a coordinate", self.candidates(), options.sigma * 1e3)),
-            line(format!("precision of the {of}"), format!("{} {in_words}", predicted(plan.value))),
+            line(
+                "candidates",
+                format!(
+                    "{}; of a coordinate {} mm by the reading and {} mm by the posture",
+                    self.candidates(),
+                    digits(options.sigma * 1e3, 6),
+                    digits(options.posture_sigma * 1e3, 6)
+                ),
+            ),
+            line(format!("precision of the {of}"), format!("{} {in_words}{}", predicted(plan.value), self.undecided())),
             line(
                 "no other choice has less than",
                 format!("{} (efficiency {} at least)", predicted(plan.lower_bound), percent(plan.efficiency())),
@@ -228,6 +249,23 @@ impl MeasureAnswer {
             .collect();
         lines.push(line("error of the drives 1-6", errors.join(", ")));
         Table::of_lines(lines)
+    }
+
+    /// Where drives that no load shows decide the precision: that they do, and what would show them.
+    fn undecided(&self) -> String {
+        if !self.plan.is_decided_by_unseen() {
+            return String::new();
+        }
+        let share = fixed(100.0 * self.plan.unseen_value / self.plan.value, 0);
+        format!("; {share} % of its variance is the prior of {}: MEASURE UNDER MORE LOADS", self.unseen_drives())
+    }
+
+    fn unseen_drives(&self) -> String {
+        let drives: Vec<String> = self.plan.unseen.iter().map(|one| (one.drive + 1).to_string()).collect();
+        match drives.as_slice() {
+            [drive] => format!("drive {drive}, which these loads do not show"),
+            drives => format!("the drives {}, which these loads do not show", drives.join(", ")),
+        }
     }
 
     /// How many there were, and that more were wanted.
@@ -274,22 +312,7 @@ impl MeasureAnswer {
 
     /// What stands below the table.
     pub fn notes(&self) -> String {
-        let unseen: Vec<String> = self.plan.unseen.iter().map(|drive| (drive + 1).to_string()).collect();
-        let unseen = if unseen.is_empty() {
-            String::new()
-        } else {
-            let ways: Vec<&str> = self.options.ways.iter().map(|way| way.name.as_str()).collect();
-            let loads = ways.join(", ");
-            match unseen.as_slice() {
-                [drive] => format!(
-                    "under these loads ({loads}) drive {drive} does not show: a load with a lever about its axis turns it\n"
-                ),
-                drives => format!(
-                    "under these loads ({loads}) the drives {} do not show: a load with a lever about its axis turns each\n",
-                    drives.join(", ")
-                ),
-            }
-        };
+        let unseen = self.unseen_note();
         let sight = if self.options.instrument.is_some() { ", sight" } else { "" };
         let coarse = if self.robot.thickness().1 { "as capsules of estimated radii" } else { "as capsules" };
         format!(
@@ -297,6 +320,35 @@ impl MeasureAnswer {
              -o plan.csv writes the table to be filled in (dx_mm, dy_mm, dz_mm), which `stiffarm identify` reads\n",
             words::pendant_note(&self.robot)
         )
+    }
+}
+
+impl MeasureAnswer {
+    /// Which drives these loads do not show, and what does.
+    fn unseen_note(&self) -> String {
+        let unseen: Vec<String> = self.plan.unseen.iter().map(|one| (one.drive + 1).to_string()).collect();
+        if unseen.is_empty() {
+            return String::new();
+        }
+        let ways: Vec<&str> = self.options.ways.iter().map(|way| way.name.as_str()).collect();
+        let (loads, advised) = (ways.join(", "), self.advised_loads());
+        let drives = if unseen.len() == 1 { "drive" } else { "the drives" };
+        let do_not =
+            if unseen.len() == 1 { "does not show: it keeps its prior" } else { "do not show: they keep their prior" };
+        let mut note = format!("under these loads ({loads}) {drives} {} {do_not}", unseen.join(", "));
+        if !advised.is_empty() {
+            note += &format!("; --loads {},{} shows {}", ways.join(","), advised.join(","), self.shown_by_advised());
+        }
+        if self.plan.unseen.iter().any(|one| one.shown_by.is_none()) {
+            note += "; a load point and a marker aside of an axis (--load-mm, --marker-mm) show its drive";
+        }
+        note + "\n"
+    }
+
+    fn shown_by_advised(&self) -> String {
+        let shown = self.plan.unseen.iter().filter(|one| one.shown_by.is_some());
+        let drives: Vec<String> = shown.map(|one| (one.drive + 1).to_string()).collect();
+        if drives.len() == 1 { format!("drive {}", drives[0]) } else { format!("the drives {}", drives.join(", ")) }
     }
 }
 

@@ -22,6 +22,7 @@ mod margins;
 pub mod measure;
 pub mod mill;
 pub mod path;
+mod payload;
 pub mod place;
 pub mod rank;
 mod record;
@@ -31,6 +32,7 @@ mod siting;
 mod stiffness;
 pub mod study;
 mod uncertainty;
+mod verdict;
 pub mod words;
 
 use serde_json::{Value, json};
@@ -47,13 +49,14 @@ pub use map::MapAnswer;
 pub use measure::{DrawnPosture, MeasureAnswer};
 pub use mill::{Compensation, MillAnswer, MillAnswerError, PathRankAnswer};
 pub use path::PathAnswer;
-pub use place::{PlaceAnswer, Verdict};
+pub use place::PlaceAnswer;
 pub use rank::RankAnswer;
 pub use record::{Datum, Record, columns_of};
 pub use rows::{Cell, Column, ColumnKind, Rows};
 pub use siting::{Dimension, Siting};
 pub use stiffness::{stiffness, stiffnesses};
 pub use study::StudyAnswer;
+pub use verdict::{HOLDS, ON_TOP, SURE, Verdict};
 pub use words::fixed;
 
 /// Keys in the order in which they are told.

@@ -4,9 +4,12 @@ use serde_json::Value;
 
 use super::advice;
 use super::cell as told_cell;
+use super::payload::Payload;
 use super::stiffness::{self, stiffness};
+use super::uncertainty::{self, Known};
+use super::verdict::{self, HOLDS, Verdict};
 use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm};
-use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, uncertainty, with_schema, words};
+use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, payload, with_schema, words};
 use crate::advice::Advice;
 use crate::cell::{Cell, Window};
 use crate::interval::Interval;
@@ -17,28 +20,6 @@ use crate::place::{
 };
 use crate::robot::Robot;
 use crate::task::Task;
-
-/// Whether a tolerance is kept.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Verdict {
-    /// The deflection is no larger than the tolerance.
-    pub passes: bool,
-    /// What is left of the tolerance, mm; negative where it is not kept.
-    pub margin_mm: f64,
-}
-
-impl Verdict {
-    /// Of a deflection, m, against a tolerance, mm.
-    pub fn of(deflection: f64, tolerance_mm: f64) -> Self {
-        let told = deflection * 1e3;
-        Self { passes: told <= tolerance_mm, margin_mm: tolerance_mm - told }
-    }
-
-    /// `pass` or `fail`.
-    pub const fn word(self) -> &'static str {
-        if self.passes { "pass" } else { "fail" }
-    }
-}
 
 /// The answer of `place`, with what was asked.
 #[derive(Clone, Debug)]
@@ -63,7 +44,7 @@ impl PlaceAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
         let Self { robot, model, task, options, placed, tolerance_mm, advice } = self;
-        let mut record = cell(robot, task, (model, options), Ok(placed), *tolerance_mm);
+        let mut record = cell(robot, task, (model, options), Ok(placed), (*tolerance_mm, self.known()));
         put_advice(&mut record, advice.as_ref(), (task, options.load));
         record
     }
@@ -89,13 +70,14 @@ impl PlaceAnswer {
                 lines.push(line("task", zone));
                 lines.push(line("tool", tool(flange_from_tool)));
             }
-            ModelKind::Planar => lines.push(line("task", zone)),
+            ModelKind::Planar => lines.push(line("task", format!("{zone}, {}", words::UPRIGHT))),
             ModelKind::Spatial(flange_from_tool) => {
                 lines.push(line("task", format!("{zone}, {}", direction(told_cell::elevation(&self.options)))));
                 lines.push(line("tool", tool(flange_from_tool)));
             }
         }
         lines.push(line("force", words::load(options.load, model)));
+        lines.extend(payload::lines(Payload::of(robot, options.tool_mass, options.load.newtons())));
         if !words::component(options.load).is_empty() {
             lines.push(line("what counts", format!("the deflection {}", words::component(options.load))));
         }
@@ -117,6 +99,17 @@ impl PlaceAnswer {
         }
         lines.extend(self.advice.iter().flat_map(|found| advice::lines(found, (task, options.load))));
         Table::of_lines(lines)
+    }
+
+    /// Where the deflection at the best place lies, and how likely it keeps the tolerance; `None` where nothing says how far the drives may be off.
+    pub(super) fn known(&self) -> Option<Known> {
+        Known::at(&self.robot, self.options.load, self.best(), self.tolerance_mm)
+    }
+
+    /// Whether the tolerance is kept at the best place; `None` where there is none of the two.
+    pub fn verdict(&self) -> Option<Verdict> {
+        let (tolerance, best) = self.tolerance_mm.zip(self.best())?;
+        Some(Verdict::of(best.deflection, tolerance).with(self.known().and_then(|known| known.holds)))
     }
 
     /// The best place, where there is one.
@@ -220,7 +213,9 @@ impl PlaceAnswer {
             ModelKind::Planar => String::new(),
             ModelKind::Spatial(_) => words::pendant_note(&self.robot),
         };
-        format!("{}{pendant}{notes}{around}", words::assumed_architecture([&self.robot]))
+        let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n"));
+        let (assumed, status) = (words::assumed_architecture([&self.robot]), words::statuses([&self.robot]));
+        format!("{assumed}{status}{pendant}{notes}{around}{holds}")
     }
 
     fn lines(&self, best: &Placement) -> Vec<Line> {
@@ -231,7 +226,7 @@ impl PlaceAnswer {
             line(format!("worst deflection {whole}"), format!("{:.4} mm", best.deflection * 1e3)),
             line(self.none_has_less(), proof(best, &self.options)),
         ];
-        lines.extend(uncertainty::told(uncertainty::of(&self.robot, self.options.load, Some(best))));
+        lines.extend(uncertainty::told(&self.robot, self.known().map(|known| known.spread)));
         lines
             .extend([line(format!("{centre} from {}", words::origin(&self.robot)), format!("x {x:.4} m, z {z:.4} m"))]);
         match self.options.cell {
@@ -260,9 +255,8 @@ impl PlaceAnswer {
         lines.push(line("worst point", worst));
         lines.extend(best.clearance.map(|clearance| words::clearance(&clearance)));
         lines.extend(best.space().into_iter().flat_map(hold_lines));
-        if let Some(tolerance) = self.tolerance_mm {
-            let verdict = Verdict::of(best.deflection, tolerance);
-            let says = format!("{}, margin {} mm", verdict.word(), fixed(verdict.margin_mm, 4));
+        if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
+            let says = format!("{}, margin {} mm", verdict.told(), fixed(verdict.margin_mm, 4));
             lines.push(line(format!("tolerance {tolerance} mm"), says));
         }
         lines
@@ -408,13 +402,14 @@ pub(super) fn cell(
     task: &Task,
     (model, options): (&ModelKind, &PlaceOptions),
     placed: Result<&Placed, &PlaceError>,
-    tolerance_mm: Option<f64>,
+    (tolerance_mm, known): (Option<f64>, Option<Known>),
 ) -> Record {
     let best = placed.ok().and_then(Placed::feasible);
     let mut record = Record::new();
     stiffness::put_robot(&mut record, robot);
     record.put(field::TASK, &task.label).put(field::MODEL, model.name());
     force::put(&mut record, options.load);
+    payload::put(&mut record, robot, options.tool_mass, options.load.newtons());
     asked(&mut record, robot, model, options);
     outcome(&mut record, placed);
     record
@@ -423,20 +418,10 @@ pub(super) fn cell(
         .put(field::X, best.map(|best| best.centre[0]))
         .put(field::Z, best.map(|best| best.centre[1]));
     held(&mut record, best, options.cell.as_ref());
-    uncertainty::put(&mut record, uncertainty::of(robot, options.load, best));
-    record
-        .put(field::TOLERANCE, tolerance_mm)
-        .put(
-            field::PASS,
-            placed
-                .ok()
-                .and(tolerance_mm)
-                .map(|tolerance| best.is_some_and(|best| Verdict::of(best.deflection, tolerance).passes)),
-        )
-        .put(
-            field::MARGIN,
-            tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance).margin_mm),
-        );
+    uncertainty::put(&mut record, known.map(|known| known.spread));
+    let held = tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance));
+    let held = held.map(|held| held.with(known.and_then(|known| known.holds)));
+    verdict::put(&mut record, tolerance_mm, held, best.is_none() && placed.is_ok());
     record
 }
 

@@ -6,16 +6,19 @@ mod sentences;
 
 use serde_json::{Value, json};
 
-use super::place::{Verdict, cell, put_advice};
+use super::payload::Payload;
+use super::place::{cell, put_advice};
+use super::uncertainty::{self, Known};
+use super::verdict::Verdict;
 use super::words::{self, fixed};
-use super::{Record, Rows, Table, field, force, margins, stiffness, stiffnesses, uncertainty, with_schema};
+use super::{Record, Rows, Table, field, force, margins, stiffness, stiffnesses, with_schema};
 use crate::advice::Advice;
 use crate::drive::Architecture;
 use crate::model::ModelKind;
 use crate::place::{Margins, PlaceOptions};
 use crate::rank::{Rank, Ranking, Row};
-use crate::robot::Status;
-use crate::uncertainty::{Chances, chances};
+use crate::robot::{Robot, Status};
+use crate::uncertainty::{Chances, Spread, chances_of, drawn_in};
 
 /// The answer of `rank`, with what was asked.
 #[derive(Clone, Debug)]
@@ -30,6 +33,8 @@ pub struct RankAnswer {
     pub advice: Vec<Vec<Option<Advice>>>,
     /// How every row stands at every task, as far as its drives may be off.
     pub(super) chances: Vec<Vec<Option<Chances>>>,
+    /// Where the deflection of every row at every task lies, and how likely it keeps the tolerance.
+    known: Vec<Vec<Option<Known>>>,
 }
 
 impl RankAnswer {
@@ -40,8 +45,39 @@ impl RankAnswer {
         tolerance_mm: Option<f64>,
         advice: Vec<Vec<Option<Advice>>>,
     ) -> Self {
-        let chances = chances(&ranking);
-        Self { ranking, options, tolerance_mm, advice, chances }
+        let drawn = drawn_in(&ranking);
+        let chances = chances_of(&ranking, &drawn);
+        let known = |of_task: Option<Vec<f64>>| of_task.map(|draws| Known::of(draws, tolerance_mm));
+        let known = drawn.into_iter().map(|of_row| of_row.into_iter().map(known).collect()).collect();
+        Self { ranking, options, tolerance_mm, advice, chances, known }
+    }
+
+    /// Whether a row keeps the tolerance at a task; `None` where there is no tolerance, or no place.
+    pub fn verdict(&self, at: usize, task: usize) -> Option<Verdict> {
+        let deflection = self.ranking.rows[at].deflection(task)?;
+        let holds = self.known[at][task].and_then(|known| known.holds);
+        Some(Verdict::of(deflection, self.tolerance_mm?).with(holds))
+    }
+
+    /// Of some robot something says how far its drives may be off.
+    pub(super) fn known_of_any(&self) -> bool {
+        self.known.iter().flatten().any(Option::is_some)
+    }
+
+    /// The same of a row of the ranking.
+    pub(super) fn verdict_of(&self, row: &Row, task: usize) -> Option<Verdict> {
+        let at = self.ranking.rows.iter().position(|one| std::ptr::eq(one, row))?;
+        self.verdict(at, task)
+    }
+
+    /// What a robot must hold.
+    pub(super) fn payload(&self, robot: &Robot) -> Option<Payload> {
+        Payload::of(robot, self.options.tool_mass, self.ranking.load.newtons())
+    }
+
+    /// Where the deflection of a row at a task lies with 90 %, as far as its drives may be off.
+    pub fn spread(&self, at: usize, task: usize) -> Option<Spread> {
+        Some(self.known[at][task]?.spread)
     }
 
     /// Every field.
@@ -101,7 +137,8 @@ impl RankAnswer {
         let Ranking { tasks, model, rows, .. } = &self.ranking;
         let Row { robot, cells, .. } = &rows[at];
         tasks.iter().zip(cells).zip(ranks).enumerate().map(move |(column, ((task, placed), ranks))| {
-            let mut record = cell(robot, task, (model, &self.options), placed.as_ref(), self.tolerance_mm);
+            let known = self.known[at][column];
+            let mut record = cell(robot, task, (model, &self.options), placed.as_ref(), (self.tolerance_mm, known));
             record
                 .put(field::TASK_RANK, ranks[at].map(|rank| rank.place))
                 .put(field::TASK_RANK_TIED, ranks[at].map(|rank| rank.is_tied));
@@ -176,7 +213,7 @@ impl RankAnswer {
         }
         let mut table = Table::new(headings).with_room(2, &spare);
         let rivals: Vec<Vec<&Row>> = (0..tasks.len()).map(|task| self.ranking.rivals(task)).collect();
-        for row in rows {
+        for (at, row) in rows.iter().enumerate() {
             let robot = &row.robot;
             let estimated = robot.status == Status::Estimated;
             let or_none = |rank: Option<Rank>| {
@@ -187,12 +224,12 @@ impl RankAnswer {
                 or_none(row.rank),
                 format!("{}{}", robot.full_name(), if estimated { " ~" } else { "" }),
                 words::architecture(robot),
-                robot.status.to_string(),
+                words::status(robot).into(),
             ];
             if in_plane.is_none() {
                 cells.push(row.floor.map_or_else(|| "n/a".to_owned(), |floor| fixed(floor * 1e3, 3)));
             }
-            cells.extend((0..tasks.len()).map(|task| self.told(row, task, &rivals[task])));
+            cells.extend((0..tasks.len()).map(|task| self.told(at, task, &rivals[task])));
             for told in (0..tasks.len()).map(|task| placed(row, task)) {
                 match told {
                     None if is_several => cells.push("-".into()),
@@ -208,8 +245,9 @@ impl RankAnswer {
         table
     }
 
-    /// `1.234`, marked when it is the best of its column or may be as good, with the margin where a tolerance is given.
-    fn told(&self, row: &Row, task: usize, rivals: &[&Row]) -> String {
+    /// `1.234`, marked when it is the best of its column or may be as good, with verdict, margin and probability where a tolerance is given.
+    fn told(&self, at: usize, task: usize, rivals: &[&Row]) -> String {
+        let row = &self.ranking.rows[at];
         let Some(deflection) = row.deflection(task) else {
             return match &row.cells[task] {
                 Ok(_) => "-".into(),
@@ -227,10 +265,7 @@ impl RankAnswer {
             (false, false) if rivals.iter().any(|rival| rival.robot == row.robot) => "=",
             (false, false) => "",
         };
-        let verdict = self.tolerance_mm.map_or_else(String::new, |tolerance| {
-            let verdict = Verdict::of(deflection, tolerance);
-            format!(" {} {:+.3}", verdict.word(), verdict.margin_mm)
-        });
+        let verdict = self.verdict(at, task).map_or_else(String::new, |verdict| format!(" {}", verdict.short()));
         format!("{}{mark}{verdict}", fixed(deflection * 1e3, 3))
     }
 
@@ -274,7 +309,7 @@ impl RankAnswer {
         let within = known.map_or(asked, |row| margins::window(&self.options, model, &row.robot));
         let within = words::window(&within, "the base");
         match &self.ranking.model {
-            ModelKind::Planar => format!("zones {within}"),
+            ModelKind::Planar => format!("zones {}, {within}", words::UPRIGHT),
             ModelKind::Spatial(tool) => {
                 let elevation = super::cell::elevation(&self.options);
                 if let Some(cell) = &self.options.cell {

@@ -105,7 +105,7 @@ pub fn table(robots: &[Robot]) -> Table {
             robot.vendor.clone(),
             robot.name.clone(),
             words::architecture(robot),
-            robot.status.to_string(),
+            words::status(robot).into(),
             robot.payload_kg.map_or_else(|| "-".into(), |kg| kg.to_string()),
             or_dash(robot.reach),
             of_arm(|arm| arm.l2),

@@ -1,5 +1,6 @@
 //! How stiff are the drives, and who says so? In the same words wherever a deflection is told.
 
+use super::words::fixed;
 use super::{Record, field, uncertainty};
 use crate::catalogue::microradians;
 use crate::drive::{JointCompliance, Scatter};
@@ -45,6 +46,25 @@ pub fn stiffness(robot: &Robot) -> String {
     if compensated { format!("{told}; drive 2 with its gravity compensator") } else { told }
 }
 
+/// Who says how stiff the drives of some robots are, each once.
+pub(super) fn sources<'a>(robots: impl Iterator<Item = &'a Robot>) -> String {
+    let mut told: Vec<String> = Vec::new();
+    for robot in robots {
+        let says = match robot.stiffness_source() {
+            StiffnessSource::Assumed => stiffness(robot),
+            StiffnessSource::File => "drive stiffness from the robot file".into(),
+            StiffnessSource::Identified => "drive stiffness identified".into(),
+            StiffnessSource::Prior => "drive stiffness by the prior for payload and reach".into(),
+            StiffnessSource::Published => "drive stiffness as published".into(),
+            StiffnessSource::Given => "drive stiffness as given".into(),
+        };
+        if !told.contains(&says) {
+            told.push(says);
+        }
+    }
+    told.join(" or ")
+}
+
 /// By which factors 90 % of drives differ from that.
 fn within(robot: &Robot) -> String {
     let [least, most] = factors(robot);
@@ -66,7 +86,11 @@ fn measured(robot: &Robot) -> String {
     let others: Vec<String> =
         (1..=6).filter(|&drive| !identified.drives[drive - 1]).map(|drive| drive.to_string()).collect();
     let others = if others.is_empty() { String::new() } else { format!("; not identified: {}", others.join(", ")) };
-    format!("identified in {} postures{date}{others}", identified.postures)
+    let residual = match identified.residual_share() {
+        Some(share) => format!("residual {} % of a displacement", fixed(100.0 * share, 0)),
+        None => format!("residual {} mm", fixed(identified.unexplained(0.0, 1) * 1e3, 3)),
+    };
+    format!("identified in {} postures{date}, {residual}{others}", identified.postures)
 }
 
 /// Of some robots, in the order in which they are met.

@@ -8,14 +8,32 @@ use crate::place::Placement;
 use crate::rank::Ranking;
 use crate::robot::{Arm, Robot};
 use crate::task::Task;
-use crate::uncertainty::{Chances, DRAWS, Spread, spread};
+use crate::uncertainty::{Chances, DRAWS, Spread, drawn, share_within};
 
 /// So many robots are named.
-const MOST_NAMED: usize = 8;
+const MOST_NAMED: usize = 10;
 
-/// Where the deflection of a placement lies with 90 %.
-pub(super) fn of(robot: &Robot, load: Load, best: Option<&Placement>) -> Option<Spread> {
-    spread(robot, load, best?)
+/// What is known of a deflection as far as the drives, and the model of a robot that was measured, may be off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Known {
+    /// Where it lies with 90 %.
+    pub(super) spread: Spread,
+    /// How likely it keeps the tolerance that was given.
+    pub(super) holds: Option<f64>,
+}
+
+impl Known {
+    /// By draws of a deflection, m, at least one, against a tolerance, mm.
+    pub(super) fn of(draws: Vec<f64>, tolerance_mm: Option<f64>) -> Self {
+        // As a deflection is compared.
+        let holds = |mm: f64| share_within(&draws, mm / Unit::Millimetre.told(1.0));
+        Self { holds: tolerance_mm.map(holds), spread: Spread::of(draws) }
+    }
+
+    /// Of a placement; `None` where nothing says how far the drives may be off.
+    pub(super) fn at(robot: &Robot, load: Load, best: Option<&Placement>, tolerance_mm: Option<f64>) -> Option<Self> {
+        Some(Self::of(drawn(robot, load, best?)?, tolerance_mm))
+    }
 }
 
 /// As fields; null where nothing says how far the drives may be off.
@@ -26,9 +44,15 @@ pub(super) fn put(record: &mut Record, spread: Option<Spread>) {
 }
 
 /// For people.
-pub(super) fn told(spread: Option<Spread>) -> Option<Line> {
+pub(super) fn told(robot: &Robot, spread: Option<Spread>) -> Option<Line> {
     let mm = |metres: f64| fixed(Unit::Millimetre.told(metres), 3);
-    spread.map(|Spread { p05, p95 }| line("90 % of such drives give", format!("{} .. {} mm there", mm(p05), mm(p95))))
+    let Spread { p05, p95 } = spread?;
+    Some(line(format!("90 % interval ({})", of_what(robot)), format!("{} .. {} mm", mm(p05), mm(p95))))
+}
+
+/// What an interval is about.
+pub(super) fn of_what(robot: &Robot) -> &'static str {
+    if robot.identified().is_some() { "drive stiffness and identification residual" } else { "drive stiffness" }
 }
 
 /// Every robot's chances at every task, as fields of a row of the ranking.
@@ -73,7 +97,7 @@ pub(super) fn sentence(label: &str, mut known: Vec<(&str, Chances)>) -> Option<S
         }
         count => {
             format!(
-                "the intervals of the stiffness overlap: {count} robots tie, as no other beats them in 95 % of the draws"
+                "the intervals of the stiffness overlap: a group of {count} robots ties, as no other beats any of them in 95 % of the draws"
             )
         }
     };

@@ -36,7 +36,7 @@ pub fn robot(robot: &Robot) -> String {
 
 /// Architecture and status, for a line below a name.
 pub fn class(robot: &Robot) -> String {
-    format!("{}, {}", architecture(robot), robot.status)
+    format!("{}, {}", architecture(robot), status(robot))
 }
 
 /// That joint angles may not be those of the pendant; `None` where somebody says that they are, and of two links.
@@ -64,6 +64,27 @@ pub fn joints_reported(robot: &Robot) -> &'static str {
     }
 }
 
+/// How well its lengths and limits are known. A robot file says `data-sheet` of all that is published of this very model; where that is a
+/// robot description, it is told so.
+pub fn status(robot: &Robot) -> &'static str {
+    match robot.status {
+        Status::DataSheet if is_described(robot) => "description",
+        status => status.name(),
+    }
+}
+
+/// The source of its lengths is a URDF or what makes one, and no data sheet.
+fn is_described(robot: &Robot) -> bool {
+    robot.source.get("geometry").is_some_and(|source| {
+        let source = source.to_lowercase();
+        ["urdf", "xacro", "robot description"].iter().any(|word| source.contains(word))
+            && !source.contains("data sheet")
+    })
+}
+
+/// How zones stand in the arm plane.
+pub const UPRIGHT: &str = "upright in the arm plane";
+
 /// Its architecture, with a question mark where nothing says that it is.
 pub fn architecture(robot: &Robot) -> String {
     format!("{}{}", robot.architecture, if robot.architecture_is_assumed { "?" } else { "" })
@@ -79,13 +100,16 @@ pub const ASSUMED_ARCHITECTURE: &str = "serial?: no parallelogram is reported, a
 
 /// What the status of some of these robots means, where it is not the best.
 pub fn statuses<'a>(robots: impl IntoIterator<Item = &'a Robot>) -> String {
-    let found: Vec<Status> = robots.into_iter().map(|robot| robot.status).collect();
+    let found: Vec<&str> = robots.into_iter().map(status).collect();
     let has = |status| found.contains(&status);
     let mut notes = String::new();
-    if has(Status::Derived) {
+    if has("description") {
+        notes += "description: lengths and limits from a published robot description (URDF), not from the maker's data sheet\n";
+    }
+    if has(Status::Derived.name()) {
         notes += "derived: partly from published figures of the same or a sister model\n";
     }
-    if has(Status::Estimated) {
+    if has(Status::Estimated.name()) {
         notes += "estimated: lengths or limits partly assumed, see `stiffarm robots show NAME`\n";
     }
     notes

@@ -34,6 +34,7 @@ const RESIDUAL: Quantity = Quantity { unit: "mm", min: 0.0, max: 100.0, suspect:
 const READ: Quantity = Quantity { unit: "(rows)", min: 3.0, max: 1e6, suspect: None };
 /// How far they may be off and still agree.
 const OFF: Quantity = Quantity { unit: "mm", min: 0.0, max: 0.05, suspect: None };
+const MOVED: Quantity = Quantity { unit: "mm", min: 1e-6, max: 1000.0, suspect: None };
 const COUPLING: Quantity = Quantity { unit: "(ratio)", min: -1000.0, max: 1000.0, suspect: None };
 const SPRING: Quantity = Quantity { unit: "N/mm", min: 1e-3, max: 1e6, suspect: None };
 const SPRING_LENGTH: Quantity = Quantity { unit: "mm", min: 0.0, max: 10_000.0, suspect: None };
@@ -219,7 +220,8 @@ fn drives(root: &mut Table, architecture: Option<Architecture>) -> Option<(Drive
 
 /// What was measured; the outer `None` is a fault.
 fn identified(table: &mut Table, is_assumed: bool) -> Option<Option<Identified>> {
-    const KEYS: [&str; 5] = ["identified", "covariance_urad2_per_n2m2", "postures", "date", "residual_mm"];
+    const KEYS: [&str; 7] =
+        ["identified", "covariance_urad2_per_n2m2", "postures", "date", "residual_mm", "left_out_mm", "moved_mm"];
     let status = table.choice("status", &[("identified", true)], Some(false));
     if status == Some(false) {
         for key in KEYS.into_iter().filter(|key| table.has(key)) {
@@ -235,6 +237,8 @@ fn identified(table: &mut Table, is_assumed: bool) -> Option<Option<Identified>>
     let postures = table.number("postures", POSTURES);
     let date = if table.has("date") { table.text("date", true).map(Some) } else { Some(None) };
     let residual = table.number("residual_mm", RESIDUAL);
+    let left_out = table.optional_number("left_out_mm", RESIDUAL);
+    let moved = table.optional_number("moved_mm", MOVED);
     let Some(rows) = covariance? else {
         table.fault("covariance_urad2_per_n2m2", "missing; expected six rows of six numbers");
         return None;
@@ -254,7 +258,16 @@ fn identified(table: &mut Table, is_assumed: bool) -> Option<Option<Identified>>
     if postures.fract() != 0.0 {
         table.fault("postures", format!("{postures} is no whole number"));
     }
-    Some(Some(Identified { drives: drives?, covariance, postures: postures as usize, date, residual: residual? / 1e3 }))
+    let metres = |mm: Option<f64>| mm.map(|mm| mm / 1e3);
+    Some(Some(Identified {
+        drives: drives?,
+        covariance,
+        postures: postures as usize,
+        date,
+        residual: residual? / 1e3,
+        left_out: metres(left_out),
+        moved: metres(moved),
+    }))
 }
 
 /// Symmetric, and no combination has a variance below zero, but for rounding.

@@ -156,6 +156,11 @@ impl Text {
             self.text("date", date);
         }
         self.entry("residual_mm", &millimetres(identified.residual));
+        for (key, told) in [("left_out_mm", identified.left_out), ("moved_mm", identified.moved)] {
+            if let Some(told) = told {
+                self.entry(key, &millimetres(told));
+            }
+        }
     }
 
     fn planar(&mut self, arm: &PlanarArm, is_assumed: bool) {

@@ -13,9 +13,9 @@ use nalgebra::{DMatrix, DVector, Matrix6};
 
 use super::regression::{Spread, System};
 use super::work::{Fitted, Work};
-use super::written::{as_written, rounded};
+use super::written::{Fitness, rounded};
 use super::{Identification, IdentifyError, MOST_RELATIVE_ERROR, Options, rms};
-use crate::drive::{Identified, JointCompliance, Scatter};
+use crate::drive::JointCompliance;
 use crate::prior::by_size;
 use crate::robot::{Arm, COMPLIANCE_SOURCE, Robot};
 
@@ -94,16 +94,6 @@ struct Noise {
     clustering: f64,
 }
 
-impl Scatter {
-    /// Of `ln kappa` of the drives of one robot.
-    fn covariance(&self) -> Matrix6<f64> {
-        Matrix6::from_fn(|i, j| {
-            let own = if i == j { self.global[i].powi(2) + self.own[i].powi(2) } else { 0.0 };
-            own + self.common[i] * self.common[j]
-        })
-    }
-}
-
 /// An identification of the six drives with the prior updated, and a robot that has that.
 pub(super) fn updated(work: &Work, fitted: Fitted, options: &Options) -> Result<Identification, IdentifyError> {
     let Fitted { found, spread, weights } = fitted;
@@ -130,7 +120,9 @@ pub(super) fn updated(work: &Work, fitted: Fitted, options: &Options) -> Result<
     let posterior = Posterior { drives, covariance, sigma, clustering };
     let k = drives.map(|drive| drive.posterior);
     let after_used = rms(&work.residual(&k));
-    let robot = written(work.robot, &posterior, options, (found.postures, after_used));
+    let fitness =
+        Fitness { postures: found.postures, moved: found.before, residual: after_used, left_out: found.left_out };
+    let robot = written(work.robot, &posterior, options, fitness);
     let mut estimates = found.estimates;
     estimates.iter_mut().zip(k).for_each(|(one, k)| one.used = k);
     Ok(Identification { robot, estimates, after_used, posterior: Some(posterior), ..found })
@@ -198,25 +190,20 @@ fn update(
     Err(IdentifyError::NotFound)
 }
 
-/// The robot with the posterior; `measured` in so many postures, with what it leaves of a coordinate, m.
-fn written(robot: &Robot, posterior: &Posterior, options: &Options, measured: (usize, f64)) -> Robot {
+/// The robot with the posterior.
+fn written(robot: &Robot, posterior: &Posterior, options: &Options, fitness: Fitness) -> Robot {
     let mut robot = robot.clone();
     let Arm::SixAxis { drives, .. } = &mut robot.arm else { return robot };
-    let (postures, residual) = measured;
     let k = posterior.drives.map(|drive| rounded(drive.posterior, 1e6));
     let covariance = posterior.covariance.map_with_location(|i, j, of_ln| of_ln * (k[i.min(j)] * k[i.max(j)]));
     drives.compliance = JointCompliance(k);
     drives.scatter = None;
-    drives.identified = Some(Identified {
-        drives: posterior.drives.map(|drive| drive.is_shown()),
-        covariance: as_written(&covariance),
-        postures,
-        date: options.date.clone(),
-        residual: rounded(residual, 1e3),
-    });
+    let shown = posterior.drives.map(|drive| drive.is_shown());
+    drives.identified = Some(fitness.identified(shown, &covariance, options.date.as_ref()));
     robot.stiffness_is_assumed = false;
     let source = format!(
-        "prior by payload and reach, updated by measurements in {postures} postures ({})",
+        "prior by payload and reach, updated by measurements in {} postures ({})",
+        fitness.postures,
         options.estimator.name()
     );
     robot.source.insert(COMPLIANCE_SOURCE.into(), source);

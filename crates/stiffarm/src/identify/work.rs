@@ -8,7 +8,7 @@ use super::model::Springs;
 use super::regression::{Solution, Spread, System, solve, spread, unseen};
 use super::robust::{Robust, robust};
 use super::springs::{Bent, Spring, beyond, ranges};
-use super::written::robot_with;
+use super::written::{Fitness, robot_with};
 use super::{
     Axes, Estimate, Estimator, HUBER_BOUND, Identification, IdentifyError, MOST_RELATIVE_ERROR, Options, Unknown,
     bound, rms, student, told,
@@ -197,11 +197,12 @@ impl<'a> Work<'a> {
         let (used, own) = self.used(&mut estimates, &weights, (&solution, &spread))?;
         let told = self.told(&sought, &solution, &spread, &robust, &weights);
         let after_used = rms(&own);
-        let written = robot_with(self.robot, &estimates, &used, options, (told.postures, after_used));
+        let before = rms(self.system.y.as_slice());
+        let fitness = Fitness { postures: told.postures, moved: before, residual: after_used, left_out: told.left_out };
+        let written = robot_with(self.robot, &estimates, &used, options, fitness);
         let mut remarks = remarks.to_vec();
         remarks.extend(self.odd_postures());
         let residual = self.residual(&values_of(&sought, &solution.values, &held));
-        let before = rms(self.system.y.as_slice());
         let found = Identification {
             robot: written,
             estimator: options.estimator,

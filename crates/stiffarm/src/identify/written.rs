@@ -7,13 +7,41 @@ use super::{Estimate, Options};
 use crate::drive::{GravityCompensator, Identified, JointCompliance};
 use crate::robot::{Arm, COMPLIANCE_SOURCE, Robot, StiffnessSource};
 
-/// The robot with what was identified in so many postures, and what that leaves of a coordinate, m.
+/// How a fit stands to what was measured, root mean squares of a coordinate, m.
+#[derive(Clone, Copy)]
+pub(super) struct Fitness {
+    /// In so many postures.
+    pub(super) postures: usize,
+    /// How far it moved.
+    pub(super) moved: f64,
+    /// What the compliances that are used leave.
+    pub(super) residual: f64,
+    /// What each posture is missed by with those that the others show.
+    pub(super) left_out: Option<f64>,
+}
+
+impl Fitness {
+    /// As a robot file has it.
+    pub(super) fn identified(self, drives: [bool; 6], covariance: &Matrix6<f64>, date: Option<&String>) -> Identified {
+        Identified {
+            drives,
+            covariance: as_written(covariance),
+            postures: self.postures,
+            date: date.cloned(),
+            residual: rounded(self.residual, 1e3),
+            left_out: self.left_out.map(|left_out| rounded(left_out, 1e3)),
+            moved: Some(rounded(self.moved, 1e3)),
+        }
+    }
+}
+
+/// The robot with what was identified.
 pub(super) fn robot_with(
     known: &Robot,
     estimates: &[Estimate],
     covariance: &Matrix6<f64>,
     options: &Options,
-    (postures, residual): (usize, f64),
+    fitness: Fitness,
 ) -> Robot {
     let mut robot = known.clone();
     let Arm::SixAxis { drives, .. } = &mut robot.arm else { return robot };
@@ -30,13 +58,7 @@ pub(super) fn robot_with(
     drives.compensator = drives.compensator.map(|known| compensator(known, estimates));
     drives.compliance = JointCompliance(k.map(|k| rounded(k, 1e6)));
     drives.scatter = None;
-    drives.identified = Some(Identified {
-        drives: seen,
-        covariance: as_written(covariance),
-        postures,
-        date: options.date.clone(),
-        residual: rounded(residual, 1e3),
-    });
+    drives.identified = Some(fitness.identified(seen, covariance, options.date.as_ref()));
     robot.stiffness_is_assumed = false;
     let drives: Vec<String> = (1..=6).filter(|&drive| seen[drive - 1]).map(|drive| drive.to_string()).collect();
     let others = match (drives.len(), known.stiffness_source()) {
@@ -45,8 +67,9 @@ pub(super) fn robot_with(
         _ => "; the others as they were before",
     };
     let source = format!(
-        "drives {} identified in {postures} postures by {}{others}",
+        "drives {} identified in {} postures by {}{others}",
         drives.join(", "),
+        fitness.postures,
         options.estimator.name()
     );
     robot.source.insert(COMPLIANCE_SOURCE.into(), source);

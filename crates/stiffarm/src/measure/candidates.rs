@@ -121,6 +121,8 @@ mod tests {
             load_at: Vector3::zeros(),
             markers: vec![Vector3::zeros()],
             sigma: 2e-5,
+            posture_sigma: 0.0,
+            repeats: 6,
             runs: 6,
             candidates: 2000,
             window: Some([Interval::ALL; 3]),

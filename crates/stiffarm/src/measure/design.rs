@@ -1,5 +1,7 @@
 //! How often should each candidate be measured? Shares with a certificate, and whole runs.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Cholesky, DMatrix, Matrix6};
 use rayon::prelude::*;
 
@@ -71,6 +73,62 @@ pub(super) struct Chosen {
     pub value: f64,
     /// Their information.
     pub matrix: Matrix6<f64>,
+}
+
+/// How often a posture may be run, and how much less it tells when it is.
+///
+/// What the model misses in a posture it misses in every run of it: with `sigma` of a reading and `tau` of a posture n runs of one posture tell
+/// `sum M_i / (sigma^2 + n tau^2)`, exactly so under the same load.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Repeats {
+    /// So many candidates in a row are one posture.
+    pub ways: usize,
+    /// A posture is run so often at most.
+    pub most: usize,
+    /// `tau^2 / (sigma^2 + tau^2)`.
+    pub share: f64,
+}
+
+impl Repeats {
+    /// What a run tells where its posture is run so often, over what it tells alone.
+    pub(super) fn shrunk(&self, runs: usize) -> f64 {
+        1.0 / (1.0 + (runs.max(1) - 1) as f64 * self.share)
+    }
+
+    fn posture(&self, candidate: usize) -> usize {
+        candidate / self.ways
+    }
+}
+
+/// What runs tell, posture by posture.
+#[derive(Clone, Debug)]
+struct Told {
+    repeats: Repeats,
+    /// Of every posture the sum over its runs as if each were alone, and how many there are.
+    postures: BTreeMap<usize, (Matrix6<f64>, usize)>,
+    matrix: Matrix6<f64>,
+}
+
+impl Told {
+    fn of(information: &[Matrix6<f64>], runs: impl IntoIterator<Item = usize>, repeats: Repeats) -> Self {
+        let mut postures: BTreeMap<usize, (Matrix6<f64>, usize)> = BTreeMap::new();
+        for run in runs {
+            let (sum, count) = postures.entry(repeats.posture(run)).or_insert((Matrix6::zeros(), 0));
+            *sum += information[run];
+            *count += 1;
+        }
+        let matrix = postures.values().map(|(sum, count)| sum * repeats.shrunk(*count)).sum();
+        Self { repeats, postures, matrix }
+    }
+
+    /// With one more run; `None` where its posture is run as often as it may be.
+    fn with(&self, run: usize, information: &[Matrix6<f64>]) -> Option<Matrix6<f64>> {
+        let nothing = (Matrix6::zeros(), 0);
+        let (sum, count) = self.postures.get(&self.repeats.posture(run)).unwrap_or(&nothing);
+        let again = |sum: Matrix6<f64>, count: usize| sum * self.repeats.shrunk(count);
+        (*count < self.repeats.most)
+            .then(|| self.matrix - again(*sum, *count) + again(sum + information[run], count + 1))
+    }
 }
 
 impl Kept {
@@ -195,40 +253,54 @@ impl Kept {
         &self,
         information: &[Matrix6<f64>],
         shares: &Shares,
-        count: usize,
+        (count, repeats): (usize, Repeats),
         parts: &Parts,
     ) -> Result<Chosen, Stopped> {
-        let mut order: Vec<usize> = (0..information.len()).collect();
-        order.sort_by(|&i, &j| shares.weights[j].total_cmp(&shares.weights[i]).then(i.cmp(&j)));
-        let among: Vec<usize> = order.into_iter().take(EXCHANGED.max(count)).collect();
-        let mut runs = rounded(&among, &shares.weights, count);
-        let mut matrix: Matrix6<f64> = runs.iter().map(|&i| information[i]).sum();
-        let mut value = self.value(&matrix).unwrap_or(f64::INFINITY);
+        let among = self.promising(information, shares, EXCHANGED.max(count * repeats.ways));
+        let mut runs = rounded(&among, &shares.weights, (count, repeats));
+        let told = |runs: &[usize]| Told::of(information, runs.iter().copied(), repeats).matrix;
+        let value_of = |matrix: &Matrix6<f64>| self.value(matrix).unwrap_or(f64::INFINITY);
+        let mut value = value_of(&told(&runs));
         loop {
             let mut improved = false;
             for place in 0..runs.len() {
                 parts.one_more()?;
-                let without = matrix - information[runs[place]];
-                let tried =
-                    among.par_iter().map(|&i| (self.value(&(without + information[i])).unwrap_or(f64::INFINITY), i));
+                let others = runs.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, run)| *run);
+                let without = Told::of(information, others, repeats);
+                let tried = among.par_iter().filter_map(|&i| Some((value_of(&without.with(i, information)?), i)));
                 let best = tried.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
                 if let Some((better, i)) = best.filter(|(better, _)| *better < value * (1.0 - 1e-9)) {
-                    (runs[place], matrix, value, improved) = (i, without + information[i], better, true);
+                    (runs[place], value, improved) = (i, better, true);
                 }
             }
             if !improved {
+                let matrix = told(&runs);
                 return Ok(Chosen { runs, value, matrix });
             }
         }
     }
 
+    /// So many candidates: by their shares, and of those that have none by how much more runs of them would help.
+    fn promising(&self, information: &[Matrix6<f64>], shares: &Shares, count: usize) -> Vec<usize> {
+        let sum: Matrix6<f64> = information.iter().zip(&shares.weights).map(|(one, weight)| one * *weight).sum();
+        let slope = self.judged(&sum).map_or_else(Matrix6::zeros, |(_, slope)| slope);
+        let gains: Vec<f64> = information.iter().map(|one| one.component_mul(&slope).sum()).collect();
+        let mut order: Vec<usize> = (0..information.len()).collect();
+        order.sort_by(|&i, &j| {
+            let by_share = shares.weights[j].total_cmp(&shares.weights[i]);
+            by_share.then(gains[j].total_cmp(&gains[i])).then(i.cmp(&j))
+        });
+        order.truncate(count);
+        order
+    }
+
     /// The median of random choices.
-    pub(super) fn random(&self, information: &[Matrix6<f64>], count: usize) -> f64 {
+    pub(super) fn random(&self, information: &[Matrix6<f64>], (count, repeats): (usize, Repeats)) -> f64 {
         let mut rng = fastrand::Rng::with_seed(1);
         let mut values: Vec<f64> = (0..RANDOM)
             .map(|_| {
-                let matrix: Matrix6<f64> = (0..count).map(|_| information[rng.usize(..information.len())]).sum();
-                self.value(&matrix).unwrap_or(f64::INFINITY)
+                let runs: Vec<usize> = (0..count).map(|_| rng.usize(..information.len())).collect();
+                self.value(&Told::of(information, runs, repeats).matrix).unwrap_or(f64::INFINITY)
             })
             .collect();
         values.sort_by(f64::total_cmp);
@@ -236,15 +308,20 @@ impl Kept {
     }
 }
 
-/// Whole runs near the shares: rounded down, and what is left to the largest remainders.
-fn rounded(among: &[usize], weights: &[f64], count: usize) -> Vec<usize> {
+/// Whole runs near the shares: rounded down, and what is left to the largest remainders; no posture more often than it may be.
+fn rounded(among: &[usize], weights: &[f64], (count, repeats): (usize, Repeats)) -> Vec<usize> {
     let wanted = |i: usize| weights[i] * count as f64;
-    let mut runs: Vec<usize> = among.iter().flat_map(|&i| std::iter::repeat_n(i, wanted(i) as usize)).collect();
     let mut rest: Vec<usize> = among.to_vec();
-    rest.sort_by(|&i, &j| wanted(j).fract().total_cmp(&wanted(i).fract()).then(i.cmp(&j)));
-    let missing = count.saturating_sub(runs.len());
-    runs.extend(rest.iter().cycle().take(missing));
-    runs
+    rest.sort_by(|&i, &j| wanted(j).fract().total_cmp(&wanted(i).fract()));
+    let first = among.iter().flat_map(|&i| std::iter::repeat_n(i, wanted(i) as usize));
+    let then = std::iter::repeat_n(&rest, count).flatten().copied();
+    let mut often: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut may = |i: usize| {
+        let runs = often.entry(repeats.posture(i)).or_insert(0);
+        *runs += 1;
+        *runs <= repeats.most
+    };
+    first.chain(then).filter(|&i| may(i)).take(count).collect()
 }
 
 fn pack(matrix: &Matrix6<f64>) -> Packed {
@@ -288,11 +365,12 @@ mod tests {
         let (mut rng, parts) = (fastrand::Rng::with_seed(6), Watch::nobody().parts(None));
         let mut exact_ones = 0;
         let aims = [Aim::Trace(Matrix6::identity()), Aim::Determinant([1.0, 2.0, 0.5, 1.0, 1.0, 1.0])];
+        let repeats = Repeats { ways: 1, most: 4, share: 0.0 };
         for aim in (0..20).flat_map(|_| aims.clone()) {
             let information = random(&mut rng, 7, 3);
             let kept = Kept::of(&information).unwrap().aiming(&aim);
             let shares = kept.shares(&information, &parts).unwrap();
-            let chosen = kept.exact(&information, &shares, 4, &parts).unwrap();
+            let chosen = kept.exact(&information, &shares, (4, repeats), &parts).unwrap();
             let mut best = f64::INFINITY;
             for code in 0..7_usize.pow(4) {
                 let runs = [code % 7, code / 7 % 7, code / 49 % 7, code / 343];
@@ -306,6 +384,42 @@ mod tests {
             exact_ones += usize::from(chosen.value <= best * (1.0 + 1e-9));
         }
         assert!(28 <= exact_ones, "{exact_ones} of 40 are the best");
+    }
+
+    /// Every choice of four runs of four postures under two loads each, with repetition, no posture more than twice: what a posture tells is put
+    /// together from its error and that of a reading.
+    #[test]
+    fn no_choice_that_repeats_no_posture_too_often_is_better_than_what_exchange_finds_by_much() {
+        let (mut rng, parts) = (fastrand::Rng::with_seed(2), Watch::nobody().parts(None));
+        let (sigma, tau) = (1.0_f64, 0.8_f64);
+        let alone = sigma * sigma + tau * tau;
+        let repeats = Repeats { ways: 2, most: 2, share: tau * tau / alone };
+        let mut exact_ones = 0;
+        for _ in 0..30 {
+            let plain = random(&mut rng, 8, 3);
+            let information: Vec<Matrix6<f64>> = plain.iter().map(|one| one / alone).collect();
+            let kept = Kept::of(&information).unwrap().aiming(&Aim::Trace(Matrix6::identity()));
+            let shares = kept.shares(&information, &parts).unwrap();
+            let chosen = kept.exact(&information, &shares, (4, repeats), &parts).unwrap();
+            let mut best = f64::INFINITY;
+            for code in 0..8_usize.pow(4) {
+                let runs = [code % 8, code / 8 % 8, code / 64 % 8, code / 512];
+                let of = |posture: usize| runs.iter().filter(move |run| **run / 2 == posture);
+                if (0..4).any(|posture| 2 < of(posture).count()) {
+                    continue;
+                }
+                let told = |posture: usize| {
+                    let count = of(posture).count() as f64;
+                    of(posture).map(|&run| plain[run]).sum::<Matrix6<f64>>() / (sigma * sigma + count * tau * tau)
+                };
+                best = best.min(kept.value(&(0..4).map(told).sum()).unwrap_or(f64::INFINITY));
+            }
+            assert!(shares.bound / 4.0 <= best * (1.0 + 1e-9), "{} is no bound of {best}", shares.bound / 4.0);
+            assert!(best <= chosen.value * (1.0 + 1e-9) && chosen.value <= 1.05 * best, "{} and {best}", chosen.value);
+            assert!((0..4).all(|posture| chosen.runs.iter().filter(|run| **run / 2 == posture).count() <= 2));
+            exact_ones += usize::from(chosen.value <= best * (1.0 + 1e-9));
+        }
+        assert!(20 <= exact_ones, "{exact_ones} of 30 are the best");
     }
 
     /// By hand: one drive each, `phi = sum W_j / (w_j m_j)` has its least at `w_j ~ sqrt(W_j / m_j)`.

@@ -8,6 +8,10 @@
 //!
 //! Shares of many candidates first, `w_i <- w_i sqrt(d_i / phi)` with `d_i = tr(M^-1 W M^-1 M_i)`. As `phi` is convex and of degree -1, every
 //! design `M*` of the candidates has `phi(M*) >= phi^2 / max d`: what is reached is certified. Then whole runs, by exchange, told against the same bound.
+//!
+//! Two more things decide what a plan is worth. What the model misses in a posture it misses however often it is run: `sigma` is that of a reading
+//! and of a posture together, and runs of one posture share the latter (`Repeats`). And a drive that no load shows is as unknown after the runs as it was
+//! before: it adds `tr(W_uu S_uu)` to the variance of the prediction, with `S` the prior of the compliances.
 
 mod candidates;
 mod design;
@@ -23,12 +27,13 @@ use crate::compliance::{PostureError, check_tool};
 use crate::drive::JointCompliance;
 use crate::identify::columns_at;
 use crate::interval::Interval;
+use crate::prior::doubt;
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::watch::{Parts, Stopped, Watch};
 
 use candidates::Candidates;
-use design::{Aim, Chosen, Shares};
+use design::{Aim, Chosen, Repeats, Shares};
 pub use sight::{Cone, Instrument};
 pub use zone::over;
 
@@ -79,8 +84,12 @@ pub struct Options {
     pub markers: Vec<Vector3<f64>>,
     /// Noise of a coordinate, m.
     pub sigma: f64,
+    /// What the model misses of a coordinate in a posture, the same in every run of it, m.
+    pub posture_sigma: f64,
     /// How many runs.
     pub runs: usize,
+    /// How often a posture is run at most.
+    pub repeats: usize,
     /// Among how many candidates.
     pub candidates: usize,
     /// Where the markers must be seen, from the base, m.
@@ -120,8 +129,10 @@ pub struct Plan {
     pub shares_efficiency: f64,
     /// The median of random choices of so many of the candidates.
     pub random: f64,
-    /// Drives that no candidate shows, from 0.
-    pub unseen: Vec<usize>,
+    /// Drives that no candidate shows.
+    pub unseen: Vec<Unseen>,
+    /// What these add to the value: of a prediction what the prior leaves open of them, else nothing.
+    pub unseen_value: f64,
     /// Standard error that is expected of each compliance, rad/(N m); `None` of those that are not shown.
     pub errors: [Option<f64>; 6],
     /// How many candidates there were.
@@ -130,7 +141,24 @@ pub struct Plan {
     pub work: usize,
 }
 
+/// A drive that no candidate shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unseen {
+    /// From 0.
+    pub drive: usize,
+    /// What part of the variance of the prediction over the work its prior gives, together with those of the other unseen drives; zero where none is
+    /// predicted.
+    pub share: f64,
+    /// In which direction to load so that it shows, as it is asked for; `None` where no direction does.
+    pub shown_by: Option<&'static str>,
+}
+
 impl Plan {
+    /// The drives that no load shows decide how well the work is predicted.
+    pub fn is_decided_by_unseen(&self) -> bool {
+        0.5 * self.value < self.unseen_value
+    }
+
     /// How near it is to the best, at least: 1 is the best.
     pub fn efficiency(&self) -> f64 {
         self.lower_bound / self.value
@@ -163,6 +191,19 @@ pub enum MeasureError {
         drives: usize,
         /// The fewest.
         least: usize,
+    },
+    /// Too few postures for runs that repeat none too often.
+    #[error(
+        "{runs} runs, each posture at most {repeats} times, need {} postures; {postures} were found where they can be measured: look at more candidates, widen the window, or repeat more often",
+        runs.div_ceil(*repeats)
+    )]
+    TooFewPostures {
+        /// How many were asked for.
+        runs: usize,
+        /// How often each may be run.
+        repeats: usize,
+        /// How many there are.
+        postures: usize,
     },
     /// A run that is compared is no posture of the robot.
     #[error("the runs that are compared do not show every drive that the candidates show: drive {0} is missing")]
@@ -208,19 +249,34 @@ pub fn compare(robot: &Robot, options: &Options, runs: &[OwnRun], watch: Watch) 
     let parts = watch.parts(None);
     let found = Search::of(robot, options, &parts)?;
     let shares = found.shares(&parts)?;
-    let mut matrix = Matrix6::zeros();
+    let mut postures: Vec<([f64; 6], Matrix6<f64>, usize)> = Vec::new();
     for (q, load) in runs {
-        matrix += information(robot, q, load, options)?;
+        let told = information(robot, q, load, options)?;
+        match postures.iter_mut().find(|(known, ..)| known == q) {
+            Some((_, sum, count)) => (*sum, *count) = (*sum + told, *count + 1),
+            None => postures.push((*q, told, 1)),
+        }
     }
-    let value = found.kept.value(&matrix).ok_or_else(|| MeasureError::Blind(found.weakest(&matrix)))?;
-    Ok((value, shares.bound / runs.len() as f64 / value))
+    let repeats = options.repeats();
+    let matrix: Matrix6<f64> = postures.iter().map(|(_, sum, count)| sum * repeats.shrunk(*count)).sum();
+    let shown = found.kept.value(&matrix).ok_or_else(|| MeasureError::Blind(found.weakest(&matrix)))?;
+    let value = shown + found.unseen_value;
+    Ok((value, (shares.bound / runs.len() as f64 + found.unseen_value) / value))
 }
 
-/// What one run tells of the compliances, 1/(rad/(N m))^2.
+impl Options {
+    /// How often a posture may be run, and what it then tells.
+    fn repeats(&self) -> Repeats {
+        let [reading, posture] = [self.sigma, self.posture_sigma].map(|sigma| sigma.powi(2));
+        Repeats { ways: self.ways.len().max(1), most: self.repeats, share: posture / (reading + posture) }
+    }
+}
+
+/// What one run of a posture tells of the compliances where it is the only one, 1/(rad/(N m))^2.
 fn information(robot: &Robot, q: &[f64; 6], load: &Wrench, options: &Options) -> Result<Matrix6<f64>, MeasureError> {
     let columns = columns(robot, q, load, (options.load_at, &options.markers))?;
     let sum = columns.iter().flatten().map(|row| row * row.transpose()).sum::<Matrix6<f64>>();
-    Ok(sum / options.sigma.powi(2))
+    Ok(sum / (options.sigma.powi(2) + options.posture_sigma.powi(2)))
 }
 
 /// Of every marker three rows: by how much each coordinate grows with the compliance of each drive, m per rad/(N m).
@@ -253,6 +309,40 @@ fn predicted(robot: &Robot, work: &[[f64; 6]], tool: &Vector3<f64>) -> Result<Ma
     Ok(weight / (3 * work.len()) as f64)
 }
 
+/// What the prior leaves open of the drives that are not among these: `W_ij S_ij`, whose sum is the variance of the prediction, (m/N)^2; zero for the others.
+fn left_open(robot: &Robot, weight: &Matrix6<f64>, shown: &[usize]) -> Matrix6<f64> {
+    let (doubt, k) = (doubt(robot), robot.drive_compliance().map(|k| k.unwrap_or(0.0)));
+    let is_open = |drive: usize| !shown.contains(&drive);
+    Matrix6::from_fn(|i, j| if is_open(i) && is_open(j) { weight[(i, j)] * k[i] * k[j] * doubt[(i, j)] } else { 0.0 })
+}
+
+/// In which direction a load turns a drive most so that a marker moves, over some of the postures; `None` where none does.
+fn shown_by(
+    robot: &Robot,
+    postures: &[[f64; 6]],
+    options: &Options,
+    drive: usize,
+) -> Result<Option<&'static str>, MeasureError> {
+    const SOME: usize = 60;
+    /// Of what the drive shows least that is no rounding, as a part of what the drive that is shown best does.
+    const NOTHING: f64 = 1e-9;
+    /// The second direction must show it so much better to be taken for the first.
+    const BETTER: f64 = 2.0;
+    let mut best = (0.0, None);
+    for (name, along) in [("left", Vector3::y()), ("ahead", Vector3::x()), ("down", -Vector3::z())] {
+        let load = Wrench::force(along * options.newtons);
+        let mut told = Matrix6::zeros();
+        for q in postures.iter().take(SOME) {
+            told += information(robot, q, &load, options)?;
+        }
+        let of_drive = told[(drive, drive)];
+        if NOTHING * told.diagonal().max() < of_drive && BETTER * best.0 < of_drive {
+            best = (of_drive, Some(name));
+        }
+    }
+    Ok(best.1)
+}
+
 /// What errors of the drives are parts of: their compliances, rad/(N m), and of a rigid drive the paper's.
 fn sizes(robot: &Robot) -> Result<[f64; 6], MeasureError> {
     let Arm::SixAxis { drives, .. } = &robot.arm else { return Err(PostureError::Planar(robot.name.clone()).into()) };
@@ -276,6 +366,8 @@ struct Search<'a> {
     options: &'a Options,
     candidates: Candidates,
     kept: design::Kept,
+    unseen_value: f64,
+    unseen: Vec<Unseen>,
     work: usize,
 }
 
@@ -289,6 +381,10 @@ impl<'a> Search<'a> {
         let least = kept.drives.len().div_ceil(3 * options.markers.len().max(1)).max(2);
         if options.runs < least {
             return Err(MeasureError::TooFew { runs: options.runs, drives: kept.drives.len(), least });
+        }
+        let (runs, repeats, postures) = (options.runs, options.repeats, candidates.postures.len());
+        if postures * repeats < runs {
+            return Err(MeasureError::TooFewPostures { runs, repeats, postures });
         }
         let work: Vec<[f64; 6]> = if options.work.is_empty() {
             candidates.postures.iter().copied().take(500).collect()
@@ -304,7 +400,17 @@ impl<'a> Search<'a> {
             Criterion::D => Aim::Determinant(sizes(robot)?),
         };
         let kept = kept.aiming(&aim);
-        Ok(Self { robot, options, candidates, kept, work: work.len() })
+        let open = match &aim {
+            Aim::Trace(weight) if options.criterion == Criterion::Prediction => left_open(robot, weight, &kept.drives),
+            Aim::Trace(_) | Aim::Determinant(_) => Matrix6::zeros(),
+        };
+        let unseen_value = open.sum();
+        let unseen = (0..6).filter(|drive| !kept.drives.contains(drive)).map(|drive| {
+            let share = if 0.0 < unseen_value { open.row(drive).sum() / unseen_value } else { 0.0 };
+            Ok(Unseen { drive, share, shown_by: shown_by(robot, &candidates.postures, options, drive)? })
+        });
+        let unseen = unseen.collect::<Result<_, MeasureError>>()?;
+        Ok(Self { robot, options, candidates, kept, unseen_value, unseen, work: work.len() })
     }
 
     fn shares(&self, parts: &Parts) -> Result<Shares, Stopped> {
@@ -312,7 +418,7 @@ impl<'a> Search<'a> {
     }
 
     fn exact(&self, shares: &Shares, runs: usize, parts: &Parts) -> Result<Chosen, Stopped> {
-        self.kept.exact(&self.candidates.information, shares, runs, parts)
+        self.kept.exact(&self.candidates.information, shares, (runs, self.options.repeats()), parts)
     }
 
     /// The drive of which a matrix tells least.
@@ -322,7 +428,7 @@ impl<'a> Search<'a> {
     }
 
     fn plan(&self, shares: &Shares, chosen: &Chosen, parts: &Parts) -> Result<Plan, MeasureError> {
-        let Self { robot, options, candidates, kept, work } = self;
+        let Self { robot, options, candidates, kept, work, unseen, unseen_value } = self;
         let Arm::SixAxis { limits, .. } = &robot.arm else {
             return Err(PostureError::Planar(robot.name.clone()).into());
         };
@@ -338,11 +444,12 @@ impl<'a> Search<'a> {
         let count = options.runs as f64;
         Ok(Plan {
             runs,
-            value: chosen.value,
-            lower_bound: shares.bound / count,
+            value: chosen.value + unseen_value,
+            lower_bound: shares.bound / count + unseen_value,
             shares_efficiency: shares.bound / shares.value,
-            random: kept.random(&candidates.information, options.runs),
-            unseen: (0..6).filter(|drive| !kept.drives.contains(drive)).collect(),
+            random: kept.random(&candidates.information, (options.runs, options.repeats())) + unseen_value,
+            unseen: unseen.clone(),
+            unseen_value: *unseen_value,
             errors: kept.errors(&chosen.matrix),
             candidates: candidates.information.len(),
             work: *work,

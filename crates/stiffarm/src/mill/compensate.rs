@@ -7,8 +7,9 @@
 //! ```
 //!
 //! at the joints `q_t` of the target: loaded there, the springs give way by what was taken off. A file that holds only positions loses the
-//! rotation of the commanded pose: what that leaves is found from the loaded posture itself. How well the drives are known decides what
-//! is left in truth: `(C_true - C_model) w`.
+//! rotation of the commanded pose: what that leaves is found from the loaded posture itself. How well the drives are known decides the
+//! residual that is to be expected: `(C_true - C_model) w`, and of a robot that was measured what its identification did not explain, which is
+//! drawn once for a path: its postures are alike, and miss alike.
 
 use nalgebra::{Matrix3, Matrix3x6, Point3, Vector3, Vector6};
 use rayon::prelude::*;
@@ -18,6 +19,7 @@ use super::follow::{Pushed, Stand, wrench};
 use super::stations::{Acting, ErrorPart, Station};
 use crate::compliance::{PostureError, compliance};
 use crate::inverse::posture_of;
+use crate::prior::{Drawn, Unexplained};
 use crate::robot::{Arm, Robot};
 use crate::spatial::{Pose, Wrench};
 use crate::tolerances::LIMIT;
@@ -63,10 +65,14 @@ pub struct Remaining {
     pub median: f64,
     /// 95 of a hundred do.
     pub p95: f64,
-    /// How many draws there were.
-    pub draws: usize,
+    /// Of every draw, ascending.
+    pub all: Vec<f64>,
     /// What 95 of a hundred draws leave at most at each station by itself, m.
     pub along: Vec<f64>,
+    /// What half of the draws do, m.
+    pub median_along: Vec<f64>,
+    /// What 95 of a hundred have where nothing is compensated, m.
+    pub without: Vec<f64>,
 }
 
 /// What is commanded at one station, and what that leaves, m.
@@ -131,7 +137,7 @@ pub fn compensate(
     })
 }
 
-/// What is left of the largest error where the drives are drawn: every factor is that of a drive's compliance.
+/// What is left of the largest error where the robot differs from the model as drawn.
 ///
 /// # Errors
 /// As [`compensate`].
@@ -139,24 +145,28 @@ pub fn remaining(
     robot: &Robot,
     stand: &Stand,
     (stations, followed): (&[Station], &[Pushed]),
-    (part, factors): (ErrorPart, &[[f64; 6]]),
+    (part, drawn): (ErrorPart, &Drawn),
     watch: Watch,
 ) -> Result<Remaining, MillError> {
-    let offs = times(factors, |factor| factor - 1.0)?;
+    let (missing, whole) = (times(drawn, |factor| factor - 1.0)?, times(drawn, |factor| factor)?);
     let of_station = |given: &Given| {
-        let mut errors: Vec<f64> = offs.iter().map(|off| given.error(off)).collect();
-        quantile_of(&mut errors, 0.95)
+        let mut left = given.errors(&missing, drawn);
+        let without = quantile_of(&mut given.errors(&whole, drawn), 0.95);
+        [quantile_of(&mut left, 0.95), quantile_of(&mut left, 0.5), without]
     };
-    let (mut all, mut along) = (vec![0.0; offs.len()], vec![0.0; stations.len()]);
+    let mut all = vec![0.0; missing.len()];
+    let mut by_station = vec![[0.0; 3]; stations.len()];
     by_drives(robot, stand, (stations, followed), part, &mut |gives| {
         watch.go_on()?;
-        raise(&mut all, gives, &offs);
-        let found: Vec<f64> = gives.par_iter().map(of_station).collect();
-        gives.iter().zip(found).for_each(|(given, error)| along[given.station] = error);
+        raise(&mut all, gives, &missing, drawn);
+        let found: Vec<[f64; 3]> = gives.par_iter().map(of_station).collect();
+        gives.iter().zip(found).for_each(|(given, found)| by_station[given.station] = found);
         Ok(())
     })?;
     all.sort_by(f64::total_cmp);
-    Ok(Remaining { median: quantile(&all, 0.5), p95: quantile(&all, 0.95), draws: all.len(), along })
+    let of = |which: usize| by_station.iter().map(|found| found[which]).collect();
+    let (median, p95) = (quantile(&all, 0.5), quantile(&all, 0.95));
+    Ok(Remaining { median, p95, all, along: of(0), median_along: of(1), without: of(2) })
 }
 
 /// The largest error along a path, m, of every draw of the drives; the path stays as it is. Of a force that may point anywhere that which does
@@ -168,14 +178,14 @@ pub fn drawn_errors(
     robot: &Robot,
     stand: &Stand,
     (stations, followed): (&[Station], &[Pushed]),
-    (part, factors): (ErrorPart, &[[f64; 6]]),
+    (part, drawn): (ErrorPart, &Drawn),
     watch: Watch,
 ) -> Result<Vec<f64>, MillError> {
-    let times = times(factors, |factor| factor)?;
+    let times = times(drawn, |factor| factor)?;
     let mut largest = vec![0.0; times.len()];
     by_drives(robot, stand, (stations, followed), part, &mut |gives| {
         watch.go_on()?;
-        raise(&mut largest, gives, &times);
+        raise(&mut largest, gives, &times, drawn);
         Ok(())
     })?;
     Ok(largest)
@@ -195,28 +205,38 @@ enum ByDrive {
 }
 
 impl Given {
-    /// The error, m, where each drive gives so many times that.
-    fn error(&self, times: &Vector6<f64>) -> f64 {
+    /// The error, m, where each drive gives so many times that, and a draw adds what an identification did not explain.
+    fn error(&self, times: &Vector6<f64>, (unexplained, draw): (Option<&Unexplained>, usize)) -> f64 {
         match &self.by_drive {
             ByDrive::Known(by_drive, counted) => {
-                let moved = by_drive * times;
+                let missed = |one: &Unexplained| one.in_space(draw, by_drive.column_sum().norm());
+                let moved = by_drive * times + unexplained.map_or_else(Vector3::zeros, missed);
                 counted.map_or_else(|| moved.norm(), |counted| counted.dot(&moved).abs())
             }
             ByDrive::Any(by_drive) => {
-                let sum: Matrix3<f64> = by_drive.iter().zip(times).map(|(part, times)| part * *times).sum();
-                sum.symmetric_eigenvalues().amax()
+                let most = |times: &Vector6<f64>| {
+                    let sum: Matrix3<f64> = by_drive.iter().zip(times).map(|(part, times)| part * *times).sum();
+                    sum.symmetric_eigenvalues().amax()
+                };
+                let added = |one: &Unexplained| one.added(draw, (most(&Vector6::repeat(1.0)), most(times)), 3);
+                unexplained.map_or_else(|| most(times), added)
             }
         }
     }
 
+    /// The error of every draw, m.
+    fn errors(&self, times: &[Vector6<f64>], drawn: &Drawn) -> Vec<f64> {
+        times.iter().enumerate().map(|(draw, times)| self.error(times, (drawn.unexplained.as_ref(), draw))).collect()
+    }
+
     /// No error is larger, m, and this is sooner found: no eigenvalue is larger than the sum of all, of which a drive has none below zero.
-    fn most(&self, times: &Vector6<f64>) -> f64 {
-        match &self.by_drive {
-            ByDrive::Known(..) => f64::INFINITY,
-            ByDrive::Any(by_drive) => {
+    fn most(&self, times: &Vector6<f64>, unexplained: Option<&Unexplained>) -> f64 {
+        match (&self.by_drive, unexplained) {
+            (ByDrive::Any(by_drive), None) => {
                 by_drive.iter().zip(times).map(|(part, times)| part.trace() * times.abs()).sum::<f64>()
                     * (1.0 + ROUNDING)
             }
+            (ByDrive::Known(..), _) | (_, Some(_)) => f64::INFINITY,
         }
     }
 }
@@ -265,22 +285,24 @@ fn by_drives(
 }
 
 /// What `part` makes of the factors of every draw.
-fn times(factors: &[[f64; 6]], part: impl Fn(f64) -> f64) -> Result<Vec<Vector6<f64>>, MillError> {
-    if factors.is_empty() {
+fn times(drawn: &Drawn, part: impl Fn(f64) -> f64) -> Result<Vec<Vector6<f64>>, MillError> {
+    if drawn.factors.is_empty() {
         return Err(MillError::Value { what: "a number of draws", value: 0.0, expected: "at least one" });
     }
-    Ok(factors.iter().map(|factors| Vector6::from_fn(|i, _| part(factors[i]))).collect())
+    Ok(drawn.factors.iter().map(|factors| Vector6::from_fn(|i, _| part(factors[i]))).collect())
 }
 
 /// Raises the largest error of every draw to that of some stations: a sum over the drives, each so many times as it gives.
-fn raise(largest: &mut [f64], gives: &[Given], times: &[Vector6<f64>]) {
-    let of = |(largest, times): (&mut f64, &Vector6<f64>)| {
+fn raise(largest: &mut [f64], gives: &[Given], times: &[Vector6<f64>], drawn: &Drawn) {
+    let unexplained = drawn.unexplained.as_ref();
+    let of = |(draw, (largest, times)): (usize, (&mut f64, &Vector6<f64>))| {
         let worse = |worst: f64, given: &Given| {
-            if given.most(times) <= worst { worst } else { worst.max(given.error(times)) }
+            let is_less = given.most(times, unexplained) <= worst;
+            if is_less { worst } else { worst.max(given.error(times, (unexplained, draw))) }
         };
         *largest = gives.iter().fold(*largest, worse);
     };
-    largest.par_iter_mut().zip(times).for_each(of);
+    largest.par_iter_mut().zip(times).enumerate().for_each(of);
 }
 
 /// The known force on the tool, base axes; `None` in air.

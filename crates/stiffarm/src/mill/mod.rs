@@ -81,6 +81,7 @@ impl MillOptions {
             limit_margin: margin,
             singular_margin: margin,
             share_of_speed: 0.8,
+            tool_mass: None,
         }
     }
 

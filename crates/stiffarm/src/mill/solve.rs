@@ -64,6 +64,8 @@ pub struct MillOptions {
     pub singular_margin: f64,
     /// Of the joints' speeds what is used while cutting, at most.
     pub share_of_speed: f64,
+    /// Mass of the tool, kg, where it is known: it is told against the robot's payload, and changes no posture.
+    pub tool_mass: Option<f64>,
 }
 
 /// The robot at every station, or where and why there is no way.

@@ -115,6 +115,8 @@ pub struct PlaceOptions {
     /// How the robot stands in its cell, and what else stands there; spatial model only. Its windows replace `within`. Alone on the floor
     /// where `None`.
     pub cell: Option<Cell>,
+    /// Mass of the tool, kg, where it is known: it is told against the robot's payload, and changes no place.
+    pub tool_mass: Option<f64>,
 }
 
 impl PlaceOptions {
@@ -122,7 +124,8 @@ impl PlaceOptions {
     /// to its usual certificate.
     pub const fn under(load: Load) -> Self {
         let margins = Margins::NONE;
-        Self { load, orientation: Orientation::Axes, within: None, gap: None, stance: None, margins, cell: None }
+        let orientation = Orientation::Axes;
+        Self { load, orientation, within: None, gap: None, stance: None, margins, cell: None, tool_mass: None }
     }
 
     /// What an engineer would ask of a cell: in front of the robot and above the floor, clear of its column, of joint limits and of straight

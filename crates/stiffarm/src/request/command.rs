@@ -5,6 +5,28 @@ use super::{Kind, Request, Setting, parts};
 impl Request {
     /// The command line that asks the same, for a POSIX shell, in the folder in which it was asked.
     pub fn command(&self) -> String {
+        self.command_words().join(" ")
+    }
+
+    /// The same in lines of no more than so many letters, where no option is longer: broken between options alone, as a shell takes it.
+    pub fn command_in_lines(&self, letters: usize) -> String {
+        let mut lines: Vec<String> = Vec::new();
+        for word in self.command_words() {
+            match lines.last_mut() {
+                // With the sign that the command goes on.
+                Some(line) if line.chars().count() + word.chars().count() + 3 <= letters => {
+                    line.push(' ');
+                    line.push_str(&word);
+                }
+                None => lines.push(word),
+                Some(_) => lines.push(format!("  {word}")),
+            }
+        }
+        lines.join(" \\\n")
+    }
+
+    /// The words of a command, an option with its value as one.
+    fn command_words(&self) -> Vec<String> {
         let mut words = vec!["stiffarm".to_owned(), self.verb.name().to_owned()];
         for given in self.given.iter().filter(|given| given.setting.is_positional) {
             words.extend(given.texts.iter().map(|text| quoted(text.trim())));
@@ -21,7 +43,7 @@ impl Request {
                 });
             }
         }
-        words.join(" ")
+        words
     }
 }
 
@@ -65,6 +87,10 @@ mod tests {
             asked.command(),
             "stiffarm place 'KR 210 R2700 extra' --task rect:0.6x0.4 --model spatial --tool-mm=-5,0,200 --within 1.0..,0.5.."
         );
+        // Broken between options, and whole again for a shell, which takes the sign and the end of a line for nothing.
+        let lines = asked.command_in_lines(60);
+        assert!(lines.lines().all(|line| line.chars().count() <= 60) && 1 < lines.lines().count(), "{lines}");
+        assert_eq!(lines.replace(" \\\n  ", " "), asked.command());
         let tasks = [pair("task", "A:0.5"), pair("task", "rect:0.1x0.2"), pair("robots", "BT200L,KR 210*")];
         let asked = Request::read(Verb::Rank, &tasks, Spelling::Typed).unwrap();
         assert_eq!(asked.command(), "stiffarm rank --task A:0.5,rect:0.1x0.2 --robots 'BT200L,KR 210*'");

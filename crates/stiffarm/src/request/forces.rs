@@ -3,6 +3,7 @@
 use super::kind::Value;
 use super::notation::Force;
 use super::{Refusal, Request, Verb};
+use crate::cutting::{Law, Process};
 use crate::load::{Component, Load};
 
 /// An option that does not go with the others, and why; the name begins the sentence.
@@ -25,6 +26,34 @@ impl Request {
         self.posture_load().expect("the row has a default")
     }
 
+    /// The same request of a zone under the mean force of a process, or of one whose force may point anywhere under that.
+    ///
+    /// # Errors
+    /// A process whose force is measured along a path, has no mean, or does not go with what else is said of the force.
+    pub fn under(&self, process: &Process) -> Result<Self, Refusal> {
+        if let Law::Measured(_) = process.law {
+            return Err(self.refused("process", "is measured along a path; a zone has one force".into()));
+        }
+        let found = process.force().map_err(|error| self.refused("process", error.to_string()))?;
+        let force = found.mean.map_or(Force::Size(found.largest), Force::Along);
+        let size = match force {
+            Force::Size(newtons) => Load::worst(newtons),
+            Force::Along(force) => Load::along_tool(force, None),
+        };
+        size.map_err(|error| self.refused("process", format!("gives {error}")))?;
+        let under = Self { process_force: Some(force), ..self.clone() };
+        under.check_force()?;
+        Ok(under)
+    }
+
+    /// Checks that the file of a process was read, where one was given.
+    pub(super) fn check_process(&self) -> Result<(), Refusal> {
+        if self.is_given("process") && self.process_force.is_none() {
+            return Err(self.refused("process", "was not read: nobody who asks this knows its force".into()));
+        }
+        Ok(())
+    }
+
     /// Checks that what is said of the force goes together.
     pub(super) fn check_force(&self) -> Result<(), Refusal> {
         self.asked_load().map(|_| ()).map_err(|(name, why)| self.refused(name, why))
@@ -35,7 +64,13 @@ impl Request {
             return Ok(None);
         }
         let force = |value| if let Value::Force(force) = value { Some(force) } else { None };
-        let Some(force) = self.one("force-n", force) else { return Ok(None) };
+        let Some(force) = self.process_force.or_else(|| self.one("force-n", force)) else { return Ok(None) };
+        if self.is_given("process") && self.is_along_base() {
+            return Err((
+                "force-axes",
+                "are those of the base; the force of a process points along the axes of the tool".into(),
+            ));
+        }
         let load = self.directed(force)?;
         let component = match self.word("component") {
             Some("along") => Component::Along,
@@ -58,6 +93,10 @@ impl Request {
         let direction = self.number("direction-deg");
         let load = match (force, direction) {
             (Force::Size(newtons), Some(degrees)) => Load::in_plane(newtons, degrees.to_radians(), Component::Total),
+            // Until the file is read nobody knows whether its force has a direction.
+            (Force::Size(newtons), None) if self.is_given("process") && self.process_force.is_none() => {
+                Load::worst(newtons)
+            }
             (Force::Size(newtons), None) => {
                 let three = "a force of one number points in its worst direction; give three";
                 for (name, says) in [

@@ -283,6 +283,27 @@ const SPINDLE: Setting = Setting {
     example: "spindle:250@90+30",
     ..TOOL
 };
+/// What pushes on the tool in a zone.
+const CUTTING_FORCE: Setting = Setting {
+    name: "force-n",
+    kind: Kind::Force,
+    unit: "N",
+    value: "N",
+    absent: Absent::Default("1000"),
+    help: "Cutting force: its size, in its worst direction; or three numbers along the feed, across it and axial (away from the work), in the planar model ahead,0,up",
+    example: "300,0,100",
+    ..ROW
+};
+/// What the tool weighs.
+const MASS: Setting = Setting {
+    name: "tool-mass-kg",
+    kind: number_of(0.0, 1e4, "kg"),
+    unit: "kg",
+    value: "KG",
+    help: "Mass of the tool with its spindle: told against the robot's payload, beside the force",
+    example: "25",
+    ..ROW
+};
 /// Of the place where the robot works.
 const CELL: Setting = Setting { verbs: ONLY_PLACING, of: Of::Spatial, heading: "Cell", ..ROW };
 /// The heading of what matters to the program's figures alone.
@@ -399,6 +420,7 @@ const OF_ZONES: &[Setting] = &[
         example: "2",
         ..ROW
     },
+    Setting { verbs: ONLY_PLACING, ..MASS },
     Setting {
         name: "elbow",
         verbs: MAP,
@@ -469,15 +491,17 @@ const OF_ZONES: &[Setting] = &[
         example: "60",
         ..ROW
     },
+    Setting { verbs: &[Verb::Rank, Verb::Place], excludes: &["process"], ..CUTTING_FORCE },
+    Setting { verbs: &[Verb::Map, Verb::Compare], ..CUTTING_FORCE },
     Setting {
-        name: "force-n",
-        verbs: PLACING,
-        kind: Kind::Force,
-        unit: "N",
-        value: "N",
-        absent: Absent::Default("1000"),
-        help: "Cutting force: its size, in its worst direction; or three numbers along the feed, across it and axial (away from the work), in the planar model ahead,0,up",
-        example: "300,0,100",
+        name: "process",
+        verbs: &[Verb::Rank, Verb::Place],
+        of: Of::Spatial,
+        kind: Kind::File,
+        value: "PROCESS",
+        excludes: &["force-n"],
+        help: "A process file (TOML) in place of the cutting force: its mean force over a revolution acts along feed, across and axial; its moment is left out",
+        example: "endmill.toml",
         ..ROW
     },
     Setting {
@@ -546,7 +570,6 @@ const OF_ZONES: &[Setting] = &[
     },
     Setting {
         name: "at",
-        keyword: "at_m",
         verbs: PLACING,
         kind: number_of(-1e3, 1e3, "m"),
         count: count_of(2, 2, "numbers", "x,z in m"),

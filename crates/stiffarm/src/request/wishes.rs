@@ -143,12 +143,23 @@ impl Request {
         }
     }
 
+    /// What was given that may be the name of a file: paths, tables, processes, robots.
+    pub fn files(&self) -> Vec<String> {
+        let is_file = |row: &&'static super::Setting| matches!(row.kind, super::Kind::File | super::Kind::Robot);
+        self.verb.settings().filter(is_file).flat_map(|row| self.texts(row.name)).collect()
+    }
+
     /// The joint angles of one posture, deg.
     ///
     /// # Errors
     /// Where they are missing.
     pub fn joints_deg(&self) -> Result<[f64; 6], Refusal> {
         self.all("joints-deg", number).try_into().map_err(|_| self.missing("joints-deg"))
+    }
+
+    /// Mass of the tool, kg, where it is told.
+    pub(super) fn tool_mass(&self) -> Option<f64> {
+        self.number("tool-mass-kg")
     }
 
     /// Largest deflection that is acceptable, mm.
@@ -209,8 +220,10 @@ impl Request {
     /// # Panics
     /// Of a verb that places nothing.
     pub fn place_options(&self, zone: Option<Zone>) -> Result<PlaceOptions, Refusal> {
+        self.check_process()?;
         let unanswered = |unasked| self.unanswered(unasked);
         let mut options = self.wanted().options(&self.model(), &self.held(), zone).map_err(unanswered)?;
+        options.tool_mass = self.tool_mass();
         let windows = match *self.all("at", number).as_slice() {
             [x, z] => vec![self.only_place(&mut options, [x, z], zone).map_err(unanswered)?],
             _ => self.windows(),

@@ -60,11 +60,15 @@ class Placement(Table[PlacementDict]):
     #: That there is no place is proved.
     proved: bool | None
     deflection_mm: float | None
-    #: 90 % of such drives give more than p05 and less than p95; None where nothing says how far the drives may be off.
+    #: 90 % interval, as far as the drives (and the model of a robot that was measured) may be off; None where nothing says how far.
     deflection_mm_p05: float | None
     deflection_mm_p95: float | None
     #: No allowed place has less.
     lower_bound_mm: float | None
+    #: ``"pass"`` (kept, with a probability of 0.95 or more), ``"pass, not sure"`` or ``"fail"``; None where no tolerance was given.
+    verdict: str | None
+    #: How likely the tolerance is kept; None where nothing is known of the drives.
+    probability: float | None
     x_m: float | None
     z_m: float | None
     angle_deg: float | None

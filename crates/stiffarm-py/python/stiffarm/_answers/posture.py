@@ -68,7 +68,7 @@ class Compliance(Answer[ComplianceDict]):
     largest_mm: float | None
     #: (3,) the translation under it.
     deflection_mm: Array | None
-    #: 90 % of such drives give a length of more than p05 and less than p95; None where nothing says how far the drives may be off.
+    #: 90 % interval of its length, as far as the drives may be off; None where nothing says how far.
     deflection_mm_p05: float | None
     deflection_mm_p95: float | None
     #: (3,) the rotation under it.

@@ -1,10 +1,10 @@
 //! A path that is milled in a few sentences.
 
 use super::super::MillAnswer;
-use super::super::place::Verdict;
+use super::super::verdict::{HOLDS, Verdict};
 use super::super::words::fixed;
 use super::place::sentence;
-use super::{Headline, Outcome, judged, mm, rests_on, scattered};
+use super::{Headline, Outcome, judged, means, mm, rests_on, scattered};
 use crate::mill::Followed;
 
 impl MillAnswer {
@@ -23,21 +23,21 @@ impl MillAnswer {
             }
             Some(found) => self.judged(found),
         };
-        let mut rests_on = rests_on(&self.robot);
+        let mut rests_on = means(self.tolerance_mm).into_iter().chain(rests_on(&self.robot)).collect::<Vec<_>>();
         rests_on.push(format!("Force on the tool: {}.", self.force));
-        rests_on.extend(self.notes().lines().map(sentence));
+        rests_on.extend(self.payload().map(|payload| format!("Payload: {}.", payload.told())));
+        rests_on.extend(self.notes().lines().filter(|line| *line != HOLDS).map(sentence));
         rests_on.extend(self.remarks.iter().map(|remark| sentence(remark)));
         Headline { outcome, sentences, rests_on }
     }
 
     fn judged(&self, found: &Followed) -> (Outcome, Vec<String>) {
         let (name, path, value) = (self.robot.full_name(), &self.path, mm(found.worst.0));
-        let Some(tolerance) = self.tolerance_mm else {
+        let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) else {
             let mut told = vec![format!("The tool of {name} is pushed off by {value} at worst along {path}.")];
             told.extend(self.left(None));
             return (Outcome::Told, told);
         };
-        let verdict = Verdict::of(found.worst.0, tolerance);
         let (word, margin, less) = if verdict.passes {
             ("holds", verdict.margin_mm, "less")
         } else {
@@ -62,25 +62,26 @@ impl MillAnswer {
                 format!("It is proved that {proved}; other rolls may.")
             });
         }
-        told.extend(scattered(verdict.passes, self.spread(), tolerance));
+        told.push(scattered(verdict, self.spread(), &self.robot));
         told.extend(self.left(Some(tolerance)));
-        (judged(verdict.passes, self.spread(), tolerance), told)
+        (judged(verdict), told)
     }
 
     /// What compensation leaves, where it was asked for.
     fn left(&self, tolerance: Option<f64>) -> Option<String> {
         let compensation = self.compensation.as_ref()?;
         let by_model = mm(compensation.done.by_joints);
-        let Some((remaining, who)) = &compensation.remaining else {
+        let Some((remaining, what)) = &compensation.remaining else {
             return Some(format!(
-                "Compensated, {by_model} is left by the model; what is left in truth is not known, as nothing says how far the drives may be off."
+                "Compensated, {by_model} is left by the model; the expected residual is not known, as nothing says how far the drives may be off."
             ));
         };
-        let verdict = tolerance.map_or_else(String::new, |tolerance| {
-            format!(", tolerance {tolerance} mm: {}", Verdict::of(remaining.p95, tolerance).word())
-        });
+        let verdict = tolerance.and_then(|tolerance| Some((tolerance, compensation.verdict(tolerance)?)));
+        let verdict = verdict
+            .map_or_else(String::new, |(tolerance, verdict)| format!("; tolerance {tolerance} mm: {}", verdict.told()));
         Some(format!(
-            "Compensated, {by_model} is left by the model, and in 95 % of draws no more than {} ({who}){verdict}.",
+            "Compensated, {by_model} is left by the model; the expected residual ({what}) is {} in the median and {} with 95 %{verdict}.",
+            mm(remaining.median),
             mm(remaining.p95)
         ))
     }

@@ -6,7 +6,9 @@ mod path_rank;
 mod place;
 mod rank;
 
-use super::words::fixed;
+use super::uncertainty::of_what;
+use super::verdict::{HOLDS, Verdict, percent};
+use super::words::{fixed, status};
 use super::{Unit, stiffness, stiffnesses};
 use crate::robot::{Robot, Status, StiffnessSource};
 use crate::uncertainty::Spread;
@@ -14,9 +16,9 @@ use crate::uncertainty::Spread;
 /// The answer in one word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// The tolerance is held, as far as anybody knows.
+    /// The tolerance is held, with a probability of 95 % or more.
     Passes,
-    /// It is held at the stiffness told, and not by all drives that may be meant by it.
+    /// It is held at the stiffness told, with a probability of less than that or one that nobody knows.
     PassesPerhaps,
     /// The tolerance is not held.
     Fails,
@@ -28,6 +30,8 @@ pub enum Outcome {
     NotFollowed,
     /// Several are as good.
     Tie,
+    /// The best is sold for less than tool and force weigh.
+    Overloaded,
     /// One robot is advised; no tolerance was asked.
     Advised,
     /// Numbers; no tolerance was asked.
@@ -64,6 +68,7 @@ impl Outcome {
             Self::NoPlace => "no place",
             Self::NotFollowed => "not followed",
             Self::Tie => "tie",
+            Self::Overloaded => "payload exceeded",
             Self::Advised => "advised",
             Self::Told => "computed",
             Self::Identified => "identified",
@@ -76,7 +81,7 @@ impl Outcome {
     pub const fn tone(self) -> Tone {
         match self {
             Self::Passes | Self::Advised | Self::Identified => Tone::Good,
-            Self::Fails | Self::Collides | Self::NoPlace | Self::NotFollowed => Tone::Bad,
+            Self::Fails | Self::Collides | Self::NoPlace | Self::NotFollowed | Self::Overloaded => Tone::Bad,
             Self::PassesPerhaps | Self::Tie | Self::PartlyIdentified | Self::NotIdentified => Tone::Open,
             Self::Told => Tone::Plain,
         }
@@ -99,31 +104,47 @@ fn mm(metres: f64) -> String {
     format!("{} mm", fixed(Unit::Millimetre.told(metres), 4))
 }
 
-/// Whether what is held at the stiffness told is held by drives as they may be.
-fn judged(passes: bool, spread: Option<Spread>, tolerance_mm: f64) -> Outcome {
-    match (passes, spread) {
+/// In a word.
+fn judged(verdict: Verdict) -> Outcome {
+    match (verdict.passes, verdict.is_sure()) {
         (false, _) => Outcome::Fails,
-        (true, Some(spread)) if tolerance_mm < Unit::Millimetre.told(spread.p95) => Outcome::PassesPerhaps,
-        (true, _) => Outcome::Passes,
+        (true, false) => Outcome::PassesPerhaps,
+        (true, true) => Outcome::Passes,
     }
 }
 
-/// Where the value lies as the drives may be, against a tolerance; nothing where nothing says how they may be.
-fn scattered(passes: bool, spread: Option<Spread>, tolerance_mm: f64) -> Option<String> {
-    let Spread { p05, p95 } = spread?;
-    let [low, high] = [p05, p95].map(|metres| fixed(Unit::Millimetre.told(metres), 3));
-    let verdict = match (passes, Unit::Millimetre.told(p05) <= tolerance_mm, Unit::Millimetre.told(p95) <= tolerance_mm)
-    {
-        (true, _, true) => "so it holds for nearly all of them",
-        (true, ..) => {
-            "so softer drives among them do not hold it: measure the drives (`stiffarm measure`), or keep more distance"
-        }
-        (false, true, _) => {
-            "so the stiffer of them would hold it: measure the drives (`stiffarm measure`) before it is given up"
-        }
-        (false, false, _) => "so hardly any of them holds it",
+/// How likely the tolerance is held, where the value lies, and what to do about it.
+fn scattered(verdict: Verdict, spread: Option<Spread>, robot: &Robot) -> String {
+    let Some((probability, Spread { p05, p95 })) = verdict.probability.zip(spread) else {
+        return match robot.stiffness_source() {
+            StiffnessSource::Assumed => {
+                "How likely that is is not known: nothing is known of the drives; --stiffness prior takes what robots of this size have, `stiffarm measure` and `identify` what this one has.".into()
+            }
+            _ => "How likely that is is not known: nothing says how far the drives may be off.".into(),
+        };
     };
-    Some(format!("90 % of such drives give {low} to {high} mm, {verdict}."))
+    let [low, high] = [p05, p95].map(|metres| fixed(Unit::Millimetre.told(metres), 3));
+    let measure = if robot.identified().is_some() {
+        "measure in more postures and with more loads (`stiffarm measure`)"
+    } else {
+        "measure the drives (`stiffarm measure`)"
+    };
+    let advice = match (verdict.passes, verdict.is_sure()) {
+        (true, true) => String::new(),
+        (true, false) => format!(": {measure}, or keep more distance"),
+        (false, _) if 0.05 <= probability => format!(": {measure} before it is given up"),
+        (false, _) => String::new(),
+    };
+    format!(
+        "It is held with a probability of {}: the 90 % interval ({}) is {low} to {high} mm{advice}.",
+        percent(probability),
+        of_what(robot)
+    )
+}
+
+/// What every verdict rests on first: what it is about.
+fn means(tolerance_mm: Option<f64>) -> Option<String> {
+    tolerance_mm.map(|_| HOLDS.to_owned())
 }
 
 /// What every number about a robot rests on.
@@ -132,7 +153,7 @@ fn rests_on(robot: &Robot) -> Vec<String> {
     if robot.stiffness_source() == StiffnessSource::Assumed {
         told.push(ASSUMED.into());
     }
-    told.extend(status(robot.status).map(|why| format!("Lengths and limits of {}: {}.", robot.name, why)));
+    told.extend(known(robot).map(|why| format!("Lengths and limits of {}: {}.", robot.name, why)));
     told
 }
 
@@ -148,8 +169,11 @@ const ASSUMED: &str = "No source tells how stiff these drives are: a deflection 
                        and robots of one size can be compared, but a value is no promise.";
 
 /// What a status means for whoever signs.
-fn status(status: Status) -> Option<&'static str> {
-    match status {
+fn known(robot: &Robot) -> Option<&'static str> {
+    match robot.status {
+        Status::DataSheet if status(robot) != Status::DataSheet.name() => {
+            Some("from a published robot description (URDF), not from the maker's data sheet")
+        }
         Status::Identified | Status::DataSheet => None,
         Status::Derived => Some("derived, partly from published figures of the same or a sister model"),
         Status::Estimated => Some("estimated, partly assumed"),
@@ -162,20 +186,26 @@ mod tests {
 
     #[test]
     fn a_verdict_is_as_sure_as_the_drives_are_known() {
-        let spread = |p05: f64, p95: f64| Some(Spread { p05: p05 / 1e3, p95: p95 / 1e3 });
+        let robot = crate::catalogue::paper_robots().swap_remove(4);
+        let spread = Spread { p05: 0.5e-3, p95: 2.1e-3 };
         let cases = [
-            (true, None, Outcome::Passes, None),
-            (true, spread(0.5, 1.9), Outcome::Passes, Some("nearly all")),
-            (true, spread(0.5, 2.1), Outcome::PassesPerhaps, Some("softer drives")),
-            (false, spread(1.9, 3.0), Outcome::Fails, Some("stiffer of them")),
-            (false, spread(2.1, 3.0), Outcome::Fails, Some("hardly any")),
-            (false, None, Outcome::Fails, None),
+            (1.0, None, Outcome::PassesPerhaps, "nothing is known of the drives"),
+            (
+                1.0,
+                Some(0.97),
+                Outcome::Passes,
+                "probability of 97 %: the 90 % interval (drive stiffness) is 0.500 to 2.100 mm.",
+            ),
+            (1.0, Some(0.94), Outcome::PassesPerhaps, "keep more distance"),
+            (2.5, Some(0.2), Outcome::Fails, "before it is given up"),
+            (2.5, Some(0.01), Outcome::Fails, "probability of 1 %"),
+            (2.5, None, Outcome::Fails, "is not known"),
         ];
-        for (passes, spread, outcome, words) in cases {
-            assert_eq!(judged(passes, spread, 2.0), outcome);
-            let told = scattered(passes, spread, 2.0);
-            assert_eq!(told.is_some(), words.is_some());
-            assert!(words.is_none_or(|words| told.unwrap().contains(words)));
+        for (mm, probability, outcome, words) in cases {
+            let verdict = Verdict::of(mm / 1e3, 2.0).with(probability);
+            assert_eq!(judged(verdict), outcome);
+            let told = scattered(verdict, probability.map(|_| spread), &robot);
+            assert!(told.contains(words), "{told}");
         }
     }
 

@@ -1,10 +1,10 @@
 //! The best place of one zone in a few sentences.
 
 use super::super::PlaceAnswer;
-use super::super::place::Verdict;
-use super::super::uncertainty;
+use super::super::payload::Payload;
+use super::super::verdict::{HOLDS, Verdict};
 use super::super::words::{self, fixed};
-use super::{Headline, Outcome, judged, mm, rests_on, scattered};
+use super::{Headline, Outcome, judged, means, mm, rests_on, scattered};
 use crate::place::{Placed, Placement};
 
 impl PlaceAnswer {
@@ -19,24 +19,24 @@ impl PlaceAnswer {
             }
             Placed::Feasible(best) => self.judged(best),
         };
-        let mut rests_on = rests_on(&self.robot);
+        let mut rests_on = means(self.tolerance_mm).into_iter().chain(rests_on(&self.robot)).collect::<Vec<_>>();
         rests_on.push(format!("Force: {}.", words::load(self.options.load, &self.model)));
-        rests_on.extend(self.notes().lines().map(sentence));
+        let payload = Payload::of(&self.robot, self.options.tool_mass, self.options.load.newtons());
+        rests_on.extend(payload.map(|payload| format!("Payload: {}.", payload.told())));
+        rests_on.extend(self.notes().lines().filter(|line| *line != HOLDS).map(sentence));
         Headline { outcome, sentences, rests_on }
     }
 
     fn judged(&self, best: &Placement) -> (Outcome, Vec<String>) {
         let (name, label, value) = (self.robot.full_name(), &self.task.label, mm(best.deflection));
         let stands = self.where_it_stands();
-        let Some(tolerance) = self.tolerance_mm else {
+        let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) else {
             let told = format!("{name} gives way by {value} at worst on {label}, {stands}.");
             let proof = (!self.is_at_one_place()).then(|| proved(best));
             return self
                 .colliding(best)
                 .unwrap_or((Outcome::Told, [Some(told), proof].into_iter().flatten().collect()));
         };
-        let verdict = Verdict::of(best.deflection, tolerance);
-        let spread = uncertainty::of(&self.robot, self.options.load, Some(best));
         let mut sentences = vec![if verdict.passes {
             format!(
                 "{name} holds {tolerance} mm on {label}: {value} at worst {stands}, {} mm less than is allowed.",
@@ -58,13 +58,13 @@ impl PlaceAnswer {
                 format!("No place that is allowed holds it: none has less than {bound}, which is proved.")
             });
         }
-        sentences.extend(scattered(verdict.passes, spread, tolerance));
+        sentences.push(scattered(verdict, self.known().map(|known| known.spread), &self.robot));
         match self.colliding(best) {
             Some((outcome, mut told)) => {
                 told.extend(sentences);
                 (outcome, told)
             }
-            None => (judged(verdict.passes, spread, tolerance), sentences),
+            None => (judged(verdict), sentences),
         }
     }
 

@@ -1,10 +1,10 @@
 //! A ranking in a few sentences.
 
-use super::super::place::Verdict;
+use super::super::payload::Payload;
 use super::super::words::{self, fixed};
 use super::super::{RankAnswer, uncertainty};
 use super::place::sentence;
-use super::{Headline, Outcome, drives_rest_on, mm};
+use super::{Headline, Outcome, drives_rest_on, means, mm};
 use crate::model::ModelKind;
 use crate::rank::Row;
 
@@ -15,7 +15,8 @@ impl RankAnswer {
         let mut sentences = self.sentences();
         let first = 1.min(sentences.len());
         sentences.splice(first..first, self.shortfall().map(|why| sentence(&why)).into_iter().chain(self.leads()));
-        let mut rests_on = drives_rest_on(ranking.rows.iter().map(|row| &row.robot));
+        let drives = drives_rest_on(ranking.rows.iter().map(|row| &row.robot));
+        let mut rests_on: Vec<String> = means(self.tolerance_mm).into_iter().chain(drives).collect();
         rests_on.push(match &ranking.model {
             ModelKind::Planar => "Model: the arm plane with the drives 2 and 3; wrist and tool are not in it.".into(),
             ModelKind::Spatial(_) => "Model: six axes with all drives; everything else is rigid.".into(),
@@ -42,16 +43,17 @@ impl RankAnswer {
         if winners.len() < ranking.tasks.len() {
             return Outcome::NoPlace;
         }
+        if any(&|_, row| self.payload(&row.robot).is_some_and(Payload::is_exceeded)) {
+            return Outcome::Overloaded;
+        }
         if any(&|task, _| !ranking.rivals(task).is_empty() || 1 < uncertainty::ties(&self.chances, task)) {
             return Outcome::Tie;
         }
-        let holds = |metres: f64| self.tolerance_mm.is_none_or(|tolerance| Verdict::of(metres, tolerance).passes);
-        let spread = |task: usize, row: &Row| uncertainty::of(&row.robot, ranking.load, row.placement(task));
+        let is_open =
+            |(task, row): &(usize, &Row)| self.verdict_of(row, *task).is_some_and(|verdict| !verdict.is_sure());
         match self.tolerance_mm {
             None => Outcome::Advised,
-            Some(_) if any(&|task, row| spread(task, row).is_some_and(|spread| !holds(spread.p95))) => {
-                Outcome::PassesPerhaps
-            }
+            Some(_) if winners.iter().any(is_open) => Outcome::PassesPerhaps,
             Some(_) => Outcome::Passes,
         }
     }

@@ -11,7 +11,7 @@ use crate::mill::{
     drawn_errors, forced, place_path, remaining,
 };
 use crate::plain::on_one_line;
-use crate::prior::{factors, factors_of};
+use crate::prior::Drawn;
 use crate::request::Request;
 use crate::robot::Robot;
 use crate::stock::Stock;
@@ -86,10 +86,10 @@ impl MillAnswer {
         let (mut draws, mut compensated, mut fed_back) = (None, None, None);
         if let (Some(Milled::Followed(found)), Some(placement)) = (&milled, placement) {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
-            let drawn = |draws: Vec<[f64; 6]>| {
-                drawn_errors(&robot, &stand, (&stations, &found.samples), (options.part, &draws), watch).map_err(failed)
+            let drawn = |drawn: Drawn| {
+                drawn_errors(&robot, &stand, (&stations, &found.samples), (options.part, &drawn), watch).map_err(failed)
             };
-            draws = factors(&robot, DRAWS).map(drawn).transpose()?;
+            draws = Drawn::of(&robot, DRAWS).map(drawn).transpose()?;
             fed_back =
                 mill::fed_back(&robot, &stand, (&stations, &found.samples), options.part, watch).map_err(failed)?;
             if asked.is_compensated() {
@@ -127,14 +127,19 @@ fn compensation(
 ) -> Result<Compensation, MillError> {
     let path = (stations, followed);
     let done = compensate(robot, stand, path, part, watch)?;
-    let draws = match asked.stiffness_uncertainty() {
+    let drawn = match asked.stiffness_uncertainty() {
         Some(share) => {
-            Some((factors_of(share, DRAWS), format!("every drive within {} % or so", fixed(100.0 * share, 0))))
+            let of_drives = format!("standard deviation of {} % on every drive", fixed(100.0 * share, 0));
+            Some((Drawn::within(robot, share, DRAWS), of_drives))
         }
-        None => factors(robot, DRAWS).map(|draws| (draws, "the drives as they may be".to_owned())),
+        None => Drawn::of(robot, DRAWS).map(|drawn| (drawn, "drive stiffness".to_owned())),
     };
-    let remaining = draws
-        .map(|(draws, who)| Ok::<_, MillError>((remaining(robot, stand, path, (part, &draws), watch)?, who)))
+    let remaining = drawn
+        .map(|(drawn, of_drives)| {
+            let of_model = if drawn.unexplained.is_some() { " and identification residual" } else { "" };
+            let left = remaining(robot, stand, path, (part, &drawn), watch)?;
+            Ok::<_, MillError>((left, format!("{of_drives}{of_model}")))
+        })
         .transpose()?;
     Ok(Compensation { done, remaining })
 }

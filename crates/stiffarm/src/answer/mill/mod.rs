@@ -7,13 +7,16 @@ mod record;
 mod table;
 mod worst;
 
+use nalgebra::Vector3;
 pub use ranking::{PathRankAnswer, PathRow};
 use serde_json::Value;
 
-use super::place::Verdict;
+use super::payload::Payload;
+use super::uncertainty::Known;
+use super::verdict::Verdict;
 use super::{fixed, with_schema};
 use crate::mill::{
-    Blocked, Compensated, FedBack, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement,
+    Acting, Blocked, Compensated, FedBack, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement,
     PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, roll_map,
 };
 use crate::program::ProgramFault;
@@ -66,6 +69,16 @@ pub struct Compensation {
     pub done: Compensated,
     /// What is left where the drives are not as the model has them, and who says how far they may be off; `None` where nobody does.
     pub remaining: Option<(Remaining, String)>,
+}
+
+impl Compensation {
+    /// Whether a tolerance, mm, is kept by what is left, the median of the draws as the nominal value; `None` where nothing says how far the
+    /// drives may be off.
+    pub fn verdict(&self, tolerance_mm: f64) -> Option<Verdict> {
+        let (left, _) = self.remaining.as_ref()?;
+        let holds = Known::of(left.all.clone(), Some(tolerance_mm)).holds;
+        Some(Verdict::of(left.median, tolerance_mm).with(holds))
+    }
 }
 
 /// A path that has no answer.
@@ -133,6 +146,28 @@ impl MillAnswer {
     /// Where the largest error lies with 90 %, as the drives may be, m.
     pub fn spread(&self) -> Option<Spread> {
         self.draws.clone().map(Spread::of)
+    }
+
+    /// Whether the tolerance is kept along the path; `None` where there is none, or the path is not followed.
+    pub fn verdict(&self) -> Option<Verdict> {
+        let (tolerance, found) = self.tolerance_mm.zip(self.followed())?;
+        let known = self.draws.clone().map(|draws| Known::of(draws, Some(tolerance)));
+        Some(Verdict::of(found.worst.0, tolerance).with(known.and_then(|known| known.holds)))
+    }
+
+    /// The largest force along the path, N.
+    fn newtons(&self) -> f64 {
+        let force = |station: &Station| match station.acting {
+            None => 0.0,
+            Some(Acting::Any(newtons)) => newtons,
+            Some(Acting::Known { force, .. }) => Vector3::from(force).norm(),
+        };
+        self.stations.iter().map(force).fold(0.0, f64::max)
+    }
+
+    /// What the robot must hold.
+    pub(super) fn payload(&self) -> Option<Payload> {
+        Payload::of(&self.robot, self.options.tool_mass, self.newtons())
     }
 
     fn blocked(&self) -> Option<&Blocked> {

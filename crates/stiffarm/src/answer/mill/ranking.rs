@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::super::place::Verdict;
+use super::super::verdict::{self, Verdict};
 use super::super::words::{self, degrees};
 use super::super::{Record, Rows, Table, field, fixed, stiffness, stiffnesses, uncertainty, with_schema};
 use super::{MillAnswer, MillAnswerError, least};
@@ -142,7 +142,7 @@ impl PathRankAnswer {
             "status",
             "error [mm]",
             "at least [mm]",
-            "90 % of drives [mm]",
+            "90 % interval [mm]",
             "origin at [m]",
             "yaw [deg]",
             "margin [deg]",
@@ -155,9 +155,9 @@ impl PathRankAnswer {
             let mut cells = vec![
                 row.standing.rank.map_or_else(|| none.to_owned(), |rank| rank.to_string()),
                 format!("{}{}", row.robot.full_name(), if is_estimated { " ~" } else { "" }),
-                row.robot.status.to_string(),
+                words::status(&row.robot).into(),
             ];
-            cells.extend(row.told(best == Some(&row.robot), self.tolerance_mm));
+            cells.extend(row.told(best == Some(&row.robot)));
             table.row(cells);
         }
         table
@@ -193,15 +193,20 @@ impl PathRankAnswer {
             mm(value)
         )];
         if !rivals.is_empty() {
-            let names: Vec<&str> = rivals.iter().map(|row| row.robot.name.as_str()).collect();
-            told.push(format!("By the proof it cannot be told apart from {}.", names.join(", ")));
+            let names = named(rivals.iter().map(|row| row.robot.name.clone()).collect());
+            told.push(format!("By the proof it cannot be told apart from {names}."));
         }
         told.extend(self.tolerance_mm.map(|tolerance| {
-            let holds: Vec<&str> =
-                self.rows.iter().filter(|row| row.holds(tolerance)).map(|row| row.robot.name.as_str()).collect();
-            match holds.as_slice() {
-                [] => format!("No robot holds {tolerance} mm, the drives taken as they are told."),
-                holds => format!("{tolerance} mm is held by {}, the drives taken as they are told.", holds.join(", ")),
+            let name = |row: &PathRow| {
+                let probability = row.milled.as_ref().ok().and_then(|milled| milled.verdict()?.probability);
+                let sure = probability.map_or_else(String::new, |known| format!(" (P {})", verdict::percent(known)));
+                format!("{}{sure}", row.robot.name)
+            };
+            let holds: Vec<String> = self.rows.iter().filter(|row| row.holds(tolerance)).map(name).collect();
+            if holds.is_empty() {
+                format!("No robot holds {tolerance} mm, the drives taken as they are told.")
+            } else {
+                format!("{tolerance} mm is held by {}, the drives taken as they are told.", named(holds))
             }
         }));
         let known = self.rows.iter().filter_map(|row| Some((row.robot.name.as_str(), row.chances?))).collect();
@@ -224,6 +229,14 @@ impl PathRankAnswer {
             None => format!("no robot of published geometry follows {}", self.path),
         })
     }
+}
+
+/// The first ten of some names, and how many there are besides.
+fn named(names: Vec<String>) -> String {
+    const MOST: usize = 10;
+    let more = names.len().saturating_sub(MOST);
+    let told = names.into_iter().take(MOST).collect::<Vec<_>>().join(", ");
+    if more == 0 { told } else { format!("{told} and {more} more") }
 }
 
 /// The robots in order.
@@ -274,7 +287,6 @@ impl PathRow {
         let found = answer.and_then(MillAnswer::followed);
         let placement = answer.and_then(|answer| answer.placement);
         let spread = answer.and_then(MillAnswer::spread);
-        let verdict = tolerance_mm.zip(found).map(|(tolerance, found)| Verdict::of(found.worst.0, tolerance));
         let reason = milled.map_or_else(|error| Some(error.to_string()), MillAnswer::reason);
         let mut record = Record::new();
         stiffness::put_robot(&mut record, robot);
@@ -292,17 +304,15 @@ impl PathRow {
             .put(field::AT, placement.map(|placement| placement.at))
             .put(field::AT_YAW, placement.map(|placement| placement.yaw))
             .put(field::LIMIT_MARGIN, found.map(|found| least(found, |pushed| pushed.limit_margin)))
-            .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)))
-            .put(field::TOLERANCE, tolerance_mm)
-            .put(field::PASS, verdict.map(|verdict| verdict.passes))
-            .put(field::MARGIN, verdict.map(|verdict| verdict.margin_mm));
+            .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)));
+        verdict::put(&mut record, tolerance_mm, answer.and_then(MillAnswer::verdict), false);
         uncertainty::put_chances(&mut record, &[*chances]);
         record.put(field::SEARCH, answer.and_then(MillAnswer::search));
         record
     }
 
     /// What the table tells besides rank and name.
-    fn told(&self, is_best: bool, tolerance_mm: Option<f64>) -> Vec<String> {
+    fn told(&self, is_best: bool) -> Vec<String> {
         let nothing = || vec!["-".to_owned(); 6];
         let Ok(milled) = &self.milled else { return nothing() };
         let (Some(found), Some(placement), Some([bound, value])) =
@@ -319,10 +329,7 @@ impl PathRow {
         } else {
             ""
         };
-        let verdict = tolerance_mm.map_or_else(String::new, |tolerance| {
-            let verdict = Verdict::of(value, tolerance);
-            format!(" {} {:+.3}", verdict.word(), verdict.margin_mm)
-        });
+        let verdict = milled.verdict().map_or_else(String::new, |verdict| format!(" {}", verdict.short()));
         let margin = least(found, |pushed| pushed.limit_margin.min(pushed.singular_margin));
         vec![
             format!("{}{mark}{verdict}", mm(value)),

@@ -3,9 +3,9 @@
 use serde_json::{Value, json};
 
 use super::super::path::corners;
-use super::super::place::Verdict;
 use super::super::stiffness::stiffness;
-use super::super::{Cell, Column, ColumnKind, Record, Rows, field};
+use super::super::verdict::{self, Verdict};
+use super::super::{Cell, Column, ColumnKind, Record, Rows, field, payload};
 use super::{Compensation, MillAnswer, least};
 use crate::limits::Pendant;
 use crate::mill::{Acting, FedBack, Pushed, Stand, Station};
@@ -16,7 +16,6 @@ impl MillAnswer {
     pub fn record(&self) -> Record {
         let (robot, options) = (&self.robot, &self.options);
         let found = self.followed();
-        let verdict = self.tolerance_mm.zip(found).map(|(tolerance, found)| Verdict::of(found.worst.0, tolerance));
         let worst = found.map(|found| (&self.stations[found.worst.1], &found.samples[found.worst.1]));
         let mut record = Record::new();
         record
@@ -24,7 +23,9 @@ impl MillAnswer {
             .put(field::STIFFNESS_SOURCE, stiffness(robot))
             .put(field::PENDANT, robot.pendant().map(Pendant::name))
             .put(field::PATH, &self.path)
-            .put(field::CUTTING_FORCE, &self.force)
+            .put(field::CUTTING_FORCE, &self.force);
+        payload::put(&mut record, robot, options.tool_mass, self.newtons());
+        record
             .put(field::PART, self.part())
             .put(field::ROLL_CHOICE, self.roll())
             .put(field::ERROR_PART, options.part.name())
@@ -46,10 +47,10 @@ impl MillAnswer {
             .put(field::WORST_JOINTS, worst.map(|(_, pushed)| pushed.joints))
             .put(field::WORST_SHARES, worst.and_then(|(_, pushed)| pushed.shares))
             .put(field::LIMIT_MARGIN, found.map(|found| least(found, |pushed| pushed.limit_margin)))
-            .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)))
-            .put(field::TOLERANCE, self.tolerance_mm)
-            .put(field::PASS, verdict.map(|verdict| verdict.passes))
-            .put(field::MARGIN, verdict.map(|verdict| verdict.margin_mm))
+            .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)));
+        verdict::put(&mut record, self.tolerance_mm, self.verdict(), false);
+        let compensated = |compensation| compensated(compensation, self.tolerance_mm);
+        record
             .put(field::FED_BACK, self.fed_back.as_ref().map(fed_back))
             .put(field::PATH_COMPENSATION, self.compensation.as_ref().map(compensated))
             .put(field::SEARCH, self.search())
@@ -221,9 +222,10 @@ fn fed_back(found: &FedBack) -> Record {
 }
 
 /// What is commanded, and what is left.
-fn compensated(compensation: &Compensation) -> Record {
+fn compensated(compensation: &Compensation, tolerance_mm: Option<f64>) -> Record {
     let Compensation { done, remaining } = compensation;
     let told = remaining.as_ref().map(|(remaining, _)| remaining);
+    let verdict = tolerance_mm.and_then(|tolerance| compensation.verdict(tolerance));
     let mut record = Record::new();
     record
         .put(field::LARGEST_CORRECTION, done.largest)
@@ -232,6 +234,8 @@ fn compensated(compensation: &Compensation) -> Record {
         .put(field::LEFT_MEDIAN, told.map(|told| told.median))
         .put(field::LEFT_P95, told.map(|told| told.p95))
         .put(field::UNCERTAIN, remaining.as_ref().map(|(_, who)| who))
+        .put(field::VERDICT, verdict.map(Verdict::word))
+        .put(field::PROBABILITY, verdict.and_then(|verdict| verdict.probability))
         .put(field::BEYOND_LIMITS, done.beyond.len());
     record
 }

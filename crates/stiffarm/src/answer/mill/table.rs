@@ -1,10 +1,10 @@
 //! A path that is milled, as people read it.
 
 use super::super::path::within;
-use super::super::place::Verdict;
 use super::super::stiffness::stiffness;
+use super::super::verdict::HOLDS;
 use super::super::words::{degrees, percentages, robot as named, tool};
-use super::super::{Line, Table, fixed, line, uncertainty};
+use super::super::{Line, Table, fixed, line, payload, uncertainty};
 use super::{Compensation, MillAnswer, least};
 use crate::mill::{Acting, ErrorPart, Followed, MillOptions, PartPlacement, PathResolution, Remaining, RollMode};
 
@@ -27,6 +27,7 @@ impl MillAnswer {
             line("rapid moves", format!("{length} mm, ending within {}", told(extent)))
         }));
         lines.extend([line("force on the tool", &self.force), line("what counts", counted(self.options.part))]);
+        lines.extend(payload::lines(self.payload()));
         lines.push(line("keeps", self.kept()));
         lines.extend(self.place_lines());
         match self.followed() {
@@ -100,7 +101,7 @@ impl MillAnswer {
             };
             line("as the cut changes by it", told)
         }));
-        lines.extend(uncertainty::told(self.spread()));
+        lines.extend(uncertainty::told(&self.robot, self.spread()));
         let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
         lines.push(line(format!("{} less than", self.bounded()), proved(found.lower_bound)));
@@ -150,10 +151,9 @@ impl MillAnswer {
             "smallest margins",
             format!("{} to a joint limit, {} to a straight posture", margins[0], margins[1]),
         ));
-        if let Some(tolerance) = self.tolerance_mm {
-            let verdict = Verdict::of(found.worst.0, tolerance);
+        if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
             let margin = fixed(verdict.margin_mm, 4);
-            lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm", verdict.word())));
+            lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm", verdict.told())));
             if !verdict.passes && 0 < station.sample.line {
                 let over =
                     self.stations.iter().zip(&found.samples).filter(|(_, pushed)| tolerance < pushed.error * 1e3);
@@ -170,7 +170,8 @@ impl MillAnswer {
     }
 
     /// What compensation does, as people read it.
-    fn compensated_lines(&self, Compensation { done, remaining }: &Compensation) -> Vec<Line> {
+    fn compensated_lines(&self, compensation: &Compensation) -> Vec<Line> {
+        let Compensation { done, remaining } = compensation;
         let mm = |metres: f64| format!("{} mm", fixed(metres * 1e3, 4));
         let by_tips = if done.by_tips().is_finite() { mm(done.by_tips()) } else { "not reached".into() };
         let mut lines = vec![
@@ -181,15 +182,17 @@ impl MillAnswer {
             ),
         ];
         match remaining {
-            Some((Remaining { median, p95, draws, .. }, who)) => {
-                let verdict = self.tolerance_mm.map_or_else(String::new, |tolerance| {
-                    format!("; tolerance {tolerance} mm: {}", Verdict::of(*p95, tolerance).word())
-                });
-                let told = format!("{} (half of {draws} draws), {} (95 %): {who}{verdict}", mm(*median), mm(*p95));
-                lines.push(line("left, in truth", told));
+            Some((Remaining { median, p95, all, .. }, what)) => {
+                let told = format!("{}; {} ({} draws of {what})", mm(*median), mm(*p95), all.len());
+                lines.push(line(EXPECTED_RESIDUAL, told));
+                let verdict =
+                    self.tolerance_mm.and_then(|tolerance| Some((tolerance, compensation.verdict(tolerance)?)));
+                lines.extend(verdict.map(|(tolerance, verdict)| {
+                    line("tolerance, compensated", format!("{tolerance} mm: {}", verdict.told()))
+                }));
             }
             None => lines.push(line(
-                "left, in truth",
+                EXPECTED_RESIDUAL,
                 "not known: nothing says how far the drives may be off; --stiffness-uncertainty does",
             )),
         }
@@ -211,11 +214,15 @@ impl MillAnswer {
         } else {
             "a robot follows the mean force over a revolution; the teeth cut far more often than it can follow"
         };
+        let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n"));
         format!(
-            "all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at; collisions with part, floor and cell are not looked for\n"
+            "{holds}all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at; collisions with part, floor and cell are not looked for\n"
         )
     }
 }
+
+/// Half of the draws leave no more than the first number, 95 % no more than the second.
+const EXPECTED_RESIDUAL: &str = "expected residual (median; 95 %)";
 
 fn counted(part: ErrorPart) -> &'static str {
     match part {

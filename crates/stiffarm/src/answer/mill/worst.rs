@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::place::Verdict;
+use super::super::verdict::Verdict;
 use super::super::{Table, fixed};
 use super::MillAnswer;
 use crate::mill::{Acting, Pushed, Station};
@@ -58,7 +58,7 @@ impl MillAnswer {
         cells.push(mm(pushed.error, 4));
         cells.extend(self.tolerance_mm.map(|tolerance| {
             let verdict = Verdict::of(pushed.error, tolerance);
-            format!("{} {:+.4}", verdict.word(), verdict.margin_mm)
+            format!("{} {:+.4}", verdict.nominal(), verdict.margin_mm)
         }));
         cells.push(match &station.acting {
             None => "-".into(),

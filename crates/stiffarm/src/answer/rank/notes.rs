@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::super::margins;
+use super::super::verdict::HOLDS;
 use super::super::words::{self, COLUMN};
 use super::RankAnswer;
 use crate::place::{Column, PlaceError, Placement};
@@ -54,6 +55,12 @@ impl RankAnswer {
         notes += &self.overloaded();
         notes += &self.below_base();
         notes += &self.in_column();
+        if self.tolerance_mm.is_some() {
+            let _ = writeln!(
+                notes,
+                "{HOLDS}\npass: held with P of 95 % or more; pass, not sure: held at the stiffness told, with less or with P not known; P: probability, as the drives may be"
+            );
+        }
         notes += words::assumed_architecture(rows.iter().map(|row| &row.robot));
         if in_plane.is_none() && self.ranking.load.is_worst() {
             notes += "bound: deflection at the stiffest posture of the links; no placement of any task has less\n";
@@ -69,7 +76,7 @@ impl RankAnswer {
 
     /// Counts the robots of which the force is more than the weight they are sold to carry.
     fn overloaded(&self) -> String {
-        let held = self.ranking.load.newtons() / 9.81;
+        let held = self.options.tool_mass.unwrap_or(0.0) + self.ranking.load.newtons() / 9.81;
         let rows = &self.ranking.rows;
         let light = |row: &&Row| row.robot.stiffness_is_assumed && row.robot.payload_kg.is_some_and(|kg| kg < held);
         let count = rows.iter().filter(light).count();

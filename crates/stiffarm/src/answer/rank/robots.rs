@@ -1,7 +1,7 @@
 //! One robot of a ranking, task by task.
 
 use super::super::words::{self, fixed};
-use super::super::{Table, margins, uncertainty};
+use super::super::{Table, margins};
 use super::RankAnswer;
 use crate::place::{Placed, Placement};
 use crate::uncertainty::Spread;
@@ -14,17 +14,15 @@ impl RankAnswer {
     pub fn table_of(&self, at: usize) -> Table {
         let row = &self.ranking.rows[at];
         let rivals: Vec<_> = (0..self.ranking.tasks.len()).map(|task| self.ranking.rivals(task)).collect();
-        let spreads: Vec<Option<Spread>> = (0..row.cells.len())
-            .map(|task| uncertainty::of(&row.robot, self.ranking.load, row.placement(task)))
-            .collect();
+        let spreads: Vec<Option<Spread>> = (0..row.cells.len()).map(|task| self.spread(at, task)).collect();
         let is_scattered = spreads.iter().any(Option::is_some);
         let mut headings = vec!["task", "worst deflection [mm]", "no place has less than [mm]"];
-        headings.extend(is_scattered.then_some("90 % of such drives [mm]"));
+        headings.extend(is_scattered.then_some("90 % interval [mm]"));
         headings.extend(["x [m]", "z [m]", "smallest margin", "clearance [mm]"]);
         let mut table = Table::new(headings);
         for (task, asked) in self.ranking.tasks.iter().enumerate() {
             let best = row.placement(task);
-            let mut cells = vec![asked.label.clone(), self.told(row, task, &rivals[task])];
+            let mut cells = vec![asked.label.clone(), self.told(at, task, &rivals[task])];
             cells.push(or_dash(best, |best| Some(fixed(best.lower_bound * 1e3, 3))));
             if is_scattered {
                 let told = |spread: Spread| format!("{} .. {}", fixed(spread.p05 * 1e3, 3), fixed(spread.p95 * 1e3, 3));

@@ -1,14 +1,19 @@
 //! What a manager would read of a ranking, and why there is no advice where there is none.
 
 use super::super::advice;
-use super::super::place::Verdict;
+use super::super::stiffness;
 use super::super::uncertainty;
+use super::super::verdict::{Verdict, percent};
 use super::super::words::{self, fixed};
 use super::RankAnswer;
 use super::notes::MOST_NAMED;
 use crate::drive::Architecture;
+use crate::model::ModelKind;
 use crate::rank::Row;
 use crate::robot::{Robot, Status};
+
+/// So many of those that keep a tolerance are named.
+const MOST_ADVISED: usize = 10;
 
 impl RankAnswer {
     /// What a manager would read.
@@ -64,16 +69,17 @@ impl RankAnswer {
         let list = |winners: &[(&Row, Vec<usize>)]| {
             let of = |(row, tasks): &(&Row, Vec<usize>)| {
                 let told = |&task: &usize| format!("{} ({} mm)", ranking.tasks[task].label, millimetres(row, task));
-                format!("{} for {}", row.robot.full_name(), tasks.iter().map(told).collect::<Vec<_>>().join(", "))
+                let tasks = tasks.iter().map(told).collect::<Vec<_>>().join(", ");
+                format!("{} for {tasks}", with_payload(&row.robot))
             };
             winners.iter().map(of).collect::<Vec<_>>().join("; ")
         };
+        let under = self.under(winners.iter().map(|(row, _)| &row.robot));
         let collides =
             |row: &Row, task: usize| row.placement(task).is_some_and(|best| best.space().is_some() && best.collides());
         if winners.iter().any(|(row, tasks)| tasks.iter().any(|&task| collides(row, task))) {
             return format!(
-                "Under {} the least deflection is that of {}; but an arm collides there, so no robot is advised.",
-                words::acting(ranking.load),
+                "{under} the least deflection is that of {}; but an arm collides there, so no robot is advised.",
                 list(&winners)
             );
         }
@@ -83,9 +89,20 @@ impl RankAnswer {
         };
         if winners.iter().any(|(row, tasks)| tasks.iter().any(|&task| fails(row, task))) {
             return format!(
-                "Under {} the least deflection is that of {}; it does not keep the tolerance everywhere, so no robot is advised.",
-                words::acting(ranking.load),
+                "{under} the least deflection is that of {}; it does not keep the tolerance everywhere, so no robot is advised.",
                 list(&winners)
+            );
+        }
+        let exceeded = winners.iter().filter_map(|(row, _)| {
+            let payload = self.payload(&row.robot).filter(|payload| payload.is_exceeded())?;
+            Some(format!("{}: {}", row.robot.name, payload.told()))
+        });
+        let exceeded: Vec<String> = exceeded.collect();
+        if !exceeded.is_empty() {
+            return format!(
+                "{under} the least deflection is that of {}; but a robot is sold for less than tool and force weigh, so no robot is advised (payload of {}). --payload-kg leaves such robots out.",
+                list(&winners),
+                exceeded.join("; ")
             );
         }
         let ties = |task: usize| uncertainty::ties(&self.chances, task);
@@ -93,7 +110,6 @@ impl RankAnswer {
         let decided = self.tasks_by_robot(|task| ranking.best_published(task).filter(|_| is_alone(task)));
         let told = |task: usize| self.not_told_apart(task).or_else(|| self.tied_by_drives(task, ties(task)));
         let open: Vec<String> = (0..ranking.tasks.len()).filter_map(told).collect();
-        let under = format!("Under {}", words::acting(ranking.load));
         match (decided.as_slice(), open.is_empty()) {
             (decided, true) => format!("{under} take {}.", list(decided)),
             ([], false) => format!("{under} no robot is advised: {}.", open.join("; ")),
@@ -101,6 +117,16 @@ impl RankAnswer {
                 format!("{under} take {}; no robot is advised where {}.", list(decided), open.join("; "))
             }
         }
+    }
+
+    /// Under what the winners win: the force, how stiff the drives are taken to be, and in the arm plane how zones stand.
+    fn under<'a>(&self, robots: impl Iterator<Item = &'a Robot>) -> String {
+        let (acting, drives) = (words::acting(self.ranking.load), stiffness::sources(robots));
+        let upright = match self.ranking.model {
+            ModelKind::Planar => format!(", zones {}", words::UPRIGHT),
+            ModelKind::Spatial(_) => String::new(),
+        };
+        format!("Under {acting}, {drives}{upright}:")
     }
 
     /// The best of a task with all that may be as good, where there are some.
@@ -204,14 +230,31 @@ impl RankAnswer {
             (0..row.cells.len())
                 .all(|task| row.deflection(task).is_some_and(|deflection| Verdict::of(deflection, tolerance).passes))
         };
-        let passing: Vec<String> =
-            self.ranking.rows.iter().filter(keeps).map(|row| words::marked(&row.robot)).collect();
+        let passing: Vec<&Row> = self.ranking.rows.iter().filter(keeps).collect();
         if passing.is_empty() {
-            format!("No robot keeps {tolerance} mm on every task.")
-        } else {
-            format!("{tolerance} mm on every task: {}.", passing.join(", "))
+            return format!("No robot keeps {tolerance} mm on every task.");
         }
+        let told = |row: &&Row| {
+            let least = (0..row.cells.len()).map(|task| self.verdict_of(row, task)?.probability);
+            let least = least.reduce(|a, b| Some(a?.min(b?))).flatten();
+            let sure = least.map_or_else(String::new, |probability| format!(" (P {})", percent(probability)));
+            format!("{}{sure}", words::marked(&row.robot))
+        };
+        let named: Vec<String> = passing.iter().take(MOST_ADVISED).map(told).collect();
+        let more = match passing.len().saturating_sub(named.len()) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        let sure =
+            if self.known_of_any() { "" } else { "; how likely is not known, as nothing is known of the drives" };
+        format!("{tolerance} mm on every task, the drives taken as they are told: {}{more}{sure}.", named.join(", "))
     }
+}
+
+/// The name, and the payload where it is known.
+fn with_payload(robot: &Robot) -> String {
+    let payload = robot.payload_kg.map_or_else(String::new, |kg| format!(" (payload {kg} kg)"));
+    format!("{}{payload}", robot.full_name())
 }
 
 /// Of a row that has a place for the task.

@@ -1,6 +1,6 @@
 //! What is asked of measurements: of a table of them, and of a plan for them.
 
-use super::{ANY, Absent, Kind, ROW, SEVERAL, Setting, Verb, count, count_of, number_of};
+use super::{ANY, Absent, Kind, ROW, SEVERAL, SPINDLE, Setting, Verb, count, count_of, number_of};
 
 const IDENTIFY: &[Verb] = &[Verb::Identify];
 const MEASURE: &[Verb] = &[Verb::Measure];
@@ -211,6 +211,27 @@ pub(super) const ROWS: &[Setting] = &[
         ..ROW
     },
     Setting {
+        name: "posture-sigma-mm",
+        verbs: MEASURE,
+        kind: number_of(0.0, 10.0, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Default("0.1"),
+        help: "Standard deviation of what the model misses of a coordinate in a posture, however often it is read there: repeats do not take it away",
+        example: "0.2",
+        ..ROW
+    },
+    Setting {
+        name: "repeats",
+        verbs: MEASURE,
+        kind: Kind::Whole { min: 1, max: 1000 },
+        value: "N",
+        absent: Absent::Default("2"),
+        help: "How often a posture is measured at most, whatever the load",
+        example: "1",
+        ..ROW
+    },
+    Setting {
         name: "window",
         verbs: MEASURE,
         kind: Kind::Block,
@@ -264,10 +285,12 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "mm, deg",
         value: "X,Y,Z",
         absent: Absent::Means("the flange"),
+        excludes: &["tool"],
         help: "The tool of the work in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes",
         example: "0,0,200",
         ..ROW
     },
+    Setting { name: "tool", verbs: MEASURE, of: super::Of::Any, heading: "", ..SPINDLE },
     Setting {
         name: "compare",
         verbs: MEASURE,

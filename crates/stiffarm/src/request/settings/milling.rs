@@ -1,6 +1,6 @@
 //! What is asked of a part that is milled, of its toolpath and of a process.
 
-use super::{Absent, Kind, ROW, SEVERAL, SPINDLE, Setting, Verb, WHOSE, count_of, number_of};
+use super::{Absent, Kind, MASS, ROW, SEVERAL, SPINDLE, Setting, Verb, WHOSE, count_of, number_of};
 
 const MILL: &[Verb] = &[Verb::Mill];
 /// Of a path that is milled.
@@ -88,7 +88,6 @@ pub(super) const ROWS: &[Setting] = &[
     },
     Setting {
         name: "at",
-        keyword: "at_m_deg",
         kind: number_of(-1e3, 1e3, "m, and deg of yaw"),
         count: count_of(3, 4, "numbers", "x,y,z in m, or x,y,z and the yaw in deg"),
         value: "X,Y,Z,YAW",
@@ -231,6 +230,7 @@ pub(super) const ROWS: &[Setting] = &[
         ..MILLED
     },
     Setting { name: "tool", verbs: MILL, of: super::Of::Any, heading: "Robot", ..SPINDLE },
+    Setting { verbs: MILL, heading: "Robot", ..MASS },
     Setting { verbs: MILL, absent: Absent::Means("as the robot file has it, else prior"), example: "paper", ..WHOSE },
     Setting {
         name: "read-as",

@@ -1,0 +1,145 @@
+//! Do terminal, JSON, tables, reports and `--check` say the same of a tolerance, and what that rests on?
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+use tempfile::TempDir;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+const KUKA: &str = "KR 210 R2700 extra";
+const PLACE: [&str; 4] = ["place", KUKA, "--task", "A:0.5"];
+
+/// Exit code, standard output and standard error of a run, on the second day of 1970.
+fn run(asked: &[&str]) -> (i32, String, String) {
+    let mut program = Command::cargo_bin("stiffarm").expect("built by cargo");
+    let output = program.current_dir(ROOT).env("SOURCE_DATE_EPOCH", "86400").args(asked).output().expect("runs");
+    let text = |bytes| String::from_utf8(bytes).expect("text");
+    (output.status.code().expect("an exit code"), text(output.stdout), text(output.stderr))
+}
+
+fn json(asked: &[&str]) -> Value {
+    let (code, out, errors) = run(&[asked, &["-q", "--format", "json"]].concat());
+    assert_eq!(code, 0, "{asked:?}: {errors}");
+    serde_json::from_str(&out).expect("JSON")
+}
+
+fn page(asked: &[&str]) -> String {
+    let folder = TempDir::new().expect("a folder");
+    let file = folder.path().join("report.html");
+    let (code, _, errors) = run(&[asked, &["-q", "-o", &file.to_string_lossy()]].concat());
+    assert_eq!(code, 0, "{asked:?}: {errors}");
+    fs::read_to_string(file).expect("written")
+}
+
+/// Of one place: tolerances on either side of the 95th percentile and of the nominal value, with drives by the prior and as the paper assumes them.
+#[test]
+fn every_face_says_the_same_of_three_verdicts() {
+    let prior = [&PLACE[..], &["--stiffness", "prior"]].concat();
+    let told = json(&prior);
+    let number = |key: &str| told[key].as_f64().expect("a number");
+    let (nominal, high) = (number("deflection_mm"), number("deflection_mm_p95"));
+    for (asked, tolerance, word, code) in [
+        (&prior, high * 1.001, "pass", 0),
+        (&prior, f64::midpoint(nominal, high), "pass, not sure", 0),
+        (&prior, nominal * 0.999, "fail", 3),
+    ] {
+        let tolerance = format!("{tolerance:.6}");
+        let asked = [&asked[..], &["--tolerance-mm", &tolerance]].concat();
+        let told = json(&asked);
+        assert_eq!((&told["verdict"], &told["pass"]), (&word.into(), &(word != "fail").into()), "{tolerance}");
+        let probability = told["probability"].as_f64().expect("the prior says it");
+        assert_eq!(word == "pass", told["pass"] == true && 0.95 <= probability, "{probability}");
+        let (checked, text, _) = run(&[&asked[..], &["--check"]].concat());
+        let says = format!("{word} (P = {:.0} %)", (100.0 * probability).floor());
+        assert!(checked == code && text.contains(&says), "{checked} {says}: {text}");
+        assert!(text.contains("elastic deflection of the drives under the mean force"), "{text}");
+        let page = page(&asked);
+        assert!(page.contains(&format!("<strong class=\"word\">{word}</strong>")) && page.contains(&says), "{says}");
+        assert!(page.contains("What &quot;holds&quot; means") || page.contains("What \"holds\" means"), "{tolerance}");
+        let ranked = [&["rank", "--robots", KUKA, "--stiffness", "prior"], &asked[2..4], &asked[6..]].concat();
+        let cell = &json(&ranked)["rows"][0]["cells"][0];
+        assert_eq!((&cell["verdict"], &cell["probability"]), (&told["verdict"], &told["probability"]));
+        let (_, text, _) = run(&[&ranked[..], &["-q"]].concat());
+        assert!(text.contains(&format!("{word} ")) || text.contains(&format!("{word}, ")), "{text}");
+    }
+    // Nothing is known of drives that are assumed.
+    let assumed = json(&[&PLACE[..], &["--tolerance-mm", "9"]].concat());
+    assert_eq!((&assumed["verdict"], &assumed["probability"]), (&"pass, not sure".into(), &Value::Null));
+    let nowhere = json(&["place", KUKA, "--task", "A:9", "--tolerance-mm", "9"]);
+    assert_eq!((&nowhere["verdict"], &nowhere["pass"]), (&"fail".into(), &false.into()));
+}
+
+/// The process as its mean force, by another verb and typed by hand.
+#[test]
+fn a_zone_under_a_process_is_that_under_its_mean_force() {
+    let spatial = ["--task", "circle:0.2", "--model", "spatial", "--tool", "spindle:250@90", "--at", "1.7,0.8"];
+    let process = "docs/examples/endmill.toml";
+    let force = json(&["force", process]);
+    let mean: Vec<String> = force["mean_n"].as_array().unwrap().iter().map(ToString::to_string).collect();
+    let typed = format!("--force-n={}", mean.join(","));
+    let of = |force: &[&str]| json(&[&["place", KUKA], &spatial[..], force, &["--feed-deg", "30"]].concat());
+    let (by_process, by_hand) = (of(&["--process", process]), of(&[&typed]));
+    assert!(by_hand["feasible"] == true, "{by_hand}");
+    assert_eq!(by_process, by_hand);
+    let ranked = json(&[&["rank", "--robots", KUKA, "--process", process, "--feed-deg", "30"], &spatial[..]].concat());
+    assert_eq!(ranked["rows"][0]["cells"][0]["deflection_mm"], by_hand["deflection_mm"]);
+    for (words, why) in [
+        (&["--process", process, "--force-n", "300,0,0"][..], "cannot be used with"),
+        (&["--process", process, "--force-axes", "base"], "points along the axes of the tool"),
+        (&["--process", "no.toml"], "no.toml"),
+    ] {
+        let (code, _, errors) = run(&[&["place", KUKA], &spatial[..], words].concat());
+        assert!(code != 0 && errors.contains(why), "{errors}");
+    }
+    let (code, _, errors) = run(&["place", KUKA, "--task", "A:0.3", "--process", process]);
+    assert!(code == 2 && errors.contains("spatial"), "{errors}");
+}
+
+/// By hand: the KR 210 is sold for 210 kg; 1000 N weigh as much as 102 kg, which leaves 108.
+#[test]
+fn a_tool_is_told_against_the_payload() {
+    for (mass, exceeded) in [("108", false), ("109", true)] {
+        let told = json(&[&PLACE[..], &["--tool-mass-kg", mass]].concat());
+        assert_eq!((&told["overloaded"], &told["payload_kg"]), (&exceeded.into(), &210.0.into()));
+        let (_, text, _) = run(&["rank", "--robots", KUKA, "--task", "A:0.5", "--tool-mass-kg", mass]);
+        assert_eq!(text.contains("no robot is advised"), exceeded, "{text}");
+        assert!(text.contains("KUKA KR 210 R2700 extra (payload 210 kg)"), "{text}");
+        assert!(text.contains("1 urad/(N m) assumed on every drive, zones upright in the arm plane"), "{text}");
+    }
+}
+
+/// Process, date, digests of the files byte by byte by another library's reader, and what "holds" means.
+#[test]
+fn a_report_says_of_which_files_and_which_process_it_is() {
+    let (process, robot) = ("docs/examples/endmill.toml", "docs/examples/fanuc_r2000ic.toml");
+    let asked =
+        ["mill", "line:0.1", "--robot", robot, "--process", process, "--tool", "spindle:250@90", "--tolerance-mm", "1"];
+    let page = page(&asked);
+    for name in [process, robot] {
+        let digest = Sha256::digest(fs::read(Path::new(ROOT).join(name)).expect("a file"));
+        let told: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        assert!(page.contains(&told), "{name}: {told}");
+    }
+    for told in ["The process", "16.00 mm, 4 teeth", "12000.0 rpm", "Computed on 1970-01-02 (UTC)", "Nabtesco"] {
+        assert!(page.contains(told), "{told}");
+    }
+}
+
+/// By default no posture is measured more than twice; a spindle is the tool of the work as it is elsewhere; drive 1 is named, with what shows it.
+#[test]
+fn a_plan_says_what_decides_it_and_repeats_no_posture_often() {
+    let asked = ["measure", KUKA, "--task", "circle:0.2", "--candidates", "300", "--runs", "8"];
+    let spindle = [&asked[..], &["--tool", "spindle:250@90"]].concat();
+    let told = json(&spindle);
+    assert_eq!(told, json(&[&asked[..], &["--tool-mm", "250,0,0,0,90,0"]].concat()));
+    let runs = told["runs"].as_array().unwrap();
+    let same = |run: &Value| runs.iter().filter(|other| other["joints_deg"] == run["joints_deg"]).count();
+    assert!(runs.len() == 8 && runs.iter().all(|run| same(run) <= 2));
+    assert!(0.5 < told["unseen_share"].as_f64().unwrap() && told["unseen_drives"][0] == 1);
+    assert_eq!(told["advised_loads"], serde_json::json!(["left"]));
+    let (_, text, _) = run(&spindle);
+    assert!(text.contains("MEASURE UNDER MORE LOADS") && text.contains("--loads down,left shows drive 1"), "{text}");
+}
