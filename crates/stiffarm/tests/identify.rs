@@ -9,6 +9,7 @@ use stiffarm::catalogue::{find, read, write};
 use stiffarm::compliance::compliance;
 use stiffarm::drive::{Architecture, GravityCompensator, JointCompliance, Transmission};
 use stiffarm::identify::{Axes, Estimator, Identification, IdentifyError, Options, Spring, Springs, Unknown, identify};
+use stiffarm::load::Load;
 use stiffarm::prior::with_prior;
 use stiffarm::robot::{Arm, Robot, StiffnessSource};
 use stiffarm::spatial::Pose;
@@ -99,10 +100,10 @@ fn displacements_of_postures_that_were_left_out_lie_in_their_intervals() {
         (exact.residual, exact.left_out) = (0.0, None);
         for reading in left_out {
             let tool = Pose::translation(reading.load_at.x, reading.load_at.y, reading.load_at.z);
-            let force: Vector3<f64> = reading.load.0.fixed_rows::<3>(0).into();
+            let load = Load::along_base(std::array::from_fn(|i| reading.load.0[i])).unwrap();
             let holds = |robot: &Robot| {
                 let posture = compliance(robot, &reading.q, &tool).unwrap();
-                let Spread { p05, p95 } = of_posture(robot, &posture, &force).unwrap();
+                let Spread { p05, p95 } = of_posture(robot, &posture, load).unwrap();
                 (p05..=p95).contains(&reading.moved.norm())
             };
             all += 1;
