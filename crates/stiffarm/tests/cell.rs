@@ -24,7 +24,9 @@ fn model() -> Model {
 
 /// What is asked as it is typed.
 fn asked(given: &[(&str, &str)]) -> PlaceOptions {
-    let typed = [("model", "spatial"), ("task", "circle:0.3")].into_iter().chain(given.iter().copied());
+    let usual = [("model", "spatial"), ("task", "circle:0.3")];
+    let usual = usual.into_iter().filter(|(name, _)| given.iter().all(|(other, _)| other != name));
+    let typed = usual.chain(given.iter().copied());
     let pair = |(name, text): (&str, &str)| Pair { name: name.into(), text: text.into(), at: Spelling::Typed };
     let pairs: Vec<Pair> = typed.map(pair).collect();
     Request::read(Verb::Place, &pairs, Spelling::Typed).unwrap().place_options(None).unwrap()

@@ -67,7 +67,8 @@ fn the_transmissions_worked_numbers_are_those_of_the_wrist_and_of_the_parallelog
     for ((i, j), printed) in [(3, 3), (4, 3), (4, 4)].into_iter().zip(printed) {
         assert!((joints[(i, j)] - printed).abs() < 5e-3, "{i} {j}: {printed}");
     }
-    let parallelogram = DOCS.split("```toml\n").nth(1).unwrap().split("```").next().unwrap();
+    let parallelogram = DOCS.split("```toml\n").find(|block| block.starts_with("transmission")).unwrap();
+    let parallelogram = parallelogram.split("```").next().unwrap();
     let usual = documented().replace("\"serial\"", "\"quasi-serial\"");
     let start = usual.find("transmission").unwrap();
     let end = usual[start..].find("\n]\n").unwrap() + start + 3;

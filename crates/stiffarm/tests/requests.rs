@@ -35,6 +35,9 @@ fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static s
     if setting.name == "faces" {
         given.push(("task", "box:0.3x0.2x0.1"));
     }
+    if setting.name == "regions" {
+        given.push(("model", "regions"));
+    }
     // A cone is about a direction, and a force has a size unless another is given.
     if setting.name == "force-cone-deg" && verb != Verb::Compliance {
         given.push(("force-n", "300,0,-50"));
@@ -381,7 +384,7 @@ fn a_fault_of_a_job_names_file_line_key_value_and_what_was_expected() {
         ("verb = 'rank'\nforce-n = nan", "job.toml:2: invalid value 'nan' for 'force-n': expected a number from"),
         ("verb = 'rank'\nforce-n = 0x10", "job.toml:2: invalid value '10' for 'force-n': expected a number"),
         ("verb = 'rank'\nforce-n = 1\nforce_n = 1", "job.toml:3: force-n is given twice"),
-        ("verb = 'rank'\ntool-mm = [0,0,100]\n[tool]\nmm = [0,0,2]", "job.toml:2: tool-mm is given twice"),
+        ("verb = 'rank'\ntool-mm = [0,0,100]\n[tool]\nmm = [0,0,2]", "job.toml:4: tool-mm is given twice"),
         ("verb = 'rank'\n[cell]\nfloor-m = 0", "job.toml:3: floor-m is no option of rank"),
         ("verb = 'study'\n[tool]\nmm = [0,0,2]", "job.toml:3: tool-mm does not go with study"),
         ("verb = 'rank'\ntool-mm = [0,0,100]", "job.toml:2: tool-mm needs model = \"spatial\""),

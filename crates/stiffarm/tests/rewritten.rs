@@ -88,9 +88,10 @@ fn led(text: &str, format: Format, options: &ReadOptions, field: Field) -> (Stri
     }
     let length =
         |moves: &[Move]| -> f64 { moves.iter().filter(|one| one.kind == MoveKind::Feed).map(Move::length).sum() };
-    // Chords that are off an arc of 2 mm by 0.01 mm are shorter by 0.2 %.
+    // Chords that are off an arc of 2 mm by 0.01 mm are shorter by 0.2 %; from where a rapid move ends it is as far as the field leads to the
+    // corrected beginning of the cut, under 1 % of these short files.
     let grows = length(&after) / length(&before) - 1.0;
-    assert!(grows.abs() < 5e-3, "{grows}\n{output}");
+    assert!(-5e-3 < grows && grows < 1e-2, "{grows}\n{output}");
     (output, rewritten)
 }
 
