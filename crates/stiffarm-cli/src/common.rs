@@ -32,9 +32,9 @@ pub(crate) struct Common {
     /// What does not hold is a failure.
     #[arg(skip)]
     pub(crate) check: bool,
-    /// The job file that was read.
+    /// The job file that is to be written, and what will stand in it.
     #[arg(skip)]
-    pub(crate) job: Option<PathBuf>,
+    pub(crate) saved: Option<(PathBuf, String)>,
     /// Where what is named comes from.
     #[arg(skip)]
     pub(crate) shelf: Shelf,
@@ -57,10 +57,16 @@ impl Common {
             threads: None,
             quiet: false,
             check: false,
-            job: None,
-            shelf: Shelf::Disk,
+            saved: None,
+            shelf: Shelf::default(),
             client: None,
         }
+    }
+
+    /// The disks of this machine, of which nothing is read that is written.
+    pub(crate) fn disk(&self) -> Shelf {
+        let saved = self.saved.iter().map(|(path, _)| path);
+        Shelf::Disk { written: self.output.iter().chain(saved).cloned().collect() }
     }
 
     /// Says something beside the answer, where that is wanted.

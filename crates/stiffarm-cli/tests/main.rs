@@ -18,3 +18,4 @@ mod program;
 mod readme;
 mod report;
 mod serve;
+mod written;

@@ -12,7 +12,7 @@ use crate::output::{Answer, Outputs, pretty};
 use crate::table::{prose, shown};
 
 pub(crate) fn run(common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<Ledger>(common, &[])?;
+    let outputs = Outputs::open::<Ledger>(common)?;
     let ledger = Ledger(LedgerAnswer(validate(&Printed::PAPER)?));
     outputs.deliver(&ledger)?;
     match ledger.0.unsettled() {
