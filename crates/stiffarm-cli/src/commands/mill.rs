@@ -149,6 +149,10 @@ impl MillOutput<'_> {
             );
             return Err(Failure::Usage(why));
         }
+        if let Some(tool) = self.answer.only_tool {
+            let why = format!("only tool {tool} of {name} is milled: the file with all its tools is not written back");
+            return Err(Failure::Usage(why));
+        }
         let options = self.asked.read_options();
         let written = Format::of_name(&format!("a.{ending}"));
         let read = self.asked.path_format(name)?;
@@ -209,6 +213,7 @@ impl MillOutput<'_> {
             colour_label: "error [mm]".into(),
             scale: self.plate.ends(),
             floor: true,
+            cell: answer.ground.cell,
             ..View::default()
         })
     }

@@ -1,5 +1,7 @@
 //! What pushes on the tool along a path: as the path says, as a process has it, or as what is left of the stock lets it.
 
+use std::f64::consts::PI;
+
 use nalgebra::Vector3;
 
 use super::fault::of_line;
@@ -10,6 +12,10 @@ use crate::toolpath::{Given, Move, Sample, Steps};
 
 /// What was typed of the ends of a measured force is rounded to this, m or s.
 const ROUNDED: f64 = 1e-3;
+/// A corner that turns by more is sharp, rad.
+const SHARP: f64 = PI / 6.0;
+/// A cut that is narrower than a slot by less has its full width, rad.
+const NARROW: f64 = 1e-6;
 /// Below this part of its way across a move goes straight down.
 const STRAIGHT_DOWN: f64 = 1e-6;
 
@@ -108,7 +114,7 @@ pub fn forced(
         Forcing::Same(acting) => (*acting, None),
         Forcing::Process(process) => cutting(process).map_err(at(0))?,
     };
-    let mut remarks = Vec::new();
+    let (mut remarks, has_stock) = (Vec::new(), stock.is_some());
     let cut = match (stock, forcing) {
         (None, _) => None,
         (Some(stock), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
@@ -161,6 +167,9 @@ pub fn forced(
     let stations: Vec<Station> =
         stations.into_iter().zip(changes).map(|(station, changes)| Station { changes, ..station }).collect();
     remarks.extend(about_feeds(&stations, forcing));
+    if let (false, Forcing::Process(Process { law: Law::Milling(milling), .. })) = (has_stock, forcing) {
+        remarks.extend(about_engagement(&stations, milling));
+    }
     Ok(Forced { stations, remarks })
 }
 
@@ -202,6 +211,54 @@ fn about_feeds(stations: &[Station], forcing: &Forcing) -> Vec<String> {
             ));
         }
     }
+    found
+}
+
+/// What is to be said of a cut that is taken from the process, wherever the tool is.
+fn about_engagement(stations: &[Station], milling: &Milling) -> Vec<String> {
+    let Engagement { depth, entry, exit, .. } = milling.engagement;
+    let is_taken = |station: &Station| {
+        let given = station.sample.given;
+        let is_given = given.force.is_some() || given.axial_depth.is_some() && given.radial_width.is_some();
+        station.acting.is_some() && !is_given
+    };
+    if !stations.iter().any(is_taken) {
+        return Vec::new();
+    }
+    let width = milling.diameter / 2.0 * (1.0 - (exit - entry).cos());
+    let mm = |metres: f64| (metres * 1e6).round() / 1e3;
+    let mut found = vec![format!(
+        "the cut of the process, {} mm deep and {} mm wide, is taken on every feed move, in air too; a stock (stock-mm) tells what is cut where",
+        mm(depth),
+        mm(width)
+    )];
+    if exit - entry > PI - NARROW {
+        // No cut is wider than a slot.
+        return found;
+    }
+    let begins =
+        |i: &usize| is_taken(&stations[*i]) && (*i == 0 || !is_taken(&stations[*i - 1]) || stations[*i].is_fresh);
+    let turns = |i: &usize| {
+        let directions = [*i - 1, *i].map(|i| stations[i].sample.direction.filter(|_| is_taken(&stations[i])));
+        let [Some(before), Some(after)] = directions else { return false };
+        !stations[*i].is_fresh && before.dot(&after) < SHARP.cos()
+    };
+    let mut warn = |at: Vec<usize>, what: &str, why: &str| {
+        let Some(first) = at.first() else { return };
+        let line = of_line(stations[*first].sample.line);
+        found.push(format!("WIDER CUTS: {line}{} {what}: {why}, under more force than is told", at.len()));
+    };
+    let all = || 0..stations.len();
+    warn(
+        all().filter(begins).collect(),
+        "times a cut begins",
+        "where that is inside the material the mill cuts in its full width",
+    );
+    warn(
+        all().skip(1).filter(turns).collect(),
+        "times the feed turns by more than 30 deg",
+        "in an inside corner the mill cuts wider",
+    );
     found
 }
 
@@ -333,7 +390,8 @@ mod tests {
                 force(station)
             );
         }
-        assert!(found.remarks.is_empty());
+        let [told] = found.remarks.as_slice() else { panic!("{:?}", found.remarks) };
+        assert!(told.contains("2 mm deep and 16 mm wide, is taken on every feed move, in air too"), "{told}");
     }
 
     /// Along a square: over the way in the axes of the cut, over time in those of the part; by hand.

@@ -22,6 +22,10 @@ pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
     let setup = program.setup;
     let frame = |what: &str, pose: &Pose| format!("{what}: {}", told(pose, dialect.angles));
     let mut head = vec![
+        "This program moves the arm and nothing else: spindle, coolant and tool changes are not in it.".to_owned(),
+    ];
+    head.extend(setup.remarks.iter().map(|remark| ascii(remark)));
+    head.extend([
         format!("Robot: {}", ascii(setup.robot)),
         frame(dialect.frame.0, &dialect.frame.1),
         frame(dialect.tool.0, &dialect.tool.1),
@@ -29,7 +33,7 @@ pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
             "Flange frame: z out along axis 6; with the forearm level and the wrist straight, x points {}.",
             dialect.flange_x
         ),
-    ];
+    ]);
     head.push(match setup.stiffness {
         Some(source) => format!("The deflection under the cutting force is taken out. Stiffness: {}", ascii(source)),
         None => "The deflection under the cutting force is not taken out.".into(),

@@ -13,7 +13,7 @@ use serde_json::Value;
 use super::place::Verdict;
 use super::{fixed, with_schema};
 use crate::mill::{
-    Blocked, Compensated, FedBack, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement,
+    Blocked, Compensated, FedBack, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement, PathGround,
     PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, roll_map,
 };
 use crate::program::ProgramFault;
@@ -41,6 +41,10 @@ pub struct MillAnswer {
     pub stations: Vec<Station>,
     /// Where the part stands; `None` where no place was found.
     pub placement: Option<PartPlacement>,
+    /// The one tool of the path that mills, where that was asked for.
+    pub only_tool: Option<u32>,
+    /// Where it may stand, with the cell.
+    pub ground: PathGround,
     /// How finely that was looked for, and what no other place beats, m; `None` where it was given.
     pub sought: Option<(PathResolution, f64)>,
     /// What was found; `None` where there is no place at all.

@@ -108,6 +108,8 @@ pub(super) struct Reader<'a> {
     part_from_coordinates: Isometry3<f64>,
     csys: Option<Vec<f64>>,
     has_moved: bool,
+    /// The number of the tool in the spindle.
+    tool: Option<u32>,
     apart: usize,
     arc_miss: f64,
     has_ended: bool,
@@ -135,6 +137,7 @@ impl<'a> Reader<'a> {
             part_from_coordinates: Isometry3::identity(),
             csys: None,
             has_moved: false,
+            tool: None,
             apart: 0,
             arc_miss: 0.0,
             has_ended: false,
@@ -255,6 +258,9 @@ impl<'a> Reader<'a> {
                 Ok(())
             }
             name if INERT.contains(&name) || name == "TRNTYP" => {
+                if matches!(name, "LOAD" | "LOADTL") {
+                    self.tool = statement.first_number().map(|number| number as u32);
+                }
                 self.notes.ignore(line, name);
                 Ok(())
             }
@@ -359,7 +365,16 @@ impl<'a> Reader<'a> {
         if !is_rapid && feed.is_none() {
             return Err(Wrong::new(word, "no feed rate: expected FEDRAT before it, or feed-mm-per-min for the file"));
         }
-        let one = Move { line, kind, from, to, course, feed, normals: None, given: Given::default() };
+        let one = Move {
+            line,
+            kind,
+            from,
+            to,
+            course,
+            feed,
+            normals: None,
+            given: Given { tool: self.tool, ..Given::default() },
+        };
         (self.sink)(&one);
         self.tangent = one.direction(1.0).filter(|_| !is_rapid);
         (self.tip, self.axis, self.has_moved) = (Some(tip), axis, true);

@@ -58,6 +58,10 @@ pub(super) struct Reader<'a> {
     letters: [Seen; 26],
     codes: [Vec<Seen>; 2],
     has_words: bool,
+    /// The number of the tool that comes next.
+    selected: Option<u32>,
+    /// Tools are changed by M6.
+    changes_by_code: bool,
     /// Nothing is read any more, since this line.
     pub(super) ended: Option<usize>,
     after_end: Seen,
@@ -119,6 +123,8 @@ impl<'a> Reader<'a> {
             letters: [Seen::default(); 26],
             codes: [Vec::new(), Vec::new()],
             has_words: false,
+            selected: None,
+            changes_by_code: false,
             ended: None,
             after_end: Seen::default(),
         }
