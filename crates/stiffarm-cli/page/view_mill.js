@@ -60,10 +60,10 @@ async function showRolls(now, isFollowed, signal) {
   await rolls.show(stays ? rolls.picture.svg : drawn, pins);
 }
 
-/** Where the path's origin stands, as was answered last. @returns {import("./cell.js").Stand | null} */
+/** Where the path's origin stands, as was answered last and as `at` counts it: in the cell, where there is one. @returns {import("./cell.js").Stand | null} */
 function standing() {
-  const [x, y, z] = told.at_m ?? [];
-  return [x, y, z, told.at_yaw_deg].every((number) => typeof number === "number") ? [x, y, z, told.at_yaw_deg] : null;
+  const [[x, y, z], yaw] = told.cell_m ? [told.cell_m, told.cell_yaw_deg] : [told.at_m ?? [], told.at_yaw_deg];
+  return [x, y, z, yaw].every((number) => typeof number === "number") ? [x, y, z, yaw] : null;
 }
 
 /** The value while the part is in the hand. */

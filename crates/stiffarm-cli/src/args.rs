@@ -14,7 +14,6 @@ use crate::common::Common;
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
 use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_pairs, positional_rows, positionals_of, subcommand, typed};
-use crate::output::{say, write_text};
 pub(crate) use own::{ImportArgs, PaperArgs, RobotsAction, ServeArgs};
 
 /// What the program does.
@@ -126,8 +125,10 @@ pub(crate) enum Task {
 /// Where a job file cannot be read or written, or what is asked makes no sense.
 pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
     let (name, inner) = matches.subcommand().unwrap_or(("", matches));
-    let common =
-        |inner: &ArgMatches| Common::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()));
+    let common = |inner: &ArgMatches| {
+        let asked = Common::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
+        Ok::<_, Failure>(Common { shelf: asked.disk(), ..asked })
+    };
     if let Some((verb, _)) = VERBS.into_iter().find(|(verb, _)| verb.name() == name) {
         return ask(verb, inner, common(inner)?);
     }
@@ -167,13 +168,13 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
 fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Common), Failure> {
     let mut pairs = typed(matches);
     common.check = CHECKED.contains(&verb) && matches.get_flag(CHECK);
-    let mut reader = Spelling::Typed;
+    let (mut reader, mut read) = (Spelling::Typed, None);
     match positionals_of(matches).as_slice() {
         [] => {}
         [one] => {
             if let Some(job) = job_file(verb, one)? {
                 reader = Spelling::Key { file: files::shown(Path::new(one)), line: None };
-                common.job = Some(one.into());
+                read = Some(PathBuf::from(one));
                 common.take(&job.program, matches)?;
                 pairs = job.overruled_by(pairs);
             } else {
@@ -195,8 +196,10 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
     }
     if let Some(file) = matches.get_one::<String>(SAVE_JOB) {
         request.check_complete()?;
-        save(&request, Path::new(file), &common)?;
+        common.saved = Some(saved(&request, Path::new(file), &common)?);
     }
+    common.shelf = common.disk();
+    read.map_or(Ok(()), |job| common.shelf.check_unwritten(&job))?;
     Ok((Task::Ask(request), common))
 }
 
@@ -227,23 +230,13 @@ fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
     Ok(Some(job))
 }
 
-/// Writes what is asked to a job file, whole or not at all.
-fn save(request: &Request, file: &Path, common: &Common) -> Result<(), Failure> {
+/// The job file that asks the same, to be written with the answer.
+fn saved(request: &Request, file: &Path, common: &Common) -> Result<(PathBuf, String), Failure> {
     if !file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
         let shown = files::shown(file);
         return Err(Failure::Usage(format!("--save-job cannot write {shown}: expected a name that ends in .toml")));
     }
-    let mut inputs = request.robots();
-    inputs.extend([request.robot(), request.path(), request.process()].into_iter().flatten());
-    inputs.extend(request.setups().into_iter().flatten());
-    inputs.extend(request.data());
-    inputs.extend(request.compared());
-    let inputs: Vec<&Path> = inputs.iter().map(|name| Path::new(name.trim())).chain(common.job.as_deref()).collect();
-    write_text(file, &inputs, &job::write(request, &common.entries(file), file))?;
-    if !common.quiet {
-        say(&format!("wrote {}", file.display()));
-    }
-    Ok(())
+    Ok((file.into(), job::write(request, &common.entries(file), file)))
 }
 
 #[cfg(test)]

@@ -34,9 +34,9 @@ pub(crate) struct Common {
     /// What does not hold is a failure.
     #[arg(skip)]
     pub(crate) check: bool,
-    /// The job file that was read.
+    /// The job file that is to be written, and what will stand in it.
     #[arg(skip)]
-    pub(crate) job: Option<PathBuf>,
+    pub(crate) saved: Option<(PathBuf, String)>,
     /// Where what is named comes from.
     #[arg(skip)]
     pub(crate) shelf: Shelf,
@@ -62,8 +62,8 @@ impl Common {
             threads: None,
             quiet: false,
             check: false,
-            job: None,
-            shelf: Shelf::Disk,
+            saved: None,
+            shelf: Shelf::default(),
             most_samples: MOST_SAMPLES,
             client: None,
         }
@@ -72,6 +72,12 @@ impl Common {
     /// Who waits, where that is not the one before this terminal.
     pub(crate) fn watch(&self) -> Watch<'_> {
         self.client.as_ref().map_or(Watch::nobody(), |client| Watch::of(client.as_ref()))
+    }
+
+    /// The disks of this machine, of which nothing is read that is written.
+    pub(crate) fn disk(&self) -> Shelf {
+        let saved = self.saved.iter().map(|(path, _)| path);
+        Shelf::Disk { written: self.output.iter().chain(saved).cloned().collect() }
     }
 
     /// Says something beside the answer, where that is wanted.

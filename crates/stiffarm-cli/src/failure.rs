@@ -63,6 +63,12 @@ pub(crate) enum Failure {
     /// A file would be written over what is read.
     #[error("cannot write {}: the command reads this file", shown(.0))]
     OntoInput(PathBuf),
+    /// A file would be read as a robot the next time.
+    #[error("cannot write {}: every .toml file of this folder is read as a robot", shown(.0))]
+    AmongRobots(PathBuf),
+    /// One file is to hold two things.
+    #[error("cannot write {} twice: another output is the same file", shown(.0))]
+    Twice(PathBuf),
     /// No robot of this name.
     #[error("robot '{name}' is not known")]
     UnknownRobot {
@@ -246,7 +252,9 @@ impl Failure {
             | Self::Pattern { .. }
             | Self::Dash
             | Self::Ending { .. }
-            | Self::OntoInput(_) => 2,
+            | Self::OntoInput(_)
+            | Self::AmongRobots(_)
+            | Self::Twice(_) => 2,
             Self::NotHeld(_) => 3,
             _ => 1,
         }
@@ -289,6 +297,8 @@ impl Failure {
             }
             Self::Ending { .. } => "the ending of the name chooses what is written",
             Self::OntoInput(_) => "choose another name: what is read is not written over",
+            Self::AmongRobots(_) => "write it into another folder",
+            Self::Twice(_) => "give each output a name of its own",
             Self::Unreadable(unreadable) => unreadable.advice(),
             Self::RobotFile(_) => "`stiffarm robots show BT200L -o example.toml` writes a complete robot file to compare with",
             Self::Import { error, ends_are_given } => import_hint(error, *ends_are_given),

@@ -18,6 +18,7 @@ mod selection;
 mod serve;
 mod shelf;
 mod table;
+mod target;
 
 use std::io::ErrorKind;
 use std::process::ExitCode;

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, is_separator};
+use std::path::{Path, PathBuf, is_separator};
 
 use atomic_write_file::AtomicWriteFile;
 use serde::Serialize;
@@ -18,6 +18,7 @@ use crate::look::Look;
 use crate::named::{Drawn, Form, endings, form};
 use crate::report::Report;
 use crate::table::write_csv;
+use crate::target::target;
 
 /// An answer in every form it can take. Each is made only when asked for.
 pub(crate) trait Answer {
@@ -91,6 +92,8 @@ impl<A: Answer> Told for A {
 pub(crate) struct Outputs<'a> {
     common: &'a Common,
     files: Vec<(&'a Path, Form, Sink)>,
+    /// The job file, with its text.
+    job: Option<(&'a Path, &'a str, Sink)>,
 }
 
 /// Where the bytes of a file go.
@@ -102,24 +105,35 @@ enum Sink {
 }
 
 impl<'a> Outputs<'a> {
-    /// Opens every file that was asked for; `inputs` are the names under which the command reads.
+    /// Opens every file that was asked for; none of them is read, [`Shelf`](crate::shelf::Shelf) sees to that.
     ///
     /// # Errors
-    /// Where an ending is not known, a folder is missing or closed to us, or a file would be written over what is read.
-    pub(crate) fn open<A: Answer>(common: &'a Common, inputs: &[&Path]) -> Result<Self, Failure> {
-        let mut files = Vec::new();
+    /// Where an ending is not known, a folder is missing or closed to us, or two of them are one file.
+    pub(crate) fn open<A: Answer>(common: &'a Common) -> Result<Self, Failure> {
+        let (mut files, mut targets) = (Vec::new(), Vec::new());
+        let mut sink = |path: &Path| {
+            let (target, sink) = sink(path)?;
+            let is_twice = matches!(sink, Sink::Atomic(_)) && targets.contains(&target);
+            targets.push(target);
+            if is_twice { Err(Failure::Twice(path.into())) } else { Ok(sink) }
+        };
         for path in &common.output {
             if path.as_os_str() == "-" {
                 return Err(Failure::Dash);
             }
-            files.push((path.as_path(), known::<A>(path)?, sink(path, inputs)?));
+            files.push((path.as_path(), known::<A>(path)?, sink(path)?));
         }
-        Ok(Self { common, files })
+        let job = match &common.saved {
+            Some((path, text)) => Some((path.as_path(), text.as_str(), sink(path)?)),
+            None => None,
+        };
+        Ok(Self { common, files, job })
     }
 
-    /// Prints an answer and writes it to every file; what cannot be written is printed, so that it is not lost.
+    /// Prints an answer and writes it to every file; what cannot be written is printed, so that it is not lost. What was asked is written once it is
+    /// answered.
     pub(crate) fn deliver<A: Answer>(self, answer: &A) -> Result<(), Failure> {
-        let Self { common, files } = self;
+        let Self { common, files, job } = self;
         let only_data_file = common.format == Format::Table && files.iter().any(|(_, form, _)| !form.is_picture());
         let is_printed = !(only_data_file || common.quiet && !files.is_empty());
         let mut written = Vec::new();
@@ -135,12 +149,19 @@ impl<'a> Outputs<'a> {
             None if is_printed => print(&Body::of_stdout(answer, common.format)),
             None => Ok(()),
         };
+        let mut failures: Vec<Failure> = failed.into_iter().map(|(_, failure)| failure).collect();
+        if let Some((path, text, sink)) = job {
+            match put(text, path, sink) {
+                Ok(()) => written.push(path),
+                Err(failure) => failures.push(failure),
+            }
+        }
         if !common.quiet {
             for path in written {
                 say(&format!("wrote {}", path.display()));
             }
         }
-        let mut failures = failed.into_iter().map(|(_, failure)| failure);
+        let mut failures = failures.into_iter();
         let Some(first) = failures.next() else { return printed };
         for further in failures {
             say(&format!("error: {further}"));
@@ -162,36 +183,36 @@ fn known<A: Answer>(path: &Path) -> Result<Form, Failure> {
     form::<A>(path).ok_or_else(|| Failure::Ending { command: A::COMMAND, path: path.into(), expected: endings::<A>() })
 }
 
-/// Opens one file, whatever it points to.
-fn sink(path: &Path, inputs: &[&Path]) -> Result<Sink, Failure> {
+/// Opens one file, whatever it points to, and says which one that is.
+fn sink(path: &Path) -> Result<(PathBuf, Sink), Failure> {
     let failure = |error| Failure::Write { path: path.into(), error };
     // A name with a separator behind it is that of a folder, whatever its ending.
     let last = path.as_os_str().to_string_lossy();
     if last.trim_end_matches('.').ends_with(is_separator) {
         return Err(failure(io::ErrorKind::IsADirectory.into()));
     }
-    let target = match fs::canonicalize(path) {
-        Ok(target) => target,
-        Err(error) if error.kind() == io::ErrorKind::NotFound => path.into(),
-        Err(error) => return Err(failure(error)),
-    };
-    if inputs.iter().any(|input| fs::canonicalize(input).is_ok_and(|input| input == target)) {
-        return Err(Failure::OntoInput(path.into()));
-    }
-    match fs::metadata(&target) {
+    let target = target(path).map_err(failure)?;
+    let sink = match fs::metadata(&target) {
         Ok(found) if found.is_dir() => Err(failure(io::ErrorKind::IsADirectory.into())),
         Ok(found) if !found.is_file() => Ok(Sink::Straight),
         Ok(found) if found.permissions().readonly() => Err(failure(io::ErrorKind::PermissionDenied.into())),
-        _ => AtomicWriteFile::open(target).map(Sink::Atomic).map_err(failure),
-    }
+        _ => AtomicWriteFile::open(&target).map(Sink::Atomic).map_err(failure),
+    };
+    sink.map(|sink| (target, sink))
 }
 
-/// Writes a text to a file, whole or not at all; `inputs` are the names under which the command reads.
+/// Writes a text to a file, whole or not at all.
 ///
 /// # Errors
-/// Where the file cannot be written, or is one that is read.
-pub(crate) fn write_text(path: &Path, inputs: &[&Path], text: &str) -> Result<(), Failure> {
-    let written = match sink(path, inputs)? {
+/// Where the file cannot be written.
+pub(crate) fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+    let (_, sink) = sink(path)?;
+    put(text, path, sink)
+}
+
+/// The same to a file that is open.
+fn put(text: &str, path: &Path, sink: Sink) -> Result<(), Failure> {
+    let written = match sink {
         Sink::Straight => {
             fs::OpenOptions::new().write(true).open(path).and_then(|mut file| file.write_all(text.as_bytes()))
         }

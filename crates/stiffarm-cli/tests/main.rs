@@ -19,3 +19,4 @@ mod readme;
 mod report;
 mod serve;
 mod verdicts;
+mod written;

@@ -26,7 +26,7 @@ fn path() -> (Vec<Station>, Stand) {
     let steps = Steps { longest: length / 10_000.0, ..Steps::USUAL };
     let acting = Acting::Known { force: [300.0, -120.0, 80.0], moment: 4.0 };
     let tool = Pose::new(nalgebra::Vector3::new(0.25, 0.0, 0.0), nalgebra::Vector3::y() * TAU / 4.0);
-    let placement = PartPlacement { at: [1.7, 0.0, 0.8], yaw: 0.3 };
+    let placement = PartPlacement::from_base([1.7, 0.0, 0.8], 0.3);
     let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: tool };
     (stations(&moves, &steps, |_| Some(acting)), stand)
 }

@@ -24,6 +24,7 @@ mod not_of_the_plane;
 mod odd_questions;
 mod other_programs;
 mod part;
+mod path_places;
 mod placement_brute_force;
 mod programs;
 mod properties;

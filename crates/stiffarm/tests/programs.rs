@@ -27,6 +27,7 @@ fn setup(geometry: &Geometry) -> Setup<'_> {
         pendant: &Pendant::AsFile,
         base_from_part: Pose::new(Vector3::new(1.4, -0.3, 0.8), Vector3::new(0.1, -0.2, 0.7)),
         flange_from_tool: Pose::new(Vector3::new(0.05, 0.02, 0.31), Vector3::new(0.0, 0.6, 0.0)),
+        remarks: &[],
         stiffness: Some("robot file"),
     }
 }
@@ -351,6 +352,7 @@ fn heads_say_what_must_be_known_and_nothing_leaves_its_comment() {
         assert!(text.contains("KR\\nEND"), "{text}");
         assert!(text.contains("absolute-accuracy correction of the controller must be off"), "{text}");
         assert!(text.contains("Stiffness: robot file"));
+        assert!(text.contains("spindle, coolant and tool changes are not in it"), "{text}");
     }
 }
 

@@ -16,14 +16,15 @@ use crate::output::{Answer, Outputs, pretty, say, verdict};
 use crate::table::shown;
 
 pub(crate) fn run(asked: &[PathBuf], common: &Common) -> Result<(), Failure> {
-    let inputs: Vec<&Path> = asked.iter().map(PathBuf::as_path).collect();
-    let outputs = Outputs::open::<Check>(common, &inputs)?;
+    let outputs = Outputs::open::<Check>(common)?;
     let mut checked = Vec::new();
     for path in asked {
-        let paths =
-            if path.is_dir() { files::robot_files(path).map_err(Failure::from) } else { Ok(vec![path.clone()]) };
+        let paths = common.shelf.folder(&path.to_string_lossy()).unwrap_or_else(|| Ok(vec![path.clone()]));
+        for path in paths.iter().flatten() {
+            common.shelf.check_unwritten(path)?;
+        }
         match paths {
-            Ok(paths) => checked.extend(paths.iter().map(|path| Checked::of(path))),
+            Ok(paths) => checked.extend(paths.iter().map(|path| Checked::of(path, common))),
             Err(failure) => checked.push(Checked { file: files::shown(path), found: Err(failure) }),
         }
     }
@@ -64,8 +65,8 @@ struct Found {
 }
 
 impl Checked {
-    fn of(path: &Path) -> Self {
-        let found = files::load(path).map_err(Failure::from);
+    fn of(path: &Path, common: &Common) -> Self {
+        let found = common.shelf.robot(path);
         let found = found.map(|Loaded { robot, notes }| Found { doubts: doubts(&robot), robot, notes });
         Self { file: files::shown(path), found }
     }

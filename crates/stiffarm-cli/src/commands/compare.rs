@@ -1,7 +1,6 @@
 //! `stiffarm compare`: two setups side by side.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use stiffarm::answer::words::{acting, class, mapped, tool};
 use stiffarm::answer::{CompareAnswer, PlaceAnswer, Rows, Unit, stiffness};
@@ -20,11 +19,7 @@ use crate::selection;
 use crate::table::{prose, shown};
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let names = asked.setups()?;
-    let [a, b] = names.each_ref().map(|name| common.shelf.setup(name, asked));
-    let robots = [a?, b?].map(|asked| asked.robot().unwrap_or_default());
-    let inputs: Vec<&Path> = names.iter().chain(&robots).map(|name| Path::new(name.trim())).collect();
-    let outputs = Outputs::open::<CompareOutput>(common, &inputs)?;
+    let outputs = Outputs::open::<CompareOutput>(common)?;
     outputs.deliver(&answer(asked, common)?)
 }
 

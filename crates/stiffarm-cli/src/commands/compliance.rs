@@ -1,7 +1,6 @@
 //! `stiffarm compliance`: one posture, all six drives.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use nalgebra::Vector3;
 use stiffarm::answer::compliance::vector;
@@ -22,8 +21,7 @@ use crate::selection;
 use crate::table::{prose, shown};
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let name = asked.robot()?;
-    let outputs = Outputs::open::<ComplianceOutput>(common, &[Path::new(&name)])?;
+    let outputs = Outputs::open::<ComplianceOutput>(common)?;
     outputs.deliver(&answer(asked, common)?)
 }
 

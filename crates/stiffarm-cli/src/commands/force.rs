@@ -17,8 +17,7 @@ use crate::output::{Answer, Outputs, pretty};
 use crate::table::{prose, shown};
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let name = asked.process()?;
-    let outputs = Outputs::open::<ForceOutput>(common, &[Path::new(&name)])?;
+    let outputs = Outputs::open::<ForceOutput>(common)?;
     outputs.deliver(&answer(asked, common)?)
 }
 

@@ -1,7 +1,6 @@
 //! `stiffarm identify`: measured deflections to a robot file that says how well it is known.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use stiffarm::answer::{IdentifyAnswer, Rows};
 use stiffarm::catalogue::measurements;
@@ -19,8 +18,7 @@ use crate::selection;
 use crate::table::sheet;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let (data, name) = (asked.data()?, asked.robot()?);
-    let outputs = Outputs::open::<IdentifyOutput>(common, &[Path::new(&data), Path::new(&name)])?;
+    let outputs = Outputs::open::<IdentifyOutput>(common)?;
     outputs.deliver(&answer(asked, common)?)
 }
 

@@ -18,8 +18,9 @@ use crate::output::{Answer, Outputs, pretty, say};
 use crate::table::shown;
 
 pub(crate) fn run(args: &ImportArgs, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<Report>(common, &[&args.file])?;
+    let outputs = Outputs::open::<Report>(common)?;
     let options = options(args)?;
+    common.shelf.check_unwritten(&args.file)?;
     let text = files::text(&args.file)?;
     let answer = Report(
         import(&text, &files::shown(&args.file), &options)

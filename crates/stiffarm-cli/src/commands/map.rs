@@ -1,7 +1,6 @@
 //! `stiffarm map`: the deflection over everything a robot reaches.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use stiffarm::answer::words::{class, direction, mapped, origin, tool, window};
 use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
@@ -29,7 +28,7 @@ use crate::selection;
 use crate::table::{prose, shown};
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<MapOutput>(common, &[Path::new(&asked.robot()?)])?;
+    let outputs = Outputs::open::<MapOutput>(common)?;
     outputs.deliver(&answer(asked, common)?)
 }
 

@@ -1,7 +1,6 @@
 //! `stiffarm measure`: which postures and loads to measure, with a certificate.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use stiffarm::answer::{MeasureAnswer, Rows};
 use stiffarm::catalogue::measurements;
@@ -18,10 +17,7 @@ use crate::selection;
 use crate::table::sheet;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let (name, mine) = (asked.robot()?, asked.compared());
-    let inputs: Vec<&Path> =
-        [Some(&name), mine.as_ref()].into_iter().flatten().map(|name| Path::new(name.as_str())).collect();
-    let outputs = Outputs::open::<MeasureOutput>(common, &inputs)?;
+    let outputs = Outputs::open::<MeasureOutput>(common)?;
     outputs.deliver(&answer(asked, common)?)
 }
 

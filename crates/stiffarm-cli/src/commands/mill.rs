@@ -34,17 +34,14 @@ const MOST_POINTS: usize = 3000;
 const RIBBON: f64 = 0.02;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let path = asked.path()?;
     if asked.is_dry() {
-        let outputs = Outputs::open::<PathOutput>(common, &[Path::new(&path)])?;
+        let outputs = Outputs::open::<PathOutput>(common)?;
         return outputs.deliver(&surveyed(asked, common)?);
     }
     if asked.ranks_on_path() {
         return ranked_on_path(asked, common);
     }
-    let (name, process) = (asked.robot()?, asked.given_process());
-    let inputs: Vec<&Path> = [&path, &name].into_iter().chain(&process).map(Path::new).collect();
-    let outputs = Outputs::open::<MillOutput>(common, &inputs)?;
+    let outputs = Outputs::open::<MillOutput>(common)?;
     let found = answer(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
     verdict(outputs.deliver(&found), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))
@@ -70,9 +67,7 @@ pub(super) fn answer<'a>(asked: &'a Request, common: &'a Common) -> Result<MillO
 
 /// Several robots on the path, each at its best place.
 fn ranked_on_path(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let (path, names, process) = (asked.path()?, asked.robots(), asked.given_process());
-    let inputs: Vec<&Path> = [&path].into_iter().chain(&names).chain(&process).map(Path::new).collect();
-    let outputs = Outputs::open::<PathRankOutput>(common, &inputs)?;
+    let outputs = Outputs::open::<PathRankOutput>(common)?;
     let found = ranked(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
     verdict(outputs.deliver(&found), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))
@@ -173,6 +168,10 @@ impl MillOutput<'_> {
             );
             return Err(Failure::Usage(why));
         }
+        if let Some(tool) = self.answer.only_tool {
+            let why = format!("only tool {tool} of {name} is milled: the file with all its tools is not written back");
+            return Err(Failure::Usage(why));
+        }
         let options = self.asked.read_options();
         let written = Format::of_name(&format!("a.{ending}"));
         let read = self.asked.path_format(name)?;
@@ -233,6 +232,7 @@ impl MillOutput<'_> {
             colour_label: "error [mm]".into(),
             scale: self.plate.ends(),
             floor: true,
+            cell: answer.ground.cell,
             ..View::default()
         })
     }

@@ -39,11 +39,18 @@ use crate::output::Told;
 
 /// What a process file says, and what the files say that it names beside itself.
 fn process_of(name: &str, shown: &str, common: &Common) -> Result<ProcessFile, Failure> {
+    let mut onto_input = None;
     let mut beside = |other: &str| {
         let path = files::beside(Path::new(name), other);
-        common.shelf.text(&path.to_string_lossy()).map(Cow::into_owned).map_err(|failure| failure.to_string())
+        common.shelf.text(&path.to_string_lossy()).map(Cow::into_owned).map_err(|failure| {
+            let told = failure.to_string();
+            // No fault of the file, but of what is asked beside it.
+            onto_input = Some(failure).filter(|failure| matches!(failure, Failure::OntoInput(_)));
+            told
+        })
     };
-    read_process_beside(&common.shelf.text(name)?, shown, &mut beside).map_err(Failure::ProcessFile)
+    let read = read_process_beside(&common.shelf.text(name)?, shown, &mut beside);
+    onto_input.map_or(read.map_err(Failure::ProcessFile), Err)
 }
 
 /// What is asked of a zone, under the force of its process where one is given.

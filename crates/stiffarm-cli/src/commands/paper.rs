@@ -50,7 +50,7 @@ pub(crate) fn run(args: &PaperArgs, common: &Common) -> Result<(), Failure> {
     let made = |error| Failure::Write { path: folder.clone(), error };
     fs::create_dir_all(folder).map_err(made)?;
     for (architecture, file) in ARMS {
-        write_text(&folder.join(file), &[], &arm(architecture))?;
+        write_text(&folder.join(file), &arm(architecture))?;
     }
     let entries = validate(&Printed::PAPER)?;
     let tables: Vec<[String; 3]> = [("1", "Table I"), ("2", "Table II"), ("3", "Table III")]
@@ -64,7 +64,7 @@ pub(crate) fn run(args: &PaperArgs, common: &Common) -> Result<(), Failure> {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    write_text(&folder.join("index.md"), &[], &index(&tables, &items))?;
+    write_text(&folder.join("index.md"), &index(&tables, &items))?;
     if !common.quiet {
         let files = items.len() + 2 * tables.len() + ARMS.len() + 1;
         say(&format!("wrote {files} files; {} says which is which", folder.join("index.md").display()));
@@ -200,11 +200,11 @@ fn table(folder: &Path, number: &str, source: &str, entries: &[Entry]) -> Result
         let note = quoted(entry.note.as_deref().unwrap_or_default());
         let _ = writeln!(csv, "{row},{column},{},{computed},{},{note}", entry.printed, entry.agrees);
     }
-    write_text(&folder.join(format!("table_{number}.csv")), &[], &csv)?;
+    write_text(&folder.join(format!("table_{number}.csv")), &csv)?;
     let count = own.len();
     let answer = LedgerAnswer(own);
     let text = format!("{}\n{}", crate::table::shown(&answer.table(), Look::MARKDOWN), answer.notes());
-    write_text(&folder.join(format!("table_{number}.md")), &[], &text)?;
+    write_text(&folder.join(format!("table_{number}.md")), &text)?;
     let what = format!("printed beside computed: {agree} of {count} agree within their printed digits");
     Ok([source.into(), format!("table_{number}.md"), what])
 }

@@ -1,7 +1,6 @@
 //! `stiffarm place`: the best place of one zone.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use stiffarm::advice::advise;
 use stiffarm::answer::words::{class, direction, tool};
@@ -34,7 +33,7 @@ const FIGURE_SIZE: [usize; 2] = [400, 300];
 const FACE_SIZE: usize = 33;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<PlaceOutput>(common, &[Path::new(&asked.robot()?)])?;
+    let outputs = Outputs::open::<PlaceOutput>(common)?;
     let found = answer(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
     verdict(outputs.deliver(&found), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))

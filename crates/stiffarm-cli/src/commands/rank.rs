@@ -2,7 +2,6 @@
 
 use std::cell::OnceCell;
 use std::io::{self, Write};
-use std::path::Path;
 
 use stiffarm::advice::advise_best;
 use stiffarm::answer::{self, RankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
@@ -34,7 +33,7 @@ const MOST_CURVES: usize = 24;
 const MOST_BARS: usize = 60;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<RankOutput>(common, &inputs(&asked.robots()))?;
+    let outputs = Outputs::open::<RankOutput>(common)?;
     let found = answer(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
     verdict(outputs.deliver(&found), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))
@@ -59,11 +58,6 @@ pub(super) fn answer<'a>(asked: &'a Request, common: &'a Common) -> Result<RankO
     };
     let answer = RankAnswer::of(ranking, options, tolerance_mm, advice);
     Ok(RankOutput { answer, asked, common, plate, svg: OnceCell::new() })
-}
-
-/// What may be files among the robots.
-fn inputs(robots: &[String]) -> Vec<&Path> {
-    robots.iter().map(|robot| Path::new(robot.trim())).collect()
 }
 
 /// Where only the paper's robots were asked, there are more.

@@ -1,7 +1,6 @@
 //! `stiffarm robots`: lists robots, and hands on what is asked of some.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use serde_json::Value;
 use stiffarm::answer::Rows;
@@ -29,7 +28,7 @@ pub(crate) fn run(action: &RobotsAction, common: &Common) -> Result<(), Failure>
 }
 
 pub(crate) fn listed(words: &[String], asked: &Request, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<List>(common, &[])?;
+    let outputs = Outputs::open::<List>(common)?;
     outputs.deliver(&list_of(words, asked)?)
 }
 
@@ -39,7 +38,7 @@ pub(crate) fn list_of(words: &[String], asked: &Request) -> Result<List, Failure
 }
 
 fn show(robot: &str, width_mm: Option<f64>, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<Sheet>(common, &[Path::new(robot)])?;
+    let outputs = Outputs::open::<Sheet>(common)?;
     outputs.deliver(&sheet_of(robot, width_mm, common)?)
 }
 

@@ -1,7 +1,6 @@
 //! `stiffarm study`: architecture against link ratio and task size.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use stiffarm::answer::{Rows, StudyAnswer};
 use stiffarm::request::Request;
@@ -22,9 +21,7 @@ const FIGURE_RATIOS: usize = 61;
 const FIGURE_SIZES: usize = 48;
 
 pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
-    let name = asked.is_given("robot").then(|| asked.robot()).transpose()?;
-    let inputs: Vec<&Path> = name.iter().map(|name| Path::new(name.as_str())).collect();
-    let outputs = Outputs::open::<StudyOutput>(common, &inputs)?;
+    let outputs = Outputs::open::<StudyOutput>(common)?;
     outputs.deliver(&answer(asked, common)?)
 }
 

@@ -12,7 +12,7 @@ use crate::output::{Answer, Outputs, pretty, verdict};
 use crate::table::{prose, shown};
 
 pub(crate) fn run(common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<Ledger>(common, &[])?;
+    let outputs = Outputs::open::<Ledger>(common)?;
     let ledger = Ledger(LedgerAnswer(validate(&Printed::PAPER)?));
     let holds = match ledger.0.unsettled() {
         0 => Ok(()),

@@ -31,13 +31,17 @@ pub(super) fn lines(cell: &Cell, within: &Within) -> Vec<Line> {
     let kept = cell.keep_out().enumerate();
     lines.extend(kept.map(|(i, block)| line(format!("keep-out {}", i + 1), told_block(&block))));
     lines.extend(cell.clearance.map(|asked| line("clearance asked", format!("{} mm", fixed(asked * 1e3, 0)))));
-    if cell.decides_the_search() {
-        lines.push(line(
+    lines
+}
+
+/// Of which places is proved what no place has less than, where the cell takes some away.
+pub(super) fn proof(cell: &Cell) -> Option<Line> {
+    cell.decides_the_search().then(|| {
+        line(
             "proof",
             "of all places about the robot as far and as high as these; keep-outs and clearance only take places away",
-        ));
-    }
-    lines
+        )
+    })
 }
 
 fn mount(mount: &Mount) -> String {

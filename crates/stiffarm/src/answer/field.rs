@@ -372,6 +372,7 @@ fields! {
     FEED_LENGTH: "feed_length_m", Kind::Number(Unit::Metre), "Length of all moves at a feed rate.";
     RAPID_LENGTH: "rapid_length_m", Kind::Number(Unit::Metre), "Length of all rapid moves whose beginning is known.";
     FEED_MOVES: "feed_moves", Kind::Count, "Moves at a feed rate.";
+    TOOLS: "tools", Kind::Nested, "Numbers of the tools that feed, in the order in which they come; null where none is named.";
     RAPID_MOVES: "rapid_moves", Kind::Count, "Rapid moves whose beginning is known.";
     APART: "machine_moves", Kind::Count, "Moves that are no part of the path: from where the file does not tell, or by coordinates of the machine.";
     ARCS: "arcs", Kind::Count, "Feed moves that are arcs or helices.";
@@ -420,8 +421,10 @@ fields! {
     REARRANGED: "rearranged", Kind::Count, "How often the arm takes another configuration, clear of the work.";
     ERROR_PART: "error", Kind::Text, "What of the displacement counts: total, across or axial.";
     SPEED_SHARE: "speed_share", Kind::Number(Unit::One), "Of the joints' speeds what is used at most; null where the robot file tells none.";
-    AT: "at_m", numbers(Unit::Metre, &["at_x_m", "at_y_m", "at_z_m"]), "Where the path's origin stands.";
-    AT_YAW: "at_yaw_deg", Kind::Number(Unit::Degree), "By how much the part is turned about the vertical.";
+    AT: "at_m", numbers(Unit::Metre, &["at_x_m", "at_y_m", "at_z_m"]), "Where the path's origin stands, from the robot's base.";
+    AT_YAW: "at_yaw_deg", Kind::Number(Unit::Degree), "By how much the part is turned about the vertical from straight ahead of the robot; null of a base that leans.";
+    CELL_ORIGIN: "cell_m", numbers(Unit::Metre, &["cell_x_m", "cell_y_m", "cell_z_m"]), "Where the path's origin stands in the axes of the cell, its floor at 0; null without a cell.";
+    CELL_YAW: "cell_yaw_deg", Kind::Number(Unit::Degree), "By how much the part is turned about the vertical from the cell's x axis; null without a cell.";
     PATH_WORST: "worst_mm", Kind::Number(Unit::Millimetre), "The largest error along the path.";
     PATH_WORST_P05: "worst_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred drives as they may be give less, the path followed as it is told; null where nothing says how they may be.";
     PATH_WORST_P95: "worst_mm_p95", Kind::Number(Unit::Millimetre), "Five of a hundred give more.";

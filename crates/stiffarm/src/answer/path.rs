@@ -42,6 +42,7 @@ impl PathAnswer {
             .put(field::RAPID_LENGTH, survey.rapid_length)
             .put(field::FEED_MOVES, survey.feed_moves)
             .put(field::RAPID_MOVES, survey.rapid_moves)
+            .put(field::TOOLS, survey.tools.iter().map(|(tool, _)| json!(tool)).collect::<Value>())
             .put(field::APART, told.map_or(0, |told| told.apart))
             .put(field::ARCS, survey.arcs)
             .put(field::FULL_CIRCLES, survey.full_circles)
@@ -115,6 +116,9 @@ impl PathAnswer {
             "samples",
             format!("{}, chords off arcs by {} mm at most", survey.samples, fixed(survey.chord_error * 1e3, 4)),
         ));
+        if survey.tools.iter().any(|(tool, _)| tool.is_some()) {
+            lines.push(line("tools", tools(&survey.tools)));
+        }
         for (name, of) in [
             ("assumed", |told: &Understood| told.assumed.clone()),
             ("ignored", |told: &Understood| told.ignored.clone()),
@@ -130,4 +134,13 @@ impl PathAnswer {
         }
         Table::of_lines(lines)
     }
+}
+
+/// Tools and where each first feeds.
+pub(super) fn tools(found: &[(Option<u32>, usize)]) -> String {
+    let told = |(tool, line): &(Option<u32>, usize)| match tool {
+        Some(number) => format!("T{number} from line {line}"),
+        None => format!("no tool named from line {line}"),
+    };
+    found.iter().map(told).collect::<Vec<_>>().join(", ")
 }

@@ -125,7 +125,10 @@ impl PlaceAnswer {
                 let allowed = words::window(&margins::window(options, model, robot), words::origin(robot));
                 vec![line("allowed place", allowed)]
             }
-            Some(cell) => told_cell::lines(&cell, &options.within(model)),
+            Some(cell) => {
+                let lines = told_cell::lines(&cell, &options.within(model)).into_iter();
+                lines.chain(told_cell::proof(&cell)).collect()
+            }
         }
     }
 

@@ -13,6 +13,7 @@ use crate::interval::Interval;
 use crate::mill::Station;
 use crate::place::{FacePlacement, Placement, Within};
 use crate::robot::Arm;
+use crate::spatial::Pose;
 use crate::work::{WorkPlacement, WorkPlane};
 use crate::zone::Zone;
 use nalgebra::{Point3, Rotation3, Vector3};
@@ -156,7 +157,9 @@ impl MillAnswer {
     /// Where the path stands, followed there or not; `None` where it has no place, or nothing is known of the base.
     pub fn siting(&self) -> Option<Siting> {
         let placement = self.placement.filter(|_| self.robot.knows_base())?;
-        let pose = placement.base_from_part();
+        let cell = self.ground.cell;
+        let cell_from_base = cell.map_or_else(Pose::identity, |cell| cell.mount.cell_from_base);
+        let pose = cell_from_base * placement.base_from_part();
         let is_apart =
             |one: &Station, next: &Station| !next.sample.is_cutting || !one.sample.is_cutting || next.is_fresh;
         let cut = |cut: &[Station]| -> Vec<[f64; 3]> {
@@ -168,16 +171,20 @@ impl MillAnswer {
         let cuts = self.stations.chunk_by(|one, next| !is_apart(one, next));
         let cuts = cuts.filter(|cut| cut[0].sample.is_cutting);
         let mut siting = Siting {
-            origin: "the base",
-            foot: [0.0; 3],
-            floor: None,
+            origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
+            foot: cell_from_base.translation.vector.into(),
+            floor: cell.map(|_| 0.0),
             lines: cuts.map(cut).collect(),
             centre: placement.at,
             is_closed: false,
             x_axis: Some((pose.rotation * Vector3::x()).into()),
             dimensions: Vec::new(),
             turned: Some(line(
-                "the path's x axis from straight ahead, counterclockwise from above",
+                if cell.is_some() {
+                    "the path's x axis from the cell's, counterclockwise from above"
+                } else {
+                    "the path's x axis from straight ahead, counterclockwise from above"
+                },
                 degrees(placement.yaw),
             )),
         };

@@ -15,7 +15,7 @@ mod links;
 mod node;
 mod prepared;
 
-pub(crate) use affine::{Affine, Vector, sin_cos};
+pub(crate) use affine::{Affine, Vector, sin_cos, sum};
 pub(crate) use arm::Angles;
 pub(crate) use bounds::NodeBounds;
 pub(crate) use compliance::add_squares;

@@ -1,5 +1,6 @@
 //! What pushes on the tool along a path: as the path says, as a process has it, or as what is left of the stock lets it.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -13,6 +14,10 @@ use crate::watch::{Stopped, Watch};
 
 /// What was typed of the ends of a measured force is rounded to this, m or s.
 const ROUNDED: f64 = 1e-3;
+/// A corner that turns by more is sharp, rad.
+const SHARP: f64 = PI / 6.0;
+/// A cut that is narrower than a slot by less has its full width, rad.
+const NARROW: f64 = 1e-6;
 /// Below this part of its way across a move goes straight down.
 const STRAIGHT_DOWN: f64 = 1e-6;
 
@@ -115,7 +120,7 @@ pub fn forced(
         Forcing::Same(acting) => (*acting, None),
         Forcing::Process(process) => cutting(process).map_err(at(0))?,
     };
-    let mut remarks = Vec::new();
+    let (mut remarks, mut taken, has_stock) = (Vec::new(), Vec::new(), stock.is_some());
     let in_work = match (stock, forcing) {
         (None, _) => None,
         (Some(stock), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
@@ -133,6 +138,8 @@ pub fn forced(
         let engaged = in_work.as_ref().map(|engaged| engaged[next]);
         next += 1;
         let time = clock.at(sample);
+        let is_given = one.given.force.is_some() || one.given.axial_depth.is_some() && one.given.radial_width.is_some();
+        taken.push(sample.is_cutting && !is_given);
         if !sample.is_cutting {
             return Ok((None, None));
         }
@@ -153,6 +160,9 @@ pub fn forced(
         found.map(|(acting, changes)| (Some(acting), changes))
     })?;
     remarks.extend(about_feeds(&stations, forcing));
+    if let (false, Forcing::Process(Process { law: Law::Milling(milling), .. })) = (has_stock, forcing) {
+        remarks.extend(about_engagement(&stations, &taken, milling));
+    }
     Ok(Forced { stations, remarks })
 }
 
@@ -194,6 +204,48 @@ fn about_feeds(stations: &[Station], forcing: &Forcing) -> Vec<String> {
             ));
         }
     }
+    found
+}
+
+/// What is to be said of a cut that is taken from the process, wherever the tool is; `taken` says of every station whether it is.
+fn about_engagement(stations: &[Station], taken: &[bool], milling: &Milling) -> Vec<String> {
+    let Engagement { depth, entry, exit, .. } = milling.engagement;
+    if !taken.contains(&true) {
+        return Vec::new();
+    }
+    let width = milling.diameter / 2.0 * (1.0 - (exit - entry).cos());
+    let mm = |metres: f64| (metres * 1e6).round() / 1e3;
+    let mut found = vec![format!(
+        "the cut of the process, {} mm deep and {} mm wide, is taken on every feed move, in air too; a stock (stock-mm) tells what is cut where",
+        mm(depth),
+        mm(width)
+    )];
+    if exit - entry > PI - NARROW {
+        // No cut is wider than a slot.
+        return found;
+    }
+    let begins = |i: &usize| taken[*i] && (*i == 0 || !taken[*i - 1] || stations[*i].is_fresh);
+    let turns = |i: &usize| {
+        let directions = [*i - 1, *i].map(|i| stations[i].sample.direction.filter(|_| taken[i]));
+        let [Some(before), Some(after)] = directions else { return false };
+        !stations[*i].is_fresh && before.dot(&after) < SHARP.cos()
+    };
+    let mut warn = |at: Vec<usize>, what: &str, why: &str| {
+        let Some(first) = at.first() else { return };
+        let line = of_line(stations[*first].sample.line);
+        found.push(format!("WIDER CUTS: {line}{} {what}: {why}, under more force than is told", at.len()));
+    };
+    let all = || 0..stations.len();
+    warn(
+        all().filter(begins).collect(),
+        "times a cut begins",
+        "where that is inside the material the mill cuts in its full width",
+    );
+    warn(
+        all().skip(1).filter(turns).collect(),
+        "times the feed turns by more than 30 deg",
+        "in an inside corner the mill cuts wider",
+    );
     found
 }
 
@@ -324,7 +376,8 @@ mod tests {
                 force(station)
             );
         }
-        assert!(found.remarks.is_empty());
+        let [told] = found.remarks.as_slice() else { panic!("{:?}", found.remarks) };
+        assert!(told.contains("2 mm deep and 16 mm wide, is taken on every feed move, in air too"), "{told}");
     }
 
     /// Along a square: over the way in the axes of the cut, over time in those of the part; by hand.

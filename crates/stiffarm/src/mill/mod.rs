@@ -28,7 +28,7 @@ pub use fed_back::{FedBack, fed_back};
 pub use follow::{Arrangement, Pushed, Stand, part_from_tool};
 pub use forces::{Forced, ForcedError, Forcing, forced};
 pub use map::{RollCell, RollMap, roll_map};
-pub use place::{PartPlacement, PathPlaced, PathResolution, place_path};
+pub use place::{PartPlacement, PathGround, PathPlaced, PathResolution, place_path};
 pub use solve::{MillOptions, RollMode};
 use solve::{Question, ROLLS};
 use stations::check_normals;
@@ -37,7 +37,7 @@ pub use stations::{Acting, ErrorPart, Station, cutting_axes, pin, stations};
 use crate::batch::SpatialArm;
 use crate::compliance::check_held;
 use crate::robot::Robot;
-use crate::tolerances::CLEARANCE;
+use crate::tolerances::{CLEARANCE, LIMIT};
 use crate::toolpath::ToolPose;
 use crate::watch::Watch;
 
@@ -47,6 +47,8 @@ const DOUBTFUL: f64 = 0.2;
 const WORTH: f64 = 1e-3;
 /// Of longer paths the finer rolls would need more memory and time than a doubt is worth.
 const MOST_FINER: usize = 1000;
+/// Places at which the way down to a path is looked at.
+const APPROACHED: usize = 6;
 
 /// What was found of a path for a part that stands somewhere.
 #[derive(Clone, Debug, PartialEq)]
@@ -169,6 +171,41 @@ impl Question<'_> {
             (found, Milled::Blocked(_)) => found,
         })
     }
+}
+
+/// The joints so far above the beginning of a path, m along the tool axis, in the arrangement in which it begins; `None` where these are not held, or
+/// lead on to it by no straight way.
+///
+/// # Errors
+/// As [`mill`].
+pub fn approach(
+    robot: &Robot,
+    stand: &Stand,
+    (station, first): (&Station, &Pushed),
+    options: &MillOptions,
+    height: f64,
+) -> Result<Option<[f64; 6]>, MillError> {
+    let arm = arm_with_margins(robot, stand, options)?;
+    let mut stations: [Station; APPROACHED] = std::array::from_fn(|_| station.clone());
+    for (i, above) in stations.iter_mut().enumerate() {
+        let ToolPose { tip, axis } = station.sample.pose;
+        above.sample.pose.tip = tip + axis * height * (1.0 - i as f64 / (APPROACHED - 1) as f64);
+        above.is_fresh = i == 0;
+    }
+    let followed = follow::follow(
+        (robot, &arm),
+        stand,
+        &stations,
+        options.part,
+        std::iter::repeat(first.arrangement),
+        Watch::nobody(),
+    )?;
+    let Ok(samples) = followed else { return Ok(None) };
+    // The path may begin whole turns away.
+    let ([above, ..], Some(last)) = (samples.as_slice(), samples.last()) else { return Ok(None) };
+    let joints = std::array::from_fn(|i| above.joints[i] + first.joints[i] - last.joints[i]);
+    let is_held = arm.limits.joints.iter().zip(&joints).all(|(range, q)| range.contains(*q, LIMIT));
+    Ok(is_held.then_some(joints))
 }
 
 /// Some roll is pinned.

@@ -1,16 +1,20 @@
 //! Where must a part stand, so that the largest error along its path is least?
 //!
-//! Searched: how far ahead, how high, and how far the part is turned about the vertical; about the joint-1 axis it may stand anywhere, so
-//! it is placed straight ahead. First over all of these on some samples (those that lie outermost, those under the largest forces,
+//! Searched: where, and how far the part is turned about the vertical. Where nothing says where about the joint-1 axis the part may stand,
+//! it is placed straight ahead; in a cell it is sought in the cell (`ground`). First over all of these on some samples (those that lie outermost, those under the largest forces,
 //! some in between), then step by step from the best, then along the whole path, whose worst sample joins the others. Proved: a
 //! lower bound by branch and bound over the places, on the same samples, each at its own best roll.
 
+mod ground;
 mod proof;
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
+
+pub use ground::PathGround;
+use ground::{Coarse, Place, Site};
 
 use super::fault::{Blocked, MillError};
 use super::follow::Stand;
@@ -20,15 +24,11 @@ use super::stations::{Station, check_normals};
 use super::{Followed, Milled, arm_with_margins, is_pinned};
 use crate::batch::{RollGrid, SpatialArm};
 use crate::enclose::ArmEnclosure;
-use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::place::{Margins, Within};
 use crate::robot::Robot;
 use crate::spatial::Pose;
 use crate::watch::Watch;
 
-/// Places along each of the two lengths, and turns, of the coarse search.
-const COARSE: [usize; 3] = [18, 14, 24];
 /// Rolls of the coarse search and of the steps.
 const ROLLS: [usize; 2] = [24, 60];
 /// Places from which steps are taken.
@@ -40,20 +40,28 @@ const ROUNDS: usize = 4;
 /// Samples in between that are looked at.
 const BETWEEN: usize = 6;
 
-/// Where the origin of a path stands: m from the base, and the turn about the vertical, rad.
+/// Where the origin of a path stands: m in the axes of the cell, which are those of the base where there is none, and the turn about the
+/// vertical, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartPlacement {
     /// Ahead, to the left, up.
     pub at: [f64; 3],
-    /// From straight ahead to the part's x axis.
+    /// From the cell's x axis to that of the part, counter-clockwise seen from above.
     pub yaw: f64,
+    /// The cell in the base frame.
+    pub base_from_cell: Pose,
 }
 
 impl PartPlacement {
+    /// As seen from a base that stands alone.
+    pub fn from_base(at: [f64; 3], yaw: f64) -> Self {
+        Self { at, yaw, base_from_cell: Pose::identity() }
+    }
+
     /// The part in the base frame.
     pub fn base_from_part(&self) -> Pose {
         let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), self.yaw);
-        Pose::from_parts(Translation3::from(Vector3::from(self.at)), turn)
+        self.base_from_cell * Pose::from_parts(Translation3::from(Vector3::from(self.at)), turn)
     }
 }
 
@@ -73,8 +81,8 @@ pub struct PathPlaced {
 /// How finely a place was looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathResolution {
-    /// Places of the coarse search: ahead, up, and turned about the vertical.
-    pub coarse: [usize; 3],
+    /// Places of the coarse search in every window: along x (or away from the joint-1 axis), along y (or about it), up, and turned about the vertical.
+    pub coarse: [usize; 4],
     /// The last step, m.
     pub step: f64,
     /// Samples that stood for the path.
@@ -90,9 +98,7 @@ struct Search<'a> {
     stations: &'a [Station],
     options: &'a MillOptions,
     flange_from_tool: Pose,
-    within: Within,
-    /// What the path keeps from the joint-1 axis, m.
-    column: f64,
+    site: Site,
     /// The middle of the path, part frame, m.
     middle: Vector3<f64>,
     /// Stations that stand for the path.
@@ -101,8 +107,13 @@ struct Search<'a> {
     runs: Vec<usize>,
 }
 
-/// Ahead, up, yaw; the middle of the path stands straight ahead.
-type Place = [f64; 3];
+/// A place from which steps are taken, with its largest error and the steps of the search that found it.
+#[derive(Clone, Copy)]
+struct Start {
+    value: f64,
+    place: Place,
+    apart: Place,
+}
 
 /// Finds the best place of a path.
 ///
@@ -112,31 +123,31 @@ pub fn place_path(
     robot: &Robot,
     flange_from_tool: &Pose,
     stations: &[Station],
-    (options, margins, within): (&MillOptions, &Margins, Within),
+    (options, ground): (&MillOptions, &PathGround),
     watch: Watch,
 ) -> Result<Result<PathPlaced, Option<Blocked>>, MillError> {
     if is_pinned(stations) {
         return Err(MillError::PinnedElse);
     }
     check_normals(stations, options.part)?;
-    let sought = Search::new(robot, flange_from_tool, stations, (options, margins, within))?;
+    let sought = Search::new(robot, flange_from_tool, stations, (options, ground))?;
     let Some(mut search) = sought else { return Ok(Err(None)) };
     let arm = search.arm.clone();
     let question = Question { robot, arm: &arm, stations, options };
     let (mut best, mut nearest): (Option<(f64, Place, Followed)>, Option<Blocked>) = (None, None);
-    let mut starts = search.coarse(watch)?;
+    let (mut starts, coarse) = search.coarse(watch)?;
     let mut step = 0.0;
     for _ in 0..ROUNDS {
-        let mut steps: Vec<(f64, Place)> = Vec::new();
-        for (_, place) in &starts {
+        let mut steps: Vec<Start> = Vec::new();
+        for start in &starts {
             watch.go_on()?;
-            let (found, last) = search.descended(*place)?;
+            let (found, last) = search.descended(start)?;
             steps.push(found);
             step = last;
         }
-        steps.sort_by(|a, b| a.0.total_cmp(&b.0));
+        steps.sort_by(|a, b| a.value.total_cmp(&b.value));
         let mut has_joined = false;
-        for (value, place) in steps.iter().take(2).filter(|(value, _)| value.is_finite()) {
+        for Start { value, place, .. } in steps.iter().take(2).filter(|start| start.value.is_finite()) {
             if best.as_ref().is_some_and(|best| best.0 <= *value) {
                 break;
             }
@@ -174,7 +185,7 @@ pub fn place_path(
     search.put_binding_first(&place)?;
     let (lower_bound, nodes) = search.lower_bound(value, watch)?;
     let placement = search.placement(&place);
-    let resolution = PathResolution { coarse: COARSE, step, samples, nodes };
+    let resolution = PathResolution { coarse, step, samples, nodes };
     Ok(Ok(PathPlaced { placement, milled: Milled::Followed(followed), lower_bound, resolution }))
 }
 
@@ -234,24 +245,24 @@ impl<'a> Search<'a> {
         robot: &Robot,
         flange_from_tool: &Pose,
         stations: &'a [Station],
-        (options, margins, within): (&'a MillOptions, &Margins, Within),
+        (options, ground): (&'a MillOptions, &PathGround),
     ) -> Result<Option<Self>, MillError> {
         let stand = Stand { base_from_part: Pose::identity(), flange_from_tool: *flange_from_tool };
         let arm = arm_with_margins(robot, &stand, options)?;
         if !stations.iter().any(|station| station.sample.is_cutting) {
             return Err(MillError::NothingFeeds);
         }
-        let Some(within) = margins.part_of(within, robot) else { return Ok(None) };
-        let enclosure = ArmEnclosure::new(&arm, [true, false, false, false, false, false]);
         let middle = middle(stations);
+        let aside = stations.iter().map(|station| (station.sample.pose.tip - middle).xy().norm());
+        let Some(site) = Site::new(robot, &arm, ground, aside.fold(f64::INFINITY, f64::min)) else { return Ok(None) };
+        let enclosure = ArmEnclosure::new(&arm, [true, false, false, false, false, false]);
         Ok(Some(Self {
             arm,
             enclosure,
             stations,
             options,
             flange_from_tool: *flange_from_tool,
-            within,
-            column: margins.radius(robot),
+            site,
             middle,
             keys: keys(stations, &middle),
             runs: runs(stations),
@@ -260,10 +271,8 @@ impl<'a> Search<'a> {
 }
 
 impl Search<'_> {
-    fn placement(&self, [x, z, yaw]: &Place) -> PartPlacement {
-        let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), *yaw);
-        let at = Vector3::new(*x, 0.0, *z) - turn * self.middle;
-        PartPlacement { at: at.into(), yaw: *yaw }
+    fn placement(&self, place: &Place) -> PartPlacement {
+        self.site.placement(place, &self.middle)
     }
 
     fn stand(&self, place: &Place) -> Stand {
@@ -271,25 +280,18 @@ impl Search<'_> {
         Stand { base_from_part, flange_from_tool: self.flange_from_tool }
     }
 
-    /// How far ahead and how high the middle may stand, and all turns.
-    fn ranges(&self) -> Option<[Interval; 3]> {
-        let [ahead, up] = self.arm.reach();
-        let x = self.within.x.intersect(Interval::spanning(self.column.min(ahead.max()), ahead.max()))?;
-        Some([x, self.within.z.intersect(up)?, Interval::spanning(-PI, PI)])
-    }
-
-    /// Whether a tip keeps its window and the robot's column.
-    fn stands_well(&self, tip: &Vector3<f64>) -> bool {
-        self.within.x.contains(tip.x, 1e-9)
-            && self.within.z.contains(tip.z, 1e-9)
-            && self.column - 1e-9 <= tip.xy().norm()
+    /// Whether the whole path may stand so: first what lies outermost is looked at.
+    fn is_allowed(&self, base_from_part: &Pose) -> bool {
+        let tip = |station: &Station| (base_from_part * Point3::from(station.sample.pose.tip)).coords;
+        let middle = (base_from_part * Point3::from(self.middle)).coords;
+        self.keys.iter().all(|i| self.site.allows([tip(&self.stations[*i])].into_iter(), &middle))
+            && self.site.allows(self.stations.iter().map(tip), &middle)
     }
 
     /// The largest error of the samples that stand for the path, m, with so many rolls; infinite where some is not held.
     fn value(&self, place: &Place, rolls: usize) -> Result<f64, MillError> {
         let stand = self.stand(place);
-        let tip = |i: &usize| (stand.base_from_part * Point3::from(self.stations[*i].sample.pose.tip)).coords;
-        if !self.keys.iter().all(|i| self.stands_well(&tip(i))) {
+        if !self.is_allowed(&stand.base_from_part) {
             return Ok(f64::INFINITY);
         }
         let grid = match self.options.roll {
@@ -318,53 +320,45 @@ impl Search<'_> {
         Ok(f64::from(worst.into_iter().fold(f32::INFINITY, f32::min)))
     }
 
-    /// The best places of a grid over all, apart from one another.
-    fn coarse(&self, watch: Watch) -> Result<Vec<(f64, Place)>, MillError> {
-        let Some(ranges) = self.ranges() else { return Ok(Vec::new()) };
-        let at = |i: usize, n: usize| ranges[i].min() + ranges[i].width() * (n as f64 + 0.5) / COARSE[i] as f64;
-        let [nx, nz, nyaw] = COARSE;
-        let places: Vec<Place> = (0..nx)
-            .flat_map(|i| (0..nz).flat_map(move |j| (0..nyaw).map(move |k| [i, j, k])))
-            .map(|n| [at(0, n[0]), at(1, n[1]), at(2, n[2])])
-            .collect();
-        let parts = watch.parts(Some(places.len()));
-        let of = |place: &Place| {
-            parts.one_more()?;
-            Ok((self.value(place, ROLLS[0])?, *place))
-        };
-        let mut found: Vec<(f64, Place)> = places.par_iter().map(of).collect::<Result<_, MillError>>()?;
-        found.retain(|(value, _)| value.is_finite());
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut chosen: Vec<(f64, Place)> = Vec::new();
-        for one in found {
-            let is_apart = |other: &(f64, Place)| {
-                (0..3).any(|i| 2.5 * ranges[i].width() / (COARSE[i] as f64) < (one.1[i] - other.1[i]).abs())
+    /// The best places of a grid over all, apart from one another, and of how many.
+    fn coarse(&self, watch: Watch) -> Result<(Vec<Start>, [usize; 4]), MillError> {
+        let grids = self.site.coarse();
+        let parts = watch.parts(Some(grids.iter().map(|grid| grid.places.len()).sum()));
+        let mut found: Vec<Start> = Vec::new();
+        for Coarse { places, apart, .. } in &grids {
+            let of = |place: &Place| {
+                parts.one_more()?;
+                Ok(Start { value: self.value(place, ROLLS[0])?, place: *place, apart: *apart })
             };
+            found.extend(places.par_iter().map(of).collect::<Result<Vec<Start>, MillError>>()?);
+        }
+        found.retain(|start| start.value.is_finite());
+        found.sort_by(|a, b| a.value.total_cmp(&b.value));
+        let mut chosen: Vec<Start> = Vec::new();
+        for one in found {
+            let is_apart = |other: &Start| (0..4).any(|i| 2.5 * one.apart[i] < (one.place[i] - other.place[i]).abs());
             if chosen.len() < STARTS && chosen.iter().all(is_apart) {
                 chosen.push(one);
             }
         }
-        Ok(chosen)
+        Ok((chosen, grids.first().map_or([0; 4], |grid| grid.counts)))
     }
 
     /// The best place that steps along and across the axes lead to, and the last step, m.
-    fn descended(&self, from: Place) -> Result<((f64, Place), f64), MillError> {
-        let Some(ranges) = self.ranges() else { return Ok(((f64::INFINITY, from), 0.0)) };
-        let mut best = (self.value(&from, ROLLS[1])?, from);
-        let mut steps: [f64; 3] = std::array::from_fn(|i| ranges[i].width() / COARSE[i] as f64 / 2.0);
+    fn descended(&self, from: &Start) -> Result<(Start, f64), MillError> {
+        let mut best = Start { value: self.value(&from.place, ROLLS[1])?, ..*from };
+        let mut steps = from.apart.map(|apart| apart / 2.0);
+        let ways = ways(&steps);
         for _ in 0..HALVINGS {
             loop {
-                let around = (0..27).filter(|n| *n != 13).map(|n: i32| {
-                    let by = [n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1];
-                    std::array::from_fn(|i| best.1[i] + f64::from(by[i]) * steps[i])
-                });
-                let around: Vec<Place> = around.collect();
-                let found: Vec<(f64, Place)> = around
+                let place = |way: &Place| std::array::from_fn(|i| best.place[i] + way[i] * steps[i]);
+                let around: Vec<Place> = ways.iter().map(place).collect();
+                let found: Vec<Start> = around
                     .par_iter()
-                    .map(|place| Ok((self.value(place, ROLLS[1])?, *place)))
+                    .map(|place| Ok(Start { value: self.value(place, ROLLS[1])?, place: *place, ..*from }))
                     .collect::<Result<_, MillError>>()?;
-                let least = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-                match least.filter(|least| least.0 < best.0 * (1.0 - 1e-6)) {
+                let least = found.into_iter().min_by(|a, b| a.value.total_cmp(&b.value));
+                match least.filter(|least| least.value < best.value * (1.0 - 1e-6)) {
                     Some(least) => best = least,
                     None => break,
                 }
@@ -373,4 +367,19 @@ impl Search<'_> {
         }
         Ok((best, steps[0] * 2.0))
     }
+}
+
+/// One step back, none or one forth along everything that may be stepped along.
+fn ways(steps: &Place) -> Vec<Place> {
+    let mut ways: Vec<Place> = vec![[0.0; 4]];
+    for i in (0..4).filter(|i| 0.0 < steps[*i]) {
+        let with = |way: &Place, by: f64| {
+            let mut way = *way;
+            way[i] = by;
+            way
+        };
+        ways = ways.iter().flat_map(|way| [-1.0, 0.0, 1.0].map(|by| with(way, by))).collect();
+    }
+    ways.retain(|way| *way != [0.0; 4]);
+    ways
 }

@@ -23,6 +23,10 @@ pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
     let setup = program.setup;
     let frame = |what: &str, pose: &Pose| format!("{what}: {}", told(pose, dialect.angles));
     let mut head: Vec<String> = of_joints(setup.pendant).iter().map(|sentence| (*sentence).to_owned()).collect();
+    head.push(
+        "This program moves the arm and nothing else: spindle, coolant and tool changes are not in it.".to_owned(),
+    );
+    head.extend(setup.remarks.iter().map(|remark| ascii(remark)));
     head.extend([
         format!("Robot: {}", ascii(setup.robot)),
         frame(dialect.frame.0, &dialect.frame.1),

@@ -56,6 +56,8 @@ pub struct Setup<'a> {
     pub base_from_part: Pose,
     /// The tool in the flange frame.
     pub flange_from_tool: Pose,
+    /// What is to be known of this program besides, in sentences.
+    pub remarks: &'a [String],
     /// Whose stiffness the joints take the deflection out with, in words; `None` where they do not.
     pub stiffness: Option<&'a str>,
 }

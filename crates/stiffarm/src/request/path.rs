@@ -3,10 +3,11 @@
 use super::kind::Value;
 use super::wishes::number;
 use super::{Force, Refusal, Request, Verb};
-use crate::cell::{Block, Window};
+use crate::cell::Block;
 use crate::load::Load;
-use crate::mill::{Acting, ErrorPart, MillOptions, PartPlacement};
-use crate::place::{Margins, Within};
+use crate::mill::{Acting, ErrorPart, MillOptions, PartPlacement, PathGround};
+use crate::place::PlaceOptions;
+use crate::spatial::Pose;
 use crate::toolpath::{
     ArcCentres, ArcSense, Builtin, CutterCompensation, Format, Gathered, IncrementalCycles, LengthUnit, Move,
     ReadOptions, Rotary, Steps,
@@ -31,6 +32,12 @@ impl Request {
     /// Where it is missing.
     pub fn path(&self) -> Result<String, Refusal> {
         self.texts("path").pop().ok_or_else(|| self.missing("path"))
+    }
+
+    /// The one tool of the path whose cuts are meant, where that is said.
+    pub fn only_tool(&self) -> Option<u32> {
+        let whole = |value| if let Value::Whole(whole) = value { u32::try_from(whole).ok() } else { None };
+        self.one("only-tool", whole)
     }
 
     /// The process file's name.
@@ -60,11 +67,13 @@ impl Request {
         load.map(|_| Some(acting)).map_err(|error| self.refused("force-n", error.to_string()))
     }
 
-    /// Where the path's origin stands, where that is given.
+    /// Where the path's origin stands, where that is given: in the cell, where the robot is mounted in one.
     pub fn at(&self) -> Option<PartPlacement> {
+        let base_from_cell = self.mount().map_or_else(Pose::identity, |mount| mount.cell_from_base.inverse());
+        let at = |at: [f64; 3], yaw: f64| Some(PartPlacement { at, yaw: yaw.to_radians(), base_from_cell });
         match *self.all("at", number).as_slice() {
-            [x, y, z] => Some(PartPlacement { at: [x, y, z], yaw: 0.0 }),
-            [x, y, z, yaw] => Some(PartPlacement { at: [x, y, z], yaw: yaw.to_radians() }),
+            [x, y, z] => at([x, y, z], 0.0),
+            [x, y, z, yaw] => at([x, y, z], yaw),
             _ => None,
         }
     }
@@ -118,23 +127,17 @@ impl Request {
         self.number("stiffness-uncertainty")
     }
 
-    /// Where all of a path must stand, and what it keeps besides.
+    /// Where all of a path must stand, and what it keeps besides: what a zone keeps.
     ///
     /// # Errors
-    /// A window with y.
-    pub fn path_window(&self) -> Result<(Within, Margins), Refusal> {
-        let within = match self.windows().as_slice() {
-            [] => None,
-            [Window::Ring { ahead, z }] => Some(Within { x: *ahead, z: *z }),
-            _ => {
-                let why = "a path is placed straight ahead; expected x0..x1,z0..z1 in m, such as 1.0..,0.5..2";
-                return Err(self.refused("within", why.into()));
-            }
-        };
-        let usual = Margins::usual();
-        let is_low = within.is_some_and(|within| within.z.min().is_finite());
-        let margins = Margins { front: within.is_none(), floor: usual.floor.filter(|_| !is_low), ..usual };
-        Ok((within.unwrap_or(Within::ANYWHERE), margins))
+    /// A floor beside a cell, which has its own.
+    pub fn path_ground(&self) -> Result<PathGround, Refusal> {
+        let within = self.ahead();
+        let margins = self.margins(within);
+        let options = PlaceOptions { margins, within, ..PlaceOptions::under(Load::PAPER) };
+        let in_cell = self.cell(self.windows()).of(&options, true).map_err(|unasked| self.unanswered(unasked))?;
+        let PlaceOptions { margins, within, cell, .. } = in_cell;
+        Ok(PathGround { margins, within, cell })
     }
 
     /// Only what was understood of the path is told.

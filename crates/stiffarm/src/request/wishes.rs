@@ -5,7 +5,7 @@ use super::kind::Value;
 use super::settings::FILTERS;
 use super::{Angle, Held, Refusal, Request, Spelling, Unasked, Verb, Wanted, default_of};
 use crate::catalogue::{Filter, with_compliance};
-use crate::cell::Window;
+use crate::cell::{Mount, Window};
 use crate::drive::Architecture;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
@@ -174,10 +174,7 @@ impl Request {
     }
 
     fn wanted(&self) -> Wanted {
-        let within = match self.all("within", window).as_slice() {
-            [Window::Ring { ahead, z }] => Some(Within { x: *ahead, z: *z }),
-            _ => None,
-        };
+        let within = self.ahead();
         if self.is_the_papers() {
             return Wanted { load: Load::PAPER, within: None, margins: Margins::NONE, angle: Angle::Axes, gap: None };
         }
@@ -189,6 +186,14 @@ impl Request {
         Wanted { load, within: within_or_anywhere, margins, angle: self.angle(), gap: self.number("gap") }
     }
 
+    /// The one window that lies ahead of the robot wherever that is turned to, where it is the only one.
+    pub(super) fn ahead(&self) -> Option<Within> {
+        match self.windows().as_slice() {
+            [Window::Ring { ahead, z }] => Some(Within { x: *ahead, z: *z }),
+            _ => None,
+        }
+    }
+
     /// A ranking of which nothing is said but what would be anyway: that of the paper, zones anywhere in the arm plane, joints up to their
     /// limits.
     pub fn is_the_papers(&self) -> bool {
@@ -196,7 +201,7 @@ impl Request {
     }
 
     /// What every place keeps: what was given, and what is usual.
-    fn margins(&self, within: Option<Within>) -> Margins {
+    pub(super) fn margins(&self, within: Option<Within>) -> Margins {
         let usual = Margins::usual();
         let floor = |value| if let Value::Floor(floor) = value { Some(floor) } else { None };
         let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
@@ -264,10 +269,15 @@ impl Request {
         self.all("within", window)
     }
 
+    /// How the base is mounted, where that is said.
+    pub fn mount(&self) -> Option<Mount> {
+        self.one("mount", |value| if let Value::Mount(mount) = value { Some(mount) } else { None })
+    }
+
     /// What is asked of the cell.
-    fn cell(&self, windows: Vec<Window>) -> CellWish {
+    pub(super) fn cell(&self, windows: Vec<Window>) -> CellWish {
         CellWish {
-            mount: self.one("mount", |value| if let Value::Mount(mount) = value { Some(mount) } else { None }),
+            mount: self.mount(),
             windows,
             keep_out: self.all("keep-out", |value| if let Value::Block(block) = value { Some(block) } else { None }),
             clearance: self.number("clearance-mm").map(|mm| mm / 1e3),
@@ -301,7 +311,7 @@ impl Request {
         }
     }
 
-    fn unanswered(&self, unasked: Unasked) -> Refusal {
+    pub(super) fn unanswered(&self, unasked: Unasked) -> Refusal {
         self.refused(unasked.setting(), unasked.to_string())
     }
 

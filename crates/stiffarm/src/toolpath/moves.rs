@@ -52,6 +52,8 @@ pub struct Given {
     pub radial_width: Option<f64>,
     /// Force on the tool, N, part axes.
     pub force: Option<Vector3<f64>>,
+    /// The number of the tool in the spindle.
+    pub tool: Option<u32>,
 }
 
 /// One move.

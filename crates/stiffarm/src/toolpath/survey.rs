@@ -39,6 +39,8 @@ pub struct Survey {
     pub samples: usize,
     /// By how much the chords between these are off the arcs at most, m.
     pub chord_error: f64,
+    /// The tools that feed in the order in which they come, each with the line at which it first does; `None` where none was named before.
+    pub tools: Vec<(Option<u32>, usize)>,
     /// Where the path ends.
     pub end: Option<ToolPose>,
     first_axis: Option<Vector3<f64>>,
@@ -64,6 +66,7 @@ impl Survey {
             turn: 0.0,
             samples: 0,
             chord_error: 0.0,
+            tools: Vec::new(),
             end: None,
             first_axis: None,
             steps,
@@ -82,6 +85,9 @@ impl Survey {
         }
         self.feed_length += length;
         self.feed_moves += 1;
+        if self.tools.iter().all(|(tool, _)| *tool != one.given.tool) {
+            self.tools.push((one.given.tool, one.line));
+        }
         hold(&mut self.extent, &one.from.tip);
         hold(&mut self.extent, &one.to.tip);
         if let Course::Arc(arc) = &one.course {

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::super::path::tools;
 use super::super::{fixed, words};
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::catalogue::ProcessFile;
@@ -12,7 +13,7 @@ use crate::mill::{
 };
 use crate::plain::on_one_line;
 use crate::prior::Drawn;
-use crate::request::Request;
+use crate::request::{Refusal, Request};
 use crate::robot::Robot;
 use crate::stock::Stock;
 use crate::toolpath::{Move, Survey};
@@ -55,6 +56,7 @@ impl MillAnswer {
             (Some(_), _) => return Err(of_force(ForcedError::NoMill)),
             (None, _) => None,
         };
+        let moves = of_one_tool(asked, moves)?;
         let mut survey = Survey::new(asked.steps());
         for one in moves.iter() {
             survey.add(one);
@@ -68,13 +70,13 @@ impl MillAnswer {
             |error| MillAnswerError::Mill { robot: robot.name.clone(), path: on_one_line(&path).into_owned(), error };
         let mut stations = forced.stations;
         mill::pin(&mut stations, &asked.pins()).map_err(failed)?;
+        let ground = asked.path_ground()?;
         let (placement, sought, milled) = if let Some(placement) = asked.at() {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
             let milled = mill::mill(&robot, &stand, &stations, &options, watch).map_err(failed)?;
             (Some(placement), None, Some(milled))
         } else {
-            let (within, margins) = asked.path_window()?;
-            let placed = place_path(&robot, &flange_from_tool, &stations, (&options, &margins, within), watch);
+            let placed = place_path(&robot, &flange_from_tool, &stations, (&options, &ground), watch);
             match placed.map_err(failed)? {
                 Ok(PathPlaced { placement, milled, lower_bound, resolution }) => {
                     (Some(placement), Some((resolution, lower_bound)), Some(milled))
@@ -106,6 +108,8 @@ impl MillAnswer {
             survey,
             stations,
             placement,
+            only_tool: asked.only_tool(),
+            ground,
             sought,
             milled,
             draws,
@@ -114,6 +118,29 @@ impl MillAnswer {
             tolerance_mm,
             remarks,
         })
+    }
+}
+
+/// The moves of the tool that is meant; of a path with several tools one must be.
+fn of_one_tool<'m>(asked: &Request, moves: Cow<'m, [Move]>) -> Result<Cow<'m, [Move]>, Refusal> {
+    let mut survey = Survey::new(asked.steps());
+    moves.iter().for_each(|one| survey.add(one));
+    match (asked.only_tool(), survey.tools.as_slice()) {
+        (None, [] | [_]) => Ok(moves),
+        (None, several) => {
+            let why = format!(
+                "changes its tool ({}), and one process and one length are not those of all; say by only-tool which one mills, and give each its own process and tool",
+                tools(several)
+            );
+            Err(asked.refused("path", why))
+        }
+        (Some(number), found) if found.iter().any(|(tool, _)| *tool == Some(number)) => {
+            Ok(moves.iter().filter(|one| one.given.tool == Some(number)).copied().collect())
+        }
+        (Some(number), found) => {
+            let there = if found.is_empty() { "nothing that feeds".into() } else { tools(found) };
+            Err(asked.refused("only-tool", format!("{number} never feeds; the path has {there}")))
+        }
     }
 }
 

@@ -17,7 +17,7 @@ use super::verdict::Verdict;
 use super::{fixed, with_schema};
 use crate::mill::{
     Acting, Blocked, Compensated, FedBack, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement,
-    PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, roll_map,
+    PathGround, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, roll_map,
 };
 use crate::program::ProgramFault;
 use crate::request::Refusal;
@@ -46,6 +46,10 @@ pub struct MillAnswer {
     pub stations: Vec<Station>,
     /// Where the part stands; `None` where no place was found.
     pub placement: Option<PartPlacement>,
+    /// The one tool of the path that mills, where that was asked for.
+    pub only_tool: Option<u32>,
+    /// Where it may stand, with the cell.
+    pub ground: PathGround,
     /// How finely that was looked for, and what no other place beats, m; `None` where it was given.
     pub sought: Option<(PathResolution, f64)>,
     /// What was found; `None` where there is no place at all.

@@ -4,7 +4,8 @@ use std::io::Write;
 
 use super::super::stiffness::stiffness;
 use super::{Compensation, MillAnswer, MillAnswerError};
-use crate::mill::{Compensated, Station};
+use crate::mill::{Compensated, Followed, PartPlacement, Stand, Station, approach};
+use crate::plain::on_one_line;
 use crate::program::{self, Language, Setup, Style};
 use crate::robot::Arm;
 use crate::toolpath::{Original, Rewriting, Rewritten, Sample, Steps, ToolPose, rewrite};
@@ -13,6 +14,8 @@ use crate::toolpath::{Original, Rewriting, Rewritten, Sample, Steps, ToolPose, r
 const RAPID: f64 = 0.5;
 /// How far from a place a program may round a corner, m: less than any tolerance of robots.
 const BLEND: f64 = 5e-5;
+/// How far above its beginning a path is approached, m: the first of these that is held.
+const APPROACH: [f64; 3] = [0.05, 0.02, 0.005];
 /// How far straight moves may be off the corrected samples, m.
 const STRAIGHT: f64 = 1e-6;
 
@@ -37,7 +40,19 @@ impl MillAnswer {
             feed: station.sample.feed,
             is_cutting: station.sample.is_cutting,
         };
-        let stations: Vec<program::Station> = self.stations.iter().enumerate().map(station).collect();
+        let mut stations: Vec<program::Station> = self.stations.iter().enumerate().map(station).collect();
+        let approach = self.approach(found, placement)?;
+        let mut remarks = vec![match approach {
+            Some((height, _)) => format!(
+                "The first move, in joints, goes to a place {:.0} mm above the path's beginning, along the tool axis; the way there is checked by nobody.",
+                height * 1e3
+            ),
+            None => "No approach: no place above the path's beginning is held, and the first move, in joints, goes to the beginning itself.".into(),
+        }];
+        if let Some((_, joints)) = approach {
+            stations.insert(0, program::Station { joints, feed: None, is_cutting: false, ..stations[0] });
+        }
+        remarks.extend(self.only_tool.map(|tool| format!("Only what tool {tool} of the path cuts.")));
         let stiffness = stiffness(&self.robot);
         let setup = Setup {
             robot: &self.robot.name,
@@ -46,12 +61,31 @@ impl MillAnswer {
             pendant: &limits.pendant,
             base_from_part: placement.base_from_part(),
             flange_from_tool: self.flange_from_tool,
+            remarks: &remarks,
             stiffness: done.map(|_| stiffness.as_str()),
         };
         let style =
             Style { name: "STIFFARM".into(), rapid: RAPID, blend: BLEND, moves_per_file: None, fanuc_letters: None };
         let files = program::write(language, &setup, &stations, &style)?;
         Ok(files.into_iter().next().map_or_else(String::new, |file| file.text))
+    }
+
+    /// From where the path is approached: how far above its beginning, m, and the joints there.
+    fn approach(&self, found: &Followed, placement: PartPlacement) -> Result<Option<(f64, [f64; 6])>, MillAnswerError> {
+        let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: self.flange_from_tool };
+        for height in APPROACH {
+            let first = (&self.stations[0], &found.samples[0]);
+            let joints =
+                approach(&self.robot, &stand, first, &self.options, height).map_err(|error| MillAnswerError::Mill {
+                    robot: self.robot.name.clone(),
+                    path: on_one_line(&self.path).into_owned(),
+                    error,
+                })?;
+            if let Some(joints) = joints {
+                return Ok(Some((height, joints)));
+            }
+        }
+        Ok(None)
     }
 
     /// What is commanded in place of the path, where compensation was asked for.

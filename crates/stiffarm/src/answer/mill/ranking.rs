@@ -286,6 +286,7 @@ impl PathRow {
         let answer = milled.ok();
         let found = answer.and_then(MillAnswer::followed);
         let placement = answer.and_then(|answer| answer.placement);
+        let in_cell = placement.filter(|_| answer.is_some_and(|answer| answer.ground.cell.is_some()));
         let spread = answer.and_then(MillAnswer::spread);
         let reason = milled.map_or_else(|error| Some(error.to_string()), MillAnswer::reason);
         let mut record = Record::new();
@@ -301,8 +302,10 @@ impl PathRow {
             .put(field::PATH_LOWER_BOUND, answer.and_then(MillAnswer::lower_bound))
             .put(field::RMS, found.map(|found| found.rms))
             .put(field::ROLL_CHOICE, answer.map(MillAnswer::roll))
-            .put(field::AT, placement.map(|placement| placement.at))
-            .put(field::AT_YAW, placement.map(|placement| placement.yaw))
+            .put(field::AT, placement.map(|placement| placement.at_from_base()))
+            .put(field::AT_YAW, placement.and_then(|placement| placement.yaw_from_ahead()))
+            .put(field::CELL_ORIGIN, in_cell.map(|placement| placement.at))
+            .put(field::CELL_YAW, in_cell.map(|placement| placement.yaw))
             .put(field::LIMIT_MARGIN, found.map(|found| least(found, |pushed| pushed.limit_margin)))
             .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)));
         verdict::put(&mut record, tolerance_mm, answer.and_then(MillAnswer::verdict), false);
@@ -335,8 +338,10 @@ impl PathRow {
             format!("{}{mark}{verdict}", mm(value)),
             mm(bound),
             milled.spread().map_or_else(|| "-".into(), |spread| format!("{} .. {}", mm(spread.p05), mm(spread.p95))),
-            placement.at.map(|metres| fixed(metres, 3)).join(", "),
-            degrees(placement.yaw).trim_end_matches(" deg").to_owned(),
+            placement.at_from_base().map(|metres| fixed(metres, 3)).join(", "),
+            placement
+                .yaw_from_ahead()
+                .map_or_else(|| "-".into(), |yaw| degrees(yaw).trim_end_matches(" deg").to_owned()),
             degrees(margin).trim_end_matches(" deg").to_owned(),
         ]
     }

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::super::cell as told_cell;
 use super::super::path::corners;
 use super::super::stiffness::stiffness;
 use super::super::verdict::{self, Verdict};
@@ -32,8 +33,10 @@ impl MillAnswer {
             .put(field::ASKED_LIMIT_MARGIN, options.limit_margin)
             .put(field::ASKED_SINGULAR_MARGIN, options.singular_margin)
             .put(field::SPEED_SHARE, self.speeds().map(|_| options.share_of_speed))
-            .put(field::AT, self.placement.map(|placement| placement.at))
-            .put(field::AT_YAW, self.placement.map(|placement| placement.yaw))
+            .put(field::CLEAR_OF_BASE, self.column())
+            .put(field::ROBOT_CELL, self.ground.cell.map(|cell| told_cell::record(&cell)));
+        self.put_place(&mut record);
+        record
             .put(field::FEASIBLE, found.is_some())
             .put(field::REASON, self.reason())
             .put(field::PATH_WORST, found.map(|found| found.worst.0))
@@ -56,6 +59,21 @@ impl MillAnswer {
             .put(field::SEARCH, self.search())
             .put(field::REMARKS, json!(self.remarks));
         record
+    }
+
+    /// Where the part stands.
+    pub(super) fn put_place(&self, record: &mut Record) {
+        let in_cell = self.placement.filter(|_| self.ground.cell.is_some());
+        record
+            .put(field::AT, self.placement.map(|placement| placement.at_from_base()))
+            .put(field::AT_YAW, self.placement.and_then(|placement| placement.yaw_from_ahead()))
+            .put(field::CELL_ORIGIN, in_cell.map(|placement| placement.at))
+            .put(field::CELL_YAW, in_cell.map(|placement| placement.yaw));
+    }
+
+    /// What the path was to keep from the joint-1 axis, m; `None` where its place was given, or it is not known where that axis stands.
+    fn column(&self) -> Option<f64> {
+        self.sought.filter(|_| self.robot.knows_base()).map(|_| self.ground.margins.radius(&self.robot))
     }
 
     /// How long the path is, and how long it takes.

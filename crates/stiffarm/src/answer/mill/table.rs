@@ -1,12 +1,16 @@
 //! A path that is milled, as people read it.
 
+use super::super::cell as told_cell;
+use super::super::margins;
 use super::super::path::within;
 use super::super::stiffness::stiffness;
 use super::super::verdict::HOLDS;
 use super::super::words::{degrees, percentages, robot as named, tool};
 use super::super::{Line, Table, fixed, line, payload, uncertainty};
 use super::{Compensation, MillAnswer, least};
-use crate::mill::{Acting, ErrorPart, Followed, MillOptions, PartPlacement, PathResolution, Remaining, RollMode};
+use crate::cell::Cell;
+use crate::mill::{Acting, ErrorPart, Followed, MillOptions, PathGround, PathResolution, Remaining, RollMode};
+use crate::place::Within;
 
 impl MillAnswer {
     /// For people.
@@ -69,16 +73,26 @@ impl MillAnswer {
     }
 
     fn place_lines(&self) -> Vec<Line> {
-        let Some(PartPlacement { at: [x, y, z], yaw }) = self.placement else { return Vec::new() };
+        let PathGround { margins, within, cell } = self.ground;
+        let mut lines = Vec::new();
+        if let Some(cell) = cell {
+            // Where the place is given, windows are none.
+            let told = told_cell::lines(&cell, &within.unwrap_or(Within::ANYWHERE));
+            lines.extend(told.into_iter().take(if self.sought.is_some() { usize::MAX } else { 1 }));
+        }
+        let column = margins::column(&margins, &self.robot).filter(|_| self.sought.is_some());
+        lines.extend(column.map(|kept| line("the path keeps", kept)));
+        let Some(placement) = self.placement else { return lines };
         let name = if self.sought.is_some() { "best place of its origin" } else { "its origin stands at" };
-        let told = format!(
-            "x {} m, y {} m, z {} m from the base, turned by {}",
-            fixed(x, 4),
-            fixed(y, 4),
-            fixed(z, 4),
-            degrees(yaw)
-        );
-        vec![line(name, told)]
+        let told = |[x, y, z]: [f64; 3], from: &str, yaw: Option<f64>| {
+            let turned = yaw.map_or_else(String::new, |yaw| format!(", turned by {}", degrees(yaw)));
+            format!("x {} m, y {} m, z {} m {from}{turned}", fixed(x, 4), fixed(y, 4), fixed(z, 4))
+        };
+        lines.push(line(name, told(placement.at_from_base(), "from the base", placement.yaw_from_ahead())));
+        if cell.is_some() {
+            lines.push(line(format!("{name}, cell"), told(placement.at, "in the cell", Some(placement.yaw))));
+        }
+        lines
     }
 
     fn lines(&self, found: &Followed) -> Vec<Line> {
@@ -106,17 +120,17 @@ impl MillAnswer {
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
         lines.push(line(format!("{} less than", self.bounded()), proved(found.lower_bound)));
         if let Some((resolution, lower)) = self.sought {
-            let PathResolution { coarse: [ahead, up, turned], step, samples, nodes } = resolution;
+            let PathResolution { coarse, step, samples, nodes } = resolution;
             let told = if 0.0 < lower {
                 format!("{}, by {nodes} boxes of places", proved(lower))
             } else {
                 format!("not proved: {nodes} boxes of places are too few for a bound")
             };
             lines.push(line("no place has less than", told));
+            lines.extend(self.ground.cell.as_ref().and_then(proof_of));
             let step = fixed(step * 1e3, 1);
-            let sought = format!(
-                "{ahead} x {up} x {turned} places ahead, up and turned, the best refined to {step} mm; by {samples} samples, then by all"
-            );
+            let sought =
+                format!("{}, the best refined to {step} mm; by {samples} samples, then by all", counted_places(coarse));
             lines.push(line("search", sought));
         }
         let json = self.roll().json();
@@ -216,13 +230,28 @@ impl MillAnswer {
         };
         let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n"));
         format!(
-            "{holds}all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at; collisions with part, floor and cell are not looked for\n"
+            "{holds}all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at; collisions of the arm with part, floor and cell are not looked for\n"
         )
     }
 }
 
 /// Half of the draws leave no more than the first number, 95 % no more than the second.
 const EXPECTED_RESIDUAL: &str = "expected residual (median; 95 %)";
+
+/// Of which places a bound is, where a cell takes some away.
+fn proof_of(cell: &Cell) -> Option<Line> {
+    if cell.mount.is_vertical() {
+        return told_cell::proof(cell);
+    }
+    Some(line("proof", "of all places in the windows; keep-outs only take places away"))
+}
+
+fn counted_places([x, y, z, turned]: [usize; 4]) -> String {
+    match y {
+        1 => format!("{x} x {z} x {turned} places ahead, up and turned"),
+        _ => format!("{x} x {y} x {z} x {turned} places across every window, up and turned"),
+    }
+}
 
 fn counted(part: ErrorPart) -> &'static str {
     match part {

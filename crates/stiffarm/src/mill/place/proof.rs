@@ -5,9 +5,11 @@ use std::f64::consts::TAU;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::{Place, ROLLS, Search};
+use super::ground::{Place, Region};
+use super::{ROLLS, Search};
 use crate::batch::RollGrid;
-use crate::enclose::{Affine, Vector, sin_cos};
+use crate::cell::Block;
+use crate::enclose::{Affine, Vector, sin_cos, sum};
 use crate::frontier::{self, Frontier};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
@@ -16,6 +18,7 @@ use crate::mill::fault::MillError;
 use crate::mill::ladder::Ladder;
 use crate::mill::solve::RollMode;
 use crate::mill::stations::Station;
+use crate::spatial::Pose;
 use crate::tolerances::BOUND;
 use crate::watch::Watch;
 
@@ -29,8 +32,18 @@ const ENOUGH: f64 = 0.01;
 /// Places that are bounded together.
 struct Node {
     lower: f64,
-    /// Ahead, up, yaw.
-    ranges: [Interval; 3],
+    /// x, y, z, yaw.
+    ranges: [Interval; 4],
+    /// In which every tip must lie, in the same axes.
+    block: Option<Block>,
+}
+
+/// Where nodes lie.
+struct Axes {
+    base_from_here: Pose,
+    is_base: bool,
+    /// Of every tip: x and z from the base, and the distance from the joint-1 axis.
+    of_tips: [Interval; 3],
 }
 
 impl frontier::Node for Node {
@@ -55,12 +68,21 @@ impl Search<'_> {
         Ok(())
     }
 
+    fn axes(&self, base_from_here: Pose) -> Axes {
+        Axes { base_from_here, is_base: base_from_here == Pose::identity(), of_tips: self.site.of_tips() }
+    }
+
     /// No place has a smaller largest error than this, m, which is at most `known`; and how many nodes that took.
     pub(super) fn lower_bound(&self, known: f64, watch: Watch) -> Result<(f64, usize), MillError> {
-        let Some(ranges) = self.ranges() else { return Ok((0.0, 0)) };
+        let (base_from_here, regions) = self.site.regions();
+        if regions.is_empty() {
+            return Ok((0.0, 0));
+        }
+        let axes = self.axes(base_from_here);
         let enough = known * (1.0 - ENOUGH);
         let parts = watch.parts(None);
-        let mut queue = Frontier::from_iter([Node { lower: 0.0, ranges }]);
+        let whole = regions.into_iter().map(|Region { ranges, block }| Node { lower: 0.0, ranges, block });
+        let mut queue: Frontier<Node> = whole.collect();
         let (mut nodes, mut fathomed) = (0, f64::INFINITY);
         while let Some(first) = queue.pop() {
             if MOST_NODES < nodes {
@@ -72,7 +94,7 @@ impl Search<'_> {
             nodes += halves.len();
             let bounded = |node: &Node| {
                 parts.one_more()?;
-                self.bounded(node, enough)
+                self.bounded(node, &axes, enough)
             };
             let bounds: Vec<Option<f64>> = halves.par_iter().map(bounded).collect::<Result<_, MillError>>()?;
             for (node, bound) in halves.into_iter().zip(bounds) {
@@ -91,39 +113,39 @@ impl Search<'_> {
         let size =
             self.keys.iter().map(|i| (self.stations[*i].sample.pose.tip - self.middle).norm()).fold(0.05, f64::max);
         let moves = |i: usize| {
-            node.ranges[i].width() * if i == 2 { size + self.flange_from_tool.translation.vector.norm() } else { 1.0 }
+            node.ranges[i].width() * if i == 3 { size + self.flange_from_tool.translation.vector.norm() } else { 1.0 }
         };
-        let longest = (0..3).max_by(|a, b| moves(*a).total_cmp(&moves(*b))).unwrap_or(0);
+        let longest = (0..4).max_by(|a, b| moves(*a).total_cmp(&moves(*b))).unwrap_or(0);
         node.ranges[longest].halves().map(|half| {
             let mut ranges = node.ranges;
             ranges[longest] = half;
-            Node { lower: node.lower, ranges }
+            Node { lower: node.lower, ranges, block: node.block }
         })
     }
 
     /// A lower bound over the places of a node, no further than `enough`; `None` where none of them holds the path.
-    fn bounded(&self, node: &Node, enough: f64) -> Result<Option<f64>, MillError> {
-        let turn = sin_cos::<4>(node.ranges[2], 2);
+    fn bounded(&self, node: &Node, axes: &Axes, enough: f64) -> Result<Option<f64>, MillError> {
+        let turn = sin_cos::<5>(node.ranges[3], 3);
         let length = |i: usize| {
             let mut length = Affine::point(node.ranges[i].middle());
             length.deviations[i] = node.ranges[i].width() / 2.0;
             length
         };
-        let centre: Vector<4> = [length(0), Affine::point(0.0), length(1)];
-        let turned = |v: Vector3<f64>| -> Vector<4> {
+        let centre: Vector<5> = [length(0), length(1), length(2)];
+        let aside = |v: Vector3<f64>| -> Vector<5> {
             let (s, c) = turn;
             [c * v.x - s * v.y, s * v.x + c * v.y, Affine::point(v.z)]
         };
-        let moved = |p: Vector3<f64>| -> Vector<4> {
-            let aside = turned(p - self.middle);
-            std::array::from_fn(|i| centre[i] + aside[i])
-        };
+        let here = |p: Vector3<f64>| sum(&centre, &aside(p - self.middle));
+        let turned = |v: Vector3<f64>| axes.turned(aside(v));
+        let moved = |p: Vector3<f64>| axes.moved(here(p));
         for i in &self.keys {
-            let [x, y, z] = moved(self.stations[*i].sample.pose.tip);
-            let out =
-                |part: &Affine<4>, range: Interval| part.max() < range.min() - 1e-9 || range.max() + 1e-9 < part.min();
-            let away = (x.square() + y.square()).max();
-            if out(&x, self.within.x) || out(&z, self.within.z) || away < self.column * self.column - 1e-9 {
+            let tip = self.stations[*i].sample.pose.tip;
+            let [x, y, z] = moved(tip);
+            let away = x.square() + y.square();
+            let [of_x, of_z, of_away] = axes.of_tips;
+            let is_aside = node.block.is_some_and(|block| (0..3).any(|i| out(&here(tip)[i], block.sides()[i])));
+            if out(&x, of_x) || out(&z, of_z) || out(&away, squared(of_away)) || is_aside {
                 return Ok(None);
             }
         }
@@ -144,8 +166,8 @@ impl Search<'_> {
         &self,
         samples: &[usize],
         enough: f64,
-        moved: &impl Fn(Vector3<f64>) -> Vector<4>,
-        turned: &impl Fn(Vector3<f64>) -> Vector<4>,
+        moved: &impl Fn(Vector3<f64>) -> Vector<5>,
+        turned: &impl Fn(Vector3<f64>) -> Vector<5>,
     ) -> Result<Option<f64>, MillError> {
         let mut best: Option<f64> = None;
         let alike = self.arm.wrists_are_alike();
@@ -169,8 +191,8 @@ impl Search<'_> {
         station: &Station,
         configuration: Configuration,
         enough: f64,
-        moved: &impl Fn(Vector3<f64>) -> Vector<4>,
-        turned: &impl Fn(Vector3<f64>) -> Vector<4>,
+        moved: &impl Fn(Vector3<f64>) -> Vector<5>,
+        turned: &impl Fn(Vector3<f64>) -> Vector<5>,
     ) -> Result<Option<f64>, MillError> {
         let mut open = match self.options.roll {
             RollMode::Fixed(roll) => vec![Interval::point(roll)],
@@ -178,7 +200,7 @@ impl Search<'_> {
         };
         let mut least: Option<f64> = None;
         while let Some(roll) = open.pop() {
-            let held = Held { station, configuration, roll: sin_cos::<4>(roll, 3), part: self.options.part };
+            let held = Held { station, configuration, roll: sin_cos::<5>(roll, 4), part: self.options.part };
             // Both wrists stand for one another where they are alike.
             let bound = held.either_wrist(&self.enclosure, self.arm.wrists_are_alike(), moved, turned)?;
             match bound {
@@ -197,13 +219,40 @@ impl Search<'_> {
     }
 }
 
+impl Axes {
+    /// A direction along the axes of the base.
+    fn turned(&self, v: Vector<5>) -> Vector<5> {
+        if self.is_base {
+            return v;
+        }
+        let turn = self.base_from_here.rotation.to_rotation_matrix();
+        std::array::from_fn(|i| v[0] * turn[(i, 0)] + v[1] * turn[(i, 1)] + v[2] * turn[(i, 2)])
+    }
+
+    /// A point from the base.
+    fn moved(&self, p: Vector<5>) -> Vector<5> {
+        let turned = self.turned(p);
+        std::array::from_fn(|i| turned[i] + self.base_from_here.translation.vector[i])
+    }
+}
+
+/// All of it lies outside of a range.
+fn out(part: &Affine<5>, range: Interval) -> bool {
+    part.max() < range.min() - 1e-9 || range.max() + 1e-9 < part.min()
+}
+
+/// Of lengths.
+fn squared(range: Interval) -> Interval {
+    Interval::spanning(range.min() * range.min(), range.max() * range.max())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::catalogue::paper_robots;
+    use crate::mill::place::PathGround;
     use crate::mill::{Acting, MillOptions, stations};
-    use crate::place::{Margins, Within};
-    use crate::spatial::Pose;
+    use crate::place::Margins;
     use crate::toolpath::{Builtin, Steps};
 
     /// Places by chance inside of boxes by chance: none of them has less than the bound of its box, by the kernel that evaluates single places and
@@ -219,17 +268,19 @@ mod tests {
         let (mut held, mut near, mut closed) = (0, 0, 0);
         for acting in [Acting::Known { force: [300.0, -120.0, 80.0], moment: 90.0 }, Acting::Any(400.0)] {
             let path = stations(&moves, &Steps { longest: 0.05, ..Steps::USUAL }, |_| Some(acting));
-            let asked = (&options, &Margins::usual(), Within::ANYWHERE);
-            let search = Search::new(&robot, &tool, &path, asked).unwrap().expect("a window");
+            let ground = PathGround { margins: Margins::usual(), within: None, cell: None };
+            let search = Search::new(&robot, &tool, &path, (&options, &ground)).unwrap().expect("a window");
+            let axes = search.axes(Pose::identity());
             for case in 0..60 {
                 let width = [0.3, 0.02, 1e-3][case % 3];
                 let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
                 // Some of them out of reach.
-                let from = [part(1.0, 4.0), part(0.2, 1.6), part(-3.0, 3.0)];
-                let ranges = from.map(|from| Interval::spanning(from, from + width));
-                let bound = search.bounded(&Node { lower: 0.0, ranges }, f64::INFINITY).unwrap();
+                let [x, z, yaw] = [part(1.0, 4.0), part(0.2, 1.6), part(-3.0, 3.0)]
+                    .map(|from| Interval::spanning(from, from + width));
+                let ranges = [x, Interval::point(0.0), z, yaw];
+                let bound = search.bounded(&Node { lower: 0.0, ranges, block: None }, &axes, f64::INFINITY).unwrap();
                 for _ in 0..4 {
-                    let place = ranges.map(|range| range.min() + width * rng.f64());
+                    let place = ranges.map(|range| range.min() + range.width() * rng.f64());
                     let value = search.value(&place, ROLLS[1]).unwrap();
                     let Some(bound) = bound else {
                         assert!(value == f64::INFINITY, "{ranges:?}: {value} at {place:?}");

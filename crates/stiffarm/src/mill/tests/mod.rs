@@ -695,8 +695,9 @@ fn no_place_by_chance_is_better_than_what_is_proved() {
     let stations = stations(&moves, &coarse, |_| Some(KNOWN));
     let (options, margins) = (with(RollMode::Constant), Margins::usual());
     let within = Within { x: Interval::new(1.2, 2.4).unwrap(), z: Interval::new(0.4, 1.6).unwrap() };
+    let ground = PathGround { margins, within: Some(within), cell: None };
     let tool = stand().flange_from_tool;
-    let found = place_path(&robot, &tool, &stations, (&options, &margins, within), Watch::nobody());
+    let found = place_path(&robot, &tool, &stations, (&options, &ground), Watch::nobody());
     let found = found.unwrap().expect("there is a place");
     let Milled::Followed(best) = &found.milled else { panic!("it is followed") };
     assert!(
@@ -709,7 +710,7 @@ fn no_place_by_chance_is_better_than_what_is_proved() {
     let (mut followed, mut least) = (0, f64::INFINITY);
     for _ in 0..120 {
         let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
-        let placement = PartPlacement { at: [part(1.3, 2.3), 0.0, part(0.4, 1.6)], yaw: part(-3.2, 3.2) };
+        let placement = PartPlacement::from_base([part(1.3, 2.3), 0.0, part(0.4, 1.6)], part(-3.2, 3.2));
         let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: tool };
         let is_inside = |station: &Station| {
             let [x, _, z] = stand.above(station, 0.0);

@@ -87,6 +87,7 @@ fn a_pin_that_nothing_holds_is_told_as_such_and_odd_pins_are_refused() {
     }
     let (options, margins) = (with(RollMode::Free), Margins::usual());
     let within = Within { x: Interval::spanning(1.5, 1.8), z: Interval::spanning(0.5, 0.8) };
-    let placed = place_path(&robot, &stand.flange_from_tool, &twice, (&options, &margins, within), Watch::nobody());
+    let ground = PathGround { margins, within: Some(within), cell: None };
+    let placed = place_path(&robot, &stand.flange_from_tool, &twice, (&options, &ground), Watch::nobody());
     assert_eq!(placed.unwrap_err(), MillError::PinnedElse);
 }

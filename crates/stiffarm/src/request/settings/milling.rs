@@ -1,5 +1,7 @@
 //! What is asked of a part that is milled, of its toolpath and of a process.
 
+use crate::cell::MOST_BLOCKS;
+
 use super::{Absent, Kind, MASS, ROW, SEVERAL, SPINDLE, Setting, Verb, WHOSE, count_of, number_of};
 
 const MILL: &[Verb] = &[Verb::Mill];
@@ -58,6 +60,15 @@ pub(super) const ROWS: &[Setting] = &[
         ..MILLED
     },
     Setting {
+        name: "only-tool",
+        kind: Kind::Whole { min: 0, max: 99_999_999 },
+        value: "N",
+        absent: Absent::Means("all of the path, which then has one tool"),
+        help: "Mill only what the tool of this number cuts (T, LOAD); each tool of a path has a process and a length of its own",
+        example: "2",
+        ..MILLED
+    },
+    Setting {
         name: "process",
         kind: Kind::File,
         value: "PROCESS",
@@ -93,7 +104,7 @@ pub(super) const ROWS: &[Setting] = &[
         value: "X,Y,Z,YAW",
         absent: Absent::Means("the best place within --within"),
         excludes: &["within", "robots"],
-        help: "Where the path's origin stands, m from the robot's base, and by how many degrees the part is turned about the vertical",
+        help: "Where the path's origin stands, m from the robot's base, or with --mount from the cell's origin, and by how many degrees the part is turned about the vertical",
         example: "1.6,0,0.6,30",
         ..MILLED
     },
@@ -104,8 +115,31 @@ pub(super) const ROWS: &[Setting] = &[
         value: "RANGES",
         absent: Absent::Means("in front of the joint-1 axis, above the floor"),
         excludes: &["at"],
-        help: "Where all of the path must stand, m from the robot's base: x0..x1,z0..z1; either end may be left open",
+        count: count_of(1, MOST_BLOCKS, "windows", "at most eight"),
+        help: "Where all of the path must stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor",
         example: "1.0..,0.5..2",
+        ..MILLED
+    },
+    Setting {
+        name: "mount",
+        kind: Kind::Mount,
+        value: "MOUNT",
+        absent: Absent::Means("floor"),
+        help: "How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical",
+        heading: "Cell",
+        example: "pedestal:0.5",
+        ..MILLED
+    },
+    Setting {
+        name: "keep-out",
+        kind: Kind::Block,
+        count: count_of(1, MOST_BLOCKS, "boxes", "at most eight"),
+        unit: "m",
+        value: "BOX",
+        excludes: &["at"],
+        help: "Where no part of the path may go: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several times",
+        heading: "Cell",
+        example: "1.0..2.0,-3.0..-1.5,..1.2",
         ..MILLED
     },
     Setting {
@@ -215,6 +249,31 @@ pub(super) const ROWS: &[Setting] = &[
         help: "What wrist and arm keep from straight",
         heading: "Margins",
         example: "10",
+        ..MILLED
+    },
+    Setting {
+        name: "clear-of-base-m",
+        kind: number_of(0.0, 100.0, "m"),
+        unit: "m",
+        value: "M",
+        absent: Absent::Means("the robot's own column, estimated as a1 + 0.15 (c2 + l3)"),
+        excludes: &["at"],
+        help: "What the whole path keeps from the joint-1 axis",
+        heading: "Margins",
+        example: "0.8",
+        ..MILLED
+    },
+    Setting {
+        name: "floor",
+        keyword: "floor_m",
+        kind: Kind::Floor,
+        unit: "m",
+        value: "M",
+        absent: Absent::Means("0, unless --within says how low the path may stand"),
+        excludes: &["at"],
+        help: "Height of the floor from the robot's base, or none; all of the path stands above it",
+        heading: "Margins",
+        example: "-0.5",
         ..MILLED
     },
     Setting {

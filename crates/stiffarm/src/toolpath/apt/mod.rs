@@ -77,6 +77,8 @@ pub(super) struct Reader<'a> {
     part_from_coordinates: Isometry3<f64>,
     setup: Setup,
     has_moved: bool,
+    /// The number of the tool in the spindle.
+    tool: Option<u32>,
     apart: usize,
     arc_miss: f64,
     has_ended: bool,
@@ -108,6 +110,7 @@ impl<'a> Reader<'a> {
             part_from_coordinates: Isometry3::identity(),
             setup: Setup::default(),
             has_moved: false,
+            tool: None,
             apart: 0,
             arc_miss: 0.0,
             has_ended: false,
@@ -236,6 +239,9 @@ impl<'a> Reader<'a> {
             }
             name => match meaning_of(name) {
                 Inert::Known(known) => {
+                    if matches!(name, "LOAD" | "LOADTL") {
+                        self.tool = statement.first_number().map(|number| number as u32);
+                    }
                     self.notes.ignore(line, known);
                     Ok(())
                 }
@@ -357,7 +363,8 @@ impl<'a> Reader<'a> {
         }
         let kind = if is_rapid { MoveKind::Rapid } else { MoveKind::Feed };
         let feed = if is_rapid { None } else { Some(self.speed(word)?) };
-        let one = Move { line, kind, from, to, course, feed, normals: None, given: Given::default() };
+        let given = Given { tool: self.tool, ..Given::default() };
+        let one = Move { line, kind, from, to, course, feed, normals: None, given };
         (self.sink)(&one);
         self.tangent = one.direction(1.0).filter(|_| !is_rapid);
         (self.tip, self.axis, self.has_moved) = (Some(tip), axis, true);

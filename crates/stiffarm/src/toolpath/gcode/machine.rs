@@ -34,6 +34,8 @@ pub(super) struct Machine<'a> {
     pub(super) apart: usize,
     /// Something has moved.
     pub(super) has_moved: bool,
+    /// The number of the tool in the spindle.
+    pub(super) tool: Option<u32>,
     sink: &'a mut dyn FnMut(&Move),
 }
 
@@ -47,6 +49,7 @@ impl<'a> Machine<'a> {
             notes: Notes::default(),
             apart: 0,
             has_moved: false,
+            tool: None,
             sink,
         }
     }
@@ -170,7 +173,16 @@ impl<'a> Machine<'a> {
         if from.axis.dot(&to.axis) < -1.0 + 1e-9 {
             return Err(Wrong::new(word, "the tool axis turns right over: no one knows which way round"));
         }
-        (self.sink)(&Move { line, kind, from, to, course, feed, normals: None, given: Given::default() });
+        (self.sink)(&Move {
+            line,
+            kind,
+            from,
+            to,
+            course,
+            feed,
+            normals: None,
+            given: Given { tool: self.tool, ..Given::default() },
+        });
         self.tip = to.tip;
         self.axis = to.axis;
         self.has_moved = true;

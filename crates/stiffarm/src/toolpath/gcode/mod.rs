@@ -75,6 +75,10 @@ pub(super) struct Reader<'a> {
     codes: [Vec<Seen>; 2],
     calls: Calls,
     has_words: bool,
+    /// The number of the tool that comes next.
+    selected: Option<u32>,
+    /// Tools are changed by M6.
+    changes_by_code: bool,
     /// Nothing is read any more, since this line.
     pub(super) ended: Option<usize>,
     after_end: Seen,
@@ -147,6 +151,8 @@ impl<'a> Reader<'a> {
             codes: [Vec::new(), Vec::new()],
             calls: Calls::default(),
             has_words: false,
+            selected: None,
+            changes_by_code: false,
             ended: None,
             after_end: Seen::default(),
         }

@@ -58,8 +58,20 @@ fn take_look_ahead(code: u16, block: &Block) -> Result<(), Wrong> {
     }
     Ok(())
 }
+/// The code that changes tools, in tenths.
+const CHANGE: u16 = 60;
 
 impl Reader<'_> {
+    /// `M6` puts the tool of the last T into the spindle; of a file without it T does.
+    fn take_tool(&mut self, block: &Block) {
+        self.selected = block.get(b'T').map(|number| number as u32).or(self.selected);
+        self.changes_by_code |= block.m.all().contains(&CHANGE);
+        let is_changed = if self.changes_by_code { block.m.all().contains(&CHANGE) } else { block.has(b'T') };
+        if is_changed {
+            self.machine.tool = self.selected;
+        }
+    }
+
     /// The codes of a block, in the order of RS-274: what they leave in force first.
     pub(super) fn take_codes(&mut self, block: &Block, line: usize) -> Result<Once, Wrong> {
         let mut once = Once::default();
@@ -91,6 +103,7 @@ impl Reader<'_> {
             }
         }
         self.take_cancel(cancels, motion)?;
+        self.take_tool(block);
         if let Some(motion) = motion {
             once.has_motion = true;
             self.begin(motion, line)?;
