@@ -2006,6 +2006,15 @@ class PathLength(TypedDict):
     time_s: float
     """Time of all feed moves; null where a feed rate is missing."""
 
+    box_m: list[list[float]]
+    """Two corners of the box about all feed moves, in the axes of the path."""
+
+    rapid_length_m: float
+    """Length of all rapid moves whose beginning is known."""
+
+    rapid_box_m: list[list[float]] | None
+    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the path; null where there is none."""
+
 
 class PinnedRoll(TypedDict):
     """A roll that is pinned."""
@@ -2328,6 +2337,9 @@ class ToolpathDict(TypedDict):
 
     box_m: list[list[float]] | None
     """Two corners of the box about all feed moves, in the axes of the path."""
+
+    rapid_box_m: list[list[float]] | None
+    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the path; null where there is none."""
 
     feed_mm_per_min: list[float] | None
     """The smallest and the largest feed rate; null where none is said."""

@@ -20,7 +20,7 @@ use stiffarm::rank::rank;
 use stiffarm::request::{Pair, Request, Spelling, Verb};
 use stiffarm::robot::Robot;
 use stiffarm::study::study;
-use stiffarm::toolpath::{self, Builtin, Format, Survey};
+use stiffarm::toolpath::{self, Builtin, Format, Move, MoveKind, Survey};
 use stiffarm::watch::Watch;
 
 type Typed<'a> = &'a [(&'a str, &'a str)];
@@ -264,11 +264,20 @@ pub(crate) fn toolpaths() -> Vec<Value> {
     ]
 }
 
+/// A rapid move from the end of a path to where its last move began.
+fn back(moves: &[Move]) -> Option<Move> {
+    let last = *moves.last()?;
+    Some(Move { kind: MoveKind::Rapid, from: last.to, to: last.from, feed: None, ..last })
+}
+
 pub(crate) fn milled() -> Vec<Value> {
     let of = |typed: Typed| {
         let usual = [("path", "line:0.2"), ("robot", "it"), ("step-mm", "50")];
         let asked = asked(Verb::Mill, &[typed, &usual].concat());
-        let moves = "line:0.2".parse::<Builtin>().unwrap().moves(Some(0.01));
+        let mut moves = "line:0.2".parse::<Builtin>().unwrap().moves(Some(0.01));
+        if typed.contains(&("at", "9,0,0")) {
+            moves.extend(back(&moves));
+        }
         let slot = "[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = \"al7075-t6\"\n
 [engagement]\nap_mm = 2\nae_mm = 16\nside = \"slot\"\nfeed_per_tooth_mm = 0.1\n";
         let process = read_process(slot, "process.toml").unwrap();
@@ -297,7 +306,10 @@ pub(crate) fn path_rankings() -> Vec<Value> {
     let of = |robots: &[Robot], typed: Typed| {
         let usual = [("path", "line:0.1"), ("step-mm", "50"), ("force-n", "400")];
         let asked = asked(Verb::Mill, &[typed, &usual].concat());
-        let moves = "line:0.1".parse::<Builtin>().unwrap().moves(Some(0.01));
+        let mut moves = "line:0.1".parse::<Builtin>().unwrap().moves(Some(0.01));
+        if typed.contains(&("within", "8..9,0..1")) {
+            moves.extend(back(&moves));
+        }
         let path = ("line:0.1".into(), &moves[..]);
         let mut answer = PathRankAnswer::of(&asked, robots.to_vec(), path, None, Watch::nobody()).unwrap();
         answer.remarks.push("a remark".into());
