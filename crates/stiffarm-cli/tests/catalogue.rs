@@ -172,7 +172,7 @@ fn a_robot_is_shown_with_all_that_its_file_says() {
     }
     let sheet: Value = serde_json::from_str(&run(&["robots", "show", "R-2000iC/165F", "--format", "json"])).unwrap();
     assert_eq!(sheet["geometry"]["c3_mm"], 1280.0);
-    assert_eq!(sheet["limits"]["joint_deg"][2], serde_json::json!([-79.0, 180.0]));
+    assert_eq!(sheet["limits"]["joint_deg"][2], serde_json::json!([-132.0, 180.0]));
     assert_eq!(sheet["architecture_assumed"], true);
 }
 

@@ -12,7 +12,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let moves = "circle:0.3".parse::<Builtin>()?.moves(Some(0.02));
     let acting = Acting::Known { force: [300.0, -120.0, 80.0], moment: 0.0 };
     let stations = stations(&moves, &Steps::USUAL, |_| Some(acting));
-    let placement = PartPlacement { at: [1.7, 0.0, 0.8], yaw: 0.0 };
+    let placement = PartPlacement::from_base([1.7, 0.0, 0.8], 0.0);
     // A spindle of 250 mm across axis 6.
     let tool = Pose::new(nalgebra::Vector3::new(0.25, 0.0, 0.0), nalgebra::Vector3::y() * std::f64::consts::FRAC_PI_2);
     let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: tool };

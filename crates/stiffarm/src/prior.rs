@@ -247,8 +247,8 @@ impl Drawn {
 }
 
 impl Unexplained {
-    /// Deterministic, by the name of the robot.
-    fn of(robot: &Robot, draws: usize) -> Option<Self> {
+    /// Of a robot; `None` where it was not measured. Deterministic, by its name.
+    pub fn of(robot: &Robot, draws: usize) -> Option<Self> {
         let identified = robot.identified()?.clone();
         let mut own = fastrand::Rng::with_seed(seed(&robot.full_name()) ^ UNEXPLAINED_SEED);
         let errors = (0..draws).map(|_| Vector3::from_fn(|_, _| normal(&mut own))).collect();

@@ -9,7 +9,7 @@ use nalgebra::Matrix3;
 use crate::compliance::Posture;
 use crate::load::{Component, Forces, Load, NotInPlane};
 use crate::place::{Hold, Placement};
-use crate::prior::{Drawn, factors};
+use crate::prior::{Unexplained, factors};
 use crate::rank::{Ranking, Row};
 use crate::robot::{Robot, Status};
 use crate::spatial::Compliance;
@@ -81,19 +81,27 @@ fn most(by_drive: &[Matrix3<f64>; 6], factors: &[f64; 6], forces: Option<&Forces
 /// Deflections at a place that was found, m, draw by draw, with what an identification did not explain; `None` where nothing says how far
 /// the drives may be off, or the arm plane does not know the force.
 pub fn drawn(robot: &Robot, load: Load, placed: &Placement) -> Option<Vec<f64>> {
-    let mut found = draws(robot, load, placed)?;
-    let coordinates = match (&placed.hold, load.component()) {
-        (_, Component::Normal) => 1,
-        (_, Component::Along) if !load.is_worst() => 1,
-        (Hold::Plane { .. }, Component::Along | Component::Total) => 2,
-        (Hold::Space(_), Component::Along | Component::Total) => 3,
-    };
-    if let Some(unexplained) = Drawn::of(robot, DRAWS)?.unexplained {
-        for (draw, value) in found.iter_mut().enumerate() {
-            *value = unexplained.added(draw, (placed.deflection, *value), coordinates);
+    let coordinates = coordinates(load, if matches!(placed.hold, Hold::Plane { .. }) { 2 } else { 3 });
+    Some(with_residual(robot, draws(robot, load, placed)?, (placed.deflection, coordinates)))
+}
+
+/// How many of the coordinates of a displacement count.
+fn coordinates(load: Load, all: usize) -> usize {
+    match load.component() {
+        Component::Normal => 1,
+        Component::Along if !load.is_worst() => 1,
+        Component::Along | Component::Total => all,
+    }
+}
+
+/// Draws of a deflection that is told as `nominal` and has so many coordinates, m, with what the identification of a robot did not explain.
+fn with_residual(robot: &Robot, mut draws: Vec<f64>, (nominal, coordinates): (f64, usize)) -> Vec<f64> {
+    if let Some(unexplained) = Unexplained::of(robot, draws.len()) {
+        for (draw, value) in draws.iter_mut().enumerate() {
+            *value = unexplained.added(draw, (nominal, *value), coordinates);
         }
     }
-    Some(found)
+    draws
 }
 
 /// Which share of draws, at least one, is no more than a bound.
@@ -110,18 +118,9 @@ pub fn spread(robot: &Robot, load: Load, placed: &Placement) -> Option<Spread> {
 pub fn of_posture(robot: &Robot, posture: &Posture, load: Load) -> Option<Spread> {
     let (parts, forces) = (posture.by_drive.each_ref().map(Compliance::translation), posture.forces(load));
     let moved = |factor: &[f64; 6]| load.newtons() * most(&parts, factor, Some(&forces));
-    let nominal = moved(&[1.0; 6]);
-    let coordinates = match load.component() {
-        Component::Normal => 1,
-        Component::Along if !load.is_worst() => 1,
-        Component::Along | Component::Total => 3,
-    };
-    let Drawn { factors, unexplained } = Drawn::of(robot, DRAWS)?;
-    let of_draw = |(draw, factor): (usize, &[f64; 6])| match &unexplained {
-        Some(unexplained) => unexplained.added(draw, (nominal, moved(factor)), coordinates),
-        None => moved(factor),
-    };
-    Some(Spread::of(factors.iter().enumerate().map(of_draw).collect()))
+    let coordinates = coordinates(load, 3);
+    let found = factors(robot, DRAWS)?.iter().map(moved).collect();
+    Some(Spread::of(with_residual(robot, found, (moved(&[1.0; 6]), coordinates))))
 }
 
 /// How a robot stands at a task, over all draws.

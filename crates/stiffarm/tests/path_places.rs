@@ -22,7 +22,7 @@ fn request(path: &str, options: &[(&str, &str)]) -> Result<Request, Refusal> {
         ("force-n", "300,-120,80"),
         ("tool-mm", "200,0,150,0,60,0"),
         ("step-mm", "50"),
-        ("roll", "constant"),
+        ("roll", "0"),
     ];
     let pair = |(name, text): &(&str, &str)| Pair { name: (*name).into(), text: (*text).into(), at: Spelling::Typed };
     Request::read(Verb::Mill, &usual.iter().chain(options).map(pair).collect::<Vec<_>>(), Spelling::Typed)

@@ -399,7 +399,7 @@ fn what_a_program_cannot_hold_is_refused_with_its_line() {
     );
 }
 
-/// The chain that the authors of docs/examples/fanuc_r2000ic.md state of the R-2000iC, in modified Denavit-Hartenberg parameters (alpha, a, d),
+/// The chain that the authors of `docs/examples/fanuc_r2000ic.md` state of the R-2000iC, in modified Denavit-Hartenberg parameters (alpha, a, d),
 /// whose angles are `(q1, q2, -(q2 + q3), -q4, -q5, -q6)` of those that the pendant shows; joint 2 stands upright at zero.
 fn published_chain(q: &[f64; 6]) -> Pose {
     let quarter = FRAC_PI_2;
@@ -421,7 +421,7 @@ fn published_chain(q: &[f64; 6]) -> Pose {
     })
 }
 
-/// `J1= 1 deg,	J2= ...` of the first position.
+/// `J1= 1 deg, J2= ...` of the first position.
 fn first_joints(text: &str) -> [f64; 6] {
     let (_, positions) = text.split_once("P[1]{").unwrap();
     std::array::from_fn(|i| {

@@ -68,7 +68,7 @@ fn a_path_of_more_samples_than_memory_has_room_for_is_refused_before_they_are_ma
     let served = Served::start(&[]);
     let drilled = "G21 G90 G0 X0 Y0 Z5\nF100 G98 G83 X1 Y1 Z-10 R1 Q.01\n".to_owned() + &"X.001 L9\n".repeat(400_000);
     for options in [json!({ "path": "raster:rect:50x50@0.0005" }), json!({ "path": "a.nc" })] {
-        for who in [json!({ "robot": "BT200L", "at": "1,0,0.5,0" }), json!({ "robots": "all" })] {
+        for who in [json!({ "robot": "BT200L", "at": [1, 0, 0.5] }), json!({ "robots": "all" })] {
             let mut asked = options.clone();
             asked.as_object_mut().unwrap().extend(who.as_object().unwrap().clone());
             asked["force-n"] = json!(100);
@@ -85,7 +85,7 @@ fn what_is_sent_is_read_in_a_time_that_goes_with_its_length() {
     let served = Served::start(&["--threads", "1"]);
     let many = |count: usize, one: &dyn Fn(usize) -> String| (0..count).map(one).collect::<String>();
     let name = "n".repeat(3 << 20);
-    let job = "verb = 'place'\n".to_owned() + &many(250_000, &|i| format!("key{i} = {i}\n"));
+    let job = "verb = 'place'\n".to_owned() + &many(200_000, &|i| format!("key{i} = {i}\n"));
     let listed = "verb = 'place'\nwithin = [".to_owned() + &"'1..2,1..2',\n".repeat(200_000) + "]\n";
     let links =
         many(40_000, &|i| format!("<link name='l{i}'/><joint name='j{i}' type='fixed'><parent link='l{i}'/></joint>"));

@@ -337,7 +337,8 @@ impl MeasureAnswer {
             if unseen.len() == 1 { "does not show: it keeps its prior" } else { "do not show: they keep their prior" };
         let mut note = format!("under these loads ({loads}) {drives} {} {do_not}", unseen.join(", "));
         if !advised.is_empty() {
-            note += &format!("; --loads {},{} shows {}", ways.join(","), advised.join(","), self.shown_by_advised());
+            let all = [ways, advised.iter().map(AsRef::as_ref).collect()].concat().join(",");
+            note = format!("{note}; --loads {all} shows {}", self.shown_by_advised());
         }
         if self.plan.unseen.iter().any(|one| one.shown_by.is_none()) {
             note += "; a load point and a marker aside of an axis (--load-mm, --marker-mm) show its drive";

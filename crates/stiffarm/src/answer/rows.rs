@@ -63,7 +63,7 @@ impl std::fmt::Display for Cell {
 pub struct Rows<'a> {
     remark: Option<String>,
     columns: Vec<Column>,
-    rows: Kept<'a>,
+    kept: Kept<'a>,
 }
 
 /// Rows that are kept, or so many that each is made when it is written: a map has a hundred million.
@@ -75,12 +75,12 @@ enum Kept<'a> {
 impl<'a> Rows<'a> {
     /// A table of rows that are there.
     pub fn new(columns: Vec<Column>, rows: Vec<Vec<Cell>>) -> Self {
-        Self { remark: None, columns, rows: Kept::All(rows) }
+        Self { remark: None, columns, kept: Kept::All(rows) }
     }
 
     /// A table of `count` rows, of which each is made anew when it is needed.
     pub fn made(columns: Vec<Column>, count: usize, row: impl Fn(usize) -> Vec<Cell> + 'a) -> Self {
-        Self { remark: None, columns, rows: Kept::Made(count, Box::new(row)) }
+        Self { remark: None, columns, kept: Kept::Made(count, Box::new(row)) }
     }
 
     /// The same under a remark that whoever uses the table must have read.
@@ -101,7 +101,7 @@ impl<'a> Rows<'a> {
 
     /// How many rows.
     pub fn len(&self) -> usize {
-        match &self.rows {
+        match &self.kept {
             Kept::All(rows) => rows.len(),
             Kept::Made(count, _) => *count,
         }
@@ -114,7 +114,7 @@ impl<'a> Rows<'a> {
 
     /// The row at `i`.
     pub fn at(&self, i: usize) -> Cow<'_, [Cell]> {
-        match &self.rows {
+        match &self.kept {
             Kept::All(rows) => Cow::Borrowed(&rows[i]),
             Kept::Made(_, row) => Cow::Owned(row(i)),
         }

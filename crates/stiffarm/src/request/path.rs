@@ -134,7 +134,7 @@ impl Request {
     pub fn path_ground(&self) -> Result<PathGround, Refusal> {
         let within = self.ahead();
         let margins = self.margins(within);
-        let options = PlaceOptions { margins, within, ..PlaceOptions::under(Load::PAPER) };
+        let options = PlaceOptions { within, margins, ..PlaceOptions::under(Load::PAPER) };
         let in_cell = self.cell(self.windows()).of(&options, true).map_err(|unasked| self.unanswered(unasked))?;
         let PlaceOptions { margins, within, cell, .. } = in_cell;
         Ok(PathGround { margins, within, cell })

@@ -70,7 +70,9 @@ mod tests {
         let cut: usize = moves.iter().map(|one| samples(one, &steps, 0.0).count()).sum();
         let of = |most: usize| {
             let mut gathered = Gathered::new(steps, most);
-            moves.iter().for_each(|one| gathered.add(one));
+            for one in &moves {
+                gathered.add(one);
+            }
             gathered
         };
         assert_eq!(of(cut).whole().unwrap(), moves);
@@ -85,7 +87,9 @@ mod tests {
     fn the_count_of_any_path_is_had_without_its_samples() {
         let moves = "raster:rect:50x50@0.0005".parse::<Builtin>().unwrap().moves(None);
         let mut gathered = Gathered::new(Steps { longest: 1e-7, ..Steps::USUAL }, usize::MAX - 1);
-        moves.iter().for_each(|one| gathered.add(one));
+        for one in &moves {
+            gathered.add(one);
+        }
         assert!(!gathered.is_over() && 5_000_000_000_000 < gathered.samples, "{}", gathered.samples);
     }
 }

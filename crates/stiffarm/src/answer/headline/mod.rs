@@ -130,10 +130,9 @@ fn scattered(verdict: Verdict, spread: Option<Spread>, robot: &Robot) -> String 
         "measure the drives (`stiffarm measure`)"
     };
     let advice = match (verdict.passes, verdict.is_sure()) {
-        (true, true) => String::new(),
         (true, false) => format!(": {measure}, or keep more distance"),
         (false, _) if 0.05 <= probability => format!(": {measure} before it is given up"),
-        (false, _) => String::new(),
+        (true, true) | (false, _) => String::new(),
     };
     format!(
         "It is held with a probability of {}: the 90 % interval ({}) is {low} to {high} mm{advice}.",

@@ -16,7 +16,7 @@ use crate::prior::Drawn;
 use crate::request::{Refusal, Request};
 use crate::robot::Robot;
 use crate::stock::Stock;
-use crate::toolpath::{Move, Survey};
+use crate::toolpath::{Move, MoveKind, Survey};
 use crate::uncertainty::DRAWS;
 use crate::watch::Watch;
 
@@ -135,7 +135,14 @@ fn of_one_tool<'m>(asked: &Request, moves: Cow<'m, [Move]>) -> Result<Cow<'m, [M
             Err(asked.refused("path", why))
         }
         (Some(number), found) if found.iter().any(|(tool, _)| *tool == Some(number)) => {
-            Ok(moves.iter().filter(|one| one.given.tool == Some(number)).copied().collect())
+            let mut before = None;
+            let is_of_it = |one: &&Move| {
+                let tool = one.given.tool;
+                let is_changed = before.replace(tool).is_some_and(|before| before != tool);
+                // From where a tool comes that was just put in is not in the file.
+                tool == Some(number) && !(is_changed && one.kind == MoveKind::Rapid)
+            };
+            Ok(moves.iter().filter(is_of_it).copied().collect())
         }
         (Some(number), found) => {
             let there = if found.is_empty() { "nothing that feeds".into() } else { tools(found) };

@@ -35,7 +35,8 @@ pub(super) type Place = [f64; 4];
 /// A site with its axes: z up, and straight ahead along x where the robot may be turned as one likes, else those of the cell.
 pub(super) struct Site {
     cell_from_base: Pose,
-    base_from_site: Pose,
+    /// From the axes of the site.
+    to_base: Pose,
     /// In base axes; none of it where windows say it.
     within: Within,
     windows: Vec<Window>,
@@ -76,7 +77,7 @@ impl Site {
         }
         Some(Self {
             cell_from_base,
-            base_from_site: if cell.is_some() { cell_from_base.inverse() } else { upright },
+            to_base: if cell.is_some() { cell_from_base.inverse() } else { upright },
             within,
             windows,
             keep_out: cell.iter().flat_map(Cell::keep_out).collect(),
@@ -102,11 +103,11 @@ impl Site {
             return PartPlacement {
                 at: site_from_part.translation.into(),
                 yaw: *yaw,
-                base_from_cell: self.base_from_site,
+                base_from_cell: self.to_base,
             };
         }
         // Upright, so that a turn about the vertical stays one.
-        let cell_from_site = self.cell_from_base * self.base_from_site;
+        let cell_from_site = self.cell_from_base * self.to_base;
         let ahead = cell_from_site.rotation * Vector3::x();
         let at = (cell_from_site * site_from_part).translation.into();
         PartPlacement { at, yaw: yaw + ahead.y.atan2(ahead.x), base_from_cell: self.cell_from_base.inverse() }
@@ -128,7 +129,7 @@ impl Site {
                 }
                 continue;
             }
-            let at = self.base_from_site.inverse_transform_point(&tip.into()).coords;
+            let at = self.to_base.inverse_transform_point(&tip.into()).coords;
             for (holds, window) in holds.iter_mut().zip(&self.windows) {
                 *holds &= match window {
                     Window::Block(block) => block.holds(&at, &Vector3::zeros(), SLACK),
@@ -150,7 +151,7 @@ impl Site {
     fn ahead(&self, nearest: f64) -> Option<[Interval; 4]> {
         let [ahead, up] = &self.reach;
         let x = self.within.x.intersect(Interval::spanning(nearest.min(ahead.max()), ahead.max()))?;
-        let upwards = (self.base_from_site.rotation * Vector3::z()).z;
+        let upwards = (self.to_base.rotation * Vector3::z()).z;
         let z = self.within.z.intersect(*up)?.affine(upwards, 0.0);
         Some([x, Interval::point(0.0), z, Interval::spanning(-PI, PI)])
     }
@@ -202,7 +203,7 @@ impl Site {
                 // Rings are about axes that are upright.
                 Window::Ring { .. } => None,
             };
-            return (self.base_from_site, self.windows.iter().filter_map(whole).collect());
+            return (self.to_base, self.windows.iter().filter_map(whole).collect());
         }
         // Every tip keeps the column, so the middle keeps what the tip that is nearest to it leaves.
         let nearest = (self.column - self.nearest).max(0.0);

@@ -785,9 +785,9 @@ fn no_joint_turns_faster_than_its_share_from_sample_to_sample() {
         kept += 1;
         for i in (1..stations.len()).filter(|i| !stations[*i].is_fresh) {
             let Some(time) = stations[i].time else { continue };
-            for joint in 0..6 {
+            for (joint, speed) in speeds.iter().enumerate() {
                 let turned = (found.samples[i].joints[joint] - found.samples[i - 1].joints[joint]).abs();
-                let may = 0.5 * speeds[joint] * time;
+                let may = 0.5 * speed * time;
                 assert!(
                     turned <= may + 1e-6,
                     "{text} at {feed} m/s: joint {} by {} of its share",
