@@ -75,8 +75,8 @@ function entry(row, key, id) {
   const isOne = ["number", "integer"].includes(row.kind) && !row.list;
   const typed = (/** @type {Event} */ event) => {
     const text = /** @type {HTMLInputElement} */ (event.target).value.trim();
-    // Where one number is expected a comma can only be a decimal one.
-    change({ [key]: isOne ? text.replace(/^([-+]?\d*),(\d+)$/, "$1.$2") : text });
+    // Where one number is expected a comma can only be a decimal one; of a force three numbers have two.
+    change({ [key]: isOne || row.kind === "force" ? text.replace(/^([-+]?\d*),(\d+)$/, "$1.$2") : text });
   };
   if (row.kind === "choice" && !row.list) {
     const options = row.choices.map(({ word, help }) => el("option", { value: word, title: help, selected: word === given }, [word]));

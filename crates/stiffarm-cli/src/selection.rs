@@ -1,5 +1,6 @@
 //! Which robots are meant: names, patterns, files, folders, the sets `paper` and `all`.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use stiffarm::catalogue::files::{Loaded, shown};
@@ -24,10 +25,10 @@ pub(crate) fn robot(name: &str, common: &Common) -> Result<Robot, Failure> {
 
 /// All robots that some of the names, patterns, files and folders mean, each once, in the order given.
 pub(crate) fn robots(wanted: &[String], common: &Common) -> Result<Vec<Robot>, Failure> {
-    let mut found: Vec<Found> = Vec::new();
-    for name in wanted {
+    let (mut found, mut seen): (Vec<Found>, HashSet<&str>) = (Vec::new(), HashSet::new());
+    for name in wanted.iter().map(|name| name.trim()).filter(|name| seen.insert(name)) {
         common.watch().go_on()?;
-        for one in matching(name.trim(), common)? {
+        for one in matching(name, common)? {
             if found.iter().all(|known| known.robot != one.robot) {
                 found.push(one);
             }

@@ -186,7 +186,7 @@ fn a_picture_shows_what_is_reached() {
     let drawn = fs::read_to_string(&svg).unwrap();
     for expected in [
         "Fanuc R-2000iC/165F",
-        "data-sheet",
+        "description",
         "reached with the elbow up",
         "reached with the elbow down",
         "x from the base [m]",

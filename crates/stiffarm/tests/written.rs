@@ -113,7 +113,9 @@ fn identified() -> impl Strategy<Value = Identified> {
     };
     let date = prop_oneof![Just(None), Just(Some("2024-02-29".to_owned()))];
     let rms = || proptest::option::of(length(0.1, 10.0));
-    (six(|| 0.01..2.0_f64), six(any::<bool>), 2_usize..500, date, length(0.0, 10.0), rms(), rms()).prop_map(
+    // What nothing moved has nothing to be explained.
+    let moved = proptest::option::of(length(1.0, 10.0));
+    (six(|| 0.01..2.0_f64), six(any::<bool>), 2_usize..500, date, length(0.0, 10.0), rms(), moved).prop_map(
         move |(parts, drives, postures, date, residual, left_out, moved)| Identified {
             drives,
             covariance: square(parts),

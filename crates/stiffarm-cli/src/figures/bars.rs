@@ -247,15 +247,16 @@ mod tests {
     use super::super::png;
     use super::*;
 
-    /// From where to where lines of a look go along x, in the order in which they are drawn.
+    /// From where to where along x the paths of two points go that have this look.
     fn lines_at(svg: &str, look: &str) -> Vec<[f64; 2]> {
-        let number = |line: &str, key: &str| {
-            let (_, rest) = line.split_once(&format!("{key}=\""))?;
-            rest.split('"').next()?.parse::<f64>().ok()
+        let of_path = |path: &str| {
+            let (drawn, rest) = path.split_once('"')?;
+            let mut numbers =
+                drawn.split(|c: char| !c.is_ascii_digit() && c != '.' && c != '-').flat_map(str::parse::<f64>);
+            let [x0, _, x1, _] = std::array::from_fn(|_| numbers.next());
+            rest.split('>').next()?.contains(look).then_some([x0?, x1?])
         };
-        let lines =
-            svg.split("<line").skip(1).filter(|line| line.split('>').next().is_some_and(|line| line.contains(look)));
-        lines.filter_map(|line| Some([number(line, "x1")?, number(line, "x2")?])).collect()
+        svg.split("<path d=\"").skip(1).filter_map(of_path).collect()
     }
 
     #[test]

@@ -105,7 +105,7 @@ fn what_is_sent_is_read_in_a_time_that_goes_with_its_length() {
         ("/api/place", options(json!({ "robot": "BT200L", "task": "circle:0.3", (name.clone()): 1 })), 400),
         ("/api/rank", options(json!({ "robots": format!("*{name}"), "task": "circle:0.3" })), 422),
         ("/api/rank", options(json!({ "robots": vec!["*"; 1000], "task": "circle:9" })), 200),
-        ("/api/force", with(json!({ "process": name }), &name, ""), 400),
+        ("/api/force", with(json!({ "process": &name[..1 << 20] }), &name[..1 << 20], ""), 400),
         ("/api/identify", with(json!({ "robot": "KR 210 R2700 extra", "data": "a.csv" }), "a.csv", &columns), 422),
         (
             "/api/force",

@@ -81,9 +81,16 @@ class PlaceOptions(TypedDict, total=False):
     tolerance_mm: float | None
     """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+
     force_n: float | npt.ArrayLike
     """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
     (away from the work), in the planar model ahead,0,up."""
+
+    process: str | None
+    """A process file (TOML) in place of the cutting force: its mean force over a revolution acts along feed,
+    across and axial; its moment is left out."""
 
     force_axes: Literal["base", "tool"] | None
     """Along which axes a force of three numbers points [default: tool]."""
@@ -103,7 +110,7 @@ class PlaceOptions(TypedDict, total=False):
     component: Literal["total", "normal", "along"]
     """What of the displacement counts."""
 
-    at_m: npt.ArrayLike | None
+    at: npt.ArrayLike | None
     """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
     it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
     [default: the best place within --within]."""
@@ -128,8 +135,8 @@ class PlaceOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
-    degrees of its first side."""
+    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
+    horizontal, vertical (its long side), free, or degrees of its first side."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -188,9 +195,16 @@ class RankOptions(TypedDict, total=False):
     tolerance_mm: float | None
     """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+
     force_n: float | npt.ArrayLike
     """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
     (away from the work), in the planar model ahead,0,up."""
+
+    process: str | None
+    """A process file (TOML) in place of the cutting force: its mean force over a revolution acts along feed,
+    across and axial; its moment is left out."""
 
     force_axes: Literal["base", "tool"] | None
     """Along which axes a force of three numbers points [default: tool]."""
@@ -210,7 +224,7 @@ class RankOptions(TypedDict, total=False):
     component: Literal["total", "normal", "along"]
     """What of the displacement counts."""
 
-    at_m: npt.ArrayLike | None
+    at: npt.ArrayLike | None
     """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
     it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
     [default: the best place within --within]."""
@@ -235,8 +249,8 @@ class RankOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
-    degrees of its first side."""
+    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
+    horizontal, vertical (its long side), free, or degrees of its first side."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -343,7 +357,7 @@ class MapOptions(TypedDict, total=False):
     component: Literal["total", "normal", "along"]
     """What of the displacement counts."""
 
-    at_m: npt.ArrayLike | None
+    at: npt.ArrayLike | None
     """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
     it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
     [default: the best place within --within]."""
@@ -368,8 +382,8 @@ class MapOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
-    degrees of its first side."""
+    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
+    horizontal, vertical (its long side), free, or degrees of its first side."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -447,6 +461,9 @@ class CompareOptions(TypedDict, total=False):
     tolerance_mm: float | None
     """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+
     force_n: float | npt.ArrayLike
     """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
     (away from the work), in the planar model ahead,0,up."""
@@ -469,7 +486,7 @@ class CompareOptions(TypedDict, total=False):
     component: Literal["total", "normal", "along"]
     """What of the displacement counts."""
 
-    at_m: npt.ArrayLike | None
+    at: npt.ArrayLike | None
     """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
     it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
     [default: the best place within --within]."""
@@ -494,8 +511,8 @@ class CompareOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
-    degrees of its first side."""
+    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
+    horizontal, vertical (its long side), free, or degrees of its first side."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -623,6 +640,13 @@ class MeasureOptions(TypedDict, total=False):
     sigma_mm: float
     """Standard deviation of what is read of a coordinate [mm]."""
 
+    posture_sigma_mm: float
+    """Standard deviation of what the model misses of a coordinate in a posture [mm], however often it is read
+    there: repeats do not take it away."""
+
+    repeats: int
+    """How often a posture is measured at most, whatever the load."""
+
     window: str | Iterable[str | Sequence[RangeLike | None]] | None
     """Where load point and markers must be [m]: x0..x1,y0..y1,z0..z1 from the base; ranges may be left open
     [default: above the floor]."""
@@ -641,6 +665,10 @@ class MeasureOptions(TypedDict, total=False):
     tool_mm: npt.ArrayLike | None
     """The tool of the work in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the
     flange]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
 
     compare: str | None
     """A table of postures and loads of your own: what it is worth beside the plan."""
@@ -675,6 +703,10 @@ class MillOptions(TypedDict, total=False):
     """Only tell what was understood of the path: lengths, moves, extents, feed rates, what was assumed and
     ignored."""
 
+    only_tool: int | None
+    """Mill only what the tool of this number cuts (T, LOAD); each tool of a path has a process and a length of
+    its own [default: all of the path, which then has one tool]."""
+
     process: str | None
     """A process file (TOML): tool, material and engagement, or a force as it is; the mean force over a
     revolution acts."""
@@ -687,13 +719,22 @@ class MillOptions(TypedDict, total=False):
     """The block from which the part is cut [mm], in the path's frame: x0..x1,y0..y1,z0..z1; entry, exit and
     depth of the cut are then computed along the path (three axes, flat mills)."""
 
-    at_m_deg: npt.ArrayLike | None
-    """Where the path's origin stands, m from the robot's base, and by how many degrees the part is turned about
-    the vertical [default: the best place within --within]."""
+    at: npt.ArrayLike | None
+    """Where the path's origin stands, m from the robot's base, or with --mount from the cell's origin, and by
+    how many degrees the part is turned about the vertical [default: the best place within --within]."""
 
     within_m: str | Sequence[RangeLike | None] | None
-    """Where all of the path must stand, m from the robot's base: x0..x1,z0..z1; either end may be left open
-    [default: in front of the joint-1 axis, above the floor]."""
+    """Where all of the path must stand, in m from the robot's base: x0..x1,z0..z1 about it, or
+    x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open, and with --mount count
+    from the cell's floor [default: in front of the joint-1 axis, above the floor]."""
+
+    mount: str | None
+    """How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or
+    pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
+
+    keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
+    """Where no part of the path may go [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given
+    several times."""
 
     roll: str | float
     """How the tool is turned about its axis [deg]: free (from sample to sample, as is best), constant (the best
@@ -718,6 +759,10 @@ class MillOptions(TypedDict, total=False):
     """By how much the compliance of every drive may be off: one standard deviation of its logarithm, for what
     compensation leaves [default: as the robot file or the prior has it]."""
 
+    pendant_as_file: bool
+    """The pendant shows the joints as the robot file counts them (zeros, signs, joint 3): programs then begin
+    with a move in joints where the file does not say so."""
+
     speed_share: float
     """Of the largest speed of every joint what is used while cutting, where the robot file tells speeds."""
 
@@ -727,6 +772,14 @@ class MillOptions(TypedDict, total=False):
     singular_margin_deg: float
     """What wrist and arm keep from straight [deg]."""
 
+    clear_of_base_m: float | None
+    """What the whole path keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 +
+    0.15 (c2 + l3)]."""
+
+    floor_m: str | float | None
+    """Height of the floor from the robot's base [m], or none; all of the path stands above it [default: 0,
+    unless --within says how low the path may stand]."""
+
     tool_mm: npt.ArrayLike | None
     """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes; z out of the spindle
     to the tip [default: the flange centre]."""
@@ -734,6 +787,9 @@ class MillOptions(TypedDict, total=False):
     tool: str | None
     """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
     leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
 
     stiffness: Literal["paper", "prior", "file"] | None
     """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
@@ -783,6 +839,13 @@ class SweepOptions(TypedDict, total=False):
     tolerance_mm: float | None
     """Largest deflection that is acceptable [mm]: adds pass or fail; in figures a line."""
 
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+
+    process: str | None
+    """A process file (TOML) in place of the cutting force: its mean force over a revolution acts along feed,
+    across and axial; its moment is left out."""
+
     force_axes: Literal["base", "tool"] | None
     """Along which axes a force of three numbers points [default: tool]."""
 
@@ -801,7 +864,7 @@ class SweepOptions(TypedDict, total=False):
     component: Literal["total", "normal", "along"]
     """What of the displacement counts."""
 
-    at_m: npt.ArrayLike | None
+    at: npt.ArrayLike | None
     """The one place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above
     it, or with --mount above the cell's floor; of a rectangle with --angle 0 unless another is given
     [default: the best place within --within]."""
@@ -826,8 +889,8 @@ class SweepOptions(TypedDict, total=False):
     unless --within says how low the zone may stand]."""
 
     angle: str | float
-    """Angle of a rectangle: axes (horizontal or vertical), horizontal, vertical (its long side), free, or
-    degrees of its first side."""
+    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
+    horizontal, vertical (its long side), free, or degrees of its first side."""
 
     gap: float | None
     """Largest relative distance between a value and its proof [default: 0.0001] [planar model only]."""
@@ -1106,6 +1169,16 @@ class _Placed(_Pass):
     component: str
     """What of the displacement counts: total, normal (to the face) or along (the force)."""
 
+    payload_kg: float | None
+    """Nominal payload."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+
+    overloaded: bool | None
+    """The tool and a mass that weighs as much as the force are more than the payload together; null where no
+    payload is known."""
+
     tool_mm: list[float] | None
     """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
 
@@ -1161,7 +1234,7 @@ class _Placed(_Pass):
     """Of the zone's plane about the vertical."""
 
     angle_deg: float | None
-    """Of the first side of a rectangle."""
+    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
 
     roll_deg: float | None
     """About the tool axis."""
@@ -1234,6 +1307,14 @@ class _Placed(_Pass):
 
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
+
+    verdict: str | None
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so, else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    probability: float | None
+    """How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be
+    off; null where nothing is known of that."""
 
     margin_mm: float | None
     """What is left of the tolerance."""
@@ -1907,6 +1988,10 @@ class MeasurementPlanDict(TypedDict):
     drive_urad_per_nm: list[float]
     """The compliance of each drive; null where a robot of two links has none."""
 
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
     criterion: str
     """What a plan is judged by."""
 
@@ -1931,6 +2016,12 @@ class MeasurementPlanDict(TypedDict):
 
     unseen_drives: list[int]
     """Drives that no candidate shows."""
+
+    unseen_share: float
+    """What part of the variance of the prediction is the prior of these drives."""
+
+    advised_loads: list[str]
+    """Directions of loads that show them, where some do."""
 
     runs: list[MeasurementRun]
     """One entry per run, in the order in which they are made."""
@@ -2013,7 +2104,8 @@ class PathLength(TypedDict):
     """Length of all rapid moves whose beginning is known."""
 
     rapid_box_m: list[list[float]] | None
-    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the path; null where there is none."""
+    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the
+    path; null where there is none."""
 
 
 class PinnedRoll(TypedDict):
@@ -2088,11 +2180,25 @@ class MilledDict(_Pass):
     stiffness_source: str
     """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
 
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
     path: str
     """The toolpath as it was asked for."""
 
     force: str
     """Where the force on the tool comes from."""
+
+    payload_kg: float
+    """Nominal payload."""
+
+    tool_mass_kg: None
+    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+
+    overloaded: bool
+    """The tool and a mass that weighs as much as the force are more than the payload together; null where no
+    payload is known."""
 
     part: PathLength
     """The path as it was cut: samples, lengths and time."""
@@ -2112,11 +2218,24 @@ class MilledDict(_Pass):
     speed_share: float
     """Of the joints' speeds what is used at most; null where the robot file tells none."""
 
+    clear_of_base_m: float | None
+    """What the zone was to keep from the joint-1 axis; null where it is not known where that stands."""
+
+    cell: None
+    """The cell as it was asked for: mount, windows, what is kept free; null where there is none."""
+
     at_m: list[float]
-    """Where the path's origin stands."""
+    """Where the path's origin stands, from the robot's base."""
 
     at_yaw_deg: float
-    """By how much the part is turned about the vertical."""
+    """By how much the part is turned about the vertical from straight ahead of the robot; null of a base that
+    leans."""
+
+    cell_m: None
+    """The centre of the zone in the axes of the cell, its floor at 0."""
+
+    cell_yaw_deg: None
+    """By how much the part is turned about the vertical from the cell's x axis; null without a cell."""
 
     feasible: bool
     """There is a place; null where it is not known."""
@@ -2163,6 +2282,14 @@ class MilledDict(_Pass):
 
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
+
+    verdict: str | None
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so, else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    probability: float | None
+    """How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be
+    off; null where nothing is known of that."""
 
     margin_mm: float | None
     """What is left of the tolerance."""
@@ -2238,10 +2365,17 @@ class PathRankingRow(_Pass):
     """How the tool is turned about its axis."""
 
     at_m: list[float] | None
-    """Where the path's origin stands."""
+    """Where the path's origin stands, from the robot's base."""
 
     at_yaw_deg: float | None
-    """By how much the part is turned about the vertical."""
+    """By how much the part is turned about the vertical from straight ahead of the robot; null of a base that
+    leans."""
+
+    cell_m: None
+    """The centre of the zone in the axes of the cell, its floor at 0."""
+
+    cell_yaw_deg: None
+    """By how much the part is turned about the vertical from the cell's x axis; null without a cell."""
 
     limit_margin_deg: float | None
     """The smallest distance of any joint to its limits in the zone."""
@@ -2251,6 +2385,14 @@ class PathRankingRow(_Pass):
 
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
+
+    verdict: str | None
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so, else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    probability: float | None
+    """How likely the tolerance is kept, as the drives may be and the model of a robot that was measured may be
+    off; null where nothing is known of that."""
 
     margin_mm: float | None
     """What is left of the tolerance."""
@@ -2297,6 +2439,40 @@ class PathRankingDict(TypedDict):
     """What is odd."""
 
 
+class PublishedNumber(TypedDict):
+    """A published number."""
+
+    source: str
+    """Where it is published."""
+
+    item: str
+    """What it is of."""
+
+    cell: str
+    """Which number."""
+
+    printed: str
+    """As it is printed."""
+
+    computed: float | None
+    """As it is computed."""
+
+    agrees: bool
+    """The two agree to the digits that are printed."""
+
+    note: str | None
+    """Why they do not."""
+
+
+class LedgerDict(TypedDict):
+    """`stiffarm.Ledger.to_dict`."""
+
+    schema: Schema
+
+    rows: list[PublishedNumber]
+    """One entry per row."""
+
+
 class ToolpathDict(TypedDict):
     """`stiffarm.Toolpath.to_dict`."""
 
@@ -2323,6 +2499,9 @@ class ToolpathDict(TypedDict):
     rapid_moves: int
     """Rapid moves whose beginning is known."""
 
+    tools: list[None]
+    """Numbers of the tools that feed, in the order in which they come; null where none is named."""
+
     machine_moves: int
     """Moves that are no part of the path: from where the file does not tell, or by coordinates of the machine."""
 
@@ -2339,7 +2518,8 @@ class ToolpathDict(TypedDict):
     """Two corners of the box about all feed moves, in the axes of the path."""
 
     rapid_box_m: list[list[float]] | None
-    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the path; null where there is none."""
+    """Two corners of the box about the ends of all rapid moves whose beginning is known, in the axes of the
+    path; null where there is none."""
 
     feed_mm_per_min: list[float] | None
     """The smallest and the largest feed rate; null where none is said."""
@@ -2400,6 +2580,10 @@ class ComplianceDict(TypedDict):
 
     joints_deg: list[float]
     """Joint angles as the robot reports them, deg."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
 
     tcp_m: list[float]
     """The tool point."""

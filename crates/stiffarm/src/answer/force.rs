@@ -1,7 +1,7 @@
 //! How is a force told?
 
 use super::angles::asked_degrees;
-use super::stiffness::digits;
+use super::numbers::digits;
 use super::{Record, field};
 use crate::load::{Component, Direction, Load};
 

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use super::stiffness::digits;
+use super::numbers::digits;
 use super::words::{self, fixed};
 use super::{Line, Record, Rows, Table, field, line, stiffness, with_schema};
 use crate::catalogue::write;

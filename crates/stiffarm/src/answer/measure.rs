@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
-use super::stiffness::digits;
+use super::numbers::digits;
 use super::words::{self, fixed};
 use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, Unit, field, line, stiffness, with_schema};
 use crate::limits::Pendant;

@@ -21,6 +21,7 @@ pub mod map;
 mod margins;
 pub mod measure;
 pub mod mill;
+mod numbers;
 pub mod path;
 mod payload;
 pub mod place;
@@ -48,6 +49,7 @@ pub use looks::{Look, looks};
 pub use map::MapAnswer;
 pub use measure::{DrawnPosture, MeasureAnswer};
 pub use mill::{Compensation, MillAnswer, MillAnswerError, PathRankAnswer};
+pub use numbers::fixed;
 pub use path::PathAnswer;
 pub use place::PlaceAnswer;
 pub use rank::RankAnswer;
@@ -57,7 +59,6 @@ pub use siting::{Dimension, Siting};
 pub use stiffness::{stiffness, stiffnesses};
 pub use study::StudyAnswer;
 pub use verdict::{HOLDS, ON_TOP, SURE, Verdict};
-pub use words::fixed;
 
 /// Keys in the order in which they are told.
 type Object = serde_json::Map<String, Value>;

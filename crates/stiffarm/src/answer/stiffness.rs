@@ -1,6 +1,6 @@
 //! How stiff are the drives, and who says so? In the same words wherever a deflection is told.
 
-use super::words::fixed;
+use super::numbers::{digits, fixed};
 use super::{Record, field, uncertainty};
 use crate::catalogue::microradians;
 use crate::drive::{JointCompliance, Scatter};
@@ -138,11 +138,6 @@ fn of(names: &[&str]) -> String {
 /// Six digits of a number that came out of a division.
 fn rounded(x: f64) -> f64 {
     digits(x, 6)
-}
-
-/// So many digits of a number.
-pub(super) fn digits(x: f64, count: usize) -> f64 {
-    format!("{x:.*e}", count - 1).parse().unwrap_or(x)
 }
 
 fn listed(numbers: &[f64]) -> String {

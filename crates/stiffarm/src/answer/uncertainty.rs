@@ -1,6 +1,6 @@
 //! How is it told how sure deflections and ranks are?
 
-use super::words::fixed;
+use super::numbers::fixed;
 use super::{Line, Record, Unit, field, line};
 use crate::drive::Knowledge;
 use crate::load::Load;

@@ -2,6 +2,7 @@
 
 pub(super) use super::angles::asked_degrees;
 pub use super::force::{acting, component, force, loaded, mapped};
+pub use super::numbers::fixed;
 use super::{Line, line};
 use crate::clearance::{Clearance, Obstacle};
 use crate::interval::Interval;
@@ -14,15 +15,6 @@ use crate::spatial::Pose;
 
 /// A zone that is nearer to the joint-1 axis, m, stands where most robots have their own base.
 pub const COLUMN: f64 = 0.3;
-
-/// Rounded for people; what rounds to zero has no sign.
-pub fn fixed(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    match text.strip_prefix('-') {
-        Some(rest) if rest.chars().all(|c| "0.".contains(c)) => rest.into(),
-        _ => text,
-    }
-}
 
 /// Degrees of an angle, rad, to a tenth.
 pub fn degrees(angle: f64) -> String {

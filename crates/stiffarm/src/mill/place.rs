@@ -118,7 +118,7 @@ struct Start {
 /// Finds the best place of a path.
 ///
 /// # Errors
-/// As [`mill`]; a window of which the margins leave nothing is an answer like any place that is not held.
+/// As [`super::mill`]; a window of which the margins leave nothing is an answer like any place that is not held.
 pub fn place_path(
     robot: &Robot,
     flange_from_tool: &Pose,

@@ -100,11 +100,7 @@ impl Site {
     pub(super) fn placement(&self, [x, y, z, yaw]: &Place, middle: &Vector3<f64>) -> PartPlacement {
         let site_from_part = Pose::translation(*x, *y, *z) * Pose::rotation(Vector3::z() * *yaw) * Pose::from(-*middle);
         if !self.is_turned_freely() {
-            return PartPlacement {
-                at: site_from_part.translation.into(),
-                yaw: *yaw,
-                base_from_cell: self.to_base,
-            };
+            return PartPlacement { at: site_from_part.translation.into(), yaw: *yaw, base_from_cell: self.to_base };
         }
         // Upright, so that a turn about the vertical stays one.
         let cell_from_site = self.cell_from_base * self.to_base;

@@ -103,7 +103,7 @@ pub(super) const ROWS: &[Setting] = &[
         count: count_of(3, 4, "numbers", "x,y,z in m, or x,y,z and the yaw in deg"),
         value: "X,Y,Z,YAW",
         absent: Absent::Means("the best place within --within"),
-        excludes: &["within", "robots"],
+        excludes: &["within", "robots", "keep-out", "clear-of-base-m", "floor"],
         help: "Where the path's origin stands, m from the robot's base, or with --mount from the cell's origin, and by how many degrees the part is turned about the vertical",
         example: "1.6,0,0.6,30",
         ..MILLED
