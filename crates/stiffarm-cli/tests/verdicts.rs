@@ -91,7 +91,7 @@ fn a_zone_under_a_process_is_that_under_its_mean_force() {
     let ranked = json(&[&["rank", "--robots", KUKA, "--process", process, "--feed-deg", "30"], &spatial[..]].concat());
     assert_eq!(ranked["rows"][0]["cells"][0]["deflection_mm"], by_process["deflection_mm"]);
     for (words, why) in [
-        (&["--process", process, "--force-n", "300,0,0"][..], "cannot be used with"),
+        (&["--process", process, "--force-n", "300,0,0"][..], "exclude each other"),
         (&["--process", process, "--force-axes", "base"], "points along the axes of the tool"),
         (&["--process", "no.toml"], "no.toml"),
     ] {

@@ -110,7 +110,7 @@ def test_numbers_out_of_range_are_named():
             'within_m is of the planar model; it does not go with model="spatial", in space',
         ),
         ({"size": 9, "step_m": 0.1}, ["--size", "9", "--step-m", "0.1"], "exclude each other", "exclude each other"),
-        ({"force_cone_deg": 9}, ["--force-cone-deg", "9"], "--force-cone-deg needs --force-n", "force_cone_deg needs force_n"),
+        ({"force_cone_deg": 9}, ["--force-cone-deg", "9"], "a force of one number points in its worst direction", "a force of one number points in its worst direction"),
         (
             {"force_n": 0}, ["--force-n", "0"],
             "invalid value '0' for '--force-n <N>': expected a number from 0.001 to 1000000 N, or three along its axes, separated by commas",

@@ -95,7 +95,7 @@ def test_programs_and_rewritten_paths_are_the_programs(tmp_path: Path) -> None:
 
     file = tmp_path / "part.nc"
     file.write_text("G21 G90\nG0 X0 Y0 Z5\nG1 Z0 F600\nG1 X50\nG1 Y20\nM30\n")
-    options = {"tool": "spindle:250@90", "force_n": (300, -120, 80), "at_m_deg": (1.7, 0, 0.8, 20), "compensate": True}
+    options = {"tool": "spindle:250@90", "force_n": (300, -120, 80), "at": (1.7, 0, 0.8, 20), "compensate": True}
     milled = stiffarm.mill(file, "KR 210 R2700 extra", **options)
     typed = ["--tool", "spindle:250@90", "--force-n", "300,-120,80", "--at", "1.7,0,0.8,20", "--compensate"]
     program = os.environ.get("STIFFARM_PROGRAM", str(ROOT / "target/debug/stiffarm"))
@@ -104,7 +104,7 @@ def test_programs_and_rewritten_paths_are_the_programs(tmp_path: Path) -> None:
         asked = [program, "mill", str(file), "--robot", "KR 210 R2700 extra", *typed, "-o", str(written), "--quiet"]
         subprocess.run(asked, check=True, capture_output=True)
         assert told == written.read_text(), ending
-    plain = stiffarm.mill("line:0.1", "KR 210 R2700 extra", force_n=400, at_m_deg=(1.7, 0, 0.8, 20))
+    plain = stiffarm.mill("line:0.1", "KR 210 R2700 extra", feed_mm_per_min=600, force_n=400, at=(1.7, 0, 0.8, 20))
     assert plain.program("src").startswith("&ACCESS") or "DEF" in plain.program("src")
     for refused, says in [(plain.rewritten, "built in"), (lambda: plain.program("exe"), "expected src, mod or ls")]:  # type: ignore[arg-type]
         with pytest.raises(stiffarm.StiffarmError, match=says):

@@ -20,6 +20,7 @@ __all__ = [
     "map",
     "compare",
     "matrices",
+    "milled_program",
     "measure",
     "mill",
     "options",
@@ -34,6 +35,7 @@ __all__ = [
     "set_threads",
     "study",
     "worst",
+    "validate",
 ]
 
 _Told = Callable[[int, int | None], object]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Literal, overload
+from typing import TYPE_CHECKING, overload
 
 import numpy.typing as npt
 
@@ -63,10 +63,6 @@ def compliance(
 @overload
 def compliance(
     robot: RobotLike, *, joints_deg: Sequence[Sequence[float]], full: bool = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
-) -> Compliances: ...
-@overload
-def compliance(
-    robot: RobotLike, *, joints_deg: npt.ArrayLike, full: Literal[True], progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
 ) -> Compliances: ...
 @overload
 def compliance(

@@ -98,6 +98,8 @@ class MeasurementPlan(Table[MeasurementPlanDict]):
     #: Who says how stiff the drives are taken to be.
     stiffness_source: str
     drive_urad_per_nm: list[float]
+    #: Whether the pendant shows the joints as the robot file counts them: ``"as-file"``, ``"verified"``, ``"given"`` or ``"unknown"``; None of two links.
+    pendant: str | None
     #: What it is judged by.
     criterion: str
     #: (um/N)^2.
@@ -112,6 +114,10 @@ class MeasurementPlan(Table[MeasurementPlanDict]):
     drives: list[ExpectedDrive]
     #: Drives that no candidate shows.
     unseen_drives: list[int]
+    #: Their share of the variance of what is predicted, with the prior that they keep.
+    unseen_share: float | None
+    #: Load directions that would show them.
+    advised_loads: list[str]
     #: ``joints_deg``, ``load``, ``force_n``, ``expected_mm`` of each.
     runs: list[MeasurementRun]
     #: What the table that was given is worth.

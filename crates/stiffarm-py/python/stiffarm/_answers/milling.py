@@ -172,7 +172,7 @@ class Milled(Table[MilledDict]):
         x, y, z = self.at_m.tolist()
         # Where the part was found to stand; its place need not be sought again.
         here = {key: text for key, text in asked.items() if not key.startswith("within")}
-        here["at_m_deg"] = ",".join(repr(part) for part in (x, y, z, self.at_yaw_deg or 0.0))
+        here["at"] = ",".join(repr(part) for part in (x, y, z, self.at_yaw_deg or 0.0))
         return _stiffarm.milled_program(path, here, robot, ending)
 
     def _words(self) -> str:

@@ -53,6 +53,12 @@ class Placement(Table[PlacementDict]):
     feed_deg: float | None
     #: What counts: ``"total"``, ``"normal"`` or ``"along"``.
     component: str
+    #: What the maker sells the robot for; None where it is not known.
+    payload_kg: float | None
+    #: None where it was not told.
+    tool_mass_kg: float | None
+    #: Tool and force weigh more than the payload; None where one of them is not known.
+    overloaded: bool | None
     #: None where it is not known: the search did not end, or the planar model does not hold.
     feasible: bool | None
     #: Why there is no place.

@@ -40,6 +40,8 @@ class Compliance(Answer[ComplianceDict]):
     #: The compliance of each drive.
     drive_urad_per_nm: list[float]
     model: str
+    #: Whether the pendant shows the joints as the robot file counts them: ``"as-file"``, ``"verified"``, ``"given"`` or ``"unknown"``; None of two links.
+    pendant: str | None
     #: (6,) as the robot reports them.
     joints_deg: Array
     #: (3,) the tool point from the base.
