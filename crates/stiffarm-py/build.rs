@@ -5,8 +5,8 @@ use std::{fs, io};
 
 use sha2::{Digest, Sha256};
 
-/// What is compiled in: the library and this module, as they lie beside each other in the repository and in an sdist.
-const CRATES: [&str; 2] = ["stiffarm", "stiffarm-py"];
+/// What is compiled in: the library, what is asked of it, and this module, as they lie beside each other in the repository and in an sdist.
+const CRATES: [&str; 3] = ["stiffarm", "stiffarm-ask", "stiffarm-py"];
 
 fn main() -> io::Result<()> {
     pyo3_build_config::add_extension_module_link_args();
@@ -14,7 +14,7 @@ fn main() -> io::Result<()> {
     Ok(())
 }
 
-/// SHA-256 of what `sha256sum stiffarm/src/... stiffarm-py/src/...` prints, the files in the order of their names.
+/// SHA-256 of what `sha256sum stiffarm/src/... stiffarm-ask/src/... stiffarm-py/src/...` prints, the files in the order of their names.
 fn digest() -> io::Result<String> {
     let mut names = Vec::new();
     for name in CRATES {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 use clap_complete::Shell;
 use stiffarm::catalogue::files;
-use stiffarm::request::{Kind, Pair, Request, Spelling, Verb, job};
+use stiffarm_ask::request::{Kind, Pair, Request, Spelling, Verb, job};
 
 use crate::common::Common;
 use crate::failure::Failure;

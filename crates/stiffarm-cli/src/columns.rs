@@ -11,7 +11,7 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::{Type, TypePtr};
-use stiffarm::answer::{Cell, Column, ColumnKind, ORIGIN, Rows, SCHEMA};
+use stiffarm_ask::answer::{Cell, Column, ColumnKind, ORIGIN, Rows, SCHEMA};
 
 /// Rows that are written at once.
 const GROUP: usize = 1 << 18;

@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, ValueEnum};
-use stiffarm::request::{Pair, Refusal, job};
 use stiffarm::toolpath::MOST_SAMPLES;
 use stiffarm::watch::Watch;
+use stiffarm_ask::request::{Pair, Refusal, job};
 
 use crate::client::Client;
 use crate::failure::Failure;

@@ -3,7 +3,6 @@
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-use stiffarm::answer::MillAnswerError;
 use stiffarm::catalogue::files::{LoadError, Unreadable, shown};
 use stiffarm::catalogue::import::ImportError;
 use stiffarm::cutting::CuttingError;
@@ -11,10 +10,11 @@ use stiffarm::map::MapError;
 use stiffarm::model::ModelError;
 use stiffarm::place::PlaceError;
 use stiffarm::rank::RankError;
-use stiffarm::request::{Refusal, SetupError};
 use stiffarm::robot::NoArmPlane;
 use stiffarm::toolpath::{PathFault, ToolpathError};
 use stiffarm::watch::Stopped;
+use stiffarm_ask::answer::MillAnswerError;
+use stiffarm_ask::request::{Refusal, SetupError};
 
 /// Every way in which a command ends without an answer.
 #[derive(Debug, thiserror::Error)]

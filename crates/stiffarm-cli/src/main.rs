@@ -29,7 +29,7 @@ use args::Task;
 use common::Common;
 use failure::Failure;
 use output::say;
-use stiffarm::request::Verb;
+use stiffarm_ask::request::Verb;
 
 /// Of each thread, bytes: as much as the first one has.
 pub(crate) const STACK: usize = 8 << 20;

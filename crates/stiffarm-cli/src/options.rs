@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command};
-use stiffarm::request::{Absent, Kind, Pair, SETTINGS, Setting, Spelling, Verb};
+use stiffarm_ask::request::{Absent, Kind, Pair, SETTINGS, Setting, Spelling, Verb};
 
 /// The id of the argument that takes a job file, or what the verb has without a name: a robot, a table, a path.
 const POSITIONAL: &str = "positional";

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf, is_separator};
 
 use atomic_write_file::AtomicWriteFile;
 use serde::Serialize;
-use stiffarm::answer::Rows;
 use stiffarm::plain::on_its_lines;
+use stiffarm_ask::answer::Rows;
 
 use crate::columns::write_parquet;
 use crate::commands::watched;

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use stiffarm::catalogue::files::{Loaded, shown};
 use stiffarm::catalogue::{self, NothingLeft, paper_robots, suggestions};
-use stiffarm::request::Request;
 use stiffarm::robot::Robot;
+use stiffarm_ask::request::Request;
 
 use crate::common::Common;
 use crate::failure::Failure;
@@ -108,7 +108,7 @@ pub(crate) fn read_file(path: &Path, common: &Common) -> Result<Robot, Failure> 
 
 #[cfg(test)]
 mod tests {
-    use stiffarm::request::{Pair, Spelling, Verb};
+    use stiffarm_ask::request::{Pair, Spelling, Verb};
 
     use super::*;
 

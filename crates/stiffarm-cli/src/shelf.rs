@@ -10,9 +10,9 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use stiffarm::catalogue::files::{self, Loaded, shown};
-use stiffarm::request::{Request, Spelling, job};
 use stiffarm::toolpath::{self, Builtin, Format, Move, ReadOptions, Understood, read_toolpath};
 use stiffarm::watch::Stopped;
+use stiffarm_ask::request::{Request, Spelling, job};
 
 use crate::failure::Failure;
 use crate::target::{is_same, target};

@@ -5,8 +5,8 @@ use std::io::{self, Write};
 
 use comfy_table::presets::{ASCII_MARKDOWN, NOTHING};
 use comfy_table::{CellAlignment, ContentArrangement};
-use stiffarm::answer::{Cell, Rows, Table};
 use stiffarm::plain::on_one_line;
+use stiffarm_ask::answer::{Cell, Rows, Table};
 
 use crate::look::Look;
 
@@ -206,7 +206,7 @@ pub(crate) fn looks_like_a_number(cell: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use stiffarm::answer::{Column, ColumnKind};
+    use stiffarm_ask::answer::{Column, ColumnKind};
 
     use super::*;
 

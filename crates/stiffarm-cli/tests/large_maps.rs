@@ -6,12 +6,12 @@ use std::fs;
 use std::process::Command;
 
 use serde_json::{Value, json};
-use stiffarm::answer::MapAnswer;
 use stiffarm::catalogue::find;
 use stiffarm::load::Load;
 use stiffarm::map::{MapOptions, Spacing, map};
 use stiffarm::model::ModelKind;
 use stiffarm::spatial::Pose;
+use stiffarm_ask::answer::MapAnswer;
 use tempfile::TempDir;
 
 fn run(arguments: &[&str]) -> String {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use pyo3::prelude::*;
-use stiffarm::request::{Absent, Kind, Pair, Request, Spelling, Verb};
 use stiffarm::task::Task;
+use stiffarm_ask::request::{Absent, Kind, Pair, Request, Spelling, Verb};
 
 use crate::refused;
 

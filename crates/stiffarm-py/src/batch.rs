@@ -2,8 +2,8 @@
 
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use stiffarm::answer::compliance::{matrices_um_per_n, worst_um_per_n};
-use stiffarm::request::Verb;
+use stiffarm_ask::answer::compliance::{matrices_um_per_n, worst_um_per_n};
+use stiffarm_ask::request::Verb;
 
 use crate::asked::Asked;
 use crate::pool::detached;

@@ -3,11 +3,11 @@
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use serde_json::json;
-use stiffarm::answer::{MapAnswer, PlaceAnswer, stiffness, words};
 use stiffarm::map::{Spacing, map_watched};
 use stiffarm::model::{ArmPosture, Model};
 use stiffarm::place::{Placement, deflection_field, place_task_watched};
-use stiffarm::request::Verb;
+use stiffarm_ask::answer::{MapAnswer, PlaceAnswer, stiffness, words};
+use stiffarm_ask::request::Verb;
 
 use crate::asked::Asked;
 use crate::json::to_python;

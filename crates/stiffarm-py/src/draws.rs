@@ -3,7 +3,7 @@
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use stiffarm::prior::factors;
-use stiffarm::request::Verb;
+use stiffarm_ask::request::Verb;
 
 use crate::asked::Asked;
 use crate::refused;

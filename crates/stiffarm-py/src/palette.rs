@@ -29,5 +29,5 @@ pub(crate) fn looks(robots: Vec<(String, String)>) -> Vec<Option<(&'static str, 
     let architecture =
         |name: &str| if name == Architecture::Serial.name() { Architecture::Serial } else { Architecture::QuasiSerial };
     let named: Vec<_> = robots.iter().map(|(name, of)| (name.as_str(), architecture(of))).collect();
-    stiffarm::answer::looks(&named).into_iter().map(|look| look.map(|look| (look.colour, look.mark))).collect()
+    stiffarm_ask::answer::looks(&named).into_iter().map(|look| look.map(|look| (look.colour, look.mark))).collect()
 }

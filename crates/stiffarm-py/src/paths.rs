@@ -5,13 +5,13 @@ use std::io::BufReader;
 use std::path::Path;
 
 use pyo3::prelude::*;
-use stiffarm::answer::{CuttingAnswer, MillAnswer, MillAnswerError, PathAnswer, PathRankAnswer};
 use stiffarm::catalogue::{ProcessFile, files, read_process_beside};
 use stiffarm::program::Language;
-use stiffarm::request::{Request, Verb};
 use stiffarm::robot::Robot as Arms;
 use stiffarm::toolpath::{Builtin, MOST_SAMPLES, Move, Original, Survey, Understood, read_toolpath};
 use stiffarm::watch::{Stopped, Watch};
+use stiffarm_ask::answer::{CuttingAnswer, MillAnswer, MillAnswerError, PathAnswer, PathRankAnswer};
+use stiffarm_ask::request::{Request, Verb};
 
 use crate::asked::Asked;
 use crate::json::to_python;

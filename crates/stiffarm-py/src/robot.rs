@@ -8,13 +8,13 @@ use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
-use stiffarm::answer::robot::{drive_urad_per_nm, sheet};
-use stiffarm::answer::words;
 use stiffarm::catalogue::files::{self, LoadError, Unreadable};
 use stiffarm::catalogue::import::{ImportOptions, import};
 use stiffarm::catalogue::{self, Entry, find, matching, paper_robots, read, suggestions, write};
-use stiffarm::request::{Request, Verb};
 use stiffarm::robot::{Arm, Robot as Arms};
+use stiffarm_ask::answer::robot::{drive_urad_per_nm, sheet};
+use stiffarm_ask::answer::words;
+use stiffarm_ask::request::{Request, Verb};
 
 use crate::asked::Asked;
 use crate::json::to_python;

@@ -5,10 +5,6 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use stiffarm::advice::{advise, advise_best};
-use stiffarm::answer::{
-    Cell, ColumnKind, CompareAnswer, ComplianceAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer,
-    PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
-};
 use stiffarm::catalogue::{files, measurements, paper_robots};
 use stiffarm::compliance::compliance;
 use stiffarm::identify::identify as identified;
@@ -17,11 +13,15 @@ use stiffarm::map::map_watched;
 use stiffarm::model::ModelKind;
 use stiffarm::place::{PlaceError, PlaceOptions, place_task_watched};
 use stiffarm::rank::{Contestant, RankError, Standing};
-use stiffarm::request::{self, Request, Verb};
 use stiffarm::robot::Robot as Arms;
 use stiffarm::study::study_watched;
 use stiffarm::task::{Task, Zone};
 use stiffarm::watch::Watch;
+use stiffarm_ask::answer::{
+    Cell, ColumnKind, CompareAnswer, ComplianceAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer,
+    PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
+};
+use stiffarm_ask::request::{self, Request, Verb};
 
 use crate::asked::{Asked, task};
 use crate::json::to_python;

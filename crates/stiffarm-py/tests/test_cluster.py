@@ -138,7 +138,7 @@ def test_the_fingerprint_holds_every_source():
         names = sorted(path.relative_to(root).as_posix() for path in files)
         return "".join(f"{hashlib.sha256((root / name).read_bytes()).hexdigest()}  {name}\n" for name in names).encode()
 
-    rust = [path for name in ("stiffarm", "stiffarm-py") for path in (crates / name / "src").rglob("*") if path.is_file()]
+    rust = [path for name in ("stiffarm", "stiffarm-ask", "stiffarm-py") for path in (crates / name / "src").rglob("*") if path.is_file()]
     expected = hashlib.sha256(sums(crates, rust)).hexdigest()
     assert len(rust) > 50 and stiffarm._stiffarm.__sources__ == expected, "is the installed package that of these sources?"
     package = Path(stiffarm.__file__).parent

@@ -186,7 +186,7 @@ impl Cell {
     }
 
     /// Where work lies about the robot matters, or how the arm comes to it: a search must look at both.
-    pub(crate) fn decides_the_search(&self) -> bool {
+    pub fn decides_the_search(&self) -> bool {
         let asked = self.azimuth.is_some() || self.clearance.is_some();
         asked || self.windows().next().is_some() || self.keep_out().next().is_some()
     }

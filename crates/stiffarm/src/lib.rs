@@ -15,12 +15,13 @@
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
 //!
 //! SI units throughout: m, rad, N, N m; compliances in m/N and rad/(N m). Millimetres and degrees exist only at
-//! the borders: [`catalogue`] reads robot and process files, [`toolpath`] paths, [`program`] writes those of controllers, [`request`] what people ask, [`answer`] tells what was found.
+//! the borders: [`catalogue`] reads robot and process files, [`toolpath`] paths, [`program`] writes those of controllers. What people ask and are
+//! answered, with its words and units, is the crate `stiffarm-ask`.
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, `frontier`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], `work`, `enclose`, `follow`,
-//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`], [`request`], [`answer`]. Each uses only those before it.
+//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
+//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`]. Each uses only those before it.
 //!
 //! # What is left out
 //! In both models links, bearings and the base are rigid; the deflection is elastic and static, without the robot's own weight. The planar
@@ -38,7 +39,6 @@
 
 pub mod advice;
 mod angle;
-pub mod answer;
 pub mod batch;
 pub mod body;
 pub mod catalogue;
@@ -70,7 +70,6 @@ pub mod prior;
 pub mod program;
 pub mod rank;
 mod real;
-pub mod request;
 pub mod robot;
 mod root;
 pub mod spatial;
@@ -81,5 +80,5 @@ mod tolerances;
 pub mod toolpath;
 pub mod uncertainty;
 pub mod watch;
-mod work;
+pub mod work;
 pub mod zone;

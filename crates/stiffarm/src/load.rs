@@ -211,7 +211,7 @@ impl Load {
     }
 
     /// It is fixed to the base, and not alike about the joint-1 axis.
-    pub(crate) fn breaks_symmetry(self) -> bool {
+    pub fn breaks_symmetry(self) -> bool {
         match self.direction {
             Direction::Worst | Direction::Tool { .. } => false,
             Direction::InPlane(_) => true,

@@ -38,7 +38,7 @@ fn without(text: &str, written_out: impl Fn(char) -> bool) -> Cow<'_, str> {
 const LONGEST_NAME: usize = 200;
 
 /// How alike two names are spelt: 1 of the same, 0 of those that share nothing, and of what is too long to be a name.
-pub(crate) fn alike(known: &str, typed: &str) -> f64 {
+pub fn alike(known: &str, typed: &str) -> f64 {
     if LONGEST_NAME < known.len().max(typed.len()) { 0.0 } else { strsim::jaro_winkler(known, typed) }
 }
 

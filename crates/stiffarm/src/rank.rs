@@ -4,7 +4,7 @@ mod standing;
 
 use rayon::prelude::*;
 
-pub(crate) use standing::may_be_as_good;
+pub use standing::may_be_as_good;
 use standing::ranks;
 pub use standing::{Contestant, Rank, Standing, order};
 

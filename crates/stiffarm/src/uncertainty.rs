@@ -30,7 +30,7 @@ pub struct Spread {
 
 impl Spread {
     /// Of draws, at least one.
-    pub(crate) fn of(mut draws: Vec<f64>) -> Self {
+    pub fn of(mut draws: Vec<f64>) -> Self {
         draws.sort_by(f64::total_cmp);
         Self { p05: quantile(&draws, 0.05), p95: quantile(&draws, 0.95) }
     }
@@ -140,7 +140,7 @@ pub fn chances(ranking: &Ranking) -> Vec<Vec<Option<Chances>>> {
 }
 
 /// The draws of every row and task, as [`drawn`] has them.
-pub(crate) fn drawn_in(ranking: &Ranking) -> Vec<Vec<Option<Vec<f64>>>> {
+pub fn drawn_in(ranking: &Ranking) -> Vec<Vec<Option<Vec<f64>>>> {
     let of_row = |row: &Row| {
         (0..ranking.tasks.len()).map(|task| drawn(&row.robot, ranking.load, row.placement(task)?)).collect()
     };
@@ -148,7 +148,7 @@ pub(crate) fn drawn_in(ranking: &Ranking) -> Vec<Vec<Option<Vec<f64>>>> {
 }
 
 /// As [`chances`], by draws that are known.
-pub(crate) fn chances_of(ranking: &Ranking, drawn: &[Vec<Option<Vec<f64>>>]) -> Vec<Vec<Option<Chances>>> {
+pub fn chances_of(ranking: &Ranking, drawn: &[Vec<Option<Vec<f64>>>]) -> Vec<Vec<Option<Chances>>> {
     let rows = || ranking.rows.iter().zip(drawn);
     let of_task = |task: usize| {
         let may_win = |(row, drawn): (&Row, &Vec<Option<Vec<f64>>>)| {
@@ -161,7 +161,7 @@ pub(crate) fn chances_of(ranking: &Ranking, drawn: &[Vec<Option<Vec<f64>>>]) -> 
 }
 
 /// Of every robot at one task, by its draws (as many as [`DRAWS`]); `None` where it has none, and where no two robots have.
-pub(crate) fn of_task(of_rows: &[Option<Vec<f64>>]) -> Vec<Option<Chances>> {
+pub fn of_task(of_rows: &[Option<Vec<f64>>]) -> Vec<Option<Chances>> {
     let mut found = vec![None; of_rows.len()];
     let known: Vec<usize> = (0..of_rows.len()).filter(|&row| of_rows[row].is_some()).collect();
     if known.len() < 2 {

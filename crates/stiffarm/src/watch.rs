@@ -40,7 +40,7 @@ impl<'a> Watch<'a> {
 
     /// The same for one part of a work that tells its parts: it may be stopped, and tells nothing of its own.
     #[must_use]
-    pub(crate) fn of_part(self) -> Self {
+    pub fn of_part(self) -> Self {
         Self { is_part: true, ..self }
     }
 
@@ -56,7 +56,7 @@ impl<'a> Watch<'a> {
     }
 
     /// Work of so many parts, where that is known.
-    pub(crate) fn parts(self, total: Option<usize>) -> Parts<'a> {
+    pub fn parts(self, total: Option<usize>) -> Parts<'a> {
         Parts { watch: self, done: AtomicUsize::new(0), total }
     }
 }
@@ -69,7 +69,7 @@ impl std::fmt::Debug for Watch<'_> {
 
 /// The parts of a work as they are done, on any thread.
 #[derive(Debug)]
-pub(crate) struct Parts<'a> {
+pub struct Parts<'a> {
     watch: Watch<'a>,
     done: AtomicUsize,
     total: Option<usize>,
@@ -77,12 +77,18 @@ pub(crate) struct Parts<'a> {
 
 impl Parts<'_> {
     /// As [`Watch::go_on`].
-    pub(crate) fn go_on(&self) -> Result<(), Stopped> {
+    ///
+    /// # Errors
+    /// Where the work is no longer wanted.
+    pub fn go_on(&self) -> Result<(), Stopped> {
         self.watch.go_on()
     }
 
     /// One more is done; asks, too, whether to go on.
-    pub(crate) fn one_more(&self) -> Result<(), Stopped> {
+    ///
+    /// # Errors
+    /// Where the work is no longer wanted.
+    pub fn one_more(&self) -> Result<(), Stopped> {
         self.watch.go_on()?;
         if let Some(waiting) = self.watch.waiting.filter(|_| !self.watch.is_part) {
             waiting.told(self.done.fetch_add(1, Ordering::Relaxed) + 1, self.total);

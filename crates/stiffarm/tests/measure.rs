@@ -1,7 +1,6 @@
 //! Is a plan of measurements what it says: certified, shown, and good for an identification?
 
 use nalgebra::Vector3;
-use stiffarm::answer::MeasureAnswer;
 use stiffarm::catalogue::find;
 use stiffarm::catalogue::measurements::{Measurements, Reading};
 use stiffarm::compliance::{beyond_limits, compliance};
@@ -284,26 +283,5 @@ fn each_criterion_is_certified_and_its_plan_the_best_by_it() {
         let mean = found.errors.iter().zip(k).map(|(error, k)| (error.unwrap() / k).powi(2)).sum::<f64>() / 6.0;
         let (a, d) = (worth(found, Criterion::A).0, worth(found, Criterion::D).0);
         assert!((a / mean - 1.0).abs() < 1e-6 && d <= a, "{criterion:?}: {a}, {mean}, {d}");
-    }
-}
-
-/// From the side of the arm both links have their whole length, and the joint-2 axis stands where the maker puts it.
-#[test]
-fn a_posture_is_drawn_with_its_links_at_full_length() {
-    let (robot, options) = (kuka(), usual());
-    let found = plan(&robot, &options, Watch::nobody()).unwrap();
-    let heights: Vec<f64> = (found.runs.iter())
-        .map(|run| compliance(&robot, &run.q, &Pose::translation(0.0, 0.1, 0.25)).unwrap().tool.translation.z)
-        .collect();
-    let answer = MeasureAnswer { robot, options, work: String::new(), plan: found, compared: None };
-    let drawn = answer.postures();
-    assert_eq!((drawn[0].runs[0], drawn[drawn.len() - 1].runs[1]), (1, answer.plan.runs.len()));
-    assert!(drawn.windows(2).all(|pair| pair[0].runs[1] + 1 == pair[1].runs[0]));
-    for one in drawn {
-        let apart = |i: usize| (one.points[i][0] - one.points[i - 1][0]).hypot(one.points[i][1] - one.points[i - 1][1]);
-        // The maker's lengths, m.
-        assert!((one.points[0][0] - 0.35).abs() < 1e-12 && (one.points[0][1] - 0.675).abs() < 1e-12);
-        assert!((apart(1) - 1.15).abs() < 1e-12 && (apart(2) - 1.2_f64.hypot(0.041)).abs() < 1e-12);
-        assert!(apart(3) < 0.215 + 1e-12 && (one.markers[0][1] - heights[one.runs[0] - 1]).abs() < 1e-12);
     }
 }

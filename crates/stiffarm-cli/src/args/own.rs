@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand, ValueEnum};
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
-use stiffarm::request::{number, open_range};
+use stiffarm_ask::request::{number, open_range};
 
 #[derive(Debug, Args)]
 pub(crate) struct PaperArgs {

@@ -4,10 +4,10 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
-use stiffarm::answer::{Cell, Rows, Table, columns_of, field};
 use stiffarm::catalogue::files::{self, Loaded};
 use stiffarm::catalogue::{Fault, doubts};
 use stiffarm::robot::Robot;
+use stiffarm_ask::answer::{Cell, Rows, Table, columns_of, field};
 
 use crate::common::Common;
 use crate::failure::Failure;

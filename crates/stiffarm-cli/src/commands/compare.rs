@@ -2,11 +2,11 @@
 
 use std::io::{self, Write};
 
-use stiffarm::answer::words::{acting, class, mapped, tool};
-use stiffarm::answer::{CompareAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::model::ModelKind;
-use stiffarm::request::Request;
 use stiffarm::robot::Robot;
+use stiffarm_ask::answer::words::{acting, class, mapped, tool};
+use stiffarm_ask::answer::{CompareAnswer, PlaceAnswer, Rows, Unit, stiffness};
+use stiffarm_ask::request::Request;
 
 use super::place::PlaceOutput;
 use crate::common::Common;

@@ -3,14 +3,14 @@
 use std::io::{self, Write};
 
 use nalgebra::Vector3;
-use stiffarm::answer::compliance::vector;
-use stiffarm::answer::words::class;
-use stiffarm::answer::{ComplianceAnswer, Rows, Unit, stiffness};
 use stiffarm::compliance::{beyond_limits, compliance};
 use stiffarm::palette::{DEFLECTION, FORCE, WORST_DIRECTION};
-use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
+use stiffarm_ask::answer::compliance::vector;
+use stiffarm_ask::answer::words::class;
+use stiffarm_ask::answer::{ComplianceAnswer, Rows, Unit, stiffness};
+use stiffarm_ask::request::Request;
 
 use crate::common::Common;
 use crate::failure::Failure;

@@ -1,9 +1,9 @@
 //! The robot, the zone and the map of an answer, ready to be drawn.
 
-use stiffarm::answer::Unit;
 use stiffarm::load::{Direction, Load};
 use stiffarm::model::{ArmPosture, Model};
 use stiffarm::robot::{Arm, Robot};
+use stiffarm_ask::answer::Unit;
 
 use crate::figures::scene::{ForceMark, Scene, ZoneMark};
 use crate::figures::view3d::ArmMark;

@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::{CuttingAnswer, Rows};
 use stiffarm::catalogue::files;
-use stiffarm::request::Request;
+use stiffarm_ask::answer::{CuttingAnswer, Rows};
+use stiffarm_ask::request::Request;
 
 use super::process_of;
 use crate::common::Common;

@@ -2,10 +2,10 @@
 
 use std::io::{self, Write};
 
-use stiffarm::answer::{IdentifyAnswer, Rows};
 use stiffarm::catalogue::measurements;
 use stiffarm::identify::identify;
-use stiffarm::request::Request;
+use stiffarm_ask::answer::{IdentifyAnswer, Rows};
+use stiffarm_ask::request::Request;
 
 use super::watched;
 use crate::common::Common;

@@ -3,12 +3,12 @@
 use std::io::{self, Write};
 
 use serde_json::json;
-use stiffarm::answer::words::architecture;
-use stiffarm::answer::{Cell, Rows, Table, Unit, columns_of, field};
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::import::{ImportOptions, Imported, SAMPLES, import};
 use stiffarm::interval::Interval;
 use stiffarm::robot::Arm;
+use stiffarm_ask::answer::words::architecture;
+use stiffarm_ask::answer::{Cell, Rows, Table, Unit, columns_of, field};
 
 use crate::args::ImportArgs;
 use crate::common::{Common, Format};

@@ -2,14 +2,14 @@
 
 use std::io::{self, Write};
 
-use stiffarm::answer::words::{class, direction, mapped, origin, tool, window};
-use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::map::{Grid, MapError, PointsBetween, map_watched};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::palette::FORCE;
 use stiffarm::place::{Placement, Within, place_task_watched};
-use stiffarm::request::{Layer, Request};
 use stiffarm::watch::Watch;
+use stiffarm_ask::answer::words::{class, direction, mapped, origin, tool, window};
+use stiffarm_ask::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
+use stiffarm_ask::request::{Layer, Request};
 
 use super::drawing::{arm, force, scene};
 use super::watched;

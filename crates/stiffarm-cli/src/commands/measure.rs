@@ -2,10 +2,10 @@
 
 use std::io::{self, Write};
 
-use stiffarm::answer::{MeasureAnswer, Rows};
 use stiffarm::catalogue::measurements;
 use stiffarm::measure::{MeasureError, compare, over, plan};
-use stiffarm::request::Request;
+use stiffarm_ask::answer::{MeasureAnswer, Rows};
+use stiffarm_ask::request::Request;
 
 use super::watched;
 use crate::common::Common;

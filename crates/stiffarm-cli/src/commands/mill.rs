@@ -4,14 +4,14 @@ use std::cell::RefCell;
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::{MillAnswer, PathAnswer, PathRankAnswer, Rows, Unit};
 use stiffarm::catalogue::{ProcessFile, files};
 use stiffarm::mill::{RollMap, Stand};
 use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
-use stiffarm::request::Request;
 use stiffarm::toolpath::{Builtin, Format, Move, Original, Survey, Understood};
 use stiffarm::watch::{Stopped, Watch};
+use stiffarm_ask::answer::{MillAnswer, PathAnswer, PathRankAnswer, Rows, Unit};
+use stiffarm_ask::request::Request;
 
 use super::path_ranking::PathRankOutput;
 use super::{drawing, process_of, progress, watched};

@@ -30,8 +30,8 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use stiffarm::catalogue::measurements::{Measurements, Points};
 use stiffarm::catalogue::{Faults, ProcessFile, files, read_process_beside};
-use stiffarm::request::{Request, Verb};
 use stiffarm::watch::{Waiting, Watch};
+use stiffarm_ask::request::{Request, Verb};
 
 use crate::common::Common;
 use crate::failure::Failure;

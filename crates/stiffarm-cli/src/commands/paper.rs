@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stiffarm::answer::{LedgerAnswer, fixed};
 use stiffarm::catalogue::paper_robots;
 use stiffarm::ledger::{Entry, Printed, validate};
-use stiffarm::request::{Pair, Request, Spelling, Verb};
+use stiffarm_ask::answer::{LedgerAnswer, fixed};
+use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
 use super::progress;
 use crate::args::PaperArgs;

@@ -2,10 +2,10 @@
 
 use std::io::{self, Write};
 
-use stiffarm::answer::{MillAnswer, PathRankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
 use stiffarm::drive::Architecture;
-use stiffarm::request::Request;
 use stiffarm::robot::Status;
+use stiffarm_ask::answer::{MillAnswer, PathRankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
+use stiffarm_ask::request::Request;
 
 use crate::failure::Failure;
 use crate::figures::Plate;

@@ -3,14 +3,14 @@
 use std::io::{self, Write};
 
 use stiffarm::advice::advise;
-use stiffarm::answer::words::{class, direction, tool};
-use stiffarm::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use stiffarm::map::{Spacing, map};
 use stiffarm::model::{ArmPosture, Model, ModelError, ModelKind};
 use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place_task_watched};
-use stiffarm::request::Request;
 use stiffarm::robot::Robot;
 use stiffarm::watch::Watch;
+use stiffarm_ask::answer::words::{class, direction, tool};
+use stiffarm_ask::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
+use stiffarm_ask::request::Request;
 
 use super::map::Drawn;
 use super::{under_process, watched};

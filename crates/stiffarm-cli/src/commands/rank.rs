@@ -4,14 +4,14 @@ use std::cell::OnceCell;
 use std::io::{self, Write};
 
 use stiffarm::advice::advise_best;
-use stiffarm::answer::{self, RankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
 use stiffarm::place::PlaceOptions;
 use stiffarm::rank::{Ranking, curves, rank};
-use stiffarm::request::{Request, distinct};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
+use stiffarm_ask::answer::{self, RankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
+use stiffarm_ask::request::{Request, distinct};
 
 use super::{under_process, watched};
 use crate::common::Common;

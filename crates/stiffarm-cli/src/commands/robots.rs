@@ -3,11 +3,11 @@
 use std::io::{self, Write};
 
 use serde_json::Value;
-use stiffarm::answer::Rows;
-use stiffarm::answer::robot::{list, notes, sheet, table};
 use stiffarm::catalogue;
-use stiffarm::request::Request;
 use stiffarm::robot::Robot;
+use stiffarm_ask::answer::Rows;
+use stiffarm_ask::answer::robot::{list, notes, sheet, table};
+use stiffarm_ask::request::Request;
 
 use super::sheet::Sheet;
 use crate::args::RobotsAction;

@@ -2,9 +2,6 @@
 
 use std::io::{self, Write};
 
-use stiffarm::answer::robot::{lengths, rounded, sheet};
-use stiffarm::answer::words::{architecture, assumed_architecture, class, status};
-use stiffarm::answer::{Cell, Rows, Table, Unit, columns_of, field, stiffness};
 use stiffarm::catalogue::write;
 use stiffarm::drive::{Architecture, Drives, Transmission};
 use stiffarm::geometry::Geometry;
@@ -13,6 +10,9 @@ use stiffarm::limits::{Limits, Pendant, ThirdAxis, Verified};
 use stiffarm::map::MapError;
 use stiffarm::plane::PlanarArm;
 use stiffarm::robot::{Arm, ArmPlane, Robot};
+use stiffarm_ask::answer::robot::{lengths, rounded, sheet};
+use stiffarm_ask::answer::words::{architecture, assumed_architecture, class, status};
+use stiffarm_ask::answer::{Cell, Rows, Table, Unit, columns_of, field, stiffness};
 
 use crate::failure::Failure;
 use crate::figures::Plate;

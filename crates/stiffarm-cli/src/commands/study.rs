@@ -2,9 +2,9 @@
 
 use std::io::{self, Write};
 
-use stiffarm::answer::{Rows, StudyAnswer};
-use stiffarm::request::Request;
 use stiffarm::study::{StudyOptions, study, study_watched};
+use stiffarm_ask::answer::{Rows, StudyAnswer};
+use stiffarm_ask::request::Request;
 
 use super::watched;
 use crate::common::Common;

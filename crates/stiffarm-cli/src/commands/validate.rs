@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
-use stiffarm::answer::{LedgerAnswer, Rows};
 use stiffarm::ledger::{Printed, validate};
+use stiffarm_ask::answer::{LedgerAnswer, Rows};
 
 use crate::common::Common;
 use crate::failure::Failure;

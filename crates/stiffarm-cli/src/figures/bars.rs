@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use stiffarm::answer::Look;
 use stiffarm::palette::{
     ESTIMATED, FAINT, GREY, INK, LIMIT, QUASI_SERIAL, QUASI_SERIAL_CURVES, SERIAL, SERIAL_CURVES, TOLERANCE,
 };
+use stiffarm_ask::answer::Look;
 
 use super::axes::{Axis, heading, label};
 use super::bands::TOLERANCE_LINE;

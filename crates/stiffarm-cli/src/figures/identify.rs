@@ -1,8 +1,8 @@
 //! What an identification explains: compliances with their intervals, what remains of every row, measured against fitted, correlations.
 
-use stiffarm::answer::{IdentifyAnswer, words};
 use stiffarm::identify::{Estimate, Identification, Residual};
 use stiffarm::palette::{ALARM, DEFLECTION, FAINT, GREY, INK, OTHERS, PAPER, on_margin_scale};
+use stiffarm_ask::answer::{IdentifyAnswer, words};
 
 use super::Plate;
 use super::axes::{Axis, Frame, heading};

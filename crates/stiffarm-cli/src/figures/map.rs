@@ -1,9 +1,9 @@
 //! The compliance map of an arm: bands of deflection, the arm, and where the work stands.
 
-use stiffarm::answer::Unit;
 use stiffarm::map::Grid as Mapped;
 use stiffarm::palette::TOLERANCE;
 use stiffarm::plane::{ElbowSide, PlanarArm};
+use stiffarm_ask::answer::Unit;
 
 use super::axes::{Frame, heading};
 use super::bands::{Bands, Colours, Field, TOLERANCE_LINE};

@@ -1,8 +1,8 @@
 //! A path that is milled: the error along it, what every other roll would have done, and the path from above.
 
-use stiffarm::answer::{Compensation, MillAnswer, fixed};
 use stiffarm::mill::{Followed, RollCell, RollMap, Station};
 use stiffarm::palette::{AIR, ALARM, COMPENSATED, DEFLECTION, FAINT, GREY, INK, LIMIT, OTHERS, PAPER, TOLERANCE};
+use stiffarm_ask::answer::{Compensation, MillAnswer, fixed};
 
 use super::Plate;
 use super::axes::{Axis, Frame, heading};

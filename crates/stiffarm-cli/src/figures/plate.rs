@@ -1,7 +1,7 @@
 //! How wide is a figure on paper, and from where to where do its colours go?
 
 use stiffarm::interval::Interval;
-use stiffarm::request::{Refusal, Request};
+use stiffarm_ask::request::{Refusal, Request};
 
 /// The width of a figure that is to be seen on a screen, px. Smallest text: 12 px.
 const WIDTH: f64 = 1000.0;

@@ -1,8 +1,8 @@
 //! The postures of a plan of measurements, a small picture each: to be carried to the machine.
 
-use stiffarm::answer::DrawnPosture;
 use stiffarm::interval::Interval;
 use stiffarm::palette::{ARM, BASE, FORCE, GREY, INK, PAPER, WORST_POINT};
+use stiffarm_ask::answer::DrawnPosture;
 
 use super::Plate;
 use super::axes::{Axis, Frame, heading};

@@ -1,7 +1,7 @@
 //! Robots compared: deflection against task size, one diagram per task shape.
 
-use stiffarm::answer::Look;
 use stiffarm::palette::{ESTIMATED, GREY, INK, OTHERS, TOLERANCE};
+use stiffarm_ask::answer::Look;
 
 use super::axes::{Axis, Frame, heading};
 use super::bands::TOLERANCE_LINE;

@@ -1,7 +1,7 @@
 //! Where the work must stand, as a shop drawing has it: from the side and, below it, from above, with lengths in mm.
 
-use stiffarm::answer::{Dimension, Siting};
 use stiffarm::palette::{ARM, BASE, GREY, GROUND, INK, PROSE, ZONE};
+use stiffarm_ask::answer::{Dimension, Siting};
 
 use super::Plate;
 use super::canvas::{Canvas, Font, Px, path};

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use stiffarm::answer::{Headline, Table, Tone};
+use stiffarm_ask::answer::{Headline, Table, Tone};
 
 use super::{Block, Figure, Listing, Report, Section};
 use crate::markup::escaped;

@@ -1,6 +1,6 @@
 //! The report of `identify`: which drives are known now, and how well.
 
-use stiffarm::request::Request;
+use stiffarm_ask::request::Request;
 
 use super::robots::provenance_of;
 use super::{Block, Report, Section, plate, repeated};

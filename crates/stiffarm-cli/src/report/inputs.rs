@@ -5,10 +5,10 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use sha2::{Digest, Sha256};
-use stiffarm::answer::{CuttingAnswer, Table};
 use stiffarm::catalogue::files::{Unreadable, Why};
 use stiffarm::catalogue::{ProcessFile, files, find, read_process_beside};
-use stiffarm::request::Request;
+use stiffarm_ask::answer::{CuttingAnswer, Table};
+use stiffarm_ask::request::Request;
 
 use super::Section;
 use crate::common::Common;

@@ -1,7 +1,7 @@
 //! The report of `mill`: whether a path holds its tolerance, and where it does not.
 
-use stiffarm::answer::MillAnswer;
-use stiffarm::request::Request;
+use stiffarm_ask::answer::MillAnswer;
+use stiffarm_ask::request::Request;
 
 use super::robots::provenance_of;
 use super::{Report, Section, meaning, place, plate, repeated};

@@ -17,8 +17,8 @@ mod robots;
 use std::path::Path;
 
 pub(crate) use inputs::Inputs;
-use stiffarm::answer::{HOLDS, Headline, ON_TOP, Table};
-use stiffarm::request::{Request, job};
+use stiffarm_ask::answer::{HOLDS, Headline, ON_TOP, Table};
+use stiffarm_ask::request::{Request, job};
 
 use crate::failure::Failure;
 use crate::figures::Plate;

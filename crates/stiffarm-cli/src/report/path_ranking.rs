@@ -1,7 +1,7 @@
 //! The report of robots on a path: which one, and a part for each of the first.
 
-use stiffarm::answer::MillAnswer;
-use stiffarm::request::Request;
+use stiffarm_ask::answer::MillAnswer;
+use stiffarm_ask::request::Request;
 
 use super::robots::provenance;
 use super::{Block, Listing, Report, Section, meaning, mill, plate, repeated};

@@ -1,8 +1,8 @@
 //! The report of `place`: one robot, one zone.
 
-use stiffarm::answer::{Siting, Table};
 use stiffarm::model::ModelKind;
-use stiffarm::request::Request;
+use stiffarm_ask::answer::{Siting, Table};
+use stiffarm_ask::request::Request;
 
 use super::robots::provenance_of;
 use super::{Report, Section, meaning, plate, repeated};

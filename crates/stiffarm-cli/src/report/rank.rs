@@ -1,12 +1,12 @@
 //! The report of `rank`: which robot, and a part for each of the best.
 
-use stiffarm::answer::{PlaceAnswer, RankAnswer, StudyAnswer, Table};
 use stiffarm::model::ModelKind;
 use stiffarm::place::Placed;
 use stiffarm::rank::{Ranking, Row};
-use stiffarm::request::Request;
 use stiffarm::study::{StudyOptions, study};
 use stiffarm::task::Task;
+use stiffarm_ask::answer::{PlaceAnswer, RankAnswer, StudyAnswer, Table};
+use stiffarm_ask::request::Request;
 
 use super::robots::provenance;
 use super::{Block, Listing, Report, Section, meaning, place, plate, repeated};

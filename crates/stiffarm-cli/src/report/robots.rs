@@ -1,8 +1,8 @@
 //! Where do the numbers of robots come from? A part of every report.
 
-use stiffarm::answer::words::{class, statuses};
-use stiffarm::answer::{Table, stiffness};
 use stiffarm::robot::Robot;
+use stiffarm_ask::answer::words::{class, statuses};
+use stiffarm_ask::answer::{Table, stiffness};
 
 use super::Section;
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use hyper::StatusCode;
 use serde_json::json;
-use stiffarm::request::job;
+use stiffarm_ask::request::job;
 
 use super::form::Form;
 use super::question::Question;

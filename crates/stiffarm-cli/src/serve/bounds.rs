@@ -2,7 +2,7 @@
 
 use hyper::StatusCode;
 use stiffarm::map::{Extent, Spacing};
-use stiffarm::request::{Request, Verb};
+use stiffarm_ask::request::{Request, Verb};
 
 use super::reply::Refused;
 

@@ -1,6 +1,6 @@
 //! In which form is an answer wanted, and what is that to a browser?
 
-use stiffarm::request::Verb;
+use stiffarm_ask::request::Verb;
 
 use super::named;
 

@@ -1,7 +1,7 @@
 //! What does a job file ask that was opened in the page? Its verb, and every option as it is typed.
 
 use serde_json::{Map, Value, json};
-use stiffarm::request::job::read_sent;
+use stiffarm_ask::request::job::read_sent;
 
 use super::question::{check_name, object, unlike};
 use super::reply::{Refused, Reply, json_reply};

@@ -1,8 +1,8 @@
 //! What can be asked, and what is answered, as `OpenAPI` 3.1: from the table of options, so that it says what the server takes.
 
 use serde_json::{Map, Value, json};
-use stiffarm::answer::{Kind as FieldKind, field};
-use stiffarm::request::{Absent, Kind, Setting, Verb};
+use stiffarm_ask::answer::{Kind as FieldKind, field};
+use stiffarm_ask::request::{Absent, Kind, Setting, Verb};
 
 use super::options::bounds;
 use super::reply::{Reply, json_reply};

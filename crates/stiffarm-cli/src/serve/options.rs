@@ -1,7 +1,7 @@
 //! Which options are there, for whoever builds a form? The library's table, as it is.
 
 use serde_json::{Value, json};
-use stiffarm::request::{Absent, Kind, Of, Setting, Verb};
+use stiffarm_ask::request::{Absent, Kind, Of, Setting, Verb};
 
 use super::reply::{Reply, json_reply};
 use crate::args::VERBS;

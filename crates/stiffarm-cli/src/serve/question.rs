@@ -7,7 +7,7 @@ use hyper::StatusCode;
 use percent_encoding::percent_decode_str;
 use serde_json::{Map, Value};
 use stiffarm::plain::on_one_line;
-use stiffarm::request::{Request, Spelling, Verb, sent};
+use stiffarm_ask::request::{Request, Spelling, Verb, sent};
 
 use super::bounds;
 use super::form::Form;

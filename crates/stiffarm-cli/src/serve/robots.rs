@@ -4,12 +4,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use serde_json::{Value, json};
-use stiffarm::answer::robot::sheet;
 use stiffarm::catalogue::files::{LoadError, load_text};
 use stiffarm::catalogue::import::{ImportError, ImportOptions, import};
 use stiffarm::catalogue::{Fault, Faults, doubts};
-use stiffarm::request::{Pair, Request, Spelling, Verb};
 use stiffarm::robot::Robot;
+use stiffarm_ask::answer::robot::sheet;
+use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
 use super::answer::written;
 use super::form::Form;

@@ -7,7 +7,7 @@ use http_body_util::{BodyExt, LengthLimitError, Limited};
 use hyper::body::{Body, Incoming};
 use hyper::header::ACCEPT;
 use hyper::{Method, Request, StatusCode};
-use stiffarm::request::Verb;
+use stiffarm_ask::request::Verb;
 use tokio::time::timeout;
 
 use super::admission::{admit, is_json};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use hyper::StatusCode;
 use hyper::header::{CONTENT_SECURITY_POLICY, HeaderValue};
-use stiffarm::request::Verb;
+use stiffarm_ask::request::Verb;
 
 use super::Server;
 use super::answer::answered;

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use serde_json::Value;
-use stiffarm::answer::field::{self, Field, Kind};
+use stiffarm_ask::answer::field::{self, Field, Kind};
 
 /// What was seen under one key, in any answer.
 #[derive(Default)]

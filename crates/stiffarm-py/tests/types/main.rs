@@ -12,7 +12,7 @@ use std::path::Path;
 use answers::{Fields, class};
 use serde_json::Value;
 
-use stiffarm::request::{Absent, Kind, Setting, Verb};
+use stiffarm_ask::request::{Absent, Kind, Setting, Verb};
 
 /// What is an argument of its own in Python.
 const NOT_KEYWORDS: [&str; 5] = ["robot", "robots", "joints-deg", "data", "path"];

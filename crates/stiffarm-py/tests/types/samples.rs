@@ -4,10 +4,6 @@ use std::path::Path;
 
 use serde_json::Value;
 use stiffarm::advice::{advise, advise_best};
-use stiffarm::answer::{
-    CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer,
-    PathAnswer, PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
-};
 use stiffarm::catalogue::measurements::{self, Measurements};
 use stiffarm::catalogue::{find, read, read_process};
 use stiffarm::compliance::compliance;
@@ -17,11 +13,15 @@ use stiffarm::map::map;
 use stiffarm::measure::plan;
 use stiffarm::place::{Hold, PlaceError, Placed, place_task};
 use stiffarm::rank::rank;
-use stiffarm::request::{Pair, Request, Spelling, Verb};
 use stiffarm::robot::Robot;
 use stiffarm::study::study;
 use stiffarm::toolpath::{self, Builtin, Format, Move, MoveKind, Survey};
 use stiffarm::watch::Watch;
+use stiffarm_ask::answer::{
+    CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer,
+    PathAnswer, PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
+};
+use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
 type Typed<'a> = &'a [(&'a str, &'a str)];
 

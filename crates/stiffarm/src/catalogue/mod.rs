@@ -19,10 +19,10 @@ pub use fault::{Fault, Faults};
 pub use filter::{Filter, NothingLeft};
 pub use index::{Entry, entries, find, matching, names, suggestions};
 pub use process_file::{Material, ProcessFile, materials, read_process, read_process_beside};
-pub(crate) use robot_file::is_date;
+pub use robot_file::is_date;
 pub use robot_file::read;
 pub use write::write;
-pub(crate) use write::{microradians, quoted};
+pub use write::{microradians, quoted};
 
 use crate::drive::JointCompliance;
 use crate::robot::{Arm, COMPLIANCE_SOURCE, GIVEN, Robot};
@@ -50,7 +50,7 @@ pub fn paper_robots() -> Vec<Robot> {
 }
 
 /// The names of the paper's robots, in its order; no file is read whole.
-pub(crate) fn paper_names() -> Vec<&'static str> {
+pub fn paper_names() -> Vec<&'static str> {
     PAPER.iter().filter_map(|stem| Entry::at(&format!("paper/{stem}.toml"))).map(|entry| entry.name).collect()
 }
 

@@ -280,7 +280,7 @@ fn is_covariance(matrix: &Matrix6<f64>) -> bool {
 }
 
 /// Is this a day as ISO 8601 writes it?
-pub(crate) fn is_date(text: &str) -> bool {
+pub fn is_date(text: &str) -> bool {
     let parts: Vec<&str> = text.split('-').collect();
     let digits = |part: &str, count: usize| part.len() == count && part.bytes().all(|c| c.is_ascii_digit());
     let [year, month, day] = *parts.as_slice() else { return false };

@@ -194,7 +194,7 @@ fn key_of(key: &str) -> String {
 }
 
 /// A TOML string in double quotes.
-pub(crate) fn quoted(text: &str) -> String {
+pub fn quoted(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
         match c {
@@ -221,7 +221,7 @@ fn degrees(radians: f64) -> String {
 }
 
 /// urad/(N m), without the noise of the change of units.
-pub(crate) fn microradians(k: f64) -> f64 {
+pub fn microradians(k: f64) -> f64 {
     shortest(k, 1e6, |urad| urad / 1e6)
 }
 

@@ -116,7 +116,7 @@ fn ratio(deflection: f64, best: f64) -> f64 {
 }
 
 /// One is not certainly worse than the other: its bound does not lie above the other's value. Both as lower bound and value.
-pub(crate) fn may_be_as_good([bound, _]: [f64; 2], [_, value]: [f64; 2]) -> bool {
+pub fn may_be_as_good([bound, _]: [f64; 2], [_, value]: [f64; 2]) -> bool {
     bound <= value * (1.0 + ROUNDING) + NOTHING
 }
 

@@ -4,4 +4,4 @@ mod grid;
 mod plane;
 
 pub(crate) use grid::Grid;
-pub(crate) use plane::{WorkPlacement, WorkPlane};
+pub use plane::{WorkPlacement, WorkPlane};

@@ -9,35 +9,35 @@ use crate::task::Zone;
 
 /// Where the work lies and how the tool is turned; lengths in m from the base, angles in rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct WorkPlacement {
+pub struct WorkPlacement {
     /// Of the zone's centre, straight ahead.
-    pub(crate) x: f64,
+    pub x: f64,
     /// Of the zone's centre, to the left; zero but for the faces of a part.
-    pub(crate) y: f64,
+    pub y: f64,
     /// Of the zone's centre, upwards.
-    pub(crate) z: f64,
+    pub z: f64,
     /// Of the work plane about the vertical.
-    pub(crate) yaw: f64,
+    pub yaw: f64,
     /// Of the zone's first side in the plane.
-    pub(crate) angle: f64,
+    pub angle: f64,
     /// Of the tool about its axis.
-    pub(crate) roll: f64,
+    pub roll: f64,
 }
 
 /// The plane of a zone, which the tool axis meets at a right angle; base axes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct WorkPlane {
+pub struct WorkPlane {
     /// Along the zone's first side, length one.
-    pub(crate) first: Vector3<f64>,
+    pub first: Vector3<f64>,
     /// Along its second side.
-    pub(crate) second: Vector3<f64>,
+    pub second: Vector3<f64>,
     /// The tool's axes, as columns.
     tool: Matrix3<f64>,
 }
 
 impl WorkPlane {
     /// With a tool axis that rises by `elevation`, rad, above the horizontal.
-    pub(crate) fn of(elevation: f64, work: &WorkPlacement) -> Self {
+    pub fn of(elevation: f64, work: &WorkPlacement) -> Self {
         let (se, ce) = elevation.sin_cos();
         let (sy, cy) = work.yaw.sin_cos();
         let about = |ahead: f64, left: f64, up: f64| Vector3::new(cy * ahead - sy * left, sy * ahead + cy * left, up);
@@ -54,7 +54,7 @@ impl WorkPlane {
     }
 
     /// The tool's axes in those of the base.
-    pub(crate) fn tool(&self) -> &Matrix3<f64> {
+    pub fn tool(&self) -> &Matrix3<f64> {
         &self.tool
     }
 
@@ -71,12 +71,12 @@ impl WorkPlane {
     }
 
     /// A point of the plane, m from the zone's centre along its sides; base axes.
-    pub(crate) fn point(&self, work: &WorkPlacement, [u, v]: [f64; 2]) -> Vector3<f64> {
+    pub fn point(&self, work: &WorkPlacement, [u, v]: [f64; 2]) -> Vector3<f64> {
         Vector3::new(work.x, work.y, work.z) + self.first * u + self.second * v
     }
 
     /// How far the zone extends from its centre along the base axes, m.
-    pub(crate) fn half_extents(&self, zone: Zone) -> [f64; 3] {
+    pub fn half_extents(&self, zone: Zone) -> [f64; 3] {
         let [first, second] = zone.sides().map(|side| side / 2.0);
         std::array::from_fn(|axis| {
             let (a, b) = (first * self.first[axis], second * self.second[axis]);
@@ -88,7 +88,7 @@ impl WorkPlane {
     }
 
     /// Distance of the zone's nearest point from the joint-1 axis, m; zero where the axis passes through it.
-    pub(crate) fn distance_from_axis_1(&self, work: &WorkPlacement, zone: Zone) -> f64 {
+    pub fn distance_from_axis_1(&self, work: &WorkPlacement, zone: Zone) -> f64 {
         let centre = Vector2::new(work.x, work.y);
         let [first, second] = zone.sides().map(|side| side / 2.0);
         let sides = Matrix2::from_columns(&[self.first.xy() * first, self.second.xy() * second]);
@@ -99,7 +99,7 @@ impl WorkPlane {
     }
 
     /// The pose of the tool at that point.
-    pub(crate) fn pose(&self, work: &WorkPlacement, at: [f64; 2]) -> Pose {
+    pub fn pose(&self, work: &WorkPlacement, at: [f64; 2]) -> Pose {
         let rotation = nalgebra::Rotation3::from_matrix_unchecked(self.tool);
         Pose::from_parts(self.point(work, at).into(), rotation.into())
     }

@@ -15,9 +15,11 @@ const BELOW: [(&str, &str, &str); 0] = [];
 /// Files of one module that use each other all the same, and why. What is no longer so must go from here.
 const CIRCLES: [(&[&str], &str); 0] = [];
 
-const LIBRARY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src");
+/// The library, and what is asked of it and answered: the second uses the first, so their modules have one order.
+const CRATES: [&str; 2] =
+    [concat!(env!("CARGO_MANIFEST_DIR"), "/src"), concat!(env!("CARGO_MANIFEST_DIR"), "/../stiffarm-ask/src")];
 
-/// All sources of the library by their module's path, `""` for the root.
+/// All sources of both crates by their module's path, `""` for the roots.
 struct Sources {
     uses: BTreeMap<String, Uses>,
 }
@@ -25,7 +27,9 @@ struct Sources {
 impl Sources {
     fn read() -> Self {
         let mut uses = BTreeMap::new();
-        read_folder(Path::new(LIBRARY), "", &mut uses);
+        for folder in CRATES {
+            read_folder(Path::new(folder), "", &mut uses);
+        }
         Self { uses }
     }
 
@@ -38,7 +42,7 @@ impl Sources {
     fn home(&self, module: &str, path: &[String], steps: usize) -> Option<String> {
         let (first, rest) = path.split_first()?;
         let mut at = match first.as_str() {
-            "crate" => "",
+            "crate" | "stiffarm" => "",
             "super" => parent(module),
             "self" => module,
             _ => return self.within(module, path, steps),
@@ -110,11 +114,14 @@ fn named(text: &str) -> Vec<String> {
     found
 }
 
-/// The modules in the reading order that the library's own docs tell.
+/// The modules in the reading order that the own docs of both crates tell.
 fn reading_order() -> Vec<String> {
-    let root = fs::read_to_string(format!("{LIBRARY}/lib.rs")).unwrap();
-    let (_, list) = root.split_once("modules in reading order").expect("a list of modules in the docs of lib.rs");
-    named(list.split("\n//!\n").next().unwrap_or_default())
+    let listed = |folder: &str| {
+        let root = fs::read_to_string(format!("{folder}/lib.rs")).unwrap();
+        let (_, list) = root.split_once("modules in reading order").expect("a list of modules in the docs of lib.rs");
+        named(list.split("\n//!\n").next().unwrap_or_default())
+    };
+    CRATES.into_iter().flat_map(listed).collect()
 }
 
 /// The modules in the order of the table in ARCHITECTURE.md: what stands in its first column.
@@ -128,7 +135,7 @@ fn mapped_order() -> Vec<String> {
 #[test]
 fn both_lists_name_every_module_in_the_same_order() {
     let listed = reading_order();
-    assert_eq!(listed, mapped_order(), "left: src/lib.rs; right: ARCHITECTURE.md");
+    assert_eq!(listed, mapped_order(), "left: the lib.rs of both crates; right: ARCHITECTURE.md");
     let sources = Sources::read();
     let existing: BTreeSet<&str> =
         sources.uses.keys().map(|module| top(module)).filter(|top| !top.is_empty()).collect();

@@ -1,10 +1,10 @@
 //! An arm as points in space, with what the pointer says of them.
 
 use nalgebra::Point3;
-use stiffarm::answer::Unit;
 use stiffarm::model::PlanarModel;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
+use stiffarm_ask::answer::Unit;
 
 use super::Point;
 

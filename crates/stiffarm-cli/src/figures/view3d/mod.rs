@@ -9,9 +9,9 @@ mod traces;
 pub(crate) use arm::ArmMark;
 
 use serde_json::Value;
-use stiffarm::answer::Unit;
 use stiffarm::map::Grid;
 use stiffarm::palette::{INK, PAPER, PROSE};
+use stiffarm_ask::answer::Unit;
 
 use super::bands::Colours;
 use crate::markup::escaped;

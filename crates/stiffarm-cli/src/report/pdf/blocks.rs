@@ -1,7 +1,7 @@
 //! The parts of a report, one below the other.
 
 use resvg::usvg::Tree;
-use stiffarm::answer::{Headline, Tone};
+use stiffarm_ask::answer::{Headline, Tone};
 
 use super::super::{Block, Report, Section};
 use super::face::Cut;

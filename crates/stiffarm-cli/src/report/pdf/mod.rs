@@ -115,7 +115,7 @@ fn draw(surface: &mut Surface, mark: &Mark, faces: &Faces, figures: &[Tree]) -> 
 
 #[cfg(test)]
 mod tests {
-    use stiffarm::answer::{Headline, Outcome, Table};
+    use stiffarm_ask::answer::{Headline, Outcome, Table};
 
     use super::super::{Block, Listing, Section};
     use super::sheet::{BOTTOM, TOP};

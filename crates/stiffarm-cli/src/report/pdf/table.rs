@@ -1,6 +1,6 @@
 //! A table on paper: columns as wide as they need or as there is room, rows whole, headings on every page.
 
-use stiffarm::answer::Table;
+use stiffarm_ask::answer::Table;
 
 use super::face::Cut;
 use super::sheet::{BAD, Colour, FAINT, GOOD, GREY, LEFT, PROSE, RIGHT, Sheet, Style, WIDTH};

@@ -1,0 +1,105 @@
+//! How is a cell told?
+
+use serde_json::{Value, json};
+
+use super::words::{fixed, window};
+use super::{Line, line};
+use nalgebra::Vector3;
+use stiffarm::cell::{Block, Cell, Mount, MountKind, Window};
+use stiffarm::interval::Interval;
+use stiffarm::place::{PlaceOptions, Within};
+
+/// The tool axis above the horizontal of the cell, rad, as it was asked.
+pub(super) fn elevation(options: &PlaceOptions) -> f64 {
+    let elevation = options.stance().elevation;
+    let Some(cell) = options.cell else { return elevation };
+    let ((se, ce), (sa, ca)) = (elevation.sin_cos(), cell.azimuth.unwrap_or(0.0).sin_cos());
+    let axis = cell.mount.cell_from_base.rotation * Vector3::new(ce * ca, ce * sa, se);
+    axis.z.clamp(-1.0, 1.0).asin()
+}
+
+/// The mount, where the work may stand and what is kept free.
+pub(super) fn lines(cell: &Cell, within: &Within) -> Vec<Line> {
+    let mut lines = vec![line("mount", mount(&cell.mount))];
+    let windows: Vec<Window> = cell.windows().collect();
+    if windows.is_empty() && cell.azimuth.is_none() {
+        lines.push(line("allowed place", window(within, "the base")));
+    } else if windows.is_empty() {
+        lines.push(line("allowed place", "anywhere above the cell's floor"));
+    }
+    lines.extend(windows.iter().map(|window| line("allowed place", told_window(window))));
+    let kept = cell.keep_out().enumerate();
+    lines.extend(kept.map(|(i, block)| line(format!("keep-out {}", i + 1), told_block(&block))));
+    lines.extend(cell.clearance.map(|asked| line("clearance asked", format!("{} mm", fixed(asked * 1e3, 0)))));
+    lines
+}
+
+/// Of which places is proved what no place has less than, where the cell takes some away.
+pub(super) fn proof(cell: &Cell) -> Option<Line> {
+    cell.decides_the_search().then(|| {
+        line(
+            "proof",
+            "of all places about the robot as far and as high as these; keep-outs and clearance only take places away",
+        )
+    })
+}
+
+fn mount(mount: &Mount) -> String {
+    let height = fixed(mount.cell_from_base.translation.z, 3);
+    let turn = (mount.cell_from_base.rotation * Vector3::y()).xy();
+    let turn = (-turn.x).atan2(turn.y).to_degrees() * if mount.kind == MountKind::Ceiling { -1.0 } else { 1.0 };
+    let turn = if mount.kind == MountKind::Ceiling { 180.0 + turn } else { turn };
+    let turn = (turn + 540.0).rem_euclid(360.0) - 180.0;
+    let turned = if turn.abs() < 1e-9 { String::new() } else { format!(", turned {} deg", fixed(turn, 1)) };
+    match mount.kind {
+        MountKind::Pedestal => format!("base {height} m above the cell's floor{turned}"),
+        MountKind::Wall => format!("on a wall, joint-1 axis {height} m above the cell's floor{turned}"),
+        MountKind::Ceiling => format!("hanging, base {height} m above the cell's floor{turned}"),
+        MountKind::Pose => format!("as posed, base {height} m above the cell's floor"),
+    }
+}
+
+fn range(range: Interval) -> String {
+    let end = |x: f64| if x.is_finite() { x.to_string() } else { String::new() };
+    format!("{}..{}", end(range.min()), end(range.max()))
+}
+
+fn told_block(block: &Block) -> String {
+    format!("x {} m, y {} m, z {} m in the cell", range(block.x), range(block.y), range(block.z))
+}
+
+fn told_window(window: &Window) -> String {
+    match window {
+        Window::Block(block) => told_block(block),
+        Window::Ring { ahead, z } => {
+            format!("{} m from the joint-1 axis, z {} m in the cell", range(*ahead), range(*z))
+        }
+    }
+}
+
+/// As JSON: null where a range is open.
+pub(super) fn record(cell: &Cell) -> Value {
+    let ends = |range: Interval| json!([range.min(), range.max()].map(|end| end.is_finite().then_some(end)));
+    let block = |block: &Block| json!([ends(block.x), ends(block.y), ends(block.z)]);
+    let window = |window: Window| match window {
+        Window::Block(found) => block(&found),
+        Window::Ring { ahead, z } => json!([ends(ahead), ends(z)]),
+    };
+    let pose = cell.mount.cell_from_base;
+    let (rx, ry, rz) = pose.rotation.euler_angles();
+    let turns = [rx, ry, rz].map(|angle| angle.to_degrees() + 0.0);
+    let kept: Vec<Value> = cell.keep_out().map(|kept| block(&kept)).collect();
+    json!({
+        "mount": match cell.mount.kind {
+            MountKind::Pedestal => "pedestal",
+            MountKind::Wall => "wall",
+            MountKind::Ceiling => "ceiling",
+            MountKind::Pose => "pose",
+        },
+        "base_m": <[f64; 3]>::from(pose.translation.vector),
+        "base_deg": turns,
+        "within_m": cell.windows().map(window).collect::<Vec<_>>(),
+        "keep_out_m": kept,
+        "clearance_mm": cell.clearance.map(|asked| asked * 1e3),
+    })
+}

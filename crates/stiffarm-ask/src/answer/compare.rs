@@ -1,0 +1,235 @@
+//! How are two setups told side by side?
+
+use serde_json::{Value, json};
+
+use super::words::{self, degrees, fixed};
+use super::{ORIGIN, PlaceAnswer, Record, Rows, Table, advice, field, margins, stiffness, with_schema};
+use stiffarm::model::ModelKind;
+use stiffarm::place::{Placed, Placement};
+use stiffarm::rank::may_be_as_good;
+
+/// What the two are called, in JSON and where there is little room.
+pub const NAMES: [&str; 2] = ["a", "b"];
+
+/// The answer of `compare`: a placement of each of two setups.
+#[derive(Clone, Debug)]
+pub struct CompareAnswer {
+    /// The first and the second.
+    pub sides: [PlaceAnswer; 2],
+}
+
+/// A row of the table: what it says of a setup, where that has it.
+type Says = fn(&PlaceAnswer) -> Option<String>;
+
+const LINES: [(&str, Says); 20] = [
+    ("robot", |side| Some(side.robot.full_name())),
+    ("architecture", |side| Some(words::architecture(&side.robot))),
+    ("status", |side| Some(words::status(&side.robot).into())),
+    ("stiffness", |side| Some(stiffness(&side.robot))),
+    ("model", |side| Some(side.model.name().into())),
+    ("tool", |side| if let ModelKind::Spatial(tool) = &side.model { Some(words::tool(tool)) } else { None }),
+    ("force", |side| Some(words::acting(side.options.load))),
+    ("task", |side| Some(format!("{} ({})", side.task.label, side.task.describe()))),
+    ("allowed place", |side| Some(side.allowed())),
+    ("places keep", |side| Some(margins::angles(&side.options.margins))),
+    (
+        "no place",
+        |side| if let Placed::Infeasible { reason, .. } = &side.placed { Some(reason.to_string()) } else { None },
+    ),
+    ("worst deflection [mm]", |side| side.best().map(|best| fixed(best.deflection * 1e3, 4))),
+    ("no place has less than [mm]", |side| side.best().map(|best| fixed(best.lower_bound * 1e3, 4))),
+    ("centre x, z [m]", |side| side.best().map(|best| best.centre.map(|metres| fixed(metres, 4)).join(", "))),
+    ("angle of the first side", |side| side.best().map(|best| degrees(best.angle))),
+    ("posture", |side| {
+        let best = side.best()?;
+        Some(best.space().map_or_else(|| format!("elbow {}", best.elbow.name()), |hold| hold.configuration.to_string()))
+    }),
+    ("smallest margin", |side| {
+        let (least, of) = side.best()?.smallest_margin()?;
+        Some(format!("{} ({})", degrees(least), margins::of(of)))
+    }),
+    ("clearance", |side| {
+        let clearance = side.best()?.clearance?;
+        let loud = if clearance.distance < 0.0 { "COLLISION: " } else { "" };
+        Some(format!("{loud}{} mm, {}", fixed(clearance.distance * 1e3, 0), words::clearance_of(&clearance)))
+    }),
+    ("tolerance", |side| side.tolerance_mm.map(|tolerance| format!("{tolerance} mm"))),
+    ("verdict", |side| {
+        let verdict = side.verdict()?;
+        Some(format!("{}, margin {} mm", verdict.told(), fixed(verdict.margin_mm, 4)))
+    }),
+];
+
+impl CompareAnswer {
+    fn best(&self) -> [Option<&Placement>; 2] {
+        self.sides.each_ref().map(PlaceAnswer::best)
+    }
+
+    /// The deflection of the second over that of the first; `None` where one has no place, or the first does not give way.
+    pub fn ratio(&self) -> Option<f64> {
+        let [a, b] = self.best();
+        let (a, b) = (a?.deflection, b?.deflection);
+        (0.0 < a).then_some(b / a)
+    }
+
+    /// Which is certainly better: its value lies below the other's proved bound, or it is proved that the other has no place.
+    pub fn better(&self) -> Option<usize> {
+        let is_worse = |worse: usize, better: usize| {
+            let Some(found) = self.sides[better].best() else { return false };
+            match &self.sides[worse].placed {
+                Placed::Feasible(best) => {
+                    let proved = |best: &Placement| [best.lower_bound, best.deflection];
+                    !may_be_as_good(proved(best), proved(found))
+                }
+                Placed::Infeasible { is_proved, .. } => *is_proved,
+            }
+        };
+        [(1, 0), (0, 1)].into_iter().find(|&(worse, better)| is_worse(worse, better)).map(|(_, better)| better)
+    }
+
+    /// What is not the same of both besides the answer.
+    pub fn differ_in(&self) -> Vec<&'static str> {
+        let [a, b] = &self.sides;
+        let tool = |side: &PlaceAnswer| if let ModelKind::Spatial(tool) = side.model { Some(tool) } else { None };
+        let elsewhere = |side: &PlaceAnswer| stiffarm::place::PlaceOptions { load: a.options.load, ..side.options };
+        let differences = [
+            ("robot", a.robot.full_name() != b.robot.full_name()),
+            ("stiffness", a.robot.drive_compliance() != b.robot.drive_compliance()),
+            ("model", a.model.name() != b.model.name()),
+            ("tool", tool(a) != tool(b)),
+            ("force", a.options.load != b.options.load),
+            ("task", !a.task.is_same_work(&b.task)),
+            ("tolerance", a.tolerance_mm != b.tolerance_mm),
+            ("place", elsewhere(a) != elsewhere(b)),
+        ];
+        differences.into_iter().filter(|(_, differ)| *differ).map(|(name, _)| name).collect()
+    }
+
+    /// Every field.
+    pub fn record(&self) -> Record {
+        let [a, b] = &self.sides;
+        let better = self.better();
+        let mut record = Record::new();
+        record
+            .put(field::SETUP_A, a.record())
+            .put(field::SETUP_B, b.record())
+            .put(field::SETUP_RATIO, self.ratio())
+            .put(field::TOLD_APART, better.is_some())
+            .put(field::BETTER_SETUP, better.map(|side| NAMES[side]))
+            .put(field::DIFFERENT, json!(self.differ_in()))
+            .put(field::SUMMARY, json!(self.sentences()));
+        record
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        let origin = if self.sides.iter().all(|side| side.robot.knows_base()) { ORIGIN } else { "as each setup says" };
+        with_schema("compare", origin, &self.record())
+    }
+
+    /// A row for each setup.
+    pub fn rows(&self) -> Rows<'static> {
+        let records = NAMES.iter().zip(&self.sides).map(|(name, side)| {
+            let mut record = Record::new();
+            record.put(field::SETUP, *name).extend(side.record());
+            record
+        });
+        let records: Vec<Record> = records.collect();
+        Rows::new(records[0].columns(), records.iter().map(Record::cells).collect())
+    }
+
+    /// For people: a column for each setup.
+    pub fn table(&self) -> Table {
+        let mut table = Table::new(["", "A", "B"]).with_broken_lines();
+        let mut row = |name: &str, says: [Option<String>; 2]| {
+            if says.iter().any(Option::is_some) {
+                let [a, b] = says.map(|says| says.unwrap_or_else(|| "-".into()));
+                table.row([name.to_owned(), a, b]);
+            }
+        };
+        for (name, says) in LINES {
+            row(name, self.sides.each_ref().map(says));
+        }
+        let advised = self.sides.each_ref().map(|side| {
+            side.advice.as_ref().map_or_else(Vec::new, |found| advice::lines(found, (&side.task, side.options.load)))
+        });
+        let mut names: Vec<&String> = Vec::new();
+        for [name, _] in advised.iter().flatten() {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        for name in names {
+            let says =
+                |lines: &Vec<[String; 2]>| lines.iter().find(|line| line[0] == *name).map(|line| line[1].clone());
+            row(name, advised.each_ref().map(says));
+        }
+        row("deflection over that of A", [self.ratio().map(|_| "1".into()), self.ratio().map(|ratio| fixed(ratio, 3))]);
+        let standing = |side: usize| match self.better() {
+            None => Some("cannot be told apart".to_owned()),
+            Some(better) if better == side => Some("certainly better".into()),
+            Some(_) => Some("certainly worse".into()),
+        };
+        if self.best().iter().any(Option::is_some) {
+            row("by what is proved", [standing(0), standing(1)]);
+        }
+        table
+    }
+
+    /// What a manager would read.
+    pub fn sentences(&self) -> Vec<String> {
+        let names = self.sides.each_ref().map(|side| side.robot.full_name());
+        let called = |side: usize| format!("{} ({})", NAMES[side].to_uppercase(), names[side]);
+        let mut sentences = vec![match (self.better(), self.ratio()) {
+            (Some(better), Some(ratio)) => {
+                let times = if better == 0 { ratio } else { 1.0 / ratio };
+                format!(
+                    "{} is certainly better: {} gives way {} times as far.",
+                    called(better),
+                    called(1 - better),
+                    fixed(times, 3)
+                )
+            }
+            (Some(better), None) => {
+                format!("{} is better: it is proved that {} has no place.", called(better), called(1 - better))
+            }
+            (None, Some(_)) => format!(
+                "{} and {} cannot be told apart: the proved interval of each ({}) reaches into that of the other.",
+                called(0),
+                called(1),
+                self.best().map(|best| best.map_or_else(|| "-".into(), interval)).join(" and ")
+            ),
+            (None, None) if self.best().iter().any(Option::is_some) => {
+                "Only one of them was found a place, and that the other has none is not proved.".into()
+            }
+            (None, None) => "Neither of them was found a place.".into(),
+        }];
+        for (side, best) in self.best().into_iter().enumerate() {
+            if best.is_some_and(Placement::collides) {
+                sentences.push(format!("At the place of {} the arm collides: it is not to be chosen.", called(side)));
+            }
+        }
+        let differ = self.differ_in();
+        if differ.iter().any(|what| ["force", "task"].contains(what)) {
+            sentences.push(format!(
+                "They are asked different things ({}): the ratio compares these two answers, not the robots.",
+                differ.join(", ")
+            ));
+        } else if !differ.is_empty() {
+            sentences.push(format!("They differ in {}.", differ.join(", ")));
+        }
+        sentences
+    }
+
+    /// What stands below the table.
+    pub fn notes(&self) -> String {
+        let mut notes = words::assumed_architecture(self.sides.iter().map(|side| &side.robot)).to_owned();
+        notes += &words::statuses(self.sides.iter().map(|side| &side.robot));
+        notes
+    }
+}
+
+/// `1.980 to 2.003 mm`.
+fn interval(best: &Placement) -> String {
+    format!("{} to {} mm", fixed(best.lower_bound * 1e3, 4), fixed(best.deflection * 1e3, 4))
+}

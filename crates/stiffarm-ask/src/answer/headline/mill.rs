@@ -1,0 +1,88 @@
+//! A path that is milled in a few sentences.
+
+use super::super::MillAnswer;
+use super::super::verdict::{HOLDS, Verdict};
+use super::super::words::fixed;
+use super::place::sentence;
+use super::{Headline, Outcome, judged, means, mm, rests_on, scattered};
+use stiffarm::mill::Followed;
+
+impl MillAnswer {
+    /// What a manager would read.
+    pub fn headline(&self) -> Headline {
+        let name = self.robot.full_name();
+        let (outcome, sentences) = match self.followed() {
+            None => {
+                let reason = self.reason().unwrap_or_default();
+                let outcome = if self.sought.is_some() || self.placement.is_none() {
+                    Outcome::NoPlace
+                } else {
+                    Outcome::NotFollowed
+                };
+                (outcome, vec![format!("{name} does not follow {}: {reason}.", self.path)])
+            }
+            Some(found) => self.judged(found),
+        };
+        let mut rests_on = means(self.tolerance_mm).into_iter().chain(rests_on(&self.robot)).collect::<Vec<_>>();
+        rests_on.push(format!("Force on the tool: {}.", self.force));
+        rests_on.extend(self.payload().map(|payload| format!("Payload: {}.", payload.told())));
+        rests_on.extend(self.notes().lines().filter(|line| *line != HOLDS).map(sentence));
+        rests_on.extend(self.remarks.iter().map(|remark| sentence(remark)));
+        Headline { outcome, sentences, rests_on }
+    }
+
+    fn judged(&self, found: &Followed) -> (Outcome, Vec<String>) {
+        let (name, path, value) = (self.robot.full_name(), &self.path, mm(found.worst.0));
+        let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) else {
+            let mut told = vec![format!("The tool of {name} is pushed off by {value} at worst along {path}.")];
+            told.extend(self.left(None));
+            return (Outcome::Told, told);
+        };
+        let (word, margin, less) = if verdict.passes {
+            ("holds", verdict.margin_mm, "less")
+        } else {
+            ("does not hold", -verdict.margin_mm, "more")
+        };
+        let mut told = vec![format!(
+            "{name} {word} {tolerance} mm along {path}: the tool is pushed off by {value} at worst, {} mm {less} than is allowed.",
+            fixed(margin, 4)
+        )];
+        if let (false, Some(bound)) = (verdict.passes, self.lower_bound()) {
+            let (nowhere, helps) = if self.sought.is_some() {
+                ("no place and ", "Neither another place nor turning the tool helps")
+            } else {
+                ("", "Turning the tool does not help")
+            };
+            let proved = format!("{nowhere}{} less than {}", self.bounded(), mm(bound));
+            told.push(if Verdict::of(bound, tolerance).passes {
+                format!("Better ones are not ruled out: it is proved that {proved}.")
+            } else if self.bounds_all_rolls() {
+                format!("{helps}: {proved}, which is proved.")
+            } else {
+                format!("It is proved that {proved}; other rolls may.")
+            });
+        }
+        told.push(scattered(verdict, self.spread(), &self.robot));
+        told.extend(self.left(Some(tolerance)));
+        (judged(verdict), told)
+    }
+
+    /// What compensation leaves, where it was asked for.
+    fn left(&self, tolerance: Option<f64>) -> Option<String> {
+        let compensation = self.compensation.as_ref()?;
+        let by_model = mm(compensation.done.by_joints);
+        let Some((remaining, what)) = &compensation.remaining else {
+            return Some(format!(
+                "Compensated, {by_model} is left by the model; the expected residual is not known, as nothing says how far the drives may be off."
+            ));
+        };
+        let verdict = tolerance.and_then(|tolerance| Some((tolerance, compensation.verdict(tolerance)?)));
+        let verdict = verdict
+            .map_or_else(String::new, |(tolerance, verdict)| format!("; tolerance {tolerance} mm: {}", verdict.told()));
+        Some(format!(
+            "Compensated, {by_model} is left by the model; the expected residual ({what}) is {} in the median and {} with 95 %{verdict}.",
+            mm(remaining.median),
+            mm(remaining.p95)
+        ))
+    }
+}

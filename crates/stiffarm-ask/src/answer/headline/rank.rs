@@ -1,0 +1,105 @@
+//! A ranking in a few sentences.
+
+use super::super::payload::Payload;
+use super::super::words::{self, fixed};
+use super::super::{RankAnswer, uncertainty};
+use super::place::sentence;
+use super::{Headline, Outcome, drives_rest_on, means, mm};
+use stiffarm::model::ModelKind;
+use stiffarm::rank::Row;
+
+impl RankAnswer {
+    /// What a manager would read.
+    pub fn headline(&self) -> Headline {
+        let ranking = &self.ranking;
+        let mut sentences = self.sentences();
+        let first = 1.min(sentences.len());
+        sentences.splice(first..first, self.shortfall().map(|why| sentence(&why)).into_iter().chain(self.leads()));
+        let drives = drives_rest_on(ranking.rows.iter().map(|row| &row.robot));
+        let mut rests_on: Vec<String> = means(self.tolerance_mm).into_iter().chain(drives).collect();
+        rests_on.push(match &ranking.model {
+            ModelKind::Planar => "Model: the arm plane with the drives 2 and 3; wrist and tool are not in it.".into(),
+            ModelKind::Spatial(_) => "Model: six axes with all drives; everything else is rigid.".into(),
+        });
+        rests_on.push(format!("Force: {}.", words::load(ranking.load, &ranking.model)));
+        Headline { outcome: self.outcome(), sentences, rests_on }
+    }
+
+    fn outcome(&self) -> Outcome {
+        let ranking = &self.ranking;
+        let tasks = 0..ranking.tasks.len();
+        let winners: Vec<(usize, &Row)> =
+            tasks.filter_map(|task| Some((task, ranking.best_published(task)?))).collect();
+        let any = |odd: &dyn Fn(usize, &Row) -> bool| winners.iter().any(|(task, row)| odd(*task, row));
+        if winners.is_empty() {
+            return Outcome::NoPlace;
+        }
+        if any(&|task, row| row.placement(task).is_some_and(|best| best.space().is_some() && best.collides())) {
+            return Outcome::Collides;
+        }
+        if self.tolerance_mm.is_some() && self.shortfall().is_some() {
+            return Outcome::Fails;
+        }
+        if winners.len() < ranking.tasks.len() {
+            return Outcome::NoPlace;
+        }
+        if any(&|_, row| self.payload(&row.robot).is_some_and(Payload::is_exceeded)) {
+            return Outcome::Overloaded;
+        }
+        if any(&|task, _| !ranking.rivals(task).is_empty() || 1 < uncertainty::ties(&self.chances, task)) {
+            return Outcome::Tie;
+        }
+        let is_open =
+            |(task, row): &(usize, &Row)| self.verdict_of(row, *task).is_some_and(|verdict| !verdict.is_sure());
+        match self.tolerance_mm {
+            None => Outcome::Advised,
+            Some(_) if winners.iter().any(is_open) => Outcome::PassesPerhaps,
+            Some(_) => Outcome::Passes,
+        }
+    }
+
+    /// By how much the best of a task is ahead of all others, where that is proved.
+    fn leads(&self) -> Option<String> {
+        let tasks = self.ranking.tasks.len();
+        let told: Vec<Lead> = (0..tasks).filter_map(|task| self.lead(task)).collect();
+        let least = told.iter().min_by(|a, b| a.ahead.total_cmp(&b.ahead))?;
+        // Never more than it is.
+        let percent = fixed((1000.0 * least.ahead).floor() / 10.0, 1);
+        let label = |lead: &Lead| self.ranking.tasks[lead.task].label.as_str();
+        let (next, bound) = (&least.next.robot.name, mm(least.bound));
+        let of = match told.len() {
+            1 => format!("on {} every other robot gives way at least {percent} % more", label(least)),
+            all if all == tasks => format!("on every task every other robot gives way at least {percent} % more"),
+            _ => {
+                let labels: Vec<&str> = told.iter().map(label).collect();
+                format!("on {} every other robot gives way at least {percent} % more", labels.join(", "))
+            }
+        };
+        Some(format!(
+            "Proved at the stiffness told: {of} than the best (the nearest is {next} on {}, with no less than {bound}).",
+            label(least)
+        ))
+    }
+
+    fn lead(&self, task: usize) -> Option<Lead<'_>> {
+        let best = self.ranking.best_published(task)?;
+        let value = best.deflection(task)?;
+        if !self.ranking.rivals(task).is_empty() || 1 < uncertainty::ties(&self.chances, task) {
+            return None;
+        }
+        let others = self.ranking.rows.iter().filter(|row| row.rank.is_some() && row.robot != best.robot);
+        let bounds = others.filter_map(|row| Some((row.placement(task)?.lower_bound, row)));
+        let (bound, next) = bounds.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(Lead { task, ahead: bound / value - 1.0, next, bound })
+    }
+}
+
+/// How far the best of a task is ahead of all others, which is proved.
+struct Lead<'a> {
+    task: usize,
+    /// So much more, relative to its value, every other gives way at least.
+    ahead: f64,
+    /// Who comes nearest, and what it has at least, m.
+    next: &'a Row,
+    bound: f64,
+}

@@ -1,0 +1,292 @@
+//! How is a map told?
+
+use std::fmt::Write as _;
+
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::{Value, json};
+
+use super::place::PlaceAnswer;
+use super::stiffness::{self, stiffness};
+use super::words::{self, tool_mm};
+use super::{Cell, Record, Rows, Table, Unit, columns_of, field, force, line, schema};
+use stiffarm::load::Direction;
+use stiffarm::map::{Grid, Held, Map, MapOptions, Margins, ROLL_TOLERANCE};
+use stiffarm::model::{ArmPosture, Model, ModelKind};
+
+/// The answer of `map`, with what was asked.
+///
+/// As JSON and in a spreadsheet it is written cell by cell, so that a map of any size takes no memory besides its own.
+#[derive(Clone, Debug)]
+pub struct MapAnswer {
+    /// What was mapped.
+    pub model: Model,
+    /// What was asked.
+    pub options: MapOptions,
+    /// What was found.
+    pub map: Map,
+    /// The best place of a zone, where one was asked for.
+    pub zone: Option<PlaceAnswer>,
+}
+
+/// One number per cell.
+#[derive(Clone, Copy, Debug)]
+pub struct Layer<'a> {
+    /// What it is.
+    pub field: field::Field,
+    grid: &'a Grid,
+}
+
+impl Layer<'_> {
+    /// The cells, row by row from the first z, in the unit of the field; NaN where nothing is reached.
+    pub fn cells(&self) -> Vec<f64> {
+        (0..self.grid.z.count).flat_map(|j| self.row(j)).map(|cell| cell.unwrap_or(f64::NAN)).collect()
+    }
+
+    fn row(&self, j: usize) -> impl Iterator<Item = Option<f64>> {
+        let unit = self.field.unit().unwrap_or(Unit::One);
+        self.grid.row(j).map(move |cell| cell.map(|value| unit.told(value)))
+    }
+
+    fn at(&self, i: usize, j: usize) -> Cell {
+        let unit = self.field.unit().unwrap_or(Unit::One);
+        self.grid.get(i, j).map_or(Cell::Absent, |value| Cell::Number(unit.told(value)))
+    }
+}
+
+impl MapAnswer {
+    /// The layers of numbers, the deflection first.
+    pub fn layers(&self) -> Vec<Layer<'_>> {
+        let key = if self.options.load.is_worst() { field::WORST } else { field::DIRECTED };
+        let mut layers = vec![Layer { field: key, grid: &self.map.deflection }];
+        if let Some(margins) = &self.map.space {
+            layers.push(Layer { field: field::LIMIT_MARGIN, grid: &margins.limits });
+            layers.push(Layer { field: field::SINGULAR_MARGIN, grid: &margins.singular });
+        }
+        layers
+    }
+
+    fn schema(&self) -> Value {
+        schema("map", words::origin(self.model.robot()))
+    }
+
+    /// Keys of what the model does not know.
+    fn absent(&self) -> &'static [field::Field] {
+        const OF_SPACE: &[field::Field] = &[field::LIMIT_MARGIN, field::SINGULAR_MARGIN, field::POSTURE, field::ROLL];
+        if self.map.space.is_some() { &[] } else { OF_SPACE }
+    }
+
+    fn held(&self) -> Held {
+        self.options.held()
+    }
+
+    /// The arm that a figure shows: at the worst point of the zone, or at the stiffest point where none has its place.
+    pub fn posture(&self) -> Option<ArmPosture> {
+        match self.zone.as_ref().and_then(|zone| zone.placed.feasible()) {
+            Some(best) => Some(best.posture()),
+            None => self.map.stiffest(&self.model, &self.options).map(|(_, _, posture)| posture),
+        }
+    }
+
+    /// What is said once, besides the axes.
+    fn head(&self) -> Record {
+        let direction = match self.options.load.direction() {
+            Direction::InPlane(angle) => Some(words::asked_degrees(angle)),
+            Direction::Worst | Direction::Base(_) | Direction::Tool { .. } => None,
+        };
+        let tool = match self.model.kind() {
+            ModelKind::Planar => None,
+            ModelKind::Spatial(flange_from_tool) => Some(flange_from_tool),
+        };
+        let searched = tool.is_some() && self.held().roll.is_none();
+        let mut record = Record::new();
+        let robot = self.model.robot();
+        stiffness::put_robot(&mut record, robot);
+        record.put(field::MODEL, self.model.kind().name());
+        force::put(&mut record, self.options.load);
+        record
+            .put(field::DIRECTION, direction)
+            .put(field::TOOL, tool.as_ref().map(tool_mm))
+            .put(field::TOOL_DIRECTION, tool.map(|_| words::asked_degrees(self.held().elevation)))
+            .put(field::ROLL_TOLERANCE, searched.then_some(ROLL_TOLERANCE))
+            .put(field::ZONE, self.zone.as_ref().map(PlaceAnswer::record));
+        record
+    }
+
+    /// Everything but the layers, with configuration and roll of each cell.
+    ///
+    /// # Panics
+    /// Never: texts and finite numbers are JSON.
+    pub fn head_json(&self) -> Value {
+        let mut object = super::Object::new();
+        object.insert("schema".into(), self.schema());
+        object.extend(self.head().json().as_object().cloned().unwrap_or_default());
+        object.insert("x_m".into(), json!(self.map.deflection.x.points()));
+        object.insert("z_m".into(), json!(self.map.deflection.z.points()));
+        for layer in self.layers() {
+            object.insert(layer.field.key.into(), Value::Null);
+        }
+        for (key, grid) in self.grids() {
+            object.insert(key.into(), serde_json::to_value(grid).expect("texts and numbers"));
+        }
+        for field in self.absent() {
+            object.insert(field.key.into(), Value::Null);
+        }
+        Value::Object(object)
+    }
+
+    /// Which configuration and roll hold each cell, where that is known.
+    fn grids(&self) -> Vec<(&'static str, Cells<'_>)> {
+        self.map
+            .space
+            .iter()
+            .flat_map(|held| [(field::POSTURE.key, Cells::Configurations(held)), (field::ROLL.key, Cells::Rolls(held))])
+            .collect()
+    }
+
+    /// One row per cell, for a spreadsheet.
+    pub fn rows(&self) -> Rows<'_> {
+        let layers = self.layers();
+        let grid = &self.map.deflection;
+        let mut columns = [field::X, field::Z, field::DIRECTED].map(|field| columns_of(&field)).concat();
+        if self.map.space.is_some() {
+            let further =
+                [field::SHOULDER, field::ELBOW, field::WRIST, field::ROLL, field::LIMIT_MARGIN, field::SINGULAR_MARGIN];
+            columns.extend(further.map(|field| columns_of(&field)).concat());
+        }
+        let row = move |cell: usize| {
+            let (i, j) = (cell % grid.x.count, cell / grid.x.count);
+            let mut cells = vec![Cell::Number(grid.x.at(i)), Cell::Number(grid.z.at(j)), layers[0].at(i, j)];
+            if let Some(margins) = &self.map.space {
+                cells.extend(held_cells(margins, i, j));
+                cells.extend(layers[1..].iter().map(|layer| layer.at(i, j)));
+            }
+            cells
+        };
+        Rows::made(columns, grid.x.count * grid.z.count, row)
+    }
+
+    /// For people.
+    pub fn table(&self) -> Table {
+        let (robot, grid, kind) = (self.model.robot(), &self.map.deflection, self.model.kind());
+        let mut mapped = format!("{}, {} model", words::mapped(self.options.load), kind.name());
+        let mut lines = vec![line("robot", words::robot(robot)), line("stiffness", stiffness(robot))];
+        if let ModelKind::Spatial(tool) = kind {
+            let _ = write!(mapped, ", {}", words::direction(self.held().elevation));
+            lines.push(line("mapped", mapped));
+            lines.push(line("tool", words::tool(&tool)));
+        } else {
+            lines.push(line("mapped", mapped));
+        }
+        lines.push(line("points", format!("{} x {}, every {:.4} m", grid.x.count, grid.z.count, grid.x.step)));
+        match grid.extremes() {
+            None => lines.push(line("reached", "no point of the grid: choose a smaller step")),
+            Some([least, most]) => {
+                for (name, (value, i, j)) in [("least", least), ("most", most)] {
+                    let held = self.map.space.as_ref().and_then(|margins| margins.at(i, j));
+                    let held = held.map_or_else(String::new, |(configuration, _)| format!(" ({configuration})"));
+                    let place =
+                        format!("x {:.3} m, z {:.3} m from {}", grid.x.at(i), grid.z.at(j), words::origin(robot));
+                    lines.push(line(name, format!("{:.4} mm at {place}{held}", value * 1e3)));
+                }
+            }
+        }
+        // In one direction a posture may give way less than in its worst: down to nothing.
+        if self.options.load.is_worst()
+            && let Some(floor) = self.model.floor()
+        {
+            let floor = floor * self.options.load.newtons() * 1e3;
+            let says = format!("{floor:.4} mm in the worst direction at the stiffest posture of the links");
+            lines.push(line("bound", says));
+        }
+        if let Some((zone, best)) = self.zone.as_ref().and_then(|zone| Some((zone, zone.placed.feasible()?))) {
+            let [x, z] = best.centre;
+            let says = format!("{:.4} mm at worst, centre x {x:.3} m, z {z:.3} m", best.deflection * 1e3);
+            lines.push(line(format!("zone {}", zone.task.label), says));
+        }
+        Table::of_lines(lines)
+    }
+
+    /// What stands below the table.
+    pub fn notes(&self) -> String {
+        let notes = match self.model {
+            Model::Spatial(_) if self.options.load.breaks_symmetry() => {
+                "the section points straight ahead and stands for itself alone: the force is fixed to the base; the best posture of each point and its best roll, to 0.1 %\n\
+                 -o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
+            }
+            Model::Planar(_) => "-o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map\n",
+            Model::Spatial(_) => {
+                "the section points straight ahead and stands for every direction about the joint-1 axis; the best posture of each point and its best roll, to 0.1 %\n\
+                 -o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
+            }
+        };
+        format!("{}{notes}", words::assumed_architecture([self.model.robot()]))
+    }
+}
+
+fn held_cells(margins: &Margins, i: usize, j: usize) -> [Cell; 4] {
+    match margins.at(i, j) {
+        None => [Cell::Absent, Cell::Absent, Cell::Absent, Cell::Absent],
+        Some((held, roll)) => [
+            Cell::Text(held.shoulder.name().into()),
+            Cell::Text(held.elbow.name().into()),
+            Cell::Text(held.wrist.name().into()),
+            Cell::Number(Unit::Degree.told(roll)),
+        ],
+    }
+}
+
+impl Serialize for MapAnswer {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut object = serializer.serialize_map(None)?;
+        object.serialize_entry("schema", &self.schema())?;
+        for (key, value) in self.head().json().as_object().into_iter().flatten() {
+            object.serialize_entry(key, value)?;
+        }
+        object.serialize_entry("x_m", &self.map.deflection.x.points())?;
+        object.serialize_entry("z_m", &self.map.deflection.z.points())?;
+        for layer in self.layers() {
+            object.serialize_entry(layer.field.key, &Cells::Layer(layer))?;
+        }
+        for (key, cells) in self.grids() {
+            object.serialize_entry(key, &cells)?;
+        }
+        for field in self.absent() {
+            object.serialize_entry(field.key, &Value::Null)?;
+        }
+        object.end()
+    }
+}
+
+/// Rows from the first z, each from the first x; null where nothing is reached.
+#[derive(Clone, Copy)]
+enum Cells<'a> {
+    Layer(Layer<'a>),
+    Configurations(&'a Margins),
+    Rolls(&'a Margins),
+}
+
+impl Serialize for Cells<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let rows = match self {
+            Self::Layer(layer) => layer.grid.z.count,
+            Self::Configurations(margins) | Self::Rolls(margins) => margins.limits.z.count,
+        };
+        serializer.collect_seq((0..rows).map(|j| CellsOfRow(*self, j)))
+    }
+}
+
+struct CellsOfRow<'a>(Cells<'a>, usize);
+
+impl Serialize for CellsOfRow<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(cells, j) = *self;
+        match cells {
+            Cells::Layer(layer) => serializer.collect_seq(layer.row(j)),
+            Cells::Configurations(margins) => serializer
+                .collect_seq(margins.row(j).map(|held| held.map(|(configuration, _)| configuration.to_string()))),
+            Cells::Rolls(margins) => {
+                serializer.collect_seq(margins.row(j).map(|held| held.map(|(_, roll)| Unit::Degree.told(roll))))
+            }
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! What a request asks of a path: from its options to stations, a place, and what happens there.
+
+use std::borrow::Cow;
+
+use super::super::path::tools;
+use super::super::{fixed, words};
+use super::{Compensation, MillAnswer, MillAnswerError};
+use crate::request::{Refusal, Request};
+use stiffarm::catalogue::ProcessFile;
+use stiffarm::cutting::{Law, Process};
+use stiffarm::mill::{
+    self, Acting, ErrorPart, ForcedError, Forcing, MillError, Milled, PathPlaced, Pushed, Stand, Station, compensate,
+    drawn_errors, forced, place_path, remaining,
+};
+use stiffarm::plain::on_one_line;
+use stiffarm::prior::Drawn;
+use stiffarm::robot::Robot;
+use stiffarm::stock::Stock;
+use stiffarm::toolpath::{Move, MoveKind, Survey};
+use stiffarm::uncertainty::DRAWS;
+use stiffarm::watch::Watch;
+
+/// Cells of a stock in the radius of a mill.
+const CELLS_IN_A_RADIUS: f64 = 160.0;
+/// Cells of a stock at most: 80 MB.
+const MOST_CELLS: f64 = 1e7;
+
+impl MillAnswer {
+    /// What a request asks of a robot, a path and its moves, and a process (with the name of its file) where there is one.
+    ///
+    /// # Errors
+    /// What makes no sense together; what nobody waited for.
+    pub fn of<'m>(
+        asked: &Request,
+        robot: &Robot,
+        (path, moves): (String, impl Into<Cow<'m, [Move]>>),
+        process: Option<(String, ProcessFile)>,
+        watch: Watch,
+    ) -> Result<Self, MillAnswerError> {
+        let robot = asked.equipped(robot.clone())?;
+        let (options, flange_from_tool) = (asked.mill_options(), asked.held().tool());
+        let (forcing, force, mut remarks) = forcing(asked, process)?;
+        let moves: Cow<[Move]> = moves.into();
+        let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
+        let mut stock = match (asked.stock()?, &forcing) {
+            (Some([low, high]), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
+                let area = (high[0] - low[0]) * (high[1] - low[1]);
+                let cell = (milling.diameter / 2.0 / CELLS_IN_A_RADIUS).max((area / MOST_CELLS).sqrt());
+                remarks.push(format!(
+                    "stock in cells of {} mm: cuts narrower than {} mm are not seen, and the width of any cut is known to that",
+                    fixed(cell * 1e3, 3),
+                    fixed(cell * 1.5e3, 3)
+                ));
+                Some(Stock::block(low, high, cell)?)
+            }
+            (Some(_), _) => return Err(of_force(ForcedError::NoMill)),
+            (None, _) => None,
+        };
+        let moves = of_one_tool(asked, moves)?;
+        let mut survey = Survey::new(asked.steps());
+        for one in moves.iter() {
+            survey.add(one);
+        }
+        let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
+        // Long ones need the memory.
+        drop(moves);
+        remarks.extend(forced.remarks);
+        remarks.extend(words::pendant(&robot));
+        let failed =
+            |error| MillAnswerError::Mill { robot: robot.name.clone(), path: on_one_line(&path).into_owned(), error };
+        let mut stations = forced.stations;
+        mill::pin(&mut stations, &asked.pins()).map_err(failed)?;
+        let ground = asked.path_ground()?;
+        let (placement, sought, milled) = if let Some(placement) = asked.at() {
+            let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
+            let milled = mill::mill(&robot, &stand, &stations, &options, watch).map_err(failed)?;
+            (Some(placement), None, Some(milled))
+        } else {
+            let placed = place_path(&robot, &flange_from_tool, &stations, (&options, &ground), watch);
+            match placed.map_err(failed)? {
+                Ok(PathPlaced { placement, milled, lower_bound, resolution }) => {
+                    (Some(placement), Some((resolution, lower_bound)), Some(milled))
+                }
+                Err(blocked) => (None, None, blocked.map(Milled::Blocked)),
+            }
+        };
+        let tolerance_mm = asked.tolerance_mm();
+        let (mut draws, mut compensated, mut fed_back) = (None, None, None);
+        if let (Some(Milled::Followed(found)), Some(placement)) = (&milled, placement) {
+            let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
+            let drawn = |drawn: Drawn| {
+                drawn_errors(&robot, &stand, (&stations, &found.samples), (options.part, &drawn), watch).map_err(failed)
+            };
+            draws = Drawn::of(&robot, DRAWS).map(drawn).transpose()?;
+            fed_back =
+                mill::fed_back(&robot, &stand, (&stations, &found.samples), options.part, watch).map_err(failed)?;
+            if asked.is_compensated() {
+                let what = (&stations[..], &found.samples[..], options.part);
+                compensated = Some(compensation(asked, &robot, &stand, what, watch).map_err(failed)?);
+            }
+        }
+        Ok(Self {
+            robot,
+            path,
+            force,
+            flange_from_tool,
+            options,
+            survey,
+            stations,
+            placement,
+            only_tool: asked.only_tool(),
+            ground,
+            sought,
+            milled,
+            draws,
+            fed_back,
+            compensation: compensated,
+            tolerance_mm,
+            remarks,
+        })
+    }
+}
+
+/// The moves of the tool that is meant; of a path with several tools one must be.
+fn of_one_tool<'m>(asked: &Request, moves: Cow<'m, [Move]>) -> Result<Cow<'m, [Move]>, Refusal> {
+    let mut survey = Survey::new(asked.steps());
+    moves.iter().for_each(|one| survey.add(one));
+    match (asked.only_tool(), survey.tools.as_slice()) {
+        (None, [] | [_]) => Ok(moves),
+        (None, several) => {
+            let why = format!(
+                "changes its tool ({}), and one process and one length are not those of all; say by only-tool which one mills, and give each its own process and tool",
+                tools(several)
+            );
+            Err(asked.refused("path", why))
+        }
+        (Some(number), found) if found.iter().any(|(tool, _)| *tool == Some(number)) => {
+            let mut before = None;
+            let is_of_it = |one: &&Move| {
+                let tool = one.given.tool;
+                let is_changed = before.replace(tool).is_some_and(|before| before != tool);
+                // From where a tool comes that was just put in is not in the file.
+                tool == Some(number) && !(is_changed && one.kind == MoveKind::Rapid)
+            };
+            Ok(moves.iter().filter(is_of_it).copied().collect())
+        }
+        (Some(number), found) => {
+            let there = if found.is_empty() { "nothing that feeds".into() } else { tools(found) };
+            Err(asked.refused("only-tool", format!("{number} never feeds; the path has {there}")))
+        }
+    }
+}
+
+/// Takes the deflection out of a path, and tells what is left.
+fn compensation(
+    asked: &Request,
+    robot: &Robot,
+    stand: &Stand,
+    (stations, followed, part): (&[Station], &[Pushed], ErrorPart),
+    watch: Watch,
+) -> Result<Compensation, MillError> {
+    let path = (stations, followed);
+    let done = compensate(robot, stand, path, part, watch)?;
+    let drawn = match asked.stiffness_uncertainty() {
+        Some(share) => {
+            let of_drives = format!("standard deviation of {} % on every drive", fixed(100.0 * share, 0));
+            Some((Drawn::within(robot, share, DRAWS), of_drives))
+        }
+        None => Drawn::of(robot, DRAWS).map(|drawn| (drawn, "drive stiffness".to_owned())),
+    };
+    let remaining = drawn
+        .map(|(drawn, of_drives)| {
+            let of_model = if drawn.unexplained.is_some() { " and identification residual" } else { "" };
+            let left = remaining(robot, stand, path, (part, &drawn), watch)?;
+            Ok::<_, MillError>((left, format!("{of_drives}{of_model}")))
+        })
+        .transpose()?;
+    Ok(Compensation { done, remaining })
+}
+
+/// Where the force comes from, in words too, and what is to be said of it.
+fn forcing(
+    asked: &Request,
+    process: Option<(String, ProcessFile)>,
+) -> Result<(Forcing, String, Vec<String>), MillAnswerError> {
+    if let Some((name, file)) = process {
+        let mut remarks = file.assumed;
+        let unverified = file.material.filter(|material| material.status == "unverified");
+        remarks.extend(unverified.map(|material| {
+            format!("the force coefficients of {} are UNVERIFIED: {}", material.name, material.source)
+        }));
+        return Ok((Forcing::Process(file.process), name, remarks));
+    }
+    let acting = asked.acting()?.ok_or_else(|| {
+        let why = "missing; expected --force-n with a size or FEED,ACROSS,AXIAL in N, or --process with a process file"
+            .to_owned();
+        asked.refused("force-n", why)
+    })?;
+    let told = match acting {
+        Acting::Any(newtons) => format!("{} N in its worst direction", fixed(newtons, 1)),
+        Acting::Known { force: [feed, across, axial], .. } => {
+            format!(
+                "{} N along the feed, {} N across (left), {} N axial (away from the work)",
+                fixed(feed, 1),
+                fixed(across, 1),
+                fixed(axial, 1)
+            )
+        }
+    };
+    Ok((Forcing::Same(acting), told, Vec::new()))
+}

@@ -1,0 +1,242 @@
+//! What is told of a path that is milled: the error along it, how the tool is turned, where the part stands.
+
+mod asked;
+mod programs;
+mod ranking;
+mod record;
+mod table;
+mod worst;
+
+use nalgebra::Vector3;
+pub use ranking::{PathRankAnswer, PathRow};
+use serde_json::Value;
+
+use super::payload::Payload;
+use super::uncertainty::Known;
+use super::verdict::Verdict;
+use super::{fixed, with_schema};
+use crate::request::Refusal;
+use stiffarm::mill::{
+    Acting, Blocked, Compensated, FedBack, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement,
+    PathGround, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, roll_map,
+};
+use stiffarm::program::ProgramFault;
+use stiffarm::robot::Robot;
+use stiffarm::spatial::Pose;
+use stiffarm::stock::StockError;
+use stiffarm::toolpath::{PathFault, Survey};
+use stiffarm::uncertainty::Spread;
+
+/// The answer of `mill`, with what was asked.
+#[derive(Clone, Debug)]
+pub struct MillAnswer {
+    /// Which robot.
+    pub robot: Robot,
+    /// The path as it was asked for.
+    pub path: String,
+    /// Where the force comes from, in words.
+    pub force: String,
+    /// The tool in the flange frame.
+    pub flange_from_tool: Pose,
+    /// What else was asked.
+    pub options: MillOptions,
+    /// What the path is, as its file has it.
+    pub survey: Survey,
+    /// The path, cut and under its forces.
+    pub stations: Vec<Station>,
+    /// Where the part stands; `None` where no place was found.
+    pub placement: Option<PartPlacement>,
+    /// The one tool of the path that mills, where that was asked for.
+    pub only_tool: Option<u32>,
+    /// Where it may stand, with the cell.
+    pub ground: PathGround,
+    /// How finely that was looked for, and what no other place beats, m; `None` where it was given.
+    pub sought: Option<(PathResolution, f64)>,
+    /// What was found; `None` where there is no place at all.
+    pub milled: Option<Milled>,
+    /// The largest error of every draw of the drives, m; `None` where nothing says how they may be, or nothing is followed.
+    pub draws: Option<Vec<f64>>,
+    /// What becomes of it as the cut changes with the displacement; `None` where no cut is known, or nothing is followed.
+    pub fed_back: Option<FedBack>,
+    /// What compensation makes of it, where it was asked for and the path is followed.
+    pub compensation: Option<Compensation>,
+    /// The largest error that passes, mm.
+    pub tolerance_mm: Option<f64>,
+    /// What is to be said of path and forces.
+    pub remarks: Vec<String>,
+}
+
+/// A path whose deflection is taken out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compensation {
+    /// What is commanded.
+    pub done: Compensated,
+    /// What is left where the drives are not as the model has them, and who says how far they may be off; `None` where nobody does.
+    pub remaining: Option<(Remaining, String)>,
+}
+
+impl Compensation {
+    /// Whether a tolerance, mm, is kept by what is left, the median of the draws as the nominal value; `None` where nothing says how far the
+    /// drives may be off.
+    pub fn verdict(&self, tolerance_mm: f64) -> Option<Verdict> {
+        let (left, _) = self.remaining.as_ref()?;
+        let holds = Known::of(left.all.clone(), Some(tolerance_mm)).holds;
+        Some(Verdict::of(left.median, tolerance_mm).with(holds))
+    }
+}
+
+/// A path that has no answer.
+#[derive(Debug, thiserror::Error)]
+pub enum MillAnswerError {
+    /// What is asked makes no sense.
+    #[error(transparent)]
+    Request(#[from] Refusal),
+    /// Of a stock nothing can be told.
+    #[error("stock: {0}")]
+    Stock(#[from] StockError),
+    /// Of a process no force is known.
+    #[error("{path}: {error}")]
+    Force {
+        /// As it was asked for.
+        path: String,
+        /// Why.
+        error: ForcedError,
+    },
+    /// There is no program to write.
+    #[error("no program: {0}")]
+    NoProgram(String),
+    /// A language cannot say it.
+    #[error("{0}")]
+    Program(#[from] ProgramFault),
+    /// A path that is not written back.
+    #[error(transparent)]
+    Path(#[from] PathFault),
+    /// The robot cannot be judged, or was not waited for.
+    #[error("{robot} along {path}: {error}")]
+    Mill {
+        /// Which.
+        robot: String,
+        /// Along what, as it was asked for.
+        path: String,
+        /// Why.
+        error: MillError,
+    },
+}
+
+impl MillAnswer {
+    /// The path as it is followed, where it is.
+    pub fn followed(&self) -> Option<&Followed> {
+        match &self.milled {
+            Some(Milled::Followed(found)) => Some(found),
+            _ => None,
+        }
+    }
+
+    /// What every other roll would have done at so many places along the path; `None` where it is not followed.
+    ///
+    /// # Errors
+    /// As [`stiffarm::mill::mill`].
+    pub fn roll_map(&self, places: usize) -> Result<Option<RollMap>, MillAnswerError> {
+        let Some((placement, found)) = self.placement.zip(self.followed()) else { return Ok(None) };
+        let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: self.flange_from_tool };
+        let map = roll_map(&self.robot, &stand, &self.stations, &self.options, (found, places));
+        map.map(Some).map_err(|error| MillAnswerError::Mill {
+            robot: self.robot.name.clone(),
+            path: self.path.clone(),
+            error,
+        })
+    }
+
+    /// Where the largest error lies with 90 %, as the drives may be, m.
+    pub fn spread(&self) -> Option<Spread> {
+        self.draws.clone().map(Spread::of)
+    }
+
+    /// Whether the tolerance is kept along the path; `None` where there is none, or the path is not followed.
+    pub fn verdict(&self) -> Option<Verdict> {
+        let (tolerance, found) = self.tolerance_mm.zip(self.followed())?;
+        let known = self.draws.clone().map(|draws| Known::of(draws, Some(tolerance)));
+        Some(Verdict::of(found.worst.0, tolerance).with(known.and_then(|known| known.holds)))
+    }
+
+    /// The largest force along the path, N.
+    fn newtons(&self) -> f64 {
+        let force = |station: &Station| match station.acting {
+            None => 0.0,
+            Some(Acting::Any(newtons)) => newtons,
+            Some(Acting::Known { force, .. }) => Vector3::from(force).norm(),
+        };
+        self.stations.iter().map(force).fold(0.0, f64::max)
+    }
+
+    /// What the robot must hold.
+    pub(super) fn payload(&self) -> Option<Payload> {
+        Payload::of(&self.robot, self.options.tool_mass, self.newtons())
+    }
+
+    fn blocked(&self) -> Option<&Blocked> {
+        match &self.milled {
+            Some(Milled::Blocked(blocked)) => Some(blocked),
+            _ => None,
+        }
+    }
+
+    /// Why there is no answer, where there is none.
+    pub fn reason(&self) -> Option<String> {
+        match (self.followed(), self.blocked()) {
+            (Some(_), _) => None,
+            (None, Some(blocked)) if self.sought.is_some() || self.placement.is_none() => {
+                Some(format!("no place was found at which the path is followed; at the best one tried: {blocked}"))
+            }
+            (None, Some(blocked)) => Some(blocked.to_string()),
+            (None, None) => Some("no place was found at which even the outermost samples are held: the window, the margins or the reach leave none".into()),
+        }
+    }
+
+    /// What no path of rolls beats, and where the place was sought, no place; m.
+    pub fn lower_bound(&self) -> Option<f64> {
+        let found = self.followed()?;
+        Some(self.sought.map_or(found.lower_bound, |(_, of_all)| of_all.min(found.lower_bound)))
+    }
+
+    /// The bound is of all rolls, rather than of those that were asked for.
+    pub fn bounds_all_rolls(&self) -> bool {
+        matches!(self.options.roll, RollMode::Free | RollMode::Linear) && self.pins().next().is_none()
+    }
+
+    /// Of what the bound is, in words: "no rolls have", to be followed by "less than".
+    pub fn bounded(&self) -> &'static str {
+        match self.options.roll {
+            RollMode::Fixed(_) => "no posture at this roll has",
+            RollMode::Constant => "no constant roll has",
+            RollMode::Free | RollMode::Linear if self.bounds_all_rolls() => "no rolls have",
+            RollMode::Free | RollMode::Linear => "no rolls through the pins have",
+        }
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        with_schema("mill", super::ORIGIN, &self.record())
+    }
+
+    /// Why the answer is no, where it is.
+    pub fn shortfall(&self) -> Option<String> {
+        if let Some(reason) = self.reason() {
+            return Some(format!("{}: {reason}", self.robot.name));
+        }
+        let (found, tolerance) = (self.followed()?, self.tolerance_mm?);
+        let fails = !Verdict::of(found.worst.0, tolerance).passes;
+        fails.then(|| {
+            format!(
+                "{}: {} mm along {}, tolerance {tolerance} mm",
+                self.robot.name,
+                fixed(found.worst.0 * 1e3, 4),
+                self.path
+            )
+        })
+    }
+}
+
+fn least(found: &Followed, of: impl Fn(&Pushed) -> f64) -> f64 {
+    found.samples.iter().map(of).fold(f64::INFINITY, f64::min)
+}

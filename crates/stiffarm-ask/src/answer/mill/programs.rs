@@ -1,0 +1,133 @@
+//! What a machine reads of a path that is milled: programs of controllers, and the path's own file with its tips led aside.
+
+use std::io::Write;
+
+use super::super::stiffness::stiffness;
+use super::{Compensation, MillAnswer, MillAnswerError};
+use stiffarm::mill::{Compensated, Followed, PartPlacement, Stand, Station, approach};
+use stiffarm::plain::on_one_line;
+use stiffarm::program::{self, Language, Setup, Style};
+use stiffarm::robot::Arm;
+use stiffarm::toolpath::{Original, Rewriting, Rewritten, Sample, Steps, ToolPose, rewrite};
+
+/// Of moves through the air in programs, m/s.
+const RAPID: f64 = 0.5;
+/// How far from a place a program may round a corner, m: less than any tolerance of robots.
+const BLEND: f64 = 5e-5;
+/// How far above its beginning a path is approached, m: the first of these that is held.
+const APPROACH: [f64; 3] = [0.05, 0.02, 0.005];
+/// How far straight moves may be off the corrected samples, m.
+const STRAIGHT: f64 = 1e-6;
+
+impl MillAnswer {
+    /// A controller's program that follows the path, compensated where that was asked for.
+    ///
+    /// # Errors
+    /// Where there is nothing to follow, a joint is commanded beyond its range, or the language cannot say it.
+    pub fn program(&self, language: Language) -> Result<String, MillAnswerError> {
+        let nothing =
+            || MillAnswerError::NoProgram(self.reason().unwrap_or_else(|| "the robot has no six joints".into()));
+        let (Some(found), Some(placement), Arm::SixAxis { geometry, limits, .. }) =
+            (self.followed(), self.placement, &self.robot.arm)
+        else {
+            return Err(nothing());
+        };
+        let done = self.commanded()?;
+        let joints = |i: usize| done.map_or(found.samples[i].joints, |done| done.joints[i]);
+        let station = |(i, station): (usize, &Station)| program::Station {
+            line: station.sample.line,
+            joints: joints(i),
+            feed: station.sample.feed,
+            is_cutting: station.sample.is_cutting,
+        };
+        let mut stations: Vec<program::Station> = self.stations.iter().enumerate().map(station).collect();
+        let approach = self.approach(found, placement)?;
+        let mut remarks = vec![match approach {
+            Some((height, _)) => format!(
+                "The first move, in joints, goes to a place {:.0} mm above the path's beginning, along the tool axis; the way there is checked by nobody.",
+                height * 1e3
+            ),
+            None => "No approach: no place above the path's beginning is held, and the first move, in joints, goes to the beginning itself.".into(),
+        }];
+        if let Some((_, joints)) = approach {
+            stations.insert(0, program::Station { joints, feed: None, is_cutting: false, ..stations[0] });
+        }
+        remarks.extend(self.only_tool.map(|tool| format!("Only what tool {tool} of the path cuts.")));
+        let stiffness = stiffness(&self.robot);
+        let setup = Setup {
+            robot: &self.robot.name,
+            geometry,
+            third_axis: limits.third_axis,
+            pendant: &limits.pendant,
+            base_from_part: placement.base_from_part(),
+            flange_from_tool: self.flange_from_tool,
+            remarks: &remarks,
+            stiffness: done.map(|_| stiffness.as_str()),
+        };
+        let style =
+            Style { name: "STIFFARM".into(), rapid: RAPID, blend: BLEND, moves_per_file: None, fanuc_letters: None };
+        let files = program::write(language, &setup, &stations, &style)?;
+        Ok(files.into_iter().next().map_or_else(String::new, |file| file.text))
+    }
+
+    /// From where the path is approached: how far above its beginning, m, and the joints there.
+    fn approach(&self, found: &Followed, placement: PartPlacement) -> Result<Option<(f64, [f64; 6])>, MillAnswerError> {
+        let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: self.flange_from_tool };
+        for height in APPROACH {
+            let first = (&self.stations[0], &found.samples[0]);
+            let joints =
+                approach(&self.robot, &stand, first, &self.options, height).map_err(|error| MillAnswerError::Mill {
+                    robot: self.robot.name.clone(),
+                    path: on_one_line(&self.path).into_owned(),
+                    error,
+                })?;
+            if let Some(joints) = joints {
+                return Ok(Some((height, joints)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// What is commanded in place of the path, where compensation was asked for.
+    fn commanded(&self) -> Result<Option<&Compensated>, MillAnswerError> {
+        let Some(Compensation { done, .. }) = &self.compensation else { return Ok(None) };
+        match done.beyond.first() {
+            None => Ok(Some(done)),
+            Some(first) => {
+                let line = self.stations[*first].sample.line;
+                let why = format!(
+                    "line {line}: the compensated path commands a joint beyond its range; another place or roll leaves room for it"
+                );
+                Err(MillAnswerError::NoProgram(why))
+            }
+        }
+    }
+
+    /// Writes the path's own file with its tips led aside; what was not touched stays as it is.
+    ///
+    /// # Errors
+    /// Where nothing was compensated, or the file cannot say it.
+    pub fn rewritten(
+        &self,
+        original: Original,
+        steps: &Steps,
+        output: &mut dyn Write,
+    ) -> Result<Rewritten, MillAnswerError> {
+        let none = || MillAnswerError::NoProgram("without --compensate the path stays as it is".into());
+        let done = self.commanded()?.ok_or_else(none)?;
+        let remarks = [
+            format!("compensated by stiffarm for {}, {}", self.robot.name, stiffness(&self.robot)),
+            "elastic or absolute-accuracy corrections of the controller must be off, or it is corrected twice"
+                .to_owned(),
+        ];
+        let how = Rewriting { steps: *steps, straight: STRAIGHT, remarks: &remarks };
+        let mut next = 0;
+        let mut corrected = |sample: &Sample| {
+            let tip = done.poses.get(next).map_or(sample.pose.tip, |pose| pose.tip);
+            next += 1;
+            // A file of three axes holds tips; what that leaves is told.
+            ToolPose { tip, axis: sample.pose.axis }
+        };
+        Ok(rewrite(original, output, &how, &mut corrected, &mut |_| Ok(()))?)
+    }
+}

@@ -1,0 +1,348 @@
+//! Robots in order on a path: each at its own best place and rolls.
+
+use serde_json::{Value, json};
+
+use super::super::verdict::{self, Verdict};
+use super::super::words::{self, degrees};
+use super::super::{Record, Rows, Table, field, fixed, stiffness, stiffnesses, uncertainty, with_schema};
+use super::{MillAnswer, MillAnswerError, least};
+use crate::request::Request;
+use stiffarm::catalogue::ProcessFile;
+use stiffarm::compliance::PostureError;
+use stiffarm::mill::MillError;
+use stiffarm::rank::{Contestant, Standing, order};
+use stiffarm::robot::{Robot, Status};
+use stiffarm::toolpath::Move;
+use stiffarm::uncertainty::{Chances, of_task};
+use stiffarm::watch::{Stopped, Watch};
+
+/// The answer of a ranking on a path.
+#[derive(Clone, Debug)]
+pub struct PathRankAnswer {
+    /// The path as it was asked for.
+    pub path: String,
+    /// The robots, the best first.
+    pub rows: Vec<PathRow>,
+    /// The largest error that passes, mm.
+    pub tolerance_mm: Option<f64>,
+    /// What is to be said of path and forces.
+    pub remarks: Vec<String>,
+}
+
+/// A robot on a path.
+#[derive(Clone, Debug)]
+pub struct PathRow {
+    /// Which.
+    pub robot: Robot,
+    /// Where it stands among the others.
+    pub standing: Standing,
+    /// How it does, or why that cannot be said of it.
+    pub milled: Result<MillAnswer, PostureError>,
+    /// How often it is the best, as the drives may be; `None` where that is not known.
+    pub chances: Option<Chances>,
+}
+
+impl PathRankAnswer {
+    /// What a request asks of robots, a path and its moves, and a process (with the name of its file) where there is one.
+    ///
+    /// # Errors
+    /// What makes no sense together; what nobody waited for.
+    pub fn of(
+        asked: &Request,
+        robots: Vec<Robot>,
+        (path, moves): (String, &[Move]),
+        process: Option<&(String, ProcessFile)>,
+        watch: Watch,
+    ) -> Result<Self, MillAnswerError> {
+        let parts = watch.parts(Some(robots.len()));
+        let mut all = Vec::with_capacity(robots.len());
+        for robot in robots {
+            let milled = MillAnswer::of(asked, &robot, (path.clone(), moves), process.cloned(), watch.of_part());
+            let milled = match milled {
+                Err(MillAnswerError::Mill { error: MillError::Posture(error), .. }) => Err(error),
+                milled => Ok(milled?),
+            };
+            parts.one_more().map_err(|error: Stopped| MillAnswerError::Mill {
+                robot: robot.name.clone(),
+                path: path.clone(),
+                error: error.into(),
+            })?;
+            // With the drives that were asked for.
+            let robot = milled.as_ref().map_or(robot, |milled| milled.robot.clone());
+            all.push((robot, milled));
+        }
+        let remarks = all.iter().find_map(|(_, milled)| Some(milled.as_ref().ok()?.remarks.clone()));
+        let (rows, tolerance_mm) = (ordered(all), asked.tolerance_mm());
+        Ok(Self { path, rows, tolerance_mm, remarks: remarks.unwrap_or_default() })
+    }
+
+    /// Every field.
+    pub fn record(&self) -> Record {
+        let first = self.milled().next();
+        let mut record = Record::new();
+        record
+            .put(field::PATH, &self.path)
+            .put(field::CUTTING_FORCE, first.map(|milled| &milled.force))
+            .put(field::PART, first.map(MillAnswer::part))
+            .put(field::ERROR_PART, first.map(|milled| milled.options.part.name()))
+            .put(field::ROWS, self.rows.iter().map(|row| row.record(self.tolerance_mm).json()).collect::<Value>())
+            .put(field::SUMMARY, json!(self.sentences()))
+            .put(field::REMARKS, json!(self.remarks));
+        record
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        with_schema("mill", super::super::ORIGIN, &self.record())
+    }
+
+    /// One row per robot.
+    pub fn rows(&self) -> Rows<'static> {
+        let records: Vec<Record> = self.rows.iter().map(|row| row.record(self.tolerance_mm)).collect();
+        let columns = records.first().map_or_else(Vec::new, Record::columns);
+        Rows::new(columns, records.iter().map(Record::cells).collect())
+    }
+
+    pub(in crate::answer) fn milled(&self) -> impl Iterator<Item = &MillAnswer> {
+        self.rows.iter().filter_map(|row| row.milled.as_ref().ok())
+    }
+
+    /// The first robot with a rank that follows the path, and those that cannot be told apart from it by the proof.
+    pub(in crate::answer) fn best(&self) -> Option<(&PathRow, Vec<&PathRow>)> {
+        let mut ranked = self.rows.iter().filter(|row| row.standing.rank.is_some() && row.proved().is_some());
+        let best = ranked.next()?;
+        let is_rival = |row: &&PathRow| row.standing.rank.is_some_and(|rank| rank.place == 1);
+        Some((best, ranked.filter(is_rival).collect()))
+    }
+
+    /// Where the force on the tool comes from, in words.
+    pub fn force(&self) -> &str {
+        self.milled().next().map_or("no robot has six joints", |milled| &milled.force)
+    }
+
+    /// What stands above the table.
+    pub fn heading(&self) -> String {
+        let Some(first) = self.milled().next() else { return format!("{}: no robot has six joints\n", self.path) };
+        format!(
+            "Largest error [mm] along {}, each robot at its best place and rolls ({})\n{}; {}\ntool {}; keeps {}\n",
+            self.path,
+            first.options.roll.name(),
+            first.force,
+            stiffnesses(self.rows.iter().map(|row| &row.robot)),
+            words::tool(&first.flange_from_tool),
+            first.kept(),
+        )
+    }
+
+    /// For people: one row per robot.
+    pub fn table(&self) -> Table {
+        let headings = [
+            "#",
+            "robot",
+            "status",
+            "error [mm]",
+            "at least [mm]",
+            "90 % interval [mm]",
+            "origin at [m]",
+            "yaw [deg]",
+            "margin [deg]",
+        ];
+        let mut table = Table::new(headings).with_room(2, &["yaw [deg]", "margin [deg]", "status", "origin at [m]"]);
+        let best = self.best().map(|(best, _)| &best.robot);
+        for row in &self.rows {
+            let is_estimated = row.robot.status == Status::Estimated;
+            let none = if is_estimated { "~" } else { "-" };
+            let mut cells = vec![
+                row.standing.rank.map_or_else(|| none.to_owned(), |rank| rank.to_string()),
+                format!("{}{}", row.robot.full_name(), if is_estimated { " ~" } else { "" }),
+                words::status(&row.robot).into(),
+            ];
+            cells.extend(row.told(best == Some(&row.robot)));
+            table.row(cells);
+        }
+        table
+    }
+
+    /// What stands below the table.
+    pub fn notes(&self) -> String {
+        let mut notes = self.sentences().join("\n") + "\n\n";
+        for row in &self.rows {
+            let why = match &row.milled {
+                Ok(milled) => milled.reason(),
+                Err(error) => Some(error.to_string()),
+            };
+            notes.extend(why.map(|why| format!("- {}: {why}\n", row.robot.name)));
+        }
+        notes.extend(self.remarks.iter().map(|remark| format!("note: {remark}\n")));
+        notes += "* smallest error of the robots whose geometry is published; #: one more than the robots that are certainly better, by their errors and the proved bounds; = cannot be told apart by the proof\n";
+        notes.extend(self.milled().next().map(MillAnswer::notes));
+        notes
+    }
+
+    /// What a manager would read.
+    pub fn sentences(&self) -> Vec<String> {
+        let Some((best, rivals)) = self.best() else {
+            return vec![format!("No robot whose geometry is published follows {}.", self.path)];
+        };
+        let mm = |metres: f64| format!("{} mm", fixed(metres * 1e3, 3));
+        let value = best.proved().map_or(0.0, |[_, value]| value);
+        let mut told = vec![format!(
+            "The smallest error along {} is that of {}: {}.",
+            self.path,
+            best.robot.full_name(),
+            mm(value)
+        )];
+        if !rivals.is_empty() {
+            let names = named(rivals.iter().map(|row| row.robot.name.clone()).collect());
+            told.push(format!("By the proof it cannot be told apart from {names}."));
+        }
+        told.extend(self.tolerance_mm.map(|tolerance| {
+            let name = |row: &PathRow| {
+                let probability = row.milled.as_ref().ok().and_then(|milled| milled.verdict()?.probability);
+                let sure = probability.map_or_else(String::new, |known| format!(" (P {})", verdict::percent(known)));
+                format!("{}{sure}", row.robot.name)
+            };
+            let holds: Vec<String> = self.rows.iter().filter(|row| row.holds(tolerance)).map(name).collect();
+            if holds.is_empty() {
+                format!("No robot holds {tolerance} mm, the drives taken as they are told.")
+            } else {
+                format!("{tolerance} mm is held by {}, the drives taken as they are told.", named(holds))
+            }
+        }));
+        let known = self.rows.iter().filter_map(|row| Some((row.robot.name.as_str(), row.chances?))).collect();
+        told.extend(uncertainty::sentence(&self.path, known));
+        told
+    }
+
+    /// Why the answer is no, where it is: no robot of published geometry follows the path and holds the tolerance.
+    pub fn shortfall(&self) -> Option<String> {
+        let is_good = |row: &PathRow| {
+            row.standing.rank.is_some()
+                && row.proved().is_some()
+                && self.tolerance_mm.is_none_or(|tolerance| row.holds(tolerance))
+        };
+        if self.rows.iter().any(is_good) {
+            return None;
+        }
+        Some(match self.tolerance_mm {
+            Some(tolerance) => format!("no robot of published geometry holds {tolerance} mm along {}", self.path),
+            None => format!("no robot of published geometry follows {}", self.path),
+        })
+    }
+}
+
+/// The first ten of some names, and how many there are besides.
+fn named(names: Vec<String>) -> String {
+    const MOST: usize = 10;
+    let more = names.len().saturating_sub(MOST);
+    let told = names.into_iter().take(MOST).collect::<Vec<_>>().join(", ");
+    if more == 0 { told } else { format!("{told} and {more} more") }
+}
+
+/// The robots in order.
+fn ordered(all: Vec<(Robot, Result<MillAnswer, PostureError>)>) -> Vec<PathRow> {
+    let contestants: Vec<Contestant> = all
+        .iter()
+        .map(|(robot, milled)| Contestant {
+            vendor: &robot.vendor,
+            name: &robot.name,
+            is_estimated: robot.status == Status::Estimated,
+            is_judged: milled.is_ok(),
+            proved: vec![milled.as_ref().ok().and_then(proved)],
+        })
+        .collect();
+    let standings = order(&contestants);
+    let draws = |(robot, milled): &(Robot, Result<MillAnswer, PostureError>)| {
+        let milled = milled.as_ref().ok().filter(|_| robot.status != Status::Estimated)?;
+        milled.draws.clone()
+    };
+    let chances = of_task(&all.iter().map(draws).collect::<Vec<_>>());
+    let mut all: Vec<_> = all.into_iter().zip(chances).map(Some).collect();
+    let row = |standing: Standing| {
+        let ((robot, milled), chances) = all[standing.at].take()?;
+        Some(PathRow { robot, standing, milled, chances })
+    };
+    standings.into_iter().filter_map(row).collect()
+}
+
+/// What the largest error may be by what is proved, m: the lower bound and the value.
+fn proved(milled: &MillAnswer) -> Option<[f64; 2]> {
+    Some([milled.lower_bound()?, milled.followed()?.worst.0])
+}
+
+impl PathRow {
+    /// What the largest error may be by what is proved, m: the lower bound and the value; `None` where the path is not followed.
+    pub fn proved(&self) -> Option<[f64; 2]> {
+        proved(self.milled.as_ref().ok()?)
+    }
+
+    pub(in crate::answer) fn holds(&self, tolerance_mm: f64) -> bool {
+        self.proved().is_some_and(|[_, value]| Verdict::of(value, tolerance_mm).passes)
+    }
+
+    fn record(&self, tolerance_mm: Option<f64>) -> Record {
+        let Self { robot, standing, milled, chances } = self;
+        let milled = milled.as_ref();
+        let answer = milled.ok();
+        let found = answer.and_then(MillAnswer::followed);
+        let placement = answer.and_then(|answer| answer.placement);
+        let in_cell = placement.filter(|_| answer.is_some_and(|answer| answer.ground.cell.is_some()));
+        let spread = answer.and_then(MillAnswer::spread);
+        let reason = milled.map_or_else(|error| Some(error.to_string()), MillAnswer::reason);
+        let mut record = Record::new();
+        stiffness::put_robot(&mut record, robot);
+        record
+            .put(field::RANK, standing.rank.map(|rank| rank.place))
+            .put(field::RANK_TIED, standing.rank.map(|rank| rank.is_tied))
+            .put(field::FEASIBLE, answer.map(|_| found.is_some()))
+            .put(field::REASON, reason)
+            .put(field::PATH_WORST, found.map(|found| found.worst.0))
+            .put(field::PATH_WORST_P05, spread.map(|spread| spread.p05))
+            .put(field::PATH_WORST_P95, spread.map(|spread| spread.p95))
+            .put(field::PATH_LOWER_BOUND, answer.and_then(MillAnswer::lower_bound))
+            .put(field::RMS, found.map(|found| found.rms))
+            .put(field::ROLL_CHOICE, answer.map(MillAnswer::roll))
+            .put(field::AT, placement.map(|placement| placement.at_from_base()))
+            .put(field::AT_YAW, placement.and_then(|placement| placement.yaw_from_ahead()))
+            .put(field::CELL_ORIGIN, in_cell.map(|placement| placement.at))
+            .put(field::CELL_YAW, in_cell.map(|placement| placement.yaw))
+            .put(field::LIMIT_MARGIN, found.map(|found| least(found, |pushed| pushed.limit_margin)))
+            .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)));
+        verdict::put(&mut record, tolerance_mm, answer.and_then(MillAnswer::verdict), false);
+        uncertainty::put_chances(&mut record, &[*chances]);
+        record.put(field::SEARCH, answer.and_then(MillAnswer::search));
+        record
+    }
+
+    /// What the table tells besides rank and name.
+    fn told(&self, is_best: bool) -> Vec<String> {
+        let nothing = || vec!["-".to_owned(); 6];
+        let Ok(milled) = &self.milled else { return nothing() };
+        let (Some(found), Some(placement), Some([bound, value])) =
+            (milled.followed(), milled.placement, proved(milled))
+        else {
+            return nothing();
+        };
+        let mm = |metres: f64| fixed(metres * 1e3, 3);
+        let is_rival = self.standing.rank.is_some_and(|rank| rank.place == 1);
+        let mark = if is_best {
+            "*"
+        } else if is_rival {
+            "="
+        } else {
+            ""
+        };
+        let verdict = milled.verdict().map_or_else(String::new, |verdict| format!(" {}", verdict.short()));
+        let margin = least(found, |pushed| pushed.limit_margin.min(pushed.singular_margin));
+        vec![
+            format!("{}{mark}{verdict}", mm(value)),
+            mm(bound),
+            milled.spread().map_or_else(|| "-".into(), |spread| format!("{} .. {}", mm(spread.p05), mm(spread.p95))),
+            placement.at_from_base().map(|metres| fixed(metres, 3)).join(", "),
+            placement
+                .yaw_from_ahead()
+                .map_or_else(|| "-".into(), |yaw| degrees(yaw).trim_end_matches(" deg").to_owned()),
+            degrees(margin).trim_end_matches(" deg").to_owned(),
+        ]
+    }
+}

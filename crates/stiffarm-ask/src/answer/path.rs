@@ -1,0 +1,146 @@
+//! What is told of a toolpath before anything is milled: what was understood, assumed and ignored.
+
+use nalgebra::Vector3;
+use serde_json::{Value, json};
+
+use super::{Line, Record, Rows, Table, field, fixed, line, schema_of, under};
+use stiffarm::toolpath::{Survey, Understood};
+
+/// The answer of `mill --dry`, with what was asked.
+#[derive(Clone, Debug)]
+pub struct PathAnswer {
+    /// The path as it was asked for.
+    pub path: String,
+    /// What was read besides moves; `None` of a path built in.
+    pub understood: Option<Understood>,
+    /// What the path is.
+    pub survey: Survey,
+}
+
+/// Two corners of a box as they are told.
+pub(super) fn corners([a, b]: [Vector3<f64>; 2]) -> [f64; 6] {
+    [a.x, a.y, a.z, b.x, b.y, b.z]
+}
+
+/// A box as people read it, one axis after the other.
+pub(super) fn within([low, high]: [Vector3<f64>; 2]) -> [String; 3] {
+    let mm = |metres: f64| fixed(metres * 1e3, 3);
+    std::array::from_fn(|axis| format!("{} to {} mm", mm(low[axis]), mm(high[axis])))
+}
+
+impl PathAnswer {
+    /// Every field.
+    pub fn record(&self) -> Record {
+        let Self { path, understood, survey } = self;
+        let told = understood.as_ref();
+        let mut record = Record::new();
+        record
+            .put(field::PATH, path)
+            .put(field::PATH_FORMAT, told.map_or("built-in", |told| told.format.name()))
+            .put(field::LINES, told.map(|told| told.lines))
+            .put(field::FEED_LENGTH, survey.feed_length)
+            .put(field::RAPID_LENGTH, survey.rapid_length)
+            .put(field::FEED_MOVES, survey.feed_moves)
+            .put(field::RAPID_MOVES, survey.rapid_moves)
+            .put(field::TOOLS, survey.tools.iter().map(|(tool, _)| json!(tool)).collect::<Value>())
+            .put(field::APART, told.map_or(0, |told| told.apart))
+            .put(field::ARCS, survey.arcs)
+            .put(field::FULL_CIRCLES, survey.full_circles)
+            .put(field::ARC_LENGTH, survey.arc_length)
+            .put(field::BOX, survey.extent.map(corners))
+            .put(field::RAPID_BOX, survey.rapid_extent.map(corners))
+            .put(field::FEEDS, survey.feeds.map(|feeds| [feeds.min(), feeds.max()]))
+            .put(field::FEED_TIME, survey.feed_time)
+            .put(field::TILT, survey.tilt)
+            .put(field::AXIS_TURN, survey.turn)
+            .put(field::SAMPLES, survey.samples)
+            .put(field::CHORD_ERROR, survey.chord_error)
+            .put(field::ARC_MISS, told.map_or(0.0, |told| told.arc_miss))
+            .put(field::ASSUMED, told.map_or_else(|| json!([]), |told| json!(told.assumed)))
+            .put(field::IGNORED, told.map_or_else(|| json!([]), |told| json!(told.ignored)));
+        record
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        under(schema_of("mill", "the path's own origin", "those of the path"), &self.record())
+    }
+
+    /// For a spreadsheet: one row.
+    pub fn rows(&self) -> Rows<'static> {
+        let record = self.record();
+        Rows::new(record.columns(), vec![record.cells()])
+    }
+
+    /// For people.
+    pub fn table(&self) -> Table {
+        let Self { path, understood, survey } = self;
+        let mm = |metres: f64| fixed(metres * 1e3, 3);
+        let how = understood
+            .as_ref()
+            .map_or("built in".into(), |told| format!("{}, {} lines", told.format.name(), told.lines));
+        let mut lines: Vec<Line> = vec![
+            line("path", path),
+            line("read as", how),
+            line("feed moves", format!("{}, {} mm", survey.feed_moves, mm(survey.feed_length))),
+            line(
+                "of these arcs",
+                format!("{} ({} full circles), {} mm", survey.arcs, survey.full_circles, mm(survey.arc_length)),
+            ),
+            line("rapid moves", format!("{}, {} mm", survey.rapid_moves, mm(survey.rapid_length))),
+        ];
+        if let Some(told) = understood.as_ref().filter(|told| 0 < told.apart) {
+            lines
+                .push(line("not of the path", format!("{} moves to or from where only the machine knows", told.apart)));
+        }
+        for (names, extent) in [
+            (["extent of feed moves x", "y", "z"], survey.extent),
+            (["rapid moves end at x", "y", "z"], survey.rapid_extent),
+        ] {
+            let told = extent.map(within).into_iter().flatten();
+            lines.extend(names.into_iter().zip(told).map(|(name, told)| line(name, told)));
+        }
+        let per_minute = |feed: f64| fixed(feed * 60e3, 1);
+        lines.push(match survey.feeds {
+            Some(feeds) => {
+                line("feed rates", format!("{} to {} mm/min", per_minute(feeds.min()), per_minute(feeds.max())))
+            }
+            None => line("feed rates", "not said"),
+        });
+        let time =
+            survey.feed_time.map_or("not known: a feed rate is missing".into(), |time| format!("{} s", fixed(time, 1)));
+        lines.push(line("time of feed moves", time));
+        let (tilt, turn) = (fixed(survey.tilt.to_degrees(), 2), fixed(survey.turn.to_degrees(), 2));
+        lines.push(line("tool axis", format!("at most {tilt} deg off z, {turn} deg off where it first feeds")));
+        lines.push(line(
+            "samples",
+            format!("{}, chords off arcs by {} mm at most", survey.samples, fixed(survey.chord_error * 1e3, 4)),
+        ));
+        if survey.tools.iter().any(|(tool, _)| tool.is_some()) {
+            lines.push(line("tools", tools(&survey.tools)));
+        }
+        for (name, of) in [
+            ("assumed", |told: &Understood| told.assumed.clone()),
+            ("ignored", |told: &Understood| told.ignored.clone()),
+        ] as [(&str, fn(&Understood) -> Vec<String>); 2]
+        {
+            let all = understood.as_ref().map(of).unwrap_or_default();
+            if all.is_empty() {
+                lines.push(line(name, "nothing"));
+            }
+            for (i, one) in all.into_iter().enumerate() {
+                lines.push(line(if i == 0 { name } else { "" }, one));
+            }
+        }
+        Table::of_lines(lines)
+    }
+}
+
+/// Tools and where each first feeds.
+pub(super) fn tools(found: &[(Option<u32>, usize)]) -> String {
+    let told = |(tool, line): &(Option<u32>, usize)| match tool {
+        Some(number) => format!("T{number} from line {line}"),
+        None => format!("no tool named from line {line}"),
+    };
+    found.iter().map(told).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,334 @@
+//! How is a ranking told?
+
+mod notes;
+mod robots;
+mod sentences;
+
+use serde_json::{Value, json};
+
+use super::payload::Payload;
+use super::place::{cell, put_advice};
+use super::uncertainty::{self, Known};
+use super::verdict::Verdict;
+use super::words::{self, fixed};
+use super::{Record, Rows, Table, field, force, margins, stiffness, stiffnesses, with_schema};
+use stiffarm::advice::Advice;
+use stiffarm::drive::Architecture;
+use stiffarm::model::ModelKind;
+use stiffarm::place::{Margins, PlaceOptions};
+use stiffarm::rank::{Rank, Ranking, Row};
+use stiffarm::robot::{Robot, Status};
+use stiffarm::uncertainty::{Chances, Spread, chances_of, drawn_in};
+
+/// The answer of `rank`, with what was asked.
+#[derive(Clone, Debug)]
+pub struct RankAnswer {
+    /// What was found.
+    pub ranking: Ranking,
+    /// What was asked of every placement.
+    pub options: PlaceOptions,
+    /// The largest deflection that is acceptable, mm.
+    pub tolerance_mm: Option<f64>,
+    /// What that says of force, stiffness and size, for each row and task where it was sought; empty where it was not.
+    pub advice: Vec<Vec<Option<Advice>>>,
+    /// How every row stands at every task, as far as its drives may be off.
+    pub(super) chances: Vec<Vec<Option<Chances>>>,
+    /// Where the deflection of every row at every task lies, and how likely it keeps the tolerance.
+    known: Vec<Vec<Option<Known>>>,
+}
+
+impl RankAnswer {
+    /// Of a ranking, with what was asked, the acceptable deflection, mm, and what was sought for it.
+    pub fn of(
+        ranking: Ranking,
+        options: PlaceOptions,
+        tolerance_mm: Option<f64>,
+        advice: Vec<Vec<Option<Advice>>>,
+    ) -> Self {
+        let drawn = drawn_in(&ranking);
+        let chances = chances_of(&ranking, &drawn);
+        let known = |of_task: Option<Vec<f64>>| of_task.map(|draws| Known::of(draws, tolerance_mm));
+        let known = drawn.into_iter().map(|of_row| of_row.into_iter().map(known).collect()).collect();
+        Self { ranking, options, tolerance_mm, advice, chances, known }
+    }
+
+    /// Whether a row keeps the tolerance at a task; `None` where there is no tolerance, or no place.
+    pub fn verdict(&self, at: usize, task: usize) -> Option<Verdict> {
+        let deflection = self.ranking.rows[at].deflection(task)?;
+        let holds = self.known[at][task].and_then(|known| known.holds);
+        Some(Verdict::of(deflection, self.tolerance_mm?).with(holds))
+    }
+
+    /// Of some robot something says how far its drives may be off.
+    pub(super) fn known_of_any(&self) -> bool {
+        self.known.iter().flatten().any(Option::is_some)
+    }
+
+    /// The same of a row of the ranking.
+    pub(super) fn verdict_of(&self, row: &Row, task: usize) -> Option<Verdict> {
+        let at = self.ranking.rows.iter().position(|one| std::ptr::eq(one, row))?;
+        self.verdict(at, task)
+    }
+
+    /// What a robot must hold.
+    pub(super) fn payload(&self, robot: &Robot) -> Option<Payload> {
+        Payload::of(robot, self.options.tool_mass, self.ranking.load.newtons())
+    }
+
+    /// Where the deflection of a row at a task lies with 90 %, as far as its drives may be off.
+    pub fn spread(&self, at: usize, task: usize) -> Option<Spread> {
+        Some(self.known[at][task]?.spread)
+    }
+
+    /// Every field.
+    pub fn record(&self) -> Record {
+        let Ranking { tasks, load, model, .. } = &self.ranking;
+        let mut record = Record::new();
+        record.put(field::TASKS, json!(tasks.iter().map(|task| &task.label).collect::<Vec<_>>()));
+        force::put(&mut record, *load);
+        record
+            .put(field::MODEL, model.name())
+            .put(field::ROWS, self.rows_json())
+            .put(field::WINNERS, self.winners())
+            .put(field::SUMMARY, json!(self.sentences()));
+        record
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        with_schema("rank", super::ORIGIN, &self.record())
+    }
+
+    fn rows_json(&self) -> Value {
+        let ranks = self.ranks();
+        let told = self.ranking.rows.iter().zip(&self.chances).enumerate().map(|(at, (row, chances))| {
+            let cells: Value = self.cells(at, &ranks).map(|cell| cell.json()).collect();
+            let mut record = Record::new();
+            stiffness::put_robot(&mut record, &row.robot);
+            record.extend(self.standing(row));
+            uncertainty::put_chances(&mut record, chances);
+            record.put(field::CELLS, cells);
+            record.json()
+        });
+        told.collect()
+    }
+
+    /// Of every task: the rank of every row in it alone.
+    fn ranks(&self) -> Vec<Vec<Option<Rank>>> {
+        (0..self.ranking.tasks.len()).map(|task| self.ranking.ranks(task)).collect()
+    }
+
+    /// Where a robot stands among the others.
+    fn standing(&self, row: &Row) -> Record {
+        let planar_rank = self.ranking.in_plane.as_ref().and_then(|planar| planar.rank_of(&row.robot));
+        let mut record = Record::new();
+        record
+            .put(field::RANK, row.rank.map(|rank| rank.place))
+            .put(field::RANK_TIED, row.rank.map(|rank| rank.is_tied))
+            .put(field::PLANAR_RANK, planar_rank.map(|rank| rank.place))
+            .put(field::BOUND, row.floor)
+            .put(field::MEAN_RATIO, row.mean_ratio)
+            .put(field::MEAN_RATIO_BOUND, row.mean_ratio_bound);
+        record
+    }
+
+    /// One record per task of a robot.
+    fn cells<'a>(&'a self, at: usize, ranks: &'a [Vec<Option<Rank>>]) -> impl Iterator<Item = Record> + 'a {
+        let Ranking { tasks, model, rows, .. } = &self.ranking;
+        let Row { robot, cells, .. } = &rows[at];
+        tasks.iter().zip(cells).zip(ranks).enumerate().map(move |(column, ((task, placed), ranks))| {
+            let known = self.known[at][column];
+            let mut record = cell(robot, task, (model, &self.options), placed.as_ref(), (self.tolerance_mm, known));
+            record
+                .put(field::TASK_RANK, ranks[at].map(|rank| rank.place))
+                .put(field::TASK_RANK_TIED, ranks[at].map(|rank| rank.is_tied));
+            put_advice(&mut record, self.advised(at, column), (task, self.options.load));
+            record
+        })
+    }
+
+    /// The advice on a task of a row.
+    fn advised(&self, at: usize, task: usize) -> Option<&Advice> {
+        self.advice.get(at)?.get(task)?.as_ref()
+    }
+
+    fn winners(&self) -> Value {
+        let Ranking { tasks, .. } = &self.ranking;
+        let told = tasks.iter().enumerate().map(|(task, asked)| {
+            let name = |row: Option<&Row>| row.map(|row| row.robot.name.clone());
+            let of = |architecture| name(self.ranking.best(task, |robot| robot.architecture == architecture));
+            let best = self.ranking.best_published(task);
+            let rivals: Vec<&str> = self.ranking.rivals(task).iter().map(|row| row.robot.name.as_str()).collect();
+            let mut record = Record::new();
+            record
+                .put(field::TASK, &asked.label)
+                .put(field::BEST, name(best))
+                .put(field::TOLD_APART, best.map(|_| rivals.is_empty()))
+                .put(field::RIVALS, json!(rivals))
+                .put(field::BEST_WITH_ESTIMATED, name(self.ranking.best(task, |_| true)))
+                .put(field::BEST_SERIAL, of(Architecture::Serial))
+                .put(field::BEST_QUASI_SERIAL, of(Architecture::QuasiSerial));
+            record.json()
+        });
+        told.collect()
+    }
+
+    /// One row per robot and task, for a spreadsheet.
+    pub fn rows(&self) -> Rows<'static> {
+        let (mut columns, mut rows, ranks) = (Vec::new(), Vec::new(), self.ranks());
+        for (at, row) in self.ranking.rows.iter().enumerate() {
+            for record in self.cells(at, &ranks) {
+                let standing = self.standing(row);
+                if rows.is_empty() {
+                    columns = [standing.columns(), record.columns()].concat();
+                }
+                rows.push([standing.cells(), record.cells()].concat());
+            }
+        }
+        Rows::new(columns, rows)
+    }
+
+    /// For people: one row per robot.
+    pub fn table(&self) -> Table {
+        let Ranking { tasks, rows, in_plane, .. } = &self.ranking;
+        let mut headings: Vec<String> = ["#", "robot", "architecture", "status"].map(Into::into).into();
+        if in_plane.is_none() {
+            headings.push("bound".into());
+        }
+        headings.extend(tasks.iter().map(|task| task.label.clone()));
+        let places: Vec<String> = match tasks.as_slice() {
+            [_] => ["x [m]", "z [m]", "margin [deg]"].map(Into::into).into(),
+            several => several.iter().map(|task| format!("{} at", task.label)).collect(),
+        };
+        let is_several = 1 < tasks.len();
+        let mut spare = vec!["bound", "mean ratio"];
+        if is_several {
+            spare.extend(places.iter().map(String::as_str));
+        }
+        spare.extend(["status", "architecture"]);
+        headings.extend(places.iter().cloned());
+        headings.push("mean ratio".into());
+        if in_plane.is_some() {
+            headings.push("planar #".into());
+        }
+        let mut table = Table::new(headings).with_room(2, &spare);
+        let rivals: Vec<Vec<&Row>> = (0..tasks.len()).map(|task| self.ranking.rivals(task)).collect();
+        for (at, row) in rows.iter().enumerate() {
+            let robot = &row.robot;
+            let estimated = robot.status == Status::Estimated;
+            let or_none = |rank: Option<Rank>| {
+                let none = if estimated { "~" } else { "n/a" };
+                rank.map_or_else(|| none.to_owned(), |rank| rank.to_string())
+            };
+            let mut cells = vec![
+                or_none(row.rank),
+                format!("{}{}", robot.full_name(), if estimated { " ~" } else { "" }),
+                words::architecture(robot),
+                words::status(robot).into(),
+            ];
+            if in_plane.is_none() {
+                cells.push(row.floor.map_or_else(|| "n/a".to_owned(), |floor| fixed(floor * 1e3, 3)));
+            }
+            cells.extend((0..tasks.len()).map(|task| self.told(at, task, &rivals[task])));
+            for told in (0..tasks.len()).map(|task| placed(row, task)) {
+                match told {
+                    None if is_several => cells.push("-".into()),
+                    None => cells.extend(vec!["-".to_owned(); 3]),
+                    Some([x, z, margin]) if is_several => cells.push(format!("x {x}, z {z}; {margin}")),
+                    Some(told) => cells.extend(told),
+                }
+            }
+            cells.push(row.mean_ratio.map_or_else(|| "-".into(), |ratio| fixed(ratio, 3)));
+            cells.extend(in_plane.as_ref().map(|planar| or_none(planar.rank_of(robot))));
+            table.row(cells);
+        }
+        table
+    }
+
+    /// `1.234`, marked when it is the best of its column or may be as good, with verdict, margin and probability where a tolerance is given.
+    fn told(&self, at: usize, task: usize, rivals: &[&Row]) -> String {
+        let row = &self.ranking.rows[at];
+        let Some(deflection) = row.deflection(task) else {
+            return match &row.cells[task] {
+                Ok(_) => "-".into(),
+                Err(error) if error.is_not_of_the_plane() => "n/a".into(),
+                Err(_) => "?".into(),
+            };
+        };
+        let is = |best: Option<&Row>| best.is_some_and(|best| best.robot == row.robot);
+        let published = self.ranking.best_published(task);
+        let beats =
+            row.robot.status == Status::Estimated && is(self.ranking.best(task, |_| true)) && published.is_some();
+        let mark = match (is(published), beats) {
+            (true, _) => "*",
+            (false, true) => "~",
+            (false, false) if rivals.iter().any(|rival| rival.robot == row.robot) => "=",
+            (false, false) => "",
+        };
+        let verdict = self.verdict(at, task).map_or_else(String::new, |verdict| format!(" {}", verdict.short()));
+        format!("{}{mark}{verdict}", fixed(deflection * 1e3, 3))
+    }
+
+    /// What stands above the table.
+    pub fn heading(&self) -> String {
+        let acting = words::acting(self.ranking.load);
+        let springs = stiffnesses(self.ranking.rows.iter().map(|row| &row.robot));
+        match &self.ranking.model {
+            ModelKind::Planar => {
+                let gap = self.options.gap();
+                format!(
+                    "Worst deflection [mm] inside each zone at its best place, {acting}\nplanar model; {springs}; proved to {gap}\n{}\n{}\n",
+                    self.stance(),
+                    self.kept()
+                )
+            }
+            ModelKind::Spatial(_) => format!(
+                "Worst deflection [mm] inside each flat zone at its best place, {acting}\nspatial model; {springs}\n{}\n{}\n",
+                self.stance(),
+                self.kept()
+            ),
+        }
+    }
+
+    /// What every place keeps.
+    fn kept(&self) -> String {
+        let margins = &self.options.margins;
+        if *margins == Margins::NONE && self.ranking.model == ModelKind::Planar {
+            // The ranking of which nothing is said, too.
+            return format!("the paper's convention: {}", margins::of_all(margins));
+        }
+        margins::of_all(margins)
+    }
+
+    /// How the tool is held, and where zones may stand.
+    pub fn stance(&self) -> String {
+        let model = &self.ranking.model;
+        let asked = self.options.within(model);
+        // Of robots of which the base is known; the others have neither a floor nor a column.
+        let known = self.ranking.rows.iter().find(|row| row.robot.knows_base());
+        let within = known.map_or(asked, |row| margins::window(&self.options, model, &row.robot));
+        let within = words::window(&within, "the base");
+        match &self.ranking.model {
+            ModelKind::Planar => format!("zones {}, {within}", words::UPRIGHT),
+            ModelKind::Spatial(tool) => {
+                let elevation = super::cell::elevation(&self.options);
+                if let Some(cell) = &self.options.cell {
+                    let told = super::cell::lines(cell, &self.options.within(&self.ranking.model));
+                    let told: Vec<String> = told.iter().map(|[name, says]| format!("{name}: {says}")).collect();
+                    return format!("{}, tool {}; {}", words::direction(elevation), words::tool(tool), told.join("; "));
+                }
+                format!("{}, tool {}; zones within {within}", words::direction(elevation), words::tool(tool))
+            }
+        }
+    }
+}
+
+/// Where a row's zone stands, ahead and up, m, and the smallest margin there, deg, with what it is of.
+fn placed(row: &Row, task: usize) -> Option<[String; 3]> {
+    let best = row.placement(task)?;
+    let [x, z] = best.centre.map(|metres| fixed(metres, 3));
+    let margin = best
+        .smallest_margin()
+        .map_or_else(|| "-".into(), |(least, of)| format!("{} {}", fixed(least.to_degrees(), 1), margins::short(of)));
+    Some([x, z, margin])
+}

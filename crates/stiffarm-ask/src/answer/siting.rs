@@ -1,0 +1,342 @@
+//! Where must the work stand, as a shop drawing has it: heights, distances from the joint-1 axis, sideways?
+
+mod dimensions;
+
+use std::f64::consts::TAU;
+
+pub use dimensions::Dimension;
+use dimensions::{from_an_origin, of_a_zone};
+
+use super::words::degrees;
+use super::{Line, MillAnswer, PlaceAnswer, line};
+use nalgebra::{Point3, Rotation3, Vector3};
+use stiffarm::interval::Interval;
+use stiffarm::mill::Station;
+use stiffarm::place::{FacePlacement, Placement, Within};
+use stiffarm::robot::Arm;
+use stiffarm::spatial::Pose;
+use stiffarm::work::{WorkPlacement, WorkPlane};
+use stiffarm::zone::Zone;
+
+/// Room in a window that rounding leaves, m.
+const NO_ROOM: f64 = 1e-7;
+/// Points of a cut that are drawn at most.
+const MOST_POINTS: usize = 400;
+/// Corners of a circle.
+const CORNERS: usize = 72;
+
+/// A zone, a part or a path at its place, in metres: ahead, to the left, up; from the base, or from the origin of the cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Siting {
+    /// What lengths count from, such as `the base`.
+    pub origin: &'static str,
+    /// Where the joint-1 axis meets the foot of the robot.
+    pub foot: [f64; 3],
+    /// Where the floor is, where that is known: of a cell.
+    pub floor: Option<f64>,
+    /// The rim of the zone or of every face, closed lines whose first point is not repeated; or the cuts of a path.
+    pub lines: Vec<Vec<[f64; 3]>>,
+    /// The lines are closed.
+    pub is_closed: bool,
+    /// The centre of a zone, the middle of a part's underside, the origin of a path.
+    pub centre: [f64; 3],
+    /// Along which direction the x axis of a part or path points; `None` of a zone.
+    pub x_axis: Option<[f64; 3]>,
+    /// What is measured.
+    pub dimensions: Vec<Dimension>,
+    /// About the vertical, where it stands otherwise than straight ahead: what is turned, and by how much.
+    pub turned: Option<Line>,
+}
+
+impl PlaceAnswer {
+    /// Where the zone or the part stands; `None` where it has no place, or nothing is known of the base.
+    pub fn siting(&self) -> Option<Siting> {
+        let best = self.best().filter(|_| self.robot.knows_base())?;
+        let cell = self.options.cell;
+        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), best.space().map_or(0.0, |hold| hold.bearing));
+        let placed = |at: Vector3<f64>| {
+            let at = Point3::from(turn * at);
+            <[f64; 3]>::from(cell.map_or(at, |cell| cell.mount.cell_from_base * at))
+        };
+        let rims = if best.faces.is_empty() { vec![self.rim(best)] } else { best.faces.iter().map(rim_of).collect() };
+        let is_part = !best.faces.is_empty();
+        let x_axis = placed(Vector3::new(best.angle.cos(), best.angle.sin(), 0.0));
+        let origin = placed(Vector3::zeros());
+        let [x, z] = best.centre;
+        let centre = placed(Vector3::new(x, self.aside(best), z));
+        let foot = cell.map_or([0.0; 3], |cell| cell.mount.cell_from_base.translation.vector.into());
+        let mut siting = Siting {
+            origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
+            foot,
+            floor: cell.map(|_| 0.0),
+            lines: rims.into_iter().map(|rim| rim.into_iter().map(placed).collect()).collect(),
+            is_closed: true,
+            centre,
+            x_axis: is_part.then(|| std::array::from_fn(|axis| x_axis[axis] - origin[axis])),
+            dimensions: Vec::new(),
+            turned: if is_part {
+                let turn = (x_axis[1] - origin[1]).atan2(x_axis[0] - origin[0]);
+                Some(line("turned about the vertical", degrees(turn.rem_euclid(TAU))))
+            } else {
+                let bearing = best.space().map(|hold| hold.bearing).filter(|&bearing| bearing != 0.0);
+                bearing.map(|bearing| line("turned about the joint-1 axis", degrees(bearing)))
+            },
+        };
+        siting.dimensions = if is_part {
+            from_an_origin(&siting, "the middle of its underside", "the machined faces")
+        } else {
+            of_a_zone(&siting)
+        };
+        Some(siting)
+    }
+
+    /// The zone may stand in one place only: its window is no larger than itself.
+    pub fn is_at_one_place(&self) -> bool {
+        let window = self.options.within;
+        let fits = |best: &Placement, within: Within| {
+            let rim = self.rim(best);
+            let room = |window: Interval, axis: usize| window.width() - extent(&rim, axis);
+            room(within.x, 0) < NO_ROOM && room(within.z, 2) < NO_ROOM
+        };
+        let best = self.best().filter(|best| best.faces.is_empty());
+        best.zip(window).is_some_and(|(best, within)| fits(best, within))
+    }
+
+    /// At which place it stands, in words.
+    pub fn where_it_stands(&self) -> &'static str {
+        if self.is_at_one_place() { "at the place asked for" } else { "at its best place" }
+    }
+
+    /// How far beside the joint-1 axis the zone's centre stands before it is turned, m: the arm plane's own offset.
+    fn aside(&self, best: &Placement) -> f64 {
+        match (&self.robot.arm, best.space()) {
+            (Arm::SixAxis { geometry, .. }, None) => geometry.b,
+            _ => 0.0,
+        }
+    }
+
+    /// The rim of the zone straight ahead, from the base.
+    fn rim(&self, best: &Placement) -> Vec<Vector3<f64>> {
+        let corners = corners(self.task.zone);
+        let [x, z] = best.centre;
+        match best.space() {
+            None => {
+                let (s, c) = best.angle.sin_cos();
+                let y = self.aside(best);
+                corners.iter().map(|[u, v]| Vector3::new(x + c * u - s * v, y, z + s * u + c * v)).collect()
+            }
+            Some(hold) => {
+                let work = WorkPlacement { x, y: 0.0, z, yaw: hold.yaw, angle: best.angle, roll: hold.roll };
+                let plane = WorkPlane::of(self.options.stance().elevation, &work);
+                corners.iter().map(|&at| plane.point(&work, at)).collect()
+            }
+        }
+    }
+}
+
+/// The corners of a zone, along its sides, m; a circle has many.
+fn corners(zone: Zone) -> Vec<[f64; 2]> {
+    match zone {
+        Zone::Rectangle { .. } => [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|at| zone.at(at)).into(),
+        Zone::Circle { diameter } => (0..CORNERS)
+            .map(|i| TAU * i as f64 / CORNERS as f64)
+            .map(|turn| [turn.cos(), turn.sin()].map(|part| part * diameter / 2.0))
+            .collect(),
+    }
+}
+
+/// The rim of a face of a part, from the base.
+fn rim_of(placed: &FacePlacement) -> Vec<Vector3<f64>> {
+    let [x, y, z] = placed.centre;
+    let work = WorkPlacement { x, y, z, yaw: placed.hold.yaw, angle: 0.0, roll: placed.hold.roll };
+    let plane = WorkPlane::of(placed.face.elevation, &work);
+    corners(placed.face.zone).into_iter().map(|at| plane.point(&work, at)).collect()
+}
+
+impl MillAnswer {
+    /// Where the path stands, followed there or not; `None` where it has no place, or nothing is known of the base.
+    pub fn siting(&self) -> Option<Siting> {
+        let placement = self.placement.filter(|_| self.robot.knows_base())?;
+        let cell = self.ground.cell;
+        let cell_from_base = cell.map_or_else(Pose::identity, |cell| cell.mount.cell_from_base);
+        let pose = cell_from_base * placement.base_from_part();
+        let is_apart =
+            |one: &Station, next: &Station| !next.sample.is_cutting || !one.sample.is_cutting || next.is_fresh;
+        let cut = |cut: &[Station]| -> Vec<[f64; 3]> {
+            let tip = |station: &Station| (pose * Point3::from(station.sample.pose.tip)).coords.into();
+            // The last one closes what is closed.
+            let stride = cut.len().div_ceil(MOST_POINTS).max(1);
+            cut.iter().step_by(stride).chain(cut.last().filter(|_| 1 < stride)).map(tip).collect()
+        };
+        let cuts = self.stations.chunk_by(|one, next| !is_apart(one, next));
+        let cuts = cuts.filter(|cut| cut[0].sample.is_cutting);
+        let mut siting = Siting {
+            origin: if cell.is_some() { "the origin of the cell" } else { "the base" },
+            foot: cell_from_base.translation.vector.into(),
+            floor: cell.map(|_| 0.0),
+            lines: cuts.map(cut).collect(),
+            centre: placement.at,
+            is_closed: false,
+            x_axis: Some((pose.rotation * Vector3::x()).into()),
+            dimensions: Vec::new(),
+            turned: Some(line(
+                if cell.is_some() {
+                    "the path's x axis from the cell's, counterclockwise from above"
+                } else {
+                    "the path's x axis from straight ahead, counterclockwise from above"
+                },
+                degrees(placement.yaw),
+            )),
+        };
+        siting.dimensions = from_an_origin(&siting, "the path's origin", "the path");
+        Some(siting)
+    }
+}
+
+impl Siting {
+    /// From where to where the zone goes along an axis, m.
+    pub fn extent(&self, axis: usize) -> [f64; 2] {
+        let along = || self.lines.iter().flatten().map(|point| point[axis]);
+        [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// For people: what is measured, line by line.
+    pub fn measured(&self) -> Vec<Line> {
+        let mut lines: Vec<Line> =
+            self.dimensions.iter().map(|one| line(&one.name, format!("{} mm", one.text))).collect();
+        lines.extend(self.turned.clone());
+        lines
+    }
+}
+
+/// How far points reach along an axis, m.
+fn extent(points: &[Vector3<f64>], axis: usize) -> f64 {
+    let along = || points.iter().map(|point| point[axis]);
+    along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::words::fixed;
+    use super::*;
+    use crate::request::{Pair, Request, Spelling, Verb};
+    use stiffarm::catalogue::paper_robots;
+    use stiffarm::load::Load;
+    use stiffarm::model::ModelKind;
+    use stiffarm::part::Part;
+    use stiffarm::place::{PlaceOptions, place_task_watched};
+    use stiffarm::spatial::Pose;
+    use stiffarm::task::Task;
+    use stiffarm::toolpath::Builtin;
+    use stiffarm::watch::Watch;
+
+    fn placed(task: &str, kind: ModelKind) -> PlaceAnswer {
+        let robot = paper_robots().swap_remove(4);
+        let (model, task) = (kind.of(&robot).unwrap(), task.parse::<Task>().unwrap());
+        let options = PlaceOptions::under(Load::PAPER);
+        let placed = place_task_watched(&model, &task, &options, Watch::nobody()).unwrap();
+        PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None, advice: None }
+    }
+
+    #[test]
+    fn a_zone_of_the_arm_plane_is_as_long_and_as_high_as_it_is() {
+        let answer = placed("rect:0.4x0.6", ModelKind::Planar);
+        let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
+        let [across, aside, up] = [0, 1, 2].map(|axis| siting.extent(axis));
+        // Its first side lies level, its second one stands.
+        assert!(
+            (across[0] - (best.centre[0] - 0.2)).abs() < 1e-12 && (across[1] - (best.centre[0] + 0.2)).abs() < 1e-12
+        );
+        assert!((up[0] - (best.centre[1] - 0.3)).abs() < 1e-12 && (up[1] - up[0] - 0.6).abs() < 1e-12);
+        assert_eq!(aside[0], aside[1]);
+        assert_eq!(siting.measured()[1], ["from there to its highest edge".to_owned(), "600.0 mm".into()]);
+    }
+
+    #[test]
+    fn a_window_as_large_as_the_zone_leaves_it_one_place() {
+        for kind in [ModelKind::Planar, ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2))] {
+            let mut answer = placed("circle:0.3", kind);
+            assert!(!answer.is_at_one_place());
+            let [x, z] = answer.best().unwrap().centre;
+            let up = if kind == ModelKind::Planar { 0.15 } else { 0.0 };
+            let (ahead, z) = (Interval::spanning(x - 0.15, x + 0.15), Interval::spanning(z - up, z + up));
+            answer.options.within = Some(Within { x: ahead, z });
+            assert!(answer.is_at_one_place());
+            answer.options.within = Some(Within { x: Interval::spanning(x - 0.15, x + 0.151), z });
+            assert!(!answer.is_at_one_place());
+        }
+    }
+
+    #[test]
+    fn a_level_zone_has_the_height_of_its_face_and_its_sides() {
+        let answer = placed("rect:0.3x0.2", ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2)));
+        let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
+        let told = siting.measured();
+        assert!(told[0][0].starts_with("height of the worked face"), "{told:?}");
+        assert_eq!(told[0][1], format!("{} mm", fixed(best.centre[1] * 1e3, 1)));
+        let sides: Vec<f64> = [0, 1].map(|axis| siting.extent(axis)).iter().map(|[low, high]| high - low).collect();
+        // The area of a rectangle that is turned by a quarter or not at all.
+        assert!((sides[0] * sides[1] - 0.06).abs() < 1e-9, "{sides:?}");
+        let nearest = best.from_axis_1.unwrap();
+        let [near, _] = siting.extent(0);
+        assert!((nearest - near).abs() < 1e-9, "straight ahead, the near edge is the nearest: {nearest} {near}");
+    }
+
+    /// A box of 0.4 x 0.3 x 0.1 m, of which top and front are machined, turned by whatever is best: its corners by hand.
+    #[test]
+    fn a_part_stands_with_the_rims_of_its_faces() {
+        let kind = ModelKind::Spatial(Pose::translation(0.0, 0.0, 0.2));
+        let robot = paper_robots().swap_remove(4);
+        let part = Part::of_box([0.4, 0.3, 0.1]).with_faces(&["top".into(), "front".into()]).unwrap();
+        let (model, task) = (kind.of(&robot).unwrap(), Task::from(part));
+        let options = PlaceOptions::under(Load::PAPER);
+        let placed = place_task_watched(&model, &task, &options, Watch::nobody()).unwrap();
+        let answer = PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm: None, advice: None };
+        let (best, siting) = (answer.best().unwrap(), answer.siting().unwrap());
+        let ([x, z], (s, c)) = (best.centre, best.angle.sin_cos());
+        let at = |[u, v, w]: [f64; 3]| [x + c * u - s * v, s * u + c * v, z + w];
+        let has = |rim: &[[f64; 3]], corner: [f64; 3]| {
+            rim.iter().any(|found| (0..3).all(|i| (found[i] - at(corner)[i]).abs() < 1e-12))
+        };
+        let [top, front] = siting.lines.as_slice() else { panic!("two faces: {:?}", siting.lines) };
+        for (u, v) in [(-0.2, -0.15), (-0.2, 0.15), (0.2, -0.15), (0.2, 0.15)] {
+            assert!(has(top, [u, v, 0.1]), "{u} {v}: {top:?}");
+        }
+        for (v, w) in [(-0.15, 0.0), (-0.15, 0.1), (0.15, 0.0), (0.15, 0.1)] {
+            assert!(has(front, [-0.2, v, w]), "{v} {w}: {front:?}");
+        }
+        assert!(
+            siting.is_closed && siting.x_axis.is_some_and(|axis| (axis[0] - c).abs() + (axis[1] - s).abs() < 1e-12)
+        );
+        let told = siting.measured();
+        assert_eq!(told[0][0], "height of the middle of its underside above the base");
+        assert_eq!([0, 1, 2].map(|i| told[i][1].clone()), [z, x, 0.0].map(|m| format!("{} mm", fixed(m * 1e3, 1))));
+        assert_eq!(told[5], ["extent of the machined faces upwards".to_owned(), "100.0 mm".into()]);
+        assert_eq!(told.last().unwrap()[1], degrees(best.angle));
+    }
+
+    /// A line of 0.4 m along the part's x axis about its origin, turned by 30 deg: by hand.
+    #[test]
+    fn a_path_stands_where_its_origin_and_its_yaw_put_it() {
+        let told = [("path", "line:0.4"), ("robot", "it"), ("force-n", "400"), ("at", "1.7,0.3,0.8,30")];
+        let pair = |(name, text): (&str, &str)| Pair { name: name.into(), text: text.into(), at: Spelling::Typed };
+        let asked = Request::read(Verb::Mill, &told.map(pair), Spelling::Typed).unwrap();
+        let moves = "line:0.4".parse::<Builtin>().unwrap().moves(None);
+        let robot = paper_robots().swap_remove(4);
+        let answer = MillAnswer::of(&asked, &robot, ("line:0.4".into(), &moves), None, Watch::nobody()).unwrap();
+        let siting = answer.siting().unwrap();
+        let (s, c) = 30_f64.to_radians().sin_cos();
+        let near = |found: [f64; 3], expected: [f64; 3]| (0..3).all(|i| (found[i] - expected[i]).abs() < 1e-12);
+        assert!(near(siting.x_axis.unwrap(), [c, s, 0.0]));
+        let [line] = siting.lines.as_slice() else { panic!("one cut: {:?}", siting.lines) };
+        let [from, to] = [line[0], line[line.len() - 1]];
+        let along: Vec<f64> = (0..3).map(|i| to[i] - from[i]).collect();
+        assert!(near([along[0], along[1], along[2]], [0.4 * c, 0.4 * s, 0.0]), "{from:?} {to:?}");
+        assert!(line.len() <= MOST_POINTS + 1);
+        let told = siting.measured();
+        let length = |i: usize| told[i][1].as_str();
+        assert_eq!([0, 1, 2].map(length), ["800.0 mm", "1700.0 mm", "300.0 mm"]);
+        assert_eq!([3, 4].map(length), ["346.4 mm", "200.0 mm"], "0.4 m times cosine and sine");
+        assert_eq!(told[5][1], "30.0 deg");
+    }
+}

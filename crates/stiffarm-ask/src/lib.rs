@@ -1,0 +1,8 @@
+//! What can be asked of [`stiffarm`], and what is answered: one place for the program, the server, the page and Python.
+//!
+//! The modules in reading order: [`request`], [`answer`]. Each uses only those before it.
+//!
+//! Here, and where [`stiffarm`] reads or writes files, mm and degrees exist; the mathematics is in SI units.
+
+pub mod answer;
+pub mod request;

@@ -1,0 +1,318 @@
+//! What can be asked? Every option once, and a request: what is given under their names, checked.
+//!
+//! The command line, Python and job files are readers of [`SETTINGS`]: each hands over names and texts, and all refuse the
+//! same in the same words, in their own spelling.
+
+mod cell;
+mod command;
+mod forces;
+mod identify;
+pub mod job;
+mod kind;
+mod measure;
+mod notation;
+mod on_path;
+mod options;
+mod path;
+mod python;
+mod refusal;
+mod sent;
+mod settings;
+mod sides;
+mod wishes;
+
+pub use kind::{Count, Kind};
+pub use notation::{
+    Angle, Force, block, degrees, elevation, force, marker, mount, number, open_range, pin, point, roll, shape,
+    spindle, tool, way, window, within, yaw,
+};
+pub use options::{Held, Unasked, Wanted, distinct};
+pub use refusal::{Refusal, Spelling};
+pub use sent::sent;
+pub use settings::{Absent, Of, SETTINGS, Setting, Verb};
+pub use sides::SetupError;
+pub use wishes::Layer;
+
+use kind::Value;
+use refusal::shown;
+
+/// A name and a text, as a reader found them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pair {
+    /// The name of the option in the spelling of its reader, without dashes before it.
+    pub name: String,
+    /// Its value; of an option that takes several, some of them with commas between.
+    pub text: String,
+    /// How the reader spells, and where it found this.
+    pub at: Spelling,
+}
+
+/// What is asked of a verb: every option known to it and its model, every value in its range.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// What is asked.
+    pub verb: Verb,
+    /// How whoever asks spells what is missing.
+    reader: Spelling,
+    given: Vec<Given>,
+    /// The force of the process that was given, once its file was read.
+    process_force: Option<Force>,
+}
+
+/// An option with its values.
+#[derive(Clone, Debug)]
+struct Given {
+    setting: &'static Setting,
+    at: Spelling,
+    texts: Vec<String>,
+    values: Vec<Value>,
+}
+
+impl Request {
+    /// Reads what was given, and checks it against [`SETTINGS`]. What is required is asked for by the functions that tell
+    /// it, so that a face may bring it in another way.
+    ///
+    /// # Errors
+    /// The first fault: names, then values, then what does not go together.
+    pub fn read(verb: Verb, pairs: &[Pair], reader: Spelling) -> Result<Self, Refusal> {
+        let mut given: Vec<Given> = Vec::new();
+        for pair in pairs {
+            let setting = setting_of(verb, pair)?;
+            let (texts, values) = read_values(setting, pair)?;
+            match given.iter_mut().find(|known| known.setting.name == setting.name) {
+                None => given.push(Given { setting, at: pair.at.clone(), texts, values }),
+                Some(known) if setting.is_list() => {
+                    known.texts.extend(texts);
+                    known.values.extend(values);
+                }
+                Some(_) => return Err(Refusal::Twice { at: pair.at.clone(), name: pair.at.name(setting) }),
+            }
+        }
+        let request = Self { verb, reader, given, process_force: None };
+        if verb == Verb::Compare {
+            // What goes together is a matter of each setup, whose job file may say more.
+            request.given.iter().try_for_each(check_count)?;
+            return Ok(request);
+        }
+        for given in &request.given {
+            check_count(given)?;
+            request.check_model(given)?;
+            request.check_others(given)?;
+        }
+        request.check_long_side()?;
+        request.check_parts()?;
+        request.check_force()?;
+        request.check_markers()?;
+        request.check_dry()?;
+        request.check_silent()?;
+        request.check_regions()?;
+        request.check_runs()?;
+        request.check_filters()?;
+        Ok(request)
+    }
+
+    /// Checks that everything is given that must be.
+    ///
+    /// # Errors
+    /// The first that is missing.
+    pub fn check_complete(&self) -> Result<(), Refusal> {
+        let missing = |setting: &&Setting| setting.absent == Absent::Required && !self.is_given(setting.name);
+        self.verb.settings().find(missing).map_or(Ok(()), |setting| Err(self.missing(setting.name)))
+    }
+
+    /// Was it given, rather than left to its default?
+    pub fn is_given(&self, name: &str) -> bool {
+        self.find(name).is_some()
+    }
+
+    /// What was given, and how many values of it.
+    pub fn counts(&self) -> impl Iterator<Item = (&'static str, usize)> + '_ {
+        self.given.iter().map(|given| (given.setting.name, given.values.len()))
+    }
+
+    fn find(&self, name: &str) -> Option<&Given> {
+        self.given.iter().find(|given| given.setting.name == name)
+    }
+
+    /// What was given, or the default.
+    fn values(&self, name: &str) -> Vec<Value> {
+        if let Some(given) = self.find(name) {
+            return given.values.clone();
+        }
+        self.verb.setting(name).map_or_else(Vec::new, default_of)
+    }
+
+    /// An option belongs to the models to which it, and what it needs, belong.
+    fn check_model(&self, given: &Given) -> Result<(), Refusal> {
+        let (at, name, model) = (given.at.clone(), given.at.name(given.setting), given.at.model("spatial"));
+        let mut next = Some(given.setting);
+        while let Some(setting) = next {
+            match setting.of {
+                Of::Spatial if !self.is_spatial() => return Err(Refusal::NeedsModel { at, name, model }),
+                Of::Planar if self.is_spatial() => return Err(Refusal::NotInSpace { at, name, model }),
+                _ => next = self.needed(setting),
+            }
+        }
+        Ok(())
+    }
+
+    fn needed(&self, setting: &Setting) -> Option<&'static Setting> {
+        let (_, name) = setting.needs.iter().find(|(verb, _)| *verb == self.verb)?;
+        self.verb.setting(name)
+    }
+
+    fn check_others(&self, given: &Given) -> Result<(), Refusal> {
+        let Given { setting, at, .. } = given;
+        let (at, name) = (at.clone(), at.name(setting));
+        // A process says what a force would.
+        let is_said = |other: &str| self.is_given(other) || other == "force-n" && self.is_given("process");
+        if let Some(other) = self.needed(setting).filter(|other| !is_said(other.name)) {
+            let other = at.name(other);
+            return Err(Refusal::Needs { at, name, other });
+        }
+        match setting.excludes.iter().find_map(|other| self.find(other)) {
+            None => Ok(()),
+            Some(other) => {
+                let other = other.at.name(other.setting);
+                Err(Refusal::Excludes { at, name, other })
+            }
+        }
+    }
+
+    /// Of a path that is only read nothing is milled.
+    fn check_dry(&self) -> Result<(), Refusal> {
+        if self.verb != Verb::Mill || !self.is_dry() {
+            return Ok(());
+        }
+        match self.given.iter().find(|given| !settings::milling::is_of_reading(given.setting)) {
+            None => Ok(()),
+            Some(Given { setting, at, .. }) => {
+                let other = self.verb.setting("dry").map_or_else(String::new, |dry| at.name(dry));
+                Err(Refusal::Excludes { at: at.clone(), name: at.name(setting), other })
+            }
+        }
+    }
+
+    /// On several tasks no one knows which side is meant.
+    fn check_long_side(&self) -> Result<(), Refusal> {
+        let is_long = matches!(self.angle(), Angle::Horizontal | Angle::Vertical);
+        match (self.find("angle"), self.verb.setting("task")) {
+            (Some(Given { setting, at, .. }), Some(task)) if is_long && 1 < self.tasks().len() => {
+                Err(Refusal::LongSide { at: at.clone(), name: at.name(setting), task: at.name(task) })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// A part is placed, not mapped, says itself how the tool meets each face, and has the faces that are asked for.
+    fn check_parts(&self) -> Result<(), Refusal> {
+        let refused = |name: &str, why: &str| {
+            let given = self.find(name).expect("it was given");
+            Refusal::Unanswered { at: given.at.clone(), name: given.at.name(given.setting), why: why.into() }
+        };
+        if self.verb == Verb::Map {
+            let is_part = self.zone().is_some_and(|zone| zone.part.is_some());
+            return if is_part {
+                Err(refused("zone", "a map draws one flat zone; place takes a part"))
+            } else {
+                Ok(())
+            };
+        }
+        let tasks = self.works();
+        let has_part = tasks.iter().any(|task| task.part.is_some());
+        for name in ["tool-direction", "yaw-deg"] {
+            if has_part && self.is_given(name) {
+                return Err(refused(name, "a part says itself how the tool meets each face"));
+            }
+        }
+        if !self.is_given("faces") {
+            return Ok(());
+        }
+        if !has_part {
+            return Err(refused("faces", "a flat zone is one face; a part is such as box:0.8x0.5x0.1"));
+        }
+        for part in tasks.iter().filter_map(|task| task.part.as_ref()) {
+            part.with_faces(&self.texts("faces")).map_err(|error| refused("faces", &error.to_string()))?;
+        }
+        Ok(())
+    }
+
+    fn missing(&self, name: &str) -> Refusal {
+        let setting = self.verb.setting(name);
+        Refusal::Missing {
+            at: self.reader.clone(),
+            name: setting.map_or_else(|| self.reader.bare(name), |setting| self.reader.with_value(setting)),
+            expected: setting.map_or_else(String::new, |setting| in_sentence(setting.help)),
+        }
+    }
+}
+
+/// A line of help as part of a sentence: "the robot", but "G-code".
+fn in_sentence(help: &str) -> String {
+    let is_word = |letter: char| letter.is_lowercase() || letter == ' ';
+    match help.split_at_checked(1) {
+        Some((first, rest)) if rest.starts_with(is_word) => first.to_lowercase() + rest,
+        _ => help.to_owned(),
+    }
+}
+
+/// What an option means where it is not given; nothing where no value says it.
+fn default_of(setting: &Setting) -> Vec<Value> {
+    match setting.absent {
+        Absent::Default(text) => {
+            parts(setting, text).map(|part| setting.kind.read(part).expect("a default is understood")).collect()
+        }
+        Absent::Means(_) | Absent::Optional | Absent::Required => Vec::new(),
+    }
+}
+
+fn check_count(given: &Given) -> Result<(), Refusal> {
+    let Given { setting, at, values, .. } = given;
+    let Count { least, most, is_one_or_all, what, expected } = setting.count;
+    let count = values.len();
+    if (least..=most).contains(&count) && !(is_one_or_all && least < count && count < most) {
+        return Ok(());
+    }
+    Err(Refusal::Count { at: at.clone(), name: at.name(setting), count, what, expected })
+}
+
+/// The row that a name means to its reader.
+fn setting_of(verb: Verb, pair: &Pair) -> Result<&'static Setting, Refusal> {
+    let Pair { name, at, .. } = pair;
+    let is_meant = |setting: &&Setting| match at {
+        Spelling::Keyword => setting.keyword() == *name,
+        Spelling::Typed | Spelling::Key { .. } | Spelling::Sent => setting.name == name,
+    };
+    if let Some(setting) = verb.settings().find(is_meant) {
+        return Ok(setting);
+    }
+    let of: Vec<Verb> = Verb::ALL.into_iter().filter(|verb| verb.settings().any(|row| is_meant(&row))).collect();
+    let (at, name) = (at.clone(), at.bare(name));
+    if !of.is_empty() {
+        return Err(Refusal::Verb { at, name, verb, of });
+    }
+    let near = verb.settings().map(|setting| (stiffarm::plain::alike(setting.name, &pair.name), setting.name));
+    let near = near.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(score, _)| 0.8 < *score);
+    Err(Refusal::Unknown { at, name, verb, near: near.map(|(_, near)| near) })
+}
+
+/// The texts of one value each.
+fn parts<'a>(setting: &Setting, text: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
+    let between = if matches!(setting.kind, Kind::Within | Kind::Block | Kind::Marker) { ';' } else { ',' };
+    if setting.is_list() { Box::new(text.split(between)) } else { Box::new(std::iter::once(text)) }
+}
+
+fn read_values(setting: &Setting, pair: &Pair) -> Result<(Vec<String>, Vec<Value>), Refusal> {
+    let mut found = (Vec::new(), Vec::new());
+    for part in parts(setting, &pair.text) {
+        let value = setting.kind.read(part).map_err(|expected| Refusal::Value {
+            at: pair.at.clone(),
+            name: pair.at.with_value(setting),
+            text: shown(part),
+            expected: stiffarm::plain::on_one_line(&expected).into_owned(),
+        })?;
+        found.0.push(part.to_owned());
+        found.1.push(value);
+    }
+    Ok(found)
+}

@@ -1,0 +1,85 @@
+//! What does `rank` or `place` ask whose task is a toolpath? The same as `mill`: of several robots, or at the best place of one.
+
+use super::settings::FILTERS;
+use super::{Pair, Refusal, Request, Spelling, Verb};
+use stiffarm::toolpath::Format;
+
+/// Whether the text of a task names a toolpath: a file with an ending that is known, or a built-in path that is no zone.
+pub(super) fn is_path(text: &str) -> bool {
+    let text = text.trim();
+    text.starts_with("line:") || text.starts_with("raster:") || Format::of_name(text).is_some()
+}
+
+/// The pairs as `mill` is asked them, where their task is a toolpath.
+///
+/// # Errors
+/// Where other tasks stand beside it, or the planar model is asked for, which knows no tool.
+fn of_path(verb: Verb, pairs: &[Pair]) -> Result<Option<Vec<Pair>>, Refusal> {
+    if !matches!(verb, Verb::Rank | Verb::Place) {
+        return Ok(None);
+    }
+    let is = |pair: &Pair, name: &str| {
+        let setting = verb.setting(name);
+        pair.name == name || pair.at == Spelling::Keyword && setting.is_some_and(|row| row.keyword() == pair.name)
+    };
+    let mut tasks = pairs.iter().filter(|pair| is(pair, "task"));
+    let Some(path) = tasks.clone().find(|pair| pair.text.split(',').any(is_path)) else { return Ok(None) };
+    let refused = |pair: &Pair, name: &str, why: &str| {
+        let name = verb.setting(name).map_or_else(|| pair.name.clone(), |setting| pair.at.name(setting));
+        Refusal::Unanswered { at: pair.at.clone(), name, why: why.into() }
+    };
+    // A built-in raster has no comma in it, and a file with one in its name would be taken for two tasks.
+    if 1 < tasks.clone().count() || tasks.any(|pair| pair.text.contains(',')) {
+        return Err(refused(path, "task", "has a toolpath beside other tasks; expected the path alone"));
+    }
+    let model = pairs.iter().find(|pair| is(pair, "model"));
+    if let Some(model) = model.filter(|model| model.text.trim() != "spatial") {
+        return Err(refused(model, "model", "does not go with a toolpath, which is milled with all six drives"));
+    }
+    let mut asked: Vec<Pair> = pairs
+        .iter()
+        .filter(|pair| !is(pair, "model"))
+        .map(|pair| if is(pair, "task") { Pair { name: "path".into(), ..pair.clone() } } else { pair.clone() })
+        .collect();
+    if verb == Verb::Rank && !pairs.iter().any(|pair| is(pair, "robots")) {
+        let is_chosen = |pair: &Pair| verb.settings().any(|row| row.heading == FILTERS && is(pair, row.name));
+        let text = if pairs.iter().any(is_chosen) { "all" } else { "paper" };
+        asked.push(Pair { name: "robots".into(), text: text.into(), at: path.at.clone() });
+    }
+    Ok(Some(asked))
+}
+
+impl Request {
+    /// As [`Request::read`]; of a task that is a toolpath [`Verb::Mill`] is asked, for whoever tells the answers of both.
+    ///
+    /// # Errors
+    /// As [`Request::read`].
+    pub fn of_task(verb: Verb, pairs: &[Pair], reader: Spelling) -> Result<Self, Refusal> {
+        match of_path(verb, pairs)? {
+            Some(pairs) => Self::read(Verb::Mill, &pairs, reader),
+            None => Self::read(verb, pairs, reader),
+        }
+    }
+
+    /// Several robots are ranked on a path, rather than one that mills it.
+    pub fn ranks_on_path(&self) -> bool {
+        self.verb == Verb::Mill && (self.is_given("robots") || self.filters().next().is_some())
+    }
+
+    /// What chooses among robots has no meaning for one.
+    pub(super) fn check_filters(&self) -> Result<(), Refusal> {
+        let robot = self.find("robot").filter(|_| self.verb == Verb::Mill);
+        match self.filters().next().zip(robot) {
+            Some((filter, robot)) => Err(Refusal::Excludes {
+                at: filter.at.clone(),
+                name: filter.at.name(filter.setting),
+                other: robot.at.name(robot.setting),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    fn filters(&self) -> impl Iterator<Item = &super::Given> {
+        self.given.iter().filter(|given| given.setting.heading == FILTERS)
+    }
+}

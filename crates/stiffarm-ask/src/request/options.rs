@@ -1,0 +1,169 @@
+//! How do the wishes of a request become options of the solvers, with the usual answer where nothing is said?
+
+use super::notation::Angle;
+use stiffarm::interval::Interval;
+use stiffarm::load::Load;
+use stiffarm::model::ModelKind;
+use stiffarm::place::{Margins, Orientation, PlaceOptions, Stance, Within};
+use stiffarm::spatial::Pose;
+use stiffarm::task::{Task, Zone};
+
+/// What is asked of a placement, whatever the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    /// Cutting force.
+    pub load: Load,
+    /// Where the zone may stand, m from the robot's base.
+    pub within: Option<Within>,
+    /// What every place keeps.
+    pub margins: Margins,
+    /// Of a rectangle.
+    pub angle: Angle,
+    /// Largest relative distance between a value and its proof; that of the paper's options where `None`.
+    pub gap: Option<f64>,
+}
+
+/// How the tool is held, in space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Held {
+    /// The tool frame in the flange frame; the flange where `None`.
+    pub tool: Option<Pose>,
+    /// Angle of the tool axis above the horizontal, deg; down where `None`.
+    pub elevation_deg: Option<f64>,
+    /// Angles of the zone about the vertical, rad; the best of a half turn where `None`.
+    pub yaw: Option<Interval>,
+    /// About the tool axis, deg; the best where `None`.
+    pub roll_deg: Option<f64>,
+}
+
+/// What a model cannot be asked; the first word is the name of the option.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unasked {
+    /// On a table no side is the upper one.
+    #[error(
+        "horizontal and vertical mean the long side on a wall; on a table give degrees, 0 has the first side ahead"
+    )]
+    LongSide,
+    /// A vertical tool has no yaw.
+    #[error("turns nothing where the tool points straight down or up; the angle of the zone does")]
+    Yaw,
+    /// A cell has three dimensions.
+    #[error("with y, or several of them, is a matter of the spatial model")]
+    CellInPlane,
+    /// A cell has a floor.
+    #[error(
+        "counts from the base; with --mount, windows with y, --keep-out or --clearance-mm the floor is that of the cell"
+    )]
+    Floor,
+    /// On a wall only the vertical has one direction.
+    #[error("on a mount that leans the tool points down or up")]
+    Leaning,
+    /// Only a flat zone has a middle that means something.
+    #[error("is the middle of one flat zone; expected one task that is no part")]
+    Middle,
+    /// Of a place that is given nothing is searched.
+    #[error("free is searched; at one place give degrees, 0 has the first side ahead")]
+    FreeAtOnePlace,
+    /// The same of a wall.
+    #[error("a range is searched; at one place give one angle, such as 0..0")]
+    YawAtOnePlace,
+    /// A figure needs a range with a width.
+    #[error("both ends are the same; expected such as 0..5")]
+    Scale,
+}
+
+impl Unasked {
+    /// The option that says it.
+    pub(super) const fn setting(self) -> &'static str {
+        match self {
+            Self::LongSide | Self::FreeAtOnePlace => "angle",
+            Self::Middle => "at",
+            Self::Yaw | Self::YawAtOnePlace => "yaw-deg",
+            Self::CellInPlane => "within",
+            Self::Leaning => "tool-direction",
+            Self::Floor => "floor",
+            Self::Scale => "scale",
+        }
+    }
+}
+
+impl Wanted {
+    /// The options of a model for one zone, or for zones of any shape where there is none.
+    ///
+    /// # Errors
+    /// Where the spatial model has no answer.
+    pub fn options(&self, model: &ModelKind, held: &Held, zone: Option<Zone>) -> Result<PlaceOptions, Unasked> {
+        let asked = PlaceOptions {
+            within: self.within,
+            gap: self.gap,
+            margins: self.margins,
+            ..PlaceOptions::under(self.load)
+        };
+        match model {
+            ModelKind::Planar => {
+                let zone = zone.unwrap_or(Zone::Circle { diameter: 1.0 }); // which side is long matters of one zone only
+                Ok(PlaceOptions { orientation: self.angle.orientation(zone), ..asked })
+            }
+            ModelKind::Spatial(_) => {
+                let (stance, orientation) = (held.stance()?, self.on_a_plane(held, zone)?);
+                Ok(PlaceOptions { orientation, stance: Some(stance), ..asked })
+            }
+        }
+    }
+
+    /// Of a rectangle on a table or a wall.
+    fn on_a_plane(&self, held: &Held, zone: Option<Zone>) -> Result<Orientation, Unasked> {
+        let is_wall = !Stance::tool_at(held.elevation()).is_vertical();
+        // On a wall 0 has the first side upright.
+        let long_side_at = |upright: f64, lying: f64| {
+            zone.map_or(Orientation::Axes, |zone| {
+                let [first, second] = zone.sides();
+                Orientation::Fixed(if second <= first { upright } else { lying }.to_radians())
+            })
+        };
+        match self.angle {
+            Angle::Axes => Ok(Orientation::Axes),
+            Angle::Free => Ok(Orientation::Free),
+            Angle::Degrees(angle) => Ok(Orientation::Fixed(angle.to_radians())),
+            Angle::Horizontal | Angle::Vertical if !is_wall => Err(Unasked::LongSide),
+            Angle::Vertical => Ok(long_side_at(0.0, 90.0)),
+            Angle::Horizontal => Ok(long_side_at(90.0, 0.0)),
+        }
+    }
+}
+
+impl Held {
+    fn stance(&self) -> Result<Stance, Unasked> {
+        let usual = Stance::tool_at(self.elevation());
+        if self.yaw.is_some() && usual.is_vertical() {
+            return Err(Unasked::Yaw);
+        }
+        Ok(Stance { yaw: self.yaw.unwrap_or(usual.yaw), roll: self.roll(), ..usual })
+    }
+
+    /// Of the tool axis above the horizontal, rad.
+    pub fn elevation(&self) -> f64 {
+        self.elevation_deg.unwrap_or(-90.0).to_radians()
+    }
+
+    /// The tool frame in the flange frame.
+    pub fn tool(&self) -> Pose {
+        self.tool.unwrap_or_else(Pose::identity)
+    }
+
+    /// About the tool axis, rad.
+    pub fn roll(&self) -> Option<f64> {
+        self.roll_deg.map(f64::to_radians)
+    }
+}
+
+/// Tasks of which no two have the same zone, in their order.
+pub fn distinct(tasks: &[Task]) -> Vec<Task> {
+    let mut kept: Vec<Task> = Vec::new();
+    for task in tasks {
+        if !kept.iter().any(|known| known.is_same_work(task)) {
+            kept.push(task.clone());
+        }
+    }
+    kept
+}

@@ -1,0 +1,242 @@
+//! What does a request ask of a toolpath, and of a process?
+
+use super::kind::Value;
+use super::wishes::number;
+use super::{Force, Refusal, Request, Verb};
+use stiffarm::cell::Block;
+use stiffarm::load::Load;
+use stiffarm::mill::{Acting, ErrorPart, MillOptions, PartPlacement, PathGround};
+use stiffarm::place::PlaceOptions;
+use stiffarm::spatial::Pose;
+use stiffarm::toolpath::{
+    ArcCentres, ArcSense, Builtin, CutterCompensation, Format, Gathered, IncrementalCycles, LengthUnit, Move,
+    ReadOptions, Rotary, Steps,
+};
+
+/// What may be said of files, and of which: see `toolpath`.
+const SILENT_OF: [(&str, &[Format]); 8] = [
+    ("read-as", &Format::ALL),
+    ("unit", &Format::ALL),
+    ("arc-centres", &[Format::GCode]),
+    ("arc-sense", &[Format::Apt]),
+    ("cutter-compensation", &[Format::GCode, Format::Apt]),
+    ("incremental-cycles", &[Format::GCode]),
+    ("rotary", &[Format::GCode]),
+    ("columns", &[Format::Csv]),
+];
+
+impl Request {
+    /// The toolpath: a file's name, or a path built in.
+    ///
+    /// # Errors
+    /// Where it is missing.
+    pub fn path(&self) -> Result<String, Refusal> {
+        self.texts("path").pop().ok_or_else(|| self.missing("path"))
+    }
+
+    /// The one tool of the path whose cuts are meant, where that is said.
+    pub fn only_tool(&self) -> Option<u32> {
+        let whole = |value| if let Value::Whole(whole) = value { u32::try_from(whole).ok() } else { None };
+        self.one("only-tool", whole)
+    }
+
+    /// The process file's name.
+    ///
+    /// # Errors
+    /// Where it is missing.
+    pub fn process(&self) -> Result<String, Refusal> {
+        self.given_process().ok_or_else(|| self.missing("process"))
+    }
+
+    /// The same, where one is given.
+    pub fn given_process(&self) -> Option<String> {
+        self.texts("process").pop()
+    }
+
+    /// What pushes on the tool, where that is said as a force.
+    ///
+    /// # Errors
+    /// A force of zero, or of more than 1 MN.
+    pub fn acting(&self) -> Result<Option<Acting>, Refusal> {
+        let force = self.one("force-n", |value| if let Value::Force(force) = value { Some(force) } else { None });
+        let Some(force) = force else { return Ok(None) };
+        let (acting, load) = match force {
+            Force::Size(newtons) => (Acting::Any(newtons), Load::worst(newtons)),
+            Force::Along(force) => (Acting::Known { force, moment: 0.0 }, Load::along_tool(force, None)),
+        };
+        load.map(|_| Some(acting)).map_err(|error| self.refused("force-n", error.to_string()))
+    }
+
+    /// Where the path's origin stands, where that is given: in the cell, where the robot is mounted in one.
+    pub fn at(&self) -> Option<PartPlacement> {
+        let base_from_cell = self.mount().map_or_else(Pose::identity, |mount| mount.cell_from_base.inverse());
+        let at = |at: [f64; 3], yaw: f64| Some(PartPlacement { at, yaw: yaw.to_radians(), base_from_cell });
+        match *self.all("at", number).as_slice() {
+            [x, y, z] => at([x, y, z], 0.0),
+            [x, y, z, yaw] => at([x, y, z], yaw),
+            _ => None,
+        }
+    }
+
+    /// The corners of the block from which a part is cut, m.
+    ///
+    /// # Errors
+    /// A block that is open somewhere.
+    pub fn stock(&self) -> Result<Option<[[f64; 3]; 2]>, Refusal> {
+        let block = self.one("stock-mm", |value| if let Value::Block(block) = value { Some(block) } else { None });
+        let Some(Block { x, y, z }) = block else { return Ok(None) };
+        let sides = [x, y, z];
+        if !sides.iter().all(|side| side.is_bounded()) {
+            return Err(self.refused("stock-mm", "expected both ends of all three ranges, in mm".into()));
+        }
+        Ok(Some([sides.map(|side| side.min() / 1e3), sides.map(|side| side.max() / 1e3)]))
+    }
+
+    /// What else is asked of a path that is milled.
+    pub fn mill_options(&self) -> MillOptions {
+        let usual = MillOptions::usual();
+        let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
+        let roll = |value| if let Value::Roll(roll) = value { Some(roll) } else { None };
+        MillOptions {
+            roll: self.one("roll", roll).unwrap_or(usual.roll),
+            part: match self.word("error") {
+                Some("across") => ErrorPart::Across,
+                Some("axial") => ErrorPart::Axial,
+                Some("normal") => ErrorPart::Normal,
+                _ => ErrorPart::Total,
+            },
+            limit_margin: radians("limit-margin-deg", usual.limit_margin),
+            singular_margin: radians("singular-margin-deg", usual.singular_margin),
+            share_of_speed: self.number("speed-share").unwrap_or(usual.share_of_speed),
+            tool_mass: self.tool_mass(),
+        }
+    }
+
+    /// Where along the path the roll is pinned, m, and to which angle, rad.
+    pub fn pins(&self) -> Vec<[f64; 2]> {
+        self.all("pin", |value| if let Value::Pin(pin) = value { Some(pin) } else { None })
+    }
+
+    /// The deflection is to be taken out.
+    pub fn is_compensated(&self) -> bool {
+        self.one("compensate", |value| if let Value::Truth(truth) = value { Some(truth) } else { None }) == Some(true)
+    }
+
+    /// By how much the logarithm of every drive's compliance may be off, where that is said.
+    pub fn stiffness_uncertainty(&self) -> Option<f64> {
+        self.number("stiffness-uncertainty")
+    }
+
+    /// Where all of a path must stand, and what it keeps besides: what a zone keeps.
+    ///
+    /// # Errors
+    /// A floor beside a cell, which has its own.
+    pub fn path_ground(&self) -> Result<PathGround, Refusal> {
+        let within = self.ahead();
+        let margins = self.margins(within);
+        let options = PlaceOptions { within, margins, ..PlaceOptions::under(Load::PAPER) };
+        let in_cell = self.cell(self.windows()).of(&options, true).map_err(|unasked| self.unanswered(unasked))?;
+        let PlaceOptions { margins, within, cell, .. } = in_cell;
+        Ok(PathGround { margins, within, cell })
+    }
+
+    /// Only what was understood of the path is told.
+    pub fn is_dry(&self) -> bool {
+        self.is_wished("dry")
+    }
+
+    /// How the path of this name is written: as was said, or as its name ends.
+    ///
+    /// # Errors
+    /// Where neither says it.
+    pub fn path_format(&self, name: &str) -> Result<Format, Refusal> {
+        // A path built in is not written at all.
+        if Builtin::is_meant(name) {
+            return Ok(Format::Csv);
+        }
+        let said = self.word("read-as").and_then(|word| Format::ALL.into_iter().find(|format| format.name() == word));
+        said.or_else(|| Format::of_name(name)).ok_or_else(|| {
+            let why = Format::not_read(name).map_or_else(
+                || format!("does not say by its ending how it is written; expected {}, or read-as", Format::ENDINGS),
+                |what| format!("is by its ending {what}"),
+            );
+            self.refused("path", why)
+        })
+    }
+
+    /// That what is said where a file is silent is said of such a file as this one: a path built in is silent of nothing, and each format
+    /// of something else.
+    pub(super) fn check_silent(&self) -> Result<(), Refusal> {
+        let Some(path) = self.texts("path").pop().filter(|_| self.verb == Verb::Mill) else { return Ok(()) };
+        let format = if Builtin::is_meant(&path) {
+            None
+        } else {
+            // Without a format nothing is read, which is refused where that is.
+            let Ok(format) = self.path_format(&path) else { return Ok(()) };
+            Some(format)
+        };
+        for (name, formats) in SILENT_OF {
+            let goes = format.is_some_and(|format| formats.contains(&format));
+            if self.is_given(name) && !goes {
+                let what = format.map_or("a path built in", |format| match format {
+                    Format::GCode => "G-code",
+                    Format::Apt => "APT",
+                    Format::Csv => "a table",
+                });
+                return Err(self.refused(name, format!("says nothing of {what}; expected it left out")));
+            }
+        }
+        Ok(())
+    }
+
+    /// What is said where a file of a path is silent.
+    pub fn read_options(&self) -> ReadOptions {
+        let cutter_compensation = match self.word("cutter-compensation") {
+            Some("centre") => CutterCompensation::Centre,
+            _ => CutterCompensation::Refuse,
+        };
+        ReadOptions {
+            unit: self.word("unit").map(|word| if word == "mm" { LengthUnit::Millimetre } else { LengthUnit::Inch }),
+            arc_centres: self
+                .word("arc-centres")
+                .map(|word| if word == "absolute" { ArcCentres::Absolute } else { ArcCentres::Incremental }),
+            cutter_compensation,
+            incremental_cycles: self.word("incremental-cycles").map(|word| match word {
+                "nist" => IncrementalCycles::Nist,
+                "r-plane" => IncrementalCycles::FromR,
+                _ => IncrementalCycles::FromInitial,
+            }),
+            rotary: self.word("rotary").map(|word| match word {
+                "head-ac" => Rotary::HeadAc,
+                "head-bc" => Rotary::HeadBc,
+                "table-ac" => Rotary::TableAc,
+                _ => Rotary::TableBc,
+            }),
+            arc_sense: self
+                .word("arc-sense")
+                .map(|word| if word == "left" { ArcSense::LeftHand } else { ArcSense::RightHand }),
+            columns: self.texts("columns"),
+            feed: self.number("feed-mm-per-min").map(|feed| feed / 60e3),
+        }
+    }
+
+    /// What takes the moves of the path, which may be cut into so many samples.
+    pub fn gathered(&self, most_samples: usize) -> Gathered {
+        Gathered::new(self.steps(), most_samples)
+    }
+
+    /// The moves that were taken, all of them.
+    ///
+    /// # Errors
+    /// Where they are cut into too many samples, by the name of the step.
+    pub fn all_moves(&self, gathered: Gathered) -> Result<Vec<Move>, Refusal> {
+        gathered.whole().map_err(|error| self.refused("step-mm", error.to_string()))
+    }
+
+    /// How finely a path is cut into samples.
+    pub fn steps(&self) -> Steps {
+        let metres = |name: &str, usual: f64| self.number(name).map_or(usual, |mm| mm / 1e3);
+        let usual = Steps::USUAL;
+        Steps { chord: metres("chord-mm", usual.chord), longest: metres("step-mm", usual.longest), ..usual }
+    }
+}

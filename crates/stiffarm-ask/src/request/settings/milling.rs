@@ -1,0 +1,426 @@
+//! What is asked of a part that is milled, of its toolpath and of a process.
+
+use stiffarm::cell::MOST_BLOCKS;
+
+use super::{Absent, Kind, MASS, ROW, SEVERAL, SPINDLE, Setting, Verb, WHOSE, count_of, number_of};
+
+const MILL: &[Verb] = &[Verb::Mill];
+/// Of a path that is milled.
+const MILLED: Setting = Setting { verbs: MILL, ..ROW };
+/// Of a toolpath.
+const PATH: Setting = Setting { verbs: MILL, heading: SILENT, ..ROW };
+/// The headings of what matters to reading alone.
+const SILENT: &str = "Where the file is silent";
+const SAMPLES: &str = "Samples";
+
+/// It has a meaning where a path is only read.
+pub(in crate::request) fn is_of_reading(setting: &Setting) -> bool {
+    [SILENT, SAMPLES].contains(&setting.heading) || ["path", "dry"].contains(&setting.name)
+}
+
+pub(super) const ROWS: &[Setting] = &[
+    Setting {
+        name: "path",
+        kind: Kind::File,
+        value: "PATH",
+        absent: Absent::Required,
+        help: "A toolpath: G-code, APT or CLS, or a CSV table; or a path built in, with sizes in m: circle:D, rect:AxB, line:L, raster:ZONE@STEP",
+        heading: "",
+        example: "circle:0.3",
+        is_positional: true,
+        ..PATH
+    },
+    Setting {
+        name: "dry",
+        kind: Kind::Flag,
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "Only tell what was understood of the path: lengths, moves, extents, feed rates, what was assumed and ignored",
+        heading: "",
+        example: "true",
+        ..PATH
+    },
+    Setting {
+        name: "robot",
+        kind: Kind::Robot,
+        value: "ROBOT",
+        excludes: &["robots"],
+        help: "The robot that mills: a name, or the path of a robot file; several are ranked by robots, dry needs none",
+        example: "KR 210 R2700 extra",
+        ..MILLED
+    },
+    Setting {
+        name: "robots",
+        kind: Kind::Robot,
+        count: SEVERAL,
+        value: "ROBOTS",
+        excludes: &["robot", "at", "compensate", "pendant-as-file"],
+        help: "Robots that are ranked on the path, each at its best place: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times",
+        example: "KR 210*,BT200L",
+        ..MILLED
+    },
+    Setting {
+        name: "only-tool",
+        kind: Kind::Whole { min: 0, max: 99_999_999 },
+        value: "N",
+        absent: Absent::Means("all of the path, which then has one tool"),
+        help: "Mill only what the tool of this number cuts (T, LOAD); each tool of a path has a process and a length of its own",
+        example: "2",
+        ..MILLED
+    },
+    Setting {
+        name: "process",
+        kind: Kind::File,
+        value: "PROCESS",
+        excludes: &["force-n"],
+        help: "A process file (TOML): tool, material and engagement, or a force as it is; the mean force over a revolution acts",
+        example: "endmill.toml",
+        ..MILLED
+    },
+    Setting {
+        name: "force-n",
+        kind: Kind::Force,
+        unit: "N",
+        value: "F",
+        excludes: &["process"],
+        help: "Cutting force on the tool: FEED,ACROSS,AXIAL (across: left of the feed, seen from the spindle; axial: away from the work), or its size, in its worst direction",
+        example: "300,-120,80",
+        ..MILLED
+    },
+    Setting {
+        name: "stock-mm",
+        kind: Kind::Block,
+        unit: "mm",
+        value: "BOX",
+        needs: &[(Verb::Mill, "process")],
+        help: "The block from which the part is cut, in the path's frame: x0..x1,y0..y1,z0..z1; entry, exit and depth of the cut are then computed along the path (three axes, flat mills)",
+        example: "-50..50,-50..50,-20..0",
+        ..MILLED
+    },
+    Setting {
+        name: "at",
+        kind: number_of(-1e3, 1e3, "m, and deg of yaw"),
+        count: count_of(3, 4, "numbers", "x,y,z in m, or x,y,z and the yaw in deg"),
+        value: "X,Y,Z,YAW",
+        absent: Absent::Means("the best place within --within"),
+        excludes: &["within", "robots", "keep-out", "clear-of-base-m", "floor"],
+        help: "Where the path's origin stands, m from the robot's base, or with --mount from the cell's origin, and by how many degrees the part is turned about the vertical",
+        example: "1.6,0,0.6,30",
+        ..MILLED
+    },
+    Setting {
+        name: "within",
+        keyword: "within_m",
+        kind: Kind::Within,
+        value: "RANGES",
+        absent: Absent::Means("in front of the joint-1 axis, above the floor"),
+        excludes: &["at"],
+        count: count_of(1, MOST_BLOCKS, "windows", "at most eight"),
+        help: "Where all of the path must stand, in m from the robot's base: x0..x1,z0..z1 about it, or x0..x1,y0..y1,z0..z1 in the cell (several with ; between); ranges may be left open, and with --mount count from the cell's floor",
+        example: "1.0..,0.5..2",
+        ..MILLED
+    },
+    Setting {
+        name: "mount",
+        kind: Kind::Mount,
+        value: "MOUNT",
+        absent: Absent::Means("floor"),
+        help: "How the base is mounted: floor, pedestal:H, wall:H, ceiling:H (H in m above the cell's floor), or pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical",
+        heading: "Cell",
+        example: "pedestal:0.5",
+        ..MILLED
+    },
+    Setting {
+        name: "keep-out",
+        kind: Kind::Block,
+        count: count_of(1, MOST_BLOCKS, "boxes", "at most eight"),
+        unit: "m",
+        value: "BOX",
+        excludes: &["at"],
+        help: "Where no part of the path may go: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several times",
+        heading: "Cell",
+        example: "1.0..2.0,-3.0..-1.5,..1.2",
+        ..MILLED
+    },
+    Setting {
+        name: "roll",
+        kind: Kind::Roll,
+        unit: "deg",
+        value: "MODE",
+        absent: Absent::Default("free"),
+        excludes: &["pin"],
+        help: "How the tool is turned about its axis: free (from sample to sample, as is best), constant (the best of all), linear (changing evenly), or so many degrees of its x axis from the part's, clockwise seen from the spindle",
+        example: "constant",
+        ..MILLED
+    },
+    Setting {
+        name: "pin",
+        kind: Kind::Pin,
+        count: SEVERAL,
+        value: "MM@DEG",
+        excludes: &["roll"],
+        needs: &[(Verb::Mill, "at")],
+        help: "So many mm along the path the roll must be so many degrees, and is as is best on the way there and on; separated by commas or given several times",
+        example: "0@30,150@75",
+        ..MILLED
+    },
+    Setting {
+        name: "error",
+        kind: Kind::Word(&[
+            ("total", "The whole displacement of the tip"),
+            ("across", "Its part across the feed and the tool axis: the contour that the side of the tool leaves"),
+            ("axial", "Its part along the tool axis: depth"),
+            ("normal", "Its part along the outward normal of the surface, which a table tells as nx,ny,nz"),
+        ]),
+        value: "PART",
+        absent: Absent::Default("total"),
+        help: "What of the displacement counts",
+        example: "across",
+        ..MILLED
+    },
+    Setting {
+        name: "tolerance-mm",
+        kind: number_of(1e-4, 1e3, "mm"),
+        unit: "mm",
+        value: "MM",
+        help: "Largest error that passes",
+        example: "0.3",
+        ..MILLED
+    },
+    Setting {
+        name: "compensate",
+        kind: Kind::Flag,
+        excludes: &["robots"],
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "Take the deflection out: tell what is left of it, and which joints and tips are to be commanded; -o writes programs with them",
+        heading: "Compensation",
+        example: "true",
+        ..MILLED
+    },
+    Setting {
+        name: "stiffness-uncertainty",
+        kind: number_of(0.0, 2.0, "(relative)"),
+        value: "SHARE",
+        absent: Absent::Means("as the robot file or the prior has it"),
+        needs: &[(Verb::Mill, "compensate")],
+        help: "By how much the compliance of every drive may be off: one standard deviation of its logarithm, for what compensation leaves",
+        heading: "Compensation",
+        example: "0.2",
+        ..MILLED
+    },
+    Setting {
+        name: "pendant-as-file",
+        kind: Kind::Flag,
+        excludes: &["robots"],
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "The pendant shows the joints as the robot file counts them (zeros, signs, joint 3): programs then begin with a move in joints where the file does not say so",
+        heading: "Programs",
+        example: "true",
+        ..MILLED
+    },
+    Setting {
+        name: "speed-share",
+        kind: number_of(1e-3, 1.0, "of the joints' speeds"),
+        value: "SHARE",
+        absent: Absent::Default("0.8"),
+        help: "Of the largest speed of every joint what is used while cutting, where the robot file tells speeds",
+        example: "0.5",
+        ..MILLED
+    },
+    Setting {
+        name: "limit-margin-deg",
+        kind: number_of(0.0, 90.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Default("5"),
+        help: "What every joint keeps from either end of its range",
+        heading: "Margins",
+        example: "10",
+        ..MILLED
+    },
+    Setting {
+        name: "singular-margin-deg",
+        kind: number_of(0.0, 45.0, "degrees"),
+        unit: "deg",
+        value: "DEG",
+        absent: Absent::Default("5"),
+        help: "What wrist and arm keep from straight",
+        heading: "Margins",
+        example: "10",
+        ..MILLED
+    },
+    Setting {
+        name: "clear-of-base-m",
+        kind: number_of(0.0, 100.0, "m"),
+        unit: "m",
+        value: "M",
+        absent: Absent::Means("the robot's own column, estimated as a1 + 0.15 (c2 + l3)"),
+        excludes: &["at"],
+        help: "What the whole path keeps from the joint-1 axis",
+        heading: "Margins",
+        example: "0.8",
+        ..MILLED
+    },
+    Setting {
+        name: "floor",
+        keyword: "floor_m",
+        kind: Kind::Floor,
+        unit: "m",
+        value: "M",
+        absent: Absent::Means("0, unless --within says how low the path may stand"),
+        excludes: &["at"],
+        help: "Height of the floor from the robot's base, or none; all of the path stands above it",
+        heading: "Margins",
+        example: "-0.5",
+        ..MILLED
+    },
+    Setting {
+        name: "tool-mm",
+        kind: Kind::Tool,
+        unit: "mm, deg",
+        value: "X,Y,Z",
+        absent: Absent::Means("the flange centre"),
+        excludes: &["tool"],
+        help: "Tool frame in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes; z out of the spindle to the tip",
+        heading: "Robot",
+        example: "0,0,150",
+        ..MILLED
+    },
+    Setting { name: "tool", verbs: MILL, of: super::Of::Any, heading: "Robot", ..SPINDLE },
+    Setting { verbs: MILL, heading: "Robot", ..MASS },
+    Setting { verbs: MILL, absent: Absent::Means("as the robot file has it, else prior"), example: "paper", ..WHOSE },
+    Setting {
+        name: "read-as",
+        kind: Kind::Word(&[("gcode", "RS-274"), ("apt", "APT or CLS"), ("csv", "A table of points")]),
+        value: "FORMAT",
+        absent: Absent::Means("by the ending of its name"),
+        help: "How the path is written",
+        example: "gcode",
+        ..PATH
+    },
+    Setting {
+        name: "unit",
+        kind: Kind::Word(&[("mm", ""), ("inch", "")]),
+        value: "UNIT",
+        absent: Absent::Means("mm"),
+        help: "Of lengths, where the file names none",
+        example: "inch",
+        ..PATH
+    },
+    Setting {
+        name: "arc-centres",
+        kind: Kind::Word(&[
+            ("incremental", "I, J, K count from the beginning of the arc"),
+            ("absolute", "They count from the origin"),
+        ]),
+        value: "FROM",
+        absent: Absent::Means("the reading in which arcs close"),
+        help: "What centres of arcs in G-code count from",
+        example: "absolute",
+        ..PATH
+    },
+    Setting {
+        name: "arc-sense",
+        kind: Kind::Word(&[
+            ("left", "Clockwise about their axis, as Siemens NX writes them"),
+            ("right", "Counter-clockwise, as SOLIDWORKS CAM does"),
+        ]),
+        value: "HAND",
+        absent: Absent::Means("that of the program which wrote the file"),
+        help: "In which sense arcs of APT turn",
+        example: "left",
+        ..PATH
+    },
+    Setting {
+        name: "cutter-compensation",
+        kind: Kind::Word(&[
+            ("refuse", "A path under G41 or G42 is refused"),
+            ("centre", "It is read as if it were that of the tool's centre"),
+        ]),
+        value: "HOW",
+        absent: Absent::Default("refuse"),
+        help: "What is done about a path that is not that of the tool's centre",
+        example: "centre",
+        ..PATH
+    },
+    Setting {
+        name: "incremental-cycles",
+        kind: Kind::Word(&[
+            ("nist", "R from the present level, Z from R, read anew at every hole (RS274/NGC)"),
+            ("r-plane", "R from the level at which the cycle began, Z from R"),
+            ("initial", "R and Z from the level at which the cycle began"),
+        ]),
+        value: "FROM",
+        absent: Absent::Means("such cycles are refused"),
+        help: "What R and Z of drilling cycles count from under G91",
+        example: "initial",
+        ..PATH
+    },
+    Setting {
+        name: "rotary",
+        kind: Kind::Word(&[
+            ("head-ac", "The spindle, by C about z and A about the turned x"),
+            ("head-bc", "The spindle, by C about z and B about the turned y"),
+            ("table-ac", "The part, by A about x and on it C about z"),
+            ("table-bc", "The part, by B about y and on it C about z"),
+        ]),
+        value: "MACHINE",
+        absent: Absent::Means("angles that turn anything are refused"),
+        help: "What A, B and C turn; X, Y and Z are the tip in the part",
+        example: "table-ac",
+        ..PATH
+    },
+    Setting {
+        name: "columns",
+        count: SEVERAL,
+        value: "NAMES",
+        absent: Absent::Means("the header"),
+        help: "Names of the columns of a CSV file without a header, separated by commas: x_mm, y_mm, z_mm, i, j, k or nx, ny, nz, feed_mm_per_min, rapid; - for one that moves nothing",
+        example: "x_mm,y_mm,z_mm",
+        ..PATH
+    },
+    Setting {
+        name: "feed-mm-per-min",
+        kind: number_of(1e-3, 1e6, "mm/min"),
+        unit: "mm/min",
+        value: "F",
+        help: "Feed rate, where the file says none",
+        example: "1000",
+        ..PATH
+    },
+    Setting {
+        name: "chord-mm",
+        kind: number_of(1e-6, 100.0, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Default("0.01"),
+        help: "By how much the chord between two samples may be off an arc",
+        heading: SAMPLES,
+        example: "0.1",
+        ..PATH
+    },
+    Setting {
+        name: "step-mm",
+        kind: number_of(1e-3, 10_000.0, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Default("10"),
+        help: "Longest way between two samples",
+        heading: SAMPLES,
+        example: "5",
+        ..PATH
+    },
+    Setting {
+        name: "process",
+        verbs: &[Verb::Force],
+        kind: Kind::File,
+        value: "PROCESS",
+        absent: Absent::Required,
+        help: "A process file (TOML): tool, material, engagement and spindle, or a force as it is",
+        example: "endmill.toml",
+        is_positional: true,
+        ..ROW
+    },
+];
