@@ -20,7 +20,7 @@ fn ran(variables: &[(&str, &str)], arguments: &[&str]) -> Ran {
     Ran { code, out: text(output.stdout), err: text(output.stderr) }
 }
 
-/// 0 answer, 1 failure, 2 usage, 3 tolerance not held or no place: as help and the README say.
+/// 0 answer, 1 failure, 2 usage, 3 tolerance not held or no place: as help and the reference say.
 #[test]
 fn exit_codes_are_as_help_says() {
     let cases: &[(&[&str], i32)] = &[
@@ -63,7 +63,8 @@ fn exit_codes_are_as_help_says() {
     for line in ["0  the answer is told", "1  no answer", "2  wrong usage", "3  with --check"] {
         assert!(help.contains(line), "{help}");
     }
-    assert!(include_str!("../../../README.md").contains("exit code 3"));
+    let page = include_str!("../../../docs/guide/reference/scripts.md");
+    assert!((0..=3).all(|code| page.contains(&format!("\n| {code} |"))), "the reference has every exit code");
 }
 
 #[test]

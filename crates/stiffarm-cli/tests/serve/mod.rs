@@ -3,7 +3,7 @@
 mod answers;
 mod hostile;
 mod openapi;
-mod served;
+pub(crate) mod served;
 mod waiting;
 
 const TWO_LINKS: &str =

@@ -1,0 +1,284 @@
+//! Is the reference what the tables say?
+//!
+//! `STIFFARM_WRITE=1 cargo test -p stiffarm-cli --test all readme::` writes it; without the variable what is stale fails.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::fs;
+
+use assert_cmd::Command;
+use stiffarm::answer::field::{self, Field, Kind as Holds, Unit};
+use stiffarm::request::{Absent, Kind, Of, Setting, Verb};
+
+use super::ROOT;
+use crate::serve::served::Served;
+
+pub(crate) const FOLDER: &str = "docs/guide/reference";
+/// Behind the title of every page that is written here.
+const WRITTEN: &str =
+    "<!-- Written by `STIFFARM_WRITE=1 cargo test -p stiffarm-cli --test all readme::reference`, not by hand. -->";
+/// The program's own commands, which no table of options knows.
+const COMMANDS: [&str; 8] =
+    ["robots show", "robots check", "robots import", "validate", "paper", "serve", "completions", "man"];
+/// Pages beside those that are written, by hand.
+const BY_HAND: [&str; 2] = ["process_file.md", "scripts.md"];
+
+/// A text as a cell of a Markdown table.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|").replace('<', "&lt;").replace('\n', " ")
+}
+
+fn row(text: &mut String, cells: &[&str]) {
+    let cells: Vec<String> = cells.iter().map(|text| cell(text)).collect();
+    let _ = writeln!(text, "| {} |", cells.join(" | "));
+}
+
+fn head(text: &mut String, cells: &[&str]) {
+    row(text, cells);
+    let _ = writeln!(text, "|{}", "---|".repeat(cells.len()));
+}
+
+fn page(title: &str, question: &str) -> String {
+    format!("# {title}\n{WRITTEN}\n\n{question}\n")
+}
+
+/// The file of a verb: `robots list` is a page of `robots`.
+fn name_of(verb: Verb) -> &'static str {
+    verb.name().split(' ').next().unwrap_or_default()
+}
+
+/// What `--help` of a command prints.
+fn help(command: &str) -> String {
+    let mut program = Command::cargo_bin("stiffarm").unwrap();
+    let output = program.args(command.split(' ')).arg("--help").env("COLUMNS", "104").output().unwrap();
+    let lines = String::from_utf8(output.stdout).unwrap();
+    lines.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
+}
+
+/// Its words between two of its phrases, on one line.
+fn between(help: &str, from: &str, to: &str) -> String {
+    let rest = help.split_once(from).unwrap_or_else(|| panic!("no '{from}' in {help}")).1;
+    rest.split(to).next().unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// What an option takes: words, a range with its unit, or a form of its own, of which the example says most.
+fn takes(setting: &Setting) -> String {
+    let range = match setting.kind {
+        Kind::Flag => return "nothing".into(),
+        Kind::Word(words) => words.iter().map(|(word, _)| format!("`{word}`")).collect::<Vec<_>>().join(", "),
+        Kind::Number { min, max, or_zero, .. } => {
+            let zero = if or_zero && 0.0 < min { "0, or " } else { "" };
+            format!("{zero}{min} to {max}")
+        }
+        Kind::Whole { min, max: usize::MAX } => format!("whole, from {min}"),
+        Kind::Whole { min, max } => format!("whole, {min} to {max}"),
+        _ => setting.value.to_owned(),
+    };
+    let unit = if setting.unit.is_empty() { String::new() } else { format!(" {}", setting.unit) };
+    let is_shown = !matches!(setting.kind, Kind::Word(_)) && !setting.example.is_empty();
+    let example = if is_shown { format!(", e.g. `{}`", setting.example) } else { String::new() };
+    let several = if setting.is_list() { "; several" } else { "" };
+    format!("{range}{unit}{example}{several}")
+}
+
+fn absent(setting: &Setting) -> String {
+    match setting.absent {
+        Absent::Default(text) => format!("`{text}`"),
+        Absent::Means(words) => words.to_owned(),
+        Absent::Optional => String::new(),
+        Absent::Required => "required".into(),
+    }
+}
+
+/// The help of an option, what it goes with and what not.
+fn meaning(verb: Verb, setting: &Setting) -> String {
+    let mut text = format!("{}.", setting.help);
+    for (word, help) in setting.kind.words().iter().filter(|(_, help)| !help.is_empty()) {
+        let _ = write!(text, " `{word}`: {}.", help.trim_end_matches('.'));
+    }
+    match setting.of {
+        Of::Any => {}
+        Of::Planar => text.push_str(" Planar model only."),
+        Of::Spatial => text.push_str(" Spatial model only."),
+    }
+    for (_, other) in setting.needs.iter().filter(|(of, _)| *of == verb) {
+        let _ = write!(text, " Needs `--{other}`.");
+    }
+    for other in setting.excludes.iter().filter(|other| verb.setting(other).is_some()) {
+        let _ = write!(text, " Not with `--{other}`.");
+    }
+    text
+}
+
+fn of_verb(verb: Verb) -> String {
+    let name = verb.name();
+    let help = help(name);
+    let about = help.lines().take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
+    let mut text = page(&format!("stiffarm {name}"), &format!("{about}."));
+    let files = between(
+        &help,
+        "its ending chooses what: ",
+        if help.contains("\n\nFigure:") { "-q, --quiet" } else { "--threads <N>" },
+    );
+    let files = files.split(" -q, --quiet").next().unwrap_or_default().split(" --threads").next().unwrap_or_default();
+    let _ = writeln!(text, "\n`-o` writes {files}. Options of every command: [commands](commands.md).\n");
+    head(&mut text, &["option", "takes", "default", "meaning"]);
+    for setting in verb.settings() {
+        let option = if setting.is_positional { setting.value.to_owned() } else { format!("`--{}`", setting.name) };
+        row(&mut text, &[&option, &takes(setting), &absent(setting), &meaning(verb, setting)]);
+    }
+    let examples = help.split_once("Examples:\n").map_or("", |(_, examples)| examples);
+    let _ = writeln!(text, "\n## Examples\n\n```text\n{}\n```", examples.trim_end());
+    text
+}
+
+/// A unit as its key ends, in words that people write.
+fn unit(field: &Field) -> String {
+    match field.kind {
+        Holds::Text => "text".into(),
+        Holds::Truth => "yes or no".into(),
+        Holds::Count => "count".into(),
+        Holds::Nested => "fields of its own".into(),
+        Holds::Number(unit) | Holds::Numbers { unit, .. } => match unit {
+            Unit::One => "1",
+            Unit::Metre => "m",
+            Unit::Millimetre => "mm",
+            Unit::Degree => "deg",
+            Unit::Milliradian => "mrad",
+            Unit::Newton => "N",
+            Unit::MicrometrePerNewton => "um/N",
+            Unit::MicroradianPerNewtonMetre => "urad/(N m)",
+            Unit::NewtonMetrePerRadian => "N m/rad",
+            Unit::Kilogram => "kg",
+            Unit::NewtonMetre => "N m",
+            Unit::Second => "s",
+            Unit::Watt => "W",
+            Unit::MillimetrePerMinute => "mm/min",
+            Unit::Given(unit) => unit,
+            #[allow(unreachable_patterns, reason = "units that other parts add")]
+            _ => "",
+        }
+        .into(),
+    }
+}
+
+/// Keys of answers whose first letter is in a range; one key may stand in answers of several verbs with a meaning each.
+fn of_keys(letters: std::ops::RangeInclusive<char>) -> String {
+    let mut fields: Vec<&Field> = field::ALL.iter().filter(|field| letters.contains(&first(field))).collect();
+    fields.sort_by_key(|field| field.key);
+    let title = format!("Keys of answers, {} to {}", letters.start(), letters.end());
+    let question = "What stands under a key of JSON, CSV, Parquet, a data frame or a Python object? Null is written where a key does not \
+                    apply. Every position counts from the robot's base: x forward, y left, z up.";
+    let mut text = page(&title, question);
+    text.push('\n');
+    head(&mut text, &["key", "unit", "columns in tables", "meaning"]);
+    for field in fields {
+        let columns = match field.kind {
+            Holds::Numbers { columns, .. } => {
+                columns.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" ")
+            }
+            _ => String::new(),
+        };
+        row(&mut text, &[&format!("`{}`", field.key), &unit(field), &columns, field.about]);
+    }
+    text
+}
+
+fn first(field: &Field) -> char {
+    field.key.chars().next().unwrap_or_default()
+}
+
+fn of_commands() -> String {
+    let question = "What do the commands take that are about the program itself, and what does every command take?";
+    let mut text = page("Commands of the program", question);
+    let common = help("rank");
+    let _ = writeln!(text, "\n## Options of every command that answers\n");
+    head(&mut text, &["option", "meaning"]);
+    for (option, from) in [
+        ("--format FORMAT", "--format <FORMAT>"),
+        ("-o, --output FILE", "-o, --output <FILE>"),
+        ("--threads N", "--threads <N>"),
+        ("-q, --quiet", "-q, --quiet"),
+        ("--save-job JOB.toml (job verbs)", "--save-job <JOB.toml>"),
+        ("--check (rank, place, mill)", "      --check\n"),
+    ] {
+        row(&mut text, &[option, &between(&common, from, "\n\n")]);
+    }
+    for command in COMMANDS {
+        let _ = writeln!(text, "\n## stiffarm {command}\n\n```text\n{}\n```", help(command).trim_end());
+    }
+    text
+}
+
+/// Addresses as the server's own description has them.
+fn of_http() -> String {
+    let question =
+        "Which addresses does `stiffarm serve` answer? The same description for programs is `GET /openapi.json`.";
+    let mut text = page("HTTP", question);
+    let described = Served::start(&[]).get("/openapi.json").json();
+    text.push('\n');
+    head(&mut text, &["address", "answer"]);
+    let paths = described["paths"].as_object().expect("paths");
+    for (path, methods) in paths {
+        for (method, about) in methods.as_object().expect("methods") {
+            let summary = about["summary"].as_str().expect("a summary");
+            row(&mut text, &[&format!("`{} {path}`", method.to_uppercase()), summary]);
+        }
+    }
+    let post = &paths["/api/rank"]["post"];
+    let form = post["parameters"][0]["description"].as_str().expect("a description");
+    let _ = writeln!(text, "\n`?as=FORM`: {}.\n", form.trim_end_matches('.').replace("The form: ", ""));
+    head(&mut text, &["status", "meaning"]);
+    for (status, about) in post["responses"].as_object().expect("answers") {
+        row(&mut text, &[status, about["description"].as_str().expect("a description")]);
+    }
+    text.push_str(HTTP);
+    text
+}
+
+const HTTP: &str = r#"
+The body of a question has the keys of a [job file](scripts.md#job-file) as JSON under `options`, and the texts of files that it names under `files`:
+
+```sh
+curl -s http://127.0.0.1:PORT/api/place -H 'Content-Type: application/json' \
+  -d '{"options": {"robot": "KR 210 R2700 extra", "task": "rect:0.6x0.4", "tolerance-mm": 3}}'
+```
+
+With `Accept: application/x-ndjson` the answer comes line by line and tells its progress first; closing the connection stops the work.
+"#;
+
+/// Every page that is written here, by its file.
+fn pages() -> BTreeMap<String, String> {
+    let mut pages: BTreeMap<String, String> =
+        Verb::ALL.into_iter().map(|verb| (format!("{}.md", name_of(verb)), of_verb(verb))).collect();
+    pages.insert("keys_a_to_l.md".into(), of_keys('a'..='l'));
+    pages.insert("keys_m_to_z.md".into(), of_keys('m'..='z'));
+    pages.insert("commands.md".into(), of_commands());
+    pages.insert("http.md".into(), of_http());
+    pages
+}
+
+#[test]
+fn the_reference_is_what_the_tables_say() {
+    let folder = format!("{ROOT}/{FOLDER}");
+    let is_written = std::env::var_os("STIFFARM_WRITE").is_some();
+    let pages = pages();
+    for (name, text) in &pages {
+        let path = format!("{folder}/{name}");
+        if is_written {
+            fs::create_dir_all(&folder).unwrap();
+            fs::write(&path, text).unwrap();
+        }
+        let found = fs::read_to_string(&path).unwrap_or_default();
+        assert!(found == *text, "{FOLDER}/{name} is stale: STIFFARM_WRITE=1 writes it anew");
+    }
+    let others: Vec<String> = fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name())
+        .map(|name| name.into_string().unwrap())
+        .collect();
+    for name in others {
+        assert!(pages.contains_key(&name) || BY_HAND.contains(&name.as_str()), "{FOLDER}/{name}: nobody writes it");
+    }
+    assert!(field::ALL.iter().all(|field| first(field).is_ascii_lowercase()), "a key that no page has");
+}
