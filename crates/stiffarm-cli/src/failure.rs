@@ -368,7 +368,9 @@ fn import_hint(error: &ImportError, ends_are_given: bool) -> &'static str {
             "stiffarm knows arms with six turning axes: 1 upright, 2 and 3 parallel, 4, 5 and 6 through one point; between these \
              links there is another"
         }
-        ImportError::Faults(_) => "mend the lines that are named; docs/ and the README show what is read",
+        ImportError::Faults(_) => {
+            "mend the lines that are named; docs/guide/own_robot.md and docs/robot_file.md show what is read"
+        }
         ImportError::Inexact { .. } => {
             "the description bends or shifts an axis by more than is allowed: correct its origins"
         }

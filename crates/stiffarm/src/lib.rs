@@ -4,10 +4,14 @@
 //!
 //! | verb | function | question |
 //! |---|---|---|
+//! | robots | [`catalogue::matching`] | which robots are there? |
 //! | compliance | [`compliance::compliance`] | how compliant is one posture, all six drives? |
 //! | map | [`map::map`] | how far is the tool pushed off, everywhere the arm reaches? |
 //! | place | [`place::place`] | where must a zone stand, and who proves it? |
 //! | rank | [`rank::rank`] | which robot holds the force best? |
+//! | compare | [`place::place`] of both | which of two setups is better, and is that proved? |
+//! | force | [`cutting::Process::force`] | with what force does a process push on its tool? |
+//! | mill | [`mill::mill`] | how far is the tool pushed off along a toolpath? |
 //! | identify | [`identify::identify`] | how stiff are the drives, by measured deflections? |
 //! | measure | [`measure::plan`] | which postures and loads must be measured? |
 //! | study | [`study::study`] | which architecture suits which link ratio and size? |

@@ -49,21 +49,24 @@ pub(crate) fn cut_again(shown: &[&str], printed: &[&str]) -> String {
     let mut from = 0;
     for (i, part) in parts.iter().enumerate() {
         let is_last = i + 1 == parts.len();
-        let find = |line: &str, from: usize| {
-            let found = printed[from..].iter().position(|new| mark(new) == mark(line));
-            found.map(|at| from + at)
+        // The same line where it is still there, else the first that is marked alike.
+        let first = |line: &str| {
+            let at = |is_it: &dyn Fn(&str) -> bool| (from..printed.len()).find(|&at| is_it(printed[at]));
+            at(&|new| new == line).or_else(|| at(&|new| mark(new) == mark(line)))
+        };
+        // Of those that are marked like the last line of a part the one that keeps its length best.
+        let last = |line: &str, begin: usize| {
+            let alike = (begin..printed.len()).filter(|&at| mark(printed[at]) == mark(line));
+            alike.min_by_key(|at| at.abs_diff(begin + part.len() - 1))
         };
         let (begin, end) = match part.as_slice() {
             [] if i == 0 => (0, 0),
             [] => (printed.len(), printed.len()),
-            [begin, .., end] | [begin @ end] => {
-                let begin = if i == 0 { Some(0) } else { find(begin, from) };
-                let found = begin.and_then(|begin| {
-                    let end = if is_last { Some(printed.len() - 1) } else { find(end, begin + part.len().min(2) - 1) };
-                    end.map(|end| (begin, end + 1))
-                });
-                let Some(found) = found else { return printed.join("\n") };
-                found
+            [head, .., foot] | [head @ foot] => {
+                let begin = if i == 0 { Some(0) } else { first(head) };
+                let end = begin.and_then(|begin| if is_last { Some(printed.len() - 1) } else { last(foot, begin) });
+                let (Some(begin), Some(end)) = (begin, end) else { return printed.join("\n") };
+                (begin, end + 1)
             }
         };
         if from < begin {
@@ -96,6 +99,8 @@ fn a_cut_stands_for_a_line_or_more_and_the_rest_is_as_printed() {
 fn what_is_written_anew_is_cut_where_it_was_cut() {
     let shown = ["title", "..", " least   1.0", " most    2.0", ".."];
     let printed = ["title", " robot   A", " least   1.5", " middle  1.7", " most    2.5", "", "a note"];
+    let rows = ["title", " A  1", " A  2", " A  3", "a note"];
+    assert_eq!(cut_again(&["title", " A  7", " A  8", ".."], &rows), "title\n A  1\n A  2\n..", "rows of one name");
     assert_eq!(cut_again(&shown, &printed), "title\n..\n least   1.5\n middle  1.7\n most    2.5\n..");
     assert_eq!(cut_again(&["title", "..", " gone    1.0", ".."], &printed), printed.join("\n"), "nobody knows where");
     assert_eq!(cut_again(&["all of it"], &printed), printed.join("\n"));

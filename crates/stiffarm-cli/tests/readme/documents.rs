@@ -104,3 +104,35 @@ fn every_option_is_named_in_the_reference_of_its_verbs() {
         }
     }
 }
+
+/// A line of a page that says how many there are.
+fn says(page: &str, what: &str) {
+    assert!(page.contains(what), "docs/guide/evidence.md does not say: {what}");
+}
+
+#[test]
+fn the_evidence_counts_what_is_recorded() {
+    let evidence = document("docs/guide/evidence.md").text;
+    let rows = |name: &str| {
+        let text = document(&format!("validation/{name}")).text;
+        text.lines().filter(|line| !line.starts_with('#')).count() - 1
+    };
+    says(&evidence, &format!("| {} postures of ten robots", rows("spatial_cases.csv")));
+    says(&evidence, &format!("| {} numbers |", rows("identification.csv")));
+    let programs = document("validation/rs274_cases.txt").text;
+    let begin = |words: &[&str]| {
+        programs.lines().filter(|line| words.iter().any(|word| line.split(' ').next() == Some(*word))).count()
+    };
+    let (moves, arcs, refused) = (begin(&["rapid", "feed", "arc"]), begin(&["arc"]), begin(&["refused"]));
+    let all = begin(&["=="]);
+    says(&evidence, &format!("{all} programs: {moves} moves, {arcs} of them arcs, {refused} refusals"));
+    let ledger = Command::cargo_bin("stiffarm").unwrap().arg("validate").output().unwrap();
+    let ledger = String::from_utf8(ledger.stdout).unwrap();
+    let sum = ledger.lines().find(|line| line.contains("published numbers:")).expect("a sum");
+    says(&evidence, sum.split(", 0 unsettled").next().unwrap_or_default());
+    let kept = |folder: &str| -> usize {
+        let folders = std::fs::read_dir(Path::new(ROOT).join(folder)).unwrap();
+        folders.map(|one| std::fs::read_dir(one.unwrap().path()).unwrap().count()).sum()
+    };
+    says(&evidence, &format!("{} seeds and 25 neighbours", kept("fuzz/seeds")));
+}

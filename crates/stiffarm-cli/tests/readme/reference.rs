@@ -74,7 +74,12 @@ fn takes(setting: &Setting) -> String {
         Kind::Whole { min, max } => format!("whole, {min} to {max}"),
         _ => setting.value.to_owned(),
     };
-    let unit = if setting.unit.is_empty() { String::new() } else { format!(" {}", setting.unit) };
+    let is_number = matches!(setting.kind, Kind::Number { .. } | Kind::Whole { .. });
+    let unit = match setting.unit {
+        "" => String::new(),
+        unit if is_number => format!(" {unit}"),
+        unit => format!(" [{unit}]"),
+    };
     let is_shown = !matches!(setting.kind, Kind::Word(_)) && !setting.example.is_empty();
     let example = if is_shown { format!(", e.g. `{}`", setting.example) } else { String::new() };
     let several = if setting.is_list() { "; several" } else { "" };
@@ -115,15 +120,12 @@ fn of_verb(verb: Verb) -> String {
     let help = help(name);
     let about = help.lines().take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
     let mut text = page(&format!("stiffarm {name}"), &format!("{about}."));
-    let files = between(
-        &help,
-        "its ending chooses what: ",
-        if help.contains("\n\nFigure:") { "-q, --quiet" } else { "--threads <N>" },
-    );
-    let files = files.split(" -q, --quiet").next().unwrap_or_default().split(" --threads").next().unwrap_or_default();
+    let files = between(&help, "its ending chooses what: ", "-q, --quiet");
+    let files = files.split(" --threads").next().unwrap_or_default();
     let _ = writeln!(text, "\n`-o` writes {files}. Options of every command: [commands](commands.md).\n");
     head(&mut text, &["option", "takes", "default", "meaning"]);
-    for setting in verb.settings() {
+    let (named, bare): (Vec<&Setting>, _) = verb.settings().partition(|setting| !setting.is_positional);
+    for setting in bare.into_iter().chain(named) {
         let option = if setting.is_positional { setting.value.to_owned() } else { format!("`--{}`", setting.name) };
         row(&mut text, &[&option, &takes(setting), &absent(setting), &meaning(verb, setting)]);
     }
@@ -202,7 +204,14 @@ fn of_commands() -> String {
         ("--save-job JOB.toml (job verbs)", "--save-job <JOB.toml>"),
         ("--check (rank, place, mill)", "      --check\n"),
     ] {
-        row(&mut text, &[option, &between(&common, from, "\n\n")]);
+        row(
+            &mut text,
+            &[
+                option,
+                &between(&common, from, "\n\n")
+                    .replace("; its ending chooses what:", "; its ending chooses what, here:"),
+            ],
+        );
     }
     for command in COMMANDS {
         let _ = writeln!(text, "\n## stiffarm {command}\n\n```text\n{}\n```", help(command).trim_end());
@@ -229,7 +238,8 @@ fn of_http() -> String {
     let form = post["parameters"][0]["description"].as_str().expect("a description");
     let _ = writeln!(text, "\n`?as=FORM`: {}.\n", form.trim_end_matches('.').replace("The form: ", ""));
     head(&mut text, &["status", "meaning"]);
-    for (status, about) in post["responses"].as_object().expect("answers") {
+    let statuses: BTreeMap<_, _> = post["responses"].as_object().expect("answers").iter().collect();
+    for (status, about) in statuses {
         row(&mut text, &[status, about["description"].as_str().expect("a description")]);
     }
     text.push_str(HTTP);

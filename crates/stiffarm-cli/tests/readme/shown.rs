@@ -8,9 +8,11 @@ use std::fs;
 
 use assert_cmd::Command;
 use rayon::prelude::*;
+use serde_json::json;
 
 use super::cut::{cut_again, is_shown};
 use super::{Document, ROOT, documents};
+use crate::serve::served::Served;
 
 /// Letters in a line of the terminal that is shown.
 const COLUMNS: usize = 104;
@@ -90,4 +92,37 @@ fn readme_and_guide_show_what_the_program_prints() {
     if std::env::var_os("BLESS").is_none() {
         assert!(others.is_empty(), "{}", others.join("\n\n"));
     }
+}
+
+/// The files that a page shows: blocks of language `toml`.
+fn files(document: &Document) -> impl Iterator<Item = &str> {
+    document.text.split("```toml\n").skip(1).filter_map(|rest| rest.split("\n```").next())
+}
+
+#[test]
+fn robots_jobs_and_processes_that_the_guide_shows_are_read() {
+    let server = Served::start(&[]);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("shown.toml");
+    let mut counts = [0; 3];
+    for document in documents().iter().filter(|page| page.name.starts_with("docs/guide")) {
+        for text in files(document) {
+            fs::write(&path, text).unwrap();
+            let run = |words: &[&str]| {
+                Command::cargo_bin("stiffarm").unwrap().args(words).arg(&path).assert().success();
+            };
+            if text.contains("architecture =") {
+                counts[0] += 1;
+                run(&["robots", "check"]);
+            } else if text.starts_with("verb =") {
+                counts[1] += 1;
+                let reply = server.ask("/api/job", &json!({ "name": "job.toml", "text": text }));
+                assert_eq!(reply.status, 200, "{}: {}\n{text}", document.name, reply.text());
+            } else {
+                counts[2] += 1;
+                run(&["force"]);
+            }
+        }
+    }
+    assert!(counts.iter().all(|&count| 1 <= count), "the guide shows a robot, a job and a process: {counts:?}");
 }
