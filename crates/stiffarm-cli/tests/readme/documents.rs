@@ -5,7 +5,7 @@ use std::path::Path;
 use assert_cmd::Command;
 use stiffarm::request::{SETTINGS, Verb};
 
-use super::reference::FOLDER;
+use super::reference::{FOLDER, page_of};
 use super::shown::blocks;
 use super::{ROOT, document, documents, pages_in};
 
@@ -99,7 +99,7 @@ fn every_verb_is_named_wherever_verbs_are_told() {
 fn every_option_is_named_in_the_reference_of_its_verbs() {
     for setting in SETTINGS.iter().filter(|setting| !setting.is_positional) {
         for verb in setting.verbs {
-            let page = document(&format!("{FOLDER}/{}.md", verb.name().split(' ').next().unwrap_or_default()));
+            let page = document(&format!("{FOLDER}/{}", page_of(*verb)));
             assert!(page.text.contains(&format!("| `--{}` |", setting.name)), "{}: --{}", page.name, setting.name);
         }
     }

@@ -17,9 +17,8 @@ pub(crate) const FOLDER: &str = "docs/guide/reference";
 /// Behind the title of every page that is written here.
 const WRITTEN: &str =
     "<!-- Written by `STIFFARM_WRITE=1 cargo test -p stiffarm-cli --test all readme::reference`, not by hand. -->";
-/// The program's own commands, which no table of options knows.
-const COMMANDS: [&str; 8] =
-    ["robots show", "robots check", "robots import", "validate", "paper", "serve", "completions", "man"];
+/// First and last letters of the pages of keys.
+const LETTERS: [[char; 2]; 4] = [['a', 'd'], ['e', 'l'], ['m', 'r'], ['s', 'z']];
 /// Pages beside those that are written, by hand.
 const BY_HAND: [&str; 2] = ["process_file.md", "scripts.md"];
 
@@ -42,17 +41,26 @@ fn page(title: &str, question: &str) -> String {
     format!("# {title}\n{WRITTEN}\n\n{question}\n")
 }
 
-/// The file of a verb: `robots list` is a page of `robots`.
-fn name_of(verb: Verb) -> &'static str {
-    verb.name().split(' ').next().unwrap_or_default()
+/// The page of a verb, by its file.
+pub(crate) fn page_of(verb: Verb) -> String {
+    format!("{}.md", verb.name().replace(' ', "_"))
 }
 
 /// What `--help` of a command prints.
 fn help(command: &str) -> String {
     let mut program = Command::cargo_bin("stiffarm").unwrap();
-    let output = program.args(command.split(' ')).arg("--help").env("COLUMNS", "104").output().unwrap();
+    let output = program.args(command.split_whitespace()).arg("--help").env("COLUMNS", "104").output().unwrap();
     let lines = String::from_utf8(output.stdout).unwrap();
     lines.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
+}
+
+/// The commands below a command, or below the program, that no table of options knows.
+fn own(command: &str) -> Vec<String> {
+    let help = help(command);
+    let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names = lines.filter(|line| !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next());
+    let full = names.filter(|name| *name != "help").map(|name| format!("{command} {name}").trim().to_owned());
+    full.filter(|name| Verb::ALL.iter().all(|verb| verb.name() != *name)).collect()
 }
 
 /// Its words between two of its phrases, on one line.
@@ -157,22 +165,26 @@ fn unit(field: &Field) -> String {
             Unit::Watt => "W",
             Unit::MillimetrePerMinute => "mm/min",
             Unit::Given(unit) => unit,
-            #[allow(unreachable_patterns, reason = "units that other parts add")]
-            _ => "",
         }
         .into(),
     }
 }
 
+fn keys_file([from, to]: [char; 2]) -> String {
+    format!("keys_{from}_to_{to}.md")
+}
+
 /// Keys of answers whose first letter is in a range; one key may stand in answers of several verbs with a meaning each.
-fn of_keys(letters: std::ops::RangeInclusive<char>) -> String {
-    let mut fields: Vec<&Field> = field::ALL.iter().filter(|field| letters.contains(&first(field))).collect();
+fn of_keys(letters: [char; 2]) -> String {
+    let [from, to] = letters;
+    let mut fields: Vec<&Field> = field::ALL.iter().filter(|field| (from..=to).contains(&first(field))).collect();
     fields.sort_by_key(|field| field.key);
-    let title = format!("Keys of answers, {} to {}", letters.start(), letters.end());
     let question = "What stands under a key of JSON, CSV, Parquet, a data frame or a Python object? Null is written where a key does not \
                     apply. Every position counts from the robot's base: x forward, y left, z up.";
-    let mut text = page(&title, question);
-    text.push('\n');
+    let mut text = page(&format!("Keys of answers, {from} to {to}"), question);
+    let others = LETTERS.into_iter().filter(|other| *other != letters);
+    let links = others.map(|other| format!("[{} to {}]({})", other[0], other[1], keys_file(other)));
+    let _ = writeln!(text, "Other keys: {}.\n", links.collect::<Vec<_>>().join(", "));
     head(&mut text, &["key", "unit", "columns in tables", "meaning"]);
     for field in fields {
         let columns = match field.kind {
@@ -213,8 +225,17 @@ fn of_commands() -> String {
             ],
         );
     }
-    for command in COMMANDS {
+    for command in own("").iter().filter(|command| *command != "robots") {
         let _ = writeln!(text, "\n## stiffarm {command}\n\n```text\n{}\n```", help(command).trim_end());
+    }
+    text
+}
+
+fn of_robots() -> String {
+    let question = "What do the commands take that show, check and make robot files? The list of robots: [robots list](robots_list.md).";
+    let mut text = page("Commands for robot files", question);
+    for command in own("robots") {
+        let _ = writeln!(text, "\n## stiffarm {command}\n\n```text\n{}\n```", help(&command).trim_end());
     }
     text
 }
@@ -260,10 +281,10 @@ With `Accept: application/x-ndjson` the answer comes line by line and tells its 
 /// Every page that is written here, by its file.
 fn pages() -> BTreeMap<String, String> {
     let mut pages: BTreeMap<String, String> =
-        Verb::ALL.into_iter().map(|verb| (format!("{}.md", name_of(verb)), of_verb(verb))).collect();
-    pages.insert("keys_a_to_l.md".into(), of_keys('a'..='l'));
-    pages.insert("keys_m_to_z.md".into(), of_keys('m'..='z'));
+        Verb::ALL.into_iter().map(|verb| (page_of(verb), of_verb(verb))).collect();
+    pages.extend(LETTERS.map(|letters| (keys_file(letters), of_keys(letters))));
     pages.insert("commands.md".into(), of_commands());
+    pages.insert("robots.md".into(), of_robots());
     pages.insert("http.md".into(), of_http());
     pages
 }
