@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use assert_cmd::Command;
-use stiffarm::request::{SETTINGS, Verb};
+use stiffarm_ask::request::{SETTINGS, Verb};
 
 use super::reference::{FOLDER, page_of};
 use super::shown::blocks;

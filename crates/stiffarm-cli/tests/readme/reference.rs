@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 use std::fs;
 
 use assert_cmd::Command;
-use stiffarm::answer::field::{self, Field, Kind as Holds, Unit};
-use stiffarm::request::{Absent, Kind, Of, Setting, Verb};
+use stiffarm_ask::answer::field::{self, Field, Kind as Holds, Unit};
+use stiffarm_ask::request::{Absent, Kind, Of, Setting, Verb};
 
 use super::ROOT;
 use crate::serve::served::Served;
