@@ -1,12 +1,12 @@
 //! Does each tool of a path mill with its own process and length, and does one program stop where they are changed?
 
-use stiffarm_ask::answer::{ByToolAnswer, MillAnswer, MillAnswerError};
 use stiffarm::catalogue::{ProcessFile, paper_robots, read_process};
 use stiffarm::program::Language;
-use stiffarm_ask::request::{Pair, Refusal, Request, Spelling, Verb};
 use stiffarm::robot::Robot;
 use stiffarm::toolpath::{Format, Move, ReadOptions, read};
 use stiffarm::watch::Watch;
+use stiffarm_ask::answer::{ByToolAnswer, MillAnswer, MillAnswerError};
+use stiffarm_ask::request::{Pair, Refusal, Request, Spelling, Verb};
 
 fn robot() -> Robot {
     paper_robots().into_iter().find(|robot| robot.name == "KR 210 R2700 extra").expect("a robot of the paper")
@@ -113,13 +113,19 @@ fn several_tools_need_a_process_a_length_and_a_place_each() {
         (refused(&file, &with("process", "T1=one.toml,two.toml")), "process names one file for all tools"),
         (refused(&file, &with("process", "T1=one.toml,T1=two.toml")), "process is given twice for T1"),
         (refused(&file, &with("process", "one.toml,two.toml")), "process names several files"),
-        (refused(&file, &with("process", "one.toml")), "tool-lengths-mm goes with a process for each tool"),
         (refused(&file, &[&BY_TOOL[..], &[("only-tool", "3")]].concat()), "process has no file for T3"),
         (refused(&file, &[&BY_TOOL[..], &[("stock-mm", "0..1,0..1,0..1")]].concat()), "stock-mm follows one tool"),
         (refused(&file, &[&BY_TOOL[..], &[("pin", "0@1")]].concat()), "pin"),
     ] {
         assert!(told.contains(says), "{told}: {says}");
     }
+    // One process is that of one tool, whose length it takes.
+    let one = request("two.nc", &with("process", "one.toml")).expect("a question");
+    assert!(!one.mills_by_tool() && one.given_process().as_deref() == Some("one.toml"));
+    let moves = moves_of(&format!("{HEAD}T2 M6\n{ONE}M2\n"), Format::GCode);
+    let process = Some(constant("one.toml", 300.0));
+    let answer = MillAnswer::of(&one, &robot(), ("two.nc".into(), moves), process, Watch::nobody()).expect("an answer");
+    assert!((answer.flange_from_tool.translation.z - (0.150 + 0.095 * 0.5)).abs() < 1e-12);
     // Beside only-tool the process and the length are those of the tool that mills.
     let only = request("two.nc", &[&BY_TOOL[..], &[("only-tool", "2")]].concat()).expect("a question");
     assert_eq!((only.mills_by_tool(), only.given_process().as_deref()), (false, Some("two.toml")));

@@ -116,14 +116,10 @@ impl Request {
         if is_by_tool && only.is_some_and(|tool| !tools.contains(&Some(tool))) {
             return Err(self.refused("process", format!("has no file for {}, which mills", tool_name(only))));
         }
-        if !lengths.is_empty() && only.is_none() && !is_by_tool {
-            let why = "goes with a process for each tool (T1=FILE,T2=FILE), or with only-tool".to_owned();
-            return Err(self.refused("tool-lengths-mm", why));
-        }
         if self.mills_by_tool() {
             return self.check_by_tool(lengths.is_empty());
         }
-        self.tip_of(only).map(|_| ())
+        only.map_or(Ok(()), |tool| self.tip_of(Some(tool)).map(|_| ()))
     }
 
     /// What milling with several tools needs, and what it does not go with.

@@ -3,12 +3,12 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm_ask::answer::{ByToolAnswer, Rows};
 use stiffarm::catalogue::{ProcessFile, files};
 use stiffarm::program::Language;
-use stiffarm_ask::request::Request;
 use stiffarm::toolpath::Understood;
 use stiffarm::watch::Watch;
+use stiffarm_ask::answer::{ByToolAnswer, Rows};
+use stiffarm_ask::request::Request;
 
 use super::mill::all_moves;
 use super::{process_of, watched};

@@ -4,7 +4,6 @@ use std::borrow::Cow;
 
 use super::super::path::tools;
 use super::super::{fixed, words};
-use super::by_tool::surveyed;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::request::{Refusal, Request};
 use stiffarm::catalogue::ProcessFile;
@@ -39,7 +38,8 @@ impl MillAnswer {
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let moves = of_one_tool(asked, moves.into())?;
-        Self::with(asked, robot, (path, moves), Tooled { tool: asked.only_tool(), process }, watch)
+        let tool = surveyed(asked, moves.iter()).tools.first().and_then(|(tool, _)| *tool);
+        Self::with(asked, robot, (path, moves), Tooled { tool, process }, watch)
     }
 
     /// The same of moves that are all of one tool.
@@ -116,7 +116,7 @@ impl MillAnswer {
             survey,
             stations,
             placement,
-            only_tool: tool,
+            only_tool: asked.only_tool(),
             ground,
             sought,
             milled,
@@ -135,6 +135,13 @@ pub(super) struct Tooled {
     pub(super) tool: Option<u32>,
     /// `None` where the force is told as such.
     pub(super) process: Option<(String, ProcessFile)>,
+}
+
+/// Of moves, all of them.
+fn surveyed<'a>(asked: &Request, moves: impl IntoIterator<Item = &'a Move>) -> Survey {
+    let mut survey = Survey::new(asked.steps());
+    moves.into_iter().for_each(|one| survey.add(one));
+    survey
 }
 
 /// The moves of the tool that is meant; of a path with several tools one must be.

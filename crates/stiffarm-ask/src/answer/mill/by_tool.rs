@@ -8,11 +8,11 @@ use super::super::{Cell, Column, ColumnKind, Record, Rows, Table, field, fixed, 
 use super::asked::Tooled;
 use super::programs::program_of;
 use super::{MillAnswer, MillAnswerError};
+use crate::request::{Request, tool_name};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::program::Language;
-use crate::request::{Request, tool_name};
 use stiffarm::robot::Robot;
-use stiffarm::toolpath::{Move, MoveKind, Survey};
+use stiffarm::toolpath::{Move, MoveKind};
 use stiffarm::watch::Watch;
 
 /// The answer of `mill` of a path with several tools.
@@ -226,11 +226,4 @@ fn sections(moves: &[Move]) -> Vec<(Option<u32>, Vec<Move>)> {
     }
     found.retain(|(_, section)| section.iter().any(|one| one.kind == MoveKind::Feed));
     found
-}
-
-/// Of moves, all of them.
-pub(super) fn surveyed<'a>(asked: &Request, moves: impl IntoIterator<Item = &'a Move>) -> Survey {
-    let mut survey = Survey::new(asked.steps());
-    moves.into_iter().for_each(|one| survey.add(one));
-    survey
 }
