@@ -27,6 +27,7 @@ pub use notation::{
     spindle, tool, way, window, within, yaw,
 };
 pub use options::{Held, Unasked, Wanted, distinct};
+pub(crate) use path::tool_name;
 pub use refusal::{Refusal, Spelling};
 pub use sent::sent;
 pub use settings::{Absent, Of, SETTINGS, Setting, Verb};
@@ -108,6 +109,7 @@ impl Request {
         request.check_regions()?;
         request.check_runs()?;
         request.check_filters()?;
+        request.check_tools()?;
         Ok(request)
     }
 

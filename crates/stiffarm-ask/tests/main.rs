@@ -6,5 +6,6 @@ mod cell;
 mod measured;
 mod path_places;
 mod requests;
+mod several_tools;
 mod told_apart;
 mod watch;

@@ -171,6 +171,17 @@ fn no_allowed_place_by_chance_is_better_than_what_is_proved_in_a_cell() {
     }
 }
 
+/// Wherever the samples that stand for this path lead to, some joint would have to jump between two of them. A window that holds less of these places, and
+/// one that holds more, have a place at which the path is followed; so has this one.
+#[test]
+fn a_place_is_found_where_the_samples_that_stand_for_a_path_lead_to_jumps() {
+    let at = |within| placed("rect:1.2x0.2", &[("within", within), ("tool-mm", "0,0,200")]);
+    let (wide, narrow) = (at("0.3..1.8,0.0..1.4"), at("0.3..1.8,0.3..1.4"));
+    // What stands in the wide window at 0.88 m stands in the narrow one, too.
+    assert!(wide.placement.expect("a place").at[2] > 0.3);
+    assert!(worst(&narrow) <= worst(&wide), "{} {}", worst(&narrow), worst(&wide));
+}
+
 #[test]
 fn what_says_where_a_path_is_sought_does_not_go_with_a_place_that_is_given() {
     for (name, text) in

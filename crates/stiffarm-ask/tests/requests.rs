@@ -157,8 +157,11 @@ fn told(request: &Request) -> String {
             let (path, format) = (request.path().ok(), request.path_format("a").ok());
             let reading = format!("{} {:?} {:?}", request.is_dry(), request.read_options(), request.steps());
             let (robot, process, acting) = (request.robot().ok(), request.given_process(), request.acting().ok());
-            let (at, stock, window) =
-                ((request.at(), request.pins(), request.only_tool()), request.stock().ok(), request.path_ground().ok());
+            let (at, stock, window) = (
+                (request.at(), request.pins(), request.only_tool(), request.tip_of(Some(1))),
+                request.stock().ok(),
+                request.path_ground().ok(),
+            );
             let left = (request.is_compensated(), request.stiffness_uncertainty(), request.tolerance_mm());
             let milling = format!("{robot:?} {process:?} {acting:?} {at:?} {stock:?} {window:?} {left:?}");
             format!("{path:?} {format:?} {reading} {milling} {:?} {:?}", request.mill_options(), request.held())

@@ -10,7 +10,7 @@ use stiffarm::program::Language;
 use stiffarm::robot::Robot as Arms;
 use stiffarm::toolpath::{Builtin, MOST_SAMPLES, Move, Original, Survey, Understood, read_toolpath};
 use stiffarm::watch::{Stopped, Watch};
-use stiffarm_ask::answer::{CuttingAnswer, MillAnswer, MillAnswerError, PathAnswer, PathRankAnswer};
+use stiffarm_ask::answer::{ByToolAnswer, CuttingAnswer, MillAnswer, MillAnswerError, PathAnswer, PathRankAnswer};
 use stiffarm_ask::request::{Request, Verb};
 
 use crate::asked::Asked;
@@ -78,10 +78,11 @@ pub(crate) fn mill<'py>(
         }
         (None, None) => Milling::One(named(&asked.robot().map_err(refused)?)?.0),
     };
-    let process = given_process(&asked)?;
+    let process = Cutting::of(&asked)?;
     let question = Milled { asked: &asked, path, milling };
     match detached(py, &progress, |watch| question.told(process, watch))?.map_err(refused)? {
         Told::One(answer) => Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?)),
+        Told::ByTool(answer) => Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?)),
         Told::Several(answer) => Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?)),
     }
 }
@@ -98,15 +99,23 @@ pub(crate) fn milled_program(
     progress: Progress,
 ) -> PyResult<String> {
     let asked = asked.with(Verb::Mill, &[("path", path), ("robot", robot.0.name.as_str())])?;
-    let process = given_process(&asked)?;
+    let process = Cutting::of(&asked)?;
     let question = Milled { asked: &asked, path, milling: Milling::One(robot.0.clone()) };
     let told = detached(py, &progress, |watch| question.told(process, watch))?.map_err(refused)?;
-    let Told::One(answer) = told else { unreachable!("one robot was asked") };
-    let Some(ending) = ending else { return rewritten(&answer, &asked) };
-    let language = [Language::Krl, Language::Rapid, Language::Ls].into_iter().find(|one| one.ending() == ending);
-    let language =
-        language.ok_or_else(|| refused(format!("no controller reads '{ending}'; expected src, mod or ls")))?;
-    answer.program(language).map_err(refused)
+    let language = |ending: &str| {
+        let known = [Language::Krl, Language::Rapid, Language::Ls].into_iter().find(|one| one.ending() == ending);
+        known.ok_or_else(|| refused(format!("no controller reads '{ending}'; expected src, mod or ls")))
+    };
+    match (told, ending) {
+        (Told::One(answer), Some(ending)) => answer.program(language(ending)?).map_err(refused),
+        (Told::ByTool(answer), Some(ending)) => answer.program(language(ending)?).map_err(refused),
+        (Told::One(answer), None) => rewritten(&answer, &asked),
+        (Told::ByTool(answer), None) => Err(refused(format!(
+            "the file of {} with all its tools is not written back; program() writes one for a controller",
+            answer.path
+        ))),
+        (Told::Several(_), _) => unreachable!("one robot was asked"),
+    }
 }
 
 /// The path's own file with its tips led aside.
@@ -125,14 +134,28 @@ fn rewritten(answer: &MillAnswer, asked: &Request) -> PyResult<String> {
     String::from_utf8(output).map_err(|_| refused(format!("{name} is no UTF-8 text")))
 }
 
-/// The process that is asked for, with the name of its file.
-fn given_process(asked: &Request) -> PyResult<Option<(String, ProcessFile)>> {
-    let read = |file: String| {
-        let named = files::shown(Path::new(&file));
-        let process = process_of(Path::new(&file), &named)?;
-        Ok((named, process))
-    };
-    asked.given_process().map(read).transpose()
+/// The processes that are asked for, with the names of their files.
+enum Cutting {
+    /// That of the whole path, where there is one.
+    One(Option<(String, ProcessFile)>),
+    /// Of each tool by its number.
+    ByTool(Vec<(u32, String, ProcessFile)>),
+}
+
+impl Cutting {
+    fn of(asked: &Request) -> PyResult<Self> {
+        let read = |file: String| {
+            let named = files::shown(Path::new(&file));
+            let process = process_of(Path::new(&file), &named)?;
+            Ok((named, process))
+        };
+        if !asked.mills_by_tool() {
+            return Ok(Self::One(asked.given_process().map(read).transpose()?));
+        }
+        let of_tools = asked.processes().into_iter().filter_map(|(tool, file)| Some((tool?, file)));
+        let with_tool = |(tool, file)| read(file).map(|(named, process)| (tool, named, process));
+        Ok(Self::ByTool(of_tools.map(with_tool).collect::<PyResult<_>>()?))
+    }
 }
 
 /// A path, what is asked of it, and who mills.
@@ -144,7 +167,7 @@ struct Milled<'a> {
 
 impl Milled<'_> {
     /// The answer, with what is to be said of the path among the remarks.
-    fn told(self, process: Option<(String, ProcessFile)>, watch: Watch) -> Result<Told, String> {
+    fn told(self, process: Cutting, watch: Watch) -> Result<Told, String> {
         let Self { asked, path, milling } = self;
         let format = asked.path_format(path).map_err(|error| error.to_string())?;
         let options = asked.read_options();
@@ -169,6 +192,7 @@ enum Milling {
 /// What comes of it.
 enum Told {
     One(MillAnswer),
+    ByTool(ByToolAnswer),
     Several(PathRankAnswer),
 }
 
@@ -185,17 +209,23 @@ impl Milling {
         self,
         asked: &Request,
         (path, moves): (&str, Vec<Move>),
-        process: Option<(String, ProcessFile)>,
+        process: Cutting,
         (remarks, watch): (Vec<String>, Watch),
     ) -> Result<Told, MillAnswerError> {
         let path = path.to_owned();
-        Ok(match self {
-            Self::One(robot) => {
+        Ok(match (self, process) {
+            (Self::One(robot), Cutting::ByTool(processes)) => {
+                let mut answer = ByToolAnswer::of(asked, &robot, (&path, &moves), &processes, watch)?;
+                answer.remarks.extend(remarks);
+                Told::ByTool(answer)
+            }
+            (Self::One(robot), Cutting::One(process)) => {
                 let mut answer = MillAnswer::of(asked, &robot, (path, moves), process, watch)?;
                 answer.remarks.extend(remarks);
                 Told::One(answer)
             }
-            Self::Several(robots) => {
+            (Self::Several(_), Cutting::ByTool(_)) => unreachable!("refused when the question was read"),
+            (Self::Several(robots), Cutting::One(process)) => {
                 let mut answer = PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch)?;
                 answer.remarks.extend(remarks);
                 Told::Several(answer)

@@ -1,12 +1,13 @@
 //! Do the programs of controllers, read back by formulas of their own, lead the tool where the commanded joints put it?
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::LazyLock;
 
 use nalgebra::{Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use stiffarm::catalogue::find;
 use stiffarm::geometry::Geometry;
 use stiffarm::limits::{Pendant, ThirdAxis};
-use stiffarm::program::{Language, ProgramFault, ProgramFile, Setup, Station, Style, write};
+use stiffarm::program::{Language, ProgramFault, ProgramFile, Setup, Station, Style, Tool, write};
 use stiffarm::robot::Arm;
 use stiffarm::spatial::Pose;
 
@@ -19,6 +20,13 @@ fn kuka() -> Geometry {
     Geometry { a1: 0.35, a2: 0.041, b: 0.02, c1: 0.675, c2: 1.15, c3: 1.2, c4: 0.215, offset, sign }
 }
 
+/// One tool beside axis 6, and one that is longer.
+static HELD: LazyLock<[Tool; 2]> = LazyLock::new(|| {
+    let pose = Pose::new(Vector3::new(0.05, 0.02, 0.31), Vector3::new(0.0, 0.6, 0.0));
+    let held = |number, flange_from_tool| Tool { number, flange_from_tool };
+    [held(None, pose), held(Some(12), pose * Pose::translation(0.0, 0.0, 0.07))]
+});
+
 fn setup(geometry: &Geometry) -> Setup<'_> {
     Setup {
         robot: "KR 210",
@@ -26,7 +34,7 @@ fn setup(geometry: &Geometry) -> Setup<'_> {
         third_axis: ThirdAxis::Elbow,
         pendant: &Pendant::AsFile,
         base_from_part: Pose::new(Vector3::new(1.4, -0.3, 0.8), Vector3::new(0.1, -0.2, 0.7)),
-        flange_from_tool: Pose::new(Vector3::new(0.05, 0.02, 0.31), Vector3::new(0.0, 0.6, 0.0)),
+        tools: &HELD[..1],
         remarks: &[],
         stiffness: Some("robot file"),
     }
@@ -43,6 +51,7 @@ fn stations(count: usize, seed: u64) -> Vec<Station> {
         joints: std::array::from_fn(|_| 2.0 * TAU * (rng.f64() - 0.5)),
         feed: Some(0.001 * (1 + i % 7) as f64),
         is_cutting: i % 5 != 0,
+        tool: 0,
     };
     (0..count).map(one).collect()
 }
@@ -121,13 +130,13 @@ fn krl_leads_the_tool_where_the_joints_put_it() {
     let lines: Vec<&str> = starting("LIN ").collect();
     assert_eq!(lines.len(), 199);
     for (line, station) in lines.iter().zip(&stations[1..]) {
-        assert_near(&of_angles(krl_frame(line)), &setup.part_from_tool(&station.joints), line);
+        assert_near(&of_angles(krl_frame(line)), &setup.part_from_tool(0, &station.joints), line);
     }
     assert!(lines[..198].iter().all(|line| line.ends_with(" C_DIS")) && lines[198].ends_with('}'));
     let base = krl_frame(starting("$BASE=").next().unwrap());
     assert_near(&of_angles(base), &setup.base_from_part, "$BASE");
     let tool = krl_frame(starting("$TOOL=").next().unwrap());
-    assert_near(&of_angles(tool), &setup.flange_from_tool, "$TOOL");
+    assert_near(&of_angles(tool), &setup.tools[0].flange_from_tool, "$TOOL");
     let start = krl_frame(starting("PTP ").next().unwrap()).map(f64::to_radians);
     assert_reached(&setup, &start, &stations[0]);
     // Feed of the second place: 0.002 m/s, and 0.5 m/s through the air.
@@ -136,9 +145,9 @@ fn krl_leads_the_tool_where_the_joints_put_it() {
 }
 
 fn assert_reached(setup: &Setup, joints: &[f64; 6], station: &Station) {
-    let found = setup.part_from_tool(joints);
+    let found = setup.part_from_tool(0, joints);
     let found = (found.translation.vector, *found.rotation.to_rotation_matrix().matrix());
-    assert_near(&found, &setup.part_from_tool(&station.joints), "joints");
+    assert_near(&found, &setup.part_from_tool(0, &station.joints), "joints");
 }
 
 #[test]
@@ -152,7 +161,7 @@ fn rapid_leads_the_tool_where_the_joints_put_it_and_says_in_which_quarters_joint
         let n = numbers(line);
         let q = [n[3], n[4], n[5], n[6]];
         assert!(0.0 <= q[0]);
-        assert_near(&of_quaternion([n[0], n[1], n[2]], q), &setup.part_from_tool(&station.joints), line);
+        assert_near(&of_quaternion([n[0], n[1], n[2]], q), &setup.part_from_tool(0, &station.joints), line);
         for (cf, joint) in [(n[7], 0), (n[8], 3), (n[9], 5)] {
             let deg = station.joints[joint].to_degrees();
             assert!(cf * 90.0 <= deg && deg < cf * 90.0 + 90.0, "{line}");
@@ -165,7 +174,7 @@ fn rapid_leads_the_tool_where_the_joints_put_it_and_says_in_which_quarters_joint
     };
     let (tool, part) = (data("PERS tooldata"), data("PERS wobjdata"));
     let pose = |n: &[f64]| of_quaternion([n[0], n[1], n[2]], [n[3], n[4], n[5], n[6]]);
-    assert_near(&pose(&tool), &setup.flange_from_tool, "tooldata");
+    assert_near(&pose(&tool), &setup.tools[0].flange_from_tool, "tooldata");
     assert_near(&pose(&part), &setup.base_from_part, "wobjdata");
     let start = numbers(text.lines().find(|line| line.contains("MoveAbsJ")).unwrap());
     let start: [f64; 6] = std::array::from_fn(|i| start[i].to_radians());
@@ -184,6 +193,7 @@ fn configurations_are_those_that_a_person_sees() {
             joints: deg.map(f64::to_radians),
             feed: Some(0.01),
             is_cutting: true,
+            tool: 0,
         });
         let rapid = one_file(Language::Rapid, &setup, &two, &style());
         let line = numbers(rapid.lines().find(|line| line.contains("MoveL ")).unwrap());
@@ -219,7 +229,7 @@ fn ls_leads_the_tool_where_the_joints_put_it_in_the_frames_of_a_fanuc() {
             assert_reached(&setup, &joints, station);
         } else {
             let [x, y, z, w, p, r] = ["\tX ", "\tY ", "\tZ ", "\tW ", "\tP ", "\tR "].map(value);
-            assert_near(&of_angles([x, y, z, r, p, w]), &setup.part_from_tool(&station.joints), text);
+            assert_near(&of_angles([x, y, z, r, p, w]), &setup.part_from_tool(0, &station.joints), text);
         }
     }
     // What UFRAME and UTOOL are to be, from the remarks of the head.
@@ -238,7 +248,7 @@ fn ls_leads_the_tool_where_the_joints_put_it_in_the_frames_of_a_fanuc() {
     let level = geometry.forward(&[0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0]).rotation;
     let tool = frame("UTOOL 1, in the flange frame, to: ");
     let found = Rotation3::from_matrix_unchecked(shown * tool.1);
-    let expected = level * setup.flange_from_tool.rotation;
+    let expected = level * setup.tools[0].flange_from_tool.rotation;
     assert!(expected.angle_to(&UnitQuaternion::from_rotation_matrix(&found)) < NEAR);
     // Lines are numbered and counted.
     let lines: Vec<&str> = program.split_once("/MN\n").unwrap().1.lines().collect();
@@ -260,7 +270,7 @@ fn the_table_of_joints_holds_the_joints_and_their_poses() {
         let joints: [f64; 6] = std::array::from_fn(|i| row[1 + i].to_radians());
         assert_reached(&setup, &joints, station);
         let pose = of_quaternion([row[7], row[8], row[9]], [row[10], row[11], row[12], row[13]]);
-        assert_near(&pose, &setup.part_from_tool(&joints), "pose");
+        assert_near(&pose, &setup.part_from_tool(0, &joints), "pose");
         let feed = if station.is_cutting { station.feed.unwrap() * 60e3 } else { 30e3 };
         assert!((row[14] - feed).abs() < 1e-3 && row[15] == f64::from(u8::from(station.is_cutting && i != 0)));
     }
@@ -282,8 +292,10 @@ fn at_the_gimbal_and_close_to_it_poses_are_as_exact() {
             let flange = geometry.forward(&geometry.model_angles(&joints, ThirdAxis::Elbow));
             let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(wanted));
             let target = Pose::from_parts(Translation3::new(0.1, 0.2, 0.3), rotation);
-            setup.flange_from_tool = flange.inverse() * setup.base_from_part * target;
-            let station = |joints| Station { line: 1, joints, feed: Some(0.01), is_cutting: true };
+            let turned = Tool { number: None, flange_from_tool: flange.inverse() * setup.base_from_part * target };
+            let tools = [turned];
+            setup.tools = &tools;
+            let station = |joints| Station { line: 1, joints, feed: Some(0.01), is_cutting: true, tool: 0 };
             let two = [station([0.0; 6]), station(joints)];
             let krl = one_file(Language::Krl, &setup, &two, &style());
             let line = krl.lines().find(|line| line.starts_with("LIN")).unwrap();
@@ -440,7 +452,8 @@ fn the_first_joints_of_a_fanuc_program_lead_its_published_chain_to_where_the_pat
     stations[0].joints = [10.0, 35.0, -20.0, 30.0, -60.0, 100.0].map(f64::to_radians);
     let text = one_file(Language::Ls, &setup, &stations, &style());
     let reached = published_chain(&first_joints(&text));
-    let wanted = setup.base_from_part * setup.part_from_tool(&stations[0].joints) * setup.flange_from_tool.inverse();
+    let wanted =
+        setup.base_from_part * setup.part_from_tool(0, &stations[0].joints) * setup.tools[0].flange_from_tool.inverse();
     // Angles to 1e-6 deg on 3 m; the two flange frames differ by a turn about their common z.
     assert!((reached.translation.vector - wanted.translation.vector).norm() < NEAR, "{reached} {wanted}");
     assert!((reached.rotation * Vector3::z() - wanted.rotation * Vector3::z()).norm() < NEAR, "{reached} {wanted}");
@@ -451,7 +464,7 @@ fn where_it_is_not_known_what_the_pendant_shows_no_joint_angle_is_written_and_th
     let geometry = kuka();
     let setup = Setup { pendant: &Pendant::Unknown, ..setup(&geometry) };
     let stations = stations(30, 9);
-    let start = setup.part_from_tool(&stations[0].joints);
+    let start = setup.part_from_tool(0, &stations[0].joints);
     for (language, first_move, joints) in
         [(Language::Krl, "PTP {X ", "{A1"), (Language::Rapid, "MoveJ [", "MoveAbsJ"), (Language::Ls, "J P[1]", "J1=")]
     {
@@ -490,4 +503,103 @@ fn whoever_says_that_the_pendant_counts_so_gets_the_move_in_joints_and_is_told_w
         };
         assert_eq!(moves(&given), moves(&known));
     }
+}
+
+/// A program of two tools, the first of which is put in again: 5, 4 and 3 places.
+fn of_two_tools(language: Language, count: [usize; 3]) -> (Vec<Station>, Vec<String>) {
+    let geometry = kuka();
+    let numbered = [Tool { number: Some(3), ..HELD[0] }, HELD[1]];
+    let setup = Setup { tools: &numbered, ..setup(&geometry) };
+    let tools = [0, 1, 0].into_iter().zip(count).flat_map(|(tool, count)| std::iter::repeat_n(tool, count));
+    let stations: Vec<Station> =
+        stations(12, 5).into_iter().zip(tools).map(|(one, tool)| Station { tool, ..one }).collect();
+    let text = one_file(language, &setup, &stations, &style());
+    (stations, text.lines().map(str::to_owned).collect())
+}
+
+/// At each stop: the tool is named before it, then taken, and the arm goes in joints to where it begins; no corner before the stop is rounded.
+#[test]
+fn every_controller_stops_where_a_tool_is_changed_and_leads_each_where_its_joints_put_it() {
+    let (geometry, changes, named) = (kuka(), [5, 9], ["Tool T12: change it by hand", "Tool T3: change it by hand"]);
+    let numbered = [Tool { number: Some(3), ..HELD[0] }, HELD[1]];
+    let setup = Setup { tools: &numbered, ..setup(&geometry) };
+    let expected = |station: &Station| setup.part_from_tool(station.tool, &station.joints);
+    let stops = |lines: &[String], stop: &str| -> Vec<usize> {
+        lines.iter().enumerate().filter(|(_, line)| line.contains(stop)).map(|(at, _)| at).collect()
+    };
+
+    let (stations, krl) = of_two_tools(Language::Krl, [5, 4, 3]);
+    let straight: Vec<&String> = krl.iter().filter(|line| line.starts_with("LIN ")).collect();
+    let led: Vec<&Station> = (1..12).filter(|i| !changes.contains(i)).map(|i| &stations[i]).collect();
+    assert_eq!((straight.len(), stops(&krl, "HALT").len()), (9, 2));
+    for (line, station) in straight.iter().zip(&led) {
+        assert_near(&of_angles(krl_frame(line)), &expected(station), line);
+    }
+    for ((at, change), named) in stops(&krl, "HALT").into_iter().zip(changes).zip(named) {
+        assert!(
+            krl[at - 2].starts_with(&format!("; {named}")) && !krl[at - 3].ends_with("C_DIS"),
+            "{:?}",
+            &krl[at - 3..at]
+        );
+        let tool = of_angles(krl_frame(&krl[at + 1]));
+        assert_near(&tool, &setup.tools[stations[change].tool].flange_from_tool, &krl[at + 1]);
+        let joints = krl_frame(&krl[at + 2]).map(f64::to_radians);
+        assert!(krl[at + 2].starts_with("PTP {A1 "), "{}", krl[at + 2]);
+        assert!((0..6).all(|i| (joints[i] - stations[change].joints[i]).abs() < NEAR), "{}", krl[at + 2]);
+    }
+
+    let (stations, rapid) = of_two_tools(Language::Rapid, [5, 4, 3]);
+    let straight: Vec<&String> = rapid.iter().filter(|line| line.contains("MoveL ")).collect();
+    assert_eq!((straight.len(), stops(&rapid, "    Stop;").len()), (9, 2));
+    for (line, station) in straight.iter().zip(&led) {
+        let n = numbers(line);
+        assert_near(&of_quaternion([n[0], n[1], n[2]], [n[3], n[4], n[5], n[6]]), &expected(station), line);
+        assert!(line.ends_with(&format!("part_tool{}\\WObj:=part_wobj;", [3, 12][station.tool])), "{line}");
+    }
+    for (number, tool) in [(3, 0), (12, 1)] {
+        let data = rapid.iter().find(|line| line.contains(&format!("tooldata part_tool{number}:="))).expect("the tool");
+        let n = numbers(data.split_once(":=").unwrap().1);
+        let pose = of_quaternion([n[0], n[1], n[2]], [n[3], n[4], n[5], n[6]]);
+        assert_near(&pose, &setup.tools[tool].flange_from_tool, data);
+    }
+    for ((at, change), named) in stops(&rapid, "    Stop;").into_iter().zip(changes).zip(named) {
+        assert!(
+            rapid[at - 2].contains(&format!("! {named}")) && rapid[at - 3].contains(",fine,"),
+            "{:?}",
+            &rapid[at - 3..at]
+        );
+        let start = &rapid[at + 1];
+        assert!(
+            start.contains("MoveAbsJ") && start.contains(&format!("part_tool{}\\", [3, 12][stations[change].tool]))
+        );
+        assert!((0..6).all(|i| (numbers(start)[i].to_radians() - stations[change].joints[i]).abs() < NEAR), "{start}");
+    }
+
+    let (stations, ls) = of_two_tools(Language::Ls, [5, 4, 3]);
+    assert_eq!(stops(&ls, "  PAUSE").len(), 2);
+    for ((at, change), named) in stops(&ls, "  PAUSE").into_iter().zip(changes).zip(named) {
+        let before: Vec<&str> =
+            ls[..at].iter().rev().take_while(|line| line.contains("  !")).map(String::as_str).collect();
+        let told: Vec<&str> =
+            before.iter().rev().filter_map(|line| Some(line.split_once('!')?.1.trim_end_matches(" ;"))).collect();
+        assert!(told.join(" ").starts_with(named), "{told:?}");
+        assert!(ls[at - before.len() - 1].contains("FINE"), "{}", ls[at - before.len() - 1]);
+        assert!(ls[at + 1].contains(&format!("UTOOL_NUM={}", stations[change].tool + 1)), "{}", ls[at + 1]);
+        assert!(ls[at + 2].contains(&format!("J P[{}] 10% FINE", change + 1)), "{}", ls[at + 2]);
+    }
+    let whole = ls.join("\n");
+    let positions: Vec<&str> = whole.split("/POS\n").nth(1).unwrap().split("};\n").collect();
+    for (i, station) in stations.iter().enumerate() {
+        assert!(positions[i].contains(&format!("UF : 1, UT : {},", station.tool + 1)), "{}", positions[i]);
+        let value = |name: &str| numbers(positions[i].split_once(&format!("{name}= ")).unwrap().1)[0];
+        if i == 0 || changes.contains(&i) {
+            let joints: [f64; 6] = std::array::from_fn(|i| value(&format!("\tJ{}", i + 1)).to_radians());
+            assert!((0..6).all(|i| (joints[i] - station.joints[i]).abs() < NEAR), "{}", positions[i]);
+        } else {
+            let [x, y, z, w, p, r] = ["\tX ", "\tY ", "\tZ ", "\tW ", "\tP ", "\tR "].map(value);
+            assert_near(&of_angles([x, y, z, r, p, w]), &expected(station), positions[i]);
+        }
+    }
+    let table = write(Language::JointsCsv, &setup, &stations, &style()).unwrap_err();
+    assert_eq!(table, ProgramFault::Tools);
 }

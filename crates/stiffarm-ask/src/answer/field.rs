@@ -432,6 +432,9 @@ fields! {
     ROLL_LOWER_BOUND: "roll_lower_bound_mm", Kind::Number(Unit::Millimetre), "No rolls of that mode have less at this place.";
     RMS: "rms_mm", Kind::Number(Unit::Millimetre), "The root mean square of the error over what feeds.";
     WORST_SAMPLE: "worst_sample", Kind::Count, "The sample with the largest error, from 0.";
+    WORST_TOOL: "worst_tool", Kind::Count, "The tool with the largest error, of a path that is milled with several.";
+    BY_TOOL: "by_tool", Kind::Nested, "What each tool of the path does, in the order in which they mill: the keys of a path with one tool, its number and its tip.";
+    TOOL_NUMBER: "tool_number", Kind::Count, "The number of the tool in the file of the path.";
     WORST_LINE: "worst_line", Kind::Count, "Its line in the file; 0 of a path built in.";
     FED_BACK: "fed_back", Kind::Nested, "What becomes of the largest error as width and depth of the cut change with the displacement; null where no cut is known.";
     CONTRACTION: "contraction", Kind::Number(Unit::One), "What of a displacement the cut gives back at most; from 1 on nothing settles.";

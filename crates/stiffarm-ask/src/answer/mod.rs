@@ -48,7 +48,7 @@ pub use ledger::LedgerAnswer;
 pub use looks::{Look, looks};
 pub use map::MapAnswer;
 pub use measure::{DrawnPosture, MeasureAnswer};
-pub use mill::{Compensation, MillAnswer, MillAnswerError, PathRankAnswer};
+pub use mill::{ByToolAnswer, Compensation, MillAnswer, MillAnswerError, PathRankAnswer};
 pub use numbers::fixed;
 pub use path::PathAnswer;
 pub use place::PlaceAnswer;

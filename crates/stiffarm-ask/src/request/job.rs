@@ -20,6 +20,7 @@ use std::path::{MAIN_SEPARATOR, Path, absolute};
 
 use toml::de::{DeTable, DeValue};
 
+use super::notation::of_tool;
 use super::{Kind, Pair, Refusal, Request, Setting, Spelling, Verb, on_path};
 use stiffarm::catalogue::{self, files, quoted};
 use stiffarm::plain::on_one_line;
@@ -116,12 +117,18 @@ impl<'t> Reader<'t> {
             let is_path = name == "output" || setting.is_some_and(|setting| setting.kind == Kind::Robot);
             let is_of_file = |text: &String| {
                 setting.is_some_and(|setting| {
-                    setting.kind == Kind::File || setting.kind == Kind::Task && on_path::is_path(text)
+                    matches!(setting.kind, Kind::File | Kind::FileOfTool)
+                        || setting.kind == Kind::Task && on_path::is_path(text)
                 })
             };
             let pairs = texts.into_iter().map(|text| {
                 let text = match () {
-                    () if is_of_file(&text) => self.of_folder(text),
+                    () if is_of_file(&text) => match of_tool(&text) {
+                        (Some(tool), file) if setting.is_some_and(|setting| setting.kind == Kind::FileOfTool) => {
+                            format!("T{tool}={}", self.of_folder(file.into()))
+                        }
+                        _ => self.of_folder(text),
+                    },
                     () if is_path => self.rebased(name == "output", text),
                     () => text,
                 };
@@ -271,6 +278,11 @@ fn literal(kind: Kind, text: &str, folder: Option<&Path>) -> String {
     match kind {
         Kind::File if Builtin::is_meant(text) => quoted(text),
         Kind::Robot => quoted(&folder.map_or_else(|| text.trim().into(), |folder| seen_from(folder, text.trim()))),
+        Kind::FileOfTool => {
+            let (tool, file) = of_tool(text);
+            let file = folder.map_or_else(|| file.trim().into(), |folder| file_from(folder, file.trim()));
+            quoted(&tool.map_or_else(|| file.clone(), |tool| format!("T{tool}={file}")))
+        }
         Kind::File => quoted(&folder.map_or_else(|| text.trim().into(), |folder| file_from(folder, text.trim()))),
         Kind::Flag => text.trim().into(),
         Kind::Tool | Kind::Point | Kind::Force if text.contains(',') => {

@@ -1,8 +1,8 @@
 //! What does an option take, and which value does a text stand for?
 
 use super::notation::{
-    Angle, Force, block, direction, elevation, force, marker, mount, number, open_range, pin, point, roll, shape,
-    spindle, tool, way, window, yaw,
+    Angle, Force, block, direction, elevation, force, marker, mount, number, of_tool, open_range, pin, point, roll,
+    shape, spindle, tool, tool_length, way, window, yaw,
 };
 use stiffarm::catalogue::is_date;
 use stiffarm::catalogue::measurements::Marker;
@@ -23,6 +23,10 @@ pub enum Kind {
     Robot,
     /// A file's name, or what stands for one.
     File,
+    /// A file for all tools, or one for a tool of a path: `FILE`, `T1=FILE`.
+    FileOfTool,
+    /// How far a tool of a path stands out, mm: `T1=82.5`.
+    LengthOfTool,
     /// Yes where it is given.
     Flag,
     /// One of some words, each with a line of help.
@@ -154,6 +158,7 @@ pub(super) enum Value {
     Posture(Configuration),
     Roll(RollMode),
     Pin([f64; 2]),
+    OfTool(u32, f64),
 }
 
 impl Kind {
@@ -178,6 +183,8 @@ impl Kind {
             Self::Text
                 | Self::Robot
                 | Self::File
+                | Self::FileOfTool
+                | Self::LengthOfTool
                 | Self::Flag
                 | Self::Word(_)
                 | Self::Task
@@ -204,7 +211,9 @@ impl Kind {
     pub(super) fn read(self, text: &str) -> Result<Value, String> {
         match self {
             Self::File if text.trim().is_empty() => Err("expected a file's name".into()),
-            Self::Text | Self::Robot | Self::File => Ok(Value::Text(text.into())),
+            Self::FileOfTool if of_tool(text).1.trim().is_empty() => Err("expected a file's name, or T1=FILE".into()),
+            Self::LengthOfTool => tool_length(text).map(|(tool, metres)| Value::OfTool(tool, metres)),
+            Self::Text | Self::Robot | Self::File | Self::FileOfTool => Ok(Value::Text(text.into())),
             Self::Date if is_date(text) => Ok(Value::Text(text.into())),
             Self::Date => Err("expected a day as year-month-day, such as 2026-05-31".into()),
             Self::Flag => text.parse().map(Value::Truth).map_err(|_| "expected true or false".into()),

@@ -287,6 +287,24 @@ pub fn pin(text: &str) -> Result<[f64; 2], String> {
     Ok([way / 1e3, roll.to_radians()])
 }
 
+/// The number of the tool before what is said of it, and that: `T1=endmill.toml`; no number where it is said of all.
+pub(super) fn of_tool(text: &str) -> (Option<u32>, &str) {
+    let told = text.trim().split_once('=').and_then(|(tool, what)| Some((tool.trim().strip_prefix('T')?, what)));
+    let number = |digits: &str| digits.bytes().all(|digit| digit.is_ascii_digit()).then(|| digits.parse().ok())?;
+    told.and_then(|(tool, what)| Some((Some(number(tool)?), what))).unwrap_or((None, text))
+}
+
+/// How far a tool of a path stands out, with its number; m.
+///
+/// # Errors
+/// What was expected.
+pub(super) fn tool_length(text: &str) -> Result<(u32, f64), String> {
+    let expected = || "expected T and the number of a tool, =, and 0 to 2000 mm, such as T1=82.5".to_owned();
+    let (Some(tool), length) = of_tool(text) else { return Err(expected()) };
+    let length = number(length, 0.0, 2e3, "").map_err(|_| expected())?;
+    Ok((tool, length / 1e3))
+}
+
 /// A shape at size 1: a letter of the paper, or a task.
 ///
 /// # Errors

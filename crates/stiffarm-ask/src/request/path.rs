@@ -1,6 +1,7 @@
 //! What does a request ask of a toolpath, and of a process?
 
 use super::kind::Value;
+use super::notation::of_tool;
 use super::wishes::number;
 use super::{Force, Refusal, Request, Verb};
 use stiffarm::cell::Block;
@@ -48,9 +49,100 @@ impl Request {
         self.given_process().ok_or_else(|| self.missing("process"))
     }
 
-    /// The same, where one is given.
+    /// The same, where one is given: that of the tool that is meant, where each has its own.
     pub fn given_process(&self) -> Option<String> {
-        self.texts("process").pop()
+        let tool = self.only_tool();
+        self.processes().into_iter().find(|(of, _)| of.is_none() || *of == tool).map(|(_, name)| name)
+    }
+
+    /// Every process file with the number of its tool; without one, it is that of all.
+    pub fn processes(&self) -> Vec<(Option<u32>, String)> {
+        let named = |text: String| {
+            let (tool, name) = of_tool(&text);
+            (tool, name.to_owned())
+        };
+        self.texts("process").into_iter().map(named).collect()
+    }
+
+    /// Every tool of the path mills with a process of its own.
+    pub fn mills_by_tool(&self) -> bool {
+        self.verb == Verb::Mill && self.only_tool().is_none() && self.processes().iter().any(|(tool, _)| tool.is_some())
+    }
+
+    /// How far the tips of tools stand out of the spindle, by their numbers, m.
+    fn tool_lengths(&self) -> Vec<(u32, f64)> {
+        self.all(
+            "tool-lengths-mm",
+            |value| if let Value::OfTool(tool, metres) = value { Some((tool, metres)) } else { None },
+        )
+    }
+
+    /// The tip of a tool of the path in the flange frame: it stands out of the spindle where lengths are told, else it is where all of them are.
+    ///
+    /// # Errors
+    /// Where lengths are told, and none of this tool.
+    pub fn tip_of(&self, tool: Option<u32>) -> Result<Pose, Refusal> {
+        let (lengths, spindle) = (self.tool_lengths(), self.held().tool());
+        if lengths.is_empty() {
+            return Ok(spindle);
+        }
+        let of = lengths.iter().find(|(number, _)| Some(*number) == tool);
+        let missing = || self.refused("tool-lengths-mm", format!("has no length of {}", tool_name(tool)));
+        of.map(|(_, length)| spindle * Pose::translation(0.0, 0.0, *length)).ok_or_else(missing)
+    }
+
+    /// That processes and lengths by tool say one thing of each tool, and something of every one that mills.
+    pub(super) fn check_tools(&self) -> Result<(), Refusal> {
+        if self.verb != Verb::Mill {
+            return Ok(());
+        }
+        let tools: Vec<Option<u32>> = self.processes().into_iter().map(|(tool, _)| tool).collect();
+        let lengths: Vec<Option<u32>> = self.tool_lengths().into_iter().map(|(tool, _)| Some(tool)).collect();
+        for (name, of) in [("process", &tools), ("tool-lengths-mm", &lengths)] {
+            if let Some(twice) = (1..of.len()).find(|&i| of[..i].contains(&of[i])) {
+                let why = match of[twice] {
+                    None => "names several files; expected one, or one for each tool as T1=FILE,T2=FILE".into(),
+                    tool => format!("is given twice for {}; expected it once", tool_name(tool)),
+                };
+                return Err(self.refused(name, why));
+            }
+        }
+        let is_by_tool = tools.iter().any(Option::is_some);
+        if is_by_tool && tools.contains(&None) {
+            let why = "names one file for all tools and one for a single tool; expected T1=FILE,T2=FILE".to_owned();
+            return Err(self.refused("process", why));
+        }
+        let only = self.only_tool();
+        if is_by_tool && only.is_some_and(|tool| !tools.contains(&Some(tool))) {
+            return Err(self.refused("process", format!("has no file for {}, which mills", tool_name(only))));
+        }
+        if self.mills_by_tool() {
+            return self.check_by_tool(lengths.is_empty());
+        }
+        only.map_or(Ok(()), |tool| self.tip_of(Some(tool)).map(|_| ()))
+    }
+
+    /// What milling with several tools needs, and what it does not go with.
+    fn check_by_tool(&self, has_no_lengths: bool) -> Result<(), Refusal> {
+        if has_no_lengths && !self.is_dry() {
+            let why =
+                "is missing; expected how far each tool stands out of the spindle, such as T1=82.5,T2=140".to_owned();
+            return Err(self.refused("tool-lengths-mm", why));
+        }
+        for (name, why) in [
+            ("robots", "ranks robots with one tool; expected only-tool beside processes by tool"),
+            ("pin", "pins the rolls of one tool; expected only-tool beside processes by tool"),
+            ("stock-mm", "follows one tool; expected only-tool beside processes by tool"),
+        ] {
+            if self.is_given(name) {
+                return Err(self.refused(name, why.into()));
+            }
+        }
+        if self.at().is_none() && !self.is_dry() {
+            let why = "is missing; expected where the part stands: its best place is not sought for several tools at once, but with only-tool for each";
+            return Err(self.refused("at", why.into()));
+        }
+        Ok(())
     }
 
     /// What pushes on the tool, where that is said as a force.
@@ -239,4 +331,9 @@ impl Request {
         let usual = Steps::USUAL;
         Steps { chord: metres("chord-mm", usual.chord), longest: metres("step-mm", usual.longest), ..usual }
     }
+}
+
+/// A tool as it is told.
+pub(crate) fn tool_name(tool: Option<u32>) -> String {
+    tool.map_or_else(|| "cuts for which no tool is named".into(), |tool| format!("T{tool}"))
 }

@@ -145,8 +145,15 @@ impl Request {
 
     /// What was given that may be the name of a file: paths, tables, processes, robots.
     pub fn files(&self) -> Vec<String> {
-        let is_file = |row: &&'static super::Setting| matches!(row.kind, super::Kind::File | super::Kind::Robot);
-        self.verb.settings().filter(is_file).flat_map(|row| self.texts(row.name)).collect()
+        let is_file = |row: &&'static super::Setting| {
+            matches!(row.kind, super::Kind::File | super::Kind::FileOfTool | super::Kind::Robot)
+        };
+        let name = |row: &super::Setting, text: String| match row.kind {
+            super::Kind::FileOfTool => super::notation::of_tool(&text).1.to_owned(),
+            _ => text,
+        };
+        let names = |row: &'static super::Setting| self.texts(row.name).into_iter().map(move |text| name(row, text));
+        self.verb.settings().filter(is_file).flat_map(names).collect()
     }
 
     /// The joint angles of one posture, deg.

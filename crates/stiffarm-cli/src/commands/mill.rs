@@ -13,8 +13,9 @@ use stiffarm::watch::{Stopped, Watch};
 use stiffarm_ask::answer::{MillAnswer, PathAnswer, PathRankAnswer, Rows, Unit};
 use stiffarm_ask::request::Request;
 
+use super::by_tool::ByToolOutput;
 use super::path_ranking::PathRankOutput;
-use super::{drawing, process_of, progress, watched};
+use super::{by_tool, drawing, process_of, progress, watched};
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::figures::Plate;
@@ -41,8 +42,19 @@ pub(crate) fn run(asked: &Request, common: &Common) -> Result<(), Failure> {
     if asked.ranks_on_path() {
         return ranked_on_path(asked, common);
     }
+    if asked.mills_by_tool() {
+        return milled_by_tool(asked, common);
+    }
     let outputs = Outputs::open::<MillOutput>(common)?;
     let found = answer(asked, common)?;
+    let shortfall = found.answer.shortfall().filter(|_| common.check);
+    verdict(outputs.deliver(&found), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))
+}
+
+/// Several tools on the path, each with its own process.
+fn milled_by_tool(asked: &Request, common: &Common) -> Result<(), Failure> {
+    let outputs = Outputs::open::<ByToolOutput>(common)?;
+    let found = by_tool::answer(asked, common)?;
     let shortfall = found.answer.shortfall().filter(|_| common.check);
     verdict(outputs.deliver(&found), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))
 }
@@ -93,7 +105,7 @@ fn read_process_of(asked: &Request, common: &Common) -> Result<Option<(String, P
 }
 
 /// All moves of the path, as long as no more samples come of them, each kept for so many robots, than there may be.
-fn all_moves(
+pub(super) fn all_moves(
     asked: &Request,
     path: &str,
     common: &Common,

@@ -1,5 +1,6 @@
 //! One file per verb: arguments to a call of the library, the answer to text, JSON, CSV and figure.
 
+pub(crate) mod by_tool;
 pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod compliance;
@@ -79,6 +80,7 @@ pub(crate) fn told<'a>(asked: &'a Request, common: &'a Common) -> Result<Box<dyn
         Verb::Measure => Box::new(measure::answer(asked, common)?),
         Verb::Mill if asked.is_dry() => Box::new(mill::surveyed(asked, common)?),
         Verb::Mill if asked.ranks_on_path() => Box::new(mill::ranked(asked, common)?),
+        Verb::Mill if asked.mills_by_tool() => Box::new(by_tool::answer(asked, common)?),
         Verb::Mill => Box::new(mill::answer(asked, common)?),
         Verb::Force => Box::new(force::answer(asked, common)?),
         Verb::List => Box::new(robots::list_of(&[], asked)?),

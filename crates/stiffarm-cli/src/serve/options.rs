@@ -57,6 +57,8 @@ pub(super) fn kind(kind: Kind) -> &'static str {
         Kind::Text => "text",
         Kind::Robot => "robot",
         Kind::File => "file",
+        Kind::FileOfTool => "file-of-tool",
+        Kind::LengthOfTool => "length-of-tool",
         Kind::Flag => "flag",
         Kind::Word(_) => "choice",
         Kind::Number { .. } => "number",

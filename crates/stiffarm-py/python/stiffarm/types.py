@@ -707,9 +707,13 @@ class MillOptions(TypedDict, total=False):
     """Mill only what the tool of this number cuts (T, LOAD); each tool of a path has a process and a length of
     its own [default: all of the path, which then has one tool]."""
 
-    process: str | None
+    process: str | Iterable[str] | None
     """A process file (TOML): tool, material and engagement, or a force as it is; the mean force over a
-    revolution acts."""
+    revolution acts. T1=FILE,T2=FILE: one for each tool of a path that changes its tool."""
+
+    tool_lengths_mm: str | Iterable[str] | None
+    """How far the tip of each tool of the path stands out of the spindle [mm], along the tool axis:
+    T1=82.5,T2=140; the tool point (tool, tool-mm) is then the spindle's nose, from which tools are measured."""
 
     force_n: float | npt.ArrayLike | None
     """Cutting force on the tool [N]: FEED,ACROSS,AXIAL (across: left of the feed, seen from the spindle; axial:

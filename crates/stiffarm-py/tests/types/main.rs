@@ -250,6 +250,8 @@ fn python_type(setting: &Setting) -> String {
             | Kind::Marker
             | Kind::Way
             | Kind::Direction
+            | Kind::FileOfTool
+            | Kind::LengthOfTool
             | Kind::Pin,
             true,
         ) => "str | Iterable[str]".into(),

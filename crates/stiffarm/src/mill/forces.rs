@@ -380,6 +380,55 @@ mod tests {
         assert!(told.contains("2 mm deep and 16 mm wide, is taken on every feed move, in air too"), "{told}");
     }
 
+    /// A path that begins twice, turns once sharply and once not: counted by hand, and only where the cut is that of the process.
+    #[test]
+    fn a_cut_that_may_be_wider_than_told_is_warned_of_where_it_begins_and_turns() {
+        use crate::toolpath::{Course, MoveKind, ToolPose};
+        let pose = |[x, y]: [f64; 2]| ToolPose { tip: Vector3::new(x, y, 0.0), axis: Vector3::z() };
+        let one = |line, kind, from, to, given| Move {
+            line,
+            kind,
+            from: pose(from),
+            to: pose(to),
+            course: Course::Line,
+            feed: Some(0.01),
+            normals: None,
+            given,
+        };
+        let (feed, rapid, nothing) = (MoveKind::Feed, MoveKind::Rapid, Given::default());
+        let down = Given { axial_depth: Some(1e-3), radial_width: Some(2e-3), ..nothing };
+        let path = |given: Given| {
+            [
+                one(1, rapid, [0.0, -0.1], [0.0, 0.0], nothing),
+                one(2, feed, [0.0, 0.0], [0.1, 0.0], given),
+                // 20 deg are no corner, 31 deg more are.
+                one(3, feed, [0.1, 0.0], [0.194, 0.0342], given),
+                one(4, feed, [0.194, 0.0342], [0.26, 0.115], given),
+                one(5, rapid, [0.26, 0.115], [0.0, 0.2], nothing),
+                one(6, feed, [0.0, 0.2], [0.0, 0.3], given),
+            ]
+        };
+        let told = |ae: f64, side: &str, given: Given| {
+            let narrow = SLOT.replace("ae_mm = 16", &format!("ae_mm = {ae}")).replace("\"slot\"", &format!("{side:?}"));
+            let process = Forcing::Process(read_process(&narrow, "narrow.toml").unwrap().process);
+            forced(&path(given), &Steps::USUAL, &process, None, Watch::nobody()).unwrap().remarks
+        };
+        for side in ["up", "down"] {
+            let remarks = told(4.0, side, nothing);
+            let starting = |start: &str| remarks.iter().filter(|told| told.contains(start)).collect::<Vec<_>>();
+            let [cut] = starting("the cut of the process")[..] else { panic!("{remarks:?}") };
+            assert!(cut.contains("2 mm deep and 4 mm wide, is taken on every feed move, in air too"), "{cut}");
+            let [begins, turns] = starting("WIDER CUTS")[..] else { panic!("{remarks:?}") };
+            assert!(begins.starts_with("WIDER CUTS: line 2: 2 times a cut begins"), "{begins}");
+            assert!(turns.starts_with("WIDER CUTS: line 4: 1 times the feed turns by more than 30 deg"), "{turns}");
+        }
+        // No cut is wider than a slot, and what the path says itself is not the process's.
+        let slot = told(16.0, "slot", nothing);
+        assert!(slot.iter().any(|told| told.contains("in air too")) && !slot.iter().any(|told| told.contains("WIDER")));
+        let given = told(4.0, "up", down);
+        assert!(!given.iter().any(|told| told.contains("in air too") || told.contains("WIDER")), "{given:?}");
+    }
+
     /// Along a square: over the way in the axes of the cut, over time in those of the part; by hand.
     #[test]
     fn a_measured_force_acts_where_and_when_it_was_measured() {

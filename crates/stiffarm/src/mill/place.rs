@@ -33,6 +33,10 @@ use crate::watch::Watch;
 const ROLLS: [usize; 2] = [24, 60];
 /// Places from which steps are taken.
 const STARTS: usize = 6;
+/// Where none of these leads to a place at which the path is followed, so many further ones are looked at, and steps are taken from so many of them at
+/// which it is.
+const FURTHER: usize = 200;
+const DESCENTS: usize = 2;
 /// Steps are halved so often: from a tenth of the range to a millimetre or so.
 const HALVINGS: usize = 8;
 /// How often the worst sample of the whole path joins the others.
@@ -136,12 +140,13 @@ pub fn place_path(
     let question = Question { robot, arm: &arm, stations, options };
     let (mut best, mut nearest): (Option<(f64, Place, Followed)>, Option<Blocked>) = (None, None);
     let (mut starts, coarse) = search.coarse(watch)?;
+    let further = starts.split_off(STARTS.min(starts.len()));
     let mut step = 0.0;
     for _ in 0..ROUNDS {
         let mut steps: Vec<Start> = Vec::new();
         for start in &starts {
             watch.go_on()?;
-            let (found, last) = search.descended(start)?;
+            let (found, last) = search.descended(start, &|_| Ok(true))?;
             steps.push(found);
             step = last;
         }
@@ -174,6 +179,9 @@ pub fn place_path(
         }
         steps.truncate(STARTS);
         starts = steps;
+    }
+    if best.is_none() {
+        best = search.followed(&question, starts.iter().chain(&further), watch)?;
     }
     let samples = search.keys.len();
     let Some((_, place, followed)) = best else { return Ok(Err(nearest)) };
@@ -337,15 +345,50 @@ impl Search<'_> {
         let mut chosen: Vec<Start> = Vec::new();
         for one in found {
             let is_apart = |other: &Start| (0..4).any(|i| 2.5 * one.apart[i] < (one.place[i] - other.place[i]).abs());
-            if chosen.len() < STARTS && chosen.iter().all(is_apart) {
+            if chosen.len() < FURTHER && chosen.iter().all(is_apart) {
                 chosen.push(one);
             }
         }
         Ok((chosen, grids.first().map_or([0; 4], |grid| grid.counts)))
     }
 
-    /// The best place that steps along and across the axes lead to, and the last step, m.
-    fn descended(&self, from: &Start) -> Result<(Start, f64), MillError> {
+    /// The best place of a search among those alone at which all of the path is followed, where the samples that stand for it led to none: each of them is
+    /// held there, but no way leads from one to the next.
+    fn followed<'s>(
+        &self,
+        question: &Question,
+        starts: impl Iterator<Item = &'s Start>,
+        watch: Watch,
+    ) -> Result<Option<(f64, Place, Followed)>, MillError> {
+        let milled = |place: &Place| match question.milled(&self.stand(place), ROLLS[0], watch)? {
+            Milled::Followed(found) => Ok::<_, MillError>(Some(found)),
+            Milled::Blocked(_) => Ok(None),
+        };
+        let (mut best, mut descents): (Option<(f64, Place, Followed)>, usize) = (None, 0);
+        for start in starts {
+            if descents == DESCENTS {
+                break;
+            }
+            if milled(&start.place)?.is_none() {
+                continue;
+            }
+            descents += 1;
+            let (Start { place, .. }, _) = self.descended(start, &|place| Ok(milled(place)?.is_some()))?;
+            // Where no step led on, that is the start itself.
+            if let Some(found) = milled(&place)?.filter(|found| best.as_ref().is_none_or(|best| found.worst.0 < best.0))
+            {
+                best = Some((found.worst.0, place, found));
+            }
+        }
+        Ok(best)
+    }
+
+    /// The best place that steps along and across the axes lead to by places that count, and the last step, m.
+    fn descended(
+        &self,
+        from: &Start,
+        counts: &dyn Fn(&Place) -> Result<bool, MillError>,
+    ) -> Result<(Start, f64), MillError> {
         let mut best = Start { value: self.value(&from.place, ROLLS[1])?, ..*from };
         let mut steps = from.apart.map(|apart| apart / 2.0);
         let ways = ways(&steps);
@@ -353,12 +396,20 @@ impl Search<'_> {
             loop {
                 let place = |way: &Place| std::array::from_fn(|i| best.place[i] + way[i] * steps[i]);
                 let around: Vec<Place> = ways.iter().map(place).collect();
-                let found: Vec<Start> = around
+                let mut found: Vec<Start> = around
                     .par_iter()
                     .map(|place| Ok(Start { value: self.value(place, ROLLS[1])?, place: *place, ..*from }))
                     .collect::<Result<_, MillError>>()?;
-                let least = found.into_iter().min_by(|a, b| a.value.total_cmp(&b.value));
-                match least.filter(|least| least.value < best.value * (1.0 - 1e-6)) {
+                found.retain(|one| one.value < best.value * (1.0 - 1e-6));
+                found.sort_by(|a, b| a.value.total_cmp(&b.value));
+                let mut least = None;
+                for one in found {
+                    if counts(&one.place)? {
+                        least = Some(one);
+                        break;
+                    }
+                }
+                match least {
                     Some(least) => best = least,
                     None => break,
                 }

@@ -36,6 +36,19 @@ pub enum ProgramFault {
         /// Which.
         robot: String,
     },
+    /// A tool that is not there.
+    #[error("line {line}: tool {tool} of {tools}; expected one of those of the setup, counted from 0")]
+    NoTool {
+        /// Of the path.
+        line: usize,
+        /// From 0.
+        tool: usize,
+        /// How many there are.
+        tools: usize,
+    },
+    /// Several tools where nothing can stop for a change.
+    #[error("a table of joints does not stop where the tool is changed; expected the path of one tool")]
+    Tools,
     /// A joint angle.
     #[error("line {line}: joint {joint} at {} deg: expected a number of at most {most_deg} deg", angle.to_degrees())]
     Joint {

@@ -12,10 +12,16 @@ pub(super) struct Dialect<'a> {
     pub(super) angles: [&'a str; 3],
     /// In which frame the part stands, and what it is called.
     pub(super) frame: (&'a str, Pose),
-    /// The same of the tool.
-    pub(super) tool: (&'a str, Pose),
+    /// The same of each tool.
+    pub(super) tools: Vec<(String, Pose)>,
     /// Where x points in the flange frame while the forearm is level.
     pub(super) flange_x: &'a str,
+}
+
+/// Every tool with the words before its frame.
+pub(super) fn tools(program: &Program, what: &str) -> Vec<(String, Pose)> {
+    let told = |tool: &super::Tool| (format!("{}, {what}", tool.name()), tool.flange_from_tool);
+    program.setup.tools.iter().map(told).collect()
 }
 
 /// The sentences of the head.
@@ -23,19 +29,19 @@ pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
     let setup = program.setup;
     let frame = |what: &str, pose: &Pose| format!("{what}: {}", told(pose, dialect.angles));
     let mut head: Vec<String> = of_joints(setup.pendant).iter().map(|sentence| (*sentence).to_owned()).collect();
-    head.push(
-        "This program moves the arm and nothing else: spindle, coolant and tool changes are not in it.".to_owned(),
-    );
+    head.push(if setup.tools.len() < 2 {
+        "This program moves the arm and nothing else: spindle, coolant and tool changes are not in it.".to_owned()
+    } else {
+        let first = program.steps.first().map_or_else(String::new, |first| setup.tools[first.tool].name());
+        format!("This program moves the arm and nothing else: spindle and coolant are not in it. It stops where a tool is changed by hand, and begins with {first}.")
+    });
     head.extend(setup.remarks.iter().map(|remark| ascii(remark)));
-    head.extend([
-        format!("Robot: {}", ascii(setup.robot)),
-        frame(dialect.frame.0, &dialect.frame.1),
-        frame(dialect.tool.0, &dialect.tool.1),
-        format!(
-            "Flange frame: z out along axis 6; with the forearm level and the wrist straight, x points {}.",
-            dialect.flange_x
-        ),
-    ]);
+    head.extend([format!("Robot: {}", ascii(setup.robot)), frame(dialect.frame.0, &dialect.frame.1)]);
+    head.extend(dialect.tools.iter().map(|(what, pose)| frame(what, pose)));
+    head.extend([format!(
+        "Flange frame: z out along axis 6; with the forearm level and the wrist straight, x points {}.",
+        dialect.flange_x
+    )]);
     head.push(match setup.stiffness {
         Some(source) => format!("The deflection under the cutting force is taken out. Stiffness: {}", ascii(source)),
         None => "The deflection under the cutting force is not taken out.".into(),

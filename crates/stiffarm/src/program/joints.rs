@@ -1,7 +1,7 @@
 //! A table of joints as the robot reports them, and of the poses they make: the reference for programs.
 
 use super::angles::{fixed, quaternion};
-use super::head::{Dialect, Text, sentences};
+use super::head::{Dialect, Text, sentences, tools};
 use super::steps::Program;
 use super::{Language, ProgramFault, ProgramFile};
 use crate::plain::on_one_line;
@@ -18,10 +18,13 @@ pub(super) fn files(program: &Program) -> Result<Vec<ProgramFile>, ProgramFault>
     if !setup.knows_joints() {
         return Err(ProgramFault::Pendant { robot: on_one_line(setup.robot).into_owned() });
     }
+    if 1 < setup.tools.len() {
+        return Err(ProgramFault::Tools);
+    }
     let dialect = Dialect {
         angles: ["Rz", "Ry", "Rx"],
         frame: ("Part, in the robot's base", setup.base_from_part),
-        tool: ("Tool, in the flange frame", setup.flange_from_tool),
+        tools: tools(program, "in the flange frame"),
         flange_x: "down",
     };
     let mut lines = sentences(program, &dialect);

@@ -1,7 +1,7 @@
 //! KUKA: `R = Rz(A) Ry(B) Rx(C)`, mm, deg, m/s.
 
 use super::angles::{OF_ANGLE, OF_JOINT, Zyx, fixed, mm};
-use super::head::{Dialect, Text, sentences};
+use super::head::{Dialect, Text, sentences, tools};
 use super::steps::{Program, Step};
 use super::{Language, ProgramFile};
 use crate::spatial::Pose;
@@ -31,7 +31,7 @@ fn begun(program: &Program, name: &str) -> Text {
     let dialect = Dialect {
         angles: ["A", "B", "C"],
         frame: ("Work object, $BASE in the robot's base (ROBROOT)", setup.base_from_part),
-        tool: ("Tool, $TOOL in the flange frame", setup.flange_from_tool),
+        tools: tools(program, "$TOOL in the flange frame"),
         flange_x: "down",
     };
     let mut text = Text::default();
@@ -47,27 +47,39 @@ fn part(program: &Program, name: &str, steps: &[Step]) -> Text {
     text.line("BAS(#INITMOV,0)");
     text.line(&format!("BAS(#VEL_PTP,{START_PERCENT})"));
     text.line(&format!("$BASE={{{}}}", frame(&setup.base_from_part)));
-    text.line(&format!("$TOOL={{{}}}", frame(&setup.flange_from_tool)));
     text.line(&format!("$APO.CDIS={}", mm(style.blend)));
-    let start = if setup.knows_joints() {
-        let joint = |(i, q): (usize, f64)| format!("A{i} {}", fixed(q.to_degrees(), OF_JOINT));
-        (1..).zip(steps[0].joints).map(joint).collect::<Vec<_>>().join(",")
-    } else {
-        // Without S and T the axes stay in the quarter turns in which they are.
-        frame(&steps[0].part_from_tool)
-    };
-    text.line(&format!("PTP {{{start}}}"));
+    begin(program, &steps[0], &mut text);
     let mut speed = None;
     for (i, step) in steps.iter().enumerate().skip(1) {
+        if Program::change_at(steps, i) {
+            text.lines("; ", &program.change_to(step));
+            text.line("HALT");
+            begin(program, step, &mut text);
+            continue;
+        }
         if speed.replace(step.speed) != Some(step.speed) {
             text.line(&format!("$VEL.CP={}", fixed(step.speed, 6)));
         }
-        // The last place is gone to exactly: no corner follows.
-        let blend = if i + 1 == steps.len() { "" } else { blend };
+        // A last place is gone to exactly: no corner follows.
+        let blend = if Program::ends_at(steps, i) { "" } else { blend };
         text.line(&format!("LIN {{{}}}{blend}", frame(&step.part_from_tool)));
     }
     text.line("END");
     text
+}
+
+/// Takes the tool of a step, and goes there in joints, where they are known.
+fn begin(program: &Program, step: &Step, text: &mut Text) {
+    let setup = program.setup;
+    text.line(&format!("$TOOL={{{}}}", frame(&setup.tools[step.tool].flange_from_tool)));
+    let start = if setup.knows_joints() {
+        let joint = |(i, q): (usize, f64)| format!("A{i} {}", fixed(q.to_degrees(), OF_JOINT));
+        (1..).zip(step.joints).map(joint).collect::<Vec<_>>().join(",")
+    } else {
+        // Without S and T the axes stay in the quarter turns in which they are.
+        frame(&step.part_from_tool)
+    };
+    text.line(&format!("PTP {{{start}}}"));
 }
 
 fn frame(pose: &Pose) -> String {

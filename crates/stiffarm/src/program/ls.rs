@@ -7,11 +7,11 @@ use nalgebra::{Translation3, Vector3};
 use super::angles::{OF_ANGLE, OF_JOINT, fixed, mm};
 use super::head::{Dialect, Text, sentences};
 use super::steps::{Program, Step};
-use super::{Language, ProgramFile, Setup};
+use super::{Language, ProgramFile, Setup, Tool};
 use crate::spatial::Pose;
 
-/// User frame and user tool of the program, which the controller holds under this number.
-const NUMBER: u32 = 1;
+/// The user frame of the program, which the controller holds under this number; its tools have the numbers from 1.
+const FRAME: u32 = 1;
 
 /// Remarks are no longer.
 const REMARK: usize = 32;
@@ -56,10 +56,14 @@ fn whole(name: &str, lines: &[String], positions: &str) -> String {
 
 fn head(program: &Program) -> Vec<String> {
     let setup = program.setup;
+    let of_frame = |(i, tool): (usize, &Tool)| {
+        let name = tool.number.map_or_else(String::new, |number| format!(" for T{number}"));
+        (format!("Set UTOOL {}{name}, in the flange frame, to", i + 1), flange_from_tool(tool))
+    };
     let dialect = Dialect {
         angles: ["R", "P", "W"],
         frame: ("Set UFRAME 1, in WORLD at the height of joint 2, to", world_from_part(setup)),
-        tool: ("Set UTOOL 1, in the flange frame, to", flange_from_tool(setup)),
+        tools: setup.tools.iter().enumerate().map(of_frame).collect(),
         flange_x: "up",
     };
     let mut sentences = sentences(program, &dialect);
@@ -80,16 +84,25 @@ fn world_from_part(setup: &Setup) -> Pose {
 }
 
 /// From Fanuc's flange frame, half a turn about z from ours.
-fn flange_from_tool(setup: &Setup) -> Pose {
-    Pose::rotation(Vector3::z() * PI) * setup.flange_from_tool
+fn flange_from_tool(tool: &Tool) -> Pose {
+    Pose::rotation(Vector3::z() * PI) * tool.flange_from_tool
 }
 
 fn moves(program: &Program, steps: &[Step]) -> Vec<String> {
     let ending = if program.style.blend == 0.0 { "CNT0" } else { "CNT100" };
-    let mut lines = vec![format!("  UFRAME_NUM={NUMBER}"), format!("  UTOOL_NUM={NUMBER}")];
-    lines.push("J P[1] 10% FINE".into());
-    for (i, step) in (2..).zip(&steps[1..]) {
-        let ending = if i == steps.len() { "FINE" } else { ending };
+    let mut lines = vec![format!("  UFRAME_NUM={FRAME}")];
+    let begin = |i: usize| [format!("  UTOOL_NUM={}", steps[i].tool + 1), format!("J P[{}] 10% FINE", i + 1)];
+    lines.extend(begin(0));
+    for (i, step) in steps.iter().enumerate().skip(1) {
+        if Program::change_at(steps, i) {
+            let told = program.change_to(step);
+            lines.extend(told.iter().flat_map(|sentence| wrapped(sentence)).map(|line| format!("  !{line}")));
+            lines.push("  PAUSE".into());
+            lines.extend(begin(i));
+            continue;
+        }
+        let ending = if Program::ends_at(steps, i) { "FINE" } else { ending };
+        let i = i + 1;
         lines.push(format!("L P[{i}] {}mm/sec {ending}", fixed(step.speed * 1e3, 1)));
     }
     lines
@@ -98,8 +111,9 @@ fn moves(program: &Program, steps: &[Step]) -> Vec<String> {
 fn positions(program: &Program, steps: &[Step]) -> String {
     let mut text = Text::default();
     for (i, step) in (1..).zip(steps) {
-        let body = if i == 1 && program.setup.knows_joints() { in_joints(step) } else { in_space(program, step) };
-        text.line(&format!("P[{i}]{{\n   GP1:\n\tUF : {NUMBER}, UT : {NUMBER},{body}\n}};"));
+        let begins = i == 1 || Program::change_at(steps, i - 1);
+        let body = if begins && program.setup.knows_joints() { in_joints(step) } else { in_space(program, step) };
+        text.line(&format!("P[{i}]{{\n   GP1:\n\tUF : {FRAME}, UT : {},{body}\n}};", step.tool + 1));
     }
     text.0
 }

@@ -39,6 +39,24 @@ pub struct Station {
     pub feed: Option<f64>,
     /// The way to it is at a feed rate, rather than as fast as may be.
     pub is_cutting: bool,
+    /// Which of the tools of [`Setup`] is held. Where another one is than before, the program stops, and goes on in joints.
+    pub tool: usize,
+}
+
+/// A tool that a program moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tool {
+    /// Its number; `None` where the path has one tool.
+    pub number: Option<u32>,
+    /// In the flange frame.
+    pub flange_from_tool: Pose,
+}
+
+impl Tool {
+    /// As heads and stops name it.
+    fn name(&self) -> String {
+        self.number.map_or_else(|| "Tool".into(), |number| format!("Tool T{number}"))
+    }
 }
 
 /// Which robot holds which tool, and where the part stands.
@@ -54,8 +72,8 @@ pub struct Setup<'a> {
     pub pendant: &'a Pendant,
     /// The part in the robot's base frame.
     pub base_from_part: Pose,
-    /// The tool in the flange frame.
-    pub flange_from_tool: Pose,
+    /// The tools, each once.
+    pub tools: &'a [Tool],
     /// What is to be known of this program besides, in sentences.
     pub remarks: &'a [String],
     /// Whose stiffness the joints take the deflection out with, in words; `None` where they do not.
@@ -68,10 +86,13 @@ impl Setup<'_> {
         *self.pendant != Pendant::Unknown
     }
 
-    /// The tool in the part at joint angles as reported, rad.
-    pub fn part_from_tool(&self, joints: &[f64; 6]) -> Pose {
+    /// A tool in the part at joint angles as reported, rad.
+    ///
+    /// # Panics
+    /// Where there is no such tool.
+    pub fn part_from_tool(&self, tool: usize, joints: &[f64; 6]) -> Pose {
         let flange = self.geometry.forward(&self.geometry.model_angles(joints, self.third_axis));
-        self.base_from_part.inverse() * flange * self.flange_from_tool
+        self.base_from_part.inverse() * flange * self.tools[tool].flange_from_tool
     }
 }
 

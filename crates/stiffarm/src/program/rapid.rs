@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::Vector3;
 
 use super::angles::{OF_JOINT, OF_QUATERNION, fixed, mm, quaternion};
-use super::head::{Dialect, Text, sentences};
+use super::head::{Dialect, Text, sentences, tools};
 use super::steps::{Program, Step};
 use super::{Language, ProgramFile, Setup};
 use crate::spatial::Pose;
@@ -44,7 +44,7 @@ fn begun(program: &Program, name: &str) -> Text {
     let dialect = Dialect {
         angles: ["Rz", "Ry", "Rx"],
         frame: ("Work object, in the robot's base", setup.base_from_part),
-        tool: ("Tool, in the flange frame (tool0)", setup.flange_from_tool),
+        tools: tools(program, "in the flange frame (tool0)"),
         flange_x: "down",
     };
     let mut head = sentences(program, &dialect);
@@ -64,26 +64,24 @@ fn ended(name: &str, mut text: Text) -> ProgramFile {
 /// Tool and work object, under names of the program.
 fn data(program: &Program, text: &mut Text) {
     let (setup, name) = (program.setup, &program.style.name);
-    let (tool, part) = (frame(&setup.flange_from_tool), frame(&setup.base_from_part));
+    let part = frame(&setup.base_from_part);
     text.line("  ! The load [1,[0,0,1],...] only stands in for the one that is to be identified.");
-    text.line(&format!("  PERS tooldata {name}_tool:=[TRUE,[{tool}],[1,[0,0,1],[1,0,0,0],0,0,0]];"));
+    for (i, tool) in setup.tools.iter().enumerate() {
+        let (name, tool) = (tool_name(program, i), frame(&tool.flange_from_tool));
+        text.line(&format!("  PERS tooldata {name}:=[TRUE,[{tool}],[1,[0,0,1],[1,0,0,0],0,0,0]];"));
+    }
     text.line(&format!("  PERS wobjdata {name}_wobj:=[FALSE,TRUE,\"\",[{part}],[[0,0,0],[1,0,0,0]]];"));
 }
 
 fn procedure(program: &Program, name: &str, steps: &[Step], text: &mut Text) {
     let (setup, style) = (program.setup, program.style);
-    let with = format!("{0}_tool\\WObj:={0}_wobj", style.name);
     text.line(&format!("  PROC {name}()"));
-    if setup.knows_joints() {
-        let joints = steps[0].joints.map(|q| fixed(q.to_degrees(), OF_JOINT)).join(",");
-        text.line("    ConfL\\On;");
-        text.line(&format!("    MoveAbsJ [[{joints}],{EXTERNAL}],v100,fine,{with};"));
-    } else {
+    if !setup.knows_joints() {
         // The configuration is that in which the robot stands.
         text.line("    ConfJ\\Off;");
-        text.line("    ConfL\\Off;");
-        text.line(&format!("    MoveJ {},v100,fine,{with};", target(setup, &steps[0])));
     }
+    text.line(if setup.knows_joints() { "    ConfL\\On;" } else { "    ConfL\\Off;" });
+    begin(program, &steps[0], text);
     let zone = if style.blend == 0.0 {
         "fine".to_owned()
     } else {
@@ -92,11 +90,39 @@ fn procedure(program: &Program, name: &str, steps: &[Step], text: &mut Text) {
         format!("[FALSE,{near},{far},{far},1,{far},1]")
     };
     for (i, step) in steps.iter().enumerate().skip(1) {
-        let zone = if i + 1 == steps.len() { "fine" } else { &zone };
+        if Program::change_at(steps, i) {
+            text.lines("    ! ", &program.change_to(step));
+            text.line("    Stop;");
+            begin(program, step, text);
+            continue;
+        }
+        let (with, zone) = (with(program, step), if Program::ends_at(steps, i) { "fine" } else { &zone });
         let (target, speed) = (target(setup, step), fixed(step.speed * 1e3, 3));
         text.line(&format!("    MoveL {target},[{speed},{OTHER_SPEEDS}],{zone},{with};"));
     }
     text.line("  ENDPROC");
+}
+
+/// Goes to the place of a step in joints, where they are known.
+fn begin(program: &Program, step: &Step, text: &mut Text) {
+    let (setup, with) = (program.setup, with(program, step));
+    if setup.knows_joints() {
+        let joints = step.joints.map(|q| fixed(q.to_degrees(), OF_JOINT)).join(",");
+        text.line(&format!("    MoveAbsJ [[{joints}],{EXTERNAL}],v100,fine,{with};"));
+    } else {
+        text.line(&format!("    MoveJ {},v100,fine,{with};", target(setup, step)));
+    }
+}
+
+/// What moves in which work object.
+fn with(program: &Program, step: &Step) -> String {
+    format!("{}\\WObj:={}_wobj", tool_name(program, step.tool), program.style.name)
+}
+
+/// The name of a tool in a program: short, so that several stay below 32 signs.
+fn tool_name(program: &Program, tool: usize) -> String {
+    let number = program.setup.tools[tool].number.map_or_else(String::new, |number| number.to_string());
+    format!("{}_tool{number}", program.style.name)
 }
 
 /// A place as a robtarget.

@@ -30,6 +30,8 @@ pub(super) struct Step {
     /// m/s; of the first place that of moves through the air.
     pub(super) speed: f64,
     pub(super) is_cutting: bool,
+    /// Of the setup's tools.
+    pub(super) tool: usize,
 }
 
 /// What is written.
@@ -52,9 +54,13 @@ impl<'a> Program<'a> {
         check(style, language)?;
         let mut steps: Vec<Step> = Vec::new();
         for (i, station) in stations.iter().enumerate() {
-            let stays = i.checked_sub(1).is_some_and(|before| stations[before].joints == station.joints);
-            if !stays {
-                steps.push(step(language, setup, station, style, steps.is_empty())?);
+            if setup.tools.len() <= station.tool {
+                return Err(ProgramFault::NoTool { line: station.line, tool: station.tool, tools: setup.tools.len() });
+            }
+            let before = i.checked_sub(1).map(|before| &stations[before]);
+            let is_same = before.is_some_and(|before| before.tool == station.tool);
+            if !(is_same && before.is_some_and(|before| before.joints == station.joints)) {
+                steps.push(step(language, setup, station, style, !is_same)?);
             }
         }
         if steps.len() < 2 {
@@ -68,6 +74,25 @@ impl<'a> Program<'a> {
     /// The name of a part, from 1, or of the program itself.
     pub(super) fn name_of(&self, part: Option<usize>) -> String {
         part.map_or_else(|| self.style.name.clone(), |part| format!("{}_{part}", self.style.name))
+    }
+
+    /// The tool of a part's step is put in there: with another one than at the step before.
+    pub(super) fn change_at(steps: &[Step], i: usize) -> bool {
+        0 < i && steps.get(i).is_some_and(|step| step.tool != steps[i - 1].tool)
+    }
+
+    /// The tool goes through this place exactly: no way goes on from it.
+    pub(super) fn ends_at(steps: &[Step], i: usize) -> bool {
+        i + 1 == steps.len() || Self::change_at(steps, i + 1)
+    }
+
+    /// What is said where a step's tool is put in.
+    pub(super) fn change_to(&self, step: &Step) -> [String; 2] {
+        [
+            format!("{}: change it by hand, then go on.", self.setup.tools[step.tool].name()),
+            "The next move, in joints or to a pose, goes to where it begins; the way there is checked by nobody."
+                .into(),
+        ]
     }
 
     /// The parts with their names: one under the program's own, or several under numbers.
@@ -87,7 +112,7 @@ fn step(
     style: &Style,
     is_first: bool,
 ) -> Result<Step, ProgramFault> {
-    let Station { line, joints, feed, is_cutting } = *station;
+    let Station { line, joints, feed, is_cutting, tool } = *station;
     for (i, &angle) in joints.iter().enumerate() {
         if !(angle.to_degrees().abs() <= FARTHEST_DEG) {
             return Err(ProgramFault::Joint { line, joint: i + 1, angle, most_deg: FARTHEST_DEG });
@@ -100,9 +125,9 @@ fn step(
     if !(least <= speed && speed <= most) {
         return Err(ProgramFault::Feed { line, feed: speed, least, most, language: language.name() });
     }
-    let part_from_tool = setup.part_from_tool(&joints);
+    let part_from_tool = setup.part_from_tool(tool, &joints);
     let angles = Zyx::of(&part_from_tool.rotation);
-    Ok(Step { line, joints, part_from_tool, angles, speed, is_cutting })
+    Ok(Step { line, joints, part_from_tool, angles, speed, is_cutting, tool })
 }
 
 fn check(style: &Style, language: Language) -> Result<(), ProgramFault> {

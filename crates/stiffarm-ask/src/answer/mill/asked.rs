@@ -37,10 +37,22 @@ impl MillAnswer {
         process: Option<(String, ProcessFile)>,
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
+        let moves = of_one_tool(asked, moves.into())?;
+        let tool = surveyed(asked, moves.iter()).tools.first().and_then(|(tool, _)| *tool);
+        Self::with(asked, robot, (path, moves), Tooled { tool, process }, watch)
+    }
+
+    /// The same of moves that are all of one tool.
+    pub(super) fn with(
+        asked: &Request,
+        robot: &Robot,
+        (path, moves): (String, Cow<[Move]>),
+        Tooled { tool, process }: Tooled,
+        watch: Watch,
+    ) -> Result<Self, MillAnswerError> {
         let robot = asked.equipped(robot.clone())?;
-        let (options, flange_from_tool) = (asked.mill_options(), asked.held().tool());
+        let (options, flange_from_tool) = (asked.mill_options(), asked.tip_of(tool)?);
         let (forcing, force, mut remarks) = forcing(asked, process)?;
-        let moves: Cow<[Move]> = moves.into();
         let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
         let mut stock = match (asked.stock()?, &forcing) {
             (Some([low, high]), Forcing::Process(Process { law: Law::Milling(milling), .. })) => {
@@ -56,11 +68,7 @@ impl MillAnswer {
             (Some(_), _) => return Err(of_force(ForcedError::NoMill)),
             (None, _) => None,
         };
-        let moves = of_one_tool(asked, moves)?;
-        let mut survey = Survey::new(asked.steps());
-        for one in moves.iter() {
-            survey.add(one);
-        }
+        let survey = surveyed(asked, moves.iter());
         let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
         // Long ones need the memory.
         drop(moves);
@@ -121,15 +129,29 @@ impl MillAnswer {
     }
 }
 
+/// Which tool of a path mills, and by which process, with the name of its file.
+pub(super) struct Tooled {
+    /// Its number; `None` where the path has one tool.
+    pub(super) tool: Option<u32>,
+    /// `None` where the force is told as such.
+    pub(super) process: Option<(String, ProcessFile)>,
+}
+
+/// Of moves, all of them.
+fn surveyed<'a>(asked: &Request, moves: impl IntoIterator<Item = &'a Move>) -> Survey {
+    let mut survey = Survey::new(asked.steps());
+    moves.into_iter().for_each(|one| survey.add(one));
+    survey
+}
+
 /// The moves of the tool that is meant; of a path with several tools one must be.
 fn of_one_tool<'m>(asked: &Request, moves: Cow<'m, [Move]>) -> Result<Cow<'m, [Move]>, Refusal> {
-    let mut survey = Survey::new(asked.steps());
-    moves.iter().for_each(|one| survey.add(one));
+    let survey = surveyed(asked, moves.iter());
     match (asked.only_tool(), survey.tools.as_slice()) {
         (None, [] | [_]) => Ok(moves),
         (None, several) => {
             let why = format!(
-                "changes its tool ({}), and one process and one length are not those of all; say by only-tool which one mills, and give each its own process and tool",
+                "changes its tool ({}), and one process and one length are not those of all; give each its own by process (T1=FILE,T2=FILE) and tool-lengths-mm, or say by only-tool which one mills",
                 tools(several)
             );
             Err(asked.refused("path", why))

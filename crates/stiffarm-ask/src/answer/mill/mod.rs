@@ -1,12 +1,14 @@
 //! What is told of a path that is milled: the error along it, how the tool is turned, where the part stands.
 
 mod asked;
+mod by_tool;
 mod programs;
 mod ranking;
 mod record;
 mod table;
 mod worst;
 
+pub use by_tool::{ByToolAnswer, Section};
 use nalgebra::Vector3;
 pub use ranking::{PathRankAnswer, PathRow};
 use serde_json::Value;

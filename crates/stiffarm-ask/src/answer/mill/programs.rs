@@ -25,12 +25,13 @@ impl MillAnswer {
     /// # Errors
     /// Where there is nothing to follow, a joint is commanded beyond its range, or the language cannot say it.
     pub fn program(&self, language: Language) -> Result<String, MillAnswerError> {
-        let nothing =
-            || MillAnswerError::NoProgram(self.reason().unwrap_or_else(|| "the robot has no six joints".into()));
-        let (Some(found), Some(placement), Arm::SixAxis { geometry, limits, .. }) =
-            (self.followed(), self.placement, &self.robot.arm)
-        else {
-            return Err(nothing());
+        program_of(&[(None, self)], language)
+    }
+
+    /// The stations of this part of a program, from above its beginning, and what is to be known of it.
+    fn stations(&self, tool: usize) -> Result<(Vec<program::Station>, String), MillAnswerError> {
+        let (Some(found), Some(placement)) = (self.followed(), self.placement) else {
+            return Err(MillAnswerError::NoProgram(self.reason().unwrap_or_default()));
         };
         let done = self.commanded()?;
         let joints = |i: usize| done.map_or(found.samples[i].joints, |done| done.joints[i]);
@@ -39,35 +40,21 @@ impl MillAnswer {
             joints: joints(i),
             feed: station.sample.feed,
             is_cutting: station.sample.is_cutting,
+            tool,
         };
         let mut stations: Vec<program::Station> = self.stations.iter().enumerate().map(station).collect();
         let approach = self.approach(found, placement)?;
-        let mut remarks = vec![match approach {
+        let remark = match approach {
             Some((height, _)) => format!(
                 "The first move, in joints, goes to a place {:.0} mm above the path's beginning, along the tool axis; the way there is checked by nobody.",
                 height * 1e3
             ),
             None => "No approach: no place above the path's beginning is held, and the first move, in joints, goes to the beginning itself.".into(),
-        }];
+        };
         if let Some((_, joints)) = approach {
             stations.insert(0, program::Station { joints, feed: None, is_cutting: false, ..stations[0] });
         }
-        remarks.extend(self.only_tool.map(|tool| format!("Only what tool {tool} of the path cuts.")));
-        let stiffness = stiffness(&self.robot);
-        let setup = Setup {
-            robot: &self.robot.name,
-            geometry,
-            third_axis: limits.third_axis,
-            pendant: &limits.pendant,
-            base_from_part: placement.base_from_part(),
-            flange_from_tool: self.flange_from_tool,
-            remarks: &remarks,
-            stiffness: done.map(|_| stiffness.as_str()),
-        };
-        let style =
-            Style { name: "STIFFARM".into(), rapid: RAPID, blend: BLEND, moves_per_file: None, fanuc_letters: None };
-        let files = program::write(language, &setup, &stations, &style)?;
-        Ok(files.into_iter().next().map_or_else(String::new, |file| file.text))
+        Ok((stations, remark))
     }
 
     /// From where the path is approached: how far above its beginning, m, and the joints there.
@@ -130,4 +117,48 @@ impl MillAnswer {
         };
         Ok(rewrite(original, output, &how, &mut corrected, &mut |_| Ok(()))?)
     }
+}
+
+/// A controller's program of what several tools mill, one after the other, each with its number where there are several.
+///
+/// # Errors
+/// As [`MillAnswer::program`].
+pub(super) fn program_of(
+    sections: &[(Option<u32>, &MillAnswer)],
+    language: Language,
+) -> Result<String, MillAnswerError> {
+    let nothing = |why: Option<String>| MillAnswerError::NoProgram(why.unwrap_or_else(|| "nothing is milled".into()));
+    let Some((_, first)) = sections.first() else { return Err(nothing(None)) };
+    let (Some(placement), Arm::SixAxis { geometry, limits, .. }) = (first.placement, &first.robot.arm) else {
+        return Err(nothing(first.reason().or_else(|| Some("the robot has no six joints".into()))));
+    };
+    let (mut stations, mut remarks, mut tools) = (Vec::new(), Vec::new(), Vec::<program::Tool>::new());
+    for (number, section) in sections {
+        // A tool that is put in again is the same one.
+        let known = tools.iter().position(|tool| tool.number == *number);
+        let tool = known.unwrap_or(tools.len());
+        if known.is_none() {
+            tools.push(program::Tool { number: *number, flange_from_tool: section.flange_from_tool });
+        }
+        let (found, remark) = section.stations(tool)?;
+        stations.extend(found);
+        remarks.push(number.map_or_else(|| remark.clone(), |number| format!("T{number}: {remark}")));
+        let only = section.only_tool.filter(|_| number.is_none());
+        remarks.extend(only.map(|tool| format!("Only what tool {tool} of the path cuts.")));
+    }
+    let stiffness = stiffness(&first.robot);
+    let setup = Setup {
+        robot: &first.robot.name,
+        geometry,
+        third_axis: limits.third_axis,
+        pendant: &limits.pendant,
+        base_from_part: placement.base_from_part(),
+        tools: &tools,
+        remarks: &remarks,
+        stiffness: first.compensation.as_ref().map(|_| stiffness.as_str()),
+    };
+    let style =
+        Style { name: "STIFFARM".into(), rapid: RAPID, blend: BLEND, moves_per_file: None, fanuc_letters: None };
+    let files = program::write(language, &setup, &stations, &style)?;
+    Ok(files.into_iter().next().map_or_else(String::new, |file| file.text))
 }

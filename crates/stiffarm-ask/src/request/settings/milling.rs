@@ -70,11 +70,23 @@ pub(super) const ROWS: &[Setting] = &[
     },
     Setting {
         name: "process",
-        kind: Kind::File,
+        kind: Kind::FileOfTool,
+        count: SEVERAL,
         value: "PROCESS",
         excludes: &["force-n"],
-        help: "A process file (TOML): tool, material and engagement, or a force as it is; the mean force over a revolution acts",
+        help: "A process file (TOML): tool, material and engagement, or a force as it is; the mean force over a revolution acts. T1=FILE,T2=FILE: one for each tool of a path that changes its tool",
         example: "endmill.toml",
+        ..MILLED
+    },
+    Setting {
+        name: "tool-lengths-mm",
+        kind: Kind::LengthOfTool,
+        count: SEVERAL,
+        unit: "mm",
+        value: "LENGTHS",
+        needs: &[(Verb::Mill, "process")],
+        help: "How far the tip of each tool of the path stands out of the spindle, along the tool axis: T1=82.5,T2=140; the tool point (tool, tool-mm) is then the spindle's nose, from which tools are measured",
+        example: "T1=82.5,T2=140",
         ..MILLED
     },
     Setting {

@@ -1,0 +1,229 @@
+//! A path that is milled with several tools: each section between two changes with its own process and length, and one program of all.
+
+use serde_json::{Value, json};
+
+use super::super::uncertainty::Known;
+use super::super::verdict::{self, Verdict};
+use super::super::{Cell, Column, ColumnKind, Record, Rows, Table, field, fixed, stiffness, with_schema};
+use super::asked::Tooled;
+use super::programs::program_of;
+use super::{MillAnswer, MillAnswerError};
+use crate::request::{Request, tool_name};
+use stiffarm::catalogue::ProcessFile;
+use stiffarm::program::Language;
+use stiffarm::robot::Robot;
+use stiffarm::toolpath::{Move, MoveKind};
+use stiffarm::watch::Watch;
+
+/// The answer of `mill` of a path with several tools.
+#[derive(Clone, Debug)]
+pub struct ByToolAnswer {
+    /// Which robot.
+    pub robot: Robot,
+    /// The path as it was asked for.
+    pub path: String,
+    /// What each tool does, in the order of the path; a tool that is put in again comes again.
+    pub sections: Vec<Section>,
+    /// The largest error that passes, mm.
+    pub tolerance_mm: Option<f64>,
+    /// What is to be said of the path.
+    pub remarks: Vec<String>,
+}
+
+/// What one tool does between two changes.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// Its number.
+    pub tool: u32,
+    /// Along the part of the path that it mills.
+    pub milled: MillAnswer,
+}
+
+impl ByToolAnswer {
+    /// What a request asks of a robot, a path and its moves, and of a process (with the name of its file) for each tool.
+    ///
+    /// # Errors
+    /// A tool without process or length, one that never feeds, and as [`MillAnswer::of`].
+    pub fn of(
+        asked: &Request,
+        robot: &Robot,
+        (path, moves): (&str, &[Move]),
+        processes: &[(u32, String, ProcessFile)],
+        watch: Watch,
+    ) -> Result<Self, MillAnswerError> {
+        let sections = sections(moves);
+        let mills = |tool: u32| sections.iter().any(|(of, _)| *of == Some(tool));
+        if let Some((tool, ..)) = processes.iter().find(|(tool, ..)| !mills(*tool)) {
+            return Err(asked.refused("process", format!("names T{tool}, which never feeds along the path")).into());
+        }
+        let parts = watch.parts(Some(sections.len()));
+        let mut found = Vec::with_capacity(sections.len());
+        for (tool, moves) in sections {
+            let process = processes.iter().find(|(of, ..)| Some(*of) == tool);
+            let Some((number, name, process)) = process else {
+                let line = moves.first().map_or(0, |first| first.line);
+                let why = format!("has no file for {}, from line {line}; expected one of each tool", tool_name(tool));
+                return Err(asked.refused("process", why).into());
+            };
+            let tooled = Tooled { tool, process: Some((name.clone(), process.clone())) };
+            let milled = MillAnswer::with(asked, robot, (path.to_owned(), moves.into()), tooled, watch.of_part())?;
+            parts.one_more().map_err(|stopped| MillAnswerError::Mill {
+                robot: robot.name.clone(),
+                path: path.to_owned(),
+                error: stopped.into(),
+            })?;
+            found.push(Section { tool: *number, milled });
+        }
+        let robot = found.first().map_or_else(|| robot.clone(), |first| first.milled.robot.clone());
+        let (path, tolerance_mm) = (path.to_owned(), asked.tolerance_mm());
+        Ok(Self { robot, path, sections: found, tolerance_mm, remarks: Vec::new() })
+    }
+
+    /// The section with the largest error, and that, m; `None` where some section is not followed.
+    pub fn worst(&self) -> Option<(&Section, f64)> {
+        let errors = self.sections.iter().map(|section| Some((section, section.milled.followed()?.worst.0)));
+        let errors = errors.collect::<Option<Vec<_>>>()?;
+        errors.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Whether the tolerance is kept by every tool; `None` where there is none, or the path is not followed.
+    pub fn verdict(&self) -> Option<Verdict> {
+        let (tolerance, (_, worst)) = self.tolerance_mm.zip(self.worst())?;
+        // The drives of a draw are the same for all sections.
+        let draws = self
+            .sections
+            .iter()
+            .map(|section| section.milled.draws.clone())
+            .reduce(|all, one| Some(all?.into_iter().zip(one?).map(|(all, one)| all.max(one)).collect()));
+        let known = draws.flatten().map(|draws| Known::of(draws, Some(tolerance)));
+        Some(Verdict::of(worst, tolerance).with(known.and_then(|known| known.holds)))
+    }
+
+    /// Why there is no answer, where there is none: of the first tool that does not follow its part of the path.
+    pub fn reason(&self) -> Option<String> {
+        self.sections.iter().find_map(|section| Some(format!("T{}: {}", section.tool, section.milled.reason()?)))
+    }
+
+    /// Why the answer is no, where it is.
+    pub fn shortfall(&self) -> Option<String> {
+        let of = |section: &Section| Some(format!("T{}, {}", section.tool, section.milled.shortfall()?));
+        self.sections.iter().find_map(of)
+    }
+
+    /// Every field but those of single samples.
+    pub fn record(&self) -> Record {
+        let worst = self.worst();
+        let line = worst.and_then(|(section, _)| {
+            let milled = &section.milled;
+            Some(milled.stations[milled.followed()?.worst.1].sample.line)
+        });
+        let mut record = Record::new();
+        record
+            .put(field::ROBOT, &self.robot.name)
+            .put(field::STIFFNESS_SOURCE, stiffness(&self.robot))
+            .put(field::PATH, &self.path)
+            .put(field::FEASIBLE, worst.is_some())
+            .put(field::REASON, self.reason())
+            .put(field::PATH_WORST, worst.map(|(_, error)| error))
+            .put(field::WORST_TOOL, worst.map(|(section, _)| section.tool as usize))
+            .put(field::WORST_LINE, line);
+        verdict::put(&mut record, self.tolerance_mm, self.verdict(), false);
+        record
+            .put(field::BY_TOOL, self.sections.iter().map(Section::json).collect::<Value>())
+            .put(field::REMARKS, json!(self.remarks));
+        record
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        with_schema("mill", super::super::ORIGIN, &self.record())
+    }
+
+    /// One row per sample, with the number of its tool.
+    pub fn rows(&self) -> Rows<'_> {
+        let mut columns = vec![Column::new("tool_number", ColumnKind::Count)];
+        // Those of compensation are there where it is.
+        let of_section = self.sections.iter().map(|section| section.milled.rows().columns().to_vec());
+        columns.extend(of_section.max_by_key(Vec::len).unwrap_or_default());
+        let of_section = |Section { tool, milled }: &Section| {
+            let number = [Cell::Count(i64::from(*tool))];
+            milled.rows().iter().map(|row| [&number[..], &row].concat()).collect::<Vec<_>>()
+        };
+        Rows::new(columns, self.sections.iter().flat_map(of_section).collect())
+    }
+
+    /// What each tool does, a row each.
+    pub fn table(&self) -> Table {
+        let mut headings = vec!["tool", "from line", "process", "tip in the flange [mm]", "largest error [mm]", "line"];
+        headings.extend(self.tolerance_mm.map(|_| "verdict"));
+        let mut table = Table::new(headings);
+        let line = |milled: &MillAnswer, at: usize| milled.stations.get(at).map_or(0, |station| station.sample.line);
+        for Section { tool, milled } in &self.sections {
+            let tip = milled.flange_from_tool.translation.vector;
+            let mut cells = vec![
+                format!("T{tool}"),
+                line(milled, 0).to_string(),
+                milled.force.clone(),
+                tip.iter().map(|part| fixed(part * 1e3, 1)).collect::<Vec<_>>().join(", "),
+            ];
+            cells.extend(milled.followed().map_or_else(
+                || ["not followed".into(), "-".into()],
+                |found| [fixed(found.worst.0 * 1e3, 4), line(milled, found.worst.1).to_string()],
+            ));
+            cells.extend(self.tolerance_mm.map(|_| milled.verdict().map_or_else(|| "-".into(), Verdict::told)));
+            table.row(cells);
+        }
+        table
+    }
+
+    /// What stands below the tables.
+    pub fn notes(&self) -> String {
+        let mut notes = String::new();
+        if let Some(reason) = self.reason() {
+            notes += &format!("not followed: {reason}\n");
+        }
+        if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
+            notes += &format!("tolerance {tolerance} mm, all tools: {}\n", verdict.told());
+        }
+        notes.extend(self.remarks.iter().map(|remark| format!("note: {remark}\n")));
+        notes.extend(self.sections.first().map(|first| first.milled.notes()));
+        notes
+    }
+
+    /// A controller's program of all tools, which stops where one is changed.
+    ///
+    /// # Errors
+    /// As [`MillAnswer::program`].
+    pub fn program(&self, language: Language) -> Result<String, MillAnswerError> {
+        let sections: Vec<(Option<u32>, &MillAnswer)> =
+            self.sections.iter().map(|section| (Some(section.tool), &section.milled)).collect();
+        program_of(&sections, language)
+    }
+}
+
+impl Section {
+    fn json(&self) -> Value {
+        let mut record = Record::new();
+        record
+            .put(field::TOOL_NUMBER, self.tool as usize)
+            .put(field::TOOL, super::super::words::tool_mm(&self.milled.flange_from_tool));
+        record.extend(self.milled.record());
+        record.json()
+    }
+}
+
+/// The moves between two changes of the tool, where it feeds, with the number of that.
+fn sections(moves: &[Move]) -> Vec<(Option<u32>, Vec<Move>)> {
+    let mut found: Vec<(Option<u32>, Vec<Move>)> = Vec::new();
+    for one in moves {
+        let tool = one.given.tool;
+        match found.last_mut() {
+            Some((before, section)) if *before == tool => section.push(*one),
+            // From where a tool comes that was just put in is not in the file.
+            Some(_) if one.kind == MoveKind::Rapid => found.push((tool, Vec::new())),
+            _ => found.push((tool, vec![*one])),
+        }
+    }
+    found.retain(|(_, section)| section.iter().any(|one| one.kind == MoveKind::Feed));
+    found
+}
