@@ -4,6 +4,7 @@
 mod advice;
 mod architecture;
 mod bad_input;
+mod bad_masses;
 mod bad_measurements;
 mod feeds;
 mod found_apt;
