@@ -18,6 +18,7 @@ mod linuxcnc;
 mod made;
 mod margins;
 mod measure;
+mod modes;
 mod narrow_limits;
 mod not_of_the_plane;
 mod odd_questions;
