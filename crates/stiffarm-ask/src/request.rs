@@ -10,6 +10,7 @@ mod identify;
 pub mod job;
 mod kind;
 mod measure;
+mod modes;
 mod notation;
 mod on_path;
 mod options;

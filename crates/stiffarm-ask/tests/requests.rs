@@ -132,6 +132,10 @@ fn told(request: &Request) -> String {
             let (robot, joints) = (request.robot().ok(), request.joints_deg().ok());
             format!("{robot:?} {joints:?} {:?} {:?}", request.posture_load(), request.held())
         }
+        Verb::Modes => {
+            let (robot, joints, tool) = (request.robot().ok(), request.joints_deg().ok(), request.held_tool());
+            format!("{robot:?} {joints:?} {tool:?} {:?} {}", request.damping(), request.mode_count())
+        }
         Verb::Study => {
             let robot = paper_robots().swap_remove(3);
             format!("{:?} {:?}", request.study(Some(&robot)), request.is_given("robot"))
