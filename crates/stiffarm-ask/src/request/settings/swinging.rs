@@ -13,6 +13,7 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "kg",
         value: "KG",
         absent: Absent::Means("a tool that weighs nothing"),
+        needs: &[(Verb::Modes, "tool-com-mm")],
         help: "Mass of the tool with its spindle, which swings with the arm; its centre says where",
         example: "60",
         ..HELD
@@ -23,8 +24,7 @@ pub(super) const ROWS: &[Setting] = &[
         count: count(3, "numbers", "three, separated by commas"),
         unit: "mm",
         value: "X,Y,Z",
-        needs: &[(Verb::Modes, "tool-mass-kg")],
-        help: "Mass centre of the tool in the flange frame: x,y,z",
+        help: "Mass centre of the tool in the flange frame: x,y,z; with its mass",
         example: "0,0,200",
         ..HELD
     },
