@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 use stiffarm::limits::Pendant;
+use stiffarm::mass::RigidBody;
 use stiffarm::modes::{DAMPING_RATIO, Damping, HeldTool, Mode, Swing, left_out};
 use stiffarm::robot::{Arm, Robot};
 
@@ -55,7 +56,7 @@ impl ModesAnswer {
             .put(field::TCP, swing.tool.translation.vector.as_slice())
             .put(field::TOOL_MASS, body.map(|body| body.mass))
             .put(field::TOOL_COM, body.map(|body| body.centre.as_slice()))
-            .put(field::TOOL_INERTIA, body.map(|body| body.elements()))
+            .put(field::TOOL_INERTIA, body.map(RigidBody::elements))
             .put(field::DAMPING_SOURCE, self.damping_source())
             .put(field::MASSES_LEFT_OUT, json!(left_out(robot)))
             .put(field::MODES, self.told().map(|mode| mode.json()).collect::<Value>());
