@@ -13,7 +13,7 @@ fn output(arguments: &[&[&str]]) -> (bool, String, String) {
 }
 
 #[test]
-fn the_published_masses_of_a_kr_210_and_six_springs_give_the_modes_of_another_program() {
+fn the_published_masses_of_a_kr_210_and_six_springs_give_the_modes_worked_out_apart() {
     let springs: &[&str] = &["--drive-urad-per-nm", "0.477,0.296,0.358,2.52,3.01,2.1", "--format", "json"];
     let (ok, out, err) = output(&[ASKED, HELD, springs]);
     assert!(ok, "{err}");

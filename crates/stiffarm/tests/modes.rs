@@ -1,4 +1,4 @@
-//! How an arm swings: published modes, another program's, hand calculations and identities.
+//! How an arm swings: published modes, frequencies worked out apart from this library, hand calculations and identities.
 
 use std::f64::consts::TAU;
 
@@ -90,7 +90,7 @@ fn dampers_beside_the_drives_of_a_tx200_give_the_published_ratios() {
 }
 
 #[test]
-fn six_springs_of_a_tx200_swing_first_as_pinocchio_and_scipy_have_it() {
+fn six_springs_of_a_tx200_swing_first_at_the_frequency_worked_out_apart() {
     let robot = tx200([2.3e6, 8.6e6, 2.8e6, 3.0e6, 0.2e6, 0.9e6]);
     let swing = modes(&robot, &START_DEG.map(f64::to_radians), &tx200_spindle(), None).unwrap();
     assert!((swing.modes[0].frequency - 12.3767).abs() < 5e-5, "{:?}", frequencies(&swing));
