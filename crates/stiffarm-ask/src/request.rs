@@ -10,6 +10,7 @@ mod identify;
 pub mod job;
 mod kind;
 mod measure;
+mod modes;
 mod notation;
 mod on_path;
 mod options;
@@ -106,6 +107,7 @@ impl Request {
         request.check_markers()?;
         request.check_dry()?;
         request.check_silent()?;
+        request.check_held()?;
         request.check_regions()?;
         request.check_runs()?;
         request.check_filters()?;
@@ -178,6 +180,16 @@ impl Request {
                 let other = other.at.name(other.setting);
                 Err(Refusal::Excludes { at, name, other })
             }
+        }
+    }
+
+    /// A mass centre is of a mass; the mass needs it by its row.
+    fn check_held(&self) -> Result<(), Refusal> {
+        match (self.find("tool-com-mm"), self.verb.setting("tool-mass-kg")) {
+            (Some(Given { setting, at, .. }), Some(mass)) if !self.is_given("tool-mass-kg") => {
+                Err(Refusal::Needs { at: at.clone(), name: at.name(setting), other: at.name(mass) })
+            }
+            _ => Ok(()),
         }
     }
 

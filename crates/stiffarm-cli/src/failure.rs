@@ -162,6 +162,9 @@ pub(crate) enum Failure {
         /// Why.
         error: stiffarm::compliance::PostureError,
     },
+    /// How an arm swings cannot be told.
+    #[error(transparent)]
+    Modes(stiffarm::modes::ModesError),
     /// Measurements that tell nothing.
     #[error("{data}: {error}")]
     Identify {
@@ -281,6 +284,7 @@ impl Failure {
             Self::Posture { robot, .. } => {
                 return format!("`stiffarm robots show \"{robot}\"` tells what is known of its joints and drives");
             }
+            Self::Modes(_) => "`stiffarm robots show ROBOT --format json` tells what is known of a robot's masses and drives",
             Self::UnknownRobot { .. } | Self::NoRobot(_) => {
                 "`stiffarm robots list` names the robots; a path to a robot file or a folder of them works too"
             }

@@ -60,6 +60,7 @@ fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
             Verb::Place => commands::place::run(asked, common),
             Verb::Map => commands::map::run(asked, common),
             Verb::Compliance => commands::compliance::run(asked, common),
+            Verb::Modes => commands::modes::run(asked, common),
             Verb::Study => commands::study::run(asked, common),
             Verb::Compare => commands::compare::run(asked, common),
             Verb::Identify => commands::identify::run(asked, common),

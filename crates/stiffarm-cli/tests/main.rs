@@ -12,6 +12,7 @@ mod job;
 #[cfg(unix)]
 mod large_maps;
 mod measure;
+mod modes;
 mod path_ranking;
 mod paths;
 mod program;

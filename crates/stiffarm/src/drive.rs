@@ -57,6 +57,24 @@ pub struct Drives {
     pub identified: Option<Identified>,
     /// How far they may be off where they were taken from robots of the same size, or from publications.
     pub scatter: Option<Scatter>,
+    /// What else is known of the motors and gears.
+    pub motors: Motors,
+}
+
+/// What is known of motors and gears besides their compliance, of each drive; `None` where it is not known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motors {
+    /// Largest torque, N m.
+    pub torque: Option<[f64; 6]>,
+    /// Inertia of the rotor as the joint feels it, kg m^2: its own times the square of the ratio.
+    pub rotor: Option<[f64; 6]>,
+    /// Damping beside the spring of the drive, N m s/rad.
+    pub damping: Option<[f64; 6]>,
+}
+
+impl Motors {
+    /// Nothing is known of them.
+    pub const UNKNOWN: Self = Self { torque: None, rotor: None, damping: None };
 }
 
 /// How far compliances may be off: standard deviations of ln k.
@@ -134,6 +152,7 @@ impl Drives {
             compensator: None,
             identified: None,
             scatter: None,
+            motors: Motors::UNKNOWN,
         }
     }
 

@@ -92,6 +92,15 @@ impl Geometry {
     ///
     /// Column `i` is `(e_i x (tool - p_i), e_i)` for joint axis `e_i` through `p_i`; base axes, translation first.
     pub fn jacobian(&self, theta: &[f64; 6], tool: &Vector3<f64>) -> Matrix6<f64> {
+        let columns = self.axes(theta).map(|(axis, through)| {
+            let moved = axis.cross(&(tool - through));
+            Vector6::new(moved.x, moved.y, moved.z, axis.x, axis.y, axis.z)
+        });
+        Matrix6::from_columns(&columns)
+    }
+
+    /// The six joint axes at the model angles `theta`, rad: a unit direction and a point that each passes through, m, base frame.
+    pub(crate) fn axes(&self, theta: &[f64; 6]) -> [(Vector3<f64>, Vector3<f64>); 6] {
         let [t1, t2, t3, t4, t5, _] = *theta;
         let (s1, c1) = t1.sin_cos();
         let in_base = |x: f64, y: f64, z: f64| Vector3::new(c1 * x - s1 * y, s1 * x + c1 * y, z);
@@ -107,19 +116,40 @@ impl Geometry {
         let shoulder = in_base(self.a1, self.b, self.c1);
         let elbow = shoulder + self.c2 * in_base(s2, 0.0, c2);
         let wrist = elbow + self.a2 * forwards + self.c3 * along;
-        let axes = [
+        [
             (Vector3::z(), Vector3::zeros()),
             (across, shoulder),
             (across, elbow),
             (along, wrist),
             (bend, wrist),
             (spin, wrist),
-        ];
-        let columns = axes.map(|(axis, through)| {
-            let moved = axis.cross(&(tool - through));
-            Vector6::new(moved.x, moved.y, moved.z, axis.x, axis.y, axis.z)
-        });
-        Matrix6::from_columns(&columns)
+        ]
+    }
+
+    /// How each link has moved from where it is at model zero, at the model angles `theta`, rad, base frame: the link that joint 1 turns, and
+    /// so on to the one that joint 6 turns.
+    pub fn links(&self, theta: &[f64; 6]) -> [Pose; 6] {
+        let shoulder = self.shoulder_at_zero();
+        let elbow = shoulder + Vector3::new(0.0, 0.0, self.c2);
+        let wrist = elbow + Vector3::new(self.a2, 0.0, self.c3);
+        let (y, z) = (Vector3::y(), Vector3::z());
+        let axes = [(z, Vector3::zeros()), (y, shoulder), (y, elbow), (z, wrist), (y, wrist), (z, wrist)];
+        let mut moved = Pose::identity();
+        std::array::from_fn(|i| {
+            moved *= about(axes[i].1, axes[i].0 * theta[i]);
+            moved
+        })
+    }
+
+    /// How what turns about the joint-2 axis as the forearm does has moved from where it is at model zero: the crank of a parallelogram.
+    pub(crate) fn crank(&self, theta: &[f64; 6]) -> Pose {
+        let turn = about(Vector3::zeros(), Vector3::z() * theta[0]);
+        turn * about(self.shoulder_at_zero(), Vector3::y() * (theta[1] + theta[2]))
+    }
+
+    /// A point of the joint-2 axis at model zero, in the arm plane, m, base frame.
+    pub(crate) fn shoulder_at_zero(&self) -> Vector3<f64> {
+        Vector3::new(self.a1, self.b, self.c1)
     }
 
     /// The points between which the arm is drawn, m, base frame, at the model angles `theta`, rad: base, shoulder (on the
@@ -174,6 +204,13 @@ impl Geometry {
         }
         theta
     }
+}
+
+/// A turn by a vector of its axis and angle, rad, about a point.
+fn about(point: Vector3<f64>, turn: Vector3<f64>) -> Pose {
+    Pose::translation(point.x, point.y, point.z)
+        * Pose::rotation(turn)
+        * Pose::translation(-point.x, -point.y, -point.z)
 }
 
 #[cfg(test)]

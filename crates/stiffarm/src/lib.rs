@@ -6,6 +6,7 @@
 //! |---|---|---|
 //! | robots | [`catalogue::matching`] | which robots are there? |
 //! | compliance | [`compliance::compliance`] | how compliant is one posture, all six drives? |
+//! | modes | [`modes::modes`] | how does the arm swing at one posture, where masses are known? |
 //! | map | [`map::map`] | how far is the tool pushed off, everywhere the arm reaches? |
 //! | place | [`place::place`] | where must a zone stand, and who proves it? |
 //! | rank | [`rank::rank`] | which robot holds the force best? |
@@ -24,8 +25,8 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, `frontier`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
-//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`]. Each uses only those before it.
+//! [`geometry`], [`body`], [`mass`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
+//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`modes`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`]. Each uses only those before it.
 //!
 //! # What is left out
 //! In both models links, bearings and the base are rigid; the deflection is elastic and static, without the robot's own weight. The planar
@@ -62,9 +63,11 @@ pub mod ledger;
 pub mod limits;
 pub mod load;
 pub mod map;
+pub mod mass;
 pub mod measure;
 pub mod mill;
 pub mod model;
+pub mod modes;
 pub mod palette;
 pub mod part;
 pub mod place;

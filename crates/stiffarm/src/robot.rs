@@ -8,6 +8,7 @@ use crate::drive::{Architecture, Drives, Identified, JointCompliance, Knowledge,
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, Pendant, ThirdAxis};
+use crate::mass::Mass;
 use crate::plane::{InvalidArm, PlanarArm};
 
 /// How well a robot's numbers are known; shown wherever the robot is.
@@ -108,6 +109,8 @@ pub struct Robot {
     pub repeatability: Option<f64>,
     /// How thick its links are; estimated where `None`, see [`Self::thickness`].
     pub body: Option<Body>,
+    /// What its bodies weigh; empty where nobody says it.
+    pub masses: Vec<Mass>,
     /// What moves.
     pub arm: Arm,
     /// Where each group of numbers comes from.
@@ -154,6 +157,7 @@ impl Robot {
             mass_kg: None,
             repeatability: None,
             body: None,
+            masses: Vec::new(),
             arm: Arm::Planar(arm),
             source: BTreeMap::new(),
         }

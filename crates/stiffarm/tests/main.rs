@@ -4,6 +4,7 @@
 mod advice;
 mod architecture;
 mod bad_input;
+mod bad_masses;
 mod bad_measurements;
 mod feeds;
 mod found_apt;
@@ -17,6 +18,7 @@ mod linuxcnc;
 mod made;
 mod margins;
 mod measure;
+mod modes;
 mod narrow_limits;
 mod not_of_the_plane;
 mod odd_questions;

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use stiffarm::body::Body;
 use stiffarm::catalogue::{read, write};
-use stiffarm::drive::{Architecture, Drives, GravityCompensator, Identified, JointCompliance, Transmission};
+use stiffarm::drive::{Architecture, Drives, GravityCompensator, Identified, JointCompliance, Motors, Transmission};
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
 use stiffarm::limits::{Limits, PENDANT_SOURCE, Pendant, ThirdAxis, Verified};
@@ -99,6 +99,7 @@ fn drives(architecture: Architecture) -> impl Strategy<Value = Drives> {
             compensator,
             identified,
             scatter: None,
+            motors: Motors::UNKNOWN,
         },
     )
 }
@@ -201,6 +202,7 @@ fn robot() -> impl Strategy<Value = Robot> {
                 mass_kg,
                 repeatability,
                 body: if matches!(arm, Arm::SixAxis { .. }) { body } else { None },
+                masses: Vec::new(),
                 arm,
                 source,
             }
@@ -242,6 +244,7 @@ proptest! {
             mass_kg: None,
             repeatability: None,
             body: None,
+            masses: Vec::new(),
             arm: Arm::Planar(arm.clone()),
             source: BTreeMap::new(),
         };

@@ -4,9 +4,11 @@ use serde_json::{Value, json};
 
 use super::{Object, Record, Rows, Table, field, stiffness, stiffnesses, words};
 use stiffarm::catalogue::microradians;
+use stiffarm::drive::Motors;
 use stiffarm::geometry::Geometry;
 use stiffarm::interval::Interval;
 use stiffarm::limits::{Limits, Pendant, ThirdAxis, Verified};
+use stiffarm::mass::Mass;
 use stiffarm::plane::PlanarArm;
 use stiffarm::robot::{Arm, Robot};
 
@@ -25,7 +27,7 @@ pub fn sheet(robot: &Robot) -> Value {
     put("reach_m", json!(robot.reach));
     put("mass_kg", json!(robot.mass_kg));
     put("repeatability_mm", json!(robot.repeatability.map(|m| rounded(m * 1e3))));
-    if let Arm::SixAxis { geometry, limits, .. } = &robot.arm {
+    if let Arm::SixAxis { geometry, limits, drives } = &robot.arm {
         let (body, is_estimated) = robot.thickness();
         put(
             "body",
@@ -33,6 +35,9 @@ pub fn sheet(robot: &Robot) -> Value {
         );
         put("geometry", geometry_json(geometry));
         put("limits", limits_json(limits));
+        put("masses", json!(robot.masses.iter().map(mass_json).collect::<Vec<_>>()));
+        let Motors { torque, rotor, damping } = drives.motors;
+        put("drives", json!({ "torque_nm": torque, "rotor_kg_m2": rotor, "damping_nms_per_rad": damping }));
     }
     // The reader of robot files refuses limits that contradict each other, the only ones without links in a plane.
     if let Ok(plane) = robot.two_links() {
@@ -51,6 +56,14 @@ pub fn sheet(robot: &Robot) -> Value {
     }
     put("source", json!(robot.source));
     Value::Object(sheet)
+}
+
+/// By the keys of a robot file.
+fn mass_json(Mass { carrier, body }: &Mass) -> Value {
+    json!({
+        "link": carrier.to_string(), "mass_kg": body.mass, "com_mm": <[f64; 3]>::from(body.centre).map(|m| rounded(m * 1e3)),
+        "inertia_kg_m2": body.elements(),
+    })
 }
 
 /// What is listed of a robot.

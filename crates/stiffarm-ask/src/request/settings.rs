@@ -2,6 +2,7 @@
 
 mod measuring;
 pub(super) mod milling;
+mod swinging;
 
 use super::kind::{ANY, Count, Kind, count, count_of, degrees_of, number_of, one_or};
 use stiffarm::cell::MOST_BLOCKS;
@@ -17,6 +18,8 @@ pub enum Verb {
     Map,
     /// One posture.
     Compliance,
+    /// How the arm swings at one posture.
+    Modes,
     /// Two architectures.
     Study,
     /// Two setups.
@@ -35,11 +38,12 @@ pub enum Verb {
 
 impl Verb {
     /// All of them.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Rank,
         Self::Place,
         Self::Map,
         Self::Compliance,
+        Self::Modes,
         Self::Study,
         Self::Compare,
         Self::Identify,
@@ -49,11 +53,12 @@ impl Verb {
         Self::List,
     ];
     /// Those that a job file may ask.
-    pub const JOBS: [Self; 10] = [
+    pub const JOBS: [Self; 11] = [
         Self::Rank,
         Self::Place,
         Self::Map,
         Self::Compliance,
+        Self::Modes,
         Self::Study,
         Self::Compare,
         Self::Identify,
@@ -69,6 +74,7 @@ impl Verb {
             Self::Place => "place",
             Self::Map => "map",
             Self::Compliance => "compliance",
+            Self::Modes => "modes",
             Self::Study => "study",
             Self::Compare => "compare",
             Self::Identify => "identify",
@@ -189,11 +195,13 @@ const RANK: &[Verb] = &[Verb::Rank];
 const PLACE: &[Verb] = &[Verb::Place];
 const MAP: &[Verb] = &[Verb::Map];
 const COMPLIANCE: &[Verb] = &[Verb::Compliance];
+/// Those that look at one posture.
+const POSTURE: &[Verb] = &[Verb::Compliance, Verb::Modes];
 const STUDY: &[Verb] = &[Verb::Study];
 const COMPARE: &[Verb] = &[Verb::Compare];
 /// Those that bend drives.
 const SPRINGING: &[Verb] =
-    &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Compare, Verb::Measure, Verb::Mill];
+    &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Modes, Verb::Compare, Verb::Measure, Verb::Mill];
 const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compare];
 /// Those that place zones and nothing else.
 const ONLY_PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Compare];
@@ -314,14 +322,12 @@ const FIGURE: Setting = Setting { verbs: PLACING, heading: DRAWN, ..ROW };
 const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: FILTERS, ..ROW };
 
 /// Every option, each once for the verbs in which it means the same.
-pub static SETTINGS: &[Setting] = &joined::<{ OF_ZONES.len() + measuring::ROWS.len() + milling::ROWS.len() }>([
-    OF_ZONES,
-    measuring::ROWS,
-    milling::ROWS,
-]);
+pub static SETTINGS: &[Setting] = &joined::<
+    { OF_ZONES.len() + swinging::ROWS.len() + measuring::ROWS.len() + milling::ROWS.len() },
+>([OF_ZONES, swinging::ROWS, measuring::ROWS, milling::ROWS]);
 
-/// One list of three.
-const fn joined<const N: usize>(lists: [&[Setting]; 3]) -> [Setting; N] {
+/// One list of four.
+const fn joined<const N: usize>(lists: [&[Setting]; 4]) -> [Setting; N] {
     let (mut all, mut filled, mut list) = ([ROW; N], 0, 0);
     while list < lists.len() {
         let mut i = 0;
@@ -339,7 +345,7 @@ const fn joined<const N: usize>(lists: [&[Setting]; 3]) -> [Setting; N] {
 const OF_ZONES: &[Setting] = &[
     Setting {
         name: "robot",
-        verbs: &[Verb::Place, Verb::Map, Verb::Compliance, Verb::Measure],
+        verbs: &[Verb::Place, Verb::Map, Verb::Compliance, Verb::Modes, Verb::Measure],
         kind: Kind::Robot,
         value: "ROBOT",
         absent: Absent::Required,
@@ -662,7 +668,7 @@ const OF_ZONES: &[Setting] = &[
     },
     Setting {
         name: "joints-deg",
-        verbs: COMPLIANCE,
+        verbs: POSTURE,
         kind: degrees_of(1080.0, "degrees for each of six joints"),
         count: count(6, "angles", "six, separated by commas"),
         unit: "deg",
@@ -707,7 +713,7 @@ const OF_ZONES: &[Setting] = &[
     },
     Setting {
         name: "tool-mm",
-        verbs: COMPLIANCE,
+        verbs: POSTURE,
         kind: Kind::Tool,
         unit: "mm, deg",
         value: "X,Y,Z",
@@ -717,7 +723,7 @@ const OF_ZONES: &[Setting] = &[
         example: "0,0,150",
         ..ROW
     },
-    Setting { name: "tool", verbs: COMPLIANCE, of: Of::Any, heading: "", ..SPINDLE },
+    Setting { name: "tool", verbs: POSTURE, of: Of::Any, heading: "", ..SPINDLE },
     Setting {
         name: "tasks",
         verbs: STUDY,
@@ -808,7 +814,7 @@ const OF_ZONES: &[Setting] = &[
         ..WHOSE
     },
     Setting {
-        verbs: &[Verb::Compliance, Verb::Measure],
+        verbs: &[Verb::Compliance, Verb::Modes, Verb::Measure],
         absent: Absent::Means("as the robot file has it, else prior"),
         example: "paper",
         ..WHOSE

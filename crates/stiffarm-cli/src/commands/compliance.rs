@@ -39,7 +39,7 @@ pub(super) fn answer(asked: &Request, common: &Common) -> Result<ComplianceOutpu
 }
 
 /// Says beside the answer what looks wrong about the joint angles.
-fn remarks(robot: &Robot, [q, radians]: [&[f64; 6]; 2], common: &Common) {
+pub(super) fn remarks(robot: &Robot, [q, radians]: [&[f64; 6]; 2], common: &Common) {
     if q.iter().any(|angle| *angle != 0.0) && q.iter().all(|angle| angle.abs() <= std::f64::consts::TAU) {
         common.remark("warning: no joint angle is beyond 6.3 deg; if these are radians, convert them to degrees");
     }

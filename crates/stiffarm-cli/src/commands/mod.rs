@@ -11,6 +11,7 @@ pub(crate) mod import;
 pub(crate) mod map;
 pub(crate) mod measure;
 pub(crate) mod mill;
+pub(crate) mod modes;
 pub(crate) mod paper;
 pub(crate) mod path_ranking;
 pub(crate) mod place;
@@ -74,6 +75,7 @@ pub(crate) fn told<'a>(asked: &'a Request, common: &'a Common) -> Result<Box<dyn
         Verb::Place => Box::new(place::answer(asked, common)?),
         Verb::Map => Box::new(map::answer(asked, common)?),
         Verb::Compliance => Box::new(compliance::answer(asked, common)?),
+        Verb::Modes => Box::new(modes::answer(asked, common)?),
         Verb::Study => Box::new(study::answer(asked, common)?),
         Verb::Compare => Box::new(compare::answer(asked, common)?),
         Verb::Identify => Box::new(identify::answer(asked, common)?),

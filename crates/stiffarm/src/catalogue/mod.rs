@@ -7,6 +7,7 @@ pub mod files;
 mod filter;
 pub mod import;
 mod index;
+mod masses;
 mod measured_force;
 pub mod measurements;
 mod process_file;

@@ -126,6 +126,38 @@ impl<'a, 'i> Table<'a, 'i> {
         Table { path: self.name(key), place, entries, taken: Vec::new(), log: self.log.clone() }
     }
 
+    /// Tables of an array, `[[key]]`; none where it is absent.
+    pub(super) fn tables(&mut self, key: &'static str) -> Vec<Table<'a, 'i>> {
+        let Some(value) = self.optional(key) else { return Vec::new() };
+        let items = value.get_ref().as_array().map(|items| items.iter().map(|item| (item, item.get_ref().as_table())));
+        let Some(items) = items.filter(|items| items.clone().all(|(_, table)| table.is_some())) else {
+            self.fault(key, format!("{}; expected tables, each under [[{key}]]", describe(value.get_ref())));
+            return Vec::new();
+        };
+        let path = self.name(key);
+        let table = |(item, entries): (&Spanned<DeValue<'i>>, Option<&'a DeTable<'i>>)| Table {
+            path: path.clone(),
+            place: item.span().start,
+            entries,
+            taken: Vec::new(),
+            log: self.log.clone(),
+        };
+        items.map(table).collect()
+    }
+
+    /// A word in quotes or a whole number, as text.
+    pub(super) fn word_or_whole(&mut self, key: &'static str, expected: &str) -> Option<String> {
+        let value = self.required(key, expected)?;
+        match value.get_ref() {
+            DeValue::String(text) => Some(shown(text)),
+            DeValue::Integer(integer) => Some(shown(&integer_as_written(integer))),
+            other => {
+                self.fault(key, format!("{}; expected {expected}", describe(other)));
+                None
+            }
+        }
+    }
+
     pub(super) fn text(&mut self, key: &'static str, required: bool) -> Option<String> {
         let value = if required { self.required(key, "a text in quotes") } else { self.optional(key) }?;
         let fault = match value.get_ref().as_str().map(str::trim) {

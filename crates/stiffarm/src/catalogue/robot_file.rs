@@ -12,6 +12,7 @@ use crate::drive::{Architecture, Drives, GravityCompensator, Identified, JointCo
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, PENDANT_SOURCE, Pendant, ThirdAxis, Verified};
+use crate::mass::{Carrier, Mass};
 use crate::plain::on_one_line;
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot, Status};
@@ -117,21 +118,30 @@ fn robot(mut root: Table) -> Option<Robot> {
     let repeatability = root.optional_number("repeatability_mm", REPEATABILITY).map(|mm| mm / 1e3);
     let reach = root.optional_number("reach_m", REACH);
     let source: BTreeMap<String, String> = root.table("source").texts();
+    let mut masses = Some(Vec::new());
     let arm = if root.has("planar") {
-        for key in ["geometry", "limits", "compliance", "compensator", "body", "verified"] {
+        for key in ["geometry", "limits", "compliance", "compensator", "body", "verified", "mass", "drives"] {
             if root.has(key) {
                 root.fault(key, "does not go with [planar]; a robot has either [planar] or [geometry] and [limits]");
             }
         }
         planar(root.table("planar"), architecture)
     } else if root.has("geometry") {
-        six_axis(&mut root, architecture, &source)
+        let moving = six_axis(&mut root, architecture, &source);
+        let geometry = moving
+            .as_ref()
+            .and_then(|(arm, _)| if let Arm::SixAxis { geometry, .. } = arm { Some(geometry) } else { None });
+        masses = super::masses::masses(&mut root, geometry);
+        if let (Some(masses), Some(architecture)) = (&masses, architecture) {
+            check_carriers(&root, masses, architecture);
+        }
+        moving
     } else {
         root.fault("", "neither [geometry] with [limits] nor [planar]; a robot needs one of them");
         None
     };
     let body = if root.has("body") { body(root.table("body")) } else { Some(None) };
-    root.finish(&["geometry", "limits", "compliance", "compensator", "body", "planar", "verified"]);
+    root.finish(&["geometry", "limits", "compliance", "compensator", "body", "planar", "verified", "mass", "drives"]);
     let vendor = vendor.unwrap_or_default();
     let (arm, stiffness_is_assumed) = arm?;
     Some(Robot {
@@ -146,9 +156,20 @@ fn robot(mut root: Table) -> Option<Robot> {
         mass_kg,
         repeatability,
         body: body?,
+        masses: masses?,
         arm,
         source,
     })
+}
+
+/// Only a parallelogram has a rod and a counterweight that turns with its crank.
+fn check_carriers(root: &Table, masses: &[Mass], architecture: Architecture) {
+    let of_parallelogram = |mass: &&Mass| matches!(mass.carrier, Carrier::Rod { .. } | Carrier::Counterweight);
+    if let (Some(mass), Architecture::Serial) = (masses.iter().find(of_parallelogram), architecture) {
+        let message =
+            format!("{} of a serial arm; expected links from 0 to 6, or architecture = \"quasi-serial\"", mass.carrier);
+        root.fault("mass", message);
+    }
 }
 
 /// What moves, and whether the stiffness of any drive is left to be assumed.
@@ -208,12 +229,20 @@ fn drives(root: &mut Table, architecture: Option<Architecture>) -> Option<(Drive
     let identified = identified(&mut table, is_assumed);
     table.finish(&[]);
     let compensator = if root.has("compensator") { Some(compensator(root.table("compensator"))?) } else { None };
+    let motors = super::masses::motors(root);
     let transmission = transmission?.or_else(|| architecture.map(Transmission::of))?;
     if compensator.is_some() && !transmission.joint_2_is_direct() {
         root.fault("compensator", "needs a joint 2 that drive 2 alone moves, one to one; see compliance.transmission");
     }
     Some((
-        Drives { compliance: compliance?, transmission, compensator, identified: identified?, scatter: None },
+        Drives {
+            compliance: compliance?,
+            transmission,
+            compensator,
+            identified: identified?,
+            scatter: None,
+            motors: motors?,
+        },
         is_assumed,
     ))
 }

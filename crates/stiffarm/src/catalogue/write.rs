@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
-use crate::drive::{Drives, Identified, JointCompliance, Transmission};
+use crate::drive::{Drives, Identified, JointCompliance, Motors, Transmission};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, Pendant, ThirdAxis, Verified};
+use crate::mass::{Carrier, Mass};
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot};
 
@@ -39,6 +40,9 @@ pub fn write(robot: &Robot) -> String {
             file.drives(drives, robot);
         }
         Arm::Planar(arm) => file.planar(arm, robot.stiffness_is_assumed),
+    }
+    for mass in &robot.masses {
+        file.mass(mass);
     }
     if let Some(body) = robot.body {
         file.table("body");
@@ -142,6 +146,36 @@ impl Text {
             self.entry("stiffness_n_per_mm", &inverse(compensator.stiffness, 1e-3, |x| x * 1e3));
             self.entry("free_length_mm", &millimetres(compensator.free_length));
         }
+        self.motors(&drives.motors);
+    }
+
+    fn motors(&mut self, motors: &Motors) {
+        if *motors == Motors::UNKNOWN {
+            return;
+        }
+        let Motors { torque, rotor, damping } = motors;
+        self.table("drives");
+        for (key, numbers) in [("torque_nm", torque), ("rotor_kg_m2", rotor), ("damping_nms_per_rad", damping)] {
+            if let Some(numbers) = numbers {
+                self.list(key, numbers.map(plain));
+            }
+        }
+    }
+
+    fn mass(&mut self, Mass { carrier, body }: &Mass) {
+        writeln!(self.0, "\n[[mass]]").expect("memory takes everything");
+        match carrier {
+            Carrier::Base => self.entry("link", "0"),
+            Carrier::Link(link) => self.entry("link", &link.to_string()),
+            Carrier::Rod { crank } => {
+                self.text("link", "rod");
+                self.list("crank_mm", crank.map(millimetres));
+            }
+            Carrier::Counterweight => self.text("link", "counterweight"),
+        }
+        self.entry("mass_kg", &plain(body.mass));
+        self.list("com_mm", <[f64; 3]>::from(body.centre).map(millimetres));
+        self.list("inertia_kg_m2", body.elements().map(plain));
     }
 
     fn identified(&mut self, identified: &Identified) {

@@ -1,0 +1,37 @@
+//! What is asked of how an arm swings.
+
+use nalgebra::Vector3;
+use stiffarm::mass::RigidBody;
+use stiffarm::modes::{Damping, HeldTool};
+
+use super::wishes::number;
+use super::{Refusal, Request};
+
+impl Request {
+    /// What the arm holds: the tool frame, and a body where the tool's mass is told.
+    ///
+    /// # Errors
+    /// A mass without its centre.
+    pub fn held_tool(&self) -> Result<HeldTool, Refusal> {
+        let mut tool = HeldTool { flange_from_tool: self.held().tool(), body: None };
+        let Some(mass) = self.tool_mass() else { return Ok(tool) };
+        let centre: [f64; 3] = self.all("tool-com-mm", number).try_into().map_err(|_| self.missing("tool-com-mm"))?;
+        let centre = Vector3::from(centre) / 1e3;
+        let inertia: Vec<f64> = self.all("tool-inertia-kg-m2", number);
+        let body = inertia
+            .try_into()
+            .map_or_else(|_| RigidBody::point(mass, centre), |inertia: [f64; 6]| RigidBody::new(mass, centre, inertia));
+        tool.body = Some(body);
+        Ok(tool)
+    }
+
+    /// Damping of every mode, where it is given.
+    pub fn damping(&self) -> Option<Damping> {
+        self.number("damping-ratio").map(Damping::Ratio)
+    }
+
+    /// How many modes are told.
+    pub fn mode_count(&self) -> usize {
+        self.count("count")
+    }
+}

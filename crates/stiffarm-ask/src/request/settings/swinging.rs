@@ -1,0 +1,63 @@
+//! What is asked of how an arm swings.
+
+use super::{Absent, Kind, ROW, Setting, Verb, count, number_of};
+
+const MODES: &[Verb] = &[Verb::Modes];
+/// Of what the arm holds.
+const HELD: Setting = Setting { verbs: MODES, heading: "Tool", ..ROW };
+
+pub(super) const ROWS: &[Setting] = &[
+    Setting {
+        name: "tool-mass-kg",
+        kind: number_of(1e-3, 5000.0, "kg"),
+        unit: "kg",
+        value: "KG",
+        absent: Absent::Means("a tool that weighs nothing"),
+        needs: &[(Verb::Modes, "tool-com-mm")],
+        help: "Mass of the tool with its spindle, which swings with the arm; its centre says where",
+        example: "60",
+        ..HELD
+    },
+    Setting {
+        name: "tool-com-mm",
+        kind: number_of(-1e4, 1e4, "mm"),
+        count: count(3, "numbers", "three, separated by commas"),
+        unit: "mm",
+        value: "X,Y,Z",
+        help: "Mass centre of the tool in the flange frame: x,y,z; with its mass",
+        example: "0,0,200",
+        ..HELD
+    },
+    Setting {
+        name: "tool-inertia-kg-m2",
+        kind: number_of(-1e4, 1e4, "kg m2"),
+        count: count(6, "numbers", "six, separated by commas"),
+        unit: "kg m2",
+        value: "IXX,IXY,IXZ,IYY,IYZ,IZZ",
+        absent: Absent::Means("none: a point mass"),
+        needs: &[(Verb::Modes, "tool-mass-kg")],
+        help: "Inertia of the tool about its own mass centre, along flange axes: elements of the matrix as URDF has them",
+        example: "1.3,0,0,1.6,0,0.5",
+        ..HELD
+    },
+    Setting {
+        name: "damping-ratio",
+        verbs: MODES,
+        kind: number_of(0.0, 1.0, "of critical damping"),
+        value: "ZETA",
+        absent: Absent::Means("as the robot file has it of the drives, else 0.03"),
+        help: "Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08",
+        example: "0.05",
+        ..ROW
+    },
+    Setting {
+        name: "count",
+        verbs: MODES,
+        kind: Kind::Whole { min: 1, max: 6 },
+        value: "N",
+        absent: Absent::Default("6"),
+        help: "How many modes are told, the lowest first",
+        example: "3",
+        ..ROW
+    },
+];

@@ -1,0 +1,63 @@
+//! Does the program tell how an arm swings, and refuse what it cannot tell?
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+const ASKED: &[&str] = &["modes", "KR 210 R2700-2", "--joints-deg", "0,-90,90,0,45,0", "--tool-mm", "0,0,200"];
+const HELD: &[&str] = &["--tool-mass-kg", "60", "--tool-com-mm", "0,0,200"];
+
+fn output(arguments: &[&[&str]]) -> (bool, String, String) {
+    let output = Command::cargo_bin("stiffarm").expect("built").args(arguments.concat()).output().expect("runs");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+    (output.status.success(), text(output.stdout), text(output.stderr))
+}
+
+#[test]
+fn the_published_masses_of_a_kr_210_and_six_springs_give_the_modes_worked_out_apart() {
+    let springs: &[&str] = &["--drive-urad-per-nm", "0.477,0.296,0.358,2.52,3.01,2.1", "--format", "json"];
+    let (ok, out, err) = output(&[ASKED, HELD, springs]);
+    assert!(ok, "{err}");
+    let told: Value = serde_json::from_str(&out).expect("JSON");
+    let modes = told["modes"].as_array().expect("a list");
+    assert_eq!(modes.len(), 6);
+    for (mode, expected) in modes.iter().zip([9.4584, 10.3533, 19.1985, 44.727, 57.146]) {
+        let found = mode["frequency_hz"].as_f64().expect("a number");
+        assert!((found - expected).abs() < 1e-3, "{found} is not {expected} Hz");
+        assert!(mode["frequency_hz_p05"].is_null() && mode["frequency_motors_free_hz"].is_null(), "{mode}");
+        assert_eq!(mode["tip_shape"].as_array().map(Vec::len), Some(3));
+    }
+    assert_eq!((told["damping_source"].as_str(), told["tool_mass_kg"].as_f64()), (Some("assumed"), Some(60.0)));
+}
+
+#[test]
+fn as_many_modes_are_told_as_are_asked_for_each_with_its_interval_by_the_prior() {
+    let (ok, out, err) = output(&[ASKED, HELD, &["--count", "2", "--format", "csv"]]);
+    assert!(ok, "{err}");
+    let lines: Vec<&str> = out.lines().collect();
+    assert_eq!(lines.len(), 3, "{out}");
+    assert!(lines[0].starts_with("mode,frequency_hz,frequency_hz_p05,frequency_hz_p95,"), "{out}");
+    let numbers: Vec<f64> = lines[1].split(',').take(4).map(|cell| cell.parse().expect("a number")).collect();
+    assert!(numbers[2] < numbers[1] && numbers[1] < numbers[3], "{numbers:?}");
+}
+
+#[test]
+fn a_tool_without_a_mass_and_what_is_assumed_are_told() {
+    let (ok, out, _) = output(&[ASKED]);
+    assert!(ok && out.contains("tool: weighs nothing") && out.contains("damping: assumed 0.03"), "{out}");
+}
+
+#[test]
+fn robots_without_masses_and_tools_that_cannot_be_are_refused_with_what_to_do() {
+    let refused = |arguments: &[&[&str]], words: &str| {
+        let (ok, _, err) = output(arguments);
+        assert!(!ok && err.contains(words) && !err.contains("panicked"), "{err}");
+    };
+    let bare: &[&str] = &["modes", "KR 210 R2700 extra", "--joints-deg", "0,-90,90,0,45,0"];
+    refused(&[bare], "no masses in the robot file");
+    refused(&[ASKED, &["--tool-mass-kg", "60"]], "--tool-com-mm");
+    refused(&[ASKED, &["--tool-com-mm", "0,0,200"]], "--tool-mass-kg");
+    refused(&[ASKED, &["--tool-mass-kg", "-60", "--tool-com-mm", "0,0,200"]], "-60");
+    refused(&[ASKED, HELD, &["--tool-inertia-kg-m2", "1,0,0,1,0,3"]], "at most the sum of the other two");
+    refused(&[ASKED, &["--damping-ratio", "1.5"]], "1.5");
+    refused(&[ASKED, &["--count", "0"]], "from 1 to 6");
+}

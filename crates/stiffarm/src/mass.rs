@@ -1,0 +1,182 @@
+//! What does each body of an arm weigh, where, and how hard is it to turn?
+//!
+//! Bodies are stated as a robot file states them: at model zero (all model angles zero: upper arm and forearm upright), in the base's
+//! axes, from the base. From there [`Geometry::links`] carries them.
+
+use nalgebra::{Matrix3, Matrix6, Point3, Vector3};
+
+use crate::geometry::Geometry;
+use crate::spatial::Pose;
+
+/// The least that a body weighs, kg: descriptions have less where they know nothing.
+pub const LEAST_KG: f64 = 1e-3;
+/// Rounding of what is published: the triangle inequality may be missed by this share of the largest principal moment.
+const SLACK: f64 = 1e-3;
+
+/// Mass, its centre and the inertia about that centre, in the axes of some frame, which whoever holds it names.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RigidBody {
+    /// kg.
+    pub mass: f64,
+    /// Centre of mass, m.
+    pub centre: Vector3<f64>,
+    /// About the centre, kg m^2; matrix elements (`ixy` is minus the product of inertia), as URDF has them.
+    pub inertia: Matrix3<f64>,
+}
+
+/// What a body moves with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Carrier {
+    /// It stands with the base and does not move.
+    Base,
+    /// The link that this joint, from 1 to 6, turns.
+    Link(usize),
+    /// The rod of a parallelogram, which stays parallel to the upper arm.
+    Rod {
+        /// From the joint-2 axis to the end of the rod on the crank, forwards and up at model zero, m.
+        crank: [f64; 2],
+    },
+    /// The crank that drive 3 turns about the joint-2 axis, with what is fixed to it: it turns as the forearm does.
+    Counterweight,
+}
+
+impl std::fmt::Display for Carrier {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Self::Base => f.pad("base"),
+            Self::Link(link) => f.pad(&format!("link {link}")),
+            Self::Rod { .. } => f.pad("rod"),
+            Self::Counterweight => f.pad("counterweight"),
+        }
+    }
+}
+
+/// A body of an arm, at model zero, base axes, from the base.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mass {
+    /// What it moves with.
+    pub carrier: Carrier,
+    /// What it weighs.
+    pub body: RigidBody,
+}
+
+impl RigidBody {
+    /// From the six elements `ixx, ixy, ixz, iyy, iyz, izz`, kg m^2.
+    pub fn new(mass: f64, centre: Vector3<f64>, [xx, xy, xz, yy, yz, zz]: [f64; 6]) -> Self {
+        Self { mass, centre, inertia: Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz) }
+    }
+
+    /// A mass without extent.
+    pub fn point(mass: f64, centre: Vector3<f64>) -> Self {
+        Self { mass, centre, inertia: Matrix3::zeros() }
+    }
+
+    /// The six elements `ixx, ixy, ixz, iyy, iyz, izz`, kg m^2.
+    pub fn elements(&self) -> [f64; 6] {
+        let i = &self.inertia;
+        [i[(0, 0)], i[(0, 1)], i[(0, 2)], i[(1, 1)], i[(1, 2)], i[(2, 2)]]
+    }
+
+    /// The same body in the axes of another frame, in which its own frame is `pose`.
+    #[must_use]
+    pub fn seen_from(&self, pose: &Pose) -> Self {
+        let turn = pose.rotation.to_rotation_matrix();
+        Self {
+            mass: self.mass,
+            centre: (pose * Point3::from(self.centre)).coords,
+            inertia: turn.matrix() * self.inertia * turn.matrix().transpose(),
+        }
+    }
+
+    /// Two bodies as one, in the same axes: the inertia of each about the common centre by Steiner's theorem.
+    #[must_use]
+    pub fn with(&self, other: &Self) -> Self {
+        let mass = self.mass + other.mass;
+        let centre = (self.centre * self.mass + other.centre * other.mass) / mass;
+        let about = |body: &Self| {
+            let d = body.centre - centre;
+            body.inertia + body.mass * (Matrix3::identity() * d.norm_squared() - d * d.transpose())
+        };
+        Self { mass, centre, inertia: about(self) + about(other) }
+    }
+
+    /// Why no body has this inertia: a principal moment is no larger than the sum of the other two, and none is negative.
+    ///
+    /// `I1 + I2 - I3 = 2 int r3^2 dm >= 0` for the coordinates `r` along the principal axes.
+    pub fn inertia_fault(&self) -> Option<String> {
+        let mut moments: [f64; 3] = self.inertia.symmetric_eigenvalues().into();
+        moments.sort_by(f64::total_cmp);
+        let [least, middle, largest] = moments;
+        let slack = SLACK * largest;
+        // Written so that a moment that is no number fails.
+        if -slack <= least && largest <= least + middle + slack {
+            return None;
+        }
+        Some(format!(
+            "no body has this inertia: its principal moments are {least:.4}, {middle:.4} and {largest:.4} kg m^2; expected none negative, and each at most the sum of the other two"
+        ))
+    }
+}
+
+/// The inertia of bodies and tool as seen in the six model angles: `M = sum m Jv^T Jv + Jw^T I Jw`, kg m^2, at the model angles `theta`, rad.
+///
+/// The kinetic energy is `1/2 theta'^T M theta'`. `tool` is in the base's axes at this posture, from the base, and moves with link 6.
+pub fn mass_matrix(geometry: &Geometry, theta: &[f64; 6], masses: &[Mass], tool: Option<&RigidBody>) -> Matrix6<f64> {
+    let axes = geometry.axes(theta);
+    let links = geometry.links(theta);
+    let mut sum = Matrix6::zeros();
+    for Mass { carrier, body } in masses {
+        match carrier {
+            Carrier::Base => {}
+            Carrier::Link(link) => add(&mut sum, &axes, *link, &body.seen_from(&links[link - 1])),
+            Carrier::Counterweight => {
+                let body = body.seen_from(&geometry.crank(theta));
+                // Turned by theta2 + theta3 about the joint-2 axis.
+                add(&mut sum, &[axes[0], axes[1], axes[1], axes[3], axes[4], axes[5]], 3, &body);
+            }
+            Carrier::Rod { crank } => add_rod(&mut sum, geometry, theta, *crank, body),
+        }
+    }
+    if let Some(tool) = tool {
+        add(&mut sum, &axes, 6, tool);
+    }
+    sum
+}
+
+/// Adds a body in base axes that the first `joints` axes move, each a direction and a point that it passes through.
+fn add(sum: &mut Matrix6<f64>, axes: &[(Vector3<f64>, Vector3<f64>); 6], joints: usize, body: &RigidBody) {
+    let moved = axes.map(|(axis, through)| axis.cross(&(body.centre - through)));
+    let turned = axes.map(|(axis, _)| axis);
+    add_columns(sum, &moved[..joints], &turned[..joints], body);
+}
+
+/// Adds a body whose centre and turn follow the first joints by these columns.
+fn add_columns(sum: &mut Matrix6<f64>, moved: &[Vector3<f64>], turned: &[Vector3<f64>], body: &RigidBody) {
+    for i in 0..moved.len() {
+        let resisted = body.inertia * turned[i];
+        for j in 0..=i {
+            let part = body.mass * moved[i].dot(&moved[j]) + resisted.dot(&turned[j]);
+            sum[(i, j)] += part;
+            if i != j {
+                sum[(j, i)] += part;
+            }
+        }
+    }
+}
+
+/// The rod: its end on the crank turns by theta2 + theta3 about the joint-2 axis, and it turns itself by theta2.
+fn add_rod(sum: &mut Matrix6<f64>, geometry: &Geometry, theta: &[f64; 6], [ahead, up]: [f64; 2], body: &RigidBody) {
+    let axes = geometry.axes(theta);
+    let (across, shoulder) = axes[1];
+    let [_, upper_arm, ..] = geometry.links(theta);
+    let at_zero = geometry.shoulder_at_zero() + Vector3::new(ahead, 0.0, up);
+    let end = (geometry.crank(theta) * Point3::from(at_zero)).coords;
+    let turned = RigidBody { centre: body.centre - at_zero, ..*body }
+        .seen_from(&Pose::from_parts(end.into(), upper_arm.rotation));
+    let of_end = across.cross(&(end - shoulder));
+    let moved = [axes[0].0.cross(&turned.centre), across.cross(&(turned.centre - end)) + of_end, of_end];
+    add_columns(sum, &moved, &[axes[0].0, across, Vector3::zeros()], &turned);
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,260 @@
+//! Verb: how does the arm swing at a posture? Frequencies, shapes and damping of its modes, and what a force that swings does to the tip.
+//!
+//! In the coordinates of the drives `(K - w^2 M) v = 0` with `K = diag(1/k_i)` and `M = A^T M_q A` ([`mass_matrix`]). Solved as
+//! `lambda = 1/w^2` of `N = k^1/2 M k^1/2`, so rigid drives (`k = 0`) and bodies without mass are `lambda = 0` instead of a division by zero.
+//! The stiffness is that of [`mod@crate::compliance`]: gravity and springs of base and bearings are left out (\[theory\], section 12).
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Complex, Matrix3, Matrix6, SymmetricEigen, Vector3};
+
+use crate::compliance::{PostureError, check_joint, check_tool};
+use crate::mass::{Carrier, RigidBody, mass_matrix};
+use crate::prior::factors;
+use crate::robot::{Arm, Robot};
+use crate::spatial::Pose;
+use crate::uncertainty::{DRAWS, Spread};
+
+/// Of each mode where the robot file says nothing of damping; measured on such arms: 0.02 to 0.08.
+pub const DAMPING_RATIO: f64 = 0.03;
+/// A mode whose `1/w^2` is a smaller share of the largest is none: it is rounding, or nothing springs there.
+const NONE: f64 = 1e-12;
+
+/// What is held at the flange.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeldTool {
+    /// The tool frame in the flange frame; its origin is the tip.
+    pub flange_from_tool: Pose,
+    /// In flange axes, from the flange; a tool that weighs nothing where `None`.
+    pub body: Option<RigidBody>,
+}
+
+/// How the motion of the drives dies away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Damping {
+    /// Every mode by this share of its critical damping.
+    Ratio(f64),
+    /// Beside the spring of each drive, N m s/rad.
+    OfDrives([f64; 6]),
+}
+
+/// One way in which the arm swings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mode {
+    /// With the motors held still, Hz.
+    pub frequency: f64,
+    /// How far the frequency may be off with the stiffness of the drives, Hz; `None` where nothing says how far that may be.
+    pub spread: Option<Spread>,
+    /// The frequency of the same rank with motors that nothing holds but the inertia of their rotors, Hz; `None` where rotors are not known.
+    ///
+    /// Held and free are the limits of a stiff and of a powerless servo, no bracket: a servo about as stiff as the gear lies below both.
+    pub motors_free: Option<f64>,
+    /// Share of critical damping, `v^T D v / 2w`.
+    pub damping_ratio: f64,
+    /// How the tip moves, `J v` with `v^T M v = 1 kg m^2`: m per root of kg m^2, base axes.
+    pub tip: Vector3<f64>,
+    /// Which share of the energy each drive stores where the arm stands still; adds up to 1.
+    pub drive_shares: [f64; 6],
+}
+
+/// How an arm swings at one posture.
+#[derive(Clone, Debug)]
+pub struct Swing {
+    /// The tool frame in the base frame.
+    pub tool: Pose,
+    /// Ascending by frequency; as many as there are drives that spring and bodies that they move.
+    pub modes: Vec<Mode>,
+    /// What the damping ratios are from.
+    pub damping: Damping,
+    /// `J A k^1/2`, rows of translation alone.
+    tip: nalgebra::Matrix3x6<f64>,
+    /// `k^1/2 A^T M A k^1/2`, s^2.
+    inertia: Matrix6<f64>,
+    /// `k^1/2 D k^1/2`, s.
+    friction: Matrix6<f64>,
+}
+
+/// Why nothing is told of how an arm swings.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ModesError {
+    /// The posture or the tool.
+    #[error(transparent)]
+    Posture(#[from] PostureError),
+    /// Nobody says what it weighs.
+    #[error(
+        "{robot}: {missing} in the robot file: how it swings is not known; see [[mass]], or take a robot that has masses, as KUKA's KR 210 R2700-2"
+    )]
+    NoMasses {
+        /// Which robot.
+        robot: String,
+        /// What is missing.
+        missing: String,
+    },
+    /// No tool is like this.
+    #[error("the tool: {0}")]
+    Tool(String),
+    /// Damping that makes no sense.
+    #[error("damping {0}; expected a ratio from 0 to 1, or six numbers of at least 0 N m s/rad")]
+    Damping(String),
+    /// Nothing springs, or nothing weighs.
+    #[error("{0}: nothing swings: no drive that springs moves a mass")]
+    Nothing(String),
+}
+
+/// The modes of a robot at the joint angles `q` it reports, rad, with what it holds, motors held still.
+///
+/// A damping that is not given is that of the drives where the robot file has it, else [`DAMPING_RATIO`] of every mode. Joint limits are not
+/// checked here.
+///
+/// # Errors
+/// A robot without masses, and numbers that make no sense.
+pub fn modes(robot: &Robot, q: &[f64; 6], tool: &HeldTool, damping: Option<Damping>) -> Result<Swing, ModesError> {
+    let Arm::SixAxis { geometry, limits, drives } = &robot.arm else {
+        return Err(PostureError::Planar(robot.name.clone()).into());
+    };
+    q.iter().enumerate().try_for_each(|(joint, angle)| check_joint(joint, *angle))?;
+    check_tool(&tool.flange_from_tool)?;
+    if let Some(fault) = tool.body.as_ref().and_then(tool_fault) {
+        return Err(ModesError::Tool(fault));
+    }
+    check_masses(robot)?;
+    let damping = damping.or(drives.motors.damping.map(Damping::OfDrives)).unwrap_or(Damping::Ratio(DAMPING_RATIO));
+    check_damping(&damping)?;
+
+    let theta = geometry.model_angles(q, limits.third_axis);
+    let flange = geometry.forward(&theta);
+    let base_from_tool = flange * tool.flange_from_tool;
+    let k = drives.compliance_at(theta[1]).ok_or_else(|| PostureError::Unstable(robot.name.clone()))?;
+    let held = tool.body.map(|body| body.seen_from(&flange));
+    let a = drives.transmission.0;
+    let in_drives = a.transpose() * mass_matrix(geometry, &theta, &robot.masses, held.as_ref()) * a;
+    let jacobian = geometry.jacobian(&theta, &base_from_tool.translation.vector) * a;
+    let root = Matrix6::from_diagonal(&k.map(f64::sqrt).into());
+    let tip = jacobian.fixed_rows::<3>(0) * root;
+    let inertia = root * in_drives * root;
+    let found = eigen(&inertia);
+    let largest = found[0].0;
+    if !(0.0 < largest) {
+        return Err(ModesError::Nothing(robot.name.clone()));
+    }
+    let friction = friction(&damping, &root, &found);
+    let free = drives.motors.rotor.map(|rotor| frequencies(&(root * beside_rotors(&in_drives, &rotor) * root)));
+    let spreads = spreads(robot, &k, &in_drives);
+    let swinging = found.iter().filter(|(lambda, _)| NONE * largest < *lambda).enumerate();
+    let modes = swinging.map(|(rank, (lambda, u))| Mode {
+        frequency: frequency(*lambda),
+        spread: spreads.as_ref().and_then(|spreads| spreads.get(rank).copied()),
+        motors_free: free.as_ref().and_then(|free| free.get(rank).copied()),
+        // v = k^1/2 u / lambda^1/2, so v^T D v / 2w = u^T k^1/2 D k^1/2 u / 2 lambda^1/2.
+        damping_ratio: u.dot(&(friction * u)) / (2.0 * lambda.sqrt()),
+        tip: tip * u / lambda.sqrt(),
+        drive_shares: u.map(|part| part * part).into(),
+    });
+    Ok(Swing { tool: base_from_tool, modes: modes.collect(), damping, tip, inertia, friction })
+}
+
+impl Swing {
+    /// How the tip follows a force that swings with `frequency`, Hz: `G = J (K + i w D - w^2 M)^-1 J^T`, m/N, base axes.
+    ///
+    /// `G(0)` is the compliance of [`mod@crate::compliance`]. `None` where an arm without damping swings at one of its own frequencies.
+    pub fn receptance(&self, frequency: f64) -> Option<Matrix3<Complex<f64>>> {
+        let w = TAU * frequency;
+        let held = Matrix6::identity() - self.inertia * (w * w);
+        let dynamic = held.zip_map(&(self.friction * w), Complex::new);
+        let tip = self.tip.map(|x| Complex::new(x, 0.0));
+        Some(tip * dynamic.lu().solve(&tip.transpose())?)
+    }
+}
+
+/// Eigenvalues and eigenvectors of a symmetric matrix, the largest first; `lambda` is not negative but for rounding.
+fn eigen(matrix: &Matrix6<f64>) -> [(f64, nalgebra::Vector6<f64>); 6] {
+    let eigen = SymmetricEigen::new(*matrix);
+    let mut order = [0, 1, 2, 3, 4, 5];
+    order.sort_by(|&i, &j| eigen.eigenvalues[j].total_cmp(&eigen.eigenvalues[i]));
+    order.map(|i| (eigen.eigenvalues[i].max(0.0), eigen.eigenvectors.column(i).into()))
+}
+
+/// Hz, from `lambda = 1/w^2`, s^2.
+fn frequency(lambda: f64) -> f64 {
+    1.0 / (TAU * lambda.sqrt())
+}
+
+/// Of all modes of `k^1/2 M k^1/2`, ascending, Hz.
+fn frequencies(inertia: &Matrix6<f64>) -> Vec<f64> {
+    let mut lambdas: [f64; 6] = inertia.symmetric_eigenvalues().into();
+    lambdas.sort_by(|a, b| b.total_cmp(a));
+    let [largest, ..] = lambdas;
+    lambdas.into_iter().filter(|lambda| NONE * largest < *lambda).map(frequency).collect()
+}
+
+/// `(M^-1 + J_r^-1)^-1 = M - M (M + J_r)^-1 M`: what swings against free rotors, that only the springs join to the links.
+///
+/// From `M psi'' = -K d`, `J_r phi'' = K d` for `d = psi - phi`; written so that it holds for an `M` without inverse, too.
+fn beside_rotors(in_drives: &Matrix6<f64>, rotor: &[f64; 6]) -> Matrix6<f64> {
+    let both = in_drives + Matrix6::from_diagonal(&(*rotor).into());
+    // Rotors have an inertia, so the sum is positive definite.
+    both.cholesky().map_or(*in_drives, |both| in_drives - in_drives * both.solve(in_drives))
+}
+
+/// `k^1/2 D k^1/2`; under one ratio of all modes `sum 2 zeta lambda^1/2 u u^T`.
+fn friction(damping: &Damping, root: &Matrix6<f64>, found: &[(f64, nalgebra::Vector6<f64>); 6]) -> Matrix6<f64> {
+    match damping {
+        Damping::Ratio(zeta) => found.iter().map(|(lambda, u)| u * u.transpose() * (2.0 * zeta * lambda.sqrt())).sum(),
+        Damping::OfDrives(damping) => root * Matrix6::from_diagonal(&(*damping).into()) * root,
+    }
+}
+
+/// Where each frequency lies with 90 %, Hz, over draws of the drives' compliance; `None` where nothing says how far that may be off.
+fn spreads(robot: &Robot, k: &[f64; 6], in_drives: &Matrix6<f64>) -> Option<Vec<Spread>> {
+    let drawn = factors(robot, DRAWS)?;
+    let of_draw = |factor: &[f64; 6]| {
+        let root = Matrix6::from_diagonal(&std::array::from_fn(|i| (k[i] * factor[i]).sqrt()).into());
+        frequencies(&(root * in_drives * root))
+    };
+    let draws: Vec<Vec<f64>> = drawn.iter().map(of_draw).collect();
+    let fewest = draws.iter().map(Vec::len).min()?;
+    Some((0..fewest).map(|rank| Spread::of(draws.iter().map(|draw| draw[rank]).collect())).collect())
+}
+
+/// Every link has a mass, and a parallelogram its rod and counterweight.
+fn check_masses(robot: &Robot) -> Result<(), ModesError> {
+    let has = |carrier: &dyn Fn(&Carrier) -> bool| robot.masses.iter().any(|mass| carrier(&mass.carrier));
+    let links: Vec<String> =
+        (1..=6).filter(|link| !has(&|carrier| *carrier == Carrier::Link(*link))).map(|link| link.to_string()).collect();
+    let missing = match links.len() {
+        0 => return Ok(()),
+        6 => "no masses".to_owned(),
+        _ => format!("no mass of link {}", links.join(", ")),
+    };
+    Err(ModesError::NoMasses { robot: robot.full_name(), missing })
+}
+
+/// What is left out of a robot's masses, though it has them of every link: rod and counterweight of a parallelogram.
+pub fn left_out(robot: &Robot) -> Vec<&'static str> {
+    let has = |carrier: fn(&Carrier) -> bool| robot.masses.iter().any(|mass| carrier(&mass.carrier));
+    let quasi_serial = robot.architecture == crate::drive::Architecture::QuasiSerial;
+    let parts = [
+        ("rod", has(|carrier| matches!(carrier, Carrier::Rod { .. }))),
+        ("counterweight", has(|carrier| *carrier == Carrier::Counterweight)),
+    ];
+    parts.into_iter().filter(|(_, is_there)| quasi_serial && !is_there).map(|(part, _)| part).collect()
+}
+
+fn tool_fault(body: &RigidBody) -> Option<String> {
+    const MOST_KG: f64 = 5000.0;
+    if !(0.0 < body.mass && body.mass <= MOST_KG) {
+        return Some(format!("a mass of {} kg; expected more than 0 and at most {MOST_KG} kg", body.mass));
+    }
+    if !(body.centre.norm() <= 10.0) {
+        return Some(format!("a mass centre {} m from the flange; expected at most 10 m", body.centre.norm()));
+    }
+    body.inertia_fault()
+}
+
+fn check_damping(damping: &Damping) -> Result<(), ModesError> {
+    let (sound, told) = match damping {
+        Damping::Ratio(zeta) => ((0.0..=1.0).contains(zeta), format!("ratio {zeta}")),
+        Damping::OfDrives(each) => (each.iter().all(|d| 0.0 <= *d && d.is_finite()), format!("{each:?} N m s/rad")),
+    };
+    if sound { Ok(()) } else { Err(ModesError::Damping(told)) }
+}
