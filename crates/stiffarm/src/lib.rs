@@ -15,6 +15,7 @@
 //! | identify | [`identify::identify`] | how stiff are the drives, by measured deflections? |
 //! | measure | [`measure::plan`] | which postures and loads must be measured? |
 //! | study | [`study::study`] | which architecture suits which link ratio and size? |
+//! | verify | [`verify::verify`] | does a robot file count the joints as the pendant does? |
 //! | import | [`catalogue::import::import`] | which robot does a URDF describe? |
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
 //!
@@ -24,7 +25,7 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, `frontier`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
+//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], `registration`, [`verify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`]. Each uses only those before it.
 //!
 //! # What is left out
@@ -74,6 +75,7 @@ pub mod prior;
 pub mod program;
 pub mod rank;
 mod real;
+mod registration;
 pub mod robot;
 mod root;
 pub mod spatial;
@@ -83,6 +85,7 @@ pub mod task;
 mod tolerances;
 pub mod toolpath;
 pub mod uncertainty;
+pub mod verify;
 pub mod watch;
 pub mod work;
 pub mod zone;

@@ -34,4 +34,5 @@ mod spatial;
 mod spatial_placement_brute_force;
 mod study;
 mod toolpath_files;
+mod verify;
 mod written;
