@@ -14,7 +14,7 @@ use crate::common::Common;
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
 use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_pairs, positional_rows, positionals_of, subcommand, typed};
-pub(crate) use own::{ImportArgs, PaperArgs, RobotsAction, ServeArgs};
+pub(crate) use own::{ImportArgs, PaperArgs, RobotsAction, ServeArgs, VerifyArgs};
 
 /// What the program does.
 const ABOUT: &str =
@@ -65,7 +65,7 @@ fn command_with(hidden: bool) -> Command {
     );
     let robots = Command::new("robots").about("List, show and check robots").subcommand(with_help(list, "robots list"));
     let robots = with_help(RobotsAction::augment_subcommands(robots), "robots");
-    let robots = ["show", "check", "import"].into_iter().fold(robots, |robots, name| {
+    let robots = ["show", "check", "import", "verify"].into_iter().fold(robots, |robots, name| {
         robots.mut_subcommand(name, |command| with_help(command, &format!("robots {name}")))
     });
     let validate = Command::new("validate").about("Print every published number beside the computed one");

@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 19] = [
+const ABOUT: [About; 20] = [
     About {
         name: "rank",
         files: "a report to hand on as .html or report.pdf, the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -202,6 +202,18 @@ const ABOUT: [About; 19] = [
         files: "the robot file as .toml, what was understood as .csv, .parquet, .json, .md or .txt",
         is_long: false,
         examples: &[("stiffarm robots import arm.urdf --payload-kg 210 -o arm.toml", "a robot file from a URDF")],
+    },
+    About {
+        name: "robots verify",
+        files: "the robot file that counts as the readings do as .toml, the ways of counting that fit best as .csv, .parquet, .json, .md or .txt",
+        is_long: true,
+        examples: &[
+            (
+                "stiffarm robots verify \"KR 210 R2700 extra\" pendant.csv -o mine.toml",
+                "a robot file of which programs no longer warn that its joints may count otherwise; exit code 1 where it is not verified",
+            ),
+            ("stiffarm robots verify pendant.csv --any", "which robot is it?"),
+        ],
     },
     About {
         name: "paper",

@@ -446,6 +446,24 @@ fields! {
     BEYOND_LIMITS: "beyond_limits", Kind::Count, "Samples at which a joint is commanded beyond its range.";
     SEARCH: "search", Kind::Nested, "How finely a place was looked for; null where it was given.";
     SAMPLES_OF_SEARCH: "samples", Kind::Count, "Samples that stood for the path in the search.";
+    VERIFIED: "verified", Kind::Truth, "The readings agree with the robot file, and with no other way of counting the joints.";
+    READ_ROWS: "rows", Kind::Count, "Postures that were read.";
+    LARGEST_OFF: "largest_mm", Kind::Number(Unit::Millimetre), "The largest distance between what was read and what the file says.";
+    OFF: "rms_mm", Kind::Number(Unit::Millimetre), "The root mean square of these distances.";
+    LARGEST_TURN: "largest_deg", Kind::Number(Unit::Degree), "The largest turn between orientations; null where none was read.";
+    FITS: "fits", Kind::Nested, "Robots and ways of counting the joints, the best first.";
+    THIRD_AXIS: "third_axis", Kind::Text, "What joint 3 counts from: elbow, the upper arm; forearm, the horizontal.";
+    SIGN: "sign", numbers(Unit::One, &["sign_1", "sign_2", "sign_3", "sign_4", "sign_5", "sign_6"]), "Of each joint, as in a robot file.";
+    ZERO: "zero_deg", numbers(Unit::Degree, &["zero_1_deg", "zero_2_deg", "zero_3_deg", "zero_4_deg", "zero_5_deg", "zero_6_deg"]), "Zero offset of each joint, offset_deg of a robot file.";
+    CARRIED: "carried", numbers(Unit::One, &["4_in_5", "4_in_6", "5_in_6"]), "By how much joints of the wrist carry others along: 4 turns 5, 4 turns 6, 5 turns 6.";
+    DIFFERENCES: "differences", Kind::Nested, "In what it differs from its robot file, in words.";
+    DIFFERS: "differs", Kind::Text, "The same in a line.";
+    ALIKE: "alike", Kind::Nested, "What the readings do not tell apart, in words.";
+    POSTURES_TO_READ: "postures_deg", Kind::Nested, "Postures that would tell it apart: joint angles.";
+    WRONG_ROW: "wrong_row", Kind::Nested, "The row that is off where all others agree: line and distance_mm; null where there is none.";
+    BASE_SEEN: "base_mm_deg", Kind::Nested, "The base of the robot file in the frame of the readings: x, y, z mm and turns about fixed x, y, z deg; one for each stand.";
+    POINTS_SEEN: "points_mm", Kind::Nested, "The points that were looked at, in the flange frame, mm.";
+    MEASURED_POINTS: "measured", Kind::Truth, "Points were measured by an instrument; else the controller computed them.";
 }
 
 #[cfg(test)]

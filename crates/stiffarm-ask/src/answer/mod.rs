@@ -34,6 +34,7 @@ mod stiffness;
 pub mod study;
 mod uncertainty;
 mod verdict;
+pub mod verify;
 pub mod words;
 
 use serde_json::{Value, json};
@@ -58,6 +59,7 @@ pub use rows::{Cell, Column, ColumnKind, Rows};
 pub use siting::{Dimension, Siting};
 pub use stiffness::{stiffness, stiffnesses};
 pub use study::StudyAnswer;
+pub use verify::{VerifyAnswer, VerifyRankAnswer};
 pub use verdict::{HOLDS, ON_TOP, SURE, Verdict};
 
 /// Keys in the order in which they are told.

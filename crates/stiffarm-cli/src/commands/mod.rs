@@ -19,6 +19,7 @@ mod sheet;
 pub(crate) mod shell;
 pub(crate) mod study;
 pub(crate) mod validate;
+pub(crate) mod verify;
 
 use std::borrow::Cow;
 use std::path::Path;

@@ -26,7 +26,7 @@ pub struct Convention {
 
 impl Convention {
     /// As a robot file counts.
-    pub(crate) fn of(geometry: &Geometry, limits: &Limits) -> Self {
+    pub fn of(geometry: &Geometry, limits: &Limits) -> Self {
         let Geometry { offset, sign, .. } = *geometry;
         Self { third_axis: limits.third_axis, sign, offset, carried: [0.0; 3] }
     }
