@@ -13,6 +13,7 @@
 //! | force | [`cutting::Process::force`] | with what force does a process push on its tool? |
 //! | mill | [`mill::mill`] | how far is the tool pushed off along a toolpath? |
 //! | identify | [`identify::identify`] | how stiff are the drives, by measured deflections? |
+//! | calibrate | [`calibrate::calibrate`] | how does this very arm differ from its drawing, by measured points? |
 //! | measure | [`measure::plan`] | which postures and loads must be measured? |
 //! | study | [`study::study`] | which architecture suits which link ratio and size? |
 //! | verify | [`verify::verify`] | does a robot file count the joints as the pendant does? |
@@ -25,7 +26,7 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, `frontier`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
-//! [`geometry`], [`body`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], `registration`, [`verify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
+//! [`geometry`], [`body`], [`drive`], [`plane`], [`calibration`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], `registration`, [`verify`], [`calibrate`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`]. Each uses only those before it.
 //!
 //! # What is left out
@@ -46,6 +47,8 @@ pub mod advice;
 mod angle;
 pub mod batch;
 pub mod body;
+pub mod calibrate;
+pub mod calibration;
 pub mod catalogue;
 pub mod cell;
 pub mod clearance;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::body::Body;
+use crate::calibration::Calibration;
 use crate::drive::{Architecture, Drives, Identified, JointCompliance, Knowledge, Scatter};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
@@ -110,6 +111,8 @@ pub struct Robot {
     pub body: Option<Body>,
     /// What moves.
     pub arm: Arm,
+    /// How this very arm differs from its drawing, where it was measured.
+    pub calibration: Option<Calibration>,
     /// Where each group of numbers comes from.
     pub source: BTreeMap<String, String>,
 }
@@ -154,6 +157,7 @@ impl Robot {
             mass_kg: None,
             repeatability: None,
             body: None,
+            calibration: None,
             arm: Arm::Planar(arm),
             source: BTreeMap::new(),
         }

@@ -3,6 +3,7 @@
 // One program for all of them: each would link the library once more.
 mod advice;
 mod architecture;
+mod calibrate;
 mod bad_input;
 mod bad_measurements;
 mod feeds;

@@ -201,6 +201,7 @@ fn robot() -> impl Strategy<Value = Robot> {
                 mass_kg,
                 repeatability,
                 body: if matches!(arm, Arm::SixAxis { .. }) { body } else { None },
+                calibration: None,
                 arm,
                 source,
             }
@@ -242,6 +243,7 @@ proptest! {
             mass_kg: None,
             repeatability: None,
             body: None,
+            calibration: None,
             arm: Arm::Planar(arm.clone()),
             source: BTreeMap::new(),
         };

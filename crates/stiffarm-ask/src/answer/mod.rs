@@ -59,8 +59,8 @@ pub use rows::{Cell, Column, ColumnKind, Rows};
 pub use siting::{Dimension, Siting};
 pub use stiffness::{stiffness, stiffnesses};
 pub use study::StudyAnswer;
-pub use verify::{VerifyAnswer, VerifyRankAnswer};
 pub use verdict::{HOLDS, ON_TOP, SURE, Verdict};
+pub use verify::{VerifyAnswer, VerifyRankAnswer};
 
 /// Keys in the order in which they are told.
 type Object = serde_json::Map<String, Value>;

@@ -39,7 +39,8 @@ const TOLD: usize = 10;
 impl VerifyAnswer {
     /// As JSON.
     pub fn json(&self) -> Value {
-        let Verification { robot, as_file, fits, alike, postures, wrong_row, rows, is_measured, verified } = &self.found;
+        let Verification { robot, as_file, fits, alike, postures, wrong_row, rows, is_measured, verified } =
+            &self.found;
         let degrees = |q: &[f64; 6]| q.map(|angle| fixed(Unit::Degree.told(angle), 6).parse::<f64>().unwrap_or(angle));
         let mut answer = Record::new();
         answer
@@ -57,7 +58,10 @@ impl VerifyAnswer {
             .put(field::POSTURES_TO_READ, postures.iter().map(|q| json!(degrees(q))).collect::<Value>())
             .put(
                 field::WRONG_ROW,
-                wrong_row.map_or(Value::Null, |(line, off)| json!({ "line": line, "distance_mm": Unit::Millimetre.told(off) })),
+                wrong_row.map_or(
+                    Value::Null,
+                    |(line, off)| json!({ "line": line, "distance_mm": Unit::Millimetre.told(off) }),
+                ),
             );
         with_schema("robots verify", "the frame of the readings", &answer)
     }

@@ -25,10 +25,13 @@ pub(crate) fn run(args: &VerifyArgs, common: &Common) -> Result<(), Failure> {
         VerifyOutput::One(one) if !one.found.verified => Err(Failure::NotVerified(one.found.robot.full_name())),
         _ => Ok(()),
     };
-    let writes = common.output.iter().any(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
+    let writes =
+        common.output.iter().any(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
     if writes {
         let VerifyOutput::One(one) = &answer else {
-            return Err(Failure::Usage("without a robot's name no robot file is written; expected ROBOT READINGS".into()));
+            return Err(Failure::Usage(
+                "without a robot's name no robot file is written; expected ROBOT READINGS".into(),
+            ));
         };
         let Some((_, remarks)) = one.robot_file() else {
             // What is known is told; no file is written of what fits nothing.
@@ -67,7 +70,8 @@ pub(crate) fn answer(args: &VerifyArgs, common: &Common) -> Result<VerifyOutput,
         .filter(|entry| entry.name != robot.name && (args.any || entry.vendor == robot.vendor))
         .map(catalogue::Entry::robot)
         .collect();
-    let found = watched("comparing", common, |watch| verify(&robot, &readings, &options, &others, watch)).map_err(failure)?;
+    let found =
+        watched("comparing", common, |watch| verify(&robot, &readings, &options, &others, watch)).map_err(failure)?;
     let date = args.date.clone().unwrap_or_else(today);
     Ok(VerifyOutput::One(Box::new(VerifyAnswer { found, data, date })))
 }
@@ -148,9 +152,13 @@ mod tests {
     #[test]
     fn days_have_the_dates_of_the_calendar() {
         // Day numbers by hand: 1970 to 2000 has 30 years and 7 leap days; 2000 is a leap year.
-        for (days, date) in
-            [(0, "1970-01-01"), (10_957, "2000-01-01"), (11_016, "2000-02-29"), (11_017, "2000-03-01"), (20_781, "2026-11-24")]
-        {
+        for (days, date) in [
+            (0, "1970-01-01"),
+            (10_957, "2000-01-01"),
+            (11_016, "2000-02-29"),
+            (11_017, "2000-03-01"),
+            (20_781, "2026-11-24"),
+        ] {
             assert_eq!(date_of(days), date);
         }
     }

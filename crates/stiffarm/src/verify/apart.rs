@@ -20,6 +20,9 @@ const ROUND: f64 = 5.0;
 /// Another way of counting is told apart where it is off by so many times what agrees.
 const CLEARLY: f64 = 4.0;
 
+/// So many numbers must be read beyond those that base, tool and zeros can fit.
+const SPARE: isize = 3;
+
 /// Another way of counting that fits as well.
 struct Rival {
     what: String,
@@ -35,11 +38,15 @@ pub(super) fn apart(
     fit: &Fit,
 ) -> (Vec<String>, Vec<[f64; 6]>) {
     let mut left = rivals(table, geometry, limits, fit);
-    let what: Vec<String> = left.iter().map(|rival| rival.what.clone()).collect();
+    let mut what: Vec<String> = left.iter().map(|rival| rival.what.clone()).collect();
+    if table.spare() < SPARE {
+        what.insert(0, format!("much: base, tool and zeros alone can fit {} rows", table.len()));
+    }
     let mut told = Vec::new();
     let mut readings = table.readings.clone();
     let candidates = candidates(limits, geometry, &fit.convention);
-    while !left.is_empty() && told.len() < TOLD {
+    let is_short = table.spare() < SPARE;
+    while (!left.is_empty() || is_short) && told.len() < TOLD {
         let off = |q: &[f64; 6]| {
             let each = left.iter().map(|rival| {
                 let [a, b] = [fit.expected(geometry, q), rival.fit.expected(geometry, q)];

@@ -74,6 +74,28 @@ impl Fit {
 }
 
 impl<'a> Table<'a> {
+    /// Numbers that were read, less those that are fitted.
+    pub(super) fn spare(&self) -> isize {
+        let numbers =
+            |sight: &Sight| 3 * (sight.points.iter().flatten().count() + usize::from(sight.orientation.is_some()));
+        let read: usize = self.sights.iter().map(numbers).sum();
+        let base = if self.options.base.is_some() { 0 } else { 6 * self.readings.stands.len() };
+        let turn = if self.is_oriented() { 3 } else { 0 };
+        let tool = if self.options.tool.is_some() { 0 } else { 3 * self.readings.points + turn };
+        read as isize - (base + tool + self.free().len()) as isize
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.sights.len()
+    }
+
+    /// The same with at most so many rows, evenly taken: as many as it takes to see which fits are bad.
+    pub(super) fn thinned(&self, most: usize) -> Self {
+        let count = self.sights.len().min(most);
+        let sights = (0..count).map(|i| self.sights[i * self.sights.len() / count].clone()).collect();
+        Self { sights, readings: self.readings, options: self.options }
+    }
+
     pub(super) fn of(readings: &'a Readings, options: &'a VerifyOptions) -> Self {
         let sights = readings.rows.iter().map(|row| Sight {
             q: row.q,
@@ -113,10 +135,12 @@ impl<'a> Table<'a> {
 
     /// How far a convention is off with the base and the tool that the means give; a first glance.
     pub(super) fn glance(&self, geometry: &Geometry, convention: &Convention) -> f64 {
+        /// Each of which brings the point nearer.
+        const ROUNDS: usize = 3;
         let chain = |added: &[f64], q: &[f64; 6]| convention.chain(geometry, &[], added, q);
         let problem = self.problem(0, &chain);
         let mut state = problem.start(Vec::new(), Vector3::zeros());
-        for _ in 0..2 {
+        for _ in 0..ROUNDS {
             state = problem.start(Vec::new(), state.points[0]);
         }
         problem.cost(&problem.linear(&state), &state)

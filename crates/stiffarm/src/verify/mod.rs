@@ -11,6 +11,8 @@ mod convention;
 mod fit;
 mod search;
 
+use rayon::prelude::*;
+
 use crate::catalogue::readings::Readings;
 use crate::geometry::Geometry;
 use crate::limits::{Limits, Pendant, Verified};
@@ -23,6 +25,10 @@ use fit::Table;
 
 /// So few postures tell nothing: base and tool alone fit them.
 pub const LEAST_ROWS: usize = 3;
+/// Rows by which robots that do not fit are left aside.
+const ROWS: usize = 30;
+/// Robots, each in two ways of counting, that are looked at closer after a first glance.
+const RANKED: usize = 40;
 /// So many ways of counting are told.
 const TOLD: usize = 5;
 
@@ -146,22 +152,42 @@ pub fn rank(
     if readings.rows.len() < LEAST_ROWS {
         return Err(VerifyError::TooFew(readings.rows.len()));
     }
-    let mut found = ranked(&Table::of(readings, options), robots, watch)?;
-    found.sort_by(|a, b| a.1.rms.total_cmp(&b.1.rms));
-    Ok(found)
+    Ok(ranked(&Table::of(readings, options), robots, watch)?)
 }
 
-/// Every robot as it counts, or with joint 3 from the other line where that fits better.
+/// Those of many robots that fit best, the best first, each as it counts or with joint 3 from the other line where that fits better.
 fn ranked(table: &Table, robots: &[Robot], watch: Watch) -> Result<Vec<(Robot, Fit)>, Stopped> {
-    let mut found = Vec::new();
-    for robot in robots {
-        watch.go_on()?;
-        let Some((geometry, limits)) = six_axis(robot) else { continue };
-        let file = Convention::of(geometry, limits);
-        let fits = [file.clone(), file.with_third(0.0)].map(|convention| table.fit(geometry, &convention, &[]));
-        let best = fits.into_iter().min_by(|a, b| a.rms.total_cmp(&b.rms)).expect("two");
-        found.push((robot.clone(), best));
+    let few = table.thinned(ROWS);
+    let ways: Vec<(&Robot, &Geometry, Convention)> = (robots.iter())
+        .filter_map(|robot| Some((robot, six_axis(robot)?)))
+        .flat_map(|(robot, (geometry, limits))| {
+            let file = Convention::of(geometry, limits);
+            [file.with_third(0.0), file].map(|convention| (robot, geometry, convention))
+        })
+        .collect();
+    watch.go_on()?;
+    let mut glances: Vec<(f64, &(&Robot, &Geometry, Convention))> =
+        ways.par_iter().map(|way| (few.glance(way.1, &way.2), way)).collect();
+    glances.sort_by(|a, b| a.0.total_cmp(&b.0));
+    watch.go_on()?;
+    let fits: Vec<(Robot, Fit)> = (glances.par_iter().take(RANKED))
+        .map(|(_, (robot, geometry, convention))| ((*robot).clone(), few.fit(geometry, convention, &[])))
+        .collect();
+    let mut found: Vec<(Robot, Fit)> = Vec::new();
+    for (robot, fit) in fits {
+        match found.iter_mut().find(|(known, _)| *known == robot) {
+            Some((_, known)) if fit.rms < known.rms => *known = fit,
+            Some(_) => {}
+            None => found.push((robot, fit)),
+        }
     }
+    found.sort_by(|a, b| a.1.rms.total_cmp(&b.1.rms));
+    found.truncate(2 * TOLD);
+    for (robot, fit) in &mut found {
+        let (geometry, _) = six_axis(robot).expect("only such were taken");
+        *fit = table.fit(geometry, &fit.convention, &[]);
+    }
+    found.sort_by(|a, b| a.1.rms.total_cmp(&b.1.rms));
     Ok(found)
 }
 
@@ -183,7 +209,9 @@ fn wrong_row(
     options: &VerifyOptions,
     (geometry, file): (&Geometry, &Convention),
 ) -> Option<(usize, f64)> {
-    if readings.rows.len() <= LEAST_ROWS + 1 {
+    /// Longer tables are no one's typing.
+    const MOST: usize = 30;
+    if readings.rows.len() <= LEAST_ROWS + 1 || MOST < readings.rows.len() {
         return None;
     }
     (0..readings.rows.len()).find_map(|i| {

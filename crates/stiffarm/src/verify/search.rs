@@ -11,6 +11,8 @@ use crate::watch::{Stopped, Watch};
 
 /// rad: a zero that is found so near a quarter turn from the file's is there.
 const NEAR: f64 = 0.02;
+/// Rows by which it is looked for.
+const ROWS: usize = 30;
 /// So many are refined after a first glance.
 const REFINED: usize = 40;
 /// So many of them with their zeros.
@@ -21,6 +23,8 @@ const ZEROED: usize = 12;
 /// # Errors
 /// Where nobody waits any longer.
 pub(super) fn best(table: &Table, geometry: &Geometry, file: &Convention, watch: Watch) -> Result<Vec<Fit>, Stopped> {
+    let all = table;
+    let table = &all.thinned(ROWS);
     let free = table.free();
     let near = [file.clone(), file.with_third(0.0)];
     let mut found: Vec<Fit> =
@@ -52,6 +56,9 @@ pub(super) fn best(table: &Table, geometry: &Geometry, file: &Convention, watch:
                 .map(|convention| settled(table, geometry, (convention, file), &free))
                 .collect::<Vec<_>>(),
         );
+    }
+    if table.len() < all.len() {
+        found = found.iter().map(|fit| all.fit(geometry, &fit.convention, &[])).collect();
     }
     Ok(found)
 }

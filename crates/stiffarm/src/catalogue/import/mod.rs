@@ -341,6 +341,7 @@ fn robot(understood: &Understood, geometry: Geometry, options: &ImportOptions) -
         mass_kg: None,
         repeatability: None,
         body: None,
+        calibration: None,
         arm: Arm::SixAxis {
             geometry,
             limits: understood.limits.clone(),
