@@ -120,6 +120,14 @@ pub(crate) enum Failure {
         /// Why.
         error: stiffarm::verify::VerifyError,
     },
+    /// Measured points that tell nothing.
+    #[error("{data}: {error}")]
+    Calibrate {
+        /// Which table.
+        data: String,
+        /// Why.
+        error: stiffarm::calibrate::CalibrateError,
+    },
     /// The answer is told: the file is not verified.
     #[error("{0} is not verified")]
     NotVerified(String),
@@ -322,6 +330,7 @@ impl Failure {
             Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
             Self::Readings(_) => "every fault is named with its row and column; --columns NAME=HEADING says what a table calls its columns",
             Self::Verify { .. } => "read three to ten postures that move every joint; docs/verify.md tells how",
+            Self::Calibrate { .. } => "forty postures that move every joint through its range, three points each, tell most; docs/verify.md tells what to look at",
             Self::NotVerified(_) => "the answer above says what fits and what is missing; programs of a robot that is not verified say so",
             Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",
             Self::Measure { .. } => "--help behind the command tells its options: --loads, --window, --load-mm, --marker-mm",

@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 20] = [
+const ABOUT: [About; 21] = [
     About {
         name: "rank",
         files: "a report to hand on as .html or report.pdf, the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -167,6 +167,22 @@ const ABOUT: [About; 20] = [
             (
                 "stiffarm mill part.nc --robot cell.toml --force-n 300,-120,80 --at 1.6,0,0.8,30 --compensate -o part.src -o part.svg",
                 "the part where it stands, its deflection taken out, and a KRL program",
+            ),
+        ],
+    },
+    About {
+        name: "calibrate",
+        files: "the robot file with its [calibration] as .toml, every row's error as .csv or .parquet, the answer as .json, .md or .txt, both errors along the rows as \
+                .svg, .pdf or .png",
+        is_long: false,
+        examples: &[
+            (
+                "stiffarm calibrate mine.toml tracker.csv --at 1.8,0,0.8 -o calibrated.toml -o errors.svg",
+                "from forty wide postures, with the error that remains about the work",
+            ),
+            (
+                "stiffarm calibrate \"R-2000iC/165F\" export.csv --columns joint_1_deg=J1,x1_mm=X --frame-by station --level geometry",
+                "a tracker's export, the tracker moved once",
             ),
         ],
     },

@@ -7,6 +7,7 @@
 
 mod advice;
 mod angles;
+pub mod calibrate;
 mod cell;
 pub mod compare;
 pub mod compliance;
@@ -39,6 +40,7 @@ pub mod words;
 
 use serde_json::{Value, json};
 
+pub use calibrate::CalibrateAnswer;
 pub use compare::CompareAnswer;
 pub use compliance::ComplianceAnswer;
 pub use cutting::CuttingAnswer;

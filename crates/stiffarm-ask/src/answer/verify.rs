@@ -241,7 +241,7 @@ fn off(fit: &Fit) -> String {
     format!("{rms} mm rms; largest {largest} mm{turn}")
 }
 
-fn numbers(pose: &Pose) -> [f64; 6] {
+pub(super) fn numbers(pose: &Pose) -> [f64; 6] {
     let (rx, ry, rz) = pose.rotation.euler_angles();
     let [x, y, z] = [pose.translation.x, pose.translation.y, pose.translation.z].map(|m| Unit::Millimetre.told(m));
     let [rx, ry, rz] = [rx, ry, rz].map(|angle| Unit::Degree.told(angle));

@@ -4,6 +4,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
+use stiffarm::calibrate::Level;
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
 use stiffarm_ask::request::{number, open_range, tool};
@@ -73,6 +74,39 @@ pub(crate) enum RobotsAction {
     Import(ImportArgs),
     /// Does a robot file count the joints as the pendant does? Three to ten postures read from it tell
     Verify(VerifyArgs),
+}
+
+/// A level, or `None` for the one with the largest evidence.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Asked(pub(crate) Option<Level>);
+
+#[derive(Debug, Args)]
+pub(crate) struct CalibrateArgs {
+    /// A robot's name, or the path of a robot file
+    pub(crate) robot: String,
+    /// The table: joint_1_deg .. joint_6_deg as the robot reports them, and one to four points x1_mm, y1_mm, z1_mm .. in the
+    /// tracker's frame, empty where one was not seen; or one point and a quaternion qw, qx, qy, qz
+    pub(crate) points: String,
+    /// How much may differ from the drawing, each with all before it: zeros, geometry, weight (the arm's own, on a floor), gears; auto takes
+    /// the one with the largest evidence
+    #[arg(long, value_name = "LEVEL", value_parser = level, default_value = "auto")]
+    pub(crate) level: Asked,
+    /// What columns are called in the table: joint_1_deg=J1,x1_mm=X
+    #[arg(long, value_name = "NAME=HEADING", value_delimiter = ',', value_parser = column)]
+    pub(crate) columns: Vec<(String, String)>,
+    /// The column that tells apart where the tracker stood; each stand has a frame of its own
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) frame_by: Option<String>,
+    /// Where the work is, x,y,z in the base frame [m]: the error that remains is told within 0.25 m about it [default: over all the
+    /// arm reaches]
+    #[arg(long, value_name = "POINT", value_parser = place, allow_hyphen_values = true)]
+    pub(crate) at: Option<[f64; 3]>,
+    /// When it was measured, for the robot file [default: today]
+    #[arg(long, value_name = "YYYY-MM-DD", value_parser = date)]
+    pub(crate) date: Option<String>,
+    /// Width of the figure on paper [mm], for svg, pdf and png at 300 dpi [default: 1000 px]
+    #[arg(long, value_name = "MM", value_parser = width)]
+    pub(crate) width_mm: Option<f64>,
 }
 
 #[derive(Debug, Args)]
@@ -167,4 +201,19 @@ fn column(text: &str) -> Result<(String, String), String> {
 
 fn date(text: &str) -> Result<String, String> {
     if stiffarm::catalogue::is_date(text) { Ok(text.into()) } else { Err("expected a day such as 2026-05-31".into()) }
+}
+
+fn level(text: &str) -> Result<Asked, String> {
+    if text == "auto" {
+        return Ok(Asked(None));
+    }
+    let known = Level::ALL.into_iter().find(|level| level.name() == text);
+    known.map(|level| Asked(Some(level))).ok_or_else(|| "expected auto, zeros, geometry, weight or gears".into())
+}
+
+/// `x,y,z` in m.
+fn place(text: &str) -> Result<[f64; 3], String> {
+    let expected = || "expected x,y,z in m, each from -20 to 20".to_owned();
+    let numbers = text.split(',').map(|part| number(part, -20.0, 20.0, "m").map_err(|_| expected()));
+    numbers.collect::<Result<Vec<_>, _>>()?.try_into().map_err(|_| expected())
 }

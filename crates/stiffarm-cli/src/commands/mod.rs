@@ -1,5 +1,6 @@
 //! One file per verb: arguments to a call of the library, the answer to text, JSON, CSV and figure.
 
+pub(crate) mod calibrate;
 pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod compliance;
