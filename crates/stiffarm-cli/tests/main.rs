@@ -19,4 +19,5 @@ mod readme;
 mod report;
 mod serve;
 mod verdicts;
+mod verify;
 mod written;

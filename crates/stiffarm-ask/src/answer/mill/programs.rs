@@ -2,6 +2,7 @@
 
 use std::io::Write;
 
+use super::super::words;
 use super::super::stiffness::stiffness;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use stiffarm::mill::{Compensated, Followed, PartPlacement, Stand, Station, approach};
@@ -53,6 +54,7 @@ impl MillAnswer {
             stations.insert(0, program::Station { joints, feed: None, is_cutting: false, ..stations[0] });
         }
         remarks.extend(self.only_tool.map(|tool| format!("Only what tool {tool} of the path cuts.")));
+        remarks.extend(words::calibration(&self.robot).map(|remark| format!("WARNING: {remark}.")));
         let stiffness = stiffness(&self.robot);
         let setup = Setup {
             robot: &self.robot.name,
