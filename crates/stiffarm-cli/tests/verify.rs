@@ -30,7 +30,8 @@ fn planar(a1: f64, a2: f64, a3: f64, a5: f64) -> [f64; 3] {
 }
 
 fn table(sign_of_1: f64) -> String {
-    let mut text = String::from("joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg,x_mm,y_mm,z_mm\n");
+    let mut text =
+        String::from("joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg,x_mm,y_mm,z_mm\n");
     for [a1, a2, a3, a5] in [
         [0.0, -90.0, 90.0, 45.0],
         [30.0, -70.0, 80.0, -60.0],
@@ -93,7 +94,8 @@ fn the_robot_of_a_table_is_found_among_all() {
     let fits = told["fits"].as_array().unwrap();
     let of = |i: usize| fits[i]["rms_mm"].as_f64().unwrap();
     // Sister types may have the same lengths.
-    let same = (0..fits.len()).take_while(|&i| of(i) < 0.01).map(|i| fits[i]["robot"].as_str().unwrap()).collect::<Vec<_>>();
+    let same =
+        (0..fits.len()).take_while(|&i| of(i) < 0.01).map(|i| fits[i]["robot"].as_str().unwrap()).collect::<Vec<_>>();
     assert!(same.contains(&KUKA) && 1.0 < of(same.len()), "{told}");
 }
 
@@ -122,7 +124,8 @@ fn what_cannot_be_asked_is_refused() {
 fn a_calibration_is_told_drawn_written_and_said_to_be_unused() {
     let folder = TempDir::new().unwrap();
     // Joint 2 stands 0.1 deg beyond what it reports.
-    let mut text = String::from("joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg,x1_mm,y1_mm,z1_mm\n");
+    let mut text =
+        String::from("joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg,x1_mm,y1_mm,z1_mm\n");
     for i in 0..40 {
         let part = |k: i32, span: f64| (f64::from(i * k % 41) / 20.0 - 1.0) * span;
         let (a1, a2, a3, a5) = (part(7, 120.0), -70.0 + part(11, 55.0), 40.0 + part(13, 90.0), part(17, 100.0));
@@ -130,8 +133,21 @@ fn a_calibration_is_told_drawn_written_and_said_to_be_unused() {
         writeln!(text, "{a1},{a2},{a3},0,{a5},0,{x:.4},{y:.4},{z:.4}").unwrap();
     }
     fs::write(folder.path().join("points.csv"), text).unwrap();
-    let asked =
-        ["calibrate", KUKA, "points.csv", "--level", "zeros", "--date", "2026-05-31", "-o", "mine.toml", "-o", "c.json", "-o", "c.svg"];
+    let asked = [
+        "calibrate",
+        KUKA,
+        "points.csv",
+        "--level",
+        "zeros",
+        "--date",
+        "2026-05-31",
+        "-o",
+        "mine.toml",
+        "-o",
+        "c.json",
+        "-o",
+        "c.svg",
+    ];
     let (code, _, errors) = run(&folder, &asked);
     assert_eq!(code, 0, "{errors}");
     let told = json(&fs::read_to_string(folder.path().join("c.json")).unwrap());
@@ -143,7 +159,20 @@ fn a_calibration_is_told_drawn_written_and_said_to_be_unused() {
     assert!(fs::read_to_string(folder.path().join("c.svg")).unwrap().contains("calibrated"));
     let (code, _, errors) = run(&folder, &["robots", "check", "mine.toml"]);
     assert!(code == 0 && errors.contains("[calibration] is not used yet"), "{errors}");
-    let mill = ["mill", "line:0.1", "--robot", "mine.toml", "--force-n", "100,0,0", "--at", "1.7,0,0.8", "-o", "a.src"];
+    let mill = [
+        "mill",
+        "line:0.1",
+        "--robot",
+        "mine.toml",
+        "--force-n",
+        "100,0,0",
+        "--at",
+        "1.7,0,0.8",
+        "--feed-mm-per-min",
+        "600",
+        "-o",
+        "a.src",
+    ];
     let (code, _, errors) = run(&folder, &mill);
     let program = fs::read_to_string(folder.path().join("a.src")).unwrap_or_else(|_| panic!("{code}: {errors}"));
     assert!(program.contains("WARNING: KR 210 R2700 extra: its [calibration] is not used yet"), "{program}");

@@ -205,8 +205,10 @@ impl Robot {
         #[pyo3(from_py_with = text_or_none)] date: Option<String>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (table, data) = self.readings(&readings, frame_by, date.as_deref())?;
-        let others: Vec<Arms> =
-            catalogue::robots().into_iter().filter(|one| one.vendor == self.0.vendor && one.name != self.0.name).collect();
+        let others: Vec<Arms> = catalogue::robots()
+            .into_iter()
+            .filter(|one| one.vendor == self.0.vendor && one.name != self.0.name)
+            .collect();
         let found = py
             .detach(|| verify(&self.0, &table, &VerifyOptions::default(), &others, Watch::nobody()))
             .map_err(|error| refused(format!("{data}: {error}")))?;
@@ -251,7 +253,8 @@ impl Robot {
             .detach(|| calibrate(&self.0, &table, &options, Watch::nobody()))
             .map_err(|error| refused(format!("{data}: {error}")))?;
         let is_chosen = level.is_none();
-        let answer = CalibrateAnswer { found, robot: self.0.clone(), data, date: date.clone().unwrap_or_default(), is_chosen };
+        let answer =
+            CalibrateAnswer { found, robot: self.0.clone(), data, date: date.clone().unwrap_or_default(), is_chosen };
         let mut told = answer.json();
         if date.is_some() {
             told["robot_file"] = answer.robot_file().into();

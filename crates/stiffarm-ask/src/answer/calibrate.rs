@@ -172,22 +172,24 @@ impl CalibrateAnswer {
     /// What must be looked at.
     pub fn notes(&self) -> String {
         let found = &self.found;
-        let mut notes = String::new();
+        let mut notes: Vec<String> = Vec::new();
         for row in &found.wrong_rows {
             let which = if row.point == 0 { "all points".into() } else { format!("point {}", row.point) };
             let distance = fixed(Unit::Millimetre.told(row.distance), 2);
-            notes += &format!("Line {}: {which} {distance} mm off, left out.\n", row.line);
+            notes.push(format!("Line {}: {which} {distance} mm off, left out.\n", row.line));
         }
         if !found.narrow.is_empty() {
             let each = found.narrow.iter().map(|(joint, share)| format!("{joint} ({} %)", fixed(100.0 * share, 0)));
-            notes += &format!(
+            notes.push(format!(
                 "Joints that moved over less than a third of their range: {}. Elsewhere little is known of them: the interval at the work says how little.\n",
                 each.collect::<Vec<_>>().join(", ")
-            );
+            ));
         }
-        notes
-            + "Left out: each third of each joint's range, predicted by the other rows. Own weight is that of a base on a floor.\n"
-            + "The angles and positions of this table must be as the controller moves without a calibration of its own; with one in force it corrects twice.\n"
+        notes.push("Left out: each third of each joint's range, predicted by the other rows. Own weight is that of a base on a floor.\n".into());
+        notes.push(
+            "The angles and positions of this table must be as the controller moves without a calibration of its own; with one in force it corrects twice.\n".into(),
+        );
+        notes.concat()
     }
 
     /// The calibrated robot's file.

@@ -108,37 +108,24 @@ impl VerifyAnswer {
     /// What follows from it.
     pub fn notes(&self) -> String {
         let Verification { as_file, fits, alike, postures, wrong_row, .. } = &self.found;
-        let mut notes = String::new();
+        let mut notes = Vec::new();
         if let Some((line, off)) = wrong_row {
-            notes += &format!(
-                "Line {line} is off by {} mm, and all other rows agree with the file: look at that row, and read it again.\n",
-                fixed(Unit::Millimetre.told(*off), 2)
-            );
+            let off = fixed(Unit::Millimetre.told(*off), 2);
+            notes.push(format!("Line {line} is off by {off} mm, and all other rows agree with the file: look at that row, and read it again.\n"));
         } else if !as_file.agrees() {
-            notes += &match fits.first().filter(|(_, fit)| fit.agrees()) {
-                Some((robot, fit)) if fit.convention.carried != [0.0; 3] => {
-                    format!("The readings fit {} where {}; a robot file cannot say that.\n", robot.full_name(), said(robot, fit))
-                }
-                Some((robot, fit)) => format!("The readings fit {} where {}; -o mine.toml writes that.\n", robot.full_name(), said(robot, fit)),
-                None if as_file.largest < 1e-3 => {
-                    "Nothing fits better, and the file is near: a pendant that shows two decimals of a degree rounds by as much. Drive to whole degrees \
-                     and read again.\n".into()
-                }
-                None => "No way of counting the joints fits. Is it this robot? --any tries all; is a row typed wrong, or was the tool or the base changed between rows?\n".into(),
-            };
+            notes.push(what_fits(fits.first(), as_file));
         }
         if !alike.is_empty() {
-            notes += &format!("These readings do not tell apart: {}.\n", alike.join(", "));
-            let each = postures.iter().map(|q| {
-                let angles = q.map(|angle| fixed(Unit::Degree.told(angle), 0)).join(", ");
-                format!("  joints at {angles} deg\n")
-            });
-            let each: String = each.collect();
-            if !each.is_empty() {
-                notes += &format!("Postures that would, if the cell lets the robot go there:\n{each}");
-            }
+            notes.push(format!("These readings do not tell apart: {}.\n", alike.join(", ")));
         }
-        notes
+        if !postures.is_empty() {
+            notes.push("Postures that would, if the cell lets the robot go there:\n".into());
+        }
+        notes.extend(postures.iter().map(|q| {
+            let angles = q.map(|angle| fixed(Unit::Degree.told(angle), 0)).join(", ");
+            format!("  joints at {angles} deg\n")
+        }));
+        notes.concat()
     }
 
     /// The robot that counts as the readings do; and what must be looked at in it.
@@ -181,6 +168,28 @@ impl VerifyRankAnswer {
             ),
             _ => "No robot fits as it counts its joints; `stiffarm robots verify ROBOT ..` tries other ways of counting.\n".into(),
         }
+    }
+}
+
+/// What to do where a file does not agree.
+fn what_fits(best: Option<&(Robot, Fit)>, as_file: &Fit) -> String {
+    /// m: what two decimals of a degree round away is no other way of counting.
+    const NEAR: f64 = 1e-3;
+    match best.filter(|(_, fit)| fit.agrees()) {
+        Some((robot, fit)) if fit.convention.carried != [0.0; 3] => {
+            format!("The readings fit {} where {}; a robot file cannot say that.\n", robot.full_name(), said(robot, fit))
+        }
+        Some((robot, fit)) => {
+            format!("The readings fit {} where {}; -o mine.toml writes that.\n", robot.full_name(), said(robot, fit))
+        }
+        None if as_file.largest < NEAR => {
+            "Nothing fits better, and the file is near: a pendant that shows two decimals of a degree rounds by as much. Drive to whole degrees and \
+             read again.\n"
+                .into()
+        }
+        None => "No way of counting the joints fits. Is it this robot? --any tries all; is a row typed wrong, or was the tool or the base changed between \
+                 rows?\n"
+            .into(),
     }
 }
 

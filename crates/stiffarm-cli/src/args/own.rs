@@ -1,5 +1,6 @@
 //! What do the commands take that are the program's own, and no verb of the library?
 #![allow(rustdoc::broken_intra_doc_links, reason = "help texts put units and defaults in brackets")]
+#![allow(clippy::doc_markdown, reason = "help texts are read in terminals, where backticks are noise")]
 
 use std::path::PathBuf;
 

@@ -31,7 +31,9 @@ fn answer(args: &CalibrateArgs, common: &Common) -> Result<CalibrateOutput, Fail
     let reading =
         ReadOptions { columns: args.columns.clone(), frame_by: args.frame_by.clone(), vendor: robot.vendor.clone() };
     let readings = readings::read(&common.shelf.text(&args.points)?, &data, &reading).map_err(Failure::Readings)?;
-    readings.remarks.iter().for_each(|remark| common.remark(&format!("note: {data}: {remark}")));
+    for remark in &readings.remarks {
+        common.remark(&format!("note: {data}: {remark}"));
+    }
     if robot.calibration.is_some() {
         common.remark("note: the [calibration] of the robot file is not a start: the arm as drawn is");
     }

@@ -38,7 +38,9 @@ pub(crate) fn run(args: &VerifyArgs, common: &Common) -> Result<(), Failure> {
             crate::output::say(sheet(&[one.summary()], &one.notes(), Look::of_stderr()).trim_end());
             return Err(Failure::NotVerified(one.found.robot.full_name()));
         };
-        remarks.iter().for_each(|remark| common.remark(&format!("note: {remark}")));
+        for remark in &remarks {
+            common.remark(&format!("note: {remark}"));
+        }
     }
     verdict(outputs.deliver(&answer), holds)
 }
@@ -57,7 +59,9 @@ pub(crate) fn answer(args: &VerifyArgs, common: &Common) -> Result<VerifyOutput,
         vendor: robot.as_ref().map_or_else(String::new, |robot| robot.vendor.clone()),
     };
     let readings = readings::read(&common.shelf.text(file)?, &data, &reading).map_err(Failure::Readings)?;
-    readings.remarks.iter().for_each(|remark| common.remark(&format!("note: {data}: {remark}")));
+    for remark in &readings.remarks {
+        common.remark(&format!("note: {data}: {remark}"));
+    }
     if let Some(notation) = readings.notation {
         common.remark(&format!("note: {data}: the orientation is read as {}", notation.about()));
     }

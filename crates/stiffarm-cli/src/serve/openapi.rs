@@ -213,7 +213,10 @@ fn verified() -> Value {
             "fits": { "type": "array", "items": { "type": "object" } },
         },
     });
-    let mut told = of_file("Whether a robot counts its joints as a table of readings does; with any, which robot they are from", &verdict);
+    let mut told = of_file(
+        "Whether a robot counts its joints as a table of readings does; with any, which robot they are from",
+        &verdict,
+    );
     let question = json!({
         "type": "object", "additionalProperties": false, "required": ["readings", "files"],
         "properties": {

@@ -83,10 +83,13 @@ pub(super) async fn checked(server: &Arc<Server>, body: Vec<u8>) -> Result<Reply
 /// As `robots verify`: `{"robot": .., "readings": its name, "any": .., "date": .., "files": {..}}`, the robot left out where any is asked.
 pub(super) async fn verified(server: &Arc<Server>, body: Vec<u8>) -> Result<Reply, Refused> {
     let mut told = object(&body)?;
-    let files = told.remove("files").map_or_else(|| Ok(serde_json::Map::new()), |files| match files {
-        Value::Object(files) => Ok(files),
-        _ => Err(unlike("'files' is no object")),
-    })?;
+    let files = told.remove("files").map_or_else(
+        || Ok(serde_json::Map::new()),
+        |files| match files {
+            Value::Object(files) => Ok(files),
+            _ => Err(unlike("'files' is no object")),
+        },
+    )?;
     let mut taken = |key: &str| match told.remove(key) {
         None | Some(Value::Null) => Ok(None),
         Some(Value::String(text)) => Ok(Some(text)),
@@ -100,7 +103,10 @@ pub(super) async fn verified(server: &Arc<Server>, body: Vec<u8>) -> Result<Repl
     };
     let Some(readings) = readings else { return Err(unlike("'readings' is missing: the name of a table in 'files'")) };
     if let Some(key) = told.keys().next() {
-        return Err(unlike(&format!("'{}' is not known; expected robot, readings, any, date and files", on_one_line(key))));
+        return Err(unlike(&format!(
+            "'{}' is not known; expected robot, readings, any, date and files",
+            on_one_line(key)
+        )));
     }
     if let Some(date) = date.as_ref().filter(|date| !is_date(date)) {
         return Err(unlike(&format!("'{}' is no date; expected such as 2026-05-31", on_one_line(date))));

@@ -99,7 +99,7 @@ pub(super) fn at_work(rows: &Rows, fitted: &Fitted, left_out: Option<f64>, postu
     for _ in 0..DRAWS {
         let z = DVector::from_fn(n, |_, _| normal());
         // cov = s^2 H^-1 = s^2 L^-T L^-1.
-        let Some(mut step) = root.l().tr_solve_lower_triangular(&z) else { return None };
+        let mut step = root.l().tr_solve_lower_triangular(&z)?;
         step *= noise;
         for i in (0..ALL).filter(|&i| fitted.prior[i] == 0.0) {
             step[first + i] = 0.0;

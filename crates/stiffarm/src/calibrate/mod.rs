@@ -122,7 +122,7 @@ pub enum CalibrateError {
     #[error("point {0} was seen in no row; expected points that are numbered from 1")]
     Unseen(usize),
     /// The arm explains nothing.
-    #[error("half of the points are {median_mm:.1} mm or more off{}", because(suspect))]
+    #[error("half of the points are {median_mm:.1} mm or more off{}", because(suspect.as_deref()))]
     NotThisArm {
         /// The median, mm.
         median_mm: f64,
@@ -130,7 +130,7 @@ pub enum CalibrateError {
         suspect: Option<String>,
     },
     /// More than a third.
-    #[error("{wrong} of {of} points are beyond five robust standard deviations, more than a third{}", because(suspect))]
+    #[error("{wrong} of {of} points are beyond five robust standard deviations, more than a third{}", because(suspect.as_deref()))]
     TooManyWrong {
         /// How many.
         wrong: usize,
@@ -149,7 +149,7 @@ pub enum CalibrateError {
     Stopped(#[from] Stopped),
 }
 
-fn because(suspect: &Option<String>) -> String {
+fn because(suspect: Option<&str>) -> String {
     match suspect {
         Some(what) => format!(": {what}"),
         None => {
@@ -181,7 +181,7 @@ pub fn calibrate(
         return Err(CalibrateError::NotThisArm { median_mm: start.1 * 1e3, suspect });
     }
     let as_drawn = start.1;
-    let sound = robust::sound(&arm, sights.clone(), shape, start).ok_or(CalibrateError::Undetermined)?;
+    let sound = robust::sound(&arm, sights.clone(), shape, start);
     watch.go_on()?;
     let of: usize = sights.iter().map(|sight| sight.points.iter().flatten().count()).sum();
     if robust::MOST_WRONG * (of as f64) < sound.wrong.len() as f64 {

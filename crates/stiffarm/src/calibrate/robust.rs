@@ -82,13 +82,8 @@ pub(super) fn start(
     best
 }
 
-/// Weights, noise and wrong rows under the level that has the arm's weight; `None` where nothing can be solved.
-pub(super) fn sound(
-    arm: &True,
-    sights: Vec<Sight>,
-    (stands, points): (usize, usize),
-    start: (State, f64),
-) -> Option<Sound> {
+/// Weights, noise and wrong rows under the level that has the arm's weight.
+pub(super) fn sound(arm: &True, sights: Vec<Sight>, (stands, points): (usize, usize), start: (State, f64)) -> Sound {
     const ROUNDS: usize = 25;
     let all = sights.clone();
     let mut rows = Rows { arm, sights, stands, points, lever: 0.3 };
@@ -119,7 +114,7 @@ pub(super) fn sound(
     }
     let index: Vec<usize> = (0..kept.len()).filter(|&i| kept[i].points.iter().any(Option::is_some)).collect();
     let sights = index.iter().map(|&i| kept[i].clone()).collect();
-    Some(Sound { sights, state, noise, lever: rows.lever, index, wrong })
+    Sound { sights, state, noise, lever: rows.lever, index, wrong }
 }
 
 /// Row, point and distance of every point.

@@ -120,10 +120,10 @@ impl Convention {
         let Arm::SixAxis { geometry, limits, .. } = &mut changed.arm else { return (changed, remarks) };
         let old = Self::of(geometry, limits);
         let stood: [Interval; 6] = std::array::from_fn(|i| geometry.theta(i, limits.joints[i]));
-        for i in 0..6 {
+        for (i, stood) in stood.iter().enumerate() {
             let changes = self.sign[i] != old.sign[i] || self.offset[i] != old.offset[i];
             if changes && (i != 2 || self.third_axis == old.third_axis) {
-                limits.joints[i] = stood[i].affine(self.sign[i], self.sign[i] * self.offset[i]);
+                limits.joints[i] = stood.affine(self.sign[i], self.sign[i] * self.offset[i]);
                 remarks.push(format!(
                     "the range of joint {} is where it was in space: compare it with the pendant's",
                     i + 1

@@ -131,9 +131,10 @@ pub fn verify(
     }
     sort(&mut fits, robot);
     fits.truncate(TOLD);
-    if let Some((best, fit)) = fits.first().filter(|(_, fit)| fit.agrees()) {
-        let (geometry, limits) = six_axis(best).expect("only such fit");
-        (found.alike, found.postures) = apart::apart(&table, (geometry, limits), fit);
+    if let Some((best, fit)) = fits.first().filter(|(_, fit)| fit.agrees())
+        && let Some(parts) = six_axis(best)
+    {
+        (found.alike, found.postures) = apart::apart(&table, parts, fit);
     }
     found.fits = fits;
     Ok(found)

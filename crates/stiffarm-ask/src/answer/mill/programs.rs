@@ -2,8 +2,8 @@
 
 use std::io::Write;
 
-use super::super::words;
 use super::super::stiffness::stiffness;
+use super::super::words;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use stiffarm::mill::{Compensated, Followed, PartPlacement, Stand, Station, approach};
 use stiffarm::plain::on_one_line;

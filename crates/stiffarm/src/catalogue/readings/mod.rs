@@ -159,7 +159,7 @@ impl Reader<'_> {
             }
             rotation
         });
-        (self.faults.len() == before).then(|| Reading { line: row.line, q, points, orientation, stand })
+        (self.faults.len() == before).then_some(Reading { line: row.line, q, points, orientation, stand })
     }
 
     /// A number of at most this size; zero where it is a fault.
