@@ -216,7 +216,9 @@ fn every_wrong_way_of_counting_is_found_and_what_is_written_then_is_verified() {
 fn readings_that_move_no_wrist_verify_nothing_and_the_postures_told_do() {
     let robot = kuka();
     let mut few = POSTURES[..5].to_vec();
-    few.iter_mut().for_each(|q| [q[3], q[4]] = [10.0, 40.0]);
+    for q in &mut few {
+        [q[3], q[4]] = [10.0, 40.0];
+    }
     let found = asked(&robot, &readings(&table(&robot, &few, Some(Notation::Abc)), "KUKA"));
     assert!(found.as_file.agrees() && !found.verified);
     assert!(
