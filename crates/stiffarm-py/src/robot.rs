@@ -8,8 +8,6 @@ use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
-use stiffarm_ask::answer::robot::{drive_urad_per_nm, sheet};
-use stiffarm_ask::answer::{CalibrateAnswer, VerifyAnswer, words};
 use stiffarm::calibrate::{CalibrateOptions, Level, calibrate};
 use stiffarm::catalogue::files::{self, LoadError, Unreadable};
 use stiffarm::catalogue::import::{ImportOptions, import};
@@ -18,6 +16,9 @@ use stiffarm::catalogue::{self, Entry, find, matching, paper_robots, read, sugge
 use stiffarm::robot::{Arm, Robot as Arms};
 use stiffarm::verify::{VerifyOptions, verify};
 use stiffarm::watch::Watch;
+use stiffarm_ask::answer::robot::{drive_urad_per_nm, sheet};
+use stiffarm_ask::answer::{CalibrateAnswer, VerifyAnswer, words};
+use stiffarm_ask::request::{Request, Verb};
 
 use crate::asked::Asked;
 use crate::json::to_python;

@@ -6,7 +6,7 @@ use crate::geometry::Geometry;
 use crate::limits::ThirdAxis;
 
 /// By which axis of the base a joint turns at model zero, as an index of x, y, z.
-pub(crate) const JOINT_AXES: [usize; 6] = [2, 1, 1, 2, 1, 2];
+pub const JOINT_AXES: [usize; 6] = [2, 1, 1, 2, 1, 2];
 
 /// Of drive 2 on sine and cosine of the upper arm's and the forearm's angle from the vertical, of drive 3 on those of the forearm's, of
 /// drive 5 on two arms of the tool.
@@ -47,7 +47,7 @@ pub struct Calibration {
 }
 
 /// The zeros of the joints as their pendant would count them, rad: what must be added to each reported angle.
-pub(crate) fn zeros(geometry: &Geometry, third_axis: ThirdAxis, frames: &[[f64; 6]; 6]) -> [f64; 6] {
+pub fn zeros(geometry: &Geometry, third_axis: ThirdAxis, frames: &[[f64; 6]; 6]) -> [f64; 6] {
     let own: [f64; 6] = std::array::from_fn(|i| frames[i][3 + JOINT_AXES[i]]);
     let mut counted = Vector6::from(own);
     if third_axis == ThirdAxis::Forearm {

@@ -3,9 +3,9 @@
 // One program for all of them: each would link the library once more.
 mod advice;
 mod architecture;
-mod calibrate;
 mod bad_input;
 mod bad_measurements;
+mod calibrate;
 mod feeds;
 mod found_apt;
 mod found_programs;

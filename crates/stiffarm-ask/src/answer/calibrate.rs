@@ -5,10 +5,10 @@ use serde_json::{Value, json};
 use super::verify::numbers;
 use super::words::fixed;
 use super::{Record, Rows, Table, Unit, field, line, with_schema};
-use crate::calibrate::{Calibrated, Level, LevelFit};
-use crate::calibration::zeros;
-use crate::catalogue::write;
-use crate::robot::{Arm, Robot};
+use stiffarm::calibrate::{Calibrated, Level, LevelFit};
+use stiffarm::calibration::zeros;
+use stiffarm::catalogue::write;
+use stiffarm::robot::{Arm, Robot};
 
 /// Half of a 95 % interval of a normal, in standard deviations.
 const HALF: f64 = 1.959_964;
@@ -93,7 +93,7 @@ impl CalibrateAnswer {
     /// Without the turns about the joints' own axes, which are the zeros.
     fn frames(&self) -> [[f64; 6]; 6] {
         let mut frames = self.found.errors.frames;
-        frames.iter_mut().enumerate().for_each(|(i, frame)| frame[3 + crate::calibration::JOINT_AXES[i]] = 0.0);
+        frames.iter_mut().enumerate().for_each(|(i, frame)| frame[3 + stiffarm::calibration::JOINT_AXES[i]] = 0.0);
         frames
     }
 

@@ -5,11 +5,11 @@ use serde_json::{Value, json};
 
 use super::words::fixed;
 use super::{Record, Rows, Table, Unit, field, line, with_schema};
-use crate::catalogue::write;
-use crate::limits::ThirdAxis;
-use crate::robot::{Arm, Robot};
-use crate::spatial::Pose;
-use crate::verify::{Convention, Fit, Verification};
+use stiffarm::catalogue::write;
+use stiffarm::limits::ThirdAxis;
+use stiffarm::robot::{Arm, Robot};
+use stiffarm::spatial::Pose;
+use stiffarm::verify::{Convention, Fit, Verification};
 
 /// The answer of `robots verify`.
 #[derive(Clone, Debug)]

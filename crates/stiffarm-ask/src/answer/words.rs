@@ -43,7 +43,7 @@ pub fn pendant(robot: &Robot) -> Option<String> {
 
 /// That a calibration is not used; `None` of a robot that has none.
 pub fn calibration(robot: &Robot) -> Option<String> {
-    robot.calibration.as_ref().map(|_| format!("{}: {}", robot.name, crate::catalogue::files::CALIBRATION_NOT_USED))
+    robot.calibration.as_ref().map(|_| format!("{}: {}", robot.name, stiffarm::catalogue::files::CALIBRATION_NOT_USED))
 }
 
 /// The same as a note below a table.

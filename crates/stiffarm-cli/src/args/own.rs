@@ -8,8 +8,8 @@ use clap::{Args, Subcommand, ValueEnum};
 use stiffarm::calibrate::Level;
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
-use stiffarm_ask::request::{number, open_range, tool};
 use stiffarm::spatial::Pose;
+use stiffarm_ask::request::{number, open_range, tool};
 
 #[derive(Debug, Args)]
 pub(crate) struct PaperArgs {

@@ -3,10 +3,10 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::{CalibrateAnswer, Rows};
 use stiffarm::calibrate::{CalibrateOptions, calibrate};
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::readings::{self, ReadOptions};
+use stiffarm_ask::answer::{CalibrateAnswer, Rows};
 
 use super::verify::today;
 use super::watched;

@@ -3,11 +3,11 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use stiffarm::answer::{Rows, VerifyAnswer, VerifyRankAnswer};
 use stiffarm::catalogue::readings::{self, ReadOptions, Readings};
 use stiffarm::catalogue::{self, files};
 use stiffarm::robot::Robot;
 use stiffarm::verify::{VerifyOptions, rank, verify};
+use stiffarm_ask::answer::{Rows, VerifyAnswer, VerifyRankAnswer};
 
 use super::watched;
 use crate::args::VerifyArgs;

@@ -1,8 +1,8 @@
 //! What a calibration changes: every row's error as drawn and calibrated.
 
-use stiffarm::answer::{CalibrateAnswer, words};
 use stiffarm::calibrate::Off;
 use stiffarm::palette::{ALARM, DEFLECTION, FAINT};
+use stiffarm_ask::answer::{CalibrateAnswer, words};
 
 use super::Plate;
 use super::axes::{Axis, Frame, heading};

@@ -8,7 +8,6 @@ use stiffarm::catalogue::files::{LoadError, load_text};
 use stiffarm::catalogue::import::{ImportError, ImportOptions, import};
 use stiffarm::catalogue::{Fault, Faults, doubts, is_date};
 use stiffarm::plain::on_one_line;
-use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 use stiffarm::robot::Robot;
 use stiffarm_ask::answer::robot::sheet;
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
