@@ -14,7 +14,7 @@ use crate::common::Common;
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
 use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_pairs, positional_rows, positionals_of, subcommand, typed};
-pub(crate) use own::{ImportArgs, PaperArgs, RobotsAction, ServeArgs};
+pub(crate) use own::{CalibrateArgs, ImportArgs, PaperArgs, RobotsAction, ServeArgs, VerifyArgs};
 
 /// What the program does.
 const ABOUT: &str =
@@ -22,6 +22,10 @@ const ABOUT: &str =
 
 /// What `paper` does.
 const PAPER: &str = "Make every table and figure of the paper under its number, in the folder given with -o";
+
+/// What `calibrate` does.
+const CALIBRATE: &str =
+    "Find how this very arm differs from its drawing, from points on its flange that a tracker measured";
 
 /// What `serve` does.
 const SERVE: &str =
@@ -66,7 +70,7 @@ fn command_with(hidden: bool) -> Command {
     );
     let robots = Command::new("robots").about("List, show and check robots").subcommand(with_help(list, "robots list"));
     let robots = with_help(RobotsAction::augment_subcommands(robots), "robots");
-    let robots = ["show", "check", "import"].into_iter().fold(robots, |robots, name| {
+    let robots = ["show", "check", "import", "verify"].into_iter().fold(robots, |robots, name| {
         robots.mut_subcommand(name, |command| with_help(command, &format!("robots {name}")))
     });
     let validate = Command::new("validate").about("Print every published number beside the computed one");
@@ -85,6 +89,7 @@ fn command_with(hidden: bool) -> Command {
     let serve = ServeArgs::augment_args(Command::new("serve").about(SERVE));
     program
         .subcommands(VERBS.map(|(verb, about)| with_help(subcommand(verb, about, hidden), verb.name())))
+        .subcommand(with_help(CalibrateArgs::augment_args(Command::new("calibrate").about(CALIBRATE)), "calibrate"))
         .subcommand(robots)
         .subcommand(with_help(PaperArgs::augment_args(Command::new("paper").about(PAPER)), "paper"))
         .subcommand(shown(with_help(serve, "serve")))
@@ -114,6 +119,8 @@ pub(crate) enum Task {
     Completions(Shell),
     /// Manual pages, to a folder where one is named.
     Man(Option<PathBuf>),
+    /// Measured points to errors of an arm.
+    Calibrate(CalibrateArgs),
     /// The published tables and figures.
     Paper(PaperArgs),
     /// Everything above over HTTP.
@@ -146,6 +153,10 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
     if name == "paper" {
         let args = PaperArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
         return Ok((Task::Paper(args), common(inner)?));
+    }
+    if name == "calibrate" {
+        let args = CalibrateArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
+        return Ok((Task::Calibrate(args), common(inner)?));
     }
     if name == "serve" {
         let args = ServeArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;

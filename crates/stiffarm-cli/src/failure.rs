@@ -109,6 +109,28 @@ pub(crate) enum Failure {
         /// Whether the user has said at which links the arm begins and ends.
         ends_are_given: bool,
     },
+    /// A table of readings with faults.
+    #[error("{0}")]
+    Readings(stiffarm::catalogue::Faults),
+    /// Readings that tell nothing.
+    #[error("{data}: {error}")]
+    Verify {
+        /// Which table.
+        data: String,
+        /// Why.
+        error: stiffarm::verify::VerifyError,
+    },
+    /// Measured points that tell nothing.
+    #[error("{data}: {error}")]
+    Calibrate {
+        /// Which table.
+        data: String,
+        /// Why.
+        error: stiffarm::calibrate::CalibrateError,
+    },
+    /// The answer is told: the file is not verified.
+    #[error("{0} is not verified")]
+    NotVerified(String),
     /// Nobody waits any longer.
     #[error(transparent)]
     Stopped(#[from] Stopped),
@@ -310,6 +332,10 @@ impl Failure {
             Self::Mill(_) => "`stiffarm mill --help` tells what a path, a process and a stock may be",
             Self::ProcessFile(_) | Self::Process { .. } => "docs/examples/endmill.toml is a complete process file to compare with",
             Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
+            Self::Readings(_) => "every fault is named with its row and column; --columns NAME=HEADING says what a table calls its columns",
+            Self::Verify { .. } => "read three to ten postures that move every joint; docs/verify.md tells how",
+            Self::Calibrate { .. } => "forty postures that move every joint through its range, three points each, tell most; docs/verify.md tells what to look at",
+            Self::NotVerified(_) => "the answer above says what fits and what is missing; programs of a robot that is not verified say so",
             Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",
             Self::Measure { .. } => "--help behind the command tells its options: --loads, --window, --load-mm, --marker-mm",
             Self::Identify { .. } => "`stiffarm measure ROBOT` tells which postures and loads to measure",

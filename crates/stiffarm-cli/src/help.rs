@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 19] = [
+const ABOUT: [About; 21] = [
     About {
         name: "rank",
         files: "a report to hand on as .html or report.pdf, the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -171,6 +171,22 @@ const ABOUT: [About; 19] = [
         ],
     },
     About {
+        name: "calibrate",
+        files: "the robot file with its [calibration] as .toml, every row's error as .csv or .parquet, the answer as .json, .md or .txt, both errors along the rows as \
+                .svg, .pdf or .png",
+        is_long: false,
+        examples: &[
+            (
+                "stiffarm calibrate mine.toml tracker.csv --at 1.8,0,0.8 -o calibrated.toml -o errors.svg",
+                "from forty wide postures, with the error that remains about the work",
+            ),
+            (
+                "stiffarm calibrate \"R-2000iC/165F\" export.csv --columns joint_1_deg=J1,x1_mm=X --frame-by station --level geometry",
+                "a tracker's export, the tracker moved once",
+            ),
+        ],
+    },
+    About {
         name: "robots",
         files: TABLES,
         is_long: false,
@@ -202,6 +218,18 @@ const ABOUT: [About; 19] = [
         files: "the robot file as .toml, what was understood as .csv, .parquet, .json, .md or .txt",
         is_long: false,
         examples: &[("stiffarm robots import arm.urdf --payload-kg 210 -o arm.toml", "a robot file from a URDF")],
+    },
+    About {
+        name: "robots verify",
+        files: "the robot file that counts as the readings do as .toml, the ways of counting that fit best as .csv, .parquet, .json, .md or .txt",
+        is_long: true,
+        examples: &[
+            (
+                "stiffarm robots verify \"KR 210 R2700 extra\" pendant.csv -o mine.toml",
+                "a robot file of which programs no longer warn that its joints may count otherwise; exit code 1 where it is not verified",
+            ),
+            ("stiffarm robots verify pendant.csv --any", "which robot is it?"),
+        ],
     },
     About {
         name: "paper",

@@ -20,4 +20,5 @@ mod readme;
 mod report;
 mod serve;
 mod verdicts;
+mod verify;
 mod written;

@@ -14,8 +14,10 @@
 //! | force | [`cutting::Process::force`] | with what force does a process push on its tool? |
 //! | mill | [`mill::mill`] | how far is the tool pushed off along a toolpath? |
 //! | identify | [`identify::identify`] | how stiff are the drives, by measured deflections? |
+//! | calibrate | [`calibrate::calibrate`] | how does this very arm differ from its drawing, by measured points? |
 //! | measure | [`measure::plan`] | which postures and loads must be measured? |
 //! | study | [`study::study`] | which architecture suits which link ratio and size? |
+//! | verify | [`verify::verify`] | does a robot file count the joints as the pendant does? |
 //! | import | [`catalogue::import::import`] | which robot does a URDF describe? |
 //! | validate | [`ledger::validate`] | does it agree with what is published? |
 //!
@@ -25,7 +27,7 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, `frontier`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
-//! [`geometry`], [`body`], [`mass`], [`drive`], [`plane`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
+//! [`geometry`], [`body`], [`mass`], [`drive`], [`plane`], [`calibration`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], `registration`, [`verify`], [`calibrate`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`modes`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`]. Each uses only those before it.
 //!
 //! # What is left out
@@ -46,6 +48,8 @@ pub mod advice;
 mod angle;
 pub mod batch;
 pub mod body;
+pub mod calibrate;
+pub mod calibration;
 pub mod catalogue;
 pub mod cell;
 pub mod clearance;
@@ -77,6 +81,7 @@ pub mod prior;
 pub mod program;
 pub mod rank;
 mod real;
+mod registration;
 pub mod robot;
 mod root;
 pub mod spatial;
@@ -86,6 +91,7 @@ pub mod task;
 mod tolerances;
 pub mod toolpath;
 pub mod uncertainty;
+pub mod verify;
 pub mod watch;
 pub mod work;
 pub mod zone;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::body::Body;
+use crate::calibration::Calibration;
 use crate::drive::{Architecture, Drives, Identified, JointCompliance, Knowledge, Scatter};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
@@ -113,6 +114,8 @@ pub struct Robot {
     pub masses: Vec<Mass>,
     /// What moves.
     pub arm: Arm,
+    /// How this very arm differs from its drawing, where it was measured.
+    pub calibration: Option<Calibration>,
     /// Where each group of numbers comes from.
     pub source: BTreeMap<String, String>,
 }
@@ -158,6 +161,7 @@ impl Robot {
             repeatability: None,
             body: None,
             masses: Vec::new(),
+            calibration: None,
             arm: Arm::Planar(arm),
             source: BTreeMap::new(),
         }

@@ -203,6 +203,7 @@ fn robot() -> impl Strategy<Value = Robot> {
                 repeatability,
                 body: if matches!(arm, Arm::SixAxis { .. }) { body } else { None },
                 masses: Vec::new(),
+                calibration: None,
                 arm,
                 source,
             }
@@ -245,6 +246,7 @@ proptest! {
             repeatability: None,
             body: None,
             masses: Vec::new(),
+            calibration: None,
             arm: Arm::Planar(arm.clone()),
             source: BTreeMap::new(),
         };

@@ -463,6 +463,47 @@ fields! {
     BEYOND_LIMITS: "beyond_limits", Kind::Count, "Samples at which a joint is commanded beyond its range.";
     SEARCH: "search", Kind::Nested, "How finely a place was looked for; null where it was given.";
     SAMPLES_OF_SEARCH: "samples", Kind::Count, "Samples that stood for the path in the search.";
+    VERIFIED: "verified", Kind::Truth, "The readings agree with the robot file, and with no other way of counting the joints.";
+    READ_ROWS: "rows", Kind::Count, "Postures that were read.";
+    LARGEST_OFF: "largest_mm", Kind::Number(Unit::Millimetre), "The largest distance between what was read and what the file says.";
+    OFF: "rms_mm", Kind::Number(Unit::Millimetre), "The root mean square of these distances.";
+    LARGEST_TURN: "largest_deg", Kind::Number(Unit::Degree), "The largest turn between orientations; null where none was read.";
+    FITS: "fits", Kind::Nested, "Robots and ways of counting the joints, the best first.";
+    THIRD_AXIS: "third_axis", Kind::Text, "What joint 3 counts from: elbow, the upper arm; forearm, the horizontal.";
+    SIGN: "sign", numbers(Unit::One, &["sign_1", "sign_2", "sign_3", "sign_4", "sign_5", "sign_6"]), "Of each joint, as in a robot file.";
+    ZERO: "zero_deg", numbers(Unit::Degree, &["zero_1_deg", "zero_2_deg", "zero_3_deg", "zero_4_deg", "zero_5_deg", "zero_6_deg"]), "Zero offset of each joint, as a robot file has it.";
+    CARRIED: "carried", numbers(Unit::One, &["4_in_5", "4_in_6", "5_in_6"]), "By how much joints of the wrist carry others along: 4 turns 5, 4 turns 6, 5 turns 6.";
+    DIFFERENCES: "differences", Kind::Nested, "In what it differs from its robot file, in words.";
+    DIFFERS: "differs", Kind::Text, "The same in a line.";
+    ALIKE: "alike", Kind::Nested, "What the readings do not tell apart, in words.";
+    POSTURES_TO_READ: "postures_deg", Kind::Nested, "Postures that would tell it apart: joint angles.";
+    WRONG_ROW: "wrong_row", Kind::Nested, "The row that is off where all others agree: its line in the file and its distance, mm; null where there is none.";
+    BASE_SEEN: "base_mm_deg", Kind::Nested, "The base of the robot file in the frame of the readings: x, y, z mm and turns about fixed x, y, z deg; one for each stand.";
+    POINTS_SEEN: "points_mm", Kind::Nested, "The points that were looked at, in the flange frame, mm.";
+    MEASURED_POINTS: "measured", Kind::Truth, "Points were measured by an instrument; else the controller computed them.";
+    LEVEL: "level", Kind::Text, "How much of the arm may differ from its drawing: zeros, geometry, weight, gears; of a list also as drawn.";
+    LEVELS: "levels", Kind::Nested, "Every level: what it leaves.";
+    NOMINAL_RMS: "nominal_rms_mm", Kind::Number(Unit::Millimetre), "Root mean square of the distances of the arm as drawn.";
+    MEDIAN_OFF: "median_mm", Kind::Number(Unit::Millimetre), "Half of the distances are less.";
+    P95_OFF: "p95_mm", Kind::Number(Unit::Millimetre), "95 of a hundred distances are less.";
+    LEFT_OUT_RMS: "left_out_rms_mm", Kind::Number(Unit::Millimetre), "Root mean square of the distances that are predicted where a third of a joint's range is left out; null where none can be.";
+    EVIDENCE: "log_evidence", Kind::Number(Unit::One), "Logarithm of the marginal likelihood, up to what all levels share.";
+    SHOWN: "shown", Kind::Number(Unit::One), "How many parameters the rows show: the trace of one less posterior over prior.";
+    WRONG_ROWS: "wrong_rows", Kind::Nested, "Points that were left out: line of the file, point (0: all of the row) and distance, mm.";
+    TRACKER_IN_BASE: "tracker_in_base", Kind::Nested, "Each stand of the tracker in the base: x, y, z mm and turns about fixed x, y, z deg.";
+    NARROW: "narrow", Kind::Nested, "Joints that moved over less than a third of their range, with that share.";
+    EXPECTED_AT_WORK: "expected_mm", Kind::Number(Unit::Millimetre), "Root mean square of the error that remains at the work, where it is found by the tracker.";
+    WORK_INTERVAL: "ci95_mm", numbers(Unit::Millimetre, &["ci95_low_mm", "ci95_high_mm"]), "Where that root mean square lies with 95 %.";
+    WORK_P95: "work_p95_mm", Kind::Number(Unit::Millimetre), "95 of a hundred points at the work are off by less.";
+    AT_WORK: "at_work", Kind::Nested, "The error that remains at the work: expected, with its interval, and over how many postures; null where the arm does not reach it.";
+    WORK_POSTURES: "postures", Kind::Count, "Postures over which it is told.";
+    ZERO_FOUND: "zero_deg", numbers(Unit::Degree, &["zero_1_deg", "zero_2_deg", "zero_3_deg", "zero_4_deg", "zero_5_deg", "zero_6_deg"]), "What is to be added to each reported angle.";
+    FRAMES_FOUND: "frames_mm_mrad", Kind::Nested, "Of each joint's frame three shifts, mm, and three turns, mrad, in the base's axes at model zero; the zeros are left out.";
+    WEIGHT_FOUND: "weight_mrad", Kind::Nested, "How drives yield under the arm's own weight: of drive 2 on sin t2, cos t2, sin t23, cos t23, of drive 3 on sin t23, cos t23, of drive 5 on two arms of the tool.";
+    WEIGHT_INTERVALS: "weight_ci95_mrad", Kind::Nested, "Where each lies with 95 %.";
+    GEARS_FOUND: "gears_mrad", Kind::Nested, "Once per turn of each joint: sine, cosine.";
+    BEFORE: "before_mm", Kind::Number(Unit::Millimetre), "The largest distance of the row's points as drawn.";
+    AFTER: "after_mm", Kind::Number(Unit::Millimetre), "The same calibrated.";
 }
 
 #[cfg(test)]

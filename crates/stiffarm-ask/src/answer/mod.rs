@@ -7,6 +7,7 @@
 
 mod advice;
 mod angles;
+pub mod calibrate;
 mod cell;
 pub mod compare;
 pub mod compliance;
@@ -35,10 +36,12 @@ mod stiffness;
 pub mod study;
 mod uncertainty;
 mod verdict;
+pub mod verify;
 pub mod words;
 
 use serde_json::{Value, json};
 
+pub use calibrate::CalibrateAnswer;
 pub use compare::CompareAnswer;
 pub use compliance::ComplianceAnswer;
 pub use cutting::CuttingAnswer;
@@ -61,6 +64,7 @@ pub use siting::{Dimension, Siting};
 pub use stiffness::{stiffness, stiffnesses};
 pub use study::StudyAnswer;
 pub use verdict::{HOLDS, ON_TOP, SURE, Verdict};
+pub use verify::{VerifyAnswer, VerifyRankAnswer};
 
 /// Keys in the order in which they are told.
 type Object = serde_json::Map<String, Value>;

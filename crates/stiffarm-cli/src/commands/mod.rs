@@ -1,6 +1,7 @@
 //! One file per verb: arguments to a call of the library, the answer to text, JSON, CSV and figure.
 
 pub(crate) mod by_tool;
+pub(crate) mod calibrate;
 pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod compliance;
@@ -21,6 +22,7 @@ mod sheet;
 pub(crate) mod shell;
 pub(crate) mod study;
 pub(crate) mod validate;
+pub(crate) mod verify;
 
 use std::borrow::Cow;
 use std::path::Path;

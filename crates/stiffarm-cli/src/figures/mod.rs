@@ -8,6 +8,7 @@
 mod axes;
 pub(crate) mod bands;
 pub(crate) mod bars;
+pub(crate) mod calibrate;
 mod canvas;
 pub(crate) mod compare;
 mod contour;

@@ -41,6 +41,7 @@ pub(super) fn description() -> Value {
     paths
         .insert("/api/robots/{name}".into(), json!({ "get": told("One robot of the catalogue", &[name()], &table()) }));
     paths.insert("/api/robots/check".into(), json!({ "post": checked() }));
+    paths.insert("/api/robots/verify".into(), json!({ "post": verified() }));
     paths.insert("/api/job".into(), json!({ "post": job() }));
     json!({
         "openapi": "3.1.0",
@@ -200,6 +201,31 @@ fn checked() -> Value {
         },
     });
     of_file("What is wrong with a robot file, a URDF, or OPW parameters", &verdict)
+}
+
+/// What readings of a pendant are asked of, and say.
+fn verified() -> Value {
+    let text = || json!({ "type": "string" });
+    let verdict = json!({
+        "type": "object", "required": ["schema", "verified", "rows", "fits"],
+        "properties": {
+            "verified": { "type": "boolean" }, "rows": { "type": "integer" },
+            "fits": { "type": "array", "items": { "type": "object" } },
+        },
+    });
+    let mut told = of_file(
+        "Whether a robot counts its joints as a table of readings does; with any, which robot they are from",
+        &verdict,
+    );
+    let question = json!({
+        "type": "object", "additionalProperties": false, "required": ["readings", "files"],
+        "properties": {
+            "robot": text(), "readings": text(), "any": { "type": "boolean" }, "date": text(),
+            "files": { "type": "object", "additionalProperties": text() },
+        },
+    });
+    told["requestBody"]["content"]["application/json"]["schema"] = question;
+    told
 }
 
 /// What a job file asks.

@@ -78,7 +78,7 @@ pub(super) fn check_name(name: &str) -> Result<(), Refused> {
     Err(unlike(&format!("a file's name has {} bytes; expected at most {LONGEST_NAME}", name.len())))
 }
 
-fn texts(files: Map<String, Value>) -> Result<BTreeMap<String, String>, Refused> {
+pub(super) fn texts(files: Map<String, Value>) -> Result<BTreeMap<String, String>, Refused> {
     files.keys().try_for_each(|name| check_name(name))?;
     let text = |(name, value): (String, Value)| match value {
         Value::String(text) => Ok((name.trim().to_owned(), text)),

@@ -37,7 +37,7 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
     let (path, asked) = (request.uri().path().to_owned(), request.uri().query().map(ToOwned::to_owned));
     let is_read = matches!(*request.method(), Method::GET | Method::HEAD);
     let read_only = |found: Result<Reply, Refused>| if is_read { found } else { Err(Refused::method("GET")) };
-    if let Some(name) = path.strip_prefix("/api/robots/").filter(|name| *name != "check") {
+    if let Some(name) = path.strip_prefix("/api/robots/").filter(|name| !["check", "verify"].contains(name)) {
         return if is_read { robots::shown(server, name, asked.as_deref()).await } else { Err(Refused::method("GET")) };
     }
     match path.as_str() {
@@ -50,6 +50,7 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
             aside(move || job::understood(&body)).await
         }
         "/api/robots/check" => robots::checked(server, posted(request).await?).await,
+        "/api/robots/verify" => robots::verified(server, posted(request).await?).await,
         path => {
             let verb = |prefix: &str| {
                 let name = path.strip_prefix(prefix)?;

@@ -124,6 +124,10 @@ fn body_schema<'a>(whole: &'a Value, path: &str) -> &'a Value {
     &whole["paths"][path]["post"]["requestBody"]["content"]["application/json"]["schema"]
 }
 
+/// Of no robot: what is told has its keys all the same.
+const READINGS: &str = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n0,10,0,0,45,0,1500,0,900\n10,20,5,7,40,0,1400,200,900\n\
+                        20,30,-5,-9,50,0,1500,500,1100\n30,0,15,20,30,0,1300,700,1000\n";
+
 #[test]
 fn every_answer_and_every_refusal_is_as_it_is_described() {
     let served = Served::start(&[]);
@@ -153,6 +157,9 @@ fn every_answer_and_every_refusal_is_as_it_is_described() {
             200,
         ),
         ("/api/robots/check", json!({ "name": "a.toml", "text": "x = 1" }), 200),
+        ("/api/robots/verify", json!({ "robot": "BT200L", "readings": "p.csv", "files": { "p.csv": READINGS } }), 200),
+        ("/api/robots/verify", json!({ "readings": "p.csv", "any": true, "files": { "p.csv": READINGS } }), 200),
+        ("/api/robots/verify", json!({ "robot": "nobody", "readings": "p.csv", "files": { "p.csv": READINGS } }), 422),
         ("/api/robots/check", json!({ "name": "a.urdf", "text": "<robot/>" }), 200),
         ("/api/robots/check", json!({ "name": "a.yaml", "text": "a: [" }), 200),
     ];

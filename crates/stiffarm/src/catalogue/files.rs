@@ -103,9 +103,13 @@ pub enum LoadError {
 pub struct Loaded {
     /// The robot.
     pub robot: Robot,
-    /// Of a robot file none; of a URDF what [`import`] chose, left out or found odd.
+    /// Of a robot file that its calibration is not used; of a URDF what [`import`] chose, left out or found odd.
     pub notes: Vec<String>,
 }
+
+/// Said of every robot that was calibrated.
+pub const CALIBRATION_NOT_USED: &str =
+    "its [calibration] is not used yet: every verb computes with the arm as drawn, and so do programs";
 
 /// Reads a robot file, or a URDF as it stands.
 ///
@@ -125,7 +129,9 @@ pub fn load_text(text: &str, name: &Path) -> Result<Loaded, LoadError> {
         let imported = import(text, &shown, &ImportOptions::default())?;
         return Ok(Loaded { robot: imported.robot, notes: imported.notes });
     }
-    Ok(Loaded { robot: read(text, &shown)?, notes: Vec::new() })
+    let robot = read(text, &shown)?;
+    let notes = robot.calibration.iter().map(|_| CALIBRATION_NOT_USED.to_owned()).collect();
+    Ok(Loaded { robot, notes })
 }
 
 /// A regular file, to be read bit by bit: a toolpath may be larger than what [`text`] takes.

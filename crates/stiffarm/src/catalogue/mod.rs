@@ -12,6 +12,7 @@ mod measured_force;
 pub mod measurements;
 mod process_file;
 mod reader;
+pub mod readings;
 mod robot_file;
 mod write;
 

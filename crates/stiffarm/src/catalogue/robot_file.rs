@@ -8,6 +8,7 @@ use toml::de::DeTable;
 use super::reader::{Log, Quantity, Table};
 use super::{Fault, Faults};
 use crate::body::Body;
+use crate::calibration::{Calibration, Errors, JOINT_AXES, own_turns};
 use crate::drive::{Architecture, Drives, GravityCompensator, Identified, JointCompliance, Transmission};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
@@ -35,6 +36,10 @@ const RESIDUAL: Quantity = Quantity { unit: "mm", min: 0.0, max: 100.0, suspect:
 const READ: Quantity = Quantity { unit: "(rows)", min: 3.0, max: 1e6, suspect: None };
 /// How far they may be off and still agree.
 const OFF: Quantity = Quantity { unit: "mm", min: 0.0, max: 0.05, suspect: None };
+/// Zeros of joints that were not mastered.
+const ZERO: Quantity = Quantity { unit: "deg", min: -5.0, max: 5.0, suspect: None };
+/// Of a frame; beyond it the lengths are another robot's.
+const ERROR: Quantity = Quantity { unit: "mm or mrad", min: -50.0, max: 50.0, suspect: None };
 const MOVED: Quantity = Quantity { unit: "mm", min: 1e-6, max: 1000.0, suspect: None };
 const COUPLING: Quantity = Quantity { unit: "(ratio)", min: -1000.0, max: 1000.0, suspect: None };
 const SPRING: Quantity = Quantity { unit: "N/mm", min: 1e-3, max: 1e6, suspect: None };
@@ -120,7 +125,7 @@ fn robot(mut root: Table) -> Option<Robot> {
     let source: BTreeMap<String, String> = root.table("source").texts();
     let mut masses = Some(Vec::new());
     let arm = if root.has("planar") {
-        for key in ["geometry", "limits", "compliance", "compensator", "body", "verified", "mass", "drives"] {
+        for key in ["geometry", "limits", "compliance", "compensator", "body", "verified", "mass", "drives", "calibration"] {
             if root.has(key) {
                 root.fault(key, "does not go with [planar]; a robot has either [planar] or [geometry] and [limits]");
             }
@@ -140,8 +145,14 @@ fn robot(mut root: Table) -> Option<Robot> {
         root.fault("", "neither [geometry] with [limits] nor [planar]; a robot needs one of them");
         None
     };
+    let calibration = match &arm {
+        Some((Arm::SixAxis { geometry, limits, .. }, _)) if root.has("calibration") => {
+            calibration(root.table("calibration"), geometry, limits.third_axis).map(Some)
+        }
+        _ => Some(None),
+    };
     let body = if root.has("body") { body(root.table("body")) } else { Some(None) };
-    root.finish(&["geometry", "limits", "compliance", "compensator", "body", "planar", "verified", "mass", "drives"]);
+    root.finish(&["geometry", "limits", "compliance", "compensator", "body", "planar", "verified", "mass", "drives", "calibration"]);
     let vendor = vendor.unwrap_or_default();
     let (arm, stiffness_is_assumed) = arm?;
     Some(Robot {
@@ -157,6 +168,7 @@ fn robot(mut root: Table) -> Option<Robot> {
         repeatability,
         body: body?,
         masses: masses?,
+        calibration: calibration?,
         arm,
         source,
     })
@@ -386,6 +398,45 @@ fn verified(mut table: Table) -> Option<Verified> {
     let largest = table.number("largest_mm", OFF);
     table.finish(&[]);
     Some(Verified { rows: rows? as usize, date: date?, largest: largest? / 1e3 })
+}
+
+/// How the very robot differs from its drawing. The zeros count as the joints do; a turn about a joint's own axis is its zero, and may stand in either place.
+fn calibration(mut table: Table, geometry: &Geometry, third_axis: ThirdAxis) -> Option<Calibration> {
+    let zero = table.numbers("zero_deg", ZERO);
+    let frames = table.matrix::<6>("frames_mm_mrad", ERROR);
+    if !table.has("frames_mm_mrad") {
+        table.fault("frames_mm_mrad", "missing; expected six rows of three shifts in mm and three turns in mrad");
+    }
+    let weight = table.optional_numbers("weight_mrad", ERROR);
+    let gears = table.optional_numbers::<12>("gears_mrad", ERROR);
+    let residual = table.number("residual_mm", RESIDUAL);
+    let left_out = table.number("left_out_mm", RESIDUAL);
+    let rows = table.number("rows", READ);
+    if rows.is_some_and(|rows| rows.fract() != 0.0) {
+        table.fault("rows", "is no whole number");
+    }
+    let date = table.text("date", true);
+    if let Some(date) = date.as_ref().filter(|date| !is_date(date)) {
+        table.fault("date", format!("\"{date}\" is no date; expected such as \"2026-05-31\""));
+    }
+    let source = table.text("source", true);
+    table.finish(&[]);
+    let own = own_turns(geometry, third_axis, &zero?.map(f64::to_radians));
+    let mut frames = frames??.map(|row| row.map(|x| x / 1e3));
+    for (i, own) in own.into_iter().enumerate() {
+        frames[i][3 + JOINT_AXES[i]] += own;
+    }
+    let weight = weight?.map_or(Errors::NONE.weight, |mrad| mrad.map(|x| x / 1e3));
+    let gears =
+        gears?.map_or(Errors::NONE.gears, |mrad| std::array::from_fn(|i| [mrad[2 * i] / 1e3, mrad[2 * i + 1] / 1e3]));
+    Some(Calibration {
+        errors: Errors { frames, weight, gears },
+        residual: residual? / 1e3,
+        left_out: left_out? / 1e3,
+        rows: rows? as usize,
+        date: date?,
+        source: source?,
+    })
 }
 
 /// Readings of the robot count more than what is published, and what is published must have a source.

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::calibration::{Calibration, Errors, JOINT_AXES, zeros};
 use crate::drive::{Drives, Identified, JointCompliance, Motors, Transmission};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
@@ -38,6 +39,9 @@ pub fn write(robot: &Robot) -> String {
             file.geometry(geometry);
             file.limits(limits);
             file.drives(drives, robot);
+            if let Some(calibration) = &robot.calibration {
+                file.calibration(calibration, geometry, limits);
+            }
         }
         Arm::Planar(arm) => file.planar(arm, robot.stiffness_is_assumed),
     }
@@ -195,6 +199,31 @@ impl Text {
                 self.entry(key, &millimetres(told));
             }
         }
+    }
+
+    fn calibration(&mut self, calibration: &Calibration, geometry: &Geometry, limits: &Limits) {
+        let Calibration { errors, residual, left_out, rows, date, source } = calibration;
+        self.table("calibration");
+        self.list("zero_deg", zeros(geometry, limits.third_axis, &errors.frames).map(degrees));
+        let frames = errors.frames.iter().enumerate().map(|(i, frame)| {
+            let parts = frame
+                .iter()
+                .enumerate()
+                .map(|(j, x)| if j == 3 + JOINT_AXES[i] { "0".into() } else { millimetres(*x) });
+            "\n    ".to_owned() + &list(parts)
+        });
+        self.entry("frames_mm_mrad", &format!("[{},\n]", frames.collect::<Vec<_>>().join(",")));
+        if errors.weight != Errors::NONE.weight {
+            self.list("weight_mrad", errors.weight.map(millimetres));
+        }
+        if errors.gears != Errors::NONE.gears {
+            self.list("gears_mrad", errors.gears.iter().flatten().map(|x| millimetres(*x)));
+        }
+        self.entry("residual_mm", &millimetres(*residual));
+        self.entry("left_out_mm", &millimetres(*left_out));
+        self.entry("rows", &rows.to_string());
+        self.text("date", date);
+        self.text("source", source);
     }
 
     fn planar(&mut self, arm: &PlanarArm, is_assumed: bool) {

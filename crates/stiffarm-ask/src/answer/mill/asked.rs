@@ -74,6 +74,7 @@ impl MillAnswer {
         drop(moves);
         remarks.extend(forced.remarks);
         remarks.extend(words::pendant(&robot));
+        remarks.extend(words::calibration(&robot));
         let failed =
             |error| MillAnswerError::Mill { robot: robot.name.clone(), path: on_one_line(&path).into_owned(), error };
         let mut stations = forced.stations;

@@ -3,6 +3,7 @@
 use std::io::Write;
 
 use super::super::stiffness::stiffness;
+use super::super::words;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use stiffarm::mill::{Compensated, Followed, PartPlacement, Stand, Station, approach};
 use stiffarm::plain::on_one_line;
@@ -147,6 +148,7 @@ pub(super) fn program_of(
         remarks.extend(only.map(|tool| format!("Only what tool {tool} of the path cuts.")));
     }
     let stiffness = stiffness(&first.robot);
+    remarks.extend(words::calibration(&first.robot).map(|remark| format!("WARNING: {remark}.")));
     let setup = Setup {
         robot: &first.robot.name,
         geometry,

@@ -342,6 +342,7 @@ fn robot(understood: &Understood, geometry: Geometry, options: &ImportOptions) -
         repeatability: None,
         body: None,
         masses: Vec::new(),
+        calibration: None,
         arm: Arm::SixAxis {
             geometry,
             limits: understood.limits.clone(),

@@ -1,0 +1,217 @@
+//! What do measured points say of one arm?
+
+use serde_json::{Value, json};
+
+use super::verify::numbers;
+use super::words::fixed;
+use super::{Record, Rows, Table, Unit, field, line, with_schema};
+use stiffarm::calibrate::{Calibrated, Level, LevelFit};
+use stiffarm::calibration::zeros;
+use stiffarm::catalogue::write;
+use stiffarm::robot::{Arm, Robot};
+
+/// Half of a 95 % interval of a normal, in standard deviations.
+const HALF: f64 = 1.959_964;
+
+/// The answer of `calibrate`.
+#[derive(Clone, Debug)]
+pub struct CalibrateAnswer {
+    /// What was found.
+    pub found: Calibrated,
+    /// The robot as it was asked about.
+    pub robot: Robot,
+    /// The table.
+    pub data: String,
+    /// When it was measured, as year-month-day.
+    pub date: String,
+    /// The level was chosen by its evidence.
+    pub is_chosen: bool,
+}
+
+impl CalibrateAnswer {
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        let found = &self.found;
+        let mm = |m: f64| Unit::Millimetre.told(m);
+        let errors = &found.errors;
+        let mrad = |x: f64| Unit::Milliradian.told(x);
+        let weight = errors.weight.iter().zip(&found.deviations.weight);
+        let intervals = weight.map(|(x, s)| json!([mrad(x - HALF * s), mrad(x + HALF * s)])).collect::<Value>();
+        let wrong = found.wrong_rows.iter();
+        let at_work = found.at_work.as_ref().map_or(Value::Null, |work| {
+            let mut told = Record::new();
+            told.put(field::EXPECTED_AT_WORK, work.expected)
+                .put(field::WORK_INTERVAL, work.interval)
+                .put(field::WORK_P95, work.p95)
+                .put(field::WORK_POSTURES, work.postures);
+            told.json()
+        });
+        let mut answer = Record::new();
+        answer
+            .put(field::ROBOT, self.robot.name.as_str())
+            .put(field::LEVEL, found.level.name())
+            .put(field::READ_ROWS, found.rows.len())
+            .put(field::NOMINAL_RMS, found.levels[0].rms)
+            .put(field::LEVELS, found.levels.iter().map(|fit| level(fit).json()).collect::<Value>())
+            .put(
+                field::WRONG_ROWS,
+                wrong
+                    .map(|row| json!({ "line": row.line, "point": row.point, "distance_mm": mm(row.distance) }))
+                    .collect::<Value>(),
+            )
+            .put(
+                field::TRACKER_IN_BASE,
+                found.tracker_in_base.iter().map(|pose| json!(numbers(pose))).collect::<Value>(),
+            )
+            .put(
+                field::POINTS_SEEN,
+                found.points.iter().map(|at| json!([mm(at.x), mm(at.y), mm(at.z)])).collect::<Value>(),
+            )
+            .put(field::ZERO_FOUND, self.zeros())
+            .put(
+                field::FRAMES_FOUND,
+                self.frames().iter().map(|frame| json!(frame.map(|x| Unit::Millimetre.told(x)))).collect::<Value>(),
+            )
+            .put(field::WEIGHT_FOUND, json!(errors.weight.map(mrad)))
+            .put(field::WEIGHT_INTERVALS, intervals)
+            .put(field::GEARS_FOUND, json!(errors.gears.map(|pair| pair.map(mrad))))
+            .put(
+                field::NARROW,
+                found.narrow.iter().map(|(joint, share)| json!({ "joint": joint, "share": share })).collect::<Value>(),
+            )
+            .put(field::AT_WORK, at_work);
+        with_schema("calibrate", super::ORIGIN, &answer)
+    }
+
+    fn zeros(&self) -> [f64; 6] {
+        match &self.robot.arm {
+            Arm::SixAxis { geometry, limits, .. } => zeros(geometry, limits.third_axis, &self.found.errors.frames),
+            Arm::Planar(_) => [0.0; 6],
+        }
+    }
+
+    /// Without the turns about the joints' own axes, which are the zeros.
+    fn frames(&self) -> [[f64; 6]; 6] {
+        let mut frames = self.found.errors.frames;
+        frames.iter_mut().enumerate().for_each(|(i, frame)| frame[3 + stiffarm::calibration::JOINT_AXES[i]] = 0.0);
+        frames
+    }
+
+    /// A row of each posture.
+    pub fn rows(&self) -> Rows<'static> {
+        let records = self.found.rows.iter().map(|row| {
+            let mut record = Record::new();
+            record.put(field::LINE, row.line).put(field::BEFORE, row.before).put(field::AFTER, row.after);
+            record
+        });
+        let records: Vec<Record> = records.collect();
+        let columns = records.first().map(Record::columns).unwrap_or_default();
+        Rows::new(columns, records.iter().map(Record::cells).collect())
+    }
+
+    /// What was found, line by line.
+    pub fn summary(&self) -> Table {
+        let found = &self.found;
+        let taken = found.taken();
+        let mm = |m: f64| fixed(Unit::Millimetre.told(m), 3);
+        let by = if self.is_chosen { "by evidence" } else { "as asked" };
+        let mut lines = vec![
+            line("robot", self.robot.full_name()),
+            line(
+                "points",
+                format!(
+                    "{} rows of {}, {} point{} each",
+                    found.rows.len(),
+                    self.data,
+                    found.points.len(),
+                    plural(found.points.len())
+                ),
+            ),
+            line("level", format!("{}, {by}; the rows show {} parameters", found.level.name(), fixed(taken.shown, 1))),
+            line("error", format!("{} mm rms as drawn, {} mm calibrated", mm(found.levels[0].rms), mm(taken.rms))),
+        ];
+        let degrees = self.zeros().map(|zero| fixed(Unit::Degree.told(zero), 4)).join(", ");
+        lines.push(line("zeros", format!("{degrees} deg to be added to the joints as reported")));
+        lines.push(line(
+            "at the work",
+            match &found.at_work {
+                Some(work) => format!(
+                    "{} mm rms expected, {} to {} with 95 %; 95 of a hundred points within {}; over {} postures, where the tracker finds the work",
+                    mm(work.expected),
+                    mm(work.interval[0]),
+                    mm(work.interval[1]),
+                    mm(work.p95),
+                    work.postures
+                ),
+                None => "the arm does not reach it".into(),
+            },
+        ));
+        Table::of_lines(lines)
+    }
+
+    /// What every level leaves.
+    pub fn table(&self) -> Table {
+        let mut table =
+            Table::new(["level", "rms mm", "median", "95 %", "largest", "left out rms", "shown", "log evidence"]);
+        for fit in &self.found.levels {
+            let mm = |m: f64| fixed(Unit::Millimetre.told(m), 3);
+            table.row([
+                fit.level.map_or("as drawn", Level::name).into(),
+                mm(fit.rms),
+                mm(fit.median),
+                mm(fit.p95),
+                mm(fit.largest),
+                fit.left_out.map_or_else(|| "-".into(), mm),
+                fixed(fit.shown, 1),
+                fixed(fit.evidence, 1),
+            ]);
+        }
+        table
+    }
+
+    /// What must be looked at.
+    pub fn notes(&self) -> String {
+        let found = &self.found;
+        let mut notes: Vec<String> = Vec::new();
+        for row in &found.wrong_rows {
+            let which = if row.point == 0 { "all points".into() } else { format!("point {}", row.point) };
+            let distance = fixed(Unit::Millimetre.told(row.distance), 2);
+            notes.push(format!("Line {}: {which} {distance} mm off, left out.\n", row.line));
+        }
+        if !found.narrow.is_empty() {
+            let each = found.narrow.iter().map(|(joint, share)| format!("{joint} ({} %)", fixed(100.0 * share, 0)));
+            notes.push(format!(
+                "Joints that moved over less than a third of their range: {}. Elsewhere little is known of them: the interval at the work says how little.\n",
+                each.collect::<Vec<_>>().join(", ")
+            ));
+        }
+        notes.push("Left out: each third of each joint's range, predicted by the other rows. Own weight is that of a base on a floor.\n".into());
+        notes.push(
+            "The angles and positions of this table must be as the controller moves without a calibration of its own; with one in force it corrects twice.\n".into(),
+        );
+        notes.concat()
+    }
+
+    /// The calibrated robot's file.
+    pub fn robot_file(&self) -> String {
+        write(&self.found.written(&self.robot, &self.date, &self.data))
+    }
+}
+
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
+fn level(fit: &LevelFit) -> Record {
+    let mut record = Record::new();
+    record
+        .put(field::LEVEL, fit.level.map_or("as drawn", Level::name))
+        .put(field::OFF, fit.rms)
+        .put(field::MEDIAN_OFF, fit.median)
+        .put(field::P95_OFF, fit.p95)
+        .put(field::LARGEST_OFF, fit.largest)
+        .put(field::LEFT_OUT_RMS, fit.left_out)
+        .put(field::SHOWN, fit.shown)
+        .put(field::EVIDENCE, fit.evidence);
+    record
+}

@@ -1,0 +1,127 @@
+//! How far is the calibrated arm still off where the work is? From the posterior of all unknowns, with the noise that left-out
+//! thirds show and what no level explains.
+
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use super::errors::ALL;
+use super::fit::{Fitted, Rows};
+use crate::limits::Limits;
+use crate::registration::{Problem, Sight};
+
+/// Draws of the unknowns: the ends of 95 % of so many are known to one per cent of a normal's spread.
+const DRAWS: usize = 400;
+/// Postures over which is asked.
+const POSTURES: usize = 200;
+
+/// The error that remains, expected and with its 95 % interval, m.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AtWork {
+    /// Root mean square over the postures, expected.
+    pub expected: f64,
+    /// Where that root mean square lies with 95 %.
+    pub interval: [f64; 2],
+    /// 95 of a hundred points are off by less.
+    pub p95: f64,
+    /// Over how many postures it was asked.
+    pub postures: usize,
+}
+
+/// Postures within limits, of which the flange stands within `radius` m of a point of the base frame where one is given.
+pub(super) fn postures(rows: &Rows, limits: &Limits, near: Option<(Vector3<f64>, f64)>) -> Vec<[f64; 6]> {
+    /// Of which those near a point are taken.
+    const TRIED: usize = 100_000;
+    let mut rng = fastrand::Rng::with_seed(95);
+    let mut found = Vec::new();
+    for _ in 0..TRIED {
+        let q: [f64; 6] = std::array::from_fn(|i| {
+            let range = limits.joints[i];
+            let [low, high] = if range.is_bounded() {
+                [range.min(), range.max()]
+            } else {
+                [-std::f64::consts::PI, std::f64::consts::PI]
+            };
+            low + rng.f64() * (high - low)
+        });
+        let is_near = near.is_none_or(|(at, radius)| {
+            let flange = rows.arm.drawn(&q).translation.vector;
+            (flange - at).norm() <= radius
+        });
+        if is_near {
+            found.push(q);
+        }
+        if found.len() == POSTURES {
+            break;
+        }
+    }
+    found
+}
+
+/// The error at these postures of the first point, seen from the first stand.
+pub(super) fn at_work(rows: &Rows, fitted: &Fitted, left_out: Option<f64>, postures: &[[f64; 6]]) -> Option<AtWork> {
+    if postures.is_empty() {
+        return None;
+    }
+    // A coordinate's part of the distance.
+    let noise = left_out.map_or(fitted.noise, |rms| (rms / 3_f64.sqrt()).max(fitted.noise));
+    let (h, _) = rows.normal(fitted.rows.iter(), &fitted.state, (&fitted.prior, noise));
+    let root = h.cholesky()?;
+    let sights: Vec<Sight> = (postures.iter())
+        .map(|q| Sight {
+            q: *q,
+            points: (0..rows.points).map(|j| (j == 0).then(|| (Vector3::zeros(), 1.0))).collect(),
+            orientation: None,
+            stand: 0,
+        })
+        .collect();
+    let chain = |parameters: &[f64], q: &[f64; 6]| rows.arm.chain(parameters, q);
+    let precision = fitted.prior.iter().map(|tau| if *tau == 0.0 { f64::INFINITY } else { 0.0 }).collect();
+    let problem = Problem {
+        sights: &sights,
+        stands: rows.stands,
+        points: rows.points,
+        lever: 1.0,
+        base: None,
+        tool: None,
+        precision,
+        chain: &chain,
+    };
+    let linear = problem.linear(&fitted.state);
+    let moved: Vec<&DMatrix<f64>> = linear.iter().map(|row| &row.jacobian).collect();
+    let mut rng = fastrand::Rng::with_seed(96);
+    let mut normal = || {
+        // Box and Muller.
+        let (u, v) = (1.0 - rng.f64(), rng.f64());
+        (-2.0 * u.ln()).sqrt() * (std::f64::consts::TAU * v).cos()
+    };
+    let n = root.l_dirty().nrows();
+    let first = n - ALL;
+    let (mut means, mut all) = (Vec::new(), Vec::new());
+    for _ in 0..DRAWS {
+        let z = DVector::from_fn(n, |_, _| normal());
+        // cov = s^2 H^-1 = s^2 L^-T L^-1.
+        let mut step = root.l().tr_solve_lower_triangular(&z)?;
+        step *= noise;
+        for i in (0..ALL).filter(|&i| fitted.prior[i] == 0.0) {
+            step[first + i] = 0.0;
+        }
+        let squares: Vec<f64> = moved
+            .iter()
+            .map(|jacobian| {
+                let off = *jacobian * &step;
+                (0..3).map(|i| (off[i] + fitted.noise * normal()).powi(2)).sum()
+            })
+            .collect();
+        means.push((squares.iter().sum::<f64>() / squares.len() as f64).sqrt());
+        all.extend(squares.into_iter().map(f64::sqrt));
+    }
+    means.sort_by(f64::total_cmp);
+    all.sort_by(f64::total_cmp);
+    let at = |values: &[f64], share: f64| values[((values.len() as f64 * share) as usize).min(values.len() - 1)];
+    let expected = (means.iter().map(|x| x * x).sum::<f64>() / means.len() as f64).sqrt();
+    Some(AtWork {
+        expected,
+        interval: [at(&means, 0.025), at(&means, 0.975)],
+        p95: at(&all, 0.95),
+        postures: postures.len(),
+    })
+}

@@ -1,0 +1,160 @@
+//! One level against rows with known weights: posterior mode, scale of the prior and of the noise by their evidence.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::errors::{ALL, FRAMES, True};
+use super::level::Level;
+use crate::registration::{Chain, Linear, Problem, Sight, State};
+
+/// m and rad: within which the scale of the frames' errors is looked for.
+const SCALES: [f64; 2] = [0.1e-3, 2e-3];
+/// m: no instrument is better.
+const LEAST_NOISE: f64 = 1e-7;
+
+/// Rows to which an arm is fitted.
+pub(super) struct Rows<'a> {
+    pub(super) arm: &'a True,
+    pub(super) sights: Vec<Sight>,
+    pub(super) stands: usize,
+    pub(super) points: usize,
+    /// m: so far a radian of the orientation counts.
+    pub(super) lever: f64,
+}
+
+/// A level as it was fitted.
+pub(super) struct Fitted {
+    /// `None` as drawn: only frames and points are fitted.
+    pub(super) level: Option<Level>,
+    pub(super) state: State,
+    pub(super) rows: Vec<Linear>,
+    /// Standard deviation of a coordinate, m.
+    pub(super) noise: f64,
+    /// Of each parameter; zero holds it.
+    pub(super) prior: Vec<f64>,
+    /// Logarithm of the marginal likelihood, up to what all levels share.
+    pub(super) evidence: f64,
+    /// How many parameters the data show: the trace of one less posterior over prior.
+    pub(super) shown: f64,
+    /// What the data show of each parameter, 0 to 1.
+    pub(super) share: Vec<f64>,
+}
+
+impl Rows<'_> {
+    fn problem<'p>(
+        &'p self,
+        precision: Vec<f64>,
+        chain: &'p (dyn Fn(&[f64], &[f64; 6]) -> Chain + Sync),
+    ) -> Problem<'p> {
+        Problem {
+            sights: &self.sights,
+            stands: self.stands,
+            points: self.points,
+            lever: self.lever,
+            base: None,
+            tool: None,
+            precision,
+            chain,
+        }
+    }
+
+    /// With the priors and the noise given, from a state.
+    pub(super) fn solved(&self, state: State, prior: &[f64], noise: f64) -> (State, Vec<Linear>) {
+        let chain = |parameters: &[f64], q: &[f64; 6]| self.arm.chain(parameters, q);
+        self.problem(precision(prior, noise), &chain).solved(state)
+    }
+
+    /// A state to start from, as drawn, by rows of which none need be right.
+    pub(super) fn start(&self) -> State {
+        let chain = |_: &[f64], q: &[f64; 6]| Chain { flange: self.arm.drawn(q), twists: Vec::new() };
+        let problem = self.problem(Vec::new(), &chain);
+        let (state, _) = problem.solved(problem.start(Vec::new(), nalgebra::Vector3::zeros()));
+        State { parameters: vec![0.0; ALL], ..state }
+    }
+
+    /// How far each row is off as drawn, about a state.
+    pub(super) fn drawn(&self, state: &State) -> Vec<Linear> {
+        let chain = |_: &[f64], q: &[f64; 6]| Chain { flange: self.arm.drawn(q), twists: Vec::new() };
+        self.problem(Vec::new(), &chain).linear(&State { parameters: Vec::new(), ..state.clone() })
+    }
+
+    /// The rows about a state.
+    pub(super) fn linear(&self, state: &State) -> Vec<Linear> {
+        let chain = |parameters: &[f64], q: &[f64; 6]| self.arm.chain(parameters, q);
+        self.problem(vec![f64::INFINITY; ALL], &chain).linear(state)
+    }
+
+    /// `H` and `g` of some of the rows, in parts of the noise.
+    pub(super) fn normal<'r>(
+        &self,
+        rows: impl Iterator<Item = &'r Linear>,
+        state: &State,
+        (prior, noise): (&[f64], f64),
+    ) -> (DMatrix<f64>, DVector<f64>) {
+        let chain = |parameters: &[f64], q: &[f64; 6]| self.arm.chain(parameters, q);
+        self.problem(precision(prior, noise), &chain).normal(rows, state)
+    }
+
+    /// The posterior of a level, from a state near it; scale and noise by the fixed point of their evidence.
+    pub(super) fn fitted(&self, level: Option<Level>, start: &State, noise: f64) -> Option<Fitted> {
+        const ROUNDS: usize = 12;
+        /// Of scale and noise, relative: below it nothing that is told changes.
+        const SETTLED: f64 = 1e-3;
+        let (mut scale, mut noise) = (0.5e-3, noise.max(LEAST_NOISE));
+        let mut state = State { parameters: vec![0.0; ALL], ..start.clone() };
+        let prior_of = |scale: f64| level.map_or_else(|| vec![0.0; ALL], |level| level.prior(scale));
+        let mut round = 0;
+        loop {
+            let prior = prior_of(scale);
+            let (next, rows) = self.solved(state, &prior, noise);
+            state = next;
+            let (h, _) = self.normal(rows.iter(), &state, (&prior, noise));
+            let inverse = h.clone().cholesky()?.inverse();
+            let first = h.nrows() - ALL;
+            let share: Vec<f64> = (0..ALL)
+                .map(|i| {
+                    if 0.0 < prior[i] {
+                        1.0 - (noise / prior[i]).powi(2) * inverse[(first + i, first + i)]
+                    } else {
+                        0.0
+                    }
+                })
+                .collect();
+            let shown: f64 = share.iter().sum();
+            let squares: f64 = rows.iter().map(|row| row.residual.component_mul(&row.residual).dot(&row.weight)).sum();
+            let count: usize = rows.iter().map(|row| row.residual.len()).sum();
+            let flat = first - if self.sights.iter().any(|sight| sight.orientation.is_some()) { 0 } else { 3 };
+            let spare = (count as f64 - flat as f64 - shown).max(1.0);
+            let next_noise = (squares / spare).sqrt().max(LEAST_NOISE);
+            let frames: f64 = state.parameters[..FRAMES].iter().map(|x| x * x).sum();
+            let seen: f64 = share[..FRAMES].iter().sum();
+            let next_scale = if seen < 1e-3 { scale } else { (frames / seen).sqrt().clamp(SCALES[0], SCALES[1]) };
+            round += 1;
+            let is_settled = (next_noise / noise - 1.0).abs() < SETTLED && (next_scale / scale - 1.0).abs() < SETTLED;
+            if is_settled || round == ROUNDS {
+                let evidence = evidence(&h, (&state, &prior, noise), (squares, &rows));
+                return Some(Fitted { level, state, rows, noise, prior, evidence, shown, share });
+            }
+            (noise, scale) = (next_noise, next_scale);
+        }
+    }
+}
+
+/// `sigma^2 / tau^2`; infinite where a parameter is held.
+fn precision(prior: &[f64], noise: f64) -> Vec<f64> {
+    prior.iter().map(|tau| if *tau == 0.0 { f64::INFINITY } else { (noise / tau).powi(2) }).collect()
+}
+
+/// `-1/2 [ sum w r^2 / s^2 + sum x^2 / tau^2 + N ln s^2 + sum ln tau^2 + ln det (H / s^2) - sum ln w ]` (Laplace), what is held left out.
+fn evidence(h: &DMatrix<f64>, (state, prior, noise): (&State, &[f64], f64), (squares, rows): (f64, &[Linear])) -> f64 {
+    let count: usize = rows.iter().map(|row| row.residual.len()).sum();
+    let weights: f64 = rows.iter().flat_map(|row| row.weight.iter()).map(|weight| weight.ln()).sum();
+    let known = prior.iter().zip(&state.parameters).filter(|(tau, _)| 0.0 < **tau);
+    let (of_prior, scales) =
+        known.fold((0.0, 0.0), |(sum, logs), (tau, x)| (sum + (x / tau).powi(2), logs + 2.0 * tau.ln()));
+    let first = h.nrows() - ALL;
+    let is_oriented = rows.iter().any(|row| row.of.contains(&None));
+    let held = |i: usize| if first <= i { prior[i - first] == 0.0 } else { first - 3 <= i && !is_oriented };
+    let Some(root) = h.clone().cholesky() else { return f64::NEG_INFINITY };
+    let log_det: f64 = (0..h.nrows()).filter(|&i| !held(i)).map(|i| 2.0 * (root.l_dirty()[(i, i)] / noise).ln()).sum();
+    -0.5 * (squares / (noise * noise) + of_prior + 2.0 * count as f64 * noise.ln() + scales + log_det - weights)
+}

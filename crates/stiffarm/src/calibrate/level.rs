@@ -1,0 +1,50 @@
+//! What of an arm may differ from its drawing?
+
+use super::errors::{ALL, FRAMES};
+use crate::calibration::{JOINT_AXES, WEIGHT};
+
+/// How much is looked for; each level has all of those before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// The zeros of the joints.
+    Zeros,
+    /// All of the joints' frames.
+    Geometry,
+    /// How drives yield under the arm's own weight.
+    Weight,
+    /// Gears that err once per turn.
+    Gears,
+}
+
+/// rad: how far drives yield, and gears err.
+const WEIGHT_PRIOR: f64 = 0.5e-3;
+const GEARS_PRIOR: f64 = 0.1e-3;
+
+impl Level {
+    /// All, the least first.
+    pub const ALL: [Self; 4] = [Self::Zeros, Self::Geometry, Self::Weight, Self::Gears];
+
+    /// The name that options and answers use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Zeros => "zeros",
+            Self::Geometry => "geometry",
+            Self::Weight => "weight",
+            Self::Gears => "gears",
+        }
+    }
+
+    /// Standard deviation of the prior of each parameter, m and rad, where frames are off by `scale`; zero holds it.
+    pub(super) fn prior(self, scale: f64) -> Vec<f64> {
+        let frame = |i: usize| if Self::Geometry <= self || i % 6 == 3 + JOINT_AXES[i / 6] { scale } else { 0.0 };
+        let of = |i: usize| {
+            if i < FRAMES {
+                return frame(i);
+            }
+            let (level, prior) =
+                if i < FRAMES + WEIGHT { (Self::Weight, WEIGHT_PRIOR) } else { (Self::Gears, GEARS_PRIOR) };
+            if level <= self { prior } else { 0.0 }
+        };
+        (0..ALL).map(of).collect()
+    }
+}

@@ -1,0 +1,333 @@
+//! Verb: how does this very arm differ from its drawing, by points on its flange that were measured?
+//!
+//! Errors of the joints' frames, of drives under the arm's own weight and of gears have normal priors; their modes are found
+//! by least squares with Student's weights, the scale of the frames' errors and the noise by their evidence. What the postures do not show keeps
+//! its prior. Rows that are wrong are named and left out. Without masses the own weight has terms of its own, for a base that
+//! stands on a floor; nothing of it is a stiffness.
+
+mod at_work;
+mod errors;
+mod fit;
+mod left_out;
+mod level;
+mod robust;
+mod suspects;
+
+use nalgebra::Vector3;
+
+use crate::calibration::{Calibration, Errors};
+use crate::catalogue::readings::Readings;
+use crate::limits::Limits;
+use crate::registration::Sight;
+use crate::robot::{Arm, Robot};
+use crate::spatial::Pose;
+use crate::watch::{Stopped, Watch};
+pub use at_work::AtWork;
+use errors::True;
+use fit::{Fitted, Rows};
+pub use level::Level;
+pub use robust::WrongRow;
+
+/// So few postures fit any frames.
+pub const LEAST_ROWS: usize = 6;
+/// m: half of the points of an arm that nobody has calibrated are within this.
+const MOST_OFF: f64 = 10e-3;
+
+/// What is asked beside the table.
+#[derive(Clone, Debug, Default)]
+pub struct CalibrateOptions {
+    /// How much may differ; the level with the largest evidence where `None`.
+    pub level: Option<Level>,
+    /// Where the work is, m, in the base frame: the error that remains is told within 0.25 m about it; over all the arm reaches where `None`.
+    pub at: Option<[f64; 3]>,
+}
+
+/// One level against the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LevelFit {
+    /// `None` is the arm as drawn, with only tracker and points fitted.
+    pub level: Option<Level>,
+    /// Root mean square of the distances, m.
+    pub rms: f64,
+    /// Half of them are less, m.
+    pub median: f64,
+    /// 95 of a hundred are less, m.
+    pub p95: f64,
+    /// The largest, m.
+    pub largest: f64,
+    /// Root mean square of those that are predicted by other thirds of joints' ranges, m.
+    pub left_out: Option<f64>,
+    /// Logarithm of the marginal likelihood, up to what all levels share.
+    pub evidence: f64,
+    /// How many parameters the rows show.
+    pub shown: f64,
+}
+
+/// A row of the table, as drawn and calibrated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Off {
+    /// Its line in the file.
+    pub line: usize,
+    /// The largest distance of its points as drawn, m.
+    pub before: f64,
+    /// The same calibrated, m.
+    pub after: f64,
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Calibrated {
+    /// The level taken.
+    pub level: Level,
+    /// The arm as drawn first, then all levels.
+    pub levels: Vec<LevelFit>,
+    /// How the arm differs.
+    pub errors: Errors,
+    /// Standard deviations of the errors' posterior, in the order of [`Errors`], and of their priors; zero of what was not looked for.
+    pub deviations: Errors,
+    /// What the rows show of each, 0 to 1.
+    pub shown: Errors,
+    /// Points and rows that were left out.
+    pub wrong_rows: Vec<WrongRow>,
+    /// The tracker in the base, of each of its stands.
+    pub tracker_in_base: Vec<Pose>,
+    /// The points in the flange, m.
+    pub points: Vec<Vector3<f64>>,
+    /// Each row that was kept.
+    pub rows: Vec<Off>,
+    /// Joints that moved over less than a third of their range, from 1, with that share.
+    pub narrow: Vec<(usize, f64)>,
+    /// The error that remains; `None` where the arm does not reach the work.
+    pub at_work: Option<AtWork>,
+}
+
+/// Why nothing can be said.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CalibrateError {
+    /// Two links have no frames.
+    #[error("{0} is known by two links only; expected a robot with [geometry] and [limits]")]
+    Planar(String),
+    /// Six unknowns of the tracker and three of each point.
+    #[error("{0} rows; expected at least {LEAST_ROWS}, and better forty that move every joint through its range")]
+    TooFew(usize),
+    /// A frame can turn about a line.
+    #[error(
+        "all points lie within {spread_mm:.2} mm of one line, so the tracker's frame is not known; expected postures over the workspace"
+    )]
+    OneLine {
+        /// How far, mm.
+        spread_mm: f64,
+    },
+    /// A point that nobody saw.
+    #[error("point {0} was seen in no row; expected points that are numbered from 1")]
+    Unseen(usize),
+    /// The arm explains nothing.
+    #[error("half of the points are {median_mm:.1} mm or more off{}", because(suspect.as_deref()))]
+    NotThisArm {
+        /// The median, mm.
+        median_mm: f64,
+        /// What may be the matter.
+        suspect: Option<String>,
+    },
+    /// More than a third.
+    #[error("{wrong} of {of} points are beyond five robust standard deviations, more than a third{}", because(suspect.as_deref()))]
+    TooManyWrong {
+        /// How many.
+        wrong: usize,
+        /// Of how many.
+        of: usize,
+        /// What may be the matter.
+        suspect: Option<String>,
+    },
+    /// Numbers that cannot be solved.
+    #[error(
+        "these postures do not determine the tracker's frame and the points; expected postures that move every joint"
+    )]
+    Undetermined,
+    /// Nobody waits any longer.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+}
+
+fn because(suspect: Option<&str>) -> String {
+    match suspect {
+        Some(what) => format!(": {what}"),
+        None => {
+            "; is it this robot, and does its file count the joints as the table does? `stiffarm robots verify` tells"
+                .into()
+        }
+    }
+}
+
+/// Finds how an arm differs from its drawing.
+///
+/// # Errors
+/// Of a robot without six axes, of tables that tell nothing or are wrong as a whole, and where nobody waits any longer.
+pub fn calibrate(
+    robot: &Robot,
+    readings: &Readings,
+    options: &CalibrateOptions,
+    watch: Watch,
+) -> Result<Calibrated, CalibrateError> {
+    let Arm::SixAxis { limits, .. } = &robot.arm else { return Err(CalibrateError::Planar(robot.full_name())) };
+    let arm = True::of(robot).ok_or_else(|| CalibrateError::Planar(robot.full_name()))?;
+    let sights = sights(readings)?;
+    let shape = (readings.stands.len(), readings.points);
+    let lines: Vec<usize> = readings.rows.iter().map(|row| row.line).collect();
+    let start = robust::start(&arm, &sights, shape, robust::SUBSETS).ok_or(CalibrateError::Undetermined)?;
+    watch.go_on()?;
+    if MOST_OFF < start.1 {
+        let suspect = suspects::suspect(&arm, &sights, shape, (start.1, &lines));
+        return Err(CalibrateError::NotThisArm { median_mm: start.1 * 1e3, suspect });
+    }
+    let as_drawn = start.1;
+    let sound = robust::sound(&arm, sights.clone(), shape, start);
+    watch.go_on()?;
+    let of: usize = sights.iter().map(|sight| sight.points.iter().flatten().count()).sum();
+    if robust::MOST_WRONG * (of as f64) < sound.wrong.len() as f64 {
+        let suspect = suspects::suspect(&arm, &sights, shape, (as_drawn, &lines));
+        return Err(CalibrateError::TooManyWrong { wrong: sound.wrong.len(), of, suspect });
+    }
+    let rows = Rows { arm: &arm, sights: sound.sights.clone(), stands: shape.0, points: shape.1, lever: sound.lever };
+    let mut fits = Vec::new();
+    for level in std::iter::once(None).chain(Level::ALL.map(Some)) {
+        watch.go_on()?;
+        let fitted = rows.fitted(level, &sound.state, sound.noise).ok_or(CalibrateError::Undetermined)?;
+        let out = left_out::left_out(&rows, &fitted);
+        fits.push((fitted, out));
+    }
+    let by_evidence = |a: &&(Fitted, Option<f64>), b: &&(Fitted, Option<f64>)| a.0.evidence.total_cmp(&b.0.evidence);
+    let is_asked = |fit: &&(Fitted, Option<f64>)| {
+        fit.0.level.is_some() && options.level.is_none_or(|level| fit.0.level == Some(level))
+    };
+    let (best, out) = fits.iter().filter(is_asked).max_by(by_evidence).ok_or(CalibrateError::Undetermined)?;
+    let near = options.at.map(|at| (Vector3::from(at), 0.25));
+    let at_work = at_work::at_work(&rows, best, *out, &at_work::postures(&rows, limits, near));
+    let deviation = |i: usize| best.prior[i] * (1.0 - best.share[i]).max(0.0).sqrt();
+    Ok(Calibrated {
+        level: best.level.ok_or(CalibrateError::Undetermined)?,
+        levels: fits.iter().map(|(fitted, out)| level_fit(fitted, *out)).collect(),
+        errors: Errors::of(&best.state.parameters),
+        deviations: Errors::of(&(0..errors::ALL).map(deviation).collect::<Vec<_>>()),
+        shown: Errors::of(&best.share),
+        wrong_rows: wrong_rows(&sound.wrong, &sights, &lines),
+        tracker_in_base: best.state.bases.iter().map(Pose::inverse).collect(),
+        points: best.state.points.clone(),
+        rows: offs((&fits[0].0, best), &sound.index, &lines),
+        narrow: narrow(&sights, limits),
+        at_work,
+    })
+}
+
+fn sights(readings: &Readings) -> Result<Vec<Sight>, CalibrateError> {
+    /// Of the widest spread: below it points are on a line.
+    const FLAT: f64 = 1e-3;
+    let rows = &readings.rows;
+    if rows.len() < LEAST_ROWS {
+        return Err(CalibrateError::TooFew(rows.len()));
+    }
+    if let Some(j) = (0..readings.points).find(|&j| rows.iter().all(|row| row.points[j].is_none())) {
+        return Err(CalibrateError::Unseen(j + 1));
+    }
+    let is_oriented = rows.iter().any(|row| row.orientation.is_some());
+    for stand in (0..readings.stands.len()).filter(|_| !is_oriented) {
+        let seen: Vec<Vector3<f64>> =
+            rows.iter().filter(|row| row.stand == stand).flat_map(|row| row.points.iter().flatten().copied()).collect();
+        let centre = seen.iter().sum::<Vector3<f64>>() / seen.len() as f64;
+        let spread =
+            seen.iter().fold(nalgebra::Matrix3::zeros(), |sum, at| sum + (at - centre) * (at - centre).transpose());
+        let mut along = spread.symmetric_eigenvalues().map(|x| (x.max(0.0) / seen.len() as f64).sqrt());
+        along.as_mut_slice().sort_by(f64::total_cmp);
+        if along[1] <= FLAT * along[2] {
+            return Err(CalibrateError::OneLine { spread_mm: along[1] * 1e3 });
+        }
+    }
+    Ok(rows
+        .iter()
+        .map(|row| Sight {
+            q: row.q,
+            points: row.points.iter().map(|point| point.map(|at| (at, 1.0))).collect(),
+            orientation: row.orientation,
+            stand: row.stand,
+        })
+        .collect())
+}
+
+fn level_fit(fitted: &Fitted, left_out: Option<f64>) -> LevelFit {
+    let mut off: Vec<f64> = robust::distances(&fitted.rows).into_iter().map(|(_, _, off)| off).collect();
+    off.sort_by(f64::total_cmp);
+    let at = |share: f64| off[((off.len() as f64 * share) as usize).min(off.len() - 1)];
+    LevelFit {
+        level: fitted.level,
+        rms: (off.iter().map(|x| x * x).sum::<f64>() / off.len() as f64).sqrt(),
+        median: at(0.5),
+        p95: at(0.95),
+        largest: off.last().copied().unwrap_or(0.0),
+        left_out,
+        evidence: fitted.evidence,
+        shown: fitted.shown,
+    }
+}
+
+/// Points of a row that all are wrong are told as one.
+fn wrong_rows(wrong: &[(usize, usize, f64)], sights: &[Sight], lines: &[usize]) -> Vec<WrongRow> {
+    let mut found: Vec<WrongRow> = Vec::new();
+    for (row, point, distance) in wrong {
+        let of_row = wrong.iter().filter(|(other, _, _)| other == row);
+        let is_whole = of_row.count() == sights[*row].points.iter().flatten().count();
+        let line = lines[*row];
+        match found.last_mut().filter(|last| is_whole && last.line == line) {
+            Some(last) => last.distance = last.distance.max(*distance),
+            None => found.push(WrongRow { line, point: if is_whole { 0 } else { point + 1 }, distance: *distance }),
+        }
+    }
+    found
+}
+
+fn offs((before, after): (&Fitted, &Fitted), index: &[usize], lines: &[usize]) -> Vec<Off> {
+    let largest = |fitted: &Fitted| {
+        let mut of = vec![0.0_f64; index.len()];
+        for (row, _, off) in robust::distances(&fitted.rows) {
+            of[row] = of[row].max(off);
+        }
+        of
+    };
+    let (before, after) = (largest(before), largest(after));
+    index.iter().enumerate().map(|(i, &row)| Off { line: lines[row], before: before[i], after: after[i] }).collect()
+}
+
+/// Joints that moved little, with the share of their range.
+fn narrow(sights: &[Sight], limits: &Limits) -> Vec<(usize, f64)> {
+    const LITTLE: f64 = 1.0 / 3.0;
+    let share = |i: usize| {
+        let angles = sights.iter().map(|sight| sight.q[i]);
+        let moved = angles.clone().fold(f64::NEG_INFINITY, f64::max) - angles.fold(f64::INFINITY, f64::min);
+        // More than a turn shows nothing that a turn does not.
+        moved / limits.joints[i].width().min(std::f64::consts::TAU)
+    };
+    (0..6).map(|i| (i + 1, share(i))).filter(|(_, share)| *share < LITTLE).collect()
+}
+
+impl Calibrated {
+    /// The fit of the level taken.
+    pub fn taken(&self) -> &LevelFit {
+        let taken = self.levels.iter().find(|fit| fit.level == Some(self.level));
+        taken.unwrap_or(&self.levels[0])
+    }
+
+    /// The robot that has what was found.
+    #[must_use]
+    pub fn written(&self, robot: &Robot, date: &str, source: &str) -> Robot {
+        let mut changed = robot.clone();
+        let taken = self.taken();
+        changed.calibration = Some(Calibration {
+            errors: self.errors.clone(),
+            residual: taken.rms,
+            left_out: taken.left_out.unwrap_or(taken.rms),
+            rows: self.rows.len(),
+            date: date.into(),
+            source: source.into(),
+        });
+        changed
+    }
+}

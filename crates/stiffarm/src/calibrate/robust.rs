@@ -1,0 +1,168 @@
+//! Which rows are wrong? A start by random subsets, weights of Student's t, and what is left beyond five robust sigma.
+
+use nalgebra::Vector3;
+
+use super::errors::True;
+use super::fit::Rows;
+use super::level::Level;
+use crate::registration::{Linear, Sight, State};
+
+/// Degrees of freedom of Student's t.
+const FREEDOM: f64 = 4.0;
+/// A distance beyond so many robust standard deviations is wrong.
+const WRONG: f64 = 5.0;
+/// The median distance of three normal coordinates of deviation 1: the root of the median of chi squared with 3 degrees of freedom.
+const MEDIAN: f64 = 1.538_172;
+/// m: what is no more off is not wrong, however well all else fits.
+const LEAST_WRONG: f64 = 20e-6;
+/// Of the rows, at most so many are left out.
+pub(super) const MOST_WRONG: f64 = 1.0 / 3.0;
+
+/// A point of a row that is left out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WrongRow {
+    /// Its line in the file.
+    pub line: usize,
+    /// Which point, from 1; 0 where all of the row is wrong.
+    pub point: usize,
+    /// How far it is off, m.
+    pub distance: f64,
+}
+
+/// Subsets that are tried: with a third of rows wrong one of eight is right, so that none is with a chance of 3e-5.
+pub(super) const SUBSETS: usize = 80;
+
+/// Rows with their weights, those that are wrong left out.
+pub(super) struct Sound {
+    pub(super) sights: Vec<Sight>,
+    pub(super) state: State,
+    pub(super) noise: f64,
+    pub(super) lever: f64,
+    /// Which row of the table each of `sights` is; rows without a sound point are left out.
+    pub(super) index: Vec<usize>,
+    /// Row of the table and point of each that is left out, with its distance, m.
+    pub(super) wrong: Vec<(usize, usize, f64)>,
+}
+
+/// A state as drawn that most rows agree with: the best of random subsets by the median of distances.
+pub(super) fn start(
+    arm: &True,
+    sights: &[Sight],
+    (stands, points): (usize, usize),
+    subsets: usize,
+) -> Option<(State, f64)> {
+    const OF: usize = 5;
+    /// Rows by which subsets are judged.
+    const JUDGES: usize = 200;
+    let mut rng = fastrand::Rng::with_seed(38);
+    let by_stand: Vec<Vec<usize>> =
+        (0..stands).map(|stand| (0..sights.len()).filter(|&i| sights[i].stand == stand).collect()).collect();
+    let step = sights.len().div_ceil(JUDGES);
+    let judges: Vec<Sight> = sights.iter().step_by(step).cloned().collect();
+    let rows = |sights: Vec<Sight>| Rows { arm, sights, stands, points, lever: 0.3 };
+    let judging = rows(judges);
+    let mut best: Option<(State, f64)> = None;
+    for _ in 0..subsets {
+        let mut chosen = Vec::new();
+        for stand in &by_stand {
+            let mut some = stand.clone();
+            rng.shuffle(&mut some);
+            chosen.extend(some.into_iter().take(OF));
+        }
+        let subset: Vec<Sight> = chosen.into_iter().map(|i| sights[i].clone()).collect();
+        if (0..points).any(|j| subset.iter().all(|sight| sight.points[j].is_none())) {
+            continue;
+        }
+        let state = rows(subset).start();
+        let off = median(distances(&judging.drawn(&state)).into_iter().map(|(_, _, off)| off).collect());
+        if off.is_finite() && best.as_ref().is_none_or(|(_, least)| off < *least) {
+            best = Some((state, off));
+        }
+    }
+    best
+}
+
+/// Weights, noise and wrong rows under the level that has the arm's weight.
+pub(super) fn sound(arm: &True, sights: Vec<Sight>, (stands, points): (usize, usize), start: (State, f64)) -> Sound {
+    const ROUNDS: usize = 25;
+    let all = sights.clone();
+    let mut rows = Rows { arm, sights, stands, points, lever: 0.3 };
+    let (mut state, off) = start;
+    let mut noise = (off / MEDIAN).max(1e-6);
+    let prior = Level::Weight.prior(0.7e-3);
+    for _ in 0..ROUNDS {
+        let off = rows_distances(&rows, &state, &all);
+        weigh(&mut rows.sights, &all, &off, noise);
+        let (next, linear) = rows.solved(state, &prior, noise);
+        state = next;
+        let off = distances(&linear);
+        let next_noise = (median(off.iter().map(|(_, _, off)| *off).collect()) / MEDIAN).max(1e-7);
+        rows.lever = balanced(&linear, rows.lever, next_noise);
+        let is_settled = (next_noise / noise - 1.0).abs() < 1e-3;
+        noise = next_noise;
+        if is_settled {
+            break;
+        }
+    }
+    let off = rows_distances(&rows, &state, &all);
+    let limit = (WRONG * noise).max(LEAST_WRONG);
+    let wrong: Vec<(usize, usize, f64)> = off.iter().copied().filter(|(_, _, off)| !(*off <= limit)).collect();
+    let mut kept = all.clone();
+    weigh(&mut kept, &all, &off, noise);
+    for (row, point, _) in &wrong {
+        kept[*row].points[*point] = None;
+    }
+    let index: Vec<usize> = (0..kept.len()).filter(|&i| kept[i].points.iter().any(Option::is_some)).collect();
+    let sights = index.iter().map(|&i| kept[i].clone()).collect();
+    Sound { sights, state, noise, lever: rows.lever, index, wrong }
+}
+
+/// Row, point and distance of every point.
+fn rows_distances(rows: &Rows, state: &State, all: &[Sight]) -> Vec<(usize, usize, f64)> {
+    let of_all =
+        Rows { arm: rows.arm, sights: all.to_vec(), stands: rows.stands, points: rows.points, lever: rows.lever };
+    distances(&of_all.linear(state))
+}
+
+/// The same of rows as they stand about a state.
+pub(super) fn distances(rows: &[Linear]) -> Vec<(usize, usize, f64)> {
+    let of_row = |(i, row): (usize, &Linear)| {
+        let each = row.of.iter().enumerate().filter_map(|(block, point)| {
+            let off: Vector3<f64> = row.residual.fixed_rows::<3>(3 * block).into();
+            Some((i, (*point)?, off.norm()))
+        });
+        each.collect::<Vec<_>>()
+    };
+    rows.iter().enumerate().flat_map(of_row).collect()
+}
+
+/// Student's weights: `(nu + 3) / (nu + |r|^2 / s^2)`.
+fn weigh(sights: &mut [Sight], all: &[Sight], off: &[(usize, usize, f64)], noise: f64) {
+    for (row, point, distance) in off {
+        let weight = (FREEDOM + 3.0) / (FREEDOM + (distance / noise).powi(2));
+        sights[*row].points[*point] = all[*row].points[*point].map(|(at, _)| (at, weight));
+    }
+}
+
+/// The lever with which orientations are off by as much as points.
+fn balanced(rows: &[Linear], lever: f64, noise: f64) -> f64 {
+    /// m.
+    const WITHIN: [f64; 2] = [0.02, 3.0];
+    let turns = rows.iter().flat_map(|row| {
+        row.of.iter().enumerate().filter(|(_, point)| point.is_none()).map(|(block, _)| {
+            let off: Vector3<f64> = row.residual.fixed_rows::<3>(3 * block).into();
+            off.norm()
+        })
+    });
+    let turns: Vec<f64> = turns.collect();
+    if turns.is_empty() {
+        return lever;
+    }
+    let off = median(turns) / MEDIAN / lever;
+    (noise / off.max(1e-9)).clamp(WITHIN[0], WITHIN[1])
+}
+
+pub(super) fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::INFINITY)
+}

@@ -1,0 +1,300 @@
+//! How does an arm stand before whoever sees it? The base in the frame of the instrument, the points that are looked at on the
+//! flange, and what is unknown of the arm itself: nonlinear least squares with a normal prior.
+//!
+//! Of row `k` the point `j` is expected at `B F_k(x) t_j` and the tool stands as `R_B R_F R_T`, with the base `B` of the row's stand, the
+//! flange `F_k` in the base, the points `t_j` and the turn `R_T` of the tool in the flange, and parameters `x` of the arm with the prior
+//! precisions `lambda`. Least is
+//!
+//! `sum w |p - B F t|^2 + sum w h^2 |log(R_T' R_F' R_B' R)|^2 + sum lambda x^2`
+//!
+//! with the lever `h` that makes a turn a length.
+
+use nalgebra::{DMatrix, DVector, Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
+
+use crate::spatial::Pose;
+
+/// What was seen at one posture.
+#[derive(Clone, Debug)]
+pub(crate) struct Sight {
+    pub q: [f64; 6],
+    /// Each point, m, with its weight.
+    pub points: Vec<Option<(Vector3<f64>, f64)>>,
+    pub orientation: Option<UnitQuaternion<f64>>,
+    pub stand: usize,
+}
+
+/// The flange in the base, and how a unit of each parameter moves it.
+pub(crate) struct Chain {
+    pub flange: Pose,
+    /// Velocity of what stands at the base's origin, and angular velocity; base axes.
+    pub twists: Vec<[Vector3<f64>; 2]>,
+}
+
+/// What is unknown, and what it rests on.
+pub(crate) struct Problem<'a> {
+    pub sights: &'a [Sight],
+    pub stands: usize,
+    pub points: usize,
+    /// m: so far a radian of the tool's turn counts.
+    pub lever: f64,
+    /// The base in the frame of the readings, where it is given.
+    pub base: Option<Pose>,
+    /// The tool in the flange, where it is given.
+    pub tool: Option<Pose>,
+    /// Of each parameter, in parts of the squared residual; infinite holds it at zero.
+    pub precision: Vec<f64>,
+    pub chain: &'a (dyn Fn(&[f64], &[f64; 6]) -> Chain + Sync),
+}
+
+/// What was found of it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct State {
+    pub bases: Vec<Pose>,
+    pub points: Vec<Vector3<f64>>,
+    pub turn: UnitQuaternion<f64>,
+    pub parameters: Vec<f64>,
+}
+
+/// A row in the neighbourhood of a state: residuals, `seen - expected`, and how the unknowns move what is expected.
+pub(crate) struct Linear {
+    pub jacobian: DMatrix<f64>,
+    pub residual: DVector<f64>,
+    pub weight: DVector<f64>,
+    /// Which point three residuals are of; `None` of the orientation.
+    pub of: Vec<Option<usize>>,
+}
+
+impl Problem<'_> {
+    pub(crate) fn unknowns(&self) -> usize {
+        self.first_parameter() + self.precision.len()
+    }
+
+    /// Six of each base, three of each point, three of the turn, then the parameters.
+    pub(crate) fn first_parameter(&self) -> usize {
+        6 * self.stands + 3 * self.points + 3
+    }
+
+    fn is_oriented(&self) -> bool {
+        self.sights.iter().any(|sight| sight.orientation.is_some())
+    }
+
+    /// Which unknowns are not looked for.
+    fn is_held(&self, i: usize) -> bool {
+        let points = 6 * self.stands;
+        if i < points {
+            return self.base.is_some();
+        }
+        if i < self.first_parameter() {
+            return self.tool.is_some() || (points + 3 * self.points <= i && !self.is_oriented());
+        }
+        self.precision[i - self.first_parameter()].is_infinite()
+    }
+
+    /// The rows about a state.
+    pub(crate) fn linear(&self, state: &State) -> Vec<Linear> {
+        self.sights.iter().map(|sight| self.row(sight, state)).collect()
+    }
+
+    fn row(&self, sight: &Sight, state: &State) -> Linear {
+        let Chain { flange, twists } = (self.chain)(&state.parameters, &sight.q);
+        let base = &state.bases[sight.stand];
+        let turn = base.rotation * flange.rotation;
+        let seen: Vec<(usize, Vector3<f64>, f64)> =
+            sight.points.iter().enumerate().filter_map(|(i, at)| at.map(|(at, weight)| (i, at, weight))).collect();
+        let blocks = seen.len() + usize::from(sight.orientation.is_some());
+        let mut jacobian = DMatrix::zeros(3 * blocks, self.unknowns());
+        let (mut residual, mut weight) = (DVector::zeros(3 * blocks), DVector::zeros(3 * blocks));
+        let (to_base, to_points, to_turn) = (6 * sight.stand, 6 * self.stands, 6 * self.stands + 3 * self.points);
+        let first = self.first_parameter();
+        let mut of = Vec::with_capacity(blocks);
+        for (block, (i, at, w)) in seen.into_iter().enumerate() {
+            let in_base = flange * nalgebra::Point3::from(state.points[i]);
+            let arm = base.rotation * in_base.coords;
+            let rows = 3 * block;
+            residual.fixed_rows_mut::<3>(rows).copy_from(&(at - (base.translation.vector + arm)));
+            weight.fixed_rows_mut::<3>(rows).fill(w);
+            jacobian.fixed_view_mut::<3, 3>(rows, to_base).copy_from(&Matrix3::identity());
+            jacobian.fixed_view_mut::<3, 3>(rows, to_base + 3).copy_from(&-arm.cross_matrix());
+            jacobian.fixed_view_mut::<3, 3>(rows, to_points + 3 * i).copy_from(turn.to_rotation_matrix().matrix());
+            for (column, [v, w]) in twists.iter().enumerate() {
+                let moved = base.rotation * (v + w.cross(&in_base.coords));
+                jacobian.fixed_view_mut::<3, 1>(rows, first + column).copy_from(&moved);
+            }
+            of.push(Some(i));
+        }
+        if let Some(orientation) = sight.orientation {
+            let rows = 3 * of.len();
+            let expected = turn * state.turn;
+            residual
+                .fixed_rows_mut::<3>(rows)
+                .copy_from(&(self.lever * (orientation * expected.inverse()).scaled_axis()));
+            let least = sight.points.iter().flatten().map(|(_, weight)| *weight).fold(f64::INFINITY, f64::min);
+            weight.fixed_rows_mut::<3>(rows).fill(least);
+            jacobian.fixed_view_mut::<3, 3>(rows, to_base + 3).copy_from(&(self.lever * Matrix3::identity()));
+            jacobian
+                .fixed_view_mut::<3, 3>(rows, to_turn)
+                .copy_from(&(self.lever * turn.to_rotation_matrix().matrix()));
+            for (column, [_, w]) in twists.iter().enumerate() {
+                jacobian.fixed_view_mut::<3, 1>(rows, first + column).copy_from(&(self.lever * (base.rotation * w)));
+            }
+            of.push(None);
+        }
+        for held in (0..self.unknowns()).filter(|&i| self.is_held(i)) {
+            jacobian.column_mut(held).fill(0.0);
+        }
+        Linear { jacobian, residual, weight, of }
+    }
+
+    /// What is to be least.
+    pub(crate) fn cost(&self, rows: &[Linear], state: &State) -> f64 {
+        let seen: f64 = rows.iter().map(|row| row.residual.component_mul(&row.residual).dot(&row.weight)).sum();
+        let prior = state.parameters.iter().zip(&self.precision).filter(|(_, precision)| precision.is_finite());
+        seen + prior.map(|(x, precision)| precision * x * x).sum::<f64>()
+    }
+
+    /// `H = J' W J + lambda` and `J' W r - lambda x`; what is held has 1 on the diagonal and nothing else.
+    pub(crate) fn normal<'r>(
+        &self,
+        rows: impl Iterator<Item = &'r Linear>,
+        state: &State,
+    ) -> (DMatrix<f64>, DVector<f64>) {
+        let n = self.unknowns();
+        let (mut h, mut g) = (DMatrix::zeros(n, n), DVector::zeros(n));
+        for row in rows {
+            let mut weighted = row.jacobian.clone();
+            for (mut line, weight) in weighted.row_iter_mut().zip(row.weight.iter()) {
+                line *= *weight;
+            }
+            h.gemm_tr(1.0, &row.jacobian, &weighted, 1.0);
+            g.gemv_tr(1.0, &weighted, &row.residual, 1.0);
+        }
+        for i in 0..n {
+            if self.is_held(i) {
+                h[(i, i)] = 1.0;
+            } else if let Some(parameter) = i.checked_sub(self.first_parameter()) {
+                h[(i, i)] += self.precision[parameter];
+                g[i] -= self.precision[parameter] * state.parameters[parameter];
+            }
+        }
+        (h, g)
+    }
+
+    /// The state that a step leads to.
+    pub(crate) fn moved(&self, state: &State, step: &DVector<f64>) -> State {
+        let three = |at: usize| -> Vector3<f64> { step.fixed_rows::<3>(at).into() };
+        let bases = state.bases.iter().enumerate().map(|(i, base)| {
+            let turn = UnitQuaternion::new(three(6 * i + 3)) * base.rotation;
+            Isometry3::from_parts(Translation3::from(base.translation.vector + three(6 * i)), turn)
+        });
+        let points = state.points.iter().enumerate().map(|(i, point)| point + three(6 * self.stands + 3 * i));
+        let parameters = state.parameters.iter().enumerate().map(|(i, x)| x + step[self.first_parameter() + i]);
+        State {
+            bases: bases.collect(),
+            points: points.collect(),
+            turn: UnitQuaternion::new(three(6 * self.stands + 3 * self.points)) * state.turn,
+            parameters: parameters.collect(),
+        }
+    }
+
+    /// The least from a start, by Levenberg's and Marquardt's steps, with its rows.
+    pub(crate) fn solved(&self, mut state: State) -> (State, Vec<Linear>) {
+        /// Of steps.
+        const MOST: usize = 60;
+        /// Of the cost: what is gained by less is rounding.
+        const GAIN: f64 = 1e-13;
+        /// m and rad: a step below this moves nothing that is seen.
+        const STEP: f64 = 1e-13;
+        let mut rows = self.linear(&state);
+        let mut cost = self.cost(&rows, &state);
+        let mut damping = 1e-6;
+        for _ in 0..MOST {
+            let (h, g) = self.normal(rows.iter(), &state);
+            let Some(step) = damped(&h, &g, damping) else {
+                damping = (damping * 10.0_f64).max(1e-9);
+                continue;
+            };
+            let next = self.moved(&state, &step);
+            let next_rows = self.linear(&next);
+            let next_cost = self.cost(&next_rows, &next);
+            if next_cost <= cost {
+                let ended = cost - next_cost <= GAIN * cost && damping < 1e-3 || step.amax() < STEP;
+                (state, rows, cost) = (next, next_rows, next_cost);
+                damping = (damping / 20.0).max(1e-14);
+                if ended {
+                    break;
+                }
+            } else if step.amax() < STEP || 1e8 < damping {
+                break;
+            } else {
+                damping *= 10.0;
+            }
+        }
+        (state, rows)
+    }
+
+    /// A state to start from: the base by the flange's places alone, then the points and the turn of the tool by their means.
+    pub(crate) fn start(&self, parameters: Vec<f64>, point: Vector3<f64>) -> State {
+        let flanges: Vec<Pose> = self.sights.iter().map(|sight| (self.chain)(&parameters, &sight.q).flange).collect();
+        let centre = |sight: &Sight| {
+            let seen: Vec<Vector3<f64>> = sight.points.iter().flatten().map(|(at, _)| *at).collect();
+            seen.iter().sum::<Vector3<f64>>() / seen.len() as f64
+        };
+        let bases: Vec<Pose> = (0..self.stands)
+            .map(|stand| {
+                self.base.unwrap_or_else(|| {
+                    let rows = self.sights.iter().zip(&flanges).filter(|(sight, _)| sight.stand == stand);
+                    let pairs = rows.map(|(sight, flange)| (flange * nalgebra::Point3::from(point), centre(sight)));
+                    onto(&pairs.map(|(from, to)| (from.coords, to)).collect::<Vec<_>>())
+                })
+            })
+            .collect();
+        let frames = |i: usize| bases[self.sights[i].stand] * flanges[i];
+        let points = (0..self.points).map(|j| {
+            let seen = self.sights.iter().enumerate().filter_map(|(i, sight)| {
+                sight.points[j].map(|(at, _)| frames(i).inverse_transform_point(&at.into()).coords)
+            });
+            let seen: Vec<Vector3<f64>> = seen.collect();
+            seen.iter().sum::<Vector3<f64>>() / seen.len().max(1) as f64
+        });
+        let turns = self
+            .sights
+            .iter()
+            .enumerate()
+            .filter_map(|(i, sight)| Some(frames(i).rotation.inverse() * sight.orientation?));
+        let sum = turns.fold(Matrix3::zeros(), |sum, turn| sum + turn.to_rotation_matrix().matrix());
+        let (points, turn) = match &self.tool {
+            Some(tool) => (vec![tool.translation.vector; self.points], tool.rotation),
+            None => (points.collect(), nearest(&sum)),
+        };
+        State { bases, points, turn, parameters }
+    }
+}
+
+fn damped(h: &DMatrix<f64>, g: &DVector<f64>, damping: f64) -> Option<DVector<f64>> {
+    let mut h = h.clone();
+    let floor = 1e-12 * h.diagonal().max();
+    for i in 0..h.nrows() {
+        h[(i, i)] += damping * h[(i, i)] + 1e-3 * damping.min(1e-6) * floor + f64::MIN_POSITIVE;
+    }
+    let step = h.cholesky()?.solve(g);
+    step.iter().all(|x| x.is_finite()).then_some(step)
+}
+
+/// The rotation nearest to a matrix: `U diag(1, 1, det U V') V'`.
+pub(crate) fn nearest(matrix: &Matrix3<f64>) -> UnitQuaternion<f64> {
+    let svd = matrix.svd(true, true);
+    let (Some(u), Some(vt)) = (svd.u, svd.v_t) else { return UnitQuaternion::identity() };
+    let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, (u * vt).determinant().signum()));
+    let rotation = nalgebra::Rotation3::from_matrix_unchecked(u * mirror * vt);
+    UnitQuaternion::from_rotation_matrix(&rotation)
+}
+
+/// The pose that leads points onto others with the least sum of squares (Kabsch).
+pub(crate) fn onto(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Pose {
+    let n = pairs.len().max(1) as f64;
+    let from = pairs.iter().map(|(from, _)| from).sum::<Vector3<f64>>() / n;
+    let to = pairs.iter().map(|(_, to)| to).sum::<Vector3<f64>>() / n;
+    let turns = pairs.iter().fold(Matrix3::zeros(), |sum, (a, b)| sum + (b - to) * (a - from).transpose());
+    let turn = nearest(&turns);
+    Isometry3::from_parts(Translation3::from(to - turn * from), turn)
+}

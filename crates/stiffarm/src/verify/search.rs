@@ -1,0 +1,106 @@
+//! Which way of counting joints do readings fit, where that of the robot file does not?
+
+use std::f64::consts::FRAC_PI_2;
+
+use rayon::prelude::*;
+
+use super::Convention;
+use super::fit::{Fit, Table};
+use crate::geometry::Geometry;
+use crate::watch::{Stopped, Watch};
+
+/// rad: a zero that is found so near a quarter turn from the file's is there.
+const NEAR: f64 = 0.02;
+/// Rows by which it is looked for.
+const ROWS: usize = 30;
+/// So many are refined after a first glance.
+const REFINED: usize = 40;
+/// So many of them with their zeros.
+const ZEROED: usize = 12;
+
+/// The ways of counting that fit best, in no order.
+///
+/// # Errors
+/// Where nobody waits any longer.
+pub(super) fn best(table: &Table, geometry: &Geometry, file: &Convention, watch: Watch) -> Result<Vec<Fit>, Stopped> {
+    let all = table;
+    let table = &all.thinned(ROWS);
+    let free = table.free();
+    let near = [file.clone(), file.with_third(0.0)];
+    let mut found: Vec<Fit> =
+        near.iter().map(|convention| settled(table, geometry, (convention, file), &free)).collect();
+    if !found.iter().any(Fit::agrees) {
+        watch.go_on()?;
+        let mut glances: Vec<(f64, Convention)> =
+            (every(file).into_par_iter()).map(|convention| (table.glance(geometry, &convention), convention)).collect();
+        watch.go_on()?;
+        glances.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let refined = glances.par_iter().take(REFINED).map(|(_, convention)| table.fit(geometry, convention, &[]));
+        let mut refined: Vec<Fit> = refined.collect();
+        refined.sort_by(|a, b| a.rms.total_cmp(&b.rms));
+        watch.go_on()?;
+        let settled =
+            refined.par_iter().take(ZEROED).map(|fit| settled(table, geometry, (&fit.convention, file), &free));
+        found.extend(settled.collect::<Vec<_>>());
+    }
+    if !found.iter().any(Fit::agrees) {
+        let carried = near.iter().flat_map(|convention| {
+            let each = carried();
+            each.into_iter().map(|carried| Convention { carried, ..convention.clone() })
+        });
+        let carried: Vec<Convention> = carried.collect();
+        watch.go_on()?;
+        found.extend(
+            carried
+                .par_iter()
+                .map(|convention| settled(table, geometry, (convention, file), &free))
+                .collect::<Vec<_>>(),
+        );
+    }
+    if table.len() < all.len() {
+        found = found.iter().map(|fit| all.fit(geometry, &fit.convention, &[])).collect();
+    }
+    Ok(found)
+}
+
+/// With its zeros fitted, and those that fit as well a quarter turn from the file's put there.
+fn settled(table: &Table, geometry: &Geometry, (convention, file): (&Convention, &Convention), free: &[usize]) -> Fit {
+    let fitted = table.fit(geometry, convention, free);
+    let mut rounded = fitted.convention.clone();
+    for &i in free {
+        let away = rounded.offset[i] - file.offset[i];
+        let quarter = (away / FRAC_PI_2).round() * FRAC_PI_2;
+        if (away - quarter).abs() < NEAR {
+            rounded.offset[i] = file.offset[i] + quarter;
+        }
+    }
+    let held = table.fit(geometry, &rounded, &[]);
+    if held.agrees() { held } else { fitted }
+}
+
+/// Every sign of every joint, both lines of joint 3, and quarter turns of the joints 2, 3 and 5.
+fn every(file: &Convention) -> Vec<Convention> {
+    let mut all = Vec::new();
+    for third in [file.clone(), file.with_third(0.0)] {
+        for signs in 0..64_u32 {
+            for quarters in 0..64_u32 {
+                let mut one = third.clone();
+                for i in 0..6 {
+                    one.sign[i] *= if signs >> i & 1 == 1 { -1.0 } else { 1.0 };
+                }
+                for (place, joint) in [1, 2, 4].into_iter().enumerate() {
+                    one.offset[joint] += f64::from(quarters >> (2 * place) & 3) * FRAC_PI_2;
+                }
+                all.push(one);
+            }
+        }
+    }
+    all
+}
+
+/// Every way in which joints of a wrist carry others along, one turn for one.
+fn carried() -> Vec<[f64; 3]> {
+    let part = |place: u32, number: u32| f64::from(number / 3_u32.pow(place) % 3) - 1.0;
+    let all = (0..27).map(|number| std::array::from_fn(|place| part(place as u32, number)));
+    all.filter(|carried| *carried != [0.0; 3]).collect()
+}
