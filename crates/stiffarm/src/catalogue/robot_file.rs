@@ -125,7 +125,9 @@ fn robot(mut root: Table) -> Option<Robot> {
     let source: BTreeMap<String, String> = root.table("source").texts();
     let mut masses = Some(Vec::new());
     let arm = if root.has("planar") {
-        for key in ["geometry", "limits", "compliance", "compensator", "body", "verified", "mass", "drives", "calibration"] {
+        for key in
+            ["geometry", "limits", "compliance", "compensator", "body", "verified", "mass", "drives", "calibration"]
+        {
             if root.has(key) {
                 root.fault(key, "does not go with [planar]; a robot has either [planar] or [geometry] and [limits]");
             }
@@ -152,7 +154,18 @@ fn robot(mut root: Table) -> Option<Robot> {
         _ => Some(None),
     };
     let body = if root.has("body") { body(root.table("body")) } else { Some(None) };
-    root.finish(&["geometry", "limits", "compliance", "compensator", "body", "planar", "verified", "mass", "drives", "calibration"]);
+    root.finish(&[
+        "geometry",
+        "limits",
+        "compliance",
+        "compensator",
+        "body",
+        "planar",
+        "verified",
+        "mass",
+        "drives",
+        "calibration",
+    ]);
     let vendor = vendor.unwrap_or_default();
     let (arm, stiffness_is_assumed) = arm?;
     Some(Robot {
