@@ -171,6 +171,25 @@ fn no_allowed_place_by_chance_is_better_than_what_is_proved_in_a_cell() {
     }
 }
 
+/// A box where the best place is: no tip of the path lies in it, nor does any straight way between two of them cross it.
+#[test]
+fn a_path_keeps_out_of_a_box_where_it_would_stand_best() {
+    let base = [("mount", "pedestal:0"), ("within", "1.2..2.0,-0.4..0.4,0.7..0.9")];
+    let free = placed("line:0.1", &base);
+    let at = free.placement.expect("a place");
+    let held = tips(&free, at.at, at.yaw);
+    let middle: [f64; 3] = std::array::from_fn(|i| held.iter().map(|tip| tip[i]).sum::<f64>() / held.len() as f64);
+    let half = [0.06, 0.06, 0.5];
+    let kept =
+        (0..3).map(|i| format!("{}..{}", middle[i] - half[i], middle[i] + half[i])).collect::<Vec<_>>().join(",");
+    let beside = placed("line:0.1", &[&base[..], &[("keep-out", kept.as_str())]].concat());
+    let at = beside.placement.expect("a place");
+    for tip in tips(&beside, at.at, at.yaw) {
+        assert!((0..3).any(|i| half[i] - 1e-6 <= (tip[i] - middle[i]).abs()), "{tip:?} {middle:?}");
+    }
+    assert!(worst(&free) <= worst(&beside) * 1.001);
+}
+
 /// Wherever the samples that stand for this path lead to, some joint would have to jump between two of them. A window that holds less of these places, and
 /// one that holds more, have a place at which the path is followed; so has this one.
 #[test]

@@ -178,13 +178,11 @@ impl ByToolAnswer {
 
     /// What stands below the tables.
     pub fn notes(&self) -> String {
-        let mut notes = String::new();
-        if let Some(reason) = self.reason() {
-            notes += &format!("not followed: {reason}\n");
-        }
-        if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
-            notes += &format!("tolerance {tolerance} mm, all tools: {}\n", verdict.told());
-        }
+        let mut notes = self.reason().map_or_else(String::new, |reason| format!("not followed: {reason}\n"));
+        let verdict = self.tolerance_mm.zip(self.verdict());
+        notes.extend(
+            verdict.map(|(tolerance, verdict)| format!("tolerance {tolerance} mm, all tools: {}\n", verdict.told())),
+        );
         notes.extend(self.remarks.iter().map(|remark| format!("note: {remark}\n")));
         notes.extend(self.sections.first().map(|first| first.milled.notes()));
         notes
