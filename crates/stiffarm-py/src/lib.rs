@@ -58,7 +58,9 @@ mod _stiffarm {
     #[pymodule_export]
     use super::robot::{Robot, robots, select};
     #[pymodule_export]
-    use super::verbs::{compare, distinct, identify, map, measure, order, place, posture, rank, study, validate};
+    use super::verbs::{
+        compare, distinct, identify, map, measure, modes, order, place, posture, rank, study, validate,
+    };
 
     use pyo3::prelude::*;
 

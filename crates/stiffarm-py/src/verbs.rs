@@ -19,7 +19,7 @@ use stiffarm::task::{Task, Zone};
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{
     Cell, ColumnKind, CompareAnswer, ComplianceAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer,
-    PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
+    ModesAnswer, PlaceAnswer, RankAnswer, Rows, StudyAnswer, stiffness, words,
 };
 use stiffarm_ask::request::{self, Request, Verb};
 
@@ -80,6 +80,17 @@ pub(crate) fn posture<'py>(py: Python<'py>, robot: &Robot, joints_deg: [f64; 6],
     let posture = compliance(robot, &joints_deg.map(f64::to_radians), &asked.held().tool()).map_err(of(robot))?;
     let answer = ComplianceAnswer { robot: robot.clone(), joints_deg, posture, load: asked.posture_load() };
     to_python(py, &answer.json())
+}
+
+/// How an arm swings at one posture: the answer, and a row a mode.
+#[pyfunction]
+pub(crate) fn modes<'py>(py: Python<'py>, robot: &Robot, joints_deg: [f64; 6], asked: Asked) -> WithColumns<'py> {
+    let asked = asked.of(Verb::Modes)?;
+    let robot = &asked.equipped(robot.0.clone()).map_err(refused)?;
+    let (tool, damping) = (asked.held_tool().map_err(refused)?, asked.damping());
+    let swing = stiffarm::modes::modes(robot, &joints_deg.map(f64::to_radians), &tool, damping).map_err(of(robot))?;
+    let answer = ModesAnswer { robot: robot.clone(), joints_deg, tool, damping, count: asked.mode_count(), swing };
+    Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 
 /// The best place of one zone, with what its tolerance says of force, stiffness and size where that is wanted.

@@ -141,6 +141,14 @@ def test_identification(program):
         stiffarm.identify(frame.assign(fy_n=[1, 2, np.nan, *frame.fy_n[3:]]), robot=robot)
 
 
+def test_modes(program):
+    words = ("--joints-deg", "0,-90,90,0,45,0", "--tool-mass-kg", "60", "--tool-com-mm", "0,0,200", "--stiffness", "prior")
+    found = stiffarm.modes("KR 210 R2700-2", joints_deg=(0, -90, 90, 0, 45, 0), tool_mass_kg=60, tool_com_mm=(0, 0, 200), stiffness="prior")
+    assert found.to_dict() == program("modes", "KR 210 R2700-2", *words) and 1 < len(found) <= 6
+    with pytest.raises(stiffarm.StiffarmError, match="mass"):
+        stiffarm.modes("BT200L", joints_deg=[0] * 6)
+
+
 def test_plans_of_measurements(program, tmp_path):
     words = ["--loads", "down,left", "--runs", "8", "--candidates", "400", "--load-mm", "0,50,200"]
     found = stiffarm.measure("KR 210 R2700 extra", loads=["down", "left"], runs=8, candidates=400, load_mm=(0, 50, 200))

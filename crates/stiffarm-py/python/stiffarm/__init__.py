@@ -11,6 +11,7 @@ A robot and a task go in; each verb is one function:
 `compare`      which of two setups is better, and is that proved?
 `identify`     how stiff are the drives, by measured deflections?
 `measure`      which postures and loads must be measured for that?
+`modes`        how does an arm swing at one posture?
 `force`        with what force does a process push on its tool?
 `mill`         how far is the tool pushed off along a toolpath?
 `validate`     is what the paper printed reproduced?
@@ -36,6 +37,7 @@ from ._answers import (
     Map,
     MeasurementPlan,
     Milled,
+    Modes,
     PathRanking,
     Placement,
     Ranking,
@@ -43,7 +45,7 @@ from ._answers import (
     Toolpath,
 )
 from ._stiffarm import Robot, StiffarmError, __version__, set_threads
-from ._verbs import cell, compare, compliance, force, identify, map, measure, mill, place, rank, robots, study, validate
+from ._verbs import cell, compare, compliance, force, identify, map, measure, mill, modes, place, rank, robots, study, validate
 
 __all__ = [
     "Answer",
@@ -56,6 +58,7 @@ __all__ = [
     "Map",
     "MeasurementPlan",
     "Milled",
+    "Modes",
     "PathRanking",
     "Placement",
     "Ranking",
@@ -72,6 +75,7 @@ __all__ = [
     "map",
     "measure",
     "mill",
+    "modes",
     "place",
     "rank",
     "robots",

@@ -21,6 +21,7 @@ __all__ = [
     "compare",
     "matrices",
     "milled_program",
+    "modes",
     "measure",
     "mill",
     "options",
@@ -118,6 +119,9 @@ def identify(
 ) -> tuple[dict[str, Any], dict[str, Any], str]: ...
 def measure(
     robot: Robot, asked: dict[str, str], progress: _Told | None = None
+) -> tuple[dict[str, Any], dict[str, Any]]: ...
+def modes(
+    robot: Robot, joints_deg: Sequence[float], asked: dict[str, str]
 ) -> tuple[dict[str, Any], dict[str, Any]]: ...
 def looks(robots: list[tuple[str, str]]) -> list[tuple[str, int] | None]: ...
 def palette() -> tuple[list[tuple[str, str]], list[tuple[str, list[str]]]]: ...

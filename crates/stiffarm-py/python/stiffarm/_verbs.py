@@ -6,10 +6,11 @@ import os
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, overload
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, PathRanking, Placement, Ranking, Study, Toolpath
+from ._answers import Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, Modes, PathRanking, Placement, Ranking, Study, Toolpath
 from ._given import RobotLike
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
@@ -20,6 +21,7 @@ from .types import (
     MapOptions,
     MeasureOptions,
     MillOptions,
+    ModesOptions,
     PlaceOptions,
     PlacementDict,
     RankOptions,
@@ -360,6 +362,34 @@ def measure(
     asked = _options.spelt("measure", options)
     with told("planning", progress) as tell:
         return MeasurementPlan(*_stiffarm.measure(_given.robot(robot), asked, tell))
+
+
+@_options.takes("modes", ModesOptions)
+def modes(
+    robot: RobotLike, *, joints_deg: Sequence[float] | npt.NDArray[np.float64], **options: Unpack[ModesOptions]
+) -> Modes:
+    """How an arm swings at one posture: frequencies, shapes, damping.
+
+    Parameters
+    ----------
+    robot : Robot or str
+        Which; its file must say what its bodies weigh.
+    joints_deg : six numbers
+        The posture, as the robot counts its joints.
+    {options}
+
+    Returns
+    -------
+    Modes
+        The lowest first, with the motors held still and free.
+
+    Raises
+    ------
+    StiffarmError
+        Where masses are not known, or nothing holds a drive.
+    """
+    asked = _options.spelt("modes", options)
+    return Modes(*_stiffarm.modes(_given.robot(robot), [float(angle) for angle in joints_deg], asked))
 
 
 def force(process: str | os.PathLike[str]) -> Force:

@@ -674,6 +674,46 @@ class MeasureOptions(TypedDict, total=False):
     """A table of postures and loads of your own: what it is worth beside the plan."""
 
 
+class ModesOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.modes`."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
+    centre]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as --stiffness says]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg], which swings with the arm; its centre says where [default: a tool
+    that weighs nothing]."""
+
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
+
+    tool_inertia_kg_m2: npt.ArrayLike | None
+    """Inertia of the tool about its own mass centre [kg m2], along flange axes: elements of the matrix as URDF
+    has them [default: none: a point mass]."""
+
+    damping_ratio: float | None
+    """Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08 [default: as the
+    robot file has it of the drives, else 0.03]."""
+
+    count: int
+    """How many modes are told, the lowest first."""
+
+
 class MillOptions(TypedDict, total=False):
     """Keywords of `stiffarm.mill`."""
 
@@ -2551,6 +2591,93 @@ class ToolpathDict(TypedDict):
 
     ignored: list[str]
     """Words of the file that move nothing, each kind once."""
+
+
+class SwingMode(TypedDict):
+    """One way in which an arm swings."""
+
+    mode: int
+    """Which mode, from 1."""
+
+    frequency_hz: float
+    """With the motors held still."""
+
+    frequency_hz_p05: float | None
+    """Five of a hundred such robots lie below, as far as the drives may be off; null where nothing says how far."""
+
+    frequency_hz_p95: float | None
+    """Five of a hundred lie above."""
+
+    frequency_motors_free_hz: float | None
+    """Of the same rank with motors that only the inertia of their rotors holds; null where rotors are not known."""
+
+    damping_ratio: float
+    """Share of the critical damping."""
+
+    tip_shape: list[float]
+    """How the tool point moves, base axes, in m per root of kg m2 of modal mass: its square over (2 pi f)^2 is
+    what the mode gives of the compliance."""
+
+    drive_shares: list[float]
+    """What each drive gives of the deflection at the worst point along its direction; adds up to 1."""
+
+
+class ModesDict(TypedDict):
+    """`stiffarm.Modes.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
+    joints_deg: list[float]
+    """Joint angles as the robot reports them, deg."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
+    tcp_m: list[float]
+    """The tool point."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+
+    tool_com_mm: list[float] | None
+    """Mass centre of the tool in the flange frame."""
+
+    tool_inertia_kg_m2: list[float] | None
+    """Inertia of the tool about its mass centre, along flange axes."""
+
+    damping_source: str
+    """Where the damping is from: assumed, given or robot file."""
+
+    masses_left_out: list[]
+    """Moving parts whose masses the robot file does not have."""
+
+    modes: list[SwingMode]
+    """How the arm swings, the lowest frequency first."""
 
 
 class ComplianceDict(TypedDict):

@@ -55,6 +55,7 @@ fn written() -> String {
         ("Compare", "compare", Verb::Compare, &["a", "b"]),
         ("Identify", "identify", Verb::Identify, NONE),
         ("Measure", "measure", Verb::Measure, NONE),
+        ("Modes", "modes", Verb::Modes, NONE),
         ("Mill", "mill", Verb::Mill, NONE),
         // A sweep takes several forces.
         ("Sweep", "cluster.sweep", Verb::Place, &["task", "force-n"]),
@@ -165,6 +166,10 @@ fn write_answers(text: &mut String) {
     class(text, ("MeasurementPlanDict", "TypedDict"), "`stiffarm.MeasurementPlan.to_dict`.", &plan, &within);
 
     write_paths(text);
+    let swings = Fields::of(&samples::swings());
+    class(text, ("SwingMode", "TypedDict"), "One way in which an arm swings.", swings.under("modes"), &[]);
+    let within = [("modes", "SwingMode"), with_schema[0]];
+    class(text, ("ModesDict", "TypedDict"), "`stiffarm.Modes.to_dict`.", &swings, &within);
     let compliance = Fields::of(&compliances);
     class(text, ("ComplianceDict", "TypedDict"), "`stiffarm.Compliance.to_dict`.", &compliance, &with_schema);
 }

@@ -11,6 +11,7 @@ use stiffarm::identify::{Identification, IdentifyError, identify};
 use stiffarm::ledger::{Printed, validate};
 use stiffarm::map::map;
 use stiffarm::measure::plan;
+use stiffarm::modes::modes;
 use stiffarm::place::{Hold, PlaceError, Placed, place_task};
 use stiffarm::rank::rank;
 use stiffarm::robot::Robot;
@@ -19,7 +20,7 @@ use stiffarm::toolpath::{self, Builtin, Format, Move, MoveKind, Survey};
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{
     CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer,
-    PathAnswer, PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
+    ModesAnswer, PathAnswer, PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
 };
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
@@ -170,6 +171,22 @@ pub(crate) fn compliances() -> Vec<Value> {
         of(&[("force-n", "100,50,20"), ("force-axes", "tool"), ("feed-deg", "5")]),
         of(&[("force-n", "100,50,20"), ("stiffness", "paper")]),
     ]
+}
+
+pub(crate) fn swings() -> Vec<Value> {
+    let of = |stiffness: &str, typed: Typed| {
+        let asked =
+            asked(Verb::Modes, &[typed, &[("joints-deg", "0,-90,90,0,45,0"), ("stiffness", stiffness)]].concat());
+        let (joints_deg, tool, damping) = (asked.joints_deg().unwrap(), asked.held_tool().unwrap(), asked.damping());
+        let robot = asked.equipped(find("KR 210 R2700-2").unwrap().robot()).unwrap();
+        let swing = modes(&robot, &joints_deg.map(f64::to_radians), &tool, damping).unwrap();
+        ModesAnswer { robot, joints_deg, tool, damping, count: 6, swing }
+    };
+    let tool = [("tool-mass-kg", "60"), ("tool-com-mm", "0,0,200"), ("tool-inertia-kg-m2", "1,0,0,1,0,1")];
+    // Rotors are known of no arm of the catalogue.
+    let mut free = of("prior", &tool);
+    free.swing.modes.iter_mut().for_each(|mode| mode.motors_free = Some(10.0));
+    vec![of("prior", &[]).json(), of("paper", &[("damping-ratio", "0.05")]).json(), free.json()]
 }
 
 pub(crate) fn identifications() -> Vec<Value> {

@@ -4,6 +4,7 @@ from .base import Answer
 from .map import Map
 from .measuring import Identification, MeasurementPlan
 from .milling import Force, Ledger, Milled, PathRanking, Toolpath
+from .modes import Modes
 from .placing import Comparison, Placement, Ranking, Study
 from .posture import Compliance, Compliances
 
@@ -18,6 +19,7 @@ __all__ = [
     "Map",
     "MeasurementPlan",
     "Milled",
+    "Modes",
     "PathRanking",
     "Placement",
     "Ranking",
