@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 21] = [
+const ABOUT: [About; 22] = [
     About {
         name: "rank",
         files: "a report to hand on as .html or report.pdf, the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -78,6 +78,21 @@ const ABOUT: [About; 21] = [
             (
                 "stiffarm map BT200L --model spatial --tool-mm 0,0,200 --layer limit-margin -o margin.svg",
                 "how near the limits are",
+            ),
+        ],
+    },
+    About {
+        name: "modes",
+        is_long: false,
+        files: "the modes as .csv or .parquet, the answer as .json, .md or .txt",
+        examples: &[
+            (
+                "stiffarm modes \"KR 210 R2700-2\" --joints-deg 0,-90,90,0,45,0",
+                "the arm alone; stiffness by the prior, with intervals",
+            ),
+            (
+                "stiffarm modes \"KR 210 R2700-2\" --joints-deg 0,-90,90,0,45,0 --tool-mass-kg 60 --tool-com-mm 0,0,200",
+                "with a spindle of 60 kg, its centre 200 mm before the flange",
             ),
         ],
     },
