@@ -176,7 +176,8 @@ fn a_window_behind_the_robot_is_searched_in_a_cell_too() {
     };
     let zone = Zone::Circle { diameter: 0.1 };
     let [alone, in_cell] = [options(&[]), options(&[("keep-out", "5..6,5..6,5..6")])].map(|asked| best(zone, &asked));
-    assert!(in_cell.centre[0] <= -1.35 && -1.65 <= in_cell.centre[0], "{in_cell:?}");
+    // To a rounding of the window's edge, at which the centre may stand.
+    assert!(in_cell.centre[0] <= -1.35 + 1e-12 && -1.65 - 1e-12 <= in_cell.centre[0], "{in_cell:?}");
     // Both searches end at steps of 0.05 mm.
     assert!((in_cell.deflection / alone.deflection - 1.0).abs() < 1e-3, "{alone:?} {in_cell:?}");
     assert!(in_cell.lower_bound <= alone.deflection && alone.lower_bound <= in_cell.deflection);

@@ -225,7 +225,7 @@ impl<'a> Ground<'a> {
             for &[yaw, angle, roll] in &turns {
                 let (places, apart) = match window {
                     Window::Block(block) => self.points_in_block(block, [yaw, angle, roll], along),
-                    Window::Ring { ahead, z } => self.points_in_ring(*ahead, *z, along),
+                    Window::Ring { ahead, z } => self.points_in_ring([*ahead, *z], [yaw, angle, roll], along),
                 };
                 step = step.max(apart);
                 sites.extend(places.into_iter().map(|(at, is_behind)| Site { at, is_behind, yaw, angle, roll }));
@@ -244,12 +244,7 @@ impl<'a> Ground<'a> {
             .map(|i| {
                 let side = block.sides()[i];
                 let reached = Interval::spanning(base[i] - far, base[i] + far);
-                // Exactly as wide as the zone is wide enough.
-                let [low, high] = [side.min() + half[i], side.max() - half[i]];
-                let is_tight = high < low && low <= high + 2.0 * tolerances::WINDOW;
-                let room =
-                    if is_tight { Some(Interval::point(f64::midpoint(low, high))) } else { Interval::new(low, high) };
-                room?.intersect(reached)
+                room(side, half[i])?.intersect(reached)
             })
             .collect();
         let Some(ranges) = ranges.into_iter().collect::<Option<Vec<Interval>>>() else { return (Vec::new(), 0.0) };
@@ -278,10 +273,23 @@ impl<'a> Ground<'a> {
         }
     }
 
-    fn points_in_ring(&self, ahead: Interval, z: Interval, along: usize) -> (Vec<(Vector3<f64>, bool)>, f64) {
+    /// Centres at which the zone lies in the ring, where it is turned with its bearing.
+    fn points_in_ring(
+        &self,
+        [ahead, z]: [Interval; 2],
+        [yaw, angle, roll]: [f64; 3],
+        along: usize,
+    ) -> (Vec<(Vector3<f64>, bool)>, f64) {
         let [_, up] = self.arm.reach();
-        let heights = self.cell.mount.heights_from_base(z).intersect(up);
-        let ahead = ahead.intersect(ahead_and_behind(self.arm));
+        let at = self.cell.mount.cell_from_base.translation.vector;
+        let (bearing, work) = self.local(&Site { at, is_behind: false, yaw, angle, roll });
+        let plane = WorkPlane::of(self.options.elevation, &work);
+        let high =
+            self.half_extents(&plane, &(self.cell.mount.cell_from_base * Pose::rotation(Vector3::z() * bearing))).z;
+        // Of a zone whose turn stays that of the cell it depends on the bearing how far it reaches ahead.
+        let far = if self.angle_is_of_base { 0.0 } else { plane.half_extents(self.zone)[0] };
+        let heights = room(z, high).and_then(|z| self.cell.mount.heights_from_base(z).intersect(up));
+        let ahead = room(ahead, far).and_then(|ahead| ahead.intersect(ahead_and_behind(self.arm)));
         let (Some(ahead), Some(heights)) = (ahead, heights) else { return (Vec::new(), 0.0) };
         let bearings = over(Interval::spanning(-PI, PI), 25);
         let mut points = Vec::new();
@@ -327,6 +335,13 @@ fn over(range: Interval, count: usize) -> Vec<f64> {
         return vec![range.min()];
     }
     (0..count).map(|i| range.min() + range.width() * i as f64 / (count - 1) as f64).collect()
+}
+
+/// Where the middle of something may be of which so much lies on either side, m: in a range that is exactly as wide in its middle.
+fn room(range: Interval, half: f64) -> Option<Interval> {
+    let [low, high] = [range.min() + half, range.max() - half];
+    let is_tight = high < low && low <= high + 2.0 * tolerances::WINDOW;
+    if is_tight { Some(Interval::point(f64::midpoint(low, high))) } else { Interval::new(low, high) }
 }
 
 #[cfg(test)]
