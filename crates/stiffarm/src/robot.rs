@@ -115,7 +115,7 @@ pub struct Robot {
     /// What moves.
     pub arm: Arm,
     /// How this very arm differs from its drawing, where it was measured.
-    pub calibration: Option<Calibration>,
+    pub calibration: Option<Box<Calibration>>,
     /// Where each group of numbers comes from.
     pub source: BTreeMap<String, String>,
 }

@@ -145,12 +145,14 @@ fn planar(architecture: Architecture) -> impl Strategy<Value = PlanarArm> {
     )
 }
 
+/// Boxed: the trees by which proptest shrinks what it drew would not fit into the stack of a test.
 fn arm(architecture: Architecture) -> impl Strategy<Value = Arm> {
-    let six = (geometry(), limits(), drives(architecture));
+    let six = (geometry().boxed(), limits().boxed(), drives(architecture).boxed());
     prop_oneof![
-        six.prop_map(|(geometry, limits, drives)| Arm::SixAxis { geometry, limits, drives }),
-        planar(architecture).prop_map(Arm::Planar)
+        six.prop_map(|(geometry, limits, drives)| Arm::SixAxis { geometry, limits, drives }).boxed(),
+        planar(architecture).prop_map(Arm::Planar).boxed()
     ]
+    .boxed()
 }
 
 /// A file that leaves out what is assumed can say this.

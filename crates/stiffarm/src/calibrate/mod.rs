@@ -320,14 +320,14 @@ impl Calibrated {
     pub fn written(&self, robot: &Robot, date: &str, source: &str) -> Robot {
         let mut changed = robot.clone();
         let taken = self.taken();
-        changed.calibration = Some(Calibration {
+        changed.calibration = Some(Box::new(Calibration {
             errors: self.errors.clone(),
             residual: taken.rms,
             left_out: taken.left_out.unwrap_or(taken.rms),
             rows: self.rows.len(),
             date: date.into(),
             source: source.into(),
-        });
+        }));
         changed
     }
 }

@@ -181,7 +181,7 @@ fn robot(mut root: Table) -> Option<Robot> {
         repeatability,
         body: body?,
         masses: masses?,
-        calibration: calibration?,
+        calibration: calibration?.map(Box::new),
         arm,
         source,
     })
