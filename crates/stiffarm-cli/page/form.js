@@ -85,7 +85,7 @@ function entry(row, key, id) {
   }
   if (row.kind === "robot") return pickRobots(row, key, described);
   const input = el("input", { ...described, type: "text", inputmode: isOne ? "decimal" : "text", value: given, placeholder: absent, spellcheck: "false", autocomplete: "off", input: typed });
-  return row.kind === "file" ? [input, opener(`open a file for ${row.name}`, input.id, (name) => change({ [key]: name }))] : [input];
+  return ["file", "file-of-tool"].includes(row.kind) ? [input, opener(`open a file for ${row.name}`, input.id, (name) => change({ [key]: name }))] : [input];
 }
 
 /** Values that changed elsewhere come into the controls; what is being typed is left alone. */

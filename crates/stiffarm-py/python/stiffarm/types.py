@@ -2673,7 +2673,7 @@ class ModesDict(TypedDict):
     damping_source: str
     """Where the damping is from: assumed, given or robot file."""
 
-    masses_left_out: list[]
+    masses_left_out: list[str]
     """Moving parts whose masses the robot file does not have."""
 
     modes: list[SwingMode]

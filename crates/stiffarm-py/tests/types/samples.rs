@@ -7,6 +7,7 @@ use stiffarm::advice::{advise, advise_best};
 use stiffarm::catalogue::measurements::{self, Measurements};
 use stiffarm::catalogue::{find, read, read_process};
 use stiffarm::compliance::compliance;
+use stiffarm::drive::Architecture;
 use stiffarm::identify::{Identification, IdentifyError, identify};
 use stiffarm::ledger::{Printed, validate};
 use stiffarm::map::map;
@@ -186,7 +187,10 @@ pub(crate) fn swings() -> Vec<Value> {
     // Rotors are known of no arm of the catalogue.
     let mut free = of("prior", &tool);
     free.swing.modes.iter_mut().for_each(|mode| mode.motors_free = Some(10.0));
-    vec![of("prior", &[]).json(), of("paper", &[("damping-ratio", "0.05")]).json(), free.json()]
+    // Of a parallelogram whose rod nobody has weighed.
+    let mut without_rod = of("paper", &[("damping-ratio", "0.05")]);
+    without_rod.robot.architecture = Architecture::QuasiSerial;
+    vec![of("prior", &[]).json(), without_rod.json(), free.json()]
 }
 
 pub(crate) fn identifications() -> Vec<Value> {
