@@ -254,7 +254,7 @@ def recorded(program: str, folder: pathlib.Path, is_refused: bool) -> list[str]:
     (folder / "case.tbl").write_text("".join(f"T{i} P{i} D6.0 Z0.0\n" for i in range(1, 10)))
     for _ in range(TRIES):
         (folder / "case.var").write_text("")
-        command = [folder / "root/usr/bin/rs274", "-t", folder / "case.tbl", "-v", folder / "case.var", "-g", folder / "case.ngc"]
+        command = [folder / "usr/bin/rs274", "-t", folder / "case.tbl", "-v", folder / "case.var", "-g", folder / "case.ngc"]
         done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=20, stdin=subprocess.DEVNULL)
         if "USE_LENGTH_UNITS" not in done.stdout:
             continue
