@@ -96,6 +96,9 @@ pub enum ModesError {
     /// Damping that makes no sense.
     #[error("damping {0}; expected a ratio from 0 to 1, or six numbers of at least 0 N m s/rad")]
     Damping(String),
+    /// A rotor that weighs nothing.
+    #[error("{0}: a rotor without inertia; expected more than 0 kg m2 at every joint")]
+    Rotor(String),
     /// Nothing springs, or nothing weighs.
     #[error("{0}: nothing swings: no drive that springs moves a mass")]
     Nothing(String),
@@ -138,7 +141,11 @@ pub fn modes(robot: &Robot, q: &[f64; 6], tool: &HeldTool, damping: Option<Dampi
         return Err(ModesError::Nothing(robot.name.clone()));
     }
     let friction = friction(&damping, &root, &found);
-    let free = drives.motors.rotor.map(|rotor| frequencies(&(root * beside_rotors(&in_drives, &rotor) * root)));
+    let beside = drives
+        .motors
+        .rotor
+        .map(|rotor| beside_rotors(&in_drives, &rotor).ok_or_else(|| ModesError::Rotor(robot.name.clone())));
+    let free = beside.transpose()?.map(|inertia| frequencies(&(root * inertia * root)));
     let spreads = spreads(robot, &k, &in_drives);
     let swinging = found.iter().filter(|(lambda, _)| NONE * largest < *lambda).enumerate();
     let modes = swinging.map(|(rank, (lambda, u))| Mode {
@@ -190,10 +197,10 @@ fn frequencies(inertia: &Matrix6<f64>) -> Vec<f64> {
 /// `(M^-1 + J_r^-1)^-1 = M - M (M + J_r)^-1 M`: what swings against free rotors, that only the springs join to the links.
 ///
 /// From `M psi'' = -K d`, `J_r phi'' = K d` for `d = psi - phi`; written so that it holds for an `M` without inverse, too.
-fn beside_rotors(in_drives: &Matrix6<f64>, rotor: &[f64; 6]) -> Matrix6<f64> {
+fn beside_rotors(in_drives: &Matrix6<f64>, rotor: &[f64; 6]) -> Option<Matrix6<f64>> {
     let both = in_drives + Matrix6::from_diagonal(&(*rotor).into());
-    // Rotors have an inertia, so the sum is positive definite.
-    both.cholesky().map_or(*in_drives, |both| in_drives - in_drives * both.solve(in_drives))
+    // Positive definite where every rotor has an inertia.
+    both.cholesky().map(|both| in_drives - in_drives * both.solve(in_drives))
 }
 
 /// `k^1/2 D k^1/2`; under one ratio of all modes `sum 2 zeta lambda^1/2 u u^T`.
