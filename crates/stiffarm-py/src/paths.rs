@@ -103,8 +103,8 @@ pub(crate) fn milled_program(
     let question = Milled { asked: &asked, path, milling: Milling::One(robot.0.clone()) };
     let told = detached(py, &progress, |watch| question.told(process, watch))?.map_err(refused)?;
     let language = |ending: &str| {
-        let known = [Language::Krl, Language::Rapid, Language::Ls].into_iter().find(|one| one.ending() == ending);
-        known.ok_or_else(|| refused(format!("no controller reads '{ending}'; expected src, mod or ls")))
+        Language::of_program(ending)
+            .ok_or_else(|| refused(format!("no controller reads '{ending}'; expected src, mod or ls")))
     };
     match (told, ending) {
         (Told::One(answer), Some(ending)) => answer.program(language(ending)?).map_err(refused),

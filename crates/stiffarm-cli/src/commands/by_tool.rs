@@ -49,7 +49,7 @@ impl Answer for ByToolOutput {
     const FURTHER: &'static [&'static str] = &["src", "mod", "ls"];
 
     fn program(&self, ending: &str) -> Option<Result<Vec<u8>, Failure>> {
-        let language = [Language::Krl, Language::Rapid, Language::Ls].into_iter().find(|one| one.ending() == ending)?;
+        let language = Language::of_program(ending)?;
         Some(self.answer.program(language).map(String::into_bytes).map_err(Into::into))
     }
 

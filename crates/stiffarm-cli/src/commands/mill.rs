@@ -258,7 +258,7 @@ impl Answer for MillOutput<'_> {
         &["svg", "png", "pdf", "html", "src", "mod", "ls", "nc", "gcode", "ngc", "tap", "apt", "cls"];
 
     fn program(&self, ending: &str) -> Option<Result<Vec<u8>, Failure>> {
-        let language = [Language::Krl, Language::Rapid, Language::Ls].into_iter().find(|one| one.ending() == ending);
+        let language = Language::of_program(ending);
         Some(match language {
             Some(language) => self.answer.program(language).map(String::into_bytes).map_err(Into::into),
             None => self.rewritten(ending),

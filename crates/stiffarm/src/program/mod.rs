@@ -148,6 +148,11 @@ impl Language {
         }
     }
 
+    /// The controller whose programs have this ending.
+    pub fn of_program(ending: &str) -> Option<Self> {
+        [Self::Krl, Self::Rapid, Self::Ls].into_iter().find(|language| language.ending() == ending)
+    }
+
     /// Feed rates that it can say, m/s: three decimals of mm/s, one for Fanuc.
     const fn feeds(self) -> [f64; 2] {
         match self {
