@@ -1,14 +1,14 @@
 //! What a calibration changes: every row's error as drawn and calibrated.
 
 use stiffarm::calibrate::Off;
-use stiffarm::palette::{ALARM, DEFLECTION, FAINT};
+use stiffarm::palette::{DEFLECTION, FAINT};
 use stiffarm_ask::answer::{CalibrateAnswer, words};
 
 use super::Plate;
 use super::axes::{Axis, Frame, heading};
 use super::canvas::Canvas;
 use super::legend::{Entry, Legend};
-use super::marks::cross;
+use super::marks::left_out;
 
 /// Height of the diagram, px.
 const HEIGHT: f64 = 320.0;
@@ -19,7 +19,7 @@ const LEFT: f64 = 66.0;
 pub(crate) fn svg(answer: &CalibrateAnswer, plate: &Plate) -> String {
     let found = &answer.found;
     let mut canvas = Canvas::of(plate);
-    let title = format!("{}: where it stands, and where its drawing says", answer.robot.full_name());
+    let title = format!("{}: errors as drawn and calibrated", answer.robot.full_name());
     let mm = |m: f64| words::fixed(m * 1e3, 3);
     let [drawn, taken] = [&found.levels[0], found.taken()];
     let subtitle = format!(
@@ -62,25 +62,12 @@ fn rows(canvas: &mut Canvas, answer: &CalibrateAnswer, (x, y): ([f64; 2], [f64; 
     }
     for row in &found.wrong_rows {
         let [x, y] = frame.at(row.line as f64, 1.06 * most);
-        cross(canvas, [x, y], 4.5, &wrong());
+        left_out(canvas, [x, y]);
     }
     frame.draw(canvas, "line of the table", "mm");
     frame.headline(canvas, "the largest error of every row");
 }
 
-fn wrong() -> String {
-    format!(r#"fill="none" stroke="{ALARM}" stroke-width="2""#)
-}
-
 fn entries() -> Vec<Entry> {
-    let bar = |text: &str, colour: &'static str| {
-        Entry::new(text, move |canvas: &mut Canvas, [x, y]| {
-            canvas.rect([x - 12.0, y - 5.0], [x + 12.0, y + 5.0], &format!(r#"fill="{colour}""#));
-        })
-    };
-    vec![
-        bar("as drawn", FAINT),
-        bar("calibrated", DEFLECTION),
-        Entry::new("left out: wrong", |canvas: &mut Canvas, at| cross(canvas, at, 4.5, &wrong())),
-    ]
+    vec![Entry::bar("as drawn", FAINT), Entry::bar("calibrated", DEFLECTION), Entry::crossed("left out: wrong")]
 }

@@ -1,14 +1,14 @@
 //! What an identification explains: compliances with their intervals, what remains of every row, measured against fitted, correlations.
 
 use stiffarm::identify::{Estimate, Identification, Residual};
-use stiffarm::palette::{ALARM, DEFLECTION, FAINT, GREY, INK, OTHERS, PAPER, on_margin_scale};
+use stiffarm::palette::{DEFLECTION, FAINT, GREY, INK, OTHERS, PAPER, on_margin_scale};
 use stiffarm_ask::answer::{IdentifyAnswer, words};
 
 use super::Plate;
 use super::axes::{Axis, Frame, heading};
 use super::canvas::{Canvas, Font};
 use super::legend::{Entry, Legend};
-use super::marks::cross;
+use super::marks::left_out;
 
 /// Height of a diagram, px.
 const HEIGHT: f64 = 250.0;
@@ -128,7 +128,7 @@ fn remainders(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
         });
         if found.outliers.iter().any(|outlier| outlier.row == one.row) {
             let [x, y] = frame.at(at, after);
-            cross(canvas, [x, y - 9.0], 4.5, &outlier());
+            left_out(canvas, [x, y - 9.0]);
         }
     }
     frame.draw(canvas, "row", "mm");
@@ -156,7 +156,7 @@ fn fit(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
     );
     for (row, fitted, measured) in coordinates() {
         if found.outliers.iter().any(|outlier| outlier.row == row) {
-            cross(canvas, frame.at(fitted, measured), 4.5, &outlier());
+            left_out(canvas, frame.at(fitted, measured));
         } else {
             canvas.circle(frame.at(fitted, measured), 2.6, &format!(r#"fill="{DEFLECTION}" fill-opacity="0.6""#));
         }
@@ -165,20 +165,11 @@ fn fit(canvas: &mut Canvas, found: &Identification, (x, y): Room) {
     frame.headline(canvas, "x, y and z of every row");
 }
 
-fn outlier() -> String {
-    format!(r#"fill="none" stroke="{ALARM}" stroke-width="2""#)
-}
-
 fn entries() -> Vec<Entry> {
-    let bar = |text: &str, colour: &'static str| {
-        Entry::new(text, move |canvas: &mut Canvas, [x, y]| {
-            canvas.rect([x - 12.0, y - 5.0], [x + 12.0, y + 5.0], &format!(r#"fill="{colour}""#));
-        })
-    };
     vec![
-        bar("identified, and what remains", DEFLECTION),
-        bar("not identified", OTHERS),
-        bar("as measured", FAINT),
-        Entry::new("row that does not fit", |canvas: &mut Canvas, at| cross(canvas, at, 4.5, &outlier())),
+        Entry::bar("identified, and what remains", DEFLECTION),
+        Entry::bar("not identified", OTHERS),
+        Entry::bar("as measured", FAINT),
+        Entry::crossed("row that does not fit"),
     ]
 }

@@ -1,6 +1,7 @@
 //! A legend below a diagram, where it covers nothing.
 
 use super::canvas::{Canvas, Font, Px};
+use super::marks::left_out;
 
 /// Width of a sample, height of a row, px.
 const SAMPLE: f64 = 36.0;
@@ -18,6 +19,19 @@ pub(super) struct Entry {
 impl Entry {
     pub(super) fn new(text: impl Into<String>, sample: impl Fn(&mut Canvas, Px) + 'static) -> Self {
         Self { text: text.into(), sample: Box::new(sample) }
+    }
+
+    /// A piece of a bar as the sample.
+    pub(super) fn bar(text: impl Into<String>, colour: &'static str) -> Self {
+        let look = format!(r#"fill="{colour}""#);
+        Self::new(text, move |canvas, [x, y]| {
+            canvas.rect([x - SAMPLE / 3.0, y - 5.0], [x + SAMPLE / 3.0, y + 5.0], &look);
+        })
+    }
+
+    /// The cross of what is left out as the sample.
+    pub(super) fn crossed(text: impl Into<String>) -> Self {
+        Self::new(text, left_out)
     }
 
     /// A piece of a line as the sample.

@@ -2,7 +2,14 @@
 
 use std::fmt::Write;
 
+use stiffarm::palette::ALARM;
+
 use super::canvas::{Canvas, Px};
+
+/// The cross at a row that is left out.
+pub(super) fn left_out(canvas: &mut Canvas, at: Px) {
+    cross(canvas, at, 4.5, &format!(r#"fill="none" stroke="{ALARM}" stroke-width="2""#));
+}
 
 /// A diagonal cross.
 pub(super) fn cross(canvas: &mut Canvas, [x, y]: Px, half: f64, look: &str) {
