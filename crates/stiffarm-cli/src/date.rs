@@ -1,4 +1,4 @@
-//! On which day was a report made?
+//! On which day was it asked?
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -6,7 +6,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 const DAY: u64 = 86_400;
 
 /// Today as year-month-day, UTC; where `SOURCE_DATE_EPOCH` is set (reproducible-builds.org), the day of that.
-pub(super) fn today() -> String {
+pub(crate) fn today() -> String {
     let told = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|seconds| seconds.trim().parse().ok());
     let now = || SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
     day(told.unwrap_or_else(now))

@@ -5,6 +5,7 @@ mod client;
 mod columns;
 mod commands;
 mod common;
+mod date;
 mod failure;
 mod figures;
 mod help;

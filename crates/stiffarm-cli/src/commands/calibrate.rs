@@ -8,10 +8,10 @@ use stiffarm::catalogue::files;
 use stiffarm::catalogue::readings::{self, ReadOptions};
 use stiffarm_ask::answer::{CalibrateAnswer, Rows};
 
-use super::verify::today;
 use super::watched;
 use crate::args::CalibrateArgs;
 use crate::common::Common;
+use crate::date::today;
 use crate::failure::Failure;
 use crate::figures::{Plate, calibrate as figure};
 use crate::look::Look;

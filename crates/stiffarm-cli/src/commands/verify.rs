@@ -12,6 +12,7 @@ use stiffarm_ask::answer::{Rows, VerifyAnswer, VerifyRankAnswer};
 use super::watched;
 use crate::args::VerifyArgs;
 use crate::common::Common;
+use crate::date::today;
 use crate::failure::Failure;
 use crate::look::Look;
 use crate::output::{Answer, Outputs, pretty, verdict};
@@ -88,26 +89,6 @@ fn ranked(
     watched("comparing", common, |watch| rank(readings, options, &catalogue::robots(), watch))
 }
 
-/// The day of this machine's clock, UTC, as year-month-day.
-///
-/// Days count from the first of March of the year 0, so that leap days end a year: 400 years have 146097 days.
-pub(crate) fn today() -> String {
-    let seconds = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).map_or(0, |since| since.as_secs());
-    date_of(seconds / 86_400)
-}
-
-/// The day so many days after the first of January 1970.
-fn date_of(days: u64) -> String {
-    let days = days + 719_468;
-    let (era, day) = (days / 146_097, days % 146_097);
-    let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;
-    let day = day - (365 * year + year / 4 - year / 100);
-    let month = (5 * day + 2) / 153;
-    let day = day - (153 * month + 2) / 5 + 1;
-    let (month, later) = if month < 10 { (month + 3, 0) } else { (month - 9, 1) };
-    format!("{:04}-{month:02}-{day:02}", era * 400 + year + later)
-}
-
 pub(crate) enum VerifyOutput {
     One(Box<VerifyAnswer>),
     Any(VerifyRankAnswer),
@@ -145,25 +126,6 @@ impl Answer for VerifyOutput {
         match self {
             Self::One(one) => one.robot_file().map(|(text, _)| text),
             Self::Any(_) => None,
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn days_have_the_dates_of_the_calendar() {
-        // Day numbers by hand: 1970 to 2000 has 30 years and 7 leap days; 2000 is a leap year.
-        for (days, date) in [
-            (0, "1970-01-01"),
-            (10_957, "2000-01-01"),
-            (11_016, "2000-02-29"),
-            (11_017, "2000-03-01"),
-            (20_781, "2026-11-24"),
-        ] {
-            assert_eq!(date_of(days), date);
         }
     }
 }

@@ -3,7 +3,6 @@
 //! [`Report`] is the document, [`html`] and [`pdf`] print it, and a file a verb makes it of its answer. Nothing is computed here: every
 //! sentence and every number is what `answer` tells, every picture one of `figures`.
 
-mod date;
 pub(crate) mod html;
 pub(crate) mod identify;
 mod inputs;
@@ -20,6 +19,7 @@ pub(crate) use inputs::Inputs;
 use stiffarm_ask::answer::{HOLDS, Headline, ON_TOP, Table};
 use stiffarm_ask::request::{Request, job};
 
+use crate::date::today;
 use crate::failure::Failure;
 use crate::figures::Plate;
 
@@ -147,7 +147,7 @@ fn meaning(asked: &Request) -> Option<Section> {
 /// Where a file is no longer there.
 fn repeated(asked: &Request, inputs: &Inputs) -> Result<Section, Failure> {
     let mut section = Section::new("To ask the same again");
-    section.text(format!("Computed on {} (UTC) by stiffarm {}.", date::today(), env!("CARGO_PKG_VERSION")));
+    section.text(format!("Computed on {} (UTC) by stiffarm {}.", today(), env!("CARGO_PKG_VERSION")));
     if let Some(files) = inputs.files()? {
         section
             .text("Files that it rests on, with their digests; what was not read from a file comes with the program:");
