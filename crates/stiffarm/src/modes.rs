@@ -196,11 +196,11 @@ fn frequencies(inertia: &Matrix6<f64>) -> Vec<f64> {
 
 /// `(M^-1 + J_r^-1)^-1 = M - M (M + J_r)^-1 M`: what swings against free rotors, that only the springs join to the links.
 ///
-/// From `M psi'' = -K d`, `J_r phi'' = K d` for `d = psi - phi`; written so that it holds for an `M` without inverse, too.
+/// `None` where a rotor has no inertia. From `M psi'' = -K d`, `J_r phi'' = K d` for `d = psi - phi`; written so that it holds for an `M` without inverse, too.
 fn beside_rotors(in_drives: &Matrix6<f64>, rotor: &[f64; 6]) -> Option<Matrix6<f64>> {
     let both = in_drives + Matrix6::from_diagonal(&(*rotor).into());
-    // Positive definite where every rotor has an inertia.
-    both.cholesky().map(|both| in_drives - in_drives * both.solve(in_drives))
+    let is_sound = rotor.iter().all(|inertia| 0.0 < *inertia && inertia.is_finite());
+    both.cholesky().filter(|_| is_sound).map(|both| in_drives - in_drives * both.solve(in_drives))
 }
 
 /// `k^1/2 D k^1/2`; under one ratio of all modes `sum 2 zeta lambda^1/2 u u^T`.
