@@ -63,6 +63,12 @@ impl Interval {
         [Self { max: self.middle(), ..self }, Self { min: self.middle(), ..self }]
     }
 
+    /// Itself where both ends are finite, else one turn, -pi to pi: for angles.
+    #[must_use]
+    pub fn or_one_turn(self) -> Self {
+        if self.is_bounded() { self } else { Self::spanning(-PI, PI) }
+    }
+
     /// Both ends are finite.
     pub fn is_bounded(self) -> bool {
         self.min.is_finite() && self.max.is_finite()

@@ -335,7 +335,7 @@ fn seed(name: &str) -> u64 {
 }
 
 /// Normal, of variance 1 (Box and Muller).
-fn normal(rng: &mut fastrand::Rng) -> f64 {
+pub(crate) fn normal(rng: &mut fastrand::Rng) -> f64 {
     (-2.0 * (1.0 - rng.f64()).ln()).sqrt() * (std::f64::consts::TAU * rng.f64()).cos()
 }
 

@@ -1,7 +1,7 @@
 //! What is a robot, and what is its arm plane?
 
 use std::collections::BTreeMap;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 use crate::body::Body;
 use crate::calibration::Calibration;
@@ -342,8 +342,7 @@ impl Robot {
         const STEPS: u32 = 3600;
         let Arm::SixAxis { geometry, limits, drives } = &self.arm else { return Ok(()) };
         let Some(compensator) = drives.compensator else { return Ok(()) };
-        let lean = geometry.shoulder(limits.joints[1]).affine(-1.0, FRAC_PI_2);
-        let lean = if lean.is_bounded() { lean } else { Interval::spanning(-PI, PI) };
+        let lean = geometry.shoulder(limits.joints[1]).affine(-1.0, FRAC_PI_2).or_one_turn();
         for i in 0..=STEPS {
             let theta_2 = lean.min() + lean.width() * f64::from(i) / f64::from(STEPS);
             if compensator.length(theta_2) < 1e-3 {

@@ -3,9 +3,11 @@
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
+use super::CalibrateError;
 use super::errors::ALL;
 use super::fit::{Fitted, Rows};
 use crate::limits::Limits;
+use crate::prior::normal;
 use crate::registration::{Problem, Sight};
 
 /// Draws of the unknowns: the ends of 95 % of so many are known to one per cent of a normal's spread.
@@ -34,13 +36,8 @@ pub(super) fn postures(rows: &Rows, limits: &Limits, near: Option<(Vector3<f64>,
     let mut found = Vec::new();
     for _ in 0..TRIED {
         let q: [f64; 6] = std::array::from_fn(|i| {
-            let range = limits.joints[i];
-            let [low, high] = if range.is_bounded() {
-                [range.min(), range.max()]
-            } else {
-                [-std::f64::consts::PI, std::f64::consts::PI]
-            };
-            low + rng.f64() * (high - low)
+            let range = limits.joints[i].or_one_turn();
+            range.min() + rng.f64() * range.width()
         });
         let is_near = near.is_none_or(|(at, radius)| {
             let flange = rows.arm.drawn(&q).translation.vector;
@@ -56,15 +53,23 @@ pub(super) fn postures(rows: &Rows, limits: &Limits, near: Option<(Vector3<f64>,
     found
 }
 
-/// The error at these postures of the first point, seen from the first stand.
-pub(super) fn at_work(rows: &Rows, fitted: &Fitted, left_out: Option<f64>, postures: &[[f64; 6]]) -> Option<AtWork> {
+/// The error at these postures of the first point, seen from the first stand; `None` where there are none.
+///
+/// # Errors
+/// Where the rows do not determine the unknowns.
+pub(super) fn at_work(
+    rows: &Rows,
+    fitted: &Fitted,
+    left_out: Option<f64>,
+    postures: &[[f64; 6]],
+) -> Result<Option<AtWork>, CalibrateError> {
     if postures.is_empty() {
-        return None;
+        return Ok(None);
     }
     // A coordinate's part of the distance.
     let noise = left_out.map_or(fitted.noise, |rms| (rms / 3_f64.sqrt()).max(fitted.noise));
     let (h, _) = rows.normal(fitted.rows.iter(), &fitted.state, (&fitted.prior, noise));
-    let root = h.cholesky()?;
+    let root = h.cholesky().ok_or(CalibrateError::Undetermined)?;
     let sights: Vec<Sight> = (postures.iter())
         .map(|q| Sight {
             q: *q,
@@ -88,18 +93,14 @@ pub(super) fn at_work(rows: &Rows, fitted: &Fitted, left_out: Option<f64>, postu
     let linear = problem.linear(&fitted.state);
     let moved: Vec<&DMatrix<f64>> = linear.iter().map(|row| &row.jacobian).collect();
     let mut rng = fastrand::Rng::with_seed(96);
-    let mut normal = || {
-        // Box and Muller.
-        let (u, v) = (1.0 - rng.f64(), rng.f64());
-        (-2.0 * u.ln()).sqrt() * (std::f64::consts::TAU * v).cos()
-    };
+    let mut normal = || normal(&mut rng);
     let n = root.l_dirty().nrows();
     let first = n - ALL;
     let (mut means, mut all) = (Vec::new(), Vec::new());
     for _ in 0..DRAWS {
         let z = DVector::from_fn(n, |_, _| normal());
         // cov = s^2 H^-1 = s^2 L^-T L^-1.
-        let mut step = root.l().tr_solve_lower_triangular(&z)?;
+        let mut step = root.l().tr_solve_lower_triangular(&z).ok_or(CalibrateError::Undetermined)?;
         step *= noise;
         for i in (0..ALL).filter(|&i| fitted.prior[i] == 0.0) {
             step[first + i] = 0.0;
@@ -118,10 +119,10 @@ pub(super) fn at_work(rows: &Rows, fitted: &Fitted, left_out: Option<f64>, postu
     all.sort_by(f64::total_cmp);
     let at = |values: &[f64], share: f64| values[((values.len() as f64 * share) as usize).min(values.len() - 1)];
     let expected = (means.iter().map(|x| x * x).sum::<f64>() / means.len() as f64).sqrt();
-    Some(AtWork {
+    Ok(Some(AtWork {
         expected,
         interval: [at(&means, 0.025), at(&means, 0.975)],
         p95: at(&all, 0.95),
         postures: postures.len(),
-    })
+    }))
 }

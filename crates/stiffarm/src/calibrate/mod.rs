@@ -202,7 +202,7 @@ pub fn calibrate(
     };
     let (best, out) = fits.iter().filter(is_asked).max_by(by_evidence).ok_or(CalibrateError::Undetermined)?;
     let near = options.at.map(|at| (Vector3::from(at), 0.25));
-    let at_work = at_work::at_work(&rows, best, *out, &at_work::postures(&rows, limits, near));
+    let at_work = at_work::at_work(&rows, best, *out, &at_work::postures(&rows, limits, near))?;
     let deviation = |i: usize| best.prior[i] * (1.0 - best.share[i]).max(0.0).sqrt();
     Ok(Calibrated {
         level: best.level.ok_or(CalibrateError::Undetermined)?,

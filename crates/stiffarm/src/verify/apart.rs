@@ -139,10 +139,9 @@ fn candidates(limits: &Limits, geometry: &Geometry, convention: &Convention) -> 
     let mut found = Vec::new();
     for _ in 0..20 * CANDIDATES {
         let q: [f64; 6] = std::array::from_fn(|i| {
-            let range = limits.joints[i];
-            let [low, high] = if range.is_bounded() { [range.min(), range.max()] } else { [-PI, PI] };
+            let range = limits.joints[i].or_one_turn();
             // Cables wind about joints that turn by more than half a turn to a side.
-            let [low, high] = [low.max(-0.9 * PI), high.min(0.9 * PI)];
+            let [low, high] = [range.min().max(-0.9 * PI), range.max().min(0.9 * PI)];
             let [low, high] = [low + 0.15 * (high - low), high - 0.15 * (high - low)];
             let degrees = (low + rng.f64() * (high - low)).to_degrees();
             ((degrees / ROUND).round() * ROUND).to_radians()
