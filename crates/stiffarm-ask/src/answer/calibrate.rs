@@ -136,7 +136,7 @@ impl CalibrateAnswer {
             "at the work",
             match &found.at_work {
                 Some(work) => format!(
-                    "{} mm rms expected, {} to {} with 95 %; 95 of a hundred points within {}; over {} postures, where the tracker finds the work",
+                    "{} mm rms expected as measured there, {} to {} with 95 %; 95 of a hundred points within {}; over {} postures, where the tracker finds the work",
                     mm(work.expected),
                     mm(work.interval[0]),
                     mm(work.interval[1]),

@@ -15,7 +15,7 @@ const DRAWS: usize = 400;
 /// Postures over which is asked.
 const POSTURES: usize = 200;
 
-/// The error that remains, expected and with its 95 % interval, m.
+/// The error that remains, as the same instrument would measure it there, with the noise of its readings: expected and with its 95 % interval, m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AtWork {
     /// Root mean square over the postures, expected.
