@@ -343,7 +343,7 @@ impl Failure {
             Self::Map { .. } | Self::Figure(_) => "--format csv or json gives the numbers; `stiffarm robots show` what is reached",
             Self::Rank(_) | Self::Study(_) => "--help behind the command tells what each option takes",
             Self::Ledger(_) => "the tables are compiled in: this is a fault of the program, please report it",
-            Self::Unsettled(_) => "the rows that say DISAGREES or LISTED; validation/ holds what is printed and why it differs",
+            Self::Unsettled(_) => "the rows that say DISAGREES or LISTED; crates/stiffarm/printed/ holds what is printed and why it differs",
         }
         .into()
     }

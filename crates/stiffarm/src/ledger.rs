@@ -30,14 +30,14 @@ pub struct Printed<'a> {
 }
 
 impl Printed<'static> {
-    /// The ledger of this repository, `validation/`.
+    /// The ledger of this repository, `printed/` beside the sources.
     pub const PAPER: Self = Self {
-        text: include_str!("../../../validation/text.csv"),
-        table_1: include_str!("../../../validation/table1.csv"),
-        table_2: include_str!("../../../validation/table2.csv"),
-        table_3: include_str!("../../../validation/table3.csv"),
-        disagreements: include_str!("../../../validation/disagreements.csv"),
-        reasons: include_str!("../../../validation/reasons.csv"),
+        text: include_str!("../printed/text.csv"),
+        table_1: include_str!("../printed/table1.csv"),
+        table_2: include_str!("../printed/table2.csv"),
+        table_3: include_str!("../printed/table3.csv"),
+        disagreements: include_str!("../printed/disagreements.csv"),
+        reasons: include_str!("../printed/reasons.csv"),
     };
 }
 
