@@ -180,7 +180,9 @@ fn the_floor_that_is_asked_for_is_the_one_that_the_arm_comes_near_to() {
         let nearest = |floor: Option<f64>| {
             let within = Some(Within { x: Interval::spanning(1.0, 2.5), z: Interval::spanning(1.0, 1.4) });
             let options = PlaceOptions { within, ..asked(Margins { floor, ..Margins::NONE }) };
-            place(&model, Zone::Circle { diameter: 0.2 }, &options).unwrap().feasible().unwrap().clearance.unwrap()
+            let zone = Zone::Circle { diameter: 0.2 };
+            let found = place(&model, zone, &options).unwrap();
+            found.feasible().unwrap().clearance(&model, zone, &options.margins).unwrap()
         };
         let [none, low, high] = [None, Some(-2.0), Some(0.999)].map(nearest);
         let case = model.kind().name();

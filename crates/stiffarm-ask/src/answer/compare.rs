@@ -49,7 +49,7 @@ const LINES: [(&str, Says); 20] = [
         Some(format!("{} ({})", degrees(least), margins::of(of)))
     }),
     ("clearance", |side| {
-        let clearance = side.best()?.clearance?;
+        let clearance = side.clearance()?;
         let loud = if clearance.distance < 0.0 { "COLLISION: " } else { "" };
         Some(format!("{loud}{} mm, {}", fixed(clearance.distance * 1e3, 0), words::clearance_of(&clearance)))
     }),
@@ -204,9 +204,9 @@ impl CompareAnswer {
             }
             (None, None) => "Neither of them was found a place.".into(),
         }];
-        for (side, best) in self.best().into_iter().enumerate() {
-            if best.is_some_and(Placement::collides) {
-                sentences.push(format!("At the place of {} the arm collides: it is not to be chosen.", called(side)));
+        for (at, side) in self.sides.iter().enumerate() {
+            if side.clearance().is_some_and(|clearance| clearance.distance < 0.0) {
+                sentences.push(format!("At the place of {} the arm collides: it is not to be chosen.", called(at)));
             }
         }
         let differ = self.differ_in();

@@ -12,6 +12,7 @@ use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm
 use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, payload, with_schema, words};
 use stiffarm::advice::Advice;
 use stiffarm::cell::{Cell, Window};
+use stiffarm::clearance::Clearance;
 use stiffarm::interval::Interval;
 use stiffarm::map::{Held, MapOptions, Spacing};
 use stiffarm::model::{Model, ModelKind};
@@ -115,6 +116,11 @@ impl PlaceAnswer {
     /// The best place, where there is one.
     pub fn best(&self) -> Option<&Placement> {
         self.placed.feasible()
+    }
+
+    /// How near the arm comes to anything at the best place.
+    pub(super) fn clearance(&self) -> Option<Clearance> {
+        clearance(&self.robot, (&self.model, &self.options), &self.task, self.best()?)
     }
 
     /// Where the zone may stand.
@@ -256,7 +262,7 @@ impl PlaceAnswer {
         let [near, far] = [format!("x {wx} m"), format!("z {wz} m")];
         let worst = if best.space().is_some() { format!("{near}, y {wy} m, {far}") } else { format!("{near}, {far}") };
         lines.push(line("worst point", worst));
-        lines.extend(best.clearance.map(|clearance| words::clearance(&clearance)));
+        lines.extend(self.clearance().map(|clearance| words::clearance(&clearance)));
         lines.extend(best.space().into_iter().flat_map(hold_lines));
         if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
             let says = format!("{}, margin {} mm", verdict.told(), fixed(verdict.margin_mm, 4));
@@ -420,12 +426,24 @@ pub(super) fn cell(
         .put(field::LOWER_BOUND, best.map(|best| best.lower_bound))
         .put(field::X, best.map(|best| best.centre[0]))
         .put(field::Z, best.map(|best| best.centre[1]));
-    held(&mut record, best, options.cell.as_ref());
+    let clearance = best.and_then(|best| clearance(robot, (model, options), task, best));
+    held(&mut record, best, clearance, options.cell.as_ref());
     uncertainty::put(&mut record, known.map(|known| known.spread));
     let held = tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance));
     let held = held.map(|held| held.with(known.and_then(|known| known.holds)));
     verdict::put(&mut record, tolerance_mm, held, best.is_none() && placed.is_ok());
     record
+}
+
+/// How near the arm comes to anything at a place.
+pub(super) fn clearance(
+    robot: &Robot,
+    (model, options): (&ModelKind, &PlaceOptions),
+    task: &Task,
+    best: &Placement,
+) -> Option<Clearance> {
+    let model = model.of(robot).expect("the model that has found the place");
+    best.clearance(&model, task.zone, &options.margins)
 }
 
 /// Adds what was sought beside a placement.
@@ -467,10 +485,9 @@ fn outcome(record: &mut Record, placed: Result<&Placed, &PlaceError>) {
 }
 
 /// How the zone stands and what holds it.
-fn held(record: &mut Record, best: Option<&Placement>, cell: Option<&Cell>) {
+fn held(record: &mut Record, best: Option<&Placement>, clearance: Option<Clearance>, cell: Option<&Cell>) {
     let hold = best.and_then(Placement::space);
     let of = |value: fn(&SpaceHold) -> f64| hold.map(value);
-    let clearance = best.and_then(|best| best.clearance);
     let margin = best.and_then(Placement::smallest_margin);
     record
         .put(field::BEARING, of(|hold| hold.bearing))

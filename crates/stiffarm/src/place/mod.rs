@@ -174,9 +174,8 @@ pub struct Placement {
     pub from_axis_1: Option<f64>,
     /// What of the zone is reached but rarely meant; `None` where it is not known where the base stands.
     pub outside: Option<Outside>,
-    /// The nearest that the arm comes to the floor, the work and itself, in the poses of the answer; `None` where it is not known where the base
-    /// stands, and of [`find`] in the plane.
-    pub clearance: Option<Clearance>,
+    /// What the search in space knows of [`Placement::clearance`]; `None` in the plane.
+    pub clearance_in_space: Option<Clearance>,
     /// How the arm holds it; of a part its worst face.
     pub hold: Hold,
     /// Of a part: every face, in the order in which it has them.
@@ -266,9 +265,20 @@ impl Placement {
         faces.map(SpaceHold::smallest_margin).min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// At some pose of the answer the arm overlaps with the floor, the work, itself or what must be kept free.
-    pub fn collides(&self) -> bool {
-        self.clearance.is_some_and(|clearance| clearance.distance < 0.0)
+    /// The nearest that the arm comes to the floor, the work and itself, in the poses of the answer; `None` where it is not known where the base
+    /// stands. The model and the zone are those of the placement.
+    ///
+    /// The search in space looks at it anyway; in the arm plane it costs far more than the place itself and is computed here, of whoever asks.
+    pub fn clearance(&self, model: &Model, zone: Zone, margins: &Margins) -> Option<Clearance> {
+        match model {
+            Model::Planar(model) => planar::clearance(model, zone, self, margins.floor),
+            Model::Spatial(_) => self.clearance_in_space,
+        }
+    }
+
+    /// At some pose of the answer in space the arm overlaps with the floor, the work, itself or what must be kept free.
+    pub fn collides_in_space(&self) -> bool {
+        self.clearance_in_space.is_some_and(|clearance| clearance.distance < 0.0)
     }
 
     /// The centre of the zone in a cell, m.
@@ -465,8 +475,8 @@ pub fn place_task_watched(
     }
 }
 
-/// [`place`] without a word about why a zone has no place, or how near the arm comes to anything there: in the plane both cost more than the
-/// place itself.
+/// [`place`] without a word about why a zone has no place, or what is kept from the limits there: in the plane both cost more than the place
+/// itself.
 ///
 /// # Errors
 /// As [`place_task_watched`].

@@ -70,7 +70,7 @@ impl PlaceAnswer {
 
     /// A place that must not be chosen.
     fn colliding(&self, best: &Placement) -> Option<(Outcome, Vec<String>)> {
-        let clearance = best.clearance.filter(|_| best.space().is_some() && best.collides())?;
+        let clearance = self.clearance().filter(|_| best.collides_in_space())?;
         let [name, says] = words::clearance(&clearance);
         Some((
             Outcome::Collides,

@@ -6,6 +6,7 @@ use super::super::{RankAnswer, uncertainty};
 use super::place::sentence;
 use super::{Headline, Outcome, drives_rest_on, means, mm};
 use stiffarm::model::ModelKind;
+use stiffarm::place::Placement;
 use stiffarm::rank::Row;
 
 impl RankAnswer {
@@ -34,7 +35,7 @@ impl RankAnswer {
         if winners.is_empty() {
             return Outcome::NoPlace;
         }
-        if any(&|task, row| row.placement(task).is_some_and(|best| best.space().is_some() && best.collides())) {
+        if any(&|task, row| row.placement(task).is_some_and(Placement::collides_in_space)) {
             return Outcome::Collides;
         }
         if self.tolerance_mm.is_some() && self.shortfall().is_some() {

@@ -132,7 +132,7 @@ impl RankAnswer {
 
     /// Names the places in space where the arm overlaps with something.
     fn colliding(&self) -> String {
-        let named = self.named(|best| best.space().is_some() && best.collides());
+        let named = self.named(Placement::collides_in_space);
         named.map_or_else(String::new, |names| {
             format!("COLLISION at the place (`stiffarm place --model spatial` says of what): {names}\n")
         })

@@ -1,5 +1,6 @@
 //! One robot of a ranking, task by task.
 
+use super::super::place::clearance;
 use super::super::words::{self, fixed};
 use super::super::{Table, margins};
 use super::RankAnswer;
@@ -33,8 +34,9 @@ impl RankAnswer {
                 best.smallest_margin().map(|(least, of)| format!("{} ({})", words::degrees(least), margins::of(of)))
             }));
             cells.push(or_dash(best, |best| {
-                let distance = fixed(best.clearance?.distance * 1e3, 0);
-                Some(if best.collides() { format!("COLLISION {distance}") } else { distance })
+                let found = clearance(&row.robot, (&self.ranking.model, &self.options), asked, best)?.distance;
+                let distance = fixed(found * 1e3, 0);
+                Some(if found < 0.0 { format!("COLLISION {distance}") } else { distance })
             }));
             table.row(cells);
         }

@@ -9,6 +9,7 @@ use super::RankAnswer;
 use super::notes::MOST_NAMED;
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
+use stiffarm::place::Placement;
 use stiffarm::rank::Row;
 use stiffarm::robot::{Robot, Status};
 
@@ -75,8 +76,7 @@ impl RankAnswer {
             winners.iter().map(of).collect::<Vec<_>>().join("; ")
         };
         let under = self.under(winners.iter().map(|(row, _)| &row.robot));
-        let collides =
-            |row: &Row, task: usize| row.placement(task).is_some_and(|best| best.space().is_some() && best.collides());
+        let collides = |row: &Row, task: usize| row.placement(task).is_some_and(Placement::collides_in_space);
         if winners.iter().any(|(row, tasks)| tasks.iter().any(|&task| collides(row, task))) {
             return format!(
                 "{under} the least deflection is that of {}; but an arm collides there, so no robot is advised.",

@@ -4,9 +4,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Vector2, Vector3};
 
-use super::{Solution, turned};
+use super::turned;
 use crate::clearance::{Clearance, Solid, Surroundings, ThickArm};
 use crate::model::PlanarModel;
+use crate::place::Placement;
 use crate::robot::Arm;
 use crate::task::Zone;
 use crate::work::Grid;
@@ -15,20 +16,26 @@ use crate::work::Grid;
 const CELLS: usize = 8;
 
 /// The nearest over poses that cover the zone; what is machined lies in the arm plane and is compared with the column alone.
-pub(super) fn of(model: &PlanarModel, zone: Zone, found: &Solution, floor: Option<f64>) -> Option<Clearance> {
+pub(in crate::place) fn clearance(
+    model: &PlanarModel,
+    zone: Zone,
+    found: &Placement,
+    floor: Option<f64>,
+) -> Option<Clearance> {
     let thick = ThickArm::to_wrist(model.robot())?;
     let Arm::SixAxis { geometry, .. } = &model.robot().arm else { return None };
     let side = |p: Vector2<f64>| {
         let mut sides = model.sides.iter().filter(|side| side.elbow == found.elbow);
         sides.find_map(|side| side.posture(p))
     };
-    let centre = Vector2::from(found.centre);
+    let [x, z] = found.centre;
+    let [ahead, up] = model.axis_from_base;
+    let centre = Vector2::new(x - ahead, z - up);
     let postures = Grid::of(zone, CELLS).points.into_iter().filter_map(|at| {
         let (shoulder, elbow) = side(centre + turned(at.into(), found.angle))?;
         Some([0.0, FRAC_PI_2 - shoulder, -elbow - geometry.lean(), 0.0, 0.0, 0.0])
     });
-    let [ahead, up] = model.axis_from_base;
-    let middle = Vector3::new(centre.x + ahead, model.aside(), centre.y + up);
+    let middle = Vector3::new(x, model.aside(), z);
     let first = Vector3::new(found.angle.cos(), 0.0, found.angle.sin());
     let about =
         Surroundings { work: Some(Solid::sheet(zone, middle, first, Vector3::y())), ..Surroundings::above(floor) };

@@ -11,6 +11,7 @@ mod search;
 
 use nalgebra::Vector2;
 
+pub(super) use clearance::clearance;
 pub(crate) use exact::best_near;
 
 use objective::Objective;
@@ -61,16 +62,15 @@ pub(super) fn place(
     let allowed = Allowed::of(model, options, &parts)?;
     Ok(match allowed.best(zone)? {
         Some(solution) => {
-            let clearance = clearance::of(model, zone, &solution, options.margins.floor);
             let margin = smallest_margin(model, zone, &solution);
             let hold = solution.hold(model, margin);
-            Placed::Feasible(Placement { clearance, hold, ..solution.into_placement(model, zone) })
+            Placed::Feasible(Placement { hold, ..solution.into_placement(model, zone) })
         }
         None => allowed.infeasible(zone, options)?,
     })
 }
 
-/// The same without a word about why there is none, or about clearance.
+/// The same without a word about why there is none, or about margins.
 pub(super) fn find(
     model: &PlanarModel,
     zone: Zone,
@@ -232,7 +232,7 @@ impl Solution {
             worst_point: [wx + ahead, model.aside(), wz + up],
             from_axis_1: model.knows_base().then(|| (centre[0].abs() - half.x).max(0.0).hypot(model.aside())),
             outside: model.knows_base().then(|| Outside::of(centre, half)),
-            clearance: None,
+            clearance_in_space: None,
             hold: self.hold(model, None),
             faces: Vec::new(),
         }

@@ -164,7 +164,7 @@ impl From<Solution> for Placement {
             worst_point: found.worst_point,
             from_axis_1: Some(found.from_axis_1),
             outside: Some(found.outside),
-            clearance: found.clearance,
+            clearance_in_space: found.clearance,
             hold: Hold::Space(Box::new(found.hold())),
             faces: Vec::new(),
         }
