@@ -14,6 +14,7 @@ use stiffarm::advice::Advice;
 use stiffarm::cell::{Cell, Window};
 use stiffarm::clearance::Clearance;
 use stiffarm::interval::Interval;
+use stiffarm::limits::Pendant;
 use stiffarm::map::{Held, MapOptions, Spacing};
 use stiffarm::model::{Model, ModelKind};
 use stiffarm::place::{
@@ -427,7 +428,7 @@ pub(super) fn cell(
         .put(field::X, best.map(|best| best.centre[0]))
         .put(field::Z, best.map(|best| best.centre[1]));
     let clearance = best.and_then(|best| clearance(robot, (model, options), task, best));
-    held(&mut record, best, clearance, options.cell.as_ref());
+    held(&mut record, (robot, best, clearance), options.cell.as_ref());
     uncertainty::put(&mut record, known.map(|known| known.spread));
     let held = tolerance_mm.zip(best).map(|(tolerance, best)| Verdict::of(best.deflection, tolerance));
     let held = held.map(|held| held.with(known.and_then(|known| known.holds)));
@@ -485,7 +486,11 @@ fn outcome(record: &mut Record, placed: Result<&Placed, &PlaceError>) {
 }
 
 /// How the zone stands and what holds it.
-fn held(record: &mut Record, best: Option<&Placement>, clearance: Option<Clearance>, cell: Option<&Cell>) {
+fn held(
+    record: &mut Record,
+    (robot, best, clearance): (&Robot, Option<&Placement>, Option<Clearance>),
+    cell: Option<&Cell>,
+) {
     let hold = best.and_then(Placement::space);
     let of = |value: fn(&SpaceHold) -> f64| hold.map(value);
     let margin = best.and_then(Placement::smallest_margin);
@@ -502,6 +507,7 @@ fn held(record: &mut Record, best: Option<&Placement>, clearance: Option<Clearan
         .put(field::BELOW_BASE, best.and_then(|best| best.outside).map(|outside| outside.below))
         .put(field::BEHIND_AXIS_1, best.and_then(|best| best.outside).map(|outside| outside.behind))
         .put(field::WORST_JOINTS, hold.map(|hold| hold.joints))
+        .put(field::PENDANT, hold.and(robot.pendant()).map(Pendant::name))
         .put(field::WORST_SHARES, hold.map(|hold| hold.shares))
         .put(field::LIMIT_MARGIN, of(|hold| hold.limit_margin.0))
         .put(field::LIMIT_MARGIN_JOINT, hold.map(|hold| hold.limit_margin.1))

@@ -30,10 +30,12 @@ pub enum Misfit {
         /// The coarsest step of the search for one, m.
         step: f64,
     },
-    /// Places are reached, but at the best of them the arm comes nearer than was asked.
+    /// There are places, but the arm keeps less from everything there than was asked.
     Clearance {
         /// m.
         asked: f64,
+        /// What it keeps at the best place where none is asked for, m; `None` where no body of the arm is known.
+        kept: Option<f64>,
     },
     /// The zone is reached, but a joint would have to turn by more than it can on the way through it.
     Turning,
@@ -61,8 +63,10 @@ impl std::fmt::Display for Misfit {
                 "no place was found (places {:.0} mm apart, then refined) where the whole zone is reached in one posture",
                 step * 1e3
             ),
-            Self::Clearance { asked } => {
-                write!(f, "no place was found where the arm keeps {:.0} mm from everything", asked * 1e3)
+            Self::Clearance { asked, kept } => {
+                write!(f, "no place was found where the arm keeps {:.0} mm from everything", asked * 1e3)?;
+                let Some(kept) = kept else { return Ok(()) };
+                write!(f, "; at the best place without that it keeps {:.0} mm", kept * 1e3)
             }
             Self::Turning => f.write_str(
                 "the zone is reached, but not in one go: within it a joint passes a singular posture or the end of its range",

@@ -60,8 +60,7 @@ pub(super) fn search(
     options: &Question,
     cell: &Cell,
 ) -> Result<Placed, Stopped> {
-    let ground = Ground::new(arm, zone, options, cell);
-    let mut search = CellSearch { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, reserve: 0.0 };
+    let mut search = CellSearch::new(robot, arm, zone, Ground::new(arm, zone, options, cell));
     let mut found = search.taken(EFFORTS[0])?;
     let (relaxed, region) = search.ground.relaxed();
     let bound = BranchAndBound::new(arm, zone, &relaxed, region, search.roll_is_free);
@@ -85,10 +84,25 @@ pub(super) fn search(
             .into(),
         ),
         Err(reason) => {
+            let reason = match cell.clearance {
+                Some(asked) => without_clearance(&search, asked, options)?,
+                None => reason,
+            };
             // With every angle that is asked for; what turns with its bearing is not sure of its extent.
             let is_narrow = reason == Misfit::WindowTooNarrow && options.orientation != Orientation::Free;
             Placed::Infeasible { reason, is_proved: is_narrow || proof.unfathomed.is_empty(), largest_scale: None }
         }
+    })
+}
+
+/// Why a search under a clearance has no place: what it keeps without it, or why there is none even then.
+fn without_clearance(search: &CellSearch, asked: f64, options: &Question) -> Result<Misfit, Stopped> {
+    let cell = Cell { clearance: None, ..*search.ground.cell };
+    let ground = Ground::new(search.arm, search.zone, options, &cell);
+    let found = CellSearch::new(search.robot, search.arm, search.zone, ground).taken(EFFORTS[0])?;
+    Ok(match found {
+        Ok(free) => Misfit::Clearance { asked, kept: free.clearance.map(|clearance| clearance.distance) },
+        Err(reason) => reason,
     })
 }
 
@@ -114,7 +128,11 @@ struct CellSearch<'a> {
     ground: Ground<'a>,
 }
 
-impl CellSearch<'_> {
+impl<'a> CellSearch<'a> {
+    fn new(robot: &'a Robot, arm: &'a SpatialArm, zone: Zone, ground: Ground<'a>) -> Self {
+        Self { robot, arm, zone, roll_is_free: ground.roll_is_free, ground, reserve: 0.0 }
+    }
+
     /// The best place that keeps the clearance that is asked for, or why none was found.
     fn taken(&mut self, effort: Effort) -> Result<Result<Solution, Misfit>, Stopped> {
         self.reserve = 0.0;
@@ -158,7 +176,10 @@ impl CellSearch<'_> {
                     let missed = solution.clearance.map(|clearance| asked - clearance.distance);
                     let short = [missed, touching.and_then(|touching| touching.short)];
                     let short = short.into_iter().flatten().min_by(f64::total_cmp);
-                    touching = Some(Untaken { reason: Misfit::Clearance { asked }, short });
+                    touching = Some(Untaken {
+                        reason: Misfit::Clearance { asked, kept: short.map(|short| asked - short) },
+                        short,
+                    });
                 }
                 _ => return Ok(Ok(solution)),
             }
