@@ -272,7 +272,7 @@ fn what_makes_no_sense_is_refused_with_option_value_and_what_is_expected() {
             &[("force-cone-deg", "9"), ("force-n", "4")],
             "--force-cone-deg is the doubt about where a force points",
         ),
-        (Verb::Map, &[("component", "normal")], "--component normal to the face is a matter of the spatial model"),
+        (Verb::Map, &[("component", "normal")], "--component normal to the face needs the spatial model"),
         (Verb::Place, &[("force-n", "3,-4,5")], "--force-n pushes with -4 N across the arm plane"),
         (
             Verb::Rank,

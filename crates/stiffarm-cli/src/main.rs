@@ -18,6 +18,7 @@ mod report;
 mod selection;
 mod serve;
 mod shelf;
+mod signals;
 mod table;
 mod target;
 

@@ -17,6 +17,7 @@ use crate::figures::{self, Plate, view3d::View};
 use crate::look::Look;
 use crate::named::{Drawn, Form, endings, form};
 use crate::report::Report;
+use crate::signals;
 use crate::table::write_csv;
 use crate::target::target;
 
@@ -216,7 +217,7 @@ fn put(text: &str, path: &Path, sink: Sink) -> Result<(), Failure> {
         Sink::Straight => {
             fs::OpenOptions::new().write(true).open(path).and_then(|mut file| file.write_all(text.as_bytes()))
         }
-        Sink::Atomic(mut file) => file.write_all(text.as_bytes()).and_then(|()| file.commit()),
+        Sink::Atomic(mut file) => file.write_all(text.as_bytes()).and_then(|()| signals::waiting(|| file.commit())),
     };
     written.map_err(|error| Failure::Write { path: path.into(), error })
 }
@@ -227,7 +228,7 @@ fn write<A: Answer>(answer: &A, (path, form): (&Path, &Form), sink: Sink) -> Res
         Sink::Straight => body.write(&mut fs::OpenOptions::new().write(true).open(path)?),
         Sink::Atomic(mut file) => {
             body.write(file.as_file_mut())?;
-            file.commit()
+            signals::waiting(|| file.commit())
         }
     };
     write().map_err(|error| Failure::Write { path: path.into(), error })

@@ -292,7 +292,7 @@ fn a_path_without_a_place_gets_the_best_one() {
     assert!(number(&placed, "worst_mm") < number(&by_hand, "worst_mm"));
     assert!(0.8 * number(&placed, "worst_mm") < number(&placed, "lower_bound_mm"));
     let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
-    let bound = format!("no place has less than {:.4} mm (gap", number(&placed, "lower_bound_mm"));
+    let bound = format!("proved lower bound {:.4} mm (gap", number(&placed, "lower_bound_mm"));
     for words in [bound.as_str(), "18 x 14 x 24 places ahead, up and turned, the best refined to"] {
         assert!(told.contains(words), "{words}: {told}");
     }
@@ -300,7 +300,7 @@ fn a_path_without_a_place_gets_the_best_one() {
     let (placed, told) = both(folder.path(), &asked.map(|word| if word == "400" { "300,-120,80" } else { word }));
     assert_eq!(placed["lower_bound_mm"], 0.0);
     let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(told.contains("no place has less than not proved: "), "{told}");
+    assert!(told.contains("proved lower bound not proved: "), "{told}");
     let nowhere = json(folder.path(), &[&asked[..], &["--within", "6..7,0..1"]].concat());
     assert_eq!(nowhere["feasible"], false);
     assert!(nowhere["worst_mm"].is_null() && nowhere["reason"].as_str().unwrap().contains("no place"));

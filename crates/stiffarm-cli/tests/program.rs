@@ -210,11 +210,7 @@ fn what_makes_no_sense_is_refused_with_what_to_do() {
         (&["map", "BT200L", "--direction-deg", "nan"], 2, "expected a number from"),
         (&["study", "--sizes", "-1"], 2, "expected a number from 0.0001 to 10"),
         (&["study", "--range", "..2"], 2, "takes both ends"),
-        (
-            &["map", "BT200L", "--component", "normal"],
-            2,
-            "--component normal to the face is a matter of the spatial model",
-        ),
+        (&["map", "BT200L", "--component", "normal"], 2, "--component normal to the face needs the spatial model"),
         (&["map", "BT200L", "--force-n", "1,2,3"], 2, "--force-n pushes with 2 N across the arm plane"),
         (
             &["place", "BT200L", "--task", "A:0.1", "--force-n", "3,2,4"],
@@ -461,7 +457,7 @@ fn a_part_is_placed_with_its_faces() {
     assert_eq!(placed["deflection_mm"].as_f64(), Some(worst));
     let flat: &[&str] = &["place", "BT200L", "--task", "A:0.1"];
     for (arguments, expected) in [
-        (place.to_vec(), "several faces is a matter of the spatial model"),
+        (place.to_vec(), "several faces needs the spatial model"),
         ([&place[..], &spindle, &["--faces", "under"]].concat(), "no face 'under'; this part has top, front"),
         ([&place[..], &spindle, &["--tool-direction", "down"]].concat(), "a part says itself how the tool meets"),
         ([flat, &["--model", "spatial", "--faces", "top"]].concat(), "a flat zone is one face"),

@@ -302,9 +302,9 @@ fn the_verdict_is_in_words_and_by_how_much() {
     );
     // A bound of some rolls says nothing of the others.
     for (option, value, bounded) in [
-        ("--roll", "constant", "no constant roll has less than"),
-        ("--roll", "150", "no posture at this roll has less than"),
-        ("--pin", "100@150", "no rolls through the pins have less than"),
+        ("--roll", "constant", "proved lower bound of constant rolls is"),
+        ("--roll", "150", "lower bound at this roll is"),
+        ("--pin", "100@150", "lower bound of rolls through the pins is"),
     ] {
         let (word, says) = verdict(&[ASKED[3].1, &[option, value]].concat());
         assert!(word == "fail" && says.contains(bounded) && says.contains("other rolls may"), "{option}: {says}");

@@ -5,7 +5,7 @@ import stiffarm
 robot = stiffarm.Robot("KR 210 R2700 extra")
 planar = stiffarm.place(robot, task="B:0.5", within_m="0..,0..")
 print(planar)
-print(f"no place has less than {planar.lower_bound_mm:.4f} mm")
+print(f"proved lower bound {planar.lower_bound_mm:.4f} mm")
 
 spatial = stiffarm.place(robot, task="B:0.5", model="spatial", tool_mm=(0, 0, 200), tool_direction="down")
 print(spatial)

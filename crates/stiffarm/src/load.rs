@@ -89,10 +89,10 @@ pub enum NotInPlane {
     #[error("a force of {0} N across the arm plane; the planar model takes x,0,z, and the spatial model any")]
     Across(f64),
     /// There is no tool.
-    #[error("a force along feed, across and axial is a matter of the spatial model")]
+    #[error("a force along feed, across and axial needs the spatial model")]
     Tool,
     /// There is no face.
-    #[error("a deflection normal to the face is a matter of the spatial model")]
+    #[error("a deflection normal to the face needs the spatial model")]
     Normal,
 }
 

@@ -176,7 +176,7 @@ pub enum MapError {
     #[error(transparent)]
     Model(#[from] ModelError),
     /// What another model knows.
-    #[error("{what} is a matter of the {model} model")]
+    #[error("{what} needs the {model} model")]
     Inapplicable {
         /// What was asked for.
         what: &'static str,

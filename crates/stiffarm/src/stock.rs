@@ -60,8 +60,8 @@ pub enum StockError {
         /// m.
         cell: f64,
     },
-    /// Heights know one direction.
-    #[error("line {0}: the tool axis is not z; heights know three-axis paths only")]
+    /// The tool is not upright somewhere.
+    #[error("line {0}: the tool axis is not z; the height-field stock supports three-axis paths only")]
     Axis(usize),
     /// It is no longer wanted.
     #[error(transparent)]

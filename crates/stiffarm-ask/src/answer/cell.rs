@@ -34,7 +34,7 @@ pub(super) fn lines(cell: &Cell, within: &Within) -> Vec<Line> {
     lines
 }
 
-/// Of which places is proved what no place has less than, where the cell takes some away.
+/// Of which places the lower bound holds, where the cell takes some away.
 pub(super) fn proof(cell: &Cell) -> Option<Line> {
     cell.decides_the_search().then(|| {
         line(

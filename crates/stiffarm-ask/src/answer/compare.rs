@@ -31,16 +31,16 @@ const LINES: [(&str, Says); 20] = [
     ("force", |side| Some(words::acting(side.options.load))),
     ("task", |side| Some(format!("{} ({})", side.task.label, side.task.describe()))),
     ("allowed place", |side| Some(side.allowed())),
-    ("places keep", |side| Some(margins::angles(&side.options.margins))),
+    ("margins", |side| Some(margins::angles(&side.options.margins))),
     (
         "no place",
         |side| if let Placed::Infeasible { reason, .. } = &side.placed { Some(reason.to_string()) } else { None },
     ),
     ("worst deflection [mm]", |side| side.best().map(|best| fixed(best.deflection * 1e3, 4))),
-    ("no place has less than [mm]", |side| side.best().map(|best| fixed(best.lower_bound * 1e3, 4))),
+    ("proved lower bound [mm]", |side| side.best().map(|best| fixed(best.lower_bound * 1e3, 4))),
     ("centre x, z [m]", |side| side.best().map(|best| best.centre.map(|metres| fixed(metres, 4)).join(", "))),
     ("angle of the first side", |side| side.best().map(|best| degrees(best.angle))),
-    ("posture", |side| {
+    ("configuration", |side| {
         let best = side.best()?;
         Some(best.space().map_or_else(|| format!("elbow {}", best.elbow.name()), |hold| hold.configuration.to_string()))
     }),

@@ -230,7 +230,7 @@ impl MeasureAnswer {
             ),
             line(format!("precision of the {of}"), format!("{} {in_words}{}", predicted(plan.value), self.undecided())),
             line(
-                "no other choice has less than",
+                "lower bound of any choice",
                 format!("{} (efficiency {} at least)", predicted(plan.lower_bound), percent(plan.efficiency())),
             ),
             line("chosen at random", format!("efficiency {random} (median)")),

@@ -88,7 +88,7 @@ impl PlaceAnswer {
         }
         lines.extend(self.allowed_lines());
         lines.extend(margins::column(&options.margins, robot).map(|kept| line("", kept)));
-        lines.push(line("places keep", margins::angles(&options.margins)));
+        lines.push(line("margins", margins::angles(&options.margins)));
         match placed {
             Placed::Feasible(best) => lines.extend(self.lines(best)),
             Placed::Infeasible { reason, is_proved, largest_scale } => {
@@ -274,7 +274,7 @@ impl PlaceAnswer {
 
     /// Of what the lower bound is.
     fn none_has_less(&self) -> &'static str {
-        if self.is_at_one_place() { "no way to hold it there has less than" } else { "no place has less than" }
+        if self.is_at_one_place() { "proved lower bound there" } else { "proved lower bound" }
     }
 
     fn stance_lines(&self, best: &Placement, hold: &SpaceHold) -> Vec<Line> {
@@ -289,7 +289,7 @@ impl PlaceAnswer {
         }
         lines.push(line("angle of the first side", degrees(best.angle)));
         lines.push(line("roll of the tool", degrees(hold.roll)));
-        lines.push(line("posture", hold.configuration.to_string()));
+        lines.push(line("configuration", hold.configuration.to_string()));
         let is_free = self.options.margins.radius(&self.robot) == 0.0;
         if let Some(near) = best.from_axis_1.filter(|near| is_free && *near < COLUMN) {
             let near = format!("{near:.2} m; the robot's own base stands there, --clear-of-base-m keeps away");

@@ -77,7 +77,7 @@ impl Request {
             Some("normal") if self.is_of_the_plane() => {
                 return Err((
                     "component",
-                    "normal to the face is a matter of the spatial model: a zone in the arm plane has no face".into(),
+                    "normal to the face needs the spatial model: a zone in the arm plane has no face".into(),
                 ));
             }
             Some("normal") => Component::Normal,

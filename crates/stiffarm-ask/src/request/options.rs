@@ -48,7 +48,7 @@ pub enum Unasked {
     #[error("turns nothing where the tool points straight down or up; the angle of the zone does")]
     Yaw,
     /// A cell has three dimensions.
-    #[error("with y, or several of them, is a matter of the spatial model")]
+    #[error("with a y range, or more than one window, needs the spatial model")]
     CellInPlane,
     /// A cell has a floor.
     #[error(

@@ -132,8 +132,7 @@ impl BarsFigure {
                 continue;
             };
             let x = axis.at(found).clamp(left, end);
-            let mut told =
-                format!("{}, {name}: {found:.3} mm; proved: no place has less than {bound:.3} mm", row.robot);
+            let mut told = format!("{}, {name}: {found:.3} mm; proved lower bound {bound:.3} mm", row.robot);
             if let Some([low, high]) = interval(row) {
                 let _ = write!(told, "; 90 % interval {low:.3} .. {high:.3} mm");
             }
@@ -201,7 +200,7 @@ impl BarsFigure {
                 }
             }
         }
-        entries.push(Entry::new("proved: no place has less", |canvas, [x, y]| {
+        entries.push(Entry::new("proved lower bound", |canvas, [x, y]| {
             canvas.line([x, y - 7.0], [x, y + 7.0], &bound_look());
         }));
         if self.rows.iter().any(|row| row.intervals.iter().any(Option::is_some)) {

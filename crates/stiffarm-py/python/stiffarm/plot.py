@@ -309,7 +309,7 @@ def ranking(
 ) -> Any:
     """The deflection of every robot at its best place as bars, the best first, as the program draws them.
 
-    A black tick on a bar is what is proved: no place has less. Serial robots are warm, quasi-serial ones cool, estimated
+    A black tick on a bar is the proved lower bound. Serial robots are warm, quasi-serial ones cool, estimated
     ones pale.
 
     Parameters
@@ -354,7 +354,7 @@ def ranking(
     chosen = "" if len(rows) == len(result.rows) else f"; the first {len(rows)} of {len(result.rows)} robots"
     if ax is None:
         axes[0].figure.suptitle(title + chosen, fontsize="medium", x=0.01, ha="left")
-    told = "proved: no place has less than at the black tick; ~ and pale: estimated"
+    told = "black tick: proved lower bound; ~ and pale: estimated"
     axes[-1].set_xlabel(told, fontsize="x-small", loc="right")
     return axes[0] if len(axes) == 1 else np.asarray(axes, dtype=object)
 

@@ -1307,6 +1307,10 @@ class _Placed(_Pass):
     worst_joints_deg: list[float] | None
     """Joint angles at the worst point as the robot reports them."""
 
+    pendant: str | None
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
     worst_shares: list[float] | None
     """What each drive gives of the worst deflection; adds up to 1."""
 

@@ -50,7 +50,7 @@ pub enum ForcedError {
         /// What is wrong.
         error: CuttingError,
     },
-    /// Heights know no such path.
+    /// The stock does not support the path.
     #[error(transparent)]
     Stock(#[from] StockError),
     /// The table of a measured force ends before the path does, or begins after it.

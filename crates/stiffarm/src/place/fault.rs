@@ -82,7 +82,7 @@ pub enum PlaceError {
     #[error(transparent)]
     Model(#[from] ModelError),
     /// What another model knows.
-    #[error("{what} is a matter of the {model} model")]
+    #[error("{what} needs the {model} model")]
     Inapplicable {
         /// What was asked for.
         what: &'static str,
@@ -109,7 +109,7 @@ pub enum PlaceError {
     #[error("an angle of {0} rad; expected a number from -1000 to 1000")]
     Angle(f64),
     /// Faces that look all ways have no place in one plane.
-    #[error("a part with several faces is a matter of the spatial model")]
+    #[error("a part with several faces needs the spatial model")]
     PartInPlane,
     /// A part without faces.
     #[error("a part without faces; expected at least one")]

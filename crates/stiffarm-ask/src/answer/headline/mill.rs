@@ -48,18 +48,18 @@ impl MillAnswer {
             fixed(margin, 4)
         )];
         if let (false, Some(bound)) = (verdict.passes, self.lower_bound()) {
-            let (nowhere, helps) = if self.sought.is_some() {
-                ("no place and ", "Neither another place nor turning the tool helps")
+            let (places, helps) = if self.sought.is_some() {
+                ("of all places and ", "Neither another place nor turning the tool helps")
             } else {
                 ("", "Turning the tool does not help")
             };
-            let proved = format!("{nowhere}{} less than {}", self.bounded(), mm(bound));
+            let proved = format!("proved lower bound {places}{} is {}", self.bounded(), mm(bound));
             told.push(if Verdict::of(bound, tolerance).passes {
-                format!("Better ones are not ruled out: it is proved that {proved}.")
+                format!("Better ones are not ruled out: the {proved}.")
             } else if self.bounds_all_rolls() {
-                format!("{helps}: {proved}, which is proved.")
+                format!("{helps}: the {proved}.")
             } else {
-                format!("It is proved that {proved}; other rolls may.")
+                format!("The {proved}; other rolls may hold it.")
             });
         }
         told.push(scattered(verdict, self.spread(), &self.robot));

@@ -51,9 +51,7 @@ impl PlaceAnswer {
         if !verdict.passes && !self.is_at_one_place() {
             let bound = mm(best.lower_bound);
             sentences.push(if Verdict::of(best.lower_bound, tolerance).passes {
-                format!(
-                    "A place that holds it is not ruled out: what is proved is that no place has less than {bound}."
-                )
+                format!("A place that holds it is not ruled out: the proved lower bound is {bound}.")
             } else {
                 format!("No place that is allowed holds it: none has less than {bound}, which is proved.")
             });

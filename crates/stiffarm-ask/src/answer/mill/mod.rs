@@ -206,13 +206,13 @@ impl MillAnswer {
         matches!(self.options.roll, RollMode::Free | RollMode::Linear) && self.pins().next().is_none()
     }
 
-    /// Of what the bound is, in words: "no rolls have", to be followed by "less than".
+    /// Of which rolls the bound is, in words, to follow "lower bound".
     pub fn bounded(&self) -> &'static str {
         match self.options.roll {
-            RollMode::Fixed(_) => "no posture at this roll has",
-            RollMode::Constant => "no constant roll has",
-            RollMode::Free | RollMode::Linear if self.bounds_all_rolls() => "no rolls have",
-            RollMode::Free | RollMode::Linear => "no rolls through the pins have",
+            RollMode::Fixed(_) => "at this roll",
+            RollMode::Constant => "of constant rolls",
+            RollMode::Free | RollMode::Linear if self.bounds_all_rolls() => "of all rolls",
+            RollMode::Free | RollMode::Linear => "of rolls through the pins",
         }
     }
 

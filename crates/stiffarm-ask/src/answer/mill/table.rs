@@ -118,7 +118,7 @@ impl MillAnswer {
         lines.extend(uncertainty::told(&self.robot, self.spread()));
         let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
-        lines.push(line(format!("{} less than", self.bounded()), proved(found.lower_bound)));
+        lines.push(line(format!("lower bound {}", self.bounded()), proved(found.lower_bound)));
         if let Some((resolution, lower)) = self.sought {
             let PathResolution { coarse, step, samples, nodes } = resolution;
             let told = if 0.0 < lower {
@@ -126,7 +126,7 @@ impl MillAnswer {
             } else {
                 format!("not proved: {nodes} boxes of places are too few for a bound")
             };
-            lines.push(line("no place has less than", told));
+            lines.push(line("proved lower bound", told));
             lines.extend(self.ground.cell.as_ref().and_then(proof_of));
             let step = fixed(step * 1e3, 1);
             let sought =
@@ -157,7 +157,7 @@ impl MillAnswer {
         } else {
             format!("at first; arranged anew {again} times, clear of the work")
         };
-        lines.push(line("posture", format!("{} {how}", found.samples[0].arrangement.configuration)));
+        lines.push(line("configuration", format!("{} {how}", found.samples[0].arrangement.configuration)));
         lines.extend(pushed.shares.as_ref().map(|shares| line("share of drives 1-6 there", percentages(shares))));
         let margins =
             [least(found, |pushed| pushed.limit_margin), least(found, |pushed| pushed.singular_margin)].map(degrees);

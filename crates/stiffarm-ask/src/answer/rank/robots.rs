@@ -17,7 +17,7 @@ impl RankAnswer {
         let rivals: Vec<_> = (0..self.ranking.tasks.len()).map(|task| self.ranking.rivals(task)).collect();
         let spreads: Vec<Option<Spread>> = (0..row.cells.len()).map(|task| self.spread(at, task)).collect();
         let is_scattered = spreads.iter().any(Option::is_some);
-        let mut headings = vec!["task", "worst deflection [mm]", "no place has less than [mm]"];
+        let mut headings = vec!["task", "worst deflection [mm]", "proved lower bound [mm]"];
         headings.extend(is_scattered.then_some("90 % interval [mm]"));
         headings.extend(["x [m]", "z [m]", "smallest margin", "clearance [mm]"]);
         let mut table = Table::new(headings);
