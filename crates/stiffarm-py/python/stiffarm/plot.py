@@ -354,7 +354,7 @@ def ranking(
     chosen = "" if len(rows) == len(result.rows) else f"; the first {len(rows)} of {len(result.rows)} robots"
     if ax is None:
         axes[0].figure.suptitle(title + chosen, fontsize="medium", x=0.01, ha="left")
-    told = "black tick: proved lower bound; ~ and pale: estimated"
+    told = "tick: proved lower bound; ~ and pale: estimated"
     axes[-1].set_xlabel(told, fontsize="x-small", loc="right")
     return axes[0] if len(axes) == 1 else np.asarray(axes, dtype=object)
 
