@@ -97,6 +97,8 @@ class Placement(Table[PlacementDict]):
     floor_m: float | None
     from_axis_1_m: float | None
     worst_joints_deg: list[float] | None
+    #: Whether the pendant shows these joints so: ``"as-file"``, ``"verified"``, ``"given"`` or ``"unknown"``; None in the plane and of two links.
+    pendant: str | None
     worst_shares: list[float] | None
     limit_margin_deg: float | None
     limit_margin_joint: int | None
