@@ -234,7 +234,7 @@ impl PlaceAnswer {
             if best.faces.is_empty() { ("in the zone", "centre") } else { ("on the part", "middle of its underside") };
         let mut lines = vec![
             line(format!("worst deflection {whole}"), format!("{:.4} mm", best.deflection * 1e3)),
-            line(self.none_has_less(), proof(best, &self.options)),
+            line(self.bound_label(), proof(best, &self.options)),
         ];
         lines.extend(uncertainty::told(&self.robot, self.known().map(|known| known.spread)));
         lines
@@ -272,8 +272,8 @@ impl PlaceAnswer {
         lines
     }
 
-    /// Of what the lower bound is.
-    fn none_has_less(&self) -> &'static str {
+    /// What the lower bound is called, by what it is of.
+    fn bound_label(&self) -> &'static str {
         if self.is_at_one_place() { "proved lower bound there" } else { "proved lower bound" }
     }
 

@@ -275,7 +275,7 @@ impl MilledFigure<'_> {
         let mut entries = vec![
             Entry::line("error, by the model", format!(r#"stroke="{DEFLECTION}" stroke-width="1.6""#)),
             Entry::line(
-                format!("lower bound {}", self.answer.bounded()),
+                format!("lower bound {}", self.answer.which_rolls()),
                 format!(r#"stroke="{LIMIT}" stroke-width="1" stroke-dasharray="2 3""#),
             ),
         ];

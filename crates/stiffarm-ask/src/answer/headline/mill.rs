@@ -53,7 +53,7 @@ impl MillAnswer {
             } else {
                 ("", "Turning the tool does not help")
             };
-            let proved = format!("proved lower bound {places}{} is {}", self.bounded(), mm(bound));
+            let proved = format!("proved lower bound {places}{} is {}", self.which_rolls(), mm(bound));
             told.push(if Verdict::of(bound, tolerance).passes {
                 format!("Better ones are not ruled out: the {proved}.")
             } else if self.bounds_all_rolls() {

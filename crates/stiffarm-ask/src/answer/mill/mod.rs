@@ -207,7 +207,7 @@ impl MillAnswer {
     }
 
     /// Of which rolls the bound is, in words, to follow "lower bound".
-    pub fn bounded(&self) -> &'static str {
+    pub fn which_rolls(&self) -> &'static str {
         match self.options.roll {
             RollMode::Fixed(_) => "at this roll",
             RollMode::Constant => "of constant rolls",

@@ -118,7 +118,7 @@ impl MillAnswer {
         lines.extend(uncertainty::told(&self.robot, self.spread()));
         let gap = |lower: f64| if 0.0 < found.worst.0 { 100.0 * (1.0 - lower / found.worst.0) } else { 0.0 };
         let proved = |lower: f64| format!("{} (gap {} %)", mm(lower), fixed(gap(lower), 2));
-        lines.push(line(format!("lower bound {}", self.bounded()), proved(found.lower_bound)));
+        lines.push(line(format!("lower bound {}", self.which_rolls()), proved(found.lower_bound)));
         if let Some((resolution, lower)) = self.sought {
             let PathResolution { coarse, step, samples, nodes } = resolution;
             let told = if 0.0 < lower {

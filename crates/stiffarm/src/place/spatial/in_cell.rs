@@ -176,10 +176,7 @@ impl<'a> CellSearch<'a> {
                     let missed = solution.clearance.map(|clearance| asked - clearance.distance);
                     let short = [missed, touching.and_then(|touching| touching.short)];
                     let short = short.into_iter().flatten().min_by(f64::total_cmp);
-                    touching = Some(Untaken {
-                        reason: Misfit::Clearance { asked, kept: short.map(|short| asked - short) },
-                        short,
-                    });
+                    touching = Some(Untaken { reason: Misfit::Clearance { asked, kept: None }, short });
                 }
                 _ => return Ok(Ok(solution)),
             }
