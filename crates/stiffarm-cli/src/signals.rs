@@ -94,15 +94,15 @@ mod linux {
         fn a_signal_waits_until_the_work_is_done() {
             let folder = tempfile::tempdir().unwrap();
             let path = folder.path().join("file");
-            let child = |before: &str| {
+            let child = |run: &str| {
                 let test = "signals::linux::tests::is_told_to_end_while_it_works";
-                let program = format!("{before} exec \"$0\" --exact {test}");
+                let program = format!("{run} \"$0\" --exact {test}");
                 let mut shell = Command::new("sh");
                 let ended = shell.arg("-c").arg(program).arg(env::current_exe().unwrap()).env(FILE, &path).output();
                 (ended.unwrap().status.signal(), fs::read_to_string(&path).unwrap())
             };
-            assert_eq!(child(""), (Some(SIGTERM), "whole".into()));
-            assert_eq!(child("trap '' TERM;"), (None, "went on".into()), "what is ignored stays so");
+            assert_eq!(child("exec env --default-signal"), (Some(SIGTERM), "whole".into()));
+            assert_eq!(child("trap '' TERM; exec"), (None, "went on".into()), "what is ignored stays so");
         }
 
         #[test]
