@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Milled::Blocked(blocked) => println!("not followed: {blocked}"),
         Milled::Followed(found) => {
             let (worst, lower) = (1e3 * found.worst.0, 1e3 * found.lower_bound);
-            println!("largest error {worst:.3} mm; no rolls have less than {lower:.3} mm");
+            println!("largest error {worst:.3} mm; lower bound of all rolls {lower:.3} mm");
             let done = compensate(&robot, &stand, (&stations, &found.samples), options.part, Watch::nobody())?;
             println!(
                 "compensated: {:.4} mm are left by the model where tips alone are commanded",

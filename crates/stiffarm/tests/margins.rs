@@ -192,6 +192,30 @@ fn the_floor_that_is_asked_for_is_the_one_that_the_arm_comes_near_to() {
     }
 }
 
+/// Where the zone lies below the shoulder the arm is lowest with the wrist centre at the bottom of the zone: over the floor that, less the radius of
+/// a forearm at most (its capsule may end before the wrist), is the clearance in the arm plane.
+#[test]
+fn clearance_in_the_plane_is_that_of_the_lowest_wrist_centre() {
+    let mut held = 0;
+    for robot in paper_robots().into_iter().filter(|robot| robot.knows_base()) {
+        let model = Model::planar(&robot).unwrap();
+        let zone = Zone::Circle { diameter: 0.2 };
+        let radius = |floor: f64| {
+            let within = Some(Within { x: Interval::spanning(1.2, 2.5), z: Interval::spanning(-0.3, -0.1) });
+            let margins = Margins { floor: Some(floor), ..Margins::NONE };
+            let found = place(&model, zone, &PlaceOptions { within, ..asked(margins) }).unwrap();
+            let best = found.feasible()?;
+            let clearance = best.clearance(&model, zone, &margins).unwrap();
+            assert_eq!(clearance.to, Obstacle::Floor, "{}", robot.name);
+            Some(best.centre[1] - 0.1 - floor - clearance.distance)
+        };
+        let [Some(lower), Some(higher)] = [-0.32, -0.31].map(radius) else { continue };
+        held += 1;
+        assert!((lower - higher).abs() < 1e-9 && (0.0..0.3).contains(&lower), "{}: {lower} {higher}", robot.name);
+    }
+    assert!(5 <= held, "{held} robots reach so low");
+}
+
 #[test]
 fn where_margins_alone_forbid_a_place_that_is_the_reason() {
     let robot = &paper_robots()[0];

@@ -15,7 +15,7 @@ PATHS = Path(__file__).parents[3] / "stiffarm" / "tests" / "paths"
 def test_a_path_that_is_built_in_is_milled(look: Open) -> None:
     page = look("#mill")
     expect(page.locator("#number")).to_contain_text("mm")
-    expect(page.locator("#decide")).to_contain_text("no rolls have less than")
+    expect(page.locator("#decide")).to_contain_text("lower bound of all rolls")
     page.get_by_label("tolerance [mm]").fill("0.1")
     expect(page.locator(".verdict .fail")).to_have_count(1)
 
