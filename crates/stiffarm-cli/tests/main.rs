@@ -17,6 +17,7 @@ mod path_ranking;
 mod paths;
 mod program;
 mod readme;
+mod recorded;
 mod report;
 mod serve;
 mod verdicts;

@@ -3,12 +3,12 @@
 mod cut;
 mod documents;
 mod reference;
-mod shown;
+pub(crate) mod shown;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+pub(crate) const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// A Markdown file of the repository, by its path from the root.
 struct Document {

@@ -19,7 +19,7 @@ const COLUMNS: usize = 104;
 const OPEN: &str = "```text\n$ stiffarm ";
 
 /// Words of a command line; double quotes keep blanks.
-fn words(line: &str) -> Vec<String> {
+pub(crate) fn words(line: &str) -> Vec<String> {
     let pieces = line.split('"').enumerate();
     pieces
         .flat_map(|(i, piece)| {
