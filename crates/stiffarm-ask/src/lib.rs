@@ -5,4 +5,11 @@
 //! Here, and where [`stiffarm`] reads or writes files, mm and degrees exist; the mathematics is in SI units.
 
 pub mod answer;
+pub mod ask;
+pub mod date;
+pub mod figures;
+pub mod forms;
+mod markup;
+pub mod report;
 pub mod request;
+pub mod sources;

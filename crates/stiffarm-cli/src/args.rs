@@ -134,8 +134,8 @@ pub(crate) enum Task {
 pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
     let (name, inner) = matches.subcommand().unwrap_or(("", matches));
     let common = |inner: &ArgMatches| {
-        let asked = Common::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
-        Ok::<_, Failure>(Common { shelf: asked.disk(), ..asked })
+        let asked = Common::from_arg_matches(inner).map_err(|error| Failure::usage(error.to_string()))?;
+        Ok::<_, Failure>(Common { sources: asked.disk(), ..asked })
     };
     if let Some((verb, _)) = VERBS.into_iter().find(|(verb, _)| verb.name() == name) {
         return ask(verb, inner, common(inner)?);
@@ -151,15 +151,15 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
         return Ok((Task::Man(inner.get_one::<PathBuf>("folder").cloned()), common(inner)?));
     }
     if name == "paper" {
-        let args = PaperArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
+        let args = PaperArgs::from_arg_matches(inner).map_err(|error| Failure::usage(error.to_string()))?;
         return Ok((Task::Paper(args), common(inner)?));
     }
     if name == "calibrate" {
-        let args = CalibrateArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
+        let args = CalibrateArgs::from_arg_matches(inner).map_err(|error| Failure::usage(error.to_string()))?;
         return Ok((Task::Calibrate(args), common(inner)?));
     }
     if name == "serve" {
-        let args = ServeArgs::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
+        let args = ServeArgs::from_arg_matches(inner).map_err(|error| Failure::usage(error.to_string()))?;
         return Ok((Task::Serve(args), common(inner)?));
     }
     let list = |pairs: &[Pair]| Request::read(Verb::List, pairs, Spelling::Typed);
@@ -170,7 +170,7 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
             Ok((Task::List(words, list(&typed(inner))?), common(inner)?))
         }
         Some((_, action)) => {
-            let known = RobotsAction::from_arg_matches(inner).map_err(|error| Failure::Usage(error.to_string()))?;
+            let known = RobotsAction::from_arg_matches(inner).map_err(|error| Failure::usage(error.to_string()))?;
             Ok((Task::Robots(known), common(action)?))
         }
     }
@@ -196,7 +196,7 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
         several => drop(pairs.splice(0..0, positional_pairs(verb, several))),
     }
     if common.check && !CHECKED.contains(&verb) {
-        return Err(Failure::Usage(format!(
+        return Err(Failure::usage(format!(
             "check does not go with {}; it goes with rank, place and mill",
             verb.name()
         )));
@@ -204,14 +204,14 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
     let request = Request::of_task(verb, &pairs, reader)?;
     if common.check && request.verb == Verb::Mill && request.is_dry() {
         let why = "check does not go with dry: of a path that is only read nothing holds or fails";
-        return Err(Failure::Usage(why.into()));
+        return Err(Failure::usage(why));
     }
     if let Some(file) = matches.get_one::<String>(SAVE_JOB) {
         request.check_complete()?;
         common.saved = Some(saved(&request, Path::new(file), &common)?);
     }
-    common.shelf = common.disk();
-    read.map_or(Ok(()), |job| common.shelf.check_unwritten(&job))?;
+    common.sources = common.disk();
+    read.map_or(Ok(()), |job| common.sources.check_unwritten(&job))?;
     Ok((Task::Ask(request), common))
 }
 
@@ -223,7 +223,7 @@ fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
     if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
         let others = if verb == Verb::Compare { "or two setups" } else { "robots are named by --robots" };
         let why = format!("'{name}' is no job file; expected a name that ends in .toml, {others}");
-        return if takes_another { Ok(None) } else { Err(Failure::Usage(why)) };
+        return if takes_another { Ok(None) } else { Err(Failure::usage(why)) };
     }
     let takes_file = positional_rows(verb).any(|row| row.kind == Kind::File);
     let text = match files::text(path) {
@@ -237,7 +237,7 @@ fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
     let job = job::read(&text, path)?;
     if job.verb != verb {
         let (asked, found) = (verb.name(), job.verb.name());
-        return Err(Failure::Usage(format!("{} is a job for {found}; {asked} was asked", files::shown(path))));
+        return Err(Failure::usage(format!("{} is a job for {found}; {asked} was asked", files::shown(path))));
     }
     Ok(Some(job))
 }
@@ -246,7 +246,7 @@ fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
 fn saved(request: &Request, file: &Path, common: &Common) -> Result<(PathBuf, String), Failure> {
     if !file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
         let shown = files::shown(file);
-        return Err(Failure::Usage(format!("--save-job cannot write {shown}: expected a name that ends in .toml")));
+        return Err(Failure::usage(format!("--save-job cannot write {shown}: expected a name that ends in .toml")));
     }
     Ok((file.into(), job::write(request, &common.entries(file), file)))
 }

@@ -7,14 +7,12 @@ use std::sync::Arc;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, ValueEnum};
 use stiffarm::toolpath::MOST_SAMPLES;
-use stiffarm::watch::Watch;
 use stiffarm_ask::request::{Pair, Refusal, job};
+use stiffarm_ask::sources::Sources;
 
 use crate::client::Client;
 use crate::failure::Failure;
 use crate::options::CHECK;
-use crate::output::say;
-use crate::shelf::Shelf;
 
 #[derive(Debug, Args)]
 pub(crate) struct Common {
@@ -39,7 +37,7 @@ pub(crate) struct Common {
     pub(crate) saved: Option<(PathBuf, String)>,
     /// Where what is named comes from.
     #[arg(skip)]
-    pub(crate) shelf: Shelf,
+    pub(crate) sources: Sources,
     /// Into how many samples a path may be cut.
     #[arg(skip = MOST_SAMPLES)]
     pub(crate) most_samples: usize,
@@ -63,36 +61,16 @@ impl Common {
             quiet: false,
             check: false,
             saved: None,
-            shelf: Shelf::default(),
+            sources: Sources::disk(Vec::new()),
             most_samples: MOST_SAMPLES,
             client: None,
         }
     }
 
-    /// Who waits, where that is not the one before this terminal.
-    pub(crate) fn watch(&self) -> Watch<'_> {
-        self.client.as_ref().map_or(Watch::nobody(), |client| Watch::of(client.as_ref()))
-    }
-
     /// The disks of this machine, of which nothing is read that is written.
-    pub(crate) fn disk(&self) -> Shelf {
+    pub(crate) fn disk(&self) -> Sources {
         let saved = self.saved.iter().map(|(path, _)| path);
-        Shelf::Disk { written: self.output.iter().chain(saved).cloned().collect() }
-    }
-
-    /// Says something beside the answer, where that is wanted.
-    pub(crate) fn remark(&self, text: &str) {
-        if !self.quiet {
-            self.warn(text);
-        }
-    }
-
-    /// The same, wanted or not.
-    pub(crate) fn warn(&self, text: &str) {
-        match &self.client {
-            Some(client) => client.remark(text),
-            None => say(text),
-        }
+        Sources::disk(self.output.iter().chain(saved).cloned().collect())
     }
 
     /// Takes what a job file says of the program, where nothing else was typed.

@@ -5,22 +5,17 @@ mod client;
 mod columns;
 mod commands;
 mod common;
-mod date;
 mod failure;
-mod figures;
 mod help;
 mod look;
-mod markup;
-mod named;
 mod options;
 mod output;
-mod report;
-mod selection;
+mod pdf;
+mod progress;
+mod raster;
 mod serve;
-mod shelf;
 mod signals;
 mod table;
-mod target;
 
 use std::io::ErrorKind;
 use std::process::ExitCode;
@@ -31,7 +26,6 @@ use args::Task;
 use common::Common;
 use failure::Failure;
 use output::say;
-use stiffarm_ask::request::Verb;
 
 /// Of each thread, bytes: as much as the first one has.
 pub(crate) const STACK: usize = 8 << 20;
@@ -57,20 +51,7 @@ fn main() -> ExitCode {
 
 fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
     match task {
-        Task::Ask(asked) => match asked.verb {
-            Verb::Rank => commands::rank::run(asked, common),
-            Verb::Place => commands::place::run(asked, common),
-            Verb::Map => commands::map::run(asked, common),
-            Verb::Compliance => commands::compliance::run(asked, common),
-            Verb::Modes => commands::modes::run(asked, common),
-            Verb::Study => commands::study::run(asked, common),
-            Verb::Compare => commands::compare::run(asked, common),
-            Verb::Identify => commands::identify::run(asked, common),
-            Verb::Measure => commands::measure::run(asked, common),
-            Verb::Mill => commands::mill::run(asked, common),
-            Verb::Force => commands::force::run(asked, common),
-            Verb::List => commands::robots::listed(&[], asked, common),
-        },
+        Task::Ask(asked) => commands::asked(asked, common),
         Task::List(words, asked) => commands::robots::listed(words, asked, common),
         Task::Robots(action) => commands::robots::run(action, common),
         Task::Calibrate(args) => commands::calibrate::run(args, common),

@@ -5,89 +5,21 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf, is_separator};
 
 use atomic_write_file::AtomicWriteFile;
-use serde::Serialize;
 use stiffarm::plain::on_its_lines;
 use stiffarm_ask::answer::Rows;
+use stiffarm_ask::ask::AskError;
+use stiffarm_ask::forms::{Answer, Drawn, Form, Forms};
+use stiffarm_ask::sources::target::target;
 
 use crate::columns::write_parquet;
-use crate::commands::watched;
 use crate::common::{Common, Format};
 use crate::failure::Failure;
-use crate::figures::{self, Plate, view3d::View};
 use crate::look::Look;
-use crate::named::{Drawn, Form, endings, form};
-use crate::report::Report;
+use crate::pdf;
+use crate::progress::watched;
+use crate::raster;
 use crate::signals;
-use crate::table::write_csv;
-use crate::target::target;
-
-/// An answer in every form it can take. Each is made only when asked for.
-pub(crate) trait Answer {
-    /// The command's name, for errors.
-    const COMMAND: &'static str;
-    /// Endings of the files it can be written to besides those of tables: svg, png and pdf, html, toml.
-    const FURTHER: &'static [&'static str] = &[];
-    /// It makes a report.
-    const IS_REPORTED: bool = false;
-    /// It draws where the work must stand.
-    const IS_SITED: bool = false;
-    /// For people.
-    fn text(&self, look: Look) -> String;
-    /// For programs; through [`pretty`].
-    fn json(&self, out: &mut dyn Write) -> io::Result<()>;
-    /// For spreadsheets, and as typed columns for data frames.
-    fn rows(&self) -> Rows<'_>;
-    /// A robot file, where the command makes one.
-    fn robot_file(&self) -> Option<String> {
-        None
-    }
-    /// What a machine reads, by the ending of its file, where the command makes that.
-    fn program(&self, _ending: &str) -> Option<Result<Vec<u8>, Failure>> {
-        None
-    }
-    /// A figure as SVG, where the command has one.
-    fn svg(&self) -> Option<Result<String, Failure>> {
-        None
-    }
-    /// Where the work must stand, as SVG, where the command has that.
-    fn shop(&self) -> Option<Result<String, Failure>> {
-        None
-    }
-    /// What is handed on, where the command makes that.
-    fn report(&self) -> Option<Result<Report, Failure>> {
-        None
-    }
-    /// What was asked of the figure alone.
-    fn plate(&self) -> Plate {
-        Plate::default()
-    }
-    /// What can be turned in space, where the command has that.
-    fn view(&self) -> Option<Result<View, Failure>> {
-        None
-    }
-}
-
-/// An answer of any kind, for those who do not ask which.
-pub(crate) trait Told {
-    /// Writes what a file of this name would hold.
-    ///
-    /// # Errors
-    /// Where there is no file of this ending, nothing to draw, or `out` takes no more.
-    fn write_as(&self, name: &Path, out: &mut (dyn Write + Send)) -> Result<(), Failure>;
-    /// It makes a report.
-    fn is_reported(&self) -> bool;
-}
-
-impl<A: Answer> Told for A {
-    fn write_as(&self, name: &Path, mut out: &mut (dyn Write + Send)) -> Result<(), Failure> {
-        let failure = |error| Failure::Write { path: name.into(), error };
-        Body::of_file(self, &known::<A>(name)?)?.write(&mut out).map_err(failure)
-    }
-
-    fn is_reported(&self) -> bool {
-        A::IS_REPORTED
-    }
-}
+use crate::table::{text, write_csv};
 
 /// The files that were asked for. Without them no answer is delivered, so none is computed that could not be written.
 pub(crate) struct Outputs<'a> {
@@ -106,11 +38,11 @@ enum Sink {
 }
 
 impl<'a> Outputs<'a> {
-    /// Opens every file that was asked for; none of them is read, [`Shelf`](crate::shelf::Shelf) sees to that.
+    /// Opens every file that was asked for; none of them is read, [`Sources`](stiffarm_ask::sources::Sources) sees to that.
     ///
     /// # Errors
     /// Where an ending is not known, a folder is missing or closed to us, or two of them are one file.
-    pub(crate) fn open<A: Answer>(common: &'a Common) -> Result<Self, Failure> {
+    pub(crate) fn open(common: &'a Common, forms: Forms) -> Result<Self, Failure> {
         let (mut files, mut targets) = (Vec::new(), Vec::new());
         let mut sink = |path: &Path| {
             let (target, sink) = sink(path)?;
@@ -122,7 +54,7 @@ impl<'a> Outputs<'a> {
             if path.as_os_str() == "-" {
                 return Err(Failure::Dash);
             }
-            files.push((path.as_path(), known::<A>(path)?, sink(path)?));
+            files.push((path.as_path(), known(forms, path)?, sink(path)?));
         }
         let job = match &common.saved {
             Some((path, text)) => Some((path.as_path(), text.as_str(), sink(path)?)),
@@ -133,7 +65,7 @@ impl<'a> Outputs<'a> {
 
     /// Prints an answer and writes it to every file; what cannot be written is printed, so that it is not lost. What was asked is written once it is
     /// answered.
-    pub(crate) fn deliver<A: Answer>(self, answer: &A) -> Result<(), Failure> {
+    pub(crate) fn deliver(self, answer: &dyn Answer) -> Result<(), Failure> {
         let Self { common, files, job } = self;
         let only_data_file = common.format == Format::Table && files.iter().any(|(_, form, _)| !form.is_picture());
         let is_printed = !(only_data_file || common.quiet && !files.is_empty());
@@ -180,8 +112,18 @@ pub(crate) fn verdict(delivered: Result<(), Failure>, holds: Result<(), Failure>
 }
 
 /// The form that a name asks for, where the command makes it.
-fn known<A: Answer>(path: &Path) -> Result<Form, Failure> {
-    form::<A>(path).ok_or_else(|| Failure::Ending { command: A::COMMAND, path: path.into(), expected: endings::<A>() })
+fn known(forms: Forms, path: &Path) -> Result<Form, Failure> {
+    let unknown = || Failure::Ending { command: forms.command, path: path.into(), expected: forms.endings() };
+    forms.form(path).ok_or_else(unknown)
+}
+
+/// Writes what a file of this name would hold.
+///
+/// # Errors
+/// Where there is no file of this ending, nothing to draw, or `out` takes no more.
+pub(crate) fn write_as(answer: &dyn Answer, name: &Path, mut out: &mut (dyn Write + Send)) -> Result<(), Failure> {
+    let failure = |error| Failure::Write { path: name.into(), error };
+    Body::of_file(answer, &known(answer.forms(), name)?)?.write(&mut out).map_err(failure)
 }
 
 /// Opens one file, whatever it points to, and says which one that is.
@@ -222,7 +164,7 @@ fn put(text: &str, path: &Path, sink: Sink) -> Result<(), Failure> {
     written.map_err(|error| Failure::Write { path: path.into(), error })
 }
 
-fn write<A: Answer>(answer: &A, (path, form): (&Path, &Form), sink: Sink) -> Result<(), Failure> {
+fn write(answer: &dyn Answer, (path, form): (&Path, &Form), sink: Sink) -> Result<(), Failure> {
     let body = Body::of_file(answer, form)?;
     let write = || match sink {
         Sink::Straight => body.write(&mut fs::OpenOptions::new().write(true).open(path)?),
@@ -235,55 +177,53 @@ fn write<A: Answer>(answer: &A, (path, form): (&Path, &Form), sink: Sink) -> Res
 }
 
 /// An answer in one form. Tables and JSON are made while they are written: maps are larger than memory.
-enum Body<'a, A> {
+enum Body<'a> {
     Bytes(Vec<u8>),
-    Json(&'a A),
+    Json(&'a dyn Answer),
     Csv(Rows<'a>),
     Parquet(Rows<'a>, &'static str),
 }
 
-impl<'a, A: Answer> Body<'a, A> {
+impl<'a> Body<'a> {
     /// As it stands on standard output, which may be a terminal.
-    fn of_stdout(answer: &'a A, format: Format) -> Self {
+    fn of_stdout(answer: &'a dyn Answer, format: Format) -> Self {
         if format != Format::Table {
             return Self::of_format(answer, format);
         }
         let look = Look::of_stdout();
-        Self::Bytes(look.coloured(&on_its_lines(&answer.text(look))).into_owned().into())
+        Self::Bytes(look.coloured(&on_its_lines(&text(&answer.text(), look))).into_owned().into())
     }
 
-    fn of_format(answer: &'a A, format: Format) -> Self {
+    fn of_format(answer: &'a dyn Answer, format: Format) -> Self {
         match format {
-            Format::Table => Self::Bytes(on_its_lines(&answer.text(Look::PLAIN)).into_owned().into()),
-            Format::Md => Self::Bytes(on_its_lines(&answer.text(Look::MARKDOWN)).into_owned().into()),
+            Format::Table => Self::Bytes(on_its_lines(&text(&answer.text(), Look::PLAIN)).into_owned().into()),
+            Format::Md => Self::Bytes(on_its_lines(&text(&answer.markdown(), Look::MARKDOWN)).into_owned().into()),
             Format::Json => Self::Json(answer),
             Format::Csv => Self::Csv(answer.rows()),
         }
     }
 
     /// In the form that the file's name asks for, which was found to be one of this command's.
-    fn of_file(answer: &'a A, form: &Form) -> Result<Self, Failure> {
+    fn of_file(answer: &'a dyn Answer, form: &Form) -> Result<Self, Failure> {
         Ok(match form {
             Form::Json => Self::of_format(answer, Format::Json),
             Form::Csv => Self::of_format(answer, Format::Csv),
             Form::Md => Self::of_format(answer, Format::Md),
             Form::Txt => Self::of_format(answer, Format::Table),
-            Form::Parquet => Self::Parquet(answer.rows(), A::COMMAND),
+            Form::Parquet => Self::Parquet(answer.rows(), answer.forms().command),
             Form::RobotFile => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
             Form::Svg(what) => Self::Bytes(drawn(answer, *what)?.into()),
-            Form::Png(what) => {
-                Self::Bytes(figures::png(&drawn(answer, *what)?, answer.plate().pixels()).map_err(figure)?)
-            }
-            Form::Pdf(what) => Self::Bytes(figures::pdf(&drawn(answer, *what)?).map_err(figure)?),
+            Form::Png(what) => Self::Bytes(raster::png(&drawn(answer, *what)?, answer.plate().pixels())?),
+            Form::Pdf(what) => Self::Bytes(raster::pdf(&drawn(answer, *what)?)?),
             Form::View => Self::Bytes(picture(answer.view())?.html().into()),
             Form::Report => Self::Bytes(picture(answer.report())?.html().into()),
-            Form::PrintedReport => Self::Bytes(picture(answer.report())?.pdf()?),
+            Form::PrintedReport => Self::Bytes(pdf::of(&picture(answer.report())?)?),
             Form::Program(ending) => Self::Bytes(answer.program(ending).transpose()?.unwrap_or_default()),
         })
     }
 
     /// What stands for a file that could not be written: its own text, the table for its columns, and the usual for a picture.
-    fn printable(answer: &'a A, form: &Form, usual: Format) -> Self {
+    fn printable(answer: &'a dyn Answer, form: &Form, usual: Format) -> Self {
         match form {
             Form::Json => Self::of_format(answer, Format::Json),
             Form::Csv | Form::Parquet => Self::of_format(answer, Format::Csv),
@@ -306,7 +246,7 @@ impl<'a, A: Answer> Body<'a, A> {
 }
 
 /// A picture as SVG.
-fn drawn<A: Answer>(answer: &A, what: Drawn) -> Result<String, Failure> {
+fn drawn(answer: &dyn Answer, what: Drawn) -> Result<String, Failure> {
     picture(match what {
         Drawn::Figure => answer.svg(),
         Drawn::Shop => answer.shop(),
@@ -314,20 +254,8 @@ fn drawn<A: Answer>(answer: &A, what: Drawn) -> Result<String, Failure> {
 }
 
 /// A picture of a kind that the command has said it can make.
-fn picture<T>(made: Option<Result<T, Failure>>) -> Result<T, Failure> {
-    made.unwrap_or_else(|| Err(Failure::Figure("there is nothing to draw".into())))
-}
-
-/// A figure's error as a failure.
-#[expect(clippy::needless_pass_by_value, reason = "used with map_err")]
-pub(crate) fn figure(error: crate::figures::FigureError) -> Failure {
-    Failure::Figure(error.to_string())
-}
-
-/// JSON with line breaks, as people can read it.
-pub(crate) fn pretty(out: &mut dyn Write, value: &impl Serialize) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut *out, value)?;
-    out.write_all(b"\n")
+fn picture<T>(made: Option<Result<T, AskError>>) -> Result<T, Failure> {
+    Ok(made.unwrap_or_else(|| Err(AskError::Figure("there is nothing to draw".into())))?)
 }
 
 /// Writes a text to standard output as it is.
@@ -344,7 +272,7 @@ fn of_stdout(error: io::Error) -> Failure {
 }
 
 /// Writes to standard output.
-fn print<A: Answer>(body: &Body<A>) -> Result<(), Failure> {
+fn print(body: &Body) -> Result<(), Failure> {
     body.write(&mut io::stdout()).map_err(of_stdout)
 }
 

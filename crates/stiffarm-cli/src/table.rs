@@ -6,7 +6,8 @@ use std::io::{self, Write};
 use comfy_table::presets::{ASCII_MARKDOWN, NOTHING};
 use comfy_table::{CellAlignment, ContentArrangement};
 use stiffarm::plain::on_one_line;
-use stiffarm_ask::answer::{Cell, Rows, Table};
+use stiffarm_ask::answer::{Cell, Rows, Table, looks_like_a_number};
+use stiffarm_ask::forms::Piece;
 
 use crate::look::Look;
 
@@ -169,11 +170,15 @@ fn in_spreadsheet(cell: &str) -> Cow<'_, str> {
     }
 }
 
-/// Tables one below the other, and what stands below them.
-pub(crate) fn sheet(tables: &[Table], notes: &str, look: Look) -> String {
-    let mut text: String = tables.iter().map(|table| shown(table, look) + "\n").collect();
-    text += &prose(notes, look);
-    text
+/// An answer as people read it.
+pub(crate) fn text(pieces: &[Piece], look: Look) -> String {
+    let shown = |piece: &Piece| match piece {
+        Piece::Table(table) => shown(table, look),
+        Piece::Lines(text) => prose(text, look).into_owned(),
+        Piece::Verbatim(text) => text.clone(),
+        Piece::Break => "\n".into(),
+    };
+    pieces.iter().map(shown).collect()
 }
 
 /// Text of an answer: Markdown shows every letter as it is, a terminal lines that fit it.
@@ -195,13 +200,6 @@ pub(crate) fn prose(text: &str, look: Look) -> Cow<'_, str> {
         }
     }
     shown.into()
-}
-
-/// A number with what a table may add to it (marks, verdicts), or a blank.
-pub(crate) fn looks_like_a_number(cell: &str) -> bool {
-    cell.trim().is_empty()
-        || matches!(cell, "-" | "~" | "?")
-        || cell.starts_with(|c: char| c.is_ascii_digit() || c == '-')
 }
 
 #[cfg(test)]

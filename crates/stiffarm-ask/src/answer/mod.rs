@@ -58,7 +58,7 @@ pub use numbers::fixed;
 pub use path::PathAnswer;
 pub use place::PlaceAnswer;
 pub use rank::RankAnswer;
-pub use record::{Datum, Record, columns_of};
+pub use record::{Datum, Record, columns_of, looks_like_a_number};
 pub use rows::{Cell, Column, ColumnKind, Rows};
 pub use siting::{Dimension, Siting};
 pub use stiffness::{stiffness, stiffnesses};

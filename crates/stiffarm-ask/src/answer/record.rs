@@ -168,6 +168,13 @@ fn cells_of(field: &Field, datum: &Datum) -> Vec<Cell> {
     }
 }
 
+/// A number with what a table may add to it (marks, verdicts), or a blank.
+pub fn looks_like_a_number(cell: &str) -> bool {
+    cell.trim().is_empty()
+        || matches!(cell, "-" | "~" | "?")
+        || cell.starts_with(|c: char| c.is_ascii_digit() || c == '-')
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::field;

@@ -7,30 +7,30 @@ use stiffarm::calibrate::{CalibrateOptions, calibrate};
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::readings::{self, ReadOptions};
 use stiffarm_ask::answer::{CalibrateAnswer, Rows};
+use stiffarm_ask::ask::{AskError, Listener, selection};
+use stiffarm_ask::date::today;
 
-use super::watched;
 use crate::args::CalibrateArgs;
 use crate::common::Common;
-use crate::date::today;
+use stiffarm_ask::forms::{Answer, Forms, Piece, pretty, sheet};
+
 use crate::failure::Failure;
-use crate::figures::{Plate, calibrate as figure};
-use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty};
-use crate::selection;
-use crate::table::sheet;
+use crate::output::Outputs;
+use crate::progress::watched;
+use stiffarm_ask::figures::{Plate, calibrate as figure};
 
 pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<CalibrateOutput>(common)?;
+    let outputs = Outputs::open(common, FORMS)?;
     let answer = answer(args, common)?;
     outputs.deliver(&answer)
 }
 
 fn answer(args: &CalibrateArgs, common: &Common) -> Result<CalibrateOutput, Failure> {
-    let robot = selection::robot(&args.robot, common)?;
+    let robot = selection::robot(&args.robot, common.context())?;
     let data = files::shown(Path::new(&args.points));
     let reading =
         ReadOptions { columns: args.columns.clone(), frame_by: args.frame_by.clone(), vendor: robot.vendor.clone() };
-    let readings = readings::read(&common.shelf.text(&args.points)?, &data, &reading).map_err(Failure::Readings)?;
+    let readings = readings::read(&common.sources.text(&args.points)?, &data, &reading).map_err(Failure::Readings)?;
     for remark in &readings.remarks {
         common.remark(&format!("note: {data}: {remark}"));
     }
@@ -54,12 +54,16 @@ struct CalibrateOutput {
     plate: Plate,
 }
 
-impl Answer for CalibrateOutput {
-    const COMMAND: &'static str = "calibrate";
-    const FURTHER: &'static [&'static str] = &["toml", "svg", "png", "pdf"];
+/// In which forms it is shown.
+const FORMS: Forms = Forms { further: &["toml", "svg", "png", "pdf"], ..Forms::of("calibrate") };
 
-    fn text(&self, look: Look) -> String {
-        sheet(&[self.answer.summary(), self.answer.table()], &self.answer.notes(), look)
+impl Answer for CalibrateOutput {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        sheet([self.answer.summary(), self.answer.table()], self.answer.notes())
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -74,7 +78,7 @@ impl Answer for CalibrateOutput {
         Some(self.answer.robot_file())
     }
 
-    fn svg(&self) -> Option<Result<String, Failure>> {
+    fn svg(&self) -> Option<Result<String, AskError>> {
         Some(Ok(figure::svg(&self.answer, &self.plate)))
     }
 

@@ -8,20 +8,21 @@ use stiffarm::catalogue::files::{self, Loaded};
 use stiffarm::catalogue::{Fault, doubts};
 use stiffarm::robot::Robot;
 use stiffarm_ask::answer::{Cell, Rows, Table, columns_of, field};
+use stiffarm_ask::ask::AskError;
 
 use crate::common::Common;
+use stiffarm_ask::forms::{Answer, Forms, Piece, pretty};
+
 use crate::failure::Failure;
-use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty, say, verdict};
-use crate::table::shown;
+use crate::output::{Outputs, say, verdict};
 
 pub(crate) fn run(asked: &[PathBuf], common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<Check>(common)?;
+    let outputs = Outputs::open(common, FORMS)?;
     let mut checked = Vec::new();
     for path in asked {
-        let paths = common.shelf.folder(&path.to_string_lossy()).unwrap_or_else(|| Ok(vec![path.clone()]));
+        let paths = common.sources.folder(&path.to_string_lossy()).unwrap_or_else(|| Ok(vec![path.clone()]));
         for path in paths.iter().flatten() {
-            common.shelf.check_unwritten(path)?;
+            common.sources.check_unwritten(path)?;
         }
         match paths {
             Ok(paths) => checked.extend(paths.iter().map(|path| Checked::of(path, common))),
@@ -42,7 +43,7 @@ pub(crate) fn run(asked: &[PathBuf], common: &Common) -> Result<(), Failure> {
         }
     }
     let check = Check(checked);
-    let bad: Vec<&Failure> = check.0.iter().filter_map(|checked| checked.found.as_ref().err()).collect();
+    let bad: Vec<&AskError> = check.0.iter().filter_map(|checked| checked.found.as_ref().err()).collect();
     let holds = match bad[..] {
         [] => Ok(()),
         [first, ..] => Err(Failure::BadFiles { count: bad.len(), hint: first.hint() }),
@@ -55,7 +56,7 @@ struct Check(Vec<Checked>);
 
 struct Checked {
     file: String,
-    found: Result<Found, Failure>,
+    found: Result<Found, AskError>,
 }
 
 struct Found {
@@ -66,7 +67,7 @@ struct Found {
 
 impl Checked {
     fn of(path: &Path, common: &Common) -> Self {
-        let found = common.shelf.robot(path);
+        let found = common.sources.robot(path);
         let found = found.map(|Loaded { robot, notes }| Found { doubts: doubts(&robot), robot, notes });
         Self { file: files::shown(path), found }
     }
@@ -79,7 +80,7 @@ impl Checked {
     fn faults(&self) -> Vec<Fault> {
         match &self.found {
             Ok(_) => Vec::new(),
-            Err(Failure::RobotFile(faults)) => faults.faults.clone(),
+            Err(AskError::RobotFile(faults)) => faults.faults.clone(),
             Err(failure) => vec![Fault { line: 0, key: String::new(), message: failure.to_string() }],
         }
     }
@@ -89,15 +90,22 @@ impl Checked {
     }
 }
 
-impl Answer for Check {
-    const COMMAND: &'static str = "robots check";
+/// In which forms it is shown.
+const FORMS: Forms = Forms::of("robots check");
 
-    fn text(&self, look: Look) -> String {
-        if look.markdown {
-            return shown(&Table::of_rows(&self.rows()), look);
-        }
+impl Answer for Check {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
         let usable = self.0.iter().filter_map(|checked| Some((&checked.file, checked.robot()?)));
-        usable.map(|(file, robot)| format!("{file}: {robot} can be used\n")).collect()
+        let lines = usable.map(|(file, robot)| format!("{file}: {robot} can be used\n"));
+        vec![Piece::Verbatim(lines.collect())]
+    }
+
+    fn markdown(&self) -> Vec<Piece> {
+        vec![Piece::Table(Table::of_rows(&self.rows()))]
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

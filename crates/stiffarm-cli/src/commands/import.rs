@@ -9,25 +9,28 @@ use stiffarm::interval::Interval;
 use stiffarm::robot::Arm;
 use stiffarm_ask::answer::words::architecture;
 use stiffarm_ask::answer::{Cell, Rows, Table, Unit, columns_of, field};
+use stiffarm_ask::ask::AskError;
 
 use crate::args::ImportArgs;
 use crate::common::{Common, Format};
+use stiffarm_ask::forms::{Answer, Forms, Piece, pretty};
+
 use crate::failure::Failure;
 use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty, say};
+use crate::output::{Outputs, say};
 use crate::table::shown;
 
 pub(crate) fn run(args: &ImportArgs, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<Report>(common)?;
+    let outputs = Outputs::open(common, FORMS)?;
     let options = options(args)?;
-    common.shelf.check_unwritten(&args.file)?;
+    common.sources.check_unwritten(&args.file)?;
     let text = files::text(&args.file)?;
     let answer = Report(
         import(&text, &files::shown(&args.file), &options)
-            .map_err(|error| Failure::Import { error, ends_are_given: args.base.is_some() && args.tip.is_some() })?,
+            .map_err(|error| AskError::Import { error, ends_are_given: args.base.is_some() && args.tip.is_some() })?,
     );
     if common.format == Format::Table && !common.quiet {
-        say(answer.report(Look::of_stderr()).trim_end());
+        say(shown(&answer.report(), Look::of_stderr()).trim_end());
     }
     outputs.deliver(&answer)
 }
@@ -39,7 +42,7 @@ fn options(args: &ImportArgs) -> Result<ImportOptions, Failure> {
             let range = args.limits_deg[i];
             Interval::spanning(range.min().to_radians(), range.max().to_radians())
         })),
-        n => return Err(Failure::Usage(format!("--limits-deg has {n} ranges; expected six, separated by commas"))),
+        n => return Err(Failure::usage(format!("--limits-deg has {n} ranges; expected six, separated by commas"))),
     };
     Ok(ImportOptions {
         name: args.name.clone(),
@@ -100,21 +103,29 @@ impl Report {
         rows
     }
 
-    fn report(&self, look: Look) -> String {
+    fn report(&self) -> Table {
         let mut table = Table::new(["", ""]);
         for (key, value) in self.lines() {
             table.row([key.to_owned(), value]);
         }
-        shown(&table, look)
+        table
     }
 }
 
-impl Answer for Report {
-    const COMMAND: &'static str = "robots import";
-    const FURTHER: &'static [&'static str] = &["toml"];
+/// In which forms it is shown.
+const FORMS: Forms = Forms { further: &["toml"], ..Forms::of("robots import") };
 
-    fn text(&self, look: Look) -> String {
-        if look.markdown { self.report(look) } else { self.0.text.clone() }
+impl Answer for Report {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        vec![Piece::Verbatim(self.0.text.clone())]
+    }
+
+    fn markdown(&self) -> Vec<Piece> {
+        vec![Piece::Table(self.report())]
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

@@ -9,12 +9,12 @@ use stiffarm::ledger::{Entry, Printed, validate};
 use stiffarm_ask::answer::{LedgerAnswer, fixed};
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
-use super::progress;
 use crate::args::PaperArgs;
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::look::Look;
 use crate::output::{say, write_text};
+use crate::progress::progress;
 
 /// The arm of sections II and III: `l2 = 1 m`, `l3 = 0.8 m`, 1 urad/(N m) on both drives.
 const ARMS: [(&str, &str); 2] = [("serial", "arm_serial.toml"), ("quasi-serial", "arm_quasi_serial.toml")];
@@ -45,7 +45,7 @@ struct Item {
 
 pub(crate) fn run(args: &PaperArgs, common: &Common) -> Result<(), Failure> {
     let [folder] = common.output.as_slice() else {
-        return Err(Failure::Usage("paper writes a folder: give one with -o DIR".into()));
+        return Err(Failure::usage("paper writes a folder: give one with -o DIR"));
     };
     let made = |error| Failure::Write { path: folder.clone(), error };
     fs::create_dir_all(folder).map_err(made)?;
@@ -162,11 +162,7 @@ impl Item {
         }
         let asked = Request::read(self.verb, &pairs, Spelling::Typed)?;
         let common = Common { output: vec![folder.join(&self.file)], quiet: true, ..common.bare() };
-        match self.verb {
-            Verb::Map => super::map::run(&asked, &common),
-            Verb::Study => super::study::run(&asked, &common),
-            _ => super::rank::run(&asked, &common),
-        }
+        super::asked(&asked, &common)
     }
 
     /// As it is typed within the folder.

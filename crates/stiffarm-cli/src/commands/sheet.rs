@@ -13,13 +13,12 @@ use stiffarm::robot::{Arm, ArmPlane, Robot};
 use stiffarm_ask::answer::robot::{lengths, rounded, sheet};
 use stiffarm_ask::answer::words::{architecture, assumed_architecture, class, status};
 use stiffarm_ask::answer::{Cell, Rows, Table, Unit, columns_of, field, stiffness};
+use stiffarm_ask::ask::AskError;
 
-use crate::failure::Failure;
-use crate::figures::Plate;
-use crate::figures::reach::ReachFigure;
-use crate::look::Look;
-use crate::output::{Answer, figure, pretty};
-use crate::table::{prose, shown};
+use stiffarm_ask::forms::{Answer, Forms, Piece, pretty};
+
+use stiffarm_ask::figures::Plate;
+use stiffarm_ask::figures::reach::ReachFigure;
 
 pub(crate) struct Sheet(pub(super) Robot, pub(super) Plate);
 
@@ -71,9 +70,9 @@ impl Sheet {
         rows
     }
 
-    fn figure(&self) -> Result<String, Failure> {
+    fn figure(&self) -> Result<String, AskError> {
         let robot = &self.0;
-        let failure = |error| Failure::Map { robot: robot.name.clone(), error };
+        let failure = |error| AskError::Map { robot: robot.name.clone(), error };
         let plane = robot.two_links().map_err(|error| failure(MapError::Model(error.into())))?;
         let base = (plane.axis_from_base != [0.0; 2]).then_some(plane.axis_from_base);
         let drawn = ReachFigure {
@@ -83,7 +82,7 @@ impl Sheet {
             base,
             plate: self.1,
         };
-        drawn.svg().map_err(figure)
+        drawn.svg().map_err(Into::into)
     }
 }
 
@@ -169,11 +168,15 @@ fn plane_rows(arm: &PlanarArm) -> Lines {
     ]
 }
 
-impl Answer for Sheet {
-    const COMMAND: &'static str = "robots show";
-    const FURTHER: &'static [&'static str] = &["svg", "png", "pdf", "toml"];
+/// In which forms it is shown.
+pub(super) const FORMS: Forms = Forms { further: &["svg", "png", "pdf", "toml"], ..Forms::of("robots show") };
 
-    fn text(&self, look: Look) -> String {
+impl Answer for Sheet {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
         let mut table = Table::new(["", ""]);
         for (key, value) in self.lines() {
             table.row([key, value]);
@@ -181,7 +184,7 @@ impl Answer for Sheet {
         let notes = assumed_architecture([&self.0]).to_owned()
             + "angles of the arm plane: counter-clockwise, 0 straight ahead; negative elbow: bent forwards and down\n\
                -o reach.svg, .png or .pdf draws what it reaches, -o robot.toml writes the robot file\n";
-        shown(&table, look) + &prose(&notes, look)
+        vec![Piece::Table(table), Piece::Lines(notes)]
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -198,7 +201,7 @@ impl Answer for Sheet {
         Some(write(&self.0))
     }
 
-    fn svg(&self) -> Option<Result<String, Failure>> {
+    fn svg(&self) -> Option<Result<String, AskError>> {
         Some(self.figure())
     }
 

@@ -6,13 +6,13 @@ use stiffarm::ledger::{Printed, validate};
 use stiffarm_ask::answer::{LedgerAnswer, Rows};
 
 use crate::common::Common;
+use stiffarm_ask::forms::{Answer, Forms, Piece, pretty};
+
 use crate::failure::Failure;
-use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty, verdict};
-use crate::table::{prose, shown};
+use crate::output::{Outputs, verdict};
 
 pub(crate) fn run(common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<Ledger>(common)?;
+    let outputs = Outputs::open(common, FORMS)?;
     let ledger = Ledger(LedgerAnswer(validate(&Printed::PAPER)?));
     let holds = match ledger.0.unsettled() {
         0 => Ok(()),
@@ -23,11 +23,16 @@ pub(crate) fn run(common: &Common) -> Result<(), Failure> {
 
 struct Ledger(LedgerAnswer);
 
-impl Answer for Ledger {
-    const COMMAND: &'static str = "validate";
+/// In which forms it is shown.
+const FORMS: Forms = Forms::of("validate");
 
-    fn text(&self, look: Look) -> String {
-        format!("{}\n{}", shown(&self.0.table(), look), prose(&self.0.notes(), look))
+impl Answer for Ledger {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        vec![Piece::Table(self.0.table()), Piece::Break, Piece::Lines(self.0.notes())]
     }
 
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {

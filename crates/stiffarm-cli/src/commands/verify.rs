@@ -8,19 +8,21 @@ use stiffarm::catalogue::{self, files};
 use stiffarm::robot::Robot;
 use stiffarm::verify::{VerifyOptions, rank, verify};
 use stiffarm_ask::answer::{Rows, VerifyAnswer, VerifyRankAnswer};
+use stiffarm_ask::ask::{Listener, selection};
+use stiffarm_ask::date::today;
 
-use super::watched;
 use crate::args::VerifyArgs;
 use crate::common::Common;
-use crate::date::today;
+use stiffarm_ask::forms::{Answer, Forms, Piece, pretty, sheet};
+
 use crate::failure::Failure;
 use crate::look::Look;
-use crate::output::{Answer, Outputs, pretty, verdict};
-use crate::selection;
-use crate::table::sheet;
+use crate::output::{Outputs, say, verdict};
+use crate::progress::watched;
+use crate::table::text;
 
 pub(crate) fn run(args: &VerifyArgs, common: &Common) -> Result<(), Failure> {
-    let outputs = Outputs::open::<VerifyOutput>(common)?;
+    let outputs = Outputs::open(common, FORMS)?;
     let answer = answer(args, common)?;
     let holds = match &answer {
         VerifyOutput::One(one) if !one.found.verified => Err(Failure::NotVerified(one.found.robot.full_name())),
@@ -30,13 +32,11 @@ pub(crate) fn run(args: &VerifyArgs, common: &Common) -> Result<(), Failure> {
         common.output.iter().any(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
     if writes {
         let VerifyOutput::One(one) = &answer else {
-            return Err(Failure::Usage(
-                "without a robot's name no robot file is written; expected ROBOT READINGS".into(),
-            ));
+            return Err(Failure::usage("without a robot's name no robot file is written; expected ROBOT READINGS"));
         };
         let Some((_, remarks)) = one.robot_file() else {
             // What is known is told; no file is written of what fits nothing.
-            crate::output::say(sheet(&[one.summary()], &one.notes(), Look::of_stderr()).trim_end());
+            say(text(&sheet([one.summary()], one.notes()), Look::of_stderr()).trim_end());
             return Err(Failure::NotVerified(one.found.robot.full_name()));
         };
         for remark in &remarks {
@@ -49,9 +49,9 @@ pub(crate) fn run(args: &VerifyArgs, common: &Common) -> Result<(), Failure> {
 pub(crate) fn answer(args: &VerifyArgs, common: &Common) -> Result<VerifyOutput, Failure> {
     let options = VerifyOptions { base: args.base_mm, tool: args.tool_mm };
     let (robot, file) = match args.asked.as_slice() {
-        [robot, file] => (Some(selection::robot(robot, common)?), file),
+        [robot, file] => (Some(selection::robot(robot, common.context())?), file),
         [file] if args.any => (None, file),
-        _ => return Err(Failure::Usage("expected ROBOT READINGS.csv, or READINGS.csv --any".into())),
+        _ => return Err(Failure::usage("expected ROBOT READINGS.csv, or READINGS.csv --any")),
     };
     let data = files::shown(Path::new(file));
     let reading = ReadOptions {
@@ -59,7 +59,7 @@ pub(crate) fn answer(args: &VerifyArgs, common: &Common) -> Result<VerifyOutput,
         frame_by: args.frame_by.clone(),
         vendor: robot.as_ref().map_or_else(String::new, |robot| robot.vendor.clone()),
     };
-    let readings = readings::read(&common.shelf.text(file)?, &data, &reading).map_err(Failure::Readings)?;
+    let readings = readings::read(&common.sources.text(file)?, &data, &reading).map_err(Failure::Readings)?;
     for remark in &readings.remarks {
         common.remark(&format!("note: {data}: {remark}"));
     }
@@ -94,17 +94,21 @@ pub(crate) enum VerifyOutput {
     Any(VerifyRankAnswer),
 }
 
-impl Answer for VerifyOutput {
-    const COMMAND: &'static str = "robots verify";
-    const FURTHER: &'static [&'static str] = &["toml"];
+/// In which forms it is shown.
+const FORMS: Forms = Forms { further: &["toml"], ..Forms::of("robots verify") };
 
-    fn text(&self, look: Look) -> String {
+impl Answer for VerifyOutput {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
         match self {
             Self::One(one) => {
                 let tables = [Some(one.summary()), one.table()];
-                sheet(&tables.into_iter().flatten().collect::<Vec<_>>(), &one.notes(), look)
+                sheet(tables.into_iter().flatten(), one.notes())
             }
-            Self::Any(any) => sheet(&[any.table()], &any.notes(), look),
+            Self::Any(any) => sheet([any.table()], any.notes()),
         }
     }
 

@@ -6,15 +6,16 @@ use std::sync::Arc;
 
 use hyper::StatusCode;
 use serde_json::json;
+use stiffarm_ask::ask::ask;
+use stiffarm_ask::forms::Answer;
 use stiffarm_ask::request::job;
 
 use super::form::Form;
 use super::question::Question;
 use super::reply::Refused;
 use crate::client::Client;
-use crate::commands;
 use crate::failure::Failure;
-use crate::output::Told;
+use crate::output::write_as;
 
 /// An answer of more bytes is refused.
 const MOST_BYTES: usize = 64 << 20;
@@ -32,18 +33,18 @@ pub(super) fn answered(question: &Question, client: Arc<Client>) -> Result<Vec<u
         _ => {}
     }
     let common = question.common(client);
-    let told = commands::told(asked, &common)?;
-    if question.form.is_report() && !told.is_reported() {
+    let told = ask(asked, common.context())?;
+    if question.form.is_report() && !told.forms().is_reported {
         let why = format!("{} makes no report; rank, place, mill and identify do", asked.verb.name());
-        return Err(Failure::Usage(why).into());
+        return Err(Failure::usage(why).into());
     }
     written(&*told, &question.form.file(asked.verb))
 }
 
 /// What a file of this name would hold.
-pub(super) fn written(told: &dyn Told, name: &str) -> Result<Vec<u8>, Refused> {
+pub(super) fn written(told: &dyn Answer, name: &str) -> Result<Vec<u8>, Refused> {
     let mut out = Bounded(Vec::new());
-    let written = told.write_as(Path::new(name), &mut out);
+    let written = write_as(told, Path::new(name), &mut out);
     if MOST_BYTES <= out.0.len() {
         let why = format!("the answer has more than {} MiB", MOST_BYTES >> 20);
         return Err(Refused::new(StatusCode::UNPROCESSABLE_ENTITY, why, "ask for fewer points, or the command line"));

@@ -15,7 +15,7 @@ pub(super) fn understood(body: &[u8]) -> Result<Reply, Refused> {
         return Err(unlike("expected {\"name\": \"job.toml\", \"text\": \"...\"}, and nothing else"));
     };
     check_name(name)?;
-    let job = read_sent(text, name).map_err(Failure::Request)?;
+    let job = read_sent(text, name).map_err(Failure::from)?;
     let mut options: Map<String, Value> = Map::new();
     for pair in job.pairs {
         match options.get_mut(&pair.name) {

@@ -14,7 +14,7 @@ use super::form::Form;
 use super::reply::Refused;
 use crate::client::Client;
 use crate::common::Common;
-use crate::shelf::Shelf;
+use stiffarm_ask::sources::Sources;
 
 /// A question that was understood.
 #[derive(Debug)]
@@ -42,7 +42,7 @@ impl Question {
             Some(Value::Object(files)) => texts(files)?,
             Some(_) => return Err(unlike("'files' is no object")),
         };
-        let refused = |refusal| Refused::from(crate::failure::Failure::Request(refusal));
+        let refused = |refusal| Refused::from(crate::failure::Failure::from(refusal));
         let pairs = sent(verb, &options).map_err(refused)?;
         let asked = Request::of_task(verb, &pairs, Spelling::Sent).map_err(refused)?;
         asked.check_complete().map_err(refused)?;
@@ -53,8 +53,8 @@ impl Question {
 
     /// What the commands need besides what is asked.
     pub(super) fn common(&self, client: Arc<Client>) -> Common {
-        let (shelf, client) = (Shelf::Sent(self.files.clone()), Some(client));
-        Common { shelf, client, most_samples: bounds::MOST_SAMPLES, ..Common::usual() }
+        let (sources, client) = (Sources::sent(self.files.clone()), Some(client));
+        Common { sources, client, most_samples: bounds::MOST_SAMPLES, ..Common::usual() }
     }
 }
 

@@ -12,6 +12,8 @@ use hyper::header::{
 use hyper::{Response, StatusCode};
 use serde_json::{Value, json};
 
+use stiffarm_ask::ask::AskError;
+
 use crate::failure::Failure;
 
 /// What is sent.
@@ -78,23 +80,31 @@ impl From<Failure> for Refused {
     fn from(failure: Failure) -> Self {
         let status = if failure.exit_code() == 2 { StatusCode::BAD_REQUEST } else { StatusCode::UNPROCESSABLE_ENTITY };
         let hint = match &failure {
-            Failure::UnknownRobot { suggestions, .. } if suggestions.is_empty() => {
+            Failure::Ask(AskError::UnknownRobot { suggestions, .. }) if suggestions.is_empty() => {
                 "GET /api/robots names the robots; a robot file of your own comes along under \"files\"".into()
             }
-            Failure::NoRobot(_) => {
+            Failure::Ask(AskError::NoRobot(_)) => {
                 "GET /api/robots names the robots; a robot file of your own comes along under \"files\"".into()
             }
-            Failure::Usage(_) | Failure::Request(_) => "GET /api/options tells what every option takes".into(),
-            Failure::Place { robot, .. } | Failure::Posture { robot, .. } => {
+            Failure::Ask(AskError::Usage(_) | AskError::Request(_)) => {
+                "GET /api/options tells what every option takes".into()
+            }
+            Failure::Ask(AskError::Place { robot, .. } | AskError::Posture { robot, .. }) => {
                 format!("GET /api/robots/NAME tells what is known of {robot}; within, angle and gap bound a search")
             }
-            Failure::Path(_) | Failure::Mill(_) => {
+            Failure::Ask(AskError::Path(_) | AskError::Mill(_)) => {
                 "GET /api/options tells what can be said of a path, a process and a stock".into()
             }
             _ => failure.hint(),
         };
         let [error, hint] = [failure.to_string(), hint].map(|text| as_sent(&text));
         Self { exit_code: Some(failure.exit_code()), ..Self::new(status, error, hint) }
+    }
+}
+
+impl From<AskError> for Refused {
+    fn from(error: AskError) -> Self {
+        Failure::from(error).into()
     }
 }
 

@@ -19,11 +19,14 @@ use super::reply::{Refused, Reply, json_reply, keep_as, note, reply};
 use super::route::computed;
 use super::{Server, named};
 use crate::args::VerifyArgs;
-use crate::commands::robots::{list_of, sheet_of};
+use stiffarm_ask::ask::AskError;
+use stiffarm_ask::ask::robots::answer;
+
+use crate::commands::robots::sheet_of;
 use crate::commands::verify;
 use crate::common::Common;
 use crate::failure::Failure;
-use crate::shelf::Shelf;
+use stiffarm_ask::sources::Sources;
 
 /// As `robots list`: `text` has words of the names, `as` the form, all else is an option.
 pub(super) async fn listed(server: &Arc<Server>, asked: Option<&str>) -> Result<Reply, Refused> {
@@ -35,16 +38,16 @@ pub(super) async fn listed(server: &Arc<Server>, asked: Option<&str>) -> Result<
             _ => pairs.push(Pair { name, text: value, at: Spelling::Sent }),
         }
     }
-    let asked = Request::read(Verb::List, &pairs, Spelling::Sent).map_err(Failure::Request)?;
-    delivered(server, "robots", form, move |name| written(&list_of(&words, &asked)?, name)).await
+    let asked = Request::read(Verb::List, &pairs, Spelling::Sent).map_err(Failure::from)?;
+    delivered(server, "robots", form, move |name| written(&answer(&words, &asked)?, name)).await
 }
 
 /// As `robots show`.
 pub(super) async fn shown(server: &Arc<Server>, name: &str, asked: Option<&str>) -> Result<Reply, Refused> {
     let (robot, form) = (decoded(name)?, form_of(asked)?);
     delivered(server, "robot", form, move |name| {
-        let common = Common { shelf: Shelf::Sent(std::collections::BTreeMap::new()), ..Common::usual() };
-        written(&sheet_of(&robot, None, &common)?, name)
+        let common = Common { sources: Sources::sent(std::collections::BTreeMap::new()), ..Common::usual() };
+        written(&sheet_of(&robot, None, common.context())?, name)
     })
     .await
 }
@@ -55,7 +58,7 @@ async fn delivered(
     form: Form,
     write: impl FnOnce(&str) -> Result<Vec<u8>, Refused> + Send + 'static,
 ) -> Result<Reply, Refused> {
-    let Form::File(ending) = &form else { return Err(Failure::Usage("robots have no such form".into()).into()) };
+    let Form::File(ending) = &form else { return Err(Failure::usage("robots have no such form").into()) };
     let name = named(stem, ending);
     let kept = name.clone();
     let (bytes, _) = computed(server, move |_| write(&name)).await?;
@@ -110,7 +113,7 @@ pub(super) async fn verified(server: &Arc<Server>, body: Vec<u8>) -> Result<Repl
     if let Some(date) = date.as_ref().filter(|date| !is_date(date)) {
         return Err(unlike(&format!("'{}' is no date; expected such as 2026-05-31", on_one_line(date))));
     }
-    let shelf = Shelf::Sent(texts(files)?);
+    let sources = Sources::sent(texts(files)?);
     let args = VerifyArgs {
         asked: robot.into_iter().chain([readings]).collect(),
         any,
@@ -121,7 +124,7 @@ pub(super) async fn verified(server: &Arc<Server>, body: Vec<u8>) -> Result<Repl
         date,
     };
     let (bytes, notes) = computed(server, move |client| {
-        let common = Common { shelf, client: Some(client), ..Common::usual() };
+        let common = Common { sources, client: Some(client), ..Common::usual() };
         written(&verify::answer(&args, &common)?, "verified.json")
     })
     .await?;
@@ -165,6 +168,6 @@ fn unusable(faults: &Faults) -> Value {
     let each = faults.faults.iter().map(
         |Fault { line, key, message }| json!({ "line": (0 < *line).then_some(line), "key": key, "text": message }),
     );
-    let hint = Failure::RobotFile(faults.clone()).hint();
+    let hint = AskError::RobotFile(faults.clone()).hint();
     json!({ "robot": null, "notes": [], "doubts": [], "toml": null, "hint": hint, "faults": each.collect::<Value>() })
 }

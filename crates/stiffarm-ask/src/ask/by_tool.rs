@@ -1,0 +1,78 @@
+//! A path that several tools mill, each with its own process, as text, table, JSON and one program.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use crate::answer::{ByToolAnswer, Rows};
+use crate::request::Request;
+use stiffarm::catalogue::{ProcessFile, files};
+use stiffarm::program::Language;
+use stiffarm::toolpath::Understood;
+use stiffarm::watch::Watch;
+
+use super::Context;
+use super::path::all_moves;
+use super::process_of;
+use crate::ask::AskError;
+use crate::forms::{Answer, Forms, Piece, pretty};
+
+pub(crate) struct ByToolOutput {
+    pub(crate) answer: ByToolAnswer,
+}
+
+pub(crate) fn answer(asked: &Request, context: Context) -> Result<ByToolOutput, AskError> {
+    let path = asked.path()?;
+    let robot = super::selection::robot(&asked.robot()?, context)?;
+    let processes = processes(asked, context)?;
+    let (moves, understood) = all_moves(asked, &path, context, 1)?;
+    let milled = |watch: Watch| ByToolAnswer::of(asked, &robot, (&path, &moves), &processes, watch);
+    let mut answer = context.watched("milling with every tool", milled)?;
+    answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
+    Ok(ByToolOutput { answer })
+}
+
+/// The process of each tool, with the name of its file.
+fn processes(asked: &Request, context: Context) -> Result<Vec<(u32, String, ProcessFile)>, AskError> {
+    let of_tools = asked.processes().into_iter().filter_map(|(tool, file)| Some((tool?, file)));
+    let read = |(tool, file): (u32, String)| {
+        let named = files::shown(Path::new(&file));
+        process_of(&file, &named, context).map(|read| (tool, named, read))
+    };
+    of_tools.map(read).collect()
+}
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms = Forms { further: &["src", "mod", "ls"], ..Forms::of("mill") };
+
+impl Answer for ByToolOutput {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn program(&self, ending: &str) -> Option<Result<Vec<u8>, AskError>> {
+        let language = Language::of_program(ending)?;
+        Some(self.answer.program(language).map(String::into_bytes).map_err(Into::into))
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        let Self { answer } = self;
+        let of_tools = answer.sections.iter().flat_map(|section| {
+            let heading = Piece::Lines(format!("T{}\n", section.tool));
+            [heading, Piece::Table(section.milled.table()), Piece::Break]
+        });
+        let all = [Piece::Table(answer.table()), Piece::Break, Piece::Lines(answer.notes())];
+        of_tools.chain(all).collect()
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.answer.json())
+    }
+
+    fn shortfall(&self) -> Option<String> {
+        self.answer.shortfall()
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
+    }
+}

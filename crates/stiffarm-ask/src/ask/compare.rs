@@ -1,0 +1,126 @@
+//! `stiffarm compare`: two setups side by side.
+
+use std::io::{self, Write};
+
+use crate::answer::words::{acting, class, mapped, tool};
+use crate::answer::{CompareAnswer, PlaceAnswer, Rows, Unit, stiffness};
+use crate::request::Request;
+use stiffarm::model::ModelKind;
+use stiffarm::robot::Robot;
+
+use super::Context;
+use super::place::PlaceOutput;
+use crate::ask::AskError;
+use crate::figures::Plate;
+use crate::figures::compare::CompareFigure;
+use crate::forms::{Answer, Forms, Piece, pretty};
+
+pub(crate) fn answer(asked: &Request, context: Context) -> Result<CompareOutput, AskError> {
+    let [a, b] = asked.setups()?.map(|name| setup(&name, asked, context));
+    let (sides, plate) = ([a?, b?], Plate::of(asked)?);
+    let [a, b] = sides.map(|(asked, robot)| PlaceOutput::of(&asked, robot, context));
+    let sides = [a?, b?];
+    let answer = CompareAnswer { sides: sides.each_ref().map(|side| side.answer.clone()) };
+    Ok(CompareOutput { answer, sides, plate })
+}
+
+/// What is asked of a setup, and its robot.
+fn setup(name: &str, asked: &Request, context: Context) -> Result<(Request, Robot), AskError> {
+    let request = context.sources.setup(name, asked)?;
+    request.check_complete()?;
+    let robot = super::selection::robot(&request.robot()?, context)?;
+    Ok((request, robot))
+}
+
+pub(crate) struct CompareOutput {
+    answer: CompareAnswer,
+    sides: [PlaceOutput; 2],
+    plate: Plate,
+}
+
+impl CompareOutput {
+    fn figure(&self) -> Result<String, AskError> {
+        let [a, b] = self.sides.each_ref().map(PlaceOutput::mapped);
+        let maps = [a?, b?];
+        let drawn = |k: usize| {
+            let mut drawn = self.sides[k].placed(&maps[k])?;
+            if let Some(mark) = &mut drawn.mark {
+                mark.label = "the zone at its best place".into();
+            }
+            drawn.subtitle = words(&self.sides[k].answer);
+            let mut panel = drawn.figure();
+            panel.title = format!("{}: {}", ["A", "B"][k], panel.title);
+            Ok::<_, AskError>(panel)
+        };
+        let [a, b] = &self.answer.sides;
+        let same_load = a.options.load == b.options.load;
+        let drawn = CompareFigure {
+            title: if a.robot.full_name() == b.robot.full_name() {
+                format!("{}, two setups", a.robot.full_name())
+            } else {
+                format!("{} and {}", a.robot.full_name(), b.robot.full_name())
+            },
+            subtitle: self.answer.sentences().join(" "),
+            panels: [drawn(0)?, drawn(1)?],
+            colour_label: if same_load {
+                format!("{} [mm]", mapped(a.options.load))
+            } else {
+                "deflection under the force of each [mm]".into()
+            },
+            plate: self.plate,
+        };
+        Ok(drawn.svg()?)
+    }
+}
+
+/// What a panel shows.
+fn words(side: &PlaceAnswer) -> String {
+    let PlaceAnswer { robot, model, task, options, .. } = side;
+    let held = match model {
+        ModelKind::Planar => "planar model".to_owned(),
+        ModelKind::Spatial(flange_from_tool) => format!("tool: {}", tool(flange_from_tool)),
+    };
+    let found = match side.best() {
+        None => format!("no place for {}", task.label),
+        Some(best) => {
+            let verdict = side.verdict().map_or_else(String::new, |verdict| format!("; {}", verdict.told()));
+            format!("{}: {:.3} mm at worst{verdict}", task.label, Unit::Millimetre.told(best.deflection))
+        }
+    };
+    format!("{found}; {}; {held}; {}; {}", acting(options.load), class(robot), stiffness(robot))
+}
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("compare") };
+
+impl Answer for CompareOutput {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        let mut pieces = vec![Piece::Table(self.answer.table()), Piece::Break];
+        let notes = self.answer.notes();
+        if !notes.is_empty() {
+            pieces.extend([Piece::Lines(notes), Piece::Break]);
+        }
+        pieces.extend([Piece::Lines(self.answer.sentences().join("\n")), Piece::Break]);
+        pieces
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.answer.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        Some(self.figure())
+    }
+
+    fn plate(&self) -> Plate {
+        self.plate
+    }
+}

@@ -1,0 +1,289 @@
+//! Why a question has no answer, and what to do about it.
+
+use std::path::PathBuf;
+
+use stiffarm::catalogue::files::{LoadError, Unreadable, shown};
+use stiffarm::catalogue::import::ImportError;
+use stiffarm::cutting::CuttingError;
+use stiffarm::map::MapError;
+use stiffarm::model::ModelError;
+use stiffarm::place::PlaceError;
+use stiffarm::rank::RankError;
+use stiffarm::robot::NoArmPlane;
+use stiffarm::toolpath::{PathFault, ToolpathError};
+use stiffarm::watch::Stopped;
+
+use crate::answer::MillAnswerError;
+use crate::figures::FigureError;
+use crate::request::{Refusal, SetupError};
+
+/// Every way in which a question has no answer.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum AskError {
+    /// A file or folder is not read.
+    #[error(transparent)]
+    Unreadable(#[from] Unreadable),
+    /// A text that did not come with the question.
+    #[error("no text of the name '{0}' came along")]
+    NotSent(String),
+    /// A file would be written over what is read.
+    #[error("cannot write {}: the command reads this file", shown(.0))]
+    OntoInput(PathBuf),
+    /// A file would be read as a robot the next time.
+    #[error("cannot write {}: every .toml file of this folder is read as a robot", shown(.0))]
+    AmongRobots(PathBuf),
+    /// No robot of this name.
+    #[error("robot '{name}' is not known")]
+    UnknownRobot {
+        /// What was asked for.
+        name: String,
+        /// Names that are close.
+        suggestions: Vec<String>,
+    },
+    /// A pattern that is none.
+    #[error("'{pattern}' is not a pattern: {error}")]
+    Pattern {
+        /// As it was typed.
+        pattern: String,
+        /// Why.
+        error: &'static str,
+    },
+    /// A pattern without a robot.
+    #[error("'{0}' matches no robot")]
+    NoRobot(String),
+    /// No robot has all that is asked for.
+    #[error("none of {of} robots matches {asked}")]
+    NothingLeft {
+        /// The filters as they were written.
+        asked: String,
+        /// How many robots there were to choose from.
+        of: usize,
+        /// What would match.
+        hint: String,
+    },
+    /// A robot file with faults.
+    #[error("{0}")]
+    RobotFile(#[from] stiffarm::catalogue::Faults),
+    /// A description of a robot that makes no robot file.
+    #[error("{error}")]
+    Import {
+        /// Why.
+        error: ImportError,
+        /// Whether the user has said at which links the arm begins and ends.
+        ends_are_given: bool,
+    },
+    /// Nobody waits any longer.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+    /// A toolpath that is not read.
+    #[error(transparent)]
+    Path(#[from] PathFault),
+    /// A path that has no answer.
+    #[error(transparent)]
+    Mill(MillAnswerError),
+    /// A process file with faults.
+    #[error("{0}")]
+    ProcessFile(stiffarm::catalogue::Faults),
+    /// A process of which no force is told.
+    #[error("{file}: {error}")]
+    Process {
+        /// Which.
+        file: String,
+        /// Why.
+        error: CuttingError,
+    },
+    /// Wrong usage that clap cannot see.
+    #[error("{0}")]
+    Usage(String),
+    /// What is asked makes no sense.
+    #[error(transparent)]
+    Request(#[from] Refusal),
+    /// A robot that cannot be judged.
+    #[error(transparent)]
+    Rank(#[from] RankError),
+    /// A zone that cannot be placed.
+    #[error("{robot}: {error}")]
+    Place {
+        /// Which robot.
+        robot: String,
+        /// Why.
+        error: PlaceError,
+    },
+    /// A map that cannot be made.
+    #[error("{robot}: {error}")]
+    Map {
+        /// Which robot.
+        robot: String,
+        /// Why.
+        error: MapError,
+    },
+    /// A posture that cannot be judged.
+    #[error("{robot}: {error}")]
+    Posture {
+        /// Which robot.
+        robot: String,
+        /// Why.
+        error: stiffarm::compliance::PostureError,
+    },
+    /// How an arm swings cannot be told.
+    #[error(transparent)]
+    Modes(stiffarm::modes::ModesError),
+    /// Measurements that tell nothing.
+    #[error("{data}: {error}")]
+    Identify {
+        /// Which table.
+        data: String,
+        /// Why.
+        error: stiffarm::identify::IdentifyError,
+    },
+    /// Nothing to be measured.
+    #[error("{robot}: {error}")]
+    Measure {
+        /// Which robot.
+        robot: String,
+        /// Why.
+        error: stiffarm::measure::MeasureError,
+    },
+    /// A table of measurements with faults.
+    #[error("{0}")]
+    Measurements(stiffarm::catalogue::Faults),
+    /// A study that makes no sense.
+    #[error(transparent)]
+    Study(#[from] stiffarm::study::StudyError),
+    /// A figure that cannot be drawn.
+    #[error("cannot draw the figure: {0}")]
+    Figure(String),
+}
+
+impl From<LoadError> for AskError {
+    fn from(error: LoadError) -> Self {
+        match error {
+            LoadError::Unreadable(error) => error.into(),
+            LoadError::RobotFile(error) => error.into(),
+            LoadError::Import(error) => Self::Import { error, ends_are_given: false },
+        }
+    }
+}
+
+impl From<ToolpathError> for AskError {
+    fn from(error: ToolpathError) -> Self {
+        match error {
+            ToolpathError::File(error) => error.into(),
+            ToolpathError::Path(error) => error.into(),
+        }
+    }
+}
+
+impl From<MillAnswerError> for AskError {
+    fn from(error: MillAnswerError) -> Self {
+        match error {
+            MillAnswerError::Request(refusal) => refusal.into(),
+            error => Self::Mill(error),
+        }
+    }
+}
+
+impl From<SetupError> for AskError {
+    fn from(error: SetupError) -> Self {
+        match error {
+            SetupError::Unreadable(error) => error.into(),
+            SetupError::Refusal(refusal) => refusal.into(),
+        }
+    }
+}
+
+impl From<FigureError> for AskError {
+    fn from(error: FigureError) -> Self {
+        Self::Figure(error.to_string())
+    }
+}
+
+impl AskError {
+    /// The question itself is wrong, whatever there is.
+    pub fn is_usage(&self) -> bool {
+        matches!(
+            self,
+            Self::Usage(_) | Self::Request(_) | Self::Pattern { .. } | Self::OntoInput(_) | Self::AmongRobots(_)
+        )
+    }
+
+    /// What the user can do.
+    pub fn hint(&self) -> String {
+        match self {
+            Self::UnknownRobot { suggestions, .. } if !suggestions.is_empty() => {
+                return format!("did you mean {}?", suggestions.join(", "));
+            }
+            Self::NothingLeft { hint, .. } => return hint.clone(),
+            Self::Place { error: PlaceError::Model(ModelError::NoArmPlane(error)), .. }
+            | Self::Map { error: MapError::Model(ModelError::NoArmPlane(error)), .. }
+            | Self::Rank(RankError { error: PlaceError::Model(ModelError::NoArmPlane(error)), .. })
+                if *error != NoArmPlane::Limits =>
+            {
+                "--model spatial asks the model with all six drives"
+            }
+            Self::Place { robot, .. } => {
+                return format!("`stiffarm robots show \"{robot}\"` tells lengths and limits; --within, --angle and --gap bound the search");
+            }
+            Self::Posture { robot, .. } => {
+                return format!("`stiffarm robots show \"{robot}\"` tells what is known of its joints and drives");
+            }
+            Self::Modes(_) => "`stiffarm robots show ROBOT --format json` tells what is known of a robot's masses and drives",
+            Self::UnknownRobot { .. } | Self::NoRobot(_) => {
+                "`stiffarm robots list` names the robots; a path to a robot file or a folder of them works too"
+            }
+            Self::Pattern { .. } => {
+                "* stands for any letters, ? for one, [abc] for one of these; a * or [ itself is written [*] and [[]"
+            }
+            Self::Stopped(_) => "nothing is left to do",
+            Self::NotSent(_) => "\"files\" holds the texts that are named, each under its name; no file of the server is read",
+            Self::OntoInput(_) => "choose another name: what is read is not written over",
+            Self::AmongRobots(_) => "write it into another folder",
+            Self::Unreadable(unreadable) => unreadable.advice(),
+            Self::RobotFile(_) => "`stiffarm robots show BT200L -o example.toml` writes a complete robot file to compare with",
+            Self::Import { error, ends_are_given } => import_hint(error, *ends_are_given),
+            Self::Path(_) => "`stiffarm mill --help` lists what can be said of a path whose file is silent; a CAM program can write what is refused as plain moves",
+            Self::Mill(_) => "`stiffarm mill --help` tells what a path, a process and a stock may be",
+            Self::ProcessFile(_) | Self::Process { .. } => "docs/examples/endmill.toml is a complete process file to compare with",
+            Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
+            Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",
+            Self::Measure { .. } => "--help behind the command tells its options: --loads, --window, --load-mm, --marker-mm",
+            Self::Identify { .. } => "`stiffarm measure ROBOT` tells which postures and loads to measure",
+            Self::Map { error: MapError::Size { .. }, .. } => "try --size 1000",
+            Self::Map { .. } | Self::Figure(_) => "--format csv or json gives the numbers; `stiffarm robots show` what is reached",
+            Self::Rank(_) | Self::Study(_) => "--help behind the command tells what each option takes",
+        }
+        .into()
+    }
+}
+
+/// What makes a description usable; nothing that was done already.
+fn import_hint(error: &ImportError, ends_are_given: bool) -> &'static str {
+    match error {
+        ImportError::Xacro { .. } => {
+            "expand it first: xacro FILE > robot.urdf (the ROS package xacro, or `pip install xacro`); a file of macros alone \
+             needs a file that calls them"
+        }
+        ImportError::NoLimits { .. } => {
+            "give them: stiffarm robots import FILE --limits-deg=-185..185,-140..-5,-120..155,-350..350,-125..125,-350..350"
+        }
+        ImportError::NoLinks { .. } => "--base and --tip say where in a URDF the arm begins and ends",
+        ImportError::Which(_) if !ends_are_given => {
+            "stiffarm robots import FILE --base LINK --tip LINK says where the arm begins and ends"
+        }
+        ImportError::Class(_) if !ends_are_given => {
+            "stiffarm knows arms with six turning axes: 1 upright, 2 and 3 parallel, 4, 5 and 6 through one point; --base LINK \
+             and --tip LINK choose another part of the file"
+        }
+        ImportError::Which(_) | ImportError::Class(_) => {
+            "stiffarm knows arms with six turning axes: 1 upright, 2 and 3 parallel, 4, 5 and 6 through one point; between these \
+             links there is another"
+        }
+        ImportError::Faults(_) => {
+            "mend the lines that are named; docs/guide/own_robot.md and docs/robot_file.md show what is read"
+        }
+        ImportError::Inexact { .. } => {
+            "the description bends or shifts an axis by more than is allowed: correct its origins"
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! `stiffarm force`: with what force does a process push on its tool?
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use crate::answer::{CuttingAnswer, Rows};
+use crate::request::Request;
+use stiffarm::catalogue::files;
+
+use super::Context;
+use super::process_of;
+use crate::ask::AskError;
+use crate::figures::Plate;
+use crate::figures::hodograph::Hodograph;
+use crate::forms::{Answer, Forms, Piece, pretty};
+
+pub(crate) fn answer(asked: &Request, context: Context) -> Result<ForceOutput, AskError> {
+    let name = asked.process()?;
+    let file = files::shown(Path::new(&name));
+    let process = process_of(&name, &file, context)?;
+    let force = process.process.force().map_err(|error| AskError::Process { file: file.clone(), error })?;
+    Ok(ForceOutput(CuttingAnswer { file, process, force }, Plate::of(asked)?))
+}
+
+pub(crate) struct ForceOutput(CuttingAnswer, Plate);
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("force") };
+
+impl Answer for ForceOutput {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        vec![Piece::Table(self.0.table()), Piece::Break, Piece::Lines(self.0.notes().into())]
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.0.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.0.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        let CuttingAnswer { file, force, .. } = &self.0;
+        // What does not turn with the spindle has no figure.
+        let mean = force.mean.filter(|_| !force.revolution.is_empty())?;
+        Some(Ok(Hodograph {
+            title: format!("Force on the tool over a revolution, {file}"),
+            subtitle: self.0.heading(),
+            revolution: force.revolution.iter().map(|[feed, across, _]| [*feed, *across]).collect(),
+            mean: [mean[0], mean[1]],
+            plate: self.1,
+        }
+        .svg()))
+    }
+
+    fn plate(&self) -> Plate {
+        self.1
+    }
+}

@@ -1,0 +1,72 @@
+//! `stiffarm identify`: measured deflections to a robot file that says how well it is known.
+
+use std::io::{self, Write};
+
+use crate::answer::{IdentifyAnswer, Rows};
+use crate::request::Request;
+use stiffarm::catalogue::measurements;
+use stiffarm::identify::identify;
+
+use super::Context;
+use crate::ask::AskError;
+use crate::figures::{Plate, identify as figure};
+use crate::forms::{Answer, Forms, Piece, pretty, sheet};
+use crate::report::{self, Inputs, Report};
+
+pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<IdentifyOutput<'a>, AskError> {
+    let robot = super::selection::robot(&asked.robot()?, context)?;
+    let (measured, data) = super::table_of(&asked.data()?, (asked, context), measurements::read)?;
+    let options = asked.identification();
+    let found = context.watched("identifying", |watch| identify(&robot, &measured, &options, watch));
+    let found = found.map_err(|error| AskError::Identify { data: data.clone(), error })?;
+    found.remarks.iter().for_each(|remark| context.listener.remark(&format!("warning: {remark}")));
+    let answer = IdentifyAnswer { found, before: robot, data, date: options.date };
+    Ok(IdentifyOutput { answer, asked, inputs: Inputs::of(asked, context), plate: Plate::of(asked)? })
+}
+
+pub(crate) struct IdentifyOutput<'a> {
+    pub(crate) answer: IdentifyAnswer,
+    asked: &'a Request,
+    pub(crate) inputs: Inputs,
+    pub(crate) plate: Plate,
+}
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms =
+    Forms { further: &["toml", "svg", "png", "pdf"], is_reported: true, ..Forms::of("identify") };
+
+impl Answer for IdentifyOutput<'_> {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        let answer = &self.answer;
+        let tables = [Some(answer.summary()), Some(answer.table()), answer.updated()];
+        sheet(tables.into_iter().flatten(), answer.notes())
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.answer.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
+    }
+
+    fn robot_file(&self) -> Option<String> {
+        Some(self.answer.robot_file())
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        Some(Ok(figure::svg(&self.answer, &self.plate)))
+    }
+
+    fn report(&self) -> Option<Result<Report, AskError>> {
+        Some(report::identify::of(self, self.asked))
+    }
+
+    fn plate(&self) -> Plate {
+        self.plate
+    }
+}

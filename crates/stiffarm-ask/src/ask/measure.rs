@@ -1,0 +1,80 @@
+//! `stiffarm measure`: which postures and loads to measure, with a certificate.
+
+use std::io::{self, Write};
+
+use crate::answer::{MeasureAnswer, Rows};
+use crate::request::Request;
+use stiffarm::catalogue::measurements;
+use stiffarm::measure::{MeasureError, compare, over, plan};
+
+use super::Context;
+use crate::ask::AskError;
+use crate::figures::{Plate, postures};
+use crate::forms::{Answer, Forms, Piece, pretty, sheet};
+
+pub(crate) fn answer(asked: &Request, context: Context) -> Result<MeasureOutput, AskError> {
+    let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
+    let failed = |error: MeasureError| AskError::Measure { robot: robot.name.clone(), error };
+    let mut options = asked.measurement_plan();
+    let mut work = "anywhere within the limits".to_owned();
+    if asked.is_given("task") {
+        let task = asked.task()?;
+        work = format!("{} at its best place, tool down", task.label);
+        let tool = asked.held().tool();
+        options.work = context.watched("placing", |watch| over(&robot, &tool, task.zone, watch)).map_err(failed)?;
+    }
+    let own = asked.compared().map(|name| own_runs(&name, asked, context)).transpose()?;
+    let found = context.watched("planning", |watch| plan(&robot, &options, watch)).map_err(failed)?;
+    let compared = match own {
+        None => None,
+        Some((name, runs)) => {
+            let compared = context.watched("comparing", |watch| compare(&robot, &options, &runs, watch));
+            let (value, efficiency) = compared.map_err(failed)?;
+            Some((name, runs.len(), value, efficiency))
+        }
+    };
+    Ok(MeasureOutput(MeasureAnswer { robot, options, work, plan: found, compared }, Plate::of(asked)?))
+}
+
+/// Postures and loads of a table of one's own; of several markers of one run the first.
+fn own_runs(
+    name: &str,
+    asked: &Request,
+    context: Context,
+) -> Result<(String, Vec<stiffarm::measure::OwnRun>), AskError> {
+    let (planned, shown) = super::table_of(name, (asked, context), measurements::read_planned)?;
+    Ok((shown, stiffarm::measure::own(&planned)))
+}
+
+pub(crate) struct MeasureOutput(MeasureAnswer, Plate);
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("measure") };
+
+impl Answer for MeasureOutput {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        let Self(answer, _) = self;
+        sheet([answer.summary(), answer.table()], answer.notes())
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.0.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.0.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        let title = format!("Postures to measure, {}", self.0.robot.name);
+        Some(Ok(postures::svg(&title, &self.0.postures(), &self.1)))
+    }
+
+    fn plate(&self) -> Plate {
+        self.1
+    }
+}

@@ -1,0 +1,198 @@
+//! `stiffarm mill PATH`: the error along a toolpath; with `--dry` what is understood of it.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use crate::answer::{MillAnswer, Rows, Unit};
+use crate::request::Request;
+use stiffarm::catalogue::files;
+use stiffarm::mill::{RollMap, Stand};
+use stiffarm::model::{ArmPosture, Model, ModelError};
+use stiffarm::program::Language;
+use stiffarm::toolpath::{Builtin, Format, Original, Understood};
+use stiffarm::watch::Watch;
+
+use super::Context;
+use super::drawing;
+use super::path::{all_moves, read_process_of};
+use crate::ask::AskError;
+use crate::figures::Plate;
+use crate::figures::milled::MilledFigure;
+use crate::figures::shop::ShopFigure;
+use crate::figures::view3d::{Cell, Sheet, View, Zone};
+use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::report::{self, Inputs, Report};
+
+/// Places along the path of which the map of rolls shows every roll.
+const MAPPED: usize = 360;
+/// Places along the path that a view in space shows, and how high its ribbon stands, m.
+const MOST_POINTS: usize = 3000;
+const RIBBON: f64 = 0.02;
+
+pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<MillOutput<'a>, AskError> {
+    let path = asked.path()?;
+    let robot = super::selection::robot(&asked.robot()?, context)?;
+    let process = read_process_of(asked, context)?;
+    let (moves, understood) = all_moves(asked, &path, context, 1)?;
+    let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, moves), process, watch);
+    let mut answer = context.watched("milling", milled)?;
+    answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
+    Ok(MillOutput { answer, asked, context, plate: Plate::of(asked)? })
+}
+
+pub(crate) struct MillOutput<'a> {
+    pub(crate) answer: MillAnswer,
+    asked: &'a Request,
+    context: Context<'a>,
+    pub(crate) plate: Plate,
+}
+
+impl MillOutput<'_> {
+    /// What it rests on that was read.
+    pub(crate) fn inputs(&self) -> Inputs {
+        Inputs::of(self.asked, self.context)
+    }
+
+    /// The path's own file with its tips led aside.
+    fn rewritten(&self, ending: &str) -> Result<Vec<u8>, AskError> {
+        let name = &self.answer.path;
+        if Builtin::is_meant(name) {
+            let why = format!(
+                "{name} is built in: there is no file to write back; -o path.src, path.mod or path.ls writes a robot program"
+            );
+            return Err(AskError::Usage(why));
+        }
+        if let Some(tool) = self.answer.only_tool {
+            let why = format!("only tool {tool} of {name} is milled: the file with all its tools is not written back");
+            return Err(AskError::Usage(why));
+        }
+        let options = self.asked.read_options();
+        let written = Format::of_name(&format!("a.{ending}"));
+        let read = self.asked.path_format(name)?;
+        if written != Some(read) {
+            let why = format!(
+                "{name} is {}: it is not written as .{ending}; choose an ending of its own format",
+                read.name()
+            );
+            return Err(AskError::Usage(why));
+        }
+        let (format, mut input) = (self.asked.path_format(name)?, self.context.sources.open(name)?);
+        let original = Original { input: &mut input, file: &files::shown(Path::new(name)), format, options: &options };
+        let mut output = Vec::new();
+        let found = self.answer.rewritten(original, &self.asked.steps(), &mut output)?;
+        if 0 < found.of_cycles {
+            self.context
+                .listener
+                .warn(&format!("warning: {} moves of drilling cycles stay uncompensated", found.of_cycles));
+        }
+        Ok(output)
+    }
+}
+
+/// Every roll at places along the path.
+pub(crate) fn rolls(answer: &MillAnswer) -> Result<RollMap, AskError> {
+    let why = || AskError::Usage(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
+    answer.roll_map(MAPPED)?.ok_or_else(why)
+}
+
+impl MillOutput<'_> {
+    /// The path as a ribbon at its place, the robot at the worst sample.
+    fn in_space(&self) -> Result<View, AskError> {
+        let answer = &self.answer;
+        let nothing = || AskError::Usage(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
+        let (found, placement) = answer.followed().zip(answer.placement).ok_or_else(nothing)?;
+        let failure = |error: ModelError| AskError::Place { robot: answer.robot.name.clone(), error: error.into() };
+        let model = Model::spatial(&answer.robot, &answer.flange_from_tool).map_err(failure)?;
+        let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool: answer.flange_from_tool };
+        let stride = answer.stations.len().div_ceil(MOST_POINTS).max(1);
+        let cell = |i: usize, above: f64| {
+            let (station, pushed) = (&answer.stations[i], &found.samples[i]);
+            let mm = station.sample.is_cutting.then(|| Unit::Millimetre.told(pushed.error));
+            Cell { at: stand.above(station, above), mm }
+        };
+        let row = |above: f64| (0..answer.stations.len()).step_by(stride).map(|i| cell(i, above)).collect();
+        let (error, worst) = found.worst;
+        let zone = Zone {
+            label: format!("{}: {:.3} mm at worst", answer.path, Unit::Millimetre.told(error)),
+            rim: Vec::new(),
+            sheet: Some(Sheet { rows: vec![row(0.0), row(RIBBON)] }),
+            worst: Some(cell(worst, 0.0)),
+        };
+        let pushed = &found.samples[worst];
+        let arm = drawing::arm(&model, Some(ArmPosture::Joints(pushed.joints)), pushed.shares.as_ref());
+        Ok(View {
+            title: format!("{} along {}", answer.robot.full_name(), answer.path),
+            notes: vec![answer.force.clone(), "the arm at the worst sample; the path as a ribbon above its tip".into()],
+            arm,
+            zone: Some(zone),
+            colour_label: "error [mm]".into(),
+            scale: self.plate.ends(),
+            floor: true,
+            cell: answer.ground.cell,
+            ..View::default()
+        })
+    }
+}
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms = Forms {
+    further: &["svg", "png", "pdf", "html", "src", "mod", "ls", "nc", "gcode", "ngc", "tap", "apt", "cls"],
+    is_reported: true,
+    is_sited: true,
+    ..Forms::of("mill")
+};
+
+impl Answer for MillOutput<'_> {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn program(&self, ending: &str) -> Option<Result<Vec<u8>, AskError>> {
+        let language = Language::of_program(ending);
+        Some(match language {
+            Some(language) => self.answer.program(language).map(String::into_bytes).map_err(Into::into),
+            None => self.rewritten(ending),
+        })
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        vec![Piece::Table(self.answer.table()), Piece::Break, Piece::Lines(self.answer.notes())]
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.answer.json())
+    }
+
+    fn shortfall(&self) -> Option<String> {
+        self.answer.shortfall()
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        let answer = &self.answer;
+        Some(rolls(answer).map(|rolls| MilledFigure { answer, rolls: &rolls, plate: self.plate }.svg()))
+    }
+
+    fn view(&self) -> Option<Result<View, AskError>> {
+        Some(self.in_space())
+    }
+
+    fn shop(&self) -> Option<Result<String, AskError>> {
+        let nothing = || {
+            AskError::Figure("nothing to draw: the path has no place, or nothing is known of the robot's base".into())
+        };
+        let drawn = |siting| ShopFigure { siting: &siting, plate: self.plate }.svg();
+        Some(self.answer.siting().map(drawn).ok_or_else(nothing))
+    }
+
+    fn report(&self) -> Option<Result<Report, AskError>> {
+        Some(report::mill::of(self, self.asked))
+    }
+
+    fn plate(&self) -> Plate {
+        self.plate
+    }
+}

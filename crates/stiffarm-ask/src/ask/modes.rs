@@ -1,0 +1,44 @@
+//! `stiffarm modes`: how the arm swings at one posture.
+
+use std::io::{self, Write};
+
+use crate::answer::{ModesAnswer, Rows};
+use crate::request::Request;
+use stiffarm::modes::modes;
+
+use super::Context;
+use super::compliance::remarks;
+use crate::ask::AskError;
+use crate::forms::{Answer, Forms, Piece, pretty};
+
+pub(crate) fn answer(asked: &Request, context: Context) -> Result<ModesOutput, AskError> {
+    let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
+    let (joints_deg, tool, damping) = (asked.joints_deg()?, asked.held_tool()?, asked.damping());
+    let radians = joints_deg.map(f64::to_radians);
+    let swing = modes(&robot, &radians, &tool, damping).map_err(AskError::Modes)?;
+    remarks(&robot, [&joints_deg, &radians], context);
+    Ok(ModesOutput(ModesAnswer { robot, joints_deg, tool, damping, count: asked.mode_count(), swing }))
+}
+
+pub(crate) struct ModesOutput(ModesAnswer);
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms = Forms::of("modes");
+
+impl Answer for ModesOutput {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        vec![Piece::Table(self.0.table()), Piece::Break, Piece::Lines(self.0.notes())]
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.0.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.0.rows()
+    }
+}

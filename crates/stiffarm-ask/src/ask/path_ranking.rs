@@ -1,0 +1,121 @@
+//! Several robots on a toolpath, as text, table, JSON and bars.
+
+use std::io::{self, Write};
+
+use crate::answer::{MillAnswer, PathRankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
+use crate::request::Request;
+use stiffarm::drive::Architecture;
+use stiffarm::robot::Status;
+use stiffarm::toolpath::Understood;
+use stiffarm::watch::Watch;
+
+use super::path::{all_moves, read_process_of};
+use super::{Context, selection};
+use crate::ask::AskError;
+use crate::figures::Plate;
+use crate::figures::bars::{BarRow, BarsFigure};
+use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::report::{self, Inputs, Report};
+
+/// More bars are not told apart on one page.
+const MOST_BARS: usize = 60;
+
+pub(crate) struct PathRankOutput<'a> {
+    pub(crate) answer: PathRankAnswer,
+    pub(crate) asked: &'a Request,
+    pub(crate) inputs: Inputs,
+    pub(crate) plate: Plate,
+}
+
+/// The order of several robots on a path, each at its best place.
+pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<PathRankOutput<'a>, AskError> {
+    let path = asked.path()?;
+    let robots = selection::keep(selection::robots(&asked.robots(), context)?, asked, &[])?;
+    let process = read_process_of(asked, context)?;
+    let (moves, understood) = all_moves(asked, &path, context, robots.len())?;
+    let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch);
+    let mut answer = context.watched("milling with every robot", ranked)?;
+    answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
+    Ok(PathRankOutput { answer, asked, inputs: Inputs::of(asked, context), plate: Plate::of(asked)? })
+}
+
+impl PathRankOutput<'_> {
+    /// A bar per robot, with what is proved.
+    pub(crate) fn figure(&self, plate: Plate) -> String {
+        let PathRankAnswer { path, rows, tolerance_mm, .. } = &self.answer;
+        let left_out = rows.len().saturating_sub(MOST_BARS);
+        let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
+        let named: Vec<(&str, Architecture)> =
+            rows.iter().map(|row| (row.robot.name.as_str(), row.robot.architecture)).collect();
+        let drawn = rows.iter().zip(looks(&named)).take(MOST_BARS).map(|(row, look)| BarRow {
+            robot: words::marked(&row.robot),
+            serial: row.robot.architecture == Architecture::Serial,
+            estimated: row.robot.status == Status::Estimated,
+            look,
+            intervals: vec![
+                row.milled
+                    .as_ref()
+                    .ok()
+                    .and_then(MillAnswer::spread)
+                    .map(|spread| [spread.p05, spread.p95].map(|metres| Unit::Millimetre.told(metres))),
+            ],
+            verdicts: vec![row.milled.as_ref().ok().and_then(MillAnswer::verdict).map(Verdict::told)],
+            values: vec![
+                row.proved().map(|[bound, value]| [value, bound].map(|metres| Unit::Millimetre.told(metres)).into()),
+            ],
+        });
+        let figure = BarsFigure {
+            title: format!("Largest error along {path}, each robot at its best place and rolls{first}"),
+            subtitle: format!("{}; {}", self.answer.force(), stiffnesses(rows.iter().map(|row| &row.robot))),
+            tasks: vec![path.clone()],
+            rows: drawn.collect(),
+            tolerance_mm: *tolerance_mm,
+            plate,
+        };
+        figure.svg()
+    }
+}
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], is_reported: true, ..Forms::of("mill") };
+
+impl Answer for PathRankOutput<'_> {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        let Self { answer, .. } = self;
+        vec![
+            Piece::Lines(answer.heading()),
+            Piece::Break,
+            Piece::Table(answer.table()),
+            Piece::Break,
+            Piece::Lines(answer.notes()),
+        ]
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.answer.json())
+    }
+
+    fn shortfall(&self) -> Option<String> {
+        self.answer.shortfall()
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        Some(Ok(self.figure(self.plate)))
+    }
+
+    fn report(&self) -> Option<Result<Report, AskError>> {
+        Some(report::path_ranking::of(self, self.asked))
+    }
+
+    fn plate(&self) -> Plate {
+        self.plate
+    }
+}

@@ -1,0 +1,301 @@
+//! `stiffarm place`: the best place of one zone.
+
+use std::io::{self, Write};
+
+use crate::answer::words::{class, direction, tool};
+use crate::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
+use crate::request::Request;
+use stiffarm::advice::advise;
+use stiffarm::map::{Spacing, map};
+use stiffarm::model::{ArmPosture, Model, ModelError, ModelKind};
+use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field, place_task_watched};
+use stiffarm::robot::Robot;
+use stiffarm::watch::Watch;
+
+use super::Context;
+use super::map::Drawn;
+use super::under_process;
+use crate::ask::AskError;
+use crate::figures::Plate;
+use crate::figures::face::FaceFigure;
+use crate::figures::scene::{ZoneMark, rim};
+use crate::figures::shop::ShopFigure;
+use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
+use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::report::{self, Inputs, Report};
+
+/// Points along the longer side of the map that is drawn, in the arm plane and in space.
+const FIGURE_SIZE: [usize; 2] = [400, 300];
+/// Points along each side of the zone that are drawn.
+const FACE_SIZE: usize = 33;
+
+pub(crate) fn answer(asked: &Request, context: Context) -> Result<PlaceOutput, AskError> {
+    let robot = super::selection::robot(&asked.robot()?, context)?;
+    PlaceOutput::of(asked, robot, context)
+}
+
+/// A placement, and what is needed to draw it.
+pub(crate) struct PlaceOutput {
+    model: Model,
+    pub(crate) answer: PlaceAnswer,
+    pub(crate) plate: Plate,
+    asked: Request,
+    inputs: Inputs,
+    /// Points along the longer side of the map.
+    points: usize,
+}
+
+impl PlaceOutput {
+    /// Places what is asked for, and seeks what its tolerance says of force, stiffness and size.
+    pub(crate) fn of(asked: &Request, robot: Robot, context: Context) -> Result<Self, AskError> {
+        let (task, kind, robot) = (asked.task()?, asked.model(), asked.equipped(robot)?);
+        let options = under_process(asked, context)?.place_options(Some(task.zone))?;
+        let plate = Plate::of(asked)?;
+        let failure = |error| AskError::Place { robot: robot.name.clone(), error };
+        let model = kind.of(&robot).map_err(|error| failure(error.into()))?;
+        let search = |watch: Watch| place_task_watched(&model, &task, &options, watch);
+        let placed = context.watched("searching places", search).map_err(failure)?;
+        let tolerance_mm = asked.tolerance_mm();
+        let sought = |mm: f64| {
+            let advised = |watch: Watch| advise(&model, &task, &options, &placed, mm / 1e3, watch);
+            context.watched("placing smaller zones", advised)
+        };
+        let advice = tolerance_mm.map(sought).transpose().map_err(failure)?;
+        let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice };
+        let points = if kind == ModelKind::Planar { FIGURE_SIZE[0] } else { FIGURE_SIZE[1] };
+        Ok(Self { model, answer, plate, asked: asked.clone(), inputs: Inputs::of(asked, context), points })
+    }
+
+    /// What it rests on that was read.
+    pub(crate) fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// An answer that is there, with a map of so many points.
+    pub(crate) fn told(
+        answer: PlaceAnswer,
+        (asked, inputs): (&Request, Inputs),
+        (plate, points): (Plate, usize),
+    ) -> Result<Self, AskError> {
+        let failure = |error: ModelError| AskError::Place { robot: answer.robot.name.clone(), error: error.into() };
+        let model = answer.model.of(&answer.robot).map_err(failure)?;
+        Ok(Self { model, answer, plate, asked: asked.clone(), inputs, points })
+    }
+
+    fn elevation(&self) -> f64 {
+        self.answer.options.stance().elevation
+    }
+
+    /// What is drawn, where there is something.
+    fn feasible(&self) -> Result<(&Placement, Option<&SpaceHold>), AskError> {
+        let PlaceAnswer { robot, task, placed, .. } = &self.answer;
+        match placed {
+            Placed::Feasible(best) if !best.faces.is_empty() => {
+                let why = format!(
+                    "{}: the map shows one flat zone, and {} is a part: `place` has its shop drawing (shop.svg) and its report; or take json, csv or md",
+                    robot.name, task.label
+                );
+                Err(AskError::Usage(why))
+            }
+            Placed::Feasible(best) => Ok((best, best.space())),
+            Placed::Infeasible { reason, is_proved, .. } => {
+                let proof = if *is_proved { "; it is proved that there is none" } else { "" };
+                let why = format!("{}: no place for {} to draw: {reason}{proof}", robot.name, task.label);
+                Err(AskError::Usage(why))
+            }
+        }
+    }
+
+    /// The map of what is reached, held as the zone is.
+    pub(crate) fn mapped(&self) -> Result<MapAnswer, AskError> {
+        let Self { model, answer, .. } = self;
+        let options = answer.map_options(model, Spacing::Points(self.points));
+        let map = map(model, &options).map_err(|error| AskError::Map { robot: answer.robot.name.clone(), error })?;
+        Ok(MapAnswer { model: model.clone(), options, map, zone: Some(answer.clone()) })
+    }
+
+    fn subtitle(&self) -> String {
+        let PlaceAnswer { robot, model, placed, .. } = &self.answer;
+        let start = format!("{}; {}", class(robot), stiffness(robot));
+        match (model, placed.feasible().and_then(Placement::space)) {
+            (ModelKind::Spatial(flange_from_tool), Some(hold)) => {
+                let (towards, tool) = (direction(self.elevation()), tool(flange_from_tool));
+                format!("{start}; all six drives, {towards}, tool: {tool}; {}", hold.configuration)
+            }
+            _ => start,
+        }
+    }
+
+    /// Points of the zone, given along its sides, with their deflections.
+    fn field(&self, points: impl IntoIterator<Item = [f64; 2]>) -> Result<Vec<ZonePoint>, AskError> {
+        let (best, _) = self.feasible()?;
+        deflection_field(&self.model, &self.answer.options, best, points)
+            .map_err(|error| AskError::Place { robot: self.answer.robot.name.clone(), error })
+    }
+
+    /// The zone row by row.
+    fn face(&self) -> Result<Vec<ZonePoint>, AskError> {
+        let side = |i: usize| 2.0 * i as f64 / (FACE_SIZE - 1) as f64 - 1.0;
+        let nodes = (0..FACE_SIZE).flat_map(|j| (0..FACE_SIZE).map(move |i| [side(i), side(j)]));
+        self.field(nodes.map(|node| self.answer.task.zone.at(node)))
+    }
+
+    /// The rim of the zone, straight ahead.
+    fn rim(&self) -> Result<Vec<Point>, AskError> {
+        Ok(self.field(rim(self.answer.task.zone, [0.0; 2], 0.0))?.iter().map(|point| point.at).collect())
+    }
+
+    fn drawn<'a>(&self, map: &'a MapAnswer) -> Drawn<'a> {
+        Drawn { plate: self.plate, ..Drawn::of_zone(map) }
+    }
+
+    /// The zone on the section that points straight ahead, and what is seen along the tool axis.
+    pub(crate) fn figure(&self, plate: Plate) -> Result<String, AskError> {
+        let (best, _) = self.feasible()?;
+        let map = self.mapped()?;
+        let Model::Spatial(_) = self.model else { return Drawn { plate, ..self.drawn(&map) }.svg() };
+        let face = FaceFigure {
+            zone: self.answer.task.zone,
+            angle: best.angle,
+            cells: self
+                .face()?
+                .iter()
+                .map(|point| point.deflection.map(|metres| Unit::Millimetre.told(metres)))
+                .collect(),
+            per_side: FACE_SIZE,
+            up: match self.answer.options.stance().is_vertical() {
+                false => "upwards in its plane",
+                true if self.elevation() < 0.0 => "ahead",
+                true => "back",
+            },
+            colour_label: Drawn::of_zone(&map).colour_label(),
+        };
+        Drawn { face: Some(face), plate, ..self.placed(&map)? }.svg()
+    }
+
+    /// The map, where there is no zone to draw.
+    pub(crate) fn map_alone(&self, plate: Plate) -> Result<String, AskError> {
+        Drawn { plate, ..self.placed(&self.mapped()?)? }.svg()
+    }
+
+    /// The map with the zone at its place, in space as it is seen from the side; without it where it has none.
+    pub(crate) fn placed<'a>(&self, map: &'a MapAnswer) -> Result<Drawn<'a>, AskError> {
+        if let (Model::Planar(_), _) | (_, Placed::Infeasible { .. }) = (&self.model, &self.answer.placed) {
+            return Ok(self.drawn(map));
+        }
+        let (best, hold) = self.feasible()?;
+        let bearing = hold.map_or(0.0, |hold| hold.bearing);
+        // Turned back: the section points straight ahead.
+        let ((s, c), [wx, wy, wz]) = (bearing.sin_cos(), best.worst_point);
+        let mark = ZoneMark {
+            zone: self.answer.task.zone,
+            rim: self.rim()?.into_iter().map(|[x, _, z]| [x, z]).collect(),
+            worst_point: [c * wx + s * wy, wz],
+            label: self.label(best),
+        };
+        Ok(Drawn {
+            subtitle: self.subtitle(),
+            posture: hold.map(|hold| ArmPosture::Joints(self.straight_ahead(hold))),
+            mark: Some(mark),
+            ..self.drawn(map)
+        })
+    }
+
+    /// The joints at the worst point, the zone straight ahead.
+    fn straight_ahead(&self, hold: &SpaceHold) -> [f64; 6] {
+        let mut q = hold.joints;
+        if let Model::Spatial(model) = &self.model {
+            q[0] -= model.joint_1_sign() * hold.bearing;
+        }
+        q
+    }
+
+    fn label(&self, best: &Placement) -> String {
+        format!("{}: {:.3} mm at worst", self.answer.task.label, Unit::Millimetre.told(best.deflection))
+    }
+
+    fn in_space(&self) -> Result<View, AskError> {
+        let (best, hold) = self.feasible()?;
+        let map = self.mapped()?;
+        let Model::Spatial(_) = self.model else { return Ok(self.drawn(&map).view()) };
+        let (s, c) = hold.map_or(0.0, |hold| hold.bearing).sin_cos();
+        let turned = |[x, y, z]: Point| [c * x - s * y, s * x + c * y, z];
+        let cell = |point: &ZonePoint| Cell {
+            at: turned(point.at),
+            mm: point.deflection.map(|metres| Unit::Millimetre.told(metres)),
+        };
+        let face: Vec<Cell> = self.face()?.iter().map(cell).collect();
+        let zone = Zone {
+            label: self.label(best),
+            rim: self.rim()?.into_iter().map(turned).collect(),
+            sheet: Some(Sheet { rows: face.chunks(FACE_SIZE).map(<[Cell]>::to_vec).collect() }),
+            worst: Some(Cell { at: best.worst_point, mm: Some(Unit::Millimetre.told(best.deflection)) }),
+        };
+        let mut section = Sheet::of_map(&map.map.deflection, Unit::Millimetre, 0.0);
+        section.rows.iter_mut().flatten().for_each(|cell| cell.at = turned(cell.at));
+        let posture = hold.map(|hold| ArmPosture::Joints(hold.joints));
+        Ok(View {
+            title: self.answer.robot.full_name(),
+            notes: vec![self.subtitle(), "arm at the worst point of the zone; section held as the zone is".into()],
+            arm: super::drawing::arm(&self.model, posture, hold.map(|hold| &hold.shares)),
+            zone: Some(zone),
+            section: Some(section),
+            colour_label: Drawn::of_zone(&map).colour_label(),
+            scale: self.plate.ends(),
+            floor: true,
+            cell: self.answer.options.cell,
+            ..View::default()
+        })
+    }
+}
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms =
+    Forms { further: &["svg", "png", "pdf", "html"], is_reported: true, is_sited: true, ..Forms::of("place") };
+
+impl Answer for PlaceOutput {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        let (table, notes) = (Piece::Table(self.answer.table()), self.answer.notes());
+        if notes.is_empty() { vec![table] } else { vec![table, Piece::Break, Piece::Lines(notes)] }
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.answer.json())
+    }
+
+    fn shortfall(&self) -> Option<String> {
+        self.answer.shortfall()
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        Some(self.figure(self.plate))
+    }
+
+    fn view(&self) -> Option<Result<View, AskError>> {
+        Some(self.in_space())
+    }
+
+    fn shop(&self) -> Option<Result<String, AskError>> {
+        let nothing = || {
+            AskError::Figure("nothing to draw: the work has no place, or nothing is known of the robot's base".into())
+        };
+        let drawn = |siting| ShopFigure { siting: &siting, plate: self.plate }.svg();
+        Some(self.answer.siting().map(drawn).ok_or_else(nothing))
+    }
+
+    fn report(&self) -> Option<Result<Report, AskError>> {
+        Some(report::place::of(self, &self.asked))
+    }
+
+    fn plate(&self) -> Plate {
+        self.plate
+    }
+}

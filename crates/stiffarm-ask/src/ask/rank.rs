@@ -1,0 +1,252 @@
+//! `stiffarm rank`: robots in order, for several tasks, against a tolerance.
+
+use std::cell::OnceCell;
+use std::io::{self, Write};
+
+use crate::answer::{self, RankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
+use crate::request::{Request, distinct};
+use stiffarm::advice::advise_best;
+use stiffarm::drive::Architecture;
+use stiffarm::model::ModelKind;
+use stiffarm::place::PlaceOptions;
+use stiffarm::rank::{Ranking, curves, rank};
+use stiffarm::robot::{Robot, Status};
+use stiffarm::task::{Task, Zone};
+
+use super::Context;
+use super::under_process;
+use crate::ask::AskError;
+use crate::figures::Plate;
+use crate::figures::bars::{BarRow, BarsFigure};
+use crate::figures::ranking::{self, Curve, Panel};
+use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::report::{self, Inputs, Report};
+
+/// Sizes along each curve of the figure.
+const CURVE_POINTS: usize = 40;
+/// More curves than this cannot be told apart.
+const MOST_CURVES: usize = 24;
+/// More bars are not told apart on one page.
+const MOST_BARS: usize = 60;
+
+pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<RankOutput<'a>, AskError> {
+    let names = asked.robots();
+    let robots = super::selection::robots(&names, context)?;
+    let robots = super::selection::keep(robots, asked, &[]).map_err(|failure| widened(failure, &names))?;
+    let robots = robots.into_iter().map(|robot| asked.equipped(robot)).collect::<Result<Vec<Robot>, _>>()?;
+    let (kind, tasks) = (asked.model(), distinct(&asked.tasks()));
+    if tasks.is_empty() {
+        return Err(AskError::Usage("no task to rank for; give --task".into()));
+    }
+    let only = if let [task] = tasks.as_slice() { Some(task.zone) } else { None };
+    let (options, plate) = (under_process(asked, context)?.place_options(only)?, Plate::of(asked)?);
+    let ranking = context.watched("placing zones", |watch| rank(&robots, &tasks, &kind, &options, watch))?;
+    let tolerance_mm = asked.tolerance_mm();
+    let advice = match tolerance_mm {
+        None => Vec::new(),
+        Some(mm) => {
+            context.watched("placing smaller zones", |watch| advise_best(&ranking, &options, mm / 1e3, watch))?
+        }
+    };
+    let answer = RankAnswer::of(ranking, options, tolerance_mm, advice);
+    Ok(RankOutput { answer, asked, context, plate, svg: OnceCell::new() })
+}
+
+/// Where only the paper's robots were asked, there are more.
+fn widened(failure: AskError, robots: &[String]) -> AskError {
+    match failure {
+        AskError::NothingLeft { asked, of, hint } if robots == ["paper"] => {
+            let hint = format!("{hint}; these are the paper's ten, --robots all takes every robot");
+            AskError::NothingLeft { asked, of, hint }
+        }
+        other => other,
+    }
+}
+
+pub(crate) struct RankOutput<'a> {
+    pub(crate) answer: RankAnswer,
+    asked: &'a Request,
+    context: Context<'a>,
+    pub(crate) plate: Plate,
+    svg: OnceCell<String>,
+}
+
+impl RankOutput<'_> {
+    /// What it rests on that was read.
+    pub(crate) fn inputs(&self) -> Inputs {
+        Inputs::of(self.asked, self.context)
+    }
+
+    pub(crate) fn figure(&self, plate: Plate) -> Result<String, AskError> {
+        match self.answer.ranking.model {
+            ModelKind::Planar => self.curves(plate),
+            ModelKind::Spatial(_) => Ok(self.bars(plate)),
+        }
+    }
+
+    /// Deflection against task size, a curve per robot.
+    fn curves(&self, plate: Plate) -> Result<String, AskError> {
+        let RankAnswer { ranking: Ranking { tasks, rows, load, model, .. }, options, tolerance_mm, .. } = &self.answer;
+        let robots: Vec<Robot> = rows.iter().take(MOST_CURVES).map(|row| row.robot.clone()).collect();
+        let (shapes, looks) = (shapes(tasks), self.looks());
+        let mut panels = Vec::new();
+        for (shape, marks) in shapes {
+            let largest = 1.01 * largest_scale(&robots, shape.zone);
+            let scales: Vec<f64> = (1..=CURVE_POINTS).map(|i| largest * i as f64 / CURVE_POINTS as f64).collect();
+            let options = PlaceOptions { gap: Some(options.gap.unwrap_or(0.0).max(1e-3)), ..*options };
+            let asked = (model, &options);
+            let values =
+                self.context.watched("drawing curves", |watch| curves(&robots, &shape, &scales, asked, watch))?;
+            let curves = robots.iter().zip(&looks).zip(values).map(|((robot, look), curve)| Curve {
+                robot: robot.name.clone(),
+                serial: robot.architecture == Architecture::Serial,
+                estimated: robot.status == Status::Estimated,
+                look: *look,
+                points: curve
+                    .points
+                    .into_iter()
+                    .map(|(scale, deflection)| (scale, Unit::Millimetre.told(deflection)))
+                    .collect(),
+                is_complete: curve.is_complete,
+            });
+            panels.push(Panel {
+                title: shape.label.clone(),
+                size_label: "d [m]".into(),
+                curves: curves.collect(),
+                marks,
+                tolerance_mm: *tolerance_mm,
+            });
+        }
+        let chosen = if rows.len() == robots.len() {
+            String::new()
+        } else {
+            format!("; the first {MOST_CURVES} of {} robots", rows.len())
+        };
+        let newtons = words::loaded(*load);
+        let springs = stiffnesses(rows.iter().map(|row| &row.robot));
+        let title = format!("Worst deflection at the best place under {newtons}, planar model; {springs}{chosen}");
+        Ok(ranking::svg(&title, &panels, &plate)?)
+    }
+
+    /// A bar per robot and task, with what is proved.
+    fn bars(&self, plate: Plate) -> String {
+        let RankAnswer { ranking: Ranking { tasks, rows, load, .. }, tolerance_mm, .. } = &self.answer;
+        let left_out = rows.len().saturating_sub(MOST_BARS);
+        let first = if left_out == 0 { String::new() } else { format!("; the first {MOST_BARS} of {}", rows.len()) };
+        let mm = |metres: f64| Unit::Millimetre.told(metres);
+        let drawn = rows.iter().zip(self.looks()).enumerate().take(MOST_BARS).map(|(at, (row, look))| BarRow {
+            robot: words::marked(&row.robot),
+            serial: row.robot.architecture == Architecture::Serial,
+            estimated: row.robot.status == Status::Estimated,
+            look,
+            values: (0..tasks.len())
+                .map(|task| row.placement(task).map(|best| [best.deflection, best.lower_bound].map(mm).into()))
+                .collect(),
+            intervals: (0..tasks.len())
+                .map(|task| self.answer.spread(at, task).map(|spread| [spread.p05, spread.p95].map(mm)))
+                .collect(),
+            verdicts: (0..tasks.len()).map(|task| self.answer.verdict(at, task).map(Verdict::told)).collect(),
+        });
+        BarsFigure {
+            title: format!("Worst deflection inside each flat zone at its best place, {}{first}", words::loaded(*load)),
+            subtitle: format!(
+                "{}; {}",
+                stiffnesses(self.answer.ranking.rows.iter().map(|row| &row.robot)),
+                self.answer.stance()
+            ),
+            tasks: tasks.iter().map(|task| task.label.clone()).collect(),
+            rows: drawn.collect(),
+            tolerance_mm: *tolerance_mm,
+            plate,
+        }
+        .svg()
+    }
+
+    /// By row, the best first.
+    fn looks(&self) -> Vec<Option<answer::Look>> {
+        let robots = self.answer.ranking.rows.iter().map(|row| &row.robot);
+        looks(&robots.map(|robot| (robot.name.as_str(), robot.architecture)).collect::<Vec<_>>())
+    }
+}
+
+/// The distinct shapes among the tasks, at a first side of 1 m, with the first sides asked for.
+pub(crate) fn shapes(tasks: &[Task]) -> Vec<(Task, Vec<f64>)> {
+    let mut shapes: Vec<(Task, Vec<f64>)> = Vec::new();
+    for task in tasks {
+        let [first, second] = task.zone.sides();
+        let ratio = second / first;
+        let (label, zone) = match task.zone {
+            Zone::Circle { .. } => ("Circle of diameter d".to_owned(), Zone::Circle { diameter: 1.0 }),
+            Zone::Rectangle { .. } => {
+                let times = format!("{ratio:.3}");
+                let times = times.trim_end_matches('0').trim_end_matches('.');
+                let long = if times == "1" { "d".to_owned() } else { format!("{times} d") };
+                (format!("Rectangle of d x {long}"), Zone::Rectangle { width: 1.0, height: ratio })
+            }
+        };
+        match shapes.iter_mut().find(|(shape, _)| shape.label == label) {
+            Some((_, marks)) => marks.push(first),
+            None => shapes.push((Task { label, ..zone.into() }, vec![first])),
+        }
+    }
+    shapes
+}
+
+/// Beyond this scale no robot's links hold the zone.
+fn largest_scale(robots: &[Robot], zone: Zone) -> f64 {
+    robots
+        .iter()
+        .filter_map(|robot| robot.arm_plane().ok()) // others have no curve
+        .map(|plane| stiffarm::place::largest_scale_without_limits(&plane.arm, zone))
+        .fold(0.0, f64::max)
+}
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], is_reported: true, ..Forms::of("rank") };
+
+impl Answer for RankOutput<'_> {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        let answer = &self.answer;
+        vec![
+            Piece::Lines(answer.heading()),
+            Piece::Break,
+            Piece::Table(answer.table()),
+            Piece::Break,
+            Piece::Lines(answer.notes()),
+            Piece::Break,
+            Piece::Lines(answer.sentences().join("\n")),
+            Piece::Break,
+        ]
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.answer.json())
+    }
+
+    fn shortfall(&self) -> Option<String> {
+        self.answer.shortfall()
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.answer.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        if let Some(svg) = self.svg.get() {
+            return Some(Ok(svg.clone()));
+        }
+        Some(self.figure(self.plate).map(|svg| self.svg.get_or_init(|| svg).clone()))
+    }
+
+    fn report(&self) -> Option<Result<Report, AskError>> {
+        Some(report::rank::of(self, self.asked))
+    }
+
+    fn plate(&self) -> Plate {
+        self.plate
+    }
+}

@@ -1,0 +1,45 @@
+//! Robots of the catalogue, as they are listed.
+
+use std::io::{self, Write};
+
+use serde_json::Value;
+use stiffarm::catalogue;
+use stiffarm::robot::Robot;
+
+use super::{AskError, selection};
+use crate::answer::Rows;
+use crate::answer::robot::{list, notes, sheet, table};
+use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::request::Request;
+
+/// Those of the catalogue that have these words in their names and what is asked.
+///
+/// # Errors
+/// Where none has.
+pub fn answer(words: &[String], asked: &Request) -> Result<List, AskError> {
+    Ok(List(selection::keep(catalogue::robots(), asked, words)?))
+}
+
+/// Robots, as they are listed.
+pub struct List(Vec<Robot>);
+
+/// In which forms it is shown.
+pub(super) const FORMS: Forms = Forms::of("robots list");
+
+impl Answer for List {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        vec![Piece::Table(table(&self.0)), Piece::Break, Piece::Lines(notes(&self.0))]
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.0.iter().map(sheet).collect::<Value>())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        list(&self.0)
+    }
+}

@@ -1,0 +1,247 @@
+//! Where the work must stand, as a shop drawing has it: from the side and, below it, from above, with lengths in mm.
+
+use crate::answer::{Dimension, Siting};
+use stiffarm::palette::{ARM, BASE, GREY, GROUND, INK, PROSE, ZONE};
+
+use super::Plate;
+use super::canvas::{Canvas, Font, Px, path};
+
+/// Left and right of both views, px: on the right stand heights.
+const ROOM: [f64; 2] = [64.0, 150.0];
+/// From one line of lengths to the next, px.
+const STEP: f64 = 26.0;
+/// From a view to its first line of lengths, px.
+const FIRST: f64 = 30.0;
+/// No view is higher, px.
+const HIGHEST: f64 = 230.0;
+/// What is shown around the foot of the robot, m.
+const FOOT: f64 = 0.3;
+/// Of the x axis of a path, px.
+const X_AXIS: f64 = 46.0;
+/// Shorter lengths are told in the table alone, px.
+const SHORTEST: f64 = 3.0;
+
+/// A zone at its place with its lengths.
+pub(crate) struct ShopFigure<'a> {
+    /// What is drawn.
+    pub siting: &'a Siting,
+    /// What was asked of the figure.
+    pub plate: Plate,
+}
+
+/// From metres to px in both views.
+struct Scale {
+    per_metre: f64,
+    /// What stands at the left, at the bottom of the upper view, and at the bottom of the lower one: m and px.
+    left: [f64; 2],
+    upper: [f64; 2],
+    lower: [f64; 2],
+    /// Right end of both views, px.
+    right: f64,
+}
+
+impl Scale {
+    fn side(&self, [x, _, z]: [f64; 3]) -> Px {
+        [self.across(x), self.upper[1] - self.per_metre * (z - self.upper[0])]
+    }
+
+    fn above(&self, [x, y, _]: [f64; 3]) -> Px {
+        [self.across(x), self.lower[1] - self.per_metre * (y - self.lower[0])]
+    }
+
+    fn across(&self, x: f64) -> f64 {
+        self.left[1] + self.per_metre * (x - self.left[0])
+    }
+}
+
+impl ShopFigure<'_> {
+    /// The figure as SVG text.
+    pub(crate) fn svg(&self) -> String {
+        let mut canvas = Canvas::of(&self.plate);
+        let top = 18.0;
+        let scale = self.scale(canvas.width, top);
+        // From above: y, to the left, upwards.
+        canvas.tell_scale([scale.left[1], scale.lower[1]], [scale.left[0], scale.lower[0]], scale.per_metre);
+        self.tell_work(&mut canvas, &scale);
+        self.draw_side(&mut canvas, &scale, top);
+        self.draw_above(&mut canvas, &scale);
+        let of = |axis: usize| self.siting.dimensions.iter().filter(move |one| one.axis == axis).enumerate();
+        let from = scale.across(self.siting.extent(0)[1]);
+        let column = |i: usize| scale.right + FIRST + 1.6 * STEP * i as f64;
+        let mut texts = Vec::new();
+        for (i, one) in of(2) {
+            texts.extend(upright(&mut canvas, one, column(i), &|z| scale.side([0.0, 0.0, z])[1], from));
+        }
+        for (i, one) in of(1) {
+            texts.extend(upright(&mut canvas, one, column(i), &|y| scale.above([0.0, y, 0.0])[1], from));
+        }
+        let below = scale.lower[1];
+        for (i, one) in of(0) {
+            texts.extend(level(&mut canvas, one, below + FIRST + STEP * i as f64, &|x| scale.across(x), below));
+        }
+        // Over the lines of all the others.
+        for (at, text, font) in texts {
+            canvas.text(at, text, font);
+        }
+        canvas.height = below + FIRST + STEP * of(0).count() as f64 + 4.0;
+        canvas.finish()
+    }
+
+    fn scale(&self, width: f64, top: f64) -> Scale {
+        let Siting { foot, floor, .. } = self.siting;
+        let with_origin = |axis: usize| {
+            let ([low, high], origin) = (self.siting.extent(axis), self.siting.centre[axis]);
+            [low.min(origin), high.max(origin)]
+        };
+        let [x, y, z] = [0, 1, 2].map(with_origin);
+        let across = [x[0].min(foot[0] - FOOT), x[1].max(foot[0] + FOOT)];
+        let aside = [y[0].min(foot[1] - FOOT), y[1].max(foot[1] + FOOT)];
+        let up = [z[0].min(floor.unwrap_or(foot[2])).min(foot[2]), z[1].max(foot[2] + FOOT)];
+        let span = |[low, high]: [f64; 2]| high - low;
+        let room = width - ROOM[0] - ROOM[1];
+        let per_metre = (room / span(across)).min(HIGHEST / span(up)).min(HIGHEST / span(aside));
+        let upper = top + per_metre * span(up);
+        let lower = upper + 44.0 + per_metre * span(aside);
+        Scale {
+            per_metre,
+            left: [across[0], ROOM[0]],
+            upper: [up[0], upper],
+            lower: [aside[0], lower],
+            right: ROOM[0] + per_metre * span(across),
+        }
+    }
+
+    /// Says where the work lies from above, and its origin.
+    fn tell_work(&self, canvas: &mut Canvas, scale: &Scale) {
+        let [[x0, x1], [y0, y1]] = [0, 1].map(|axis| self.siting.extent(axis));
+        canvas.tell_box(
+            "work",
+            [scale.above([x0, y1, 0.0]), scale.above([x1, y0, 0.0])],
+            scale.above(self.siting.centre),
+        );
+    }
+
+    /// Floor, foot, axis and zone from the right side of the robot.
+    fn draw_side(&self, canvas: &mut Canvas, scale: &Scale, top: f64) {
+        let Siting { foot, floor, .. } = self.siting;
+        let ground = floor.unwrap_or(foot[2]);
+        let level = scale.side([0.0, 0.0, ground])[1];
+        canvas.rect(
+            [ROOM[0] - 14.0, level],
+            [scale.right + 14.0, level + 5.0],
+            &format!(r#"fill="{GROUND}" fill-opacity="0.45""#),
+        );
+        canvas.line(
+            [ROOM[0] - 14.0, level],
+            [scale.right + 14.0, level],
+            &format!(r#"stroke="{INK}" stroke-width="1.2""#),
+        );
+        let name = if floor.is_some() { "floor" } else { "base" };
+        canvas.text([ROOM[0] - 18.0, level], name, Font::new(12.0).end().colour(PROSE));
+        let [x, y] = scale.side(*foot);
+        let half = FOOT / 2.0 * scale.per_metre;
+        canvas.rect([x - half, y], [x + half, level], &format!(r#"fill="{ARM}" stroke="{GREY}""#));
+        canvas.rect([x - half, y - 8.0], [x + half, y], &format!(r#"fill="{BASE}" stroke="{INK}" stroke-width="0.8""#));
+        axis(canvas, [x, top - 6.0], [x, level + 10.0]);
+        self.draw_work(canvas, |at| scale.side(at));
+    }
+
+    /// The zone, also where it is seen as a line, or the cuts of a path.
+    fn draw_work(&self, canvas: &mut Canvas, at: impl Fn([f64; 3]) -> Px) {
+        let is_closed = self.siting.is_closed;
+        let fill = if is_closed { format!(r#"fill="{ZONE}" fill-opacity="0.14""#) } else { r#"fill="none""#.into() };
+        let look = format!(r#"{fill} stroke="{ZONE}" stroke-width="2.5" stroke-linejoin="round""#);
+        for line in &self.siting.lines {
+            let points: Vec<Px> = line.iter().map(|&point| at(point)).collect();
+            canvas.path(&path(&points, is_closed), &look);
+        }
+    }
+
+    /// Foot and zone from above.
+    fn draw_above(&self, canvas: &mut Canvas, scale: &Scale) {
+        let [x, y] = scale.above(self.siting.foot);
+        canvas.circle(
+            [x, y],
+            FOOT / 2.0 * scale.per_metre,
+            &format!(r#"fill="{BASE}" stroke="{INK}" stroke-width="0.8""#),
+        );
+        let arm = FOOT * scale.per_metre;
+        axis(canvas, [x - arm, y], [scale.right + 8.0, y]);
+        axis(canvas, [x, y - arm], [x, y + arm]);
+        canvas.text([x + 6.0, y - FOOT / 2.0 * scale.per_metre - 9.0], "joint-1 axis", Font::new(12.0).colour(PROSE));
+        self.draw_work(canvas, |at| scale.above(at));
+        if let Some([dx, dy, _]) = self.siting.x_axis {
+            let ([x, y], length) = (scale.above(self.siting.centre), X_AXIS);
+            let end = [x + length * dx, y - length * dy];
+            canvas.line([x, y], end, &format!(r#"stroke="{INK}" stroke-width="1.6""#));
+            canvas.text([end[0] + 9.0 * dx, end[1] - 9.0 * dy], "x", Font::new(12.0).middle().halo());
+        }
+        let centre = scale.above(self.siting.centre);
+        for ends in [[[-5.0, 0.0], [5.0, 0.0]], [[0.0, -5.0], [0.0, 5.0]]] {
+            let [from, to] = ends.map(|end: Px| [centre[0] + end[0], centre[1] + end[1]]);
+            canvas.line(from, to, &format!(r#"stroke="{INK}" stroke-width="1""#));
+        }
+    }
+}
+
+/// A dash-dotted line.
+fn axis(canvas: &mut Canvas, from: Px, to: Px) {
+    canvas.line(from, to, &format!(r#"stroke="{GREY}" stroke-width="1" stroke-dasharray="12 4 2 4""#));
+}
+
+/// How lines of lengths are drawn.
+fn thin() -> String {
+    format!("stroke=\"{INK}\" stroke-width=\"0.8\"")
+}
+
+/// A text along a length would lie on the lines at its ends: it stands beyond one of them.
+fn is_too_short([a, b]: [f64; 2], text: &str) -> bool {
+    (b - a).abs() < Font::new(12.0).width(text) + 2.0
+}
+
+/// A text, where it stands, and how it looks.
+type Text<'a> = (Px, &'a str, Font<'static>);
+
+/// A length along x, at the height `y`; lines lead up to `from`. Its text is still to be drawn.
+fn level<'a>(canvas: &mut Canvas, one: &'a Dimension, y: f64, at: &dyn Fn(f64) -> f64, from: f64) -> Option<Text<'a>> {
+    let [a, b] = one.ends.map(at);
+    if (b - a).abs() < SHORTEST {
+        return None;
+    }
+    for x in [a, b] {
+        canvas.line([x, from + 4.0], [x, y + 5.0], &thin());
+        canvas.line([x - 4.0, y + 4.0], [x + 4.0, y - 4.0], &thin());
+    }
+    canvas.line([a, y], [b, y], &thin());
+    let font = Font::new(12.0).halo();
+    Some(if is_too_short([a, b], &one.text) {
+        ([a.max(b) + 9.0, y], &one.text, font)
+    } else {
+        ([f64::midpoint(a, b), y - 8.0], &one.text, font.middle())
+    })
+}
+
+/// A length upwards, at `x`; lines lead left to `from`. Its text is still to be drawn.
+fn upright<'a>(
+    canvas: &mut Canvas,
+    one: &'a Dimension,
+    x: f64,
+    at: &dyn Fn(f64) -> f64,
+    from: f64,
+) -> Option<Text<'a>> {
+    let [a, b] = one.ends.map(at);
+    if (b - a).abs() < SHORTEST {
+        return None;
+    }
+    for y in [a, b] {
+        canvas.line([from + 6.0, y], [x + 5.0, y], &thin());
+        canvas.line([x - 4.0, y + 4.0], [x + 4.0, y - 4.0], &thin());
+    }
+    canvas.line([x, a], [x, b], &thin());
+    let font = Font::new(12.0).halo();
+    Some(if is_too_short([a, b], &one.text) {
+        ([x, a.min(b) - 9.0], &one.text, font.middle())
+    } else {
+        ([x - 9.0, f64::midpoint(a, b)], &one.text, font.middle().turned(-90.0))
+    })
+}

@@ -1,0 +1,220 @@
+//! The forms of an answer: what each of them is called, and which of them a file's name asks for. Decided here and nowhere else.
+//!
+//! The ending chooses. Two endings stand for two things each: `.html` is a report where the verb makes one, and the view that can be turned
+//! elsewhere; `view.html` and `*.view.html` are that view wherever there is one. `.pdf` is the figure; `report.pdf`, `*.report.pdf` and `*-report.pdf`
+//! are the report on paper. `shop.svg` and `*.shop.svg`, and the same as `.png` and `.pdf`, are the drawing of where the work must stand.
+
+use std::ffi::OsStr;
+use std::io::{self, Write};
+use std::path::Path;
+
+use serde::Serialize;
+
+use crate::answer::{Rows, Table};
+use crate::ask::AskError;
+use crate::figures::Plate;
+use crate::figures::view3d::View;
+use crate::report::Report;
+
+/// Endings of the files that every answer can be written to.
+const TABLES: [&str; 5] = ["json", "csv", "parquet", "md", "txt"];
+
+/// In which forms answers of one kind are shown, besides tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Forms {
+    /// The command's name, for errors.
+    pub command: &'static str,
+    /// Endings of the files it can be written to besides those of tables: svg, png and pdf, html, toml.
+    pub further: &'static [&'static str],
+    /// It makes a report.
+    pub is_reported: bool,
+    /// It draws where the work must stand.
+    pub is_sited: bool,
+}
+
+/// A piece of an answer as people read it.
+#[derive(Clone, Debug)]
+pub enum Piece {
+    /// A table.
+    Table(Table),
+    /// Lines of text.
+    Lines(String),
+    /// A file's text, letter by letter.
+    Verbatim(String),
+    /// The end of a line, or a line without letters.
+    Break,
+}
+
+/// An answer in every form it can take. Each is made only when asked for.
+pub trait Answer {
+    /// In which forms it is shown besides tables.
+    fn forms(&self) -> Forms;
+
+    /// For people, one piece behind the other.
+    fn text(&self) -> Vec<Piece>;
+
+    /// The same as Markdown, where that is something else.
+    fn markdown(&self) -> Vec<Piece> {
+        self.text()
+    }
+
+    /// For programs; through [`pretty`].
+    ///
+    /// # Errors
+    /// Where `out` takes no more.
+    fn json(&self, out: &mut dyn Write) -> io::Result<()>;
+
+    /// For spreadsheets, and as typed columns for data frames.
+    fn rows(&self) -> Rows<'_>;
+
+    /// What was asked to hold and does not: why.
+    fn shortfall(&self) -> Option<String> {
+        None
+    }
+
+    /// A robot file, where there is one.
+    fn robot_file(&self) -> Option<String> {
+        None
+    }
+
+    /// What a machine reads, by the ending of its file, where there is such a program.
+    fn program(&self, _ending: &str) -> Option<Result<Vec<u8>, AskError>> {
+        None
+    }
+
+    /// A figure as SVG, where there is one.
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        None
+    }
+
+    /// Where the work must stand, as SVG, where there is such a drawing.
+    fn shop(&self) -> Option<Result<String, AskError>> {
+        None
+    }
+
+    /// What is handed on, where there is a report.
+    fn report(&self) -> Option<Result<Report, AskError>> {
+        None
+    }
+
+    /// What was asked of the figure alone.
+    fn plate(&self) -> Plate {
+        Plate::default()
+    }
+
+    /// What can be turned in space, where there is such a view.
+    fn view(&self) -> Option<Result<View, AskError>> {
+        None
+    }
+}
+
+/// Tables one below the other, and what stands below them.
+pub fn sheet(tables: impl IntoIterator<Item = Table>, notes: String) -> Vec<Piece> {
+    let tables = tables.into_iter().flat_map(|table| [Piece::Table(table), Piece::Break]);
+    tables.chain([Piece::Lines(notes)]).collect()
+}
+
+/// JSON with line breaks, as people can read it.
+///
+/// # Errors
+/// Where `out` takes no more.
+pub fn pretty(out: &mut dyn Write, value: &impl Serialize) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, value)?;
+    out.write_all(b"\n")
+}
+
+/// In which form an answer is written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// For programs.
+    Json,
+    /// For spreadsheets.
+    Csv,
+    /// As typed columns.
+    Parquet,
+    /// For people, as Markdown.
+    Md,
+    /// For people.
+    Txt,
+    /// A robot file.
+    RobotFile,
+    /// A picture.
+    Svg(Drawn),
+    /// The same in pixels.
+    Png(Drawn),
+    /// The same on a page of its size.
+    Pdf(Drawn),
+    /// What can be turned in space.
+    View,
+    /// What is handed on, to be read on a screen or printed.
+    Report,
+    /// The same as pages.
+    PrintedReport,
+    /// What a machine reads, by its ending.
+    Program(String),
+}
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawn {
+    /// The figure of the answer.
+    Figure,
+    /// Where the work must stand, as a shop drawing has it.
+    Shop,
+}
+
+impl Form {
+    /// It is looked at, so that the table is printed beside it.
+    pub fn is_picture(&self) -> bool {
+        matches!(self, Self::Svg(_) | Self::Png(_) | Self::Pdf(_) | Self::View | Self::Report | Self::PrintedReport)
+    }
+}
+
+impl Forms {
+    /// Of a command whose answers are tables.
+    pub const fn of(command: &'static str) -> Self {
+        Self { command, further: &[], is_reported: false, is_sited: false }
+    }
+
+    /// The form that a name asks for; nothing where there is none of it.
+    pub fn form(&self, path: &Path) -> Option<Form> {
+        let stem = path.file_stem().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
+        let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
+        let is_named = |what: &str| stem == what || stem.ends_with(&format!(".{what}"));
+        let is_known = |ending: &str| self.further.contains(&ending);
+        let drawn = if self.is_sited && is_named("shop") { Drawn::Shop } else { Drawn::Figure };
+        Some(match ending.as_str() {
+            "json" => Form::Json,
+            "csv" => Form::Csv,
+            "parquet" => Form::Parquet,
+            "md" => Form::Md,
+            "txt" => Form::Txt,
+            "html" if self.is_reported && !is_named("view") => Form::Report,
+            "pdf" if self.is_reported && (is_named("report") || stem.ends_with("-report")) => Form::PrintedReport,
+            ending if !is_known(ending) => return None,
+            "html" => Form::View,
+            "toml" => Form::RobotFile,
+            "svg" => Form::Svg(drawn),
+            "png" => Form::Png(drawn),
+            "pdf" => Form::Pdf(drawn),
+            ending => Form::Program(ending.into()),
+        })
+    }
+
+    /// What names may end in, for whoever typed another.
+    pub fn endings(&self) -> Vec<String> {
+        let mut endings: Vec<String> = Vec::new();
+        for ending in self.further {
+            let is_view = self.is_reported && *ending == "html";
+            endings.push(if is_view { ".view.html".into() } else { format!(".{ending}") });
+        }
+        if self.is_reported {
+            endings.extend([".html".to_owned(), "report.pdf".into()]);
+        }
+        if self.is_sited {
+            endings.push("shop.svg".into());
+        }
+        endings.extend(TABLES.map(|ending| format!(".{ending}")));
+        endings
+    }
+}

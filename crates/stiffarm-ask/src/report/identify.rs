@@ -1,0 +1,44 @@
+//! The report of `identify`: which drives are known now, and how well.
+
+use crate::request::Request;
+
+use super::robots::provenance_of;
+use super::{Block, Report, Section, plate, repeated};
+use crate::ask::AskError;
+use crate::ask::identify::IdentifyOutput;
+use crate::figures::identify as figure;
+
+/// The document.
+///
+/// # Errors
+/// Where a file is no longer there.
+pub(crate) fn of(found: &IdentifyOutput, asked: &Request) -> Result<Report, AskError> {
+    let answer = &found.answer;
+    let mut decided = Section::new("What decides");
+    let svg = figure::svg(answer, &plate(found.plate));
+    decided.figure(svg, "What was measured, and what the compliances found leave of it.");
+    decided.heading("Drives");
+    decided.table(answer.table());
+    if let Some(updated) = answer.updated() {
+        decided.heading("What the measurements make of the prior");
+        decided.table(updated);
+    }
+    decided.heading("How well the measurements are explained");
+    decided.table(answer.summary());
+    let mut fitting = Section::new("What does not fit");
+    match answer.outlier_table() {
+        Some(outliers) => fitting.table(outliers),
+        None => fitting.text("No reading stands out."),
+    }
+    let mut file = Section::new("Robot file with what was identified").on_new_page();
+    file.blocks.push(Block::Code(answer.robot_file()));
+    let mut provenance = provenance_of(&answer.before);
+    provenance.text("The identification takes lengths and limits as they are.");
+    let date = answer.date.as_ref().map_or_else(String::new, |date| format!(", measured {date}"));
+    Ok(Report {
+        title: format!("Stiffness of the drives of {}", answer.before.full_name()),
+        asked: format!("Identified from {}{date}", answer.data),
+        headline: answer.headline(),
+        sections: vec![decided, fitting, file, provenance, repeated(asked, &found.inputs)?],
+    })
+}

@@ -1,0 +1,63 @@
+//! The report of `mill`: whether a path holds its tolerance, and where it does not.
+
+use crate::answer::MillAnswer;
+use crate::request::Request;
+
+use super::robots::provenance_of;
+use super::{Report, Section, meaning, place, plate, repeated};
+use crate::ask::AskError;
+use crate::ask::mill::{MillOutput, rolls};
+use crate::figures::Plate;
+use crate::figures::milled::MilledFigure;
+
+/// The document.
+///
+/// # Errors
+/// Where the rolls beside the path cannot be computed.
+pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, AskError> {
+    let answer = &found.answer;
+    let mut decided = Section::new("What decides");
+    picture(answer, found.plate, &mut decided)?;
+    decided.table(answer.table());
+    let (mut sections, inputs) = (vec![decided], found.inputs());
+    sections.extend(meaning(asked));
+    sections.extend(inputs.process()?);
+    sections.extend(site(answer).map(Section::on_new_page));
+    sections.extend(answer.worst_lines().map(|table| {
+        let mut worst = Section::new("Where the error is largest");
+        worst.text("The worst sample of each line of the path, the worst line first.");
+        worst.table(table);
+        worst
+    }));
+    sections.extend(answer.drives_table().map(|table| {
+        let mut drives = Section::new("Which drive gives way");
+        drives.table(table);
+        drives
+    }));
+    sections.extend([provenance_of(&answer.robot), repeated(asked, &inputs)?]);
+    Ok(Report {
+        title: format!("{} along {}", answer.robot.full_name(), answer.path),
+        asked: format!("How far the tool is pushed off; {}", answer.force),
+        headline: answer.headline(),
+        sections,
+    })
+}
+
+/// Error, rolls and path; nothing where it is not followed.
+pub(crate) fn picture(answer: &MillAnswer, asked: Plate, section: &mut Section) -> Result<(), AskError> {
+    if answer.followed().is_some() {
+        let svg = MilledFigure { answer, rolls: &rolls(answer)?, plate: plate(asked) }.svg();
+        section.figure(
+            svg,
+            "The error along the path, every roll of the tool with what forbids the others, and the path from above.",
+        );
+    }
+    Ok(())
+}
+
+/// Where the part must stand; nothing where it stands nowhere, or the base is not known.
+pub(crate) fn site(answer: &MillAnswer) -> Option<Section> {
+    answer.followed()?;
+    let siting = answer.siting()?;
+    Some(place::standing(&siting, &format!("{} along {}", answer.robot.full_name(), answer.path)))
+}

@@ -1,0 +1,84 @@
+//! The report of `place`: one robot, one zone.
+
+use crate::answer::{Siting, Table};
+use crate::request::Request;
+use stiffarm::model::ModelKind;
+
+use super::robots::provenance_of;
+use super::{Report, Section, meaning, plate, repeated};
+use crate::ask::AskError;
+use crate::ask::place::PlaceOutput;
+use crate::figures::Plate;
+use crate::figures::shop::ShopFigure;
+
+/// The document.
+///
+/// # Errors
+/// Where a figure cannot be made.
+pub(crate) fn of(found: &PlaceOutput, asked: &Request) -> Result<Report, AskError> {
+    let answer = &found.answer;
+    let mut decided = Section::new("What decides");
+    match answer.best() {
+        Some(_) => picture(found, &mut decided)?,
+        None => reached(found, &mut decided),
+    }
+    decided.table(answer.table());
+    let mut sections = vec![decided];
+    sections.extend(meaning(asked));
+    sections.extend(found.inputs().process()?);
+    sections.extend(site(found).map(Section::on_new_page));
+    sections.extend([provenance_of(&answer.robot), repeated(asked, found.inputs())?]);
+    let sought = if answer.is_at_one_place() { "A given place" } else { "Best place" };
+    let how = if answer.model == ModelKind::Planar { "planar model" } else { "spatial model, all six drives" };
+    Ok(Report {
+        title: format!("{} for {}", answer.robot.full_name(), answer.task.label),
+        asked: format!("{sought} of {} ({}), {how}", answer.task.label, answer.task.describe()),
+        headline: answer.headline(),
+        sections,
+    })
+}
+
+/// The map with the zone at its place.
+pub(crate) fn picture(found: &PlaceOutput, section: &mut Section) -> Result<(), AskError> {
+    let answer = &found.answer;
+    if answer.best().is_none_or(|best| !best.faces.is_empty()) {
+        return Ok(()); // no section shows a part: its shop drawing follows
+    }
+    let svg = found.figure(plate(found.plate))?;
+    section.figure(
+        svg,
+        format!(
+            "{}: {} {}, on the map of the deflection.",
+            answer.robot.full_name(),
+            answer.task.label,
+            answer.where_it_stands()
+        ),
+    );
+    Ok(())
+}
+
+/// The map without a zone, where there is no place; why there is none where nothing is reached.
+fn reached(found: &PlaceOutput, section: &mut Section) {
+    let name = found.answer.robot.full_name();
+    match found.map_alone(plate(found.plate)) {
+        Ok(svg) => section.figure(svg, format!("{name}: the map of the deflection; no place was found on it.")),
+        Err(why) => section.text(format!("There is no map: {why}.")),
+    }
+}
+
+/// Where the work must stand, as a shop drawing has it; nothing where it stands nowhere, or the base is not known.
+pub(crate) fn site(found: &PlaceOutput) -> Option<Section> {
+    let answer = &found.answer;
+    let siting = answer.siting()?;
+    Some(standing(&siting, &format!("{} for {}", answer.robot.full_name(), answer.task.label)))
+}
+
+/// The drawing, and what is measured in it.
+pub(crate) fn standing(siting: &Siting, what: &str) -> Section {
+    let mut section = Section::new("Where the work must stand");
+    let figure = ShopFigure { siting, plate: plate(Plate::default()) };
+    section
+        .figure(figure.svg(), format!("{what}, from the side and from above; lengths in mm from {}.", siting.origin));
+    section.table(Table::of_lines(siting.measured()));
+    section
+}
