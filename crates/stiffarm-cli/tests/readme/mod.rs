@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 pub(crate) const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// A Markdown file of the repository, by its path from the root.
-struct Document {
+pub(crate) struct Document {
     name: String,
     text: String,
 }
