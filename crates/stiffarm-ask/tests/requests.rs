@@ -170,7 +170,12 @@ fn told(request: &Request) -> String {
                 request.stock().ok(),
                 request.path_ground().ok(),
             );
-            let left = (request.is_compensated(), request.stiffness_uncertainty(), request.tolerance_mm());
+            let left = (
+                request.is_compensated(),
+                request.stiffness_uncertainty(),
+                request.tolerance_mm(),
+                request.allows_contact(),
+            );
             let milling = format!("{robot:?} {process:?} {acting:?} {at:?} {stock:?} {window:?} {left:?}");
             format!("{path:?} {format:?} {reading} {milling} {:?} {:?}", request.mill_options(), request.held())
         }

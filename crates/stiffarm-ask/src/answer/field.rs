@@ -180,8 +180,14 @@ fields! {
     SINGULAR_MARGIN: "singular_margin_deg", Kind::Number(Unit::Degree), "The smallest angle to a singular posture in the zone.";
     SMALLEST_MARGIN: "smallest_margin_deg", Kind::Number(Unit::Degree), "The least that is kept from a joint limit or a straight posture anywhere in the zone.";
     SMALLEST_MARGIN_OF: "smallest_margin_of", Kind::Text, "What that is of: a joint, the angle between the links, the forearm's angle, or a straight posture.";
-    CLEARANCE: "clearance_mm", Kind::Number(Unit::Millimetre), "The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap.";
+    CLEARANCE: "clearance_mm", Kind::Number(Unit::Millimetre), "The nearest that the arm comes to anything, links as capsules; negative where they overlap.";
     CLEARANCE_OF: "clearance_of", Kind::Text, "Which link to what.";
+    CLEARANCE_BY: "clearance_by", Kind::Nested, "By which bodies that is known: those of the arm are `estimated` or `stated` by the robot file, and what it comes near to may be a `keep-out`.";
+    ASKED_CLEARANCE: "asked_clearance_mm", Kind::Number(Unit::Millimetre), "What the arm was to keep from everything; null where nobody looked.";
+    CONTACTS: "contacts", Kind::Nested, "Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody looked.";
+    CONTACT_WAY: "s_m", Kind::Number(Unit::Metre), "How far along the path it is nearest.";
+    BODIES: "bodies", Kind::Text, "Which link to what.";
+    CONTACT_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "By how much that is nearer than what was to be kept; where nothing was, how deep they overlap.";
     CLEARANCE_ESTIMATED: "clearance_estimated", Kind::Truth, "A radius in it is estimated.";
     ROBOT_CELL: "cell", Kind::Nested, "The cell as it was asked for: mount, windows, what is kept free; null where there is none.";
     CELL_CENTRE: "cell_m", numbers(Unit::Metre, &["cell_x_m", "cell_y_m", "cell_z_m"]), "The centre of the zone in the axes of the cell, its floor at 0.";

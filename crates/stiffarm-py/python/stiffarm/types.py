@@ -777,8 +777,15 @@ class MillOptions(TypedDict, total=False):
     pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
 
     keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """Where no part of the path may go [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given
+    """Where neither path nor arm may go [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given
     several times."""
+
+    clearance_mm: float | None
+    """Smallest distance that arm and tool [mm], links as capsules, keep along the path from floor, themselves
+    and what is kept free [default: 0; of several robots not looked at]."""
+
+    allow_contact: bool
+    """Write programs of a path along which the arm comes nearer to something than it should."""
 
     roll: str | float
     """How the tool is turned about its axis [deg]: free (from sample to sample, as is best), constant (the best
@@ -1012,7 +1019,7 @@ class CellDict(TypedDict):
     keep_out_m: list[list[list[float | None]]]
 
     clearance_mm: float | None
-    """The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap."""
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
 
 
 class Resolution(TypedDict):
@@ -1330,7 +1337,7 @@ class _Placed(_Pass):
     """What that is of: a joint, the angle between the links, the forearm's angle, or a straight posture."""
 
     clearance_mm: float | None
-    """The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap."""
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
 
     clearance_of: str | None
     """Which link to what."""
@@ -2204,6 +2211,22 @@ class PlaceSearch(TypedDict):
     """Boxes of places behind the lower bound."""
 
 
+class PathContact(TypedDict):
+    """A stretch of a path along which the arm is nearer to something than it was to keep."""
+
+    line: int
+    """From 1."""
+
+    s_m: float
+    """How far along the path it is nearest."""
+
+    bodies: str
+    """Which link to what."""
+
+    depth_mm: float
+    """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap."""
+
+
 class FedBackDict(TypedDict):
     """What becomes of an error as the cut changes by it."""
 
@@ -2327,6 +2350,23 @@ class MilledDict(_Pass):
 
     singular_margin_deg: float | None
     """The smallest angle to a singular posture in the zone."""
+
+    clearance_mm: float | None
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
+
+    clearance_of: str | None
+    """Which link to what."""
+
+    clearance_by: list[str] | None
+    """By which bodies that is known: those of the arm are `estimated` or `stated` by the robot file, and what it
+    comes near to may be a `keep-out`."""
+
+    asked_clearance_mm: float
+    """What the arm was to keep from everything; null where nobody looked."""
+
+    contacts: list[PathContact] | None
+    """Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody
+    looked."""
 
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""

@@ -187,6 +187,8 @@ fn write_paths(text: &mut String) {
     let (about, within) = ("How the tool is turned about its axis.", [("pins", "PinnedRoll")]);
     class(text, ("RollChoice", "TypedDict"), about, milled.under("roll"), &within);
     class(text, ("PlaceSearch", "TypedDict"), "How finely a place was looked for.", milled.under("search"), &[]);
+    let about = "A stretch of a path along which the arm is nearer to something than it was to keep.";
+    class(text, ("PathContact", "TypedDict"), about, milled.under("contacts"), &[]);
     let about = "What becomes of an error as the cut changes by it.";
     class(text, ("FedBackDict", "TypedDict"), about, milled.under("fed_back"), &[]);
     let within = [
@@ -194,6 +196,7 @@ fn write_paths(text: &mut String) {
         ("roll", "RollChoice"),
         ("search", "PlaceSearch"),
         ("fed_back", "FedBackDict"),
+        ("contacts", "PathContact"),
         with_schema[0],
     ];
     class(text, ("MilledDict", "_Pass"), "`stiffarm.Milled.to_dict`.", &milled, &within);

@@ -315,6 +315,7 @@ pub(crate) fn milled() -> Vec<Value> {
         of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("tolerance-mm", "0.5")]),
         of(&[tool, ("force-n", "300,-120,80"), ("at", "9,0,0")]),
         of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("pin", "0@10")]),
+        of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("clearance-mm", "1500")]),
         of(&[tool, ("roll", "constant"), ("within", "1..,0.5..")]),
     ]
 }
