@@ -42,6 +42,10 @@ fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static s
     if setting.name == "tool-com-mm" {
         given.push(("tool-mass-kg", "60"));
     }
+    // What is asked of a cut goes with its feed.
+    if verb == Verb::Chatter && setting.name != "feed" {
+        given.push(("feed", "1,0,0"));
+    }
     // A cone is about a direction, and a force has a size unless another is given.
     if setting.name == "force-cone-deg" && verb != Verb::Compliance {
         given.push(("force-n", "300,0,-50"));
