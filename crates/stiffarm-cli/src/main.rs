@@ -63,6 +63,7 @@ fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
             Verb::Map => commands::map::run(asked, common),
             Verb::Compliance => commands::compliance::run(asked, common),
             Verb::Modes => commands::modes::run(asked, common),
+            Verb::Chatter => commands::chatter::run(asked, common),
             Verb::Study => commands::study::run(asked, common),
             Verb::Compare => commands::compare::run(asked, common),
             Verb::Identify => commands::identify::run(asked, common),

@@ -2,6 +2,7 @@
 
 pub(crate) mod by_tool;
 pub(crate) mod calibrate;
+pub(crate) mod chatter;
 pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod compliance;
@@ -78,6 +79,7 @@ pub(crate) fn told<'a>(asked: &'a Request, common: &'a Common) -> Result<Box<dyn
         Verb::Map => Box::new(map::answer(asked, common)?),
         Verb::Compliance => Box::new(compliance::answer(asked, common)?),
         Verb::Modes => Box::new(modes::answer(asked, common)?),
+        Verb::Chatter => Box::new(chatter::answer(asked, common)?),
         Verb::Study => Box::new(study::answer(asked, common)?),
         Verb::Compare => Box::new(compare::answer(asked, common)?),
         Verb::Identify => Box::new(identify::answer(asked, common)?),

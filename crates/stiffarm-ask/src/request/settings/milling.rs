@@ -446,7 +446,7 @@ pub(super) const ROWS: &[Setting] = &[
     },
     Setting {
         name: "process",
-        verbs: &[Verb::Force],
+        verbs: &[Verb::Force, Verb::Chatter],
         kind: Kind::File,
         value: "PROCESS",
         absent: Absent::Required,
