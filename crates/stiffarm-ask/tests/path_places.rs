@@ -5,6 +5,7 @@ use stiffarm::catalogue::paper_robots;
 use stiffarm::cell::Mount;
 use stiffarm::mill::{Milled, Stand, mill};
 use stiffarm::place::column_radius;
+use stiffarm::program::Language;
 use stiffarm::robot::Robot;
 use stiffarm::toolpath::Builtin;
 use stiffarm::watch::Watch;
@@ -203,14 +204,46 @@ fn a_place_is_found_where_the_samples_that_stand_for_a_path_lead_to_jumps() {
 
 #[test]
 fn what_says_where_a_path_is_sought_does_not_go_with_a_place_that_is_given() {
-    for (name, text) in
-        [("keep-out", "0..1,0..1,0..1"), ("clear-of-base-m", "0.5"), ("floor", "0.1"), ("within", "1..2,0..1")]
-    {
+    for (name, text) in [("clear-of-base-m", "0.5"), ("within", "1..2,0..1")] {
         let refused = request("line:0.1", &[("at", "1.5,0,0.5"), (name, text)]).expect_err("refused").to_string();
         assert!(refused.contains("at") && refused.contains(name), "{refused}");
     }
     let floor = asked("line:0.1", &[("mount", "pedestal:0.5"), ("floor", "0.1")]).expect_err("refused").to_string();
     assert!(floor.contains("the floor is that of the cell"), "{floor}");
+    // The arm keeps clear of these wherever the path stands.
+    for (name, text) in [("keep-out", "0..1,0..1,0..1"), ("floor", "0.1"), ("clearance-mm", "20")] {
+        assert!(request("line:0.1", &[("at", "1.5,0,0.5"), (name, text)]).is_ok(), "{name}");
+    }
+}
+
+/// An arm that stands in a floor: the path is told with what is touched, and a program is written where that is allowed alone.
+#[test]
+fn a_program_is_written_over_a_touch_only_where_that_is_allowed() {
+    let answer = |options: &[(&str, &str)]| answered("line:0.1", &[&[("at", "1.5,0,0.8")], options].concat());
+    let clear = answer(&[]);
+    let json = clear.json();
+    assert_eq!((json["contacts"].as_array().map(Vec::len), &json["asked_clearance_mm"]), (Some(0), &0.0.into()));
+    assert!(0.0 < json["clearance_mm"].as_f64().expect("a distance"), "{json}");
+    assert!(clear.program(Language::Krl).is_ok() && clear.shortfall().is_none());
+    let flooded = [("floor", "0.9")];
+    let touching = answer(&flooded);
+    let json = touching.json();
+    let contact = &json["contacts"][0];
+    assert!(contact["bodies"].as_str().is_some_and(|bodies| bodies.ends_with("to floor")), "{json}");
+    let depth = contact["depth_mm"].as_f64().expect("a depth");
+    assert!((depth + json["clearance_mm"].as_f64().expect("a distance")).abs() < 1e-9 && 0.0 < depth, "{json}");
+    let refused = touching.program(Language::Krl).expect_err("refused").to_string();
+    let named = contact["bodies"].as_str().expect("bodies");
+    assert!(refused.contains(named) && refused.contains("allow-contact"), "{refused}");
+    assert!(touching.shortfall().is_some_and(|why| why.contains(named)));
+    let allowed = answer(&[flooded[0], ("allow-contact", "true")]);
+    let program = allowed.program(Language::Krl).expect("it is allowed");
+    assert!(program.contains("WARNING: written although"), "{program}");
+    assert!(allowed.shortfall().is_none());
+    // Of what is asked and not kept the distance is told.
+    let near = answer(&[("clearance-mm", "2000")]);
+    let refused = near.program(Language::Krl).expect_err("refused").to_string();
+    assert!(refused.contains("mm apart, 2000.0 mm asked"), "{refused}");
 }
 
 /// One process is not that of two tools, and of each tool only its own cuts are milled.

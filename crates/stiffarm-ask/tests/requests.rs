@@ -42,6 +42,10 @@ fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static s
     if setting.name == "tool-com-mm" {
         given.push(("tool-mass-kg", "60"));
     }
+    // What is asked of a cut goes with its feed.
+    if verb == Verb::Chatter && setting.name != "feed" {
+        given.push(("feed", "1,0,0"));
+    }
     // A cone is about a direction, and a force has a size unless another is given.
     if setting.name == "force-cone-deg" && verb != Verb::Compliance {
         given.push(("force-n", "300,0,-50"));
@@ -140,6 +144,10 @@ fn told(request: &Request) -> String {
             let (robot, joints, tool) = (request.robot().ok(), request.joints_deg().ok(), request.held_tool());
             format!("{robot:?} {joints:?} {tool:?} {:?} {}", request.damping(), request.mode_count())
         }
+        Verb::Chatter => {
+            let (robot, joints, tool) = (request.robot().ok(), request.joints_deg().ok(), request.held_tool());
+            format!("{robot:?} {joints:?} {tool:?} {:?} {:?}", request.process().ok(), request.chatter().ok())
+        }
         Verb::Study => {
             let robot = paper_robots().swap_remove(3);
             format!("{:?} {:?}", request.study(Some(&robot)), request.is_given("robot"))
@@ -170,7 +178,12 @@ fn told(request: &Request) -> String {
                 request.stock().ok(),
                 request.path_ground().ok(),
             );
-            let left = (request.is_compensated(), request.stiffness_uncertainty(), request.tolerance_mm());
+            let left = (
+                request.is_compensated(),
+                request.stiffness_uncertainty(),
+                request.tolerance_mm(),
+                request.allows_contact(),
+            );
             let milling = format!("{robot:?} {process:?} {acting:?} {at:?} {stock:?} {window:?} {left:?}");
             format!("{path:?} {format:?} {reading} {milling} {:?} {:?}", request.mill_options(), request.held())
         }
@@ -186,7 +199,8 @@ fn every_option_changes_what_is_told() {
         for setting in verb.settings() {
             let with = alone(verb, setting);
             // A mass and its centre go together.
-            let is_tool = verb == Verb::Modes && ["tool-mass-kg", "tool-com-mm"].contains(&setting.name);
+            let is_tool =
+                [Verb::Modes, Verb::Chatter].contains(&verb) && ["tool-mass-kg", "tool-com-mm"].contains(&setting.name);
             let left = if is_tool { &[] } else { &with[1..] };
             let without = asked(verb, left).expect("the same without it");
             let with = asked(verb, &with).expect("an example");
@@ -383,7 +397,7 @@ fn a_job_says_the_same_with_dashes_tables_and_lists() {
 #[test]
 fn a_fault_of_a_job_names_file_line_key_value_and_what_was_expected() {
     for (text, expected) in [
-        ("task = 'A:0.1'", "job.toml: verb is missing; expected rank, place, map, compliance, modes, study"),
+        ("task = 'A:0.1'", "job.toml: verb is missing; expected rank, place, map, compliance, modes, chatter, study"),
         ("verb = 'plaice'", "job.toml:1: invalid value 'plaice' for 'verb': expected rank, place"),
         ("verb = 'rank'\ntask = [", "job.toml:2: "),
         ("verb = 'rank'\n\nforcen = 1", "job.toml:3: forcen is no option of rank; did you mean force-n?"),

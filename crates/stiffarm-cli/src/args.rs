@@ -32,12 +32,13 @@ const SERVE: &str =
     "Serve a page in the browser, and all verbs over HTTP as JSON; it reads no files but those that are sent to it";
 
 /// The verbs of the library, with a line of help each.
-pub(crate) const VERBS: [(Verb, &str); 11] = [
+pub(crate) const VERBS: [(Verb, &str); 12] = [
     (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
     (Verb::Place, "Find the best place of one zone, with a proof"),
     (Verb::Map, "Map the deflection over everything a robot reaches"),
     (Verb::Compliance, "Six-axis compliance at one posture, and which drive gives how much"),
     (Verb::Modes, "Frequencies and shapes in which a robot swings at one posture, where its masses are known"),
+    (Verb::Chatter, "Does a cut swing with the arm at one posture, and how deep may it go"),
     (Verb::Study, "Compare two architectures over link ratio and task size"),
     (Verb::Compare, "Two setups side by side: robots, tools, places; each may be a job file for place"),
     (Verb::Force, "Cutting force of a process: mean, extremes, moment and power"),

@@ -26,7 +26,7 @@ pub(crate) struct About {
 
 const TABLES: &str = "the table as .csv, .parquet, .json, .md or .txt";
 
-const ABOUT: [About; 22] = [
+const ABOUT: [About; 23] = [
     About {
         name: "rank",
         files: "a report to hand on as .html or report.pdf, the ranking as .csv, .parquet, .json, .md or .txt, deflection against task size (planar) or bars with what is proved \
@@ -93,6 +93,21 @@ const ABOUT: [About; 22] = [
             (
                 "stiffarm modes \"KR 210 R2700-2\" --joints-deg 0,-90,90,0,45,0 --tool-mass-kg 60 --tool-com-mm 0,0,200",
                 "with a spindle of 60 kg, its centre 200 mm before the flange",
+            ),
+        ],
+    },
+    About {
+        name: "chatter",
+        is_long: true,
+        files: "depth over the speed of the spindle as .csv, .parquet, .svg, .pdf or .png, the answer as .json, .md or .txt",
+        examples: &[
+            (
+                "stiffarm chatter endmill.toml --robot \"KR 210 R2700-2\" --joints-deg 0,-90,90,0,90,0 --feed 1,0,0",
+                "a process file, at one posture, feeding forward",
+            ),
+            (
+                "stiffarm chatter endmill.toml --robot \"KR 210 R2700-2\" --joints-deg 0,-90,90,0,90,0 --feed 1,0,0 --damping-ratio 0.05 -o lobes.svg",
+                "with a damping that was measured, and the lobes as a figure",
             ),
         ],
     },

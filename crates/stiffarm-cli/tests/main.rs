@@ -2,6 +2,7 @@
 
 // One program for all of them: each would link the library once more.
 mod catalogue;
+mod chatter;
 mod compare;
 mod habits;
 #[cfg(unix)]

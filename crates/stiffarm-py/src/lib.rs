@@ -52,7 +52,7 @@ mod _stiffarm {
     #[pymodule_export]
     use super::palette::{colours, looks};
     #[pymodule_export]
-    use super::paths::{force, mill, milled_program};
+    use super::paths::{chatter, force, mill, milled_program};
     #[pymodule_export]
     use super::pool::set_threads;
     #[pymodule_export]

@@ -10,7 +10,9 @@ use stiffarm::program::Language;
 use stiffarm::robot::Robot as Arms;
 use stiffarm::toolpath::{Builtin, MOST_SAMPLES, Move, Original, Survey, Understood, read_toolpath};
 use stiffarm::watch::{Stopped, Watch};
-use stiffarm_ask::answer::{ByToolAnswer, CuttingAnswer, MillAnswer, MillAnswerError, PathAnswer, PathRankAnswer};
+use stiffarm_ask::answer::{
+    ByToolAnswer, ChatterAnswer, CuttingAnswer, MillAnswer, MillAnswerError, PathAnswer, PathRankAnswer,
+};
 use stiffarm_ask::request::{Request, Verb};
 
 use crate::asked::Asked;
@@ -42,6 +44,28 @@ pub(crate) fn force<'py>(py: Python<'py>, process: &str) -> WithColumns<'py> {
     let process = process_of(path, &file)?;
     let force = process.process.force().map_err(|error| refused(format!("{file}: {error}")))?;
     let answer = CuttingAnswer { file, process, force };
+    Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
+}
+
+/// Whether a cut swings with the arm at one posture: the answer, and a row a speed of the spindle.
+#[pyfunction]
+pub(crate) fn chatter<'py>(
+    py: Python<'py>,
+    process: &str,
+    robot: &Robot,
+    joints_deg: [f64; 6],
+    asked: Asked,
+) -> WithColumns<'py> {
+    let asked = asked.of(Verb::Chatter)?;
+    let path = Path::new(process);
+    let file = files::shown(path);
+    let process = process_of(path, &file)?;
+    let robot = asked.equipped(robot.0.clone()).map_err(refused)?;
+    let (tool, wanted) = (asked.held_tool().map_err(refused)?, asked.chatter().map_err(refused)?);
+    let radians = joints_deg.map(f64::to_radians);
+    let work = |_: Watch| stiffarm::chatter::chatter(&robot, &radians, &tool, &process.process, &wanted);
+    let chatter = detached(py, &None, work)?.map_err(|error| refused(format!("{file}: {error}")))?;
+    let answer = ChatterAnswer { robot, joints_deg, tool, file, process, chatter };
     Ok((to_python(py, &answer.json())?, columns(py, &answer.rows())?))
 }
 

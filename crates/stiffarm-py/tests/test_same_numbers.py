@@ -149,6 +149,15 @@ def test_modes(program):
         stiffarm.modes("BT200L", joints_deg=[0] * 6)
 
 
+def test_chatter(program):
+    process, joints = Path(__file__).parents[3] / "docs/examples/endmill.toml", "0,-90,90,0,90,0"
+    words = ("--robot", "KR 210 R2700-2", "--joints-deg", joints, "--feed", "1,0.5,0", "--tool-mass-kg", "60", "--tool-com-mm", "0,0,200", "--method", "mean")
+    found = stiffarm.chatter(process, "KR 210 R2700-2", joints_deg=[float(part) for part in joints.split(",")], feed=(1, 0.5, 0), tool_mass_kg=60, tool_com_mm=(0, 0, 200), method="mean")
+    assert found.to_dict() == program("chatter", str(process), *words) and len(found) == 191
+    with pytest.raises(stiffarm.StiffarmError, match="mass"):
+        stiffarm.chatter(process, "BT200L", joints_deg=[0] * 6, feed=(1, 0, 0))
+
+
 def test_plans_of_measurements(program, tmp_path):
     words = ["--loads", "down,left", "--runs", "8", "--candidates", "400", "--load-mm", "0,50,200"]
     found = stiffarm.measure("KR 210 R2700 extra", loads=["down", "left"], runs=8, candidates=400, load_mm=(0, 50, 200))

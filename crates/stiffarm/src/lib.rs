@@ -7,6 +7,7 @@
 //! | robots | [`catalogue::matching`] | which robots are there? |
 //! | compliance | [`compliance::compliance`] | how compliant is one posture, all six drives? |
 //! | modes | [`modes::modes`] | how does the arm swing at one posture, where masses are known? |
+//! | chatter | [`chatter::chatter`] | does a cut swing with the arm, and how deep may it go? |
 //! | map | [`map::map`] | how far is the tool pushed off, everywhere the arm reaches? |
 //! | place | [`place::place`] | where must a zone stand, and who proves it? |
 //! | rank | [`rank::rank`] | which robot holds the force best? |
@@ -28,7 +29,7 @@
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, `frontier`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
 //! [`geometry`], [`body`], [`mass`], [`drive`], [`plane`], [`calibration`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], `registration`, [`verify`], [`calibrate`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
-//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`modes`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`]. Each uses only those before it.
+//! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`modes`], [`chatter`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`]. Each uses only those before it.
 //!
 //! # What is left out
 //! In both models links, bearings and the base are rigid; the deflection is elastic and static, without the robot's own weight. The planar
@@ -42,6 +43,8 @@
 //! - **\[Altintas\]** Y. Altintas, *Manufacturing Automation: Metal Cutting Mechanics, Machine Tool Vibrations, and CNC Design*, 2nd ed.,
 //!   2012, chapter 2.
 //! - **\[Kienzle\]** O. Kienzle, *Die Bestimmung von Kraeften und Leistungen an spanenden Werkzeugen*, VDI-Z 94 (1952).
+//! - **\[Pan\]** Z. Pan, H. Zhang, Z. Zhu, J. Wang, *Chatter analysis of robotic machining process*, Journal of Materials Processing
+//!   Technology 173 (2006).
 //! - **\[theory\]** `docs/theory.md` of this repository: the formulas with their derivation.
 
 pub mod advice;
@@ -52,6 +55,7 @@ pub mod calibrate;
 pub mod calibration;
 pub mod catalogue;
 pub mod cell;
+pub mod chatter;
 pub mod clearance;
 pub mod compliance;
 pub mod cutting;

@@ -4,9 +4,11 @@
 //! `lambda = 1/w^2` of `N = k^1/2 M k^1/2`, so rigid drives (`k = 0`) and bodies without mass are `lambda = 0` instead of a division by zero.
 //! The stiffness is that of [`mod@crate::compliance`]: gravity and springs of base and bearings are left out (\[theory\], section 12).
 
+mod motion;
+
 use std::f64::consts::TAU;
 
-use nalgebra::{Complex, Matrix3, Matrix6, SymmetricEigen, Vector3};
+use nalgebra::{Complex, DMatrix, Matrix3, Matrix3xX, Matrix6, SymmetricEigen, Vector3};
 
 use crate::compliance::{PostureError, check_joint, check_tool};
 use crate::mass::{Carrier, RigidBody, mass_matrix};
@@ -14,6 +16,8 @@ use crate::prior::factors;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 use crate::uncertainty::{DRAWS, Spread};
+
+pub use motion::Motion;
 
 /// Of each mode where the robot file says nothing of damping; measured on such arms: 0.02 to 0.08.
 pub const DAMPING_RATIO: f64 = 0.03;
@@ -170,6 +174,40 @@ impl Swing {
         let dynamic = held.zip_map(&(self.friction * w), Complex::new);
         let tip = self.tip.map(|x| Complex::new(x, 0.0));
         Some(tip * dynamic.lu().solve(&tip.transpose())?)
+    }
+
+    /// The same arm in its modes, base axes, with every drive so many times as compliant; `ratios` takes the place of its damping, mode by mode.
+    ///
+    /// Coordinates that spring without a mass are left out: [`Self::massless_share`].
+    pub fn motion(&self, factors: &[f64; 6], ratios: Option<&[f64; 6]>) -> Motion {
+        let root = Matrix6::from_diagonal(&factors.map(f64::sqrt).into());
+        let (tip, friction) = (self.tip * root, root * self.friction * root);
+        let found = eigen(&(root * self.inertia * root));
+        let swinging: Vec<_> = found.iter().filter(|(lambda, _)| NONE * found[0].0 < *lambda).collect();
+        let ratio = |i: usize| match (ratios, self.damping) {
+            (Some(ratios), _) => Some(ratios[i]),
+            (None, Damping::Ratio(ratio)) => Some(ratio),
+            (None, Damping::OfDrives(_)) => None,
+        };
+        let friction = |i: usize, j: usize| match ratio(i) {
+            Some(ratio) if i == j => 2.0 * ratio / swinging[i].0.sqrt(),
+            Some(_) => 0.0,
+            None => swinging[i].1.dot(&(friction * swinging[j].1)) / (swinging[i].0 * swinging[j].0).sqrt(),
+        };
+        let shapes: Vec<Vector3<f64>> = swinging.iter().map(|(lambda, u)| tip * u / lambda.sqrt()).collect();
+        Motion {
+            own: swinging.iter().map(|(lambda, _)| 1.0 / lambda.sqrt()).collect(),
+            friction: DMatrix::from_fn(swinging.len(), swinging.len(), friction),
+            tip: Matrix3xX::from_columns(&shapes),
+        }
+    }
+
+    /// Which share of the compliance of the tip, by the trace, is of coordinates that spring without a mass.
+    pub fn massless_share(&self) -> f64 {
+        let found = eigen(&self.inertia);
+        let massless = found.iter().filter(|(lambda, _)| !(NONE * found[0].0 < *lambda));
+        let compliance: f64 = massless.map(|(_, u)| (self.tip * u).norm_squared()).sum();
+        compliance / self.tip.norm_squared()
     }
 }
 

@@ -23,9 +23,9 @@ const TX200_MASSES: &[(usize, f64, [f64; 3], [f64; 6])] = &[
     (6, 0.6, [0.250, 0.0, 2.574], [0.0005, 0.0, 0.0, 0.0005, 0.0, 0.001]),
 ];
 /// Where its published modes are told.
-const START_DEG: [f64; 6] = [-91.2017, 26.2433, 113.0264, -2.0609, -34.2838, 1.3920];
+pub(crate) const START_DEG: [f64; 6] = [-91.2017, 26.2433, 113.0264, -2.0609, -34.2838, 1.3920];
 
-fn tx200(drive_nm_per_rad: [f64; 6]) -> Robot {
+pub(crate) fn tx200(drive_nm_per_rad: [f64; 6]) -> Robot {
     let robot = find("TX200").unwrap().robot();
     let urad = drive_nm_per_rad.map(|k| if k.is_infinite() { 0.0 } else { 1e6 / k });
     let mut robot = with_compliance(&robot, urad).unwrap();
@@ -39,7 +39,7 @@ fn tx200(drive_nm_per_rad: [f64; 6]) -> Robot {
     robot
 }
 
-fn tx200_spindle() -> HeldTool {
+pub(crate) fn tx200_spindle() -> HeldTool {
     let turned = nalgebra::UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 75_f64.to_radians());
     HeldTool {
         flange_from_tool: Pose::from_parts(Vector3::new(0.277, 0.0, 0.326).into(), turned),
@@ -97,7 +97,7 @@ fn six_springs_of_a_tx200_swing_first_at_the_frequency_worked_out_apart() {
     assert_eq!(swing.modes.len(), 6);
 }
 
-fn kr210() -> (Robot, HeldTool, [f64; 6]) {
+pub(crate) fn kr210() -> (Robot, HeldTool, [f64; 6]) {
     let robot = find("KR 210 R2700-2").unwrap().robot();
     let robot = with_compliance(&robot, [0.477, 0.296, 0.358, 2.52, 3.01, 2.1]).unwrap();
     let body = RigidBody::point(60.0, Vector3::new(0.0, 0.0, 0.2));

@@ -9,6 +9,7 @@ mod advice;
 mod angles;
 pub mod calibrate;
 mod cell;
+pub mod chatter;
 pub mod compare;
 pub mod compliance;
 pub mod cutting;
@@ -42,6 +43,7 @@ pub mod words;
 use serde_json::{Value, json};
 
 pub use calibrate::CalibrateAnswer;
+pub use chatter::ChatterAnswer;
 pub use compare::CompareAnswer;
 pub use compliance::ComplianceAnswer;
 pub use cutting::CuttingAnswer;

@@ -4,7 +4,7 @@ pub(super) use super::angles::asked_degrees;
 pub use super::force::{acting, component, force, loaded, mapped};
 pub use super::numbers::fixed;
 use super::{Line, line};
-use stiffarm::clearance::{Clearance, Obstacle};
+use stiffarm::clearance::{Clearance, Link, Obstacle};
 use stiffarm::interval::Interval;
 use stiffarm::limits::{Pendant, ThirdAxis};
 use stiffarm::load::Load;
@@ -199,14 +199,22 @@ pub(crate) fn tool_mm(tool: &Pose) -> [f64; 6] {
 /// Which link is nearest to what, such as `forearm (estimated radius) to floor`.
 pub fn clearance_of(clearance: &Clearance) -> String {
     let estimated = if clearance.is_estimated { " (estimated radius)" } else { "" };
-    let to = match clearance.to {
+    format!("{}{estimated} to {}", clearance.link.name(), obstacle(clearance.to))
+}
+
+/// The same without how well the radius is known.
+pub fn bodies(link: Link, to: Obstacle) -> String {
+    format!("{} to {}", link.name(), obstacle(to))
+}
+
+fn obstacle(to: Obstacle) -> String {
+    match to {
         Obstacle::Floor => "floor".into(),
         Obstacle::Mounting => "wall or ceiling".into(),
         Obstacle::Work => "work".into(),
         Obstacle::KeepOut(number) => format!("keep-out {number}"),
         Obstacle::Link(link) => link.name().into(),
-    };
-    format!("{}{estimated} to {to}", clearance.link.name())
+    }
 }
 
 /// How near the arm comes to anything; loud where it is too near.

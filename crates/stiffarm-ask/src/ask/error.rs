@@ -129,6 +129,14 @@ pub enum AskError {
     /// How an arm swings cannot be told.
     #[error(transparent)]
     Modes(stiffarm::modes::ModesError),
+    /// Whether a cut swings cannot be told.
+    #[error("{file}: {error}")]
+    Chatter {
+        /// The process file.
+        file: String,
+        /// Why.
+        error: stiffarm::chatter::ChatterError,
+    },
     /// Measurements that tell nothing.
     #[error("{data}: {error}")]
     Identify {
@@ -228,7 +236,10 @@ impl AskError {
             Self::Posture { robot, .. } => {
                 return format!("`stiffarm robots show \"{robot}\"` tells what is known of its joints and drives");
             }
-            Self::Modes(_) => "`stiffarm robots show ROBOT --format json` tells what is known of a robot's masses and drives",
+            Self::Chatter { error, .. } if !matches!(error, stiffarm::chatter::ChatterError::Modes(_)) => {
+                "docs/examples/endmill.toml is a process that is covered: a flat end mill with material, engagement and spindle"
+            }
+            Self::Modes(_) | Self::Chatter { .. } => "`stiffarm robots show ROBOT --format json` tells what is known of a robot's masses and drives",
             Self::UnknownRobot { .. } | Self::NoRobot(_) => {
                 "`stiffarm robots list` names the robots; a path to a robot file or a folder of them works too"
             }

@@ -4,6 +4,7 @@
 //! asks says where names lead ([`Sources`]) and listens while it takes ([`Listener`]).
 
 pub mod by_tool;
+pub mod chatter;
 pub mod compare;
 pub mod compliance;
 mod drawing;
@@ -84,6 +85,7 @@ pub fn ask<'a>(asked: &'a Request, context: Context<'a>) -> Result<Box<dyn Answe
         Verb::Map => Box::new(map::answer(asked, context)?),
         Verb::Compliance => Box::new(compliance::answer(asked, context)?),
         Verb::Modes => Box::new(modes::answer(asked, context)?),
+        Verb::Chatter => Box::new(chatter::answer(asked, context)?),
         Verb::Study => Box::new(study::answer(asked, context)?),
         Verb::Compare => Box::new(compare::answer(asked, context)?),
         Verb::Identify => Box::new(identify::answer(asked, context)?),
@@ -105,6 +107,7 @@ pub fn forms(asked: &Request) -> Forms {
         Verb::Map => map::FORMS,
         Verb::Compliance => compliance::FORMS,
         Verb::Modes => modes::FORMS,
+        Verb::Chatter => chatter::FORMS,
         Verb::Study => study::FORMS,
         Verb::Compare => compare::FORMS,
         Verb::Identify => identify::FORMS,

@@ -17,6 +17,7 @@ pub(crate) mod hodograph;
 pub(crate) mod identify;
 mod labels;
 mod legend;
+pub(crate) mod lobes;
 pub(crate) mod map;
 mod marks;
 pub(crate) mod milled;

@@ -1,6 +1,7 @@
 //! What is asked of how an arm swings.
 
 use nalgebra::Vector3;
+use stiffarm::chatter::{Asked, Method};
 use stiffarm::mass::RigidBody;
 use stiffarm::modes::{Damping, HeldTool};
 
@@ -28,6 +29,16 @@ impl Request {
     /// Damping of every mode, where it is given.
     pub fn damping(&self) -> Option<Damping> {
         self.number("damping-ratio").map(Damping::Ratio)
+    }
+
+    /// What is asked of a cut that may swing.
+    ///
+    /// # Errors
+    /// Where the feed is missing.
+    pub fn chatter(&self) -> Result<Asked, Refusal> {
+        let feed: [f64; 3] = self.all("feed", number).try_into().map_err(|_| self.missing("feed"))?;
+        let method = self.word("method").map(|word| if word == "teeth" { Method::Teeth } else { Method::Mean });
+        Ok(Asked { feed, damping: self.damping(), method })
     }
 
     /// How many modes are told.

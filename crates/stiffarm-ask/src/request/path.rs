@@ -1,12 +1,13 @@
 //! What does a request ask of a toolpath, and of a process?
 
+use super::cell::CellWish;
 use super::kind::Value;
 use super::notation::of_tool;
 use super::wishes::number;
 use super::{Force, Refusal, Request, Verb};
 use stiffarm::cell::Block;
 use stiffarm::load::Load;
-use stiffarm::mill::{Acting, ErrorPart, MillOptions, PartPlacement, PathGround};
+use stiffarm::mill::{Acting, ClearOf, ErrorPart, MillOptions, PartPlacement, PathGround};
 use stiffarm::place::PlaceOptions;
 use stiffarm::spatial::Pose;
 use stiffarm::toolpath::{
@@ -185,11 +186,18 @@ impl Request {
     }
 
     /// What else is asked of a path that is milled.
-    pub fn mill_options(&self) -> MillOptions {
+    ///
+    /// # Errors
+    /// As [`Request::path_ground`].
+    pub fn mill_options(&self) -> Result<MillOptions, Refusal> {
+        let PathGround { margins, cell, .. } = self.path_ground()?;
+        let clearance = self.number("clearance-mm").map(|mm| mm / 1e3);
+        // Of several robots the bodies are guessed: they are looked at where that is asked.
+        let clearance = clearance.or_else(|| (!self.ranks_on_path()).then_some(0.0));
         let usual = MillOptions::usual();
         let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
         let roll = |value| if let Value::Roll(roll) = value { Some(roll) } else { None };
-        MillOptions {
+        Ok(MillOptions {
             roll: self.one("roll", roll).unwrap_or(usual.roll),
             part: match self.word("error") {
                 Some("across") => ErrorPart::Across,
@@ -201,7 +209,13 @@ impl Request {
             singular_margin: radians("singular-margin-deg", usual.singular_margin),
             share_of_speed: self.number("speed-share").unwrap_or(usual.share_of_speed),
             tool_mass: self.tool_mass(),
-        }
+            clear_of: clearance.map(|clearance| ClearOf { clearance, cell, floor: margins.floor }),
+        })
+    }
+
+    /// A program is wanted although the arm touches something.
+    pub fn allows_contact(&self) -> bool {
+        self.is_wished("allow-contact")
     }
 
     /// Where along the path the roll is pinned, m, and to which angle, rad.
@@ -227,7 +241,9 @@ impl Request {
         let within = self.ahead();
         let margins = self.margins(within);
         let options = PlaceOptions { within, margins, ..PlaceOptions::under(Load::PAPER) };
-        let in_cell = self.cell(self.windows()).of(&options, true).map_err(|unasked| self.unanswered(unasked))?;
+        // What a path keeps clear of decides how it is followed, not where it is sought.
+        let cell = CellWish { clearance: None, ..self.cell(self.windows()) };
+        let in_cell = cell.of(&options, true).map_err(|unasked| self.unanswered(unasked))?;
         let PlaceOptions { margins, within, cell, .. } = in_cell;
         Ok(PathGround { margins, within, cell })
     }

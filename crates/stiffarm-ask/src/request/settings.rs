@@ -20,6 +20,8 @@ pub enum Verb {
     Compliance,
     /// How the arm swings at one posture.
     Modes,
+    /// Whether a cut swings with it.
+    Chatter,
     /// Two architectures.
     Study,
     /// Two setups.
@@ -38,12 +40,13 @@ pub enum Verb {
 
 impl Verb {
     /// All of them.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Rank,
         Self::Place,
         Self::Map,
         Self::Compliance,
         Self::Modes,
+        Self::Chatter,
         Self::Study,
         Self::Compare,
         Self::Identify,
@@ -53,12 +56,13 @@ impl Verb {
         Self::List,
     ];
     /// Those that a job file may ask.
-    pub const JOBS: [Self; 11] = [
+    pub const JOBS: [Self; 12] = [
         Self::Rank,
         Self::Place,
         Self::Map,
         Self::Compliance,
         Self::Modes,
+        Self::Chatter,
         Self::Study,
         Self::Compare,
         Self::Identify,
@@ -75,6 +79,7 @@ impl Verb {
             Self::Map => "map",
             Self::Compliance => "compliance",
             Self::Modes => "modes",
+            Self::Chatter => "chatter",
             Self::Study => "study",
             Self::Compare => "compare",
             Self::Identify => "identify",
@@ -196,12 +201,21 @@ const PLACE: &[Verb] = &[Verb::Place];
 const MAP: &[Verb] = &[Verb::Map];
 const COMPLIANCE: &[Verb] = &[Verb::Compliance];
 /// Those that look at one posture.
-const POSTURE: &[Verb] = &[Verb::Compliance, Verb::Modes];
+const POSTURE: &[Verb] = &[Verb::Compliance, Verb::Modes, Verb::Chatter];
 const STUDY: &[Verb] = &[Verb::Study];
 const COMPARE: &[Verb] = &[Verb::Compare];
 /// Those that bend drives.
-const SPRINGING: &[Verb] =
-    &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Modes, Verb::Compare, Verb::Measure, Verb::Mill];
+const SPRINGING: &[Verb] = &[
+    Verb::Rank,
+    Verb::Place,
+    Verb::Map,
+    Verb::Compliance,
+    Verb::Modes,
+    Verb::Chatter,
+    Verb::Compare,
+    Verb::Measure,
+    Verb::Mill,
+];
 const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compare];
 /// Those that place zones and nothing else.
 const ONLY_PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Compare];
@@ -814,7 +828,7 @@ const OF_ZONES: &[Setting] = &[
         ..WHOSE
     },
     Setting {
-        verbs: &[Verb::Compliance, Verb::Modes, Verb::Measure],
+        verbs: &[Verb::Compliance, Verb::Modes, Verb::Chatter, Verb::Measure],
         absent: Absent::Means("as the robot file has it, else prior"),
         example: "paper",
         ..WHOSE
@@ -942,6 +956,7 @@ const OF_ZONES: &[Setting] = &[
             Verb::Identify,
             Verb::Measure,
             Verb::Force,
+            Verb::Chatter,
             Verb::Mill,
         ],
         kind: number_of(40.0, 2000.0, "mm"),

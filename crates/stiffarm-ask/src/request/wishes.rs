@@ -136,7 +136,10 @@ impl Request {
             // In space all six drives count, and nobody's are alike. Of what no size is known that is all that can be said.
             None if robot.stiffness_is_assumed
                 && (self.is_spatial()
-                    || matches!(self.verb, Verb::Compliance | Verb::Modes | Verb::Measure | Verb::Mill)) =>
+                    || matches!(
+                        self.verb,
+                        Verb::Compliance | Verb::Modes | Verb::Chatter | Verb::Measure | Verb::Mill
+                    )) =>
             {
                 Ok(with_prior(&robot).unwrap_or(robot))
             }

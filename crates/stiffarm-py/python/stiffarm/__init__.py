@@ -12,6 +12,7 @@ A robot and a task go in; each verb is one function:
 `identify`     how stiff are the drives, by measured deflections?
 `measure`      which postures and loads must be measured for that?
 `modes`        how does an arm swing at one posture?
+`chatter`      does a cut swing with the arm, and how deep may it go?
 `force`        with what force does a process push on its tool?
 `mill`         how far is the tool pushed off along a toolpath?
 `validate`     is what the paper printed reproduced?
@@ -28,6 +29,7 @@ Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl
 
 from ._answers import (
     Answer,
+    Chatter,
     Comparison,
     Compliance,
     Compliances,
@@ -45,10 +47,11 @@ from ._answers import (
     Toolpath,
 )
 from ._stiffarm import Robot, StiffarmError, __version__, set_threads
-from ._verbs import cell, compare, compliance, force, identify, map, measure, mill, modes, place, rank, robots, study, validate
+from ._verbs import cell, chatter, compare, compliance, force, identify, map, measure, mill, modes, place, rank, robots, study, validate
 
 __all__ = [
     "Answer",
+    "Chatter",
     "Comparison",
     "Compliance",
     "Compliances",
@@ -68,6 +71,7 @@ __all__ = [
     "Toolpath",
     "__version__",
     "cell",
+    "chatter",
     "compare",
     "compliance",
     "force",

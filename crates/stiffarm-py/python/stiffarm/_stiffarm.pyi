@@ -19,6 +19,7 @@ __all__ = [
     "identify",
     "map",
     "compare",
+    "chatter",
     "matrices",
     "milled_program",
     "modes",
@@ -119,6 +120,9 @@ def identify(
 ) -> tuple[dict[str, Any], dict[str, Any], str]: ...
 def measure(
     robot: Robot, asked: dict[str, str], progress: _Told | None = None
+) -> tuple[dict[str, Any], dict[str, Any]]: ...
+def chatter(
+    process: str, robot: Robot, joints_deg: Sequence[float], asked: dict[str, str]
 ) -> tuple[dict[str, Any], dict[str, Any]]: ...
 def modes(
     robot: Robot, joints_deg: Sequence[float], asked: dict[str, str]

@@ -10,11 +10,12 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, Modes, PathRanking, Placement, Ranking, Study, Toolpath
+from ._answers import Chatter, Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, Modes, PathRanking, Placement, Ranking, Study, Toolpath
 from ._given import RobotLike
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
 from .types import (
+    ChatterOptions,
     CompareOptions,
     ComplianceOptions,
     IdentifyOptions,
@@ -390,6 +391,46 @@ def modes(
     """
     asked = _options.spelt("modes", options)
     return Modes(*_stiffarm.modes(_given.robot(robot), [float(angle) for angle in joints_deg], asked))
+
+
+@_options.takes("chatter", ChatterOptions)
+def chatter(
+    process: str | os.PathLike[str],
+    robot: RobotLike,
+    *,
+    joints_deg: Sequence[float] | npt.NDArray[np.float64],
+    feed: Sequence[float] | npt.NDArray[np.float64],
+    **options: Unpack[ChatterOptions],
+) -> Chatter:
+    """Does a cut swing with the arm at one posture, and how deep may it go?
+
+    Modes of the robot alone are looked at; those of spindle, tool and work are not known here.
+
+    Parameters
+    ----------
+    process : path
+        A process file (TOML): a flat end mill with a material, its engagement and its spindle.
+    robot : Robot or str
+        Which; its file must say what its bodies weigh.
+    joints_deg : six numbers
+        The posture, as the robot counts its joints.
+    feed : three numbers
+        In which direction the tool feeds, along the axes of the base.
+    {options}
+
+    Returns
+    -------
+    Chatter
+        A row a speed of the spindle: from which depth the cut swings.
+
+    Raises
+    ------
+    StiffarmError
+        Where masses are not known, and of processes that are not covered.
+    """
+    asked = _options.spelt("chatter", {"feed": feed, **options})
+    path = str(_given.path("process", process))
+    return Chatter(*_stiffarm.chatter(path, _given.robot(robot), [float(angle) for angle in joints_deg], asked))
 
 
 def force(process: str | os.PathLike[str]) -> Force:

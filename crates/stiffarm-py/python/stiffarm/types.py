@@ -714,6 +714,47 @@ class ModesOptions(TypedDict, total=False):
     """How many modes are told, the lowest first."""
 
 
+class ChatterOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.chatter`."""
+
+    tool_mm: npt.ArrayLike | None
+    """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
+    centre]."""
+
+    tool: str | None
+    """The tool by its shape [mm, deg]: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it
+    leans towards the flange's x, and joint 6 turns it), OFFSET from the flange to where they cross."""
+
+    stiffness: Literal["paper", "prior", "file"] | None
+    """How stiff the drives are taken to be [default: as the robot file has it, else prior]."""
+
+    drive_urad_per_nm: npt.ArrayLike | None
+    """Compliance of the drives [urad/(N m)]: one for all six, or six; of every robot that is asked for [default:
+    as --stiffness says]."""
+
+    stiffness_nm_per_rad: npt.ArrayLike | None
+    """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg], which swings with the arm; its centre says where [default: a tool
+    that weighs nothing]."""
+
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
+
+    tool_inertia_kg_m2: npt.ArrayLike | None
+    """Inertia of the tool about its own mass centre [kg m2], along flange axes: elements of the matrix as URDF
+    has them [default: none: a point mass]."""
+
+    damping_ratio: float | None
+    """Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08 [default: as the
+    robot file has it of the drives, else 0.03]."""
+
+    method: Literal["mean", "teeth"] | None
+    """How teeth are counted [default: teeth where each cuts for half of the time or less and passes slowly, else
+    mean]."""
+
+
 class MillOptions(TypedDict, total=False):
     """Keywords of `stiffarm.mill`."""
 
@@ -777,8 +818,15 @@ class MillOptions(TypedDict, total=False):
     pose:x,y,z,rx,ry,rz; @DEG behind it turns it about the vertical [default: floor]."""
 
     keep_out: str | Iterable[str | Sequence[RangeLike | None]] | None
-    """Where no part of the path may go [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given
+    """Where neither path nor arm may go [m]: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given
     several times."""
+
+    clearance_mm: float | None
+    """Smallest distance that arm and tool [mm], links as capsules, keep along the path from floor, themselves
+    and what is kept free [default: 0; of several robots not looked at]."""
+
+    allow_contact: bool
+    """Write programs of a path along which the arm comes nearer to something than it should."""
 
     roll: str | float
     """How the tool is turned about its axis [deg]: free (from sample to sample, as is best), constant (the best
@@ -1012,7 +1060,7 @@ class CellDict(TypedDict):
     keep_out_m: list[list[list[float | None]]]
 
     clearance_mm: float | None
-    """The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap."""
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
 
 
 class Resolution(TypedDict):
@@ -1330,7 +1378,7 @@ class _Placed(_Pass):
     """What that is of: a joint, the angle between the links, the forearm's angle, or a straight posture."""
 
     clearance_mm: float | None
-    """The nearest that the arm comes to anything in the zone, links as capsules; negative where they overlap."""
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
 
     clearance_of: str | None
     """Which link to what."""
@@ -2204,6 +2252,22 @@ class PlaceSearch(TypedDict):
     """Boxes of places behind the lower bound."""
 
 
+class PathContact(TypedDict):
+    """A stretch of a path along which the arm is nearer to something than it was to keep."""
+
+    line: int
+    """From 1."""
+
+    s_m: float
+    """How far along the path it is nearest."""
+
+    bodies: str
+    """Which link to what."""
+
+    depth_mm: float
+    """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap."""
+
+
 class FedBackDict(TypedDict):
     """What becomes of an error as the cut changes by it."""
 
@@ -2327,6 +2391,23 @@ class MilledDict(_Pass):
 
     singular_margin_deg: float | None
     """The smallest angle to a singular posture in the zone."""
+
+    clearance_mm: float | None
+    """The nearest that the arm comes to anything, links as capsules; negative where they overlap."""
+
+    clearance_of: str | None
+    """Which link to what."""
+
+    clearance_by: list[str] | None
+    """By which bodies that is known: those of the arm are `estimated` or `stated` by the robot file, and what it
+    comes near to may be a `keep-out`."""
+
+    asked_clearance_mm: float
+    """What the arm was to keep from everything; null where nobody looked."""
+
+    contacts: list[PathContact] | None
+    """Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody
+    looked."""
 
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""
@@ -2682,6 +2763,149 @@ class ModesDict(TypedDict):
 
     modes: list[SwingMode]
     """How the arm swings, the lowest frequency first."""
+
+
+class Lobe(TypedDict):
+    """From which depth a cut swings at a speed of the spindle."""
+
+    spindle_rpm: float
+    """Speed of the spindle."""
+
+    depth_mm: float | None
+    """The least axial depth that swings at a speed; null where none up to 300 mm does."""
+
+    depth_mm_p05: float | None
+    """Five of a hundred such robots swing at less; null beyond 300 mm, and where teeth are counted one by one."""
+
+    depth_mm_p95: float | None
+    """Five of a hundred swing at more alone."""
+
+    chatter_hz: float | None
+    """The frequency of the swing at that depth."""
+
+
+class ChatterDict(TypedDict):
+    """`stiffarm.Chatter.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
+    joints_deg: list[float]
+    """Joint angles as the robot reports them, deg."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
+    tcp_m: list[float]
+    """The tool point."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+
+    tool_com_mm: list[float] | None
+    """Mass centre of the tool in the flange frame."""
+
+    tool_inertia_kg_m2: list[float] | None
+    """Inertia of the tool about its mass centre, along flange axes."""
+
+    process: str
+    """The process file."""
+
+    spindle_rpm: float
+    """Speed of the spindle."""
+
+    cut_depth_mm: float
+    """Axial depth of the cut, as the process has it."""
+
+    entry_deg: float
+    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+
+    exit_deg: float
+    """Where a tooth leaves."""
+
+    method: str
+    """How teeth are counted: mean (over a revolution) or teeth (one by one)."""
+
+    critical_depth_mm: float | None
+    """The least axial depth that swings with the robot at the speed of the spindle; null where none up to 300 mm
+    does."""
+
+    critical_depth_mm_p05: float | None
+    """Five of a hundred such robots swing at less, as far as drives and damping may be off; null beyond 300 mm."""
+
+    critical_depth_mm_p95: float | None
+    """Five of a hundred swing at more alone; null beyond 300 mm."""
+
+    chatter_hz: float | None
+    """The frequency of the swing at that depth."""
+
+    tooth_phase_rad: float | None
+    """By how much the swing turns from tooth to tooth; far below 1 the cut is a damper, which calms or drives."""
+
+    any_speed_depth_mm: float | None
+    """Less deep no speed swings, by the mean of the teeth; null where none up to 300 mm does."""
+
+    any_speed_depth_mm_p05: float | None
+    """Of five of a hundred such robots it is less."""
+
+    any_speed_depth_mm_p95: float | None
+    """Of five of a hundred it is more."""
+
+    any_speed_hz: float | None
+    """The frequency of the swing at that depth."""
+
+    pan_depth_mm: float | None
+    """The least depth at which modes couple without the delay (Pan); beside the others, never instead of them."""
+
+    pan_hz: float | None
+    """Its frequency; 0 where the arm gives way."""
+
+    drawn: list[str]
+    """What the intervals are over: drives, damping, both or neither."""
+
+    modes_looked_at: list[float]
+    """Frequencies of the robot's modes that were looked at, Hz; nothing is told above the last."""
+
+    robot_modes: str
+    """calm where the cut is less deep than 95 of 100 draws allow, limit where it is deeper than 95 of 100 allow,
+    else not decided."""
+
+    spindle_modes: str
+    """unknown: modes of spindle, tool and work are not looked at."""
+
+    verdict: str
+    """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is
+    kept so, else fail; of the elastic deflection of the drives under the mean force and of nothing else."""
+
+    assumed: list[str]
+    """What the file leaves open and how it was taken, with the line that came first."""
+
+    lobes: list[Lobe]
+    """By the speed of the spindle: the least depth that swings."""
 
 
 class ComplianceDict(TypedDict):

@@ -56,6 +56,7 @@ fn written() -> String {
         ("Identify", "identify", Verb::Identify, NONE),
         ("Measure", "measure", Verb::Measure, NONE),
         ("Modes", "modes", Verb::Modes, NONE),
+        ("Chatter", "chatter", Verb::Chatter, &["process", "feed"]),
         ("Mill", "mill", Verb::Mill, NONE),
         // A sweep takes several forces.
         ("Sweep", "cluster.sweep", Verb::Place, &["task", "force-n"]),
@@ -170,6 +171,16 @@ fn write_answers(text: &mut String) {
     class(text, ("SwingMode", "TypedDict"), "One way in which an arm swings.", swings.under("modes"), &[]);
     let within = [("modes", "SwingMode"), with_schema[0]];
     class(text, ("ModesDict", "TypedDict"), "`stiffarm.Modes.to_dict`.", &swings, &within);
+    let cuts = Fields::of(&samples::cuts());
+    class(
+        text,
+        ("Lobe", "TypedDict"),
+        "From which depth a cut swings at a speed of the spindle.",
+        cuts.under("lobes"),
+        &[],
+    );
+    let within = [("lobes", "Lobe"), with_schema[0]];
+    class(text, ("ChatterDict", "TypedDict"), "`stiffarm.Chatter.to_dict`.", &cuts, &within);
     let compliance = Fields::of(&compliances);
     class(text, ("ComplianceDict", "TypedDict"), "`stiffarm.Compliance.to_dict`.", &compliance, &with_schema);
 }
@@ -187,6 +198,8 @@ fn write_paths(text: &mut String) {
     let (about, within) = ("How the tool is turned about its axis.", [("pins", "PinnedRoll")]);
     class(text, ("RollChoice", "TypedDict"), about, milled.under("roll"), &within);
     class(text, ("PlaceSearch", "TypedDict"), "How finely a place was looked for.", milled.under("search"), &[]);
+    let about = "A stretch of a path along which the arm is nearer to something than it was to keep.";
+    class(text, ("PathContact", "TypedDict"), about, milled.under("contacts"), &[]);
     let about = "What becomes of an error as the cut changes by it.";
     class(text, ("FedBackDict", "TypedDict"), about, milled.under("fed_back"), &[]);
     let within = [
@@ -194,6 +207,7 @@ fn write_paths(text: &mut String) {
         ("roll", "RollChoice"),
         ("search", "PlaceSearch"),
         ("fed_back", "FedBackDict"),
+        ("contacts", "PathContact"),
         with_schema[0],
     ];
     class(text, ("MilledDict", "_Pass"), "`stiffarm.Milled.to_dict`.", &milled, &within);

@@ -6,6 +6,7 @@ use serde_json::Value;
 use stiffarm::advice::{advise, advise_best};
 use stiffarm::catalogue::measurements::{self, Measurements};
 use stiffarm::catalogue::{find, read, read_process};
+use stiffarm::chatter::chatter;
 use stiffarm::compliance::compliance;
 use stiffarm::drive::Architecture;
 use stiffarm::identify::{Identification, IdentifyError, identify};
@@ -20,8 +21,8 @@ use stiffarm::study::study;
 use stiffarm::toolpath::{self, Builtin, Format, Move, MoveKind, Survey};
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{
-    CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer,
-    ModesAnswer, PathAnswer, PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
+    ChatterAnswer, CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer,
+    MeasureAnswer, MillAnswer, ModesAnswer, PathAnswer, PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
 };
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
@@ -193,6 +194,30 @@ pub(crate) fn swings() -> Vec<Value> {
     vec![of("prior", &[]).json(), without_rod.json(), free.json()]
 }
 
+pub(crate) fn cuts() -> Vec<Value> {
+    let text = include_str!("../../../../docs/examples/endmill.toml");
+    let of = |typed: Typed| {
+        let given = [("process", "endmill.toml"), ("joints-deg", "0,-90,90,0,90,0"), ("feed", "1,0,0")];
+        let asked = asked(Verb::Chatter, &[typed, &given].concat());
+        let (joints_deg, tool, wanted) =
+            (asked.joints_deg().unwrap(), asked.held_tool().unwrap(), asked.chatter().unwrap());
+        let robot = asked.equipped(find("KR 210 R2700-2").unwrap().robot()).unwrap();
+        let mut process = read_process(text, "endmill.toml").unwrap();
+        process.assumed.push("straight teeth".into());
+        let chatter = chatter(&robot, &joints_deg.map(f64::to_radians), &tool, &process.process, &wanted).unwrap();
+        ChatterAnswer { robot, joints_deg, tool, file: "endmill.toml".into(), process, chatter }
+    };
+    let tool = [("tool-mass-kg", "60"), ("tool-com-mm", "0,0,200"), ("tool-inertia-kg-m2", "1,0,0,1,0,1")];
+    // As of an arm that no cut swings.
+    let mut calm = of(&tool);
+    let chatter = &mut calm.chatter;
+    (chatter.at_speed, chatter.any_speed, chatter.without_delay) = (None, None, None);
+    let unbounded = stiffarm::chatter::DepthSpread { p05: None, p95: None };
+    (chatter.spread, chatter.any_speed_spread) = (unbounded, unbounded);
+    chatter.lobes.iter_mut().for_each(|lobe| (lobe.edge, lobe.spread) = (None, None));
+    vec![of(&[]).json(), calm.json(), of(&tool).json()]
+}
+
 pub(crate) fn identifications() -> Vec<Value> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/examples");
     let text = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
@@ -315,6 +340,7 @@ pub(crate) fn milled() -> Vec<Value> {
         of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("tolerance-mm", "0.5")]),
         of(&[tool, ("force-n", "300,-120,80"), ("at", "9,0,0")]),
         of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("pin", "0@10")]),
+        of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("clearance-mm", "1500")]),
         of(&[tool, ("roll", "constant"), ("within", "1..,0.5..")]),
     ]
 }

@@ -162,22 +162,44 @@ impl<'a> ThickArm<'a> {
     pub(crate) fn clearance(&self, postures: &[[f64; 6]], about: &Surroundings) -> Option<Clearance> {
         let (mut nearest, mut before) = (Nearest(None), Vec::new());
         for theta in postures {
-            let links: Vec<(Link, Capsule)> = links(self.geometry, &self.body, about.pedestal, theta, self.tool)
-                .into_iter()
-                .filter(|(link, _)| !(self.ends_at_wrist && *link == Link::Wrist))
-                .collect();
+            let links = self.links(theta, about);
             self.compare(&links, &before, about, &mut nearest);
             before = links;
         }
-        let Nearest(found) = nearest;
-        found.map(|(distance, link, to)| Clearance {
-            distance,
-            link,
-            to,
-            is_estimated: self.is_estimated,
-            knows_tool: !self.ends_at_wrist,
-            poses: postures.len(),
-        })
+        nearest.0.map(|near| self.told(near, postures.len()))
+    }
+
+    /// The nearest to anything in one posture, by its model angles; `None` where there is nothing to meet.
+    pub(crate) fn nearest(&self, theta: &[f64; 6], about: &Surroundings) -> Option<Near> {
+        let mut nearest = Nearest(None);
+        self.compare(&self.links(theta, about), &[], about, &mut nearest);
+        nearest.0
+    }
+
+    /// The nearest of so many poses, with how well that is known.
+    pub(crate) fn told(&self, (distance, link, to): Near, poses: usize) -> Clearance {
+        let (is_estimated, knows_tool) = (self.is_estimated, !self.ends_at_wrist);
+        Clearance { distance, link, to, is_estimated, knows_tool, poses }
+    }
+
+    /// No point of what a joint moves is farther from its axis in any posture, m.
+    ///
+    /// From the wrist centre, through which the axes of joints 4 to 6 go, backwards: each link adds its length, and what it carries may stretch
+    /// out as far as it can.
+    pub(crate) fn farthest(&self) -> [f64; 6] {
+        let (Geometry { a1, b, c2, c4, .. }, l3) = (self.geometry, self.geometry.l3());
+        let about_wrist = |point: &Vector3<f64>| (point + Vector3::z() * *c4).norm();
+        let of_tool = |Tool { point, radius }: Tool| about_wrist(&point).max(c4.abs()) + radius;
+        let wrist = (c4.abs() + self.body.wrist).max(self.tool.map_or(0.0, of_tool));
+        let elbow = l3 + self.body.forearm.max(wrist);
+        let shoulder = c2.abs() + self.body.upper_arm.max(elbow);
+        [a1.hypot(*b) + shoulder, shoulder, elbow, wrist, wrist, wrist]
+    }
+
+    fn links(&self, theta: &[f64; 6], about: &Surroundings) -> Vec<(Link, Capsule)> {
+        let mut found = links(self.geometry, &self.body, about.pedestal, theta, self.tool);
+        found.retain(|(link, _)| !(self.ends_at_wrist && *link == Link::Wrist));
+        found
     }
 
     /// A link stands between a point on the wrist and another one, m from the base, at model angles.
@@ -230,8 +252,11 @@ impl<'a> ThickArm<'a> {
     }
 }
 
-/// The nearest so far: how far, which link, to what.
-struct Nearest(Option<(f64, Link, Obstacle)>);
+/// How near, m, which link comes to what.
+pub(crate) type Near = (f64, Link, Obstacle);
+
+/// The nearest so far.
+struct Nearest(Option<Near>);
 
 impl Nearest {
     fn take(&mut self, distance: f64, link: Link, to: Obstacle) {

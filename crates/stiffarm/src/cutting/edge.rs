@@ -35,4 +35,15 @@ impl Edge {
             }
         }
     }
+
+    /// By how much each of them grows with the chip, N/m2, at a thickness `h`, m.
+    pub fn per_chip(&self, h: f64) -> [f64; 3] {
+        match self {
+            Self::Linear { chip, .. } => *chip,
+            Self::Power { specific, exponent, ratios } => {
+                let tangential = specific * (1.0 - exponent) * (h.max(0.0) / UNIT_CHIP).powf(-exponent);
+                [tangential, ratios[0] * tangential, ratios[1] * tangential]
+            }
+        }
+    }
 }

@@ -4,6 +4,7 @@
 //! whose first modes lie at 5 to 25 Hz, follows the mean over a revolution; the teeth pass far above, so that mean and range
 //! are told apart.
 
+mod dynamic;
 mod edge;
 mod measured;
 mod milling;

@@ -90,6 +90,11 @@ impl Ladder<'_> {
         })
     }
 
+    /// What is said of a path that touches something, until it is sought anew with all that touches.
+    pub(super) fn touches(&self) -> Blocked {
+        self.blocked_at(0, Why::Jump)
+    }
+
     pub(super) fn blocked_at(&self, i: usize, why: Why) -> Blocked {
         self.stand.blocked(&self.stations[i].sample, why)
     }

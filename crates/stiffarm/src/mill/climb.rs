@@ -9,7 +9,7 @@ use super::ladder::{Joints, Ladder, Rung, WINDING};
 use crate::watch::{Stopped, Watch};
 
 /// Nodes of the rung before that a node is joined to: so many steps of the roll either way.
-const MOST_STEPS: usize = 8;
+pub(super) const MOST_STEPS: usize = 8;
 /// Rungs whose joints are computed at a time, on all cores.
 const CHUNK: usize = 64;
 /// To arrange the arm anew costs as much as turning a joint by a whole turn within a second.
@@ -77,7 +77,7 @@ impl<'a, 'l> Climb<'a, 'l> {
             watch.go_on()?;
             let joints: Vec<Joints> = chunk.par_iter().map(|rung| self.ladder.joints(rung, self.most)).collect();
             for (rung, joints) in chunk.iter().zip(joints) {
-                let Some(mut next) = self.reached(&last, rung, joints) else { return Ok(Err(way.len())) };
+                let Some(mut next) = self.reached(&last, (way.len(), rung), joints) else { return Ok(Err(way.len())) };
                 way.push((std::mem::take(&mut next.before), next.best));
                 last = next;
             }
@@ -109,7 +109,7 @@ impl<'a, 'l> Climb<'a, 'l> {
     }
 
     /// The best paths to the nodes of a rung; `None` where there is none.
-    fn reached(&self, last: &Reached, rung: &Rung, joints: Joints) -> Option<Reached> {
+    fn reached(&self, last: &Reached, (k, rung): (usize, &Rung), joints: Joints) -> Option<Reached> {
         let turns = self.turns.iter().product::<usize>();
         let mut values = vec![f64::INFINITY; joints.len() * turns];
         let mut before = vec![0; values.len()];
@@ -120,7 +120,7 @@ impl<'a, 'l> Climb<'a, 'l> {
             for turn in 0..turns {
                 if let Some(q) = self.turned(q, turn) {
                     (values[held * turns + turn], before[held * turns + turn]) =
-                        self.least((last, rung, &farthest), held, &q, error);
+                        self.least((last, &farthest), (k, rung), held, &q, error);
                 }
             }
         }
@@ -131,7 +131,8 @@ impl<'a, 'l> Climb<'a, 'l> {
     /// The least value with which a node is reached that stands at joints `q` and has an error, and from which node.
     fn least(
         &self,
-        (last, rung, farthest): (&Reached, &Rung, &[f64; 6]),
+        (last, farthest): (&Reached, &[f64; 6]),
+        (k, rung): (usize, &Rung),
         held: usize,
         q: &[f64; 6],
         error: f64,
@@ -159,10 +160,10 @@ impl<'a, 'l> Climb<'a, 'l> {
             // From no step outwards: 0, 1, -1, 2, -2 ...
             let aside = step.div_ceil(2);
             let roll = (roll + if step % 2 == 0 { self.rolls - aside } else { aside }) % self.rolls;
-            let held = configuration * self.rolls + roll;
-            let Some(from) = &last.joints[held] else { continue };
+            let before = configuration * self.rolls + roll;
+            let Some(from) = &last.joints[before] else { continue };
             let Some(turn) = self.turn_before(from, q) else { continue };
-            let value = last.values[held * turns + turn];
+            let value = last.values[before * turns + turn];
             let at_least = if counts_error { value.max(error) } else { value };
             if !(at_least < best.0) {
                 continue;
@@ -176,8 +177,8 @@ impl<'a, 'l> Climb<'a, 'l> {
             };
             let Some(motion) = motion else { continue };
             let value = if counts_error { at_least } else { value + motion / time };
-            if value < best.0 {
-                best = (value, (held * turns + turn) as u32);
+            if value < best.0 && !self.ladder.touching.blocks((k, before, held)) {
+                best = (value, (before * turns + turn) as u32);
             }
         }
         best

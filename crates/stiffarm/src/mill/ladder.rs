@@ -11,6 +11,7 @@ use std::ops::Range;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
+use super::contact::Touching;
 use super::fault::MillError;
 use super::follow::{Arrangement, Stand};
 use super::stations::{ErrorPart, Station};
@@ -57,6 +58,8 @@ pub(super) struct Ladder<'a> {
     pub(super) speeds: Option<[f64; 6]>,
     /// From rung to rung joints keep to this part of these speeds, since between the rungs they may turn faster.
     pub(super) pace: f64,
+    /// What was found to touch something.
+    pub(super) touching: Touching,
 }
 
 /// The joints of a rung's nodes, rad, as the robot reports them, each turned down to the least that its range allows.
@@ -73,7 +76,17 @@ impl<'a> Ladder<'a> {
         watch: Watch,
     ) -> Result<Self, MillError> {
         let speeds = arm.limits.speeds.map(|speeds| speeds.map(|speed| share_of_speed * speed));
-        let mut ladder = Self { arm, stations, stand, part, grid, rungs: Vec::new(), speeds, pace: 1.0 };
+        let mut ladder = Self {
+            arm,
+            stations,
+            stand,
+            part,
+            grid,
+            rungs: Vec::new(),
+            speeds,
+            pace: 1.0,
+            touching: Touching::default(),
+        };
         ladder.rungs = ladder.rungs_of_stations();
         let parts = watch.parts(Some(ladder.rungs.len()));
         let errors: Result<Vec<_>, MillError> = ladder
@@ -92,7 +105,8 @@ impl<'a> Ladder<'a> {
 
     /// Without rungs: for single stations.
     pub(super) fn bare(arm: &'a SpatialArm, stations: &'a [Station], stand: Stand, part: ErrorPart) -> Self {
-        Self { arm, stations, stand, part, grid: RollGrid::turn(1), rungs: Vec::new(), speeds: None, pace: 1.0 }
+        let (grid, rungs, touching) = (RollGrid::turn(1), Vec::new(), Touching::default());
+        Self { arm, stations, stand, part, grid, rungs, speeds: None, pace: 1.0, touching }
     }
 
     /// Groups samples: until the wrist could turn by some steps of the grid, or as far as a rung may reach.

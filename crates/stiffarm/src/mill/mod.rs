@@ -8,6 +8,7 @@ mod blocked;
 mod bound;
 mod climb;
 mod compensate;
+mod contact;
 mod fault;
 mod fed_back;
 mod follow;
@@ -23,6 +24,7 @@ use nalgebra::Point3;
 
 use bound::Floor;
 pub use compensate::{Compensated, Remaining, compensate, drawn_errors, remaining};
+pub use contact::{ClearOf, Contact, PathClearance};
 pub use fault::{Blocked, MillError, Why};
 pub use fed_back::{FedBack, fed_back};
 pub use follow::{Arrangement, Pushed, Stand, part_from_tool};
@@ -70,6 +72,20 @@ pub struct Followed {
     pub lower_bound: f64,
     /// The root of the mean square of the error over the way that feeds, m.
     pub rms: f64,
+    /// How near the arm comes to anything; `None` where nobody asked.
+    pub clearance: Option<PathClearance>,
+}
+
+impl Followed {
+    /// Somewhere the arm is nearer to something than was asked.
+    pub fn touches(&self) -> bool {
+        self.clearance.as_ref().is_some_and(|found| !found.contacts.is_empty())
+    }
+
+    /// A path that touches nothing is better than one that does, else that with the smaller error, by more than a part of it.
+    fn is_better_than(&self, other: &Self, part: f64) -> bool {
+        if self.touches() == other.touches() { self.worst.0 < other.worst.0 * (1.0 - part) } else { other.touches() }
+    }
 }
 
 impl MillOptions {
@@ -84,6 +100,7 @@ impl MillOptions {
             singular_margin: margin,
             share_of_speed: 0.8,
             tool_mass: None,
+            clear_of: None,
         }
     }
 
@@ -99,7 +116,7 @@ impl MillOptions {
                 return Err(MillError::Value { what, value, expected });
             }
         }
-        Ok(())
+        self.clear_of.map_or(Ok(()), |clear_of| clear_of.check())
     }
 }
 
@@ -148,13 +165,18 @@ impl Question<'_> {
         let worst = worst.fold((0.0, 0), |worst, (i, error)| if worst.0 < error { (error, i) } else { worst });
         let lower_bound = Floor::new(self, stand).lower_bound(&ladder, worst.0)?;
         let rms = rms(self.stations, &samples);
-        Ok(Milled::Followed(Followed { samples, worst, lower_bound, rms }))
+        let clearance = match self.guard(stand).map(|guard| guard.along(&samples, watch)).transpose()? {
+            Some(Err(at)) => return Ok(Milled::Blocked(ladder.blocked_at(at, Why::Jump))),
+            Some(Ok(found)) => Some(found),
+            None => None,
+        };
+        Ok(Milled::Followed(Followed { samples, worst, lower_bound, rms, clearance }))
     }
 
-    /// What was found, or what finer rolls give where that leaves a doubt: the bound lies far below, or nothing was found.
+    /// What was found, or what finer rolls give where that leaves a doubt: the bound lies far below, something is touched, or nothing was found.
     fn without_doubt(&self, found: Milled, stand: &Stand, watch: Watch) -> Result<Milled, MillError> {
         let is_doubtful = match &found {
-            Milled::Followed(found) => found.lower_bound < found.worst.0 * (1.0 - DOUBTFUL),
+            Milled::Followed(found) => found.touches() || found.lower_bound < found.worst.0 * (1.0 - DOUBTFUL),
             Milled::Blocked(blocked) => !matches!(blocked.why, Why::Reach { .. }),
         };
         if self.options.roll != RollMode::Free || !is_doubtful || MOST_FINER < self.stations.len() {
@@ -164,7 +186,7 @@ impl Question<'_> {
             (Milled::Followed(found), Milled::Followed(fine)) => {
                 // Both bounds hold for every path.
                 let lower_bound = found.lower_bound.max(fine.lower_bound);
-                let better = if fine.worst.0 < found.worst.0 * (1.0 - WORTH) { fine } else { found };
+                let better = if fine.is_better_than(&found, WORTH) { fine } else { found };
                 Milled::Followed(Followed { lower_bound: lower_bound.min(better.worst.0), ..better })
             }
             (Milled::Blocked(_), fine) => fine,
@@ -173,8 +195,8 @@ impl Question<'_> {
     }
 }
 
-/// The joints so far above the beginning of a path, m along the tool axis, in the arrangement in which it begins; `None` where these are not held, or
-/// lead on to it by no straight way.
+/// The joints so far above the beginning of a path, m along the tool axis, in the arrangement in which it begins; `None` where these are not held,
+/// lead on to it by no straight way, or touch something on it.
 ///
 /// # Errors
 /// As [`mill`].
@@ -201,6 +223,12 @@ pub fn approach(
         Watch::nobody(),
     )?;
     let Ok(samples) = followed else { return Ok(None) };
+    let question = Question { robot, arm: &arm, stations: &stations, options };
+    if let Some(guard) = question.guard(stand)
+        && !guard.is_clear(&samples, Watch::nobody())?
+    {
+        return Ok(None);
+    }
     // The path may begin whole turns away.
     let ([above, ..], Some(last)) = (samples.as_slice(), samples.last()) else { return Ok(None) };
     let joints = std::array::from_fn(|i| above.joints[i] + first.joints[i] - last.joints[i]);

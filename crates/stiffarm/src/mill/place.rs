@@ -37,6 +37,8 @@ const STARTS: usize = 6;
 /// which it is.
 const FURTHER: usize = 200;
 const DESCENTS: usize = 2;
+/// Where the best place touches something, so many others are looked at for one that does not.
+const CLEAR_TRIED: usize = 12;
 /// Steps are halved so often: from a tenth of the range to a millimetre or so.
 const HALVINGS: usize = 8;
 /// How often the worst sample of the whole path joins the others.
@@ -153,13 +155,13 @@ pub fn place_path(
         steps.sort_by(|a, b| a.value.total_cmp(&b.value));
         let mut has_joined = false;
         for Start { value, place, .. } in steps.iter().take(2).filter(|start| start.value.is_finite()) {
-            if best.as_ref().is_some_and(|best| best.0 <= *value) {
+            if best.as_ref().is_some_and(|best| best.0 <= *value && !best.2.touches()) {
                 break;
             }
             let key = match question.milled(&search.stand(place), solve::ROLLS[0], watch)? {
                 Milled::Followed(found) => {
                     let key = found.worst.1;
-                    if best.as_ref().is_none_or(|best| found.worst.0 < best.0) {
+                    if best.as_ref().is_none_or(|best| found.is_better_than(&best.2, 0.0)) {
                         best = Some((found.worst.0, *place, found));
                     }
                     key
@@ -180,8 +182,10 @@ pub fn place_path(
         steps.truncate(STARTS);
         starts = steps;
     }
-    if best.is_none() {
-        best = search.followed(&question, starts.iter().chain(&further), watch)?;
+    if best.as_ref().is_none_or(|best| best.2.touches()) {
+        let tried = if best.is_some() { CLEAR_TRIED } else { usize::MAX };
+        let others = starts.iter().chain(&further).take(tried);
+        best = search.followed(&question, (others, best.is_some()), watch)?.or(best);
     }
     let samples = search.keys.len();
     let Some((_, place, followed)) = best else { return Ok(Err(nearest)) };
@@ -352,15 +356,16 @@ impl Search<'_> {
         Ok((chosen, grids.first().map_or([0; 4], |grid| grid.counts)))
     }
 
-    /// The best place of a search among those alone at which all of the path is followed, where the samples that stand for it led to none: each of them is
-    /// held there, but no way leads from one to the next.
+    /// The best place of a search among those alone at which all of the path is followed, and clear where that is wanted, where the samples that stand
+    /// for it led to none: each of them is held there, but no way leads from one to the next, or something is touched.
     fn followed<'s>(
         &self,
         question: &Question,
-        starts: impl Iterator<Item = &'s Start>,
+        (starts, is_clear): (impl Iterator<Item = &'s Start>, bool),
         watch: Watch,
     ) -> Result<Option<(f64, Place, Followed)>, MillError> {
         let milled = |place: &Place| match question.milled(&self.stand(place), ROLLS[0], watch)? {
+            Milled::Followed(found) if is_clear && found.touches() => Ok(None),
             Milled::Followed(found) => Ok::<_, MillError>(Some(found)),
             Milled::Blocked(_) => Ok(None),
         };

@@ -1,6 +1,7 @@
 //! Rolls between the lines of the grid: smoother than a path of nodes, and never worse.
 
 use super::climb::{Climb, Sought};
+use super::contact::Guard;
 use super::fault::MillError;
 use super::follow::Arrangement;
 use super::ladder::Ladder;
@@ -12,15 +13,19 @@ const ROUNDS: usize = 12;
 const WORST: f64 = 0.995;
 
 /// Moves the roll of every rung towards the middle of its neighbours, and where the error is largest to less error, as far as no error
-/// passes `most`, m, and the joints follow.
+/// passes `most`, m, the joints follow, and nothing is touched where that is asked.
 pub(super) fn smoothed(
     ladder: &Ladder,
     mut rungs: Vec<Arrangement>,
     most: f64,
+    guard: Option<&Guard>,
     watch: Watch,
 ) -> Result<Vec<Arrangement>, MillError> {
     let climb = Climb::new(ladder, Sought::LeastMotion, f32::MAX, false);
     let error_of = |k: usize, arrangement: Arrangement| Ok(ladder.errors_of(k, arrangement, &[arrangement.roll])?[0]);
+    let is_clear = |k: usize, from: Arrangement, to: Arrangement| {
+        guard.map_or(Ok(true), |guard| Ok::<_, MillError>(!ladder.touches_from(guard, k, from, to)?))
+    };
     let mut errors =
         rungs.iter().enumerate().map(|(k, rung)| error_of(k, *rung)).collect::<Result<Vec<f64>, MillError>>()?;
     for round in 0..ROUNDS {
@@ -46,6 +51,9 @@ pub(super) fn smoothed(
             let moved = Arrangement { roll, ..rungs[k] };
             if before.is_none_or(|other| climb.joins((other, rungs[other]), (k, moved)))
                 && after.is_none_or(|other| climb.joins((k, moved), (other, rungs[other])))
+                && before.map_or(Ok(true), |other| is_clear(k, rungs[other], moved))?
+                && after.map_or(Ok(true), |other| is_clear(other, moved, rungs[other]))?
+                && guard.map_or(Ok(true), |guard| ladder.stands_clear(guard, k, moved))?
             {
                 (rungs[k], errors[k]) = (moved, error);
             }

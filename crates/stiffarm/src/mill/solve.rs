@@ -3,7 +3,8 @@
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-use super::climb::{Climb, Node, Sought};
+use super::climb::{Node, Sought};
+use super::contact::{ClearOf, Guard};
 use super::fault::{Blocked, MillError, Why};
 use super::follow::{Arrangement, Pushed, Stand, follow};
 use super::is_pinned;
@@ -66,6 +67,8 @@ pub struct MillOptions {
     pub share_of_speed: f64,
     /// Mass of the tool, kg, where it is known: it is told against the robot's payload, and changes no posture.
     pub tool_mass: Option<f64>,
+    /// What the arm keeps clear of; nothing is looked at where `None`.
+    pub clear_of: Option<ClearOf>,
 }
 
 /// The robot at every station, or where and why there is no way.
@@ -81,23 +84,45 @@ pub(super) struct Question<'a> {
     pub(super) options: &'a MillOptions,
 }
 
+impl<'a> Question<'a> {
+    /// The bodies of the arm before a part that stands somewhere; `None` where nobody asked what they touch.
+    pub(super) fn guard(&self, stand: &Stand) -> Option<Guard<'a>> {
+        let clear_of = self.options.clear_of.as_ref()?;
+        Guard::of((self.robot, self.arm), self.stations, stand, clear_of)
+    }
+}
+
 impl Question<'_> {
     /// The best of so many rolls for a part that stands somewhere; inner: where and why there are none.
     pub(super) fn solve(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<(Ladder<'_>, Outcome), MillError> {
         let MillOptions { roll, part, share_of_speed, .. } = *self.options;
         let grid = if let RollMode::Fixed(roll) = roll { RollGrid::at([roll]) } else { RollGrid::turn(rolls) };
         let mut ladder = Ladder::new(self.arm, self.stations, *stand, (part, grid), share_of_speed, watch)?;
-        let courses = match roll {
-            RollMode::Fixed(_) => Some(ladder.constant_rolls()),
-            RollMode::Constant => Some(ladder.fine_constant_rolls()?),
-            RollMode::Linear => Some(ladder.linear_rolls()),
-            RollMode::Free => None,
-        };
-        let found = match courses {
-            Some(courses) => self.best_of(&ladder, &courses, stand, watch)?.map(|(_, found)| found),
-            None => self.free(&mut ladder, stand, watch)?,
-        };
+        let guard = self.guard(stand);
+        let mut found = self.over(&mut ladder, stand, guard.as_ref(), watch)?;
+        // Where none is clear, the best of all is told, with what it touches.
+        if found.is_err() && guard.is_some_and(|guard| guard.forbade()) {
+            ladder.unblock();
+            found = self.over(&mut ladder, stand, None, watch)?;
+        }
         Ok((ladder, found))
+    }
+
+    /// The best over a ladder of what touches nothing, where that is asked.
+    fn over(
+        &self,
+        ladder: &mut Ladder,
+        stand: &Stand,
+        guard: Option<&Guard>,
+        watch: Watch,
+    ) -> Result<Outcome, MillError> {
+        let courses = match self.options.roll {
+            RollMode::Fixed(_) => ladder.constant_rolls(),
+            RollMode::Constant => ladder.fine_constant_rolls()?,
+            RollMode::Linear => ladder.linear_rolls(),
+            RollMode::Free => return self.free(ladder, stand, guard, watch),
+        };
+        Ok(self.best_of(ladder, &courses, (stand, guard), watch)?.map(|(_, found)| found))
     }
 
     pub(super) fn follow(
@@ -109,18 +134,25 @@ impl Question<'_> {
         follow((self.robot, self.arm), stand, self.stations, self.options.part, arrangements, watch)
     }
 
-    /// The first of some courses, the best first, that is followed, and the robot along it.
+    /// The first of some courses, the best first, that is followed and touches nothing, and the robot along it.
     fn best_of(
         &self,
         ladder: &Ladder,
         courses: &[Course],
-        stand: &Stand,
+        (stand, guard): (&Stand, Option<&Guard>),
         watch: Watch,
     ) -> Result<Result<(Course, Vec<Pushed>), Blocked>, MillError> {
         let mut first = None;
         for course in courses.iter().take(MOST_TRIED) {
+            if let Some(guard) = guard
+                && guard.soon_touches(|i| course.at(self.stations, i))?
+            {
+                first = first.or(Some(ladder.touches()));
+                continue;
+            }
             match self.follow(stand, course.all(self.stations), watch)? {
                 Ok(found) => match ladder.too_fast(&found) {
+                    None if !is_clear(guard, &found, watch)? => first = first.or(Some(ladder.touches())),
                     None => return Ok(Ok((course.clone(), found))),
                     Some((i, _)) => first = first.or(Some(ladder.blocked_at(i, Why::Fast))),
                 },
@@ -133,19 +165,25 @@ impl Question<'_> {
     /// Of the paths whose largest error is nearly the least the smoothest, or the best constant roll where that is better.
     ///
     /// Of long paths memory holds one answer: of each that is tried its largest error is kept, and the best is followed again.
-    fn free(&self, ladder: &mut Ladder, stand: &Stand, watch: Watch) -> Result<Outcome, MillError> {
+    fn free(
+        &self,
+        ladder: &mut Ladder,
+        stand: &Stand,
+        guard: Option<&Guard>,
+        watch: Watch,
+    ) -> Result<Outcome, MillError> {
         // No error needs to be larger than that of the best constant roll.
         let constant = if is_pinned(self.stations) {
             None
         } else {
-            let found = self.best_of(ladder, &ladder.constant_rolls(), stand, watch)?.ok();
+            let found = self.best_of(ladder, &ladder.constant_rolls(), (stand, guard), watch)?.ok();
             found.map(|(course, found)| (worst(&found), Way::Course(course)))
         };
         let most = constant.as_ref().map_or(f32::MAX, |(worst, _)| (worst * (1.0 + 1e-6)) as f32);
         let mut blocked = None;
         for is_wound in [false, true] {
             ladder.pace = 1.0;
-            match self.at_its_pace(ladder, stand, (most, is_wound), watch)? {
+            match self.at_its_pace(ladder, (stand, guard), (most, is_wound), watch)? {
                 Found::Paths(ways) => {
                     let best = best_way(ways.into_iter().chain(constant).collect());
                     return self.follow_way(ladder, stand, &best, watch);
@@ -175,24 +213,32 @@ impl Question<'_> {
     fn at_its_pace(
         &self,
         ladder: &mut Ladder,
-        stand: &Stand,
+        (stand, guard): (&Stand, Option<&Guard>),
         (most, is_wound): (f32, bool),
         watch: Watch,
     ) -> Result<Found, MillError> {
         let mut blocked = None;
         for _ in 0..PACES {
-            let (path, most) = match ladder.smoothest(most, is_wound, watch)? {
+            let (path, most) = match ladder.smoothest(guard, (most, is_wound), watch)? {
                 Ok(found) => found,
+                Err(_) if guard.is_some_and(Guard::forbade) => return Ok(Found::Nothing(ladder.touches())),
                 Err(rung) if blocked.is_none() => return Ok(Found::Nothing(ladder.why_blocked(rung, watch)?)),
                 Err(_) => break,
             };
             let rough = ladder.arrangements(&path);
-            let fine = smoothed(ladder, rough.clone(), f64::from(most), watch)?;
-            let (mut kept, mut least) = (Vec::new(), f64::INFINITY);
-            for way in [fine, rough].map(Way::Rungs) {
+            // Where the smoothest touches something, that which keeps clear at every step.
+            let (mut kept, mut least, mut keeps) = (Vec::new(), f64::INFINITY, None);
+            let mut ways = vec![rough.clone(), smoothed(ladder, rough.clone(), f64::from(most), None, watch)?];
+            while let Some(way) = ways.pop().map(Way::Rungs) {
                 match self.follow_way(ladder, stand, &way, watch)? {
                     Err(why) => blocked = blocked.or(Some(why)),
                     Ok(found) => match ladder.too_fast(&found) {
+                        None if !is_clear(guard, &found, watch)? => {
+                            if keeps.is_none() {
+                                keeps = guard;
+                                ways.push(smoothed(ladder, rough.clone(), f64::from(most), guard, watch)?);
+                            }
+                        }
                         None => kept.push((worst(&found), way)),
                         Some((i, times)) => {
                             blocked = Some(ladder.blocked_at(i, Why::Fast));
@@ -228,6 +274,11 @@ fn best_way(found: Vec<(f64, Way)>) -> Way {
     let least = found.iter().map(|(worst, _)| *worst).fold(f64::INFINITY, f64::min);
     let best = found.into_iter().find(|(worst, _)| *worst <= least * (1.0 + SPARE));
     best.expect("one of them has the least").1
+}
+
+/// A path that is followed touches nothing, or nobody asked.
+fn is_clear(guard: Option<&Guard>, found: &[Pushed], watch: Watch) -> Result<bool, MillError> {
+    guard.map_or(Ok(true), |guard| guard.is_clear(found, watch))
 }
 
 /// The largest error of a path, m.
@@ -360,14 +411,15 @@ impl Ladder<'_> {
     /// Of the paths whose largest error is nearly the least, and no more than `most`, that whose joints move least, and what error it
     /// may have, m; the first rung that none reaches where there is none.
     pub(super) fn smoothest(
-        &self,
-        most: f32,
-        is_wound: bool,
+        &mut self,
+        guard: Option<&Guard>,
+        (most, is_wound): (f32, bool),
         watch: Watch,
     ) -> Result<Result<(Vec<Node>, f32), usize>, MillError> {
-        let sought = |sought: Sought, most: f32| Climb::new(self, sought, most, is_wound).path(watch);
+        let floor = self.floor();
+        let mut sought = |sought: Sought, most: f32| self.clear_path(guard, (sought, most, is_wound), watch);
         // What is spared of the least error is no less than `most` where that is near what no path goes below.
-        if f64::from(most) <= (1.0 + SPARE) * f64::from(self.floor())
+        if f64::from(most) <= (1.0 + SPARE) * f64::from(floor)
             && let Ok((path, _)) = sought(Sought::LeastMotion, most)?
         {
             return Ok(Ok((path, most)));
@@ -397,10 +449,11 @@ impl Ladder<'_> {
     /// From the arrangement of every rung to that of every station: rolls change evenly along the way, but where the arm is arranged anew.
     fn of_stations(&self, rungs: &[Arrangement]) -> impl Iterator<Item = Arrangement> {
         let each = (0..self.rungs.len()).flat_map(|k| self.rungs[k].samples.clone().map(move |i| (k, i)));
-        each.map(|(k, i)| self.of_station(rungs, k, i))
+        each.map(|(k, i)| self.of_station(&|k| rungs[k], k, i))
     }
 
-    fn of_station(&self, rungs: &[Arrangement], k: usize, i: usize) -> Arrangement {
+    /// That of a station of a rung, of the arrangements of this rung and those beside it.
+    pub(super) fn of_station(&self, rungs: &impl Fn(usize) -> Arrangement, k: usize, i: usize) -> Arrangement {
         let rung = &self.rungs[k];
         let other = if i < rung.at {
             k.checked_sub(1).filter(|_| !rung.is_fresh)
@@ -412,7 +465,8 @@ impl Ladder<'_> {
             let length = way(other) - way(k);
             if length == 0.0 { 0.0 } else { (self.stations[i].sample.way - way(k)) / length }
         });
-        let roll = rungs[k].roll + share * other.map_or(0.0, |other| rungs[other].roll - rungs[k].roll);
-        Arrangement { roll, ..rungs[k] }
+        let here = rungs(k);
+        let roll = here.roll + share * other.map_or(0.0, |other| rungs(other).roll - here.roll);
+        Arrangement { roll, ..here }
     }
 }

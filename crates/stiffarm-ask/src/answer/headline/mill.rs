@@ -21,7 +21,12 @@ impl MillAnswer {
                 };
                 (outcome, vec![format!("{name} does not follow {}: {reason}.", self.path)])
             }
-            Some(found) => self.judged(found),
+            Some(found) => match (self.judged(found), self.contact_sentence()) {
+                (judged, None) => judged,
+                ((_, sentences), Some(touched)) => {
+                    (Outcome::Collides, [touched].into_iter().chain(sentences).collect())
+                }
+            },
         };
         let mut rests_on = means(self.tolerance_mm).into_iter().chain(rests_on(&self.robot)).collect::<Vec<_>>();
         rests_on.push(format!("Force on the tool: {}.", self.force));

@@ -51,7 +51,7 @@ impl MillAnswer {
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let robot = asked.equipped(robot.clone())?;
-        let (options, flange_from_tool) = (asked.mill_options(), asked.tip_of(tool)?);
+        let (options, flange_from_tool) = (asked.mill_options()?, asked.tip_of(tool)?);
         let (forcing, force, mut remarks) = forcing(asked, process)?;
         let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
         let mut stock = match (asked.stock()?, &forcing) {
@@ -125,6 +125,7 @@ impl MillAnswer {
             fed_back,
             compensation: compensated,
             tolerance_mm,
+            allows_contact: asked.allows_contact(),
             remarks,
         })
     }

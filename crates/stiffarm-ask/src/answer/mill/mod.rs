@@ -2,6 +2,7 @@
 
 mod asked;
 mod by_tool;
+mod contact;
 mod programs;
 mod ranking;
 mod record;
@@ -64,6 +65,8 @@ pub struct MillAnswer {
     pub compensation: Option<Compensation>,
     /// The largest error that passes, mm.
     pub tolerance_mm: Option<f64>,
+    /// Programs are written although the arm touches something.
+    pub allows_contact: bool,
     /// What is to be said of path and forces.
     pub remarks: Vec<String>,
 }
@@ -225,6 +228,9 @@ impl MillAnswer {
     pub fn shortfall(&self) -> Option<String> {
         if let Some(reason) = self.reason() {
             return Some(format!("{}: {reason}", self.robot.name));
+        }
+        if let Some(why) = self.forbidding_contact() {
+            return Some(format!("{}: {why}", self.robot.name));
         }
         let (found, tolerance) = (self.followed()?, self.tolerance_mm?);
         let fails = !Verdict::of(found.worst.0, tolerance).passes;

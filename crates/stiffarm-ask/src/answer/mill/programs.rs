@@ -34,6 +34,7 @@ impl MillAnswer {
         let (Some(found), Some(placement)) = (self.followed(), self.placement) else {
             return Err(MillAnswerError::NoProgram(self.reason().unwrap_or_default()));
         };
+        self.check_contact()?;
         let done = self.commanded()?;
         let joints = |i: usize| done.map_or(found.samples[i].joints, |done| done.joints[i]);
         let station = |(i, station): (usize, &Station)| program::Station {
@@ -50,12 +51,17 @@ impl MillAnswer {
                 "The first move, in joints, goes to a place {:.0} mm above the path's beginning, along the tool axis; the way there is checked by nobody.",
                 height * 1e3
             ),
-            None => "No approach: no place above the path's beginning is held, and the first move, in joints, goes to the beginning itself.".into(),
+            None => "No approach: no place above the path's beginning is held and touches nothing, and the first move, in joints, goes to the beginning itself.".into(),
         };
         if let Some((_, joints)) = approach {
             stations.insert(0, program::Station { joints, feed: None, is_cutting: false, ..stations[0] });
         }
         Ok((stations, remark))
+    }
+
+    /// That nothing is touched, or may be.
+    fn check_contact(&self) -> Result<(), MillAnswerError> {
+        self.forbidding_contact().map_or(Ok(()), |why| Err(MillAnswerError::NoProgram(why)))
     }
 
     /// From where the path is approached: how far above its beginning, m, and the joints there.
@@ -103,11 +109,13 @@ impl MillAnswer {
     ) -> Result<Rewritten, MillAnswerError> {
         let none = || MillAnswerError::NoProgram("without --compensate the path stays as it is".into());
         let done = self.commanded()?.ok_or_else(none)?;
-        let remarks = [
+        self.check_contact()?;
+        let mut remarks = vec![
             format!("compensated by stiffarm for {}, {}", self.robot.name, stiffness(&self.robot)),
             "elastic or absolute-accuracy corrections of the controller must be off, or it is corrected twice"
                 .to_owned(),
         ];
+        remarks.extend(self.allowed_contact());
         let how = Rewriting { steps: *steps, straight: STRAIGHT, remarks: &remarks };
         let mut next = 0;
         let mut corrected = |sample: &Sample| {
@@ -144,6 +152,7 @@ pub(super) fn program_of(
         let (found, remark) = section.stations(tool)?;
         stations.extend(found);
         remarks.push(number.map_or_else(|| remark.clone(), |number| format!("T{number}: {remark}")));
+        remarks.extend(section.allowed_contact());
         let only = section.only_tool.filter(|_| number.is_none());
         remarks.extend(only.map(|tool| format!("Only what tool {tool} of the path cuts.")));
     }

@@ -165,6 +165,7 @@ impl MillAnswer {
             "smallest margins",
             format!("{} to a joint limit, {} to a straight posture", margins[0], margins[1]),
         ));
+        lines.extend(self.clearance_lines());
         if let Some((tolerance, verdict)) = self.tolerance_mm.zip(self.verdict()) {
             let margin = fixed(verdict.margin_mm, 4);
             lines.push(line("tolerance", format!("{tolerance} mm: {}, margin {margin} mm", verdict.told())));
@@ -229,9 +230,12 @@ impl MillAnswer {
             "a robot follows the mean force over a revolution; the teeth cut far more often than it can follow"
         };
         let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n"));
-        format!(
-            "{holds}all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at; collisions of the arm with part, floor and cell are not looked for\n"
-        )
+        let looked = if self.options.clear_of.is_some() {
+            "clearance: links as capsules, coarse, at every sample and between them; part and fixtures are not known, and the first move of a program, in joints, is checked by nobody"
+        } else {
+            "between samples nothing is looked at; collisions of the arm with part, floor and cell are not looked for"
+        };
+        format!("{holds}all six drives compliant, everything else rigid; {force}\n{looked}\n")
     }
 }
 

@@ -54,7 +54,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Robot,
         count: SEVERAL,
         value: "ROBOTS",
-        excludes: &["robot", "at", "compensate", "pendant-as-file"],
+        excludes: &["robot", "at", "compensate", "allow-contact", "pendant-as-file"],
         help: "Robots that are ranked on the path, each at its best place: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times",
         example: "KR 210*,BT200L",
         ..MILLED
@@ -115,7 +115,7 @@ pub(super) const ROWS: &[Setting] = &[
         count: count_of(3, 4, "numbers", "x,y,z in m, or x,y,z and the yaw in deg"),
         value: "X,Y,Z,YAW",
         absent: Absent::Means("the best place within --within"),
-        excludes: &["within", "robots", "keep-out", "clear-of-base-m", "floor"],
+        excludes: &["within", "robots", "clear-of-base-m"],
         help: "Where the path's origin stands, m from the robot's base, or with --mount from the cell's origin, and by how many degrees the part is turned about the vertical",
         example: "1.6,0,0.6,30",
         ..MILLED
@@ -148,10 +148,31 @@ pub(super) const ROWS: &[Setting] = &[
         count: count_of(1, MOST_BLOCKS, "boxes", "at most eight"),
         unit: "m",
         value: "BOX",
-        excludes: &["at"],
-        help: "Where no part of the path may go: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several times",
+        help: "Where neither path nor arm may go: x0..x1,y0..y1,z0..z1 in the cell; several with ; between, or given several times",
         heading: "Cell",
         example: "1.0..2.0,-3.0..-1.5,..1.2",
+        ..MILLED
+    },
+    Setting {
+        name: "clearance-mm",
+        kind: number_of(0.0, 5e3, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Means("0; of several robots not looked at"),
+        help: "Smallest distance that arm and tool, links as capsules, keep along the path from floor, themselves and what is kept free",
+        heading: "Cell",
+        example: "20",
+        ..MILLED
+    },
+    Setting {
+        name: "allow-contact",
+        kind: Kind::Flag,
+        excludes: &["robots"],
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "Write programs of a path along which the arm comes nearer to something than it should",
+        heading: "Cell",
+        example: "true",
         ..MILLED
     },
     Setting {
@@ -282,7 +303,6 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "m",
         value: "M",
         absent: Absent::Means("0, unless --within says how low the path may stand"),
-        excludes: &["at"],
         help: "Height of the floor from the robot's base, or none; all of the path stands above it",
         heading: "Margins",
         example: "-0.5",
@@ -426,7 +446,7 @@ pub(super) const ROWS: &[Setting] = &[
     },
     Setting {
         name: "process",
-        verbs: &[Verb::Force],
+        verbs: &[Verb::Force, Verb::Chatter],
         kind: Kind::File,
         value: "PROCESS",
         absent: Absent::Required,

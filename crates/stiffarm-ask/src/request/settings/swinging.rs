@@ -3,8 +3,10 @@
 use super::{Absent, Kind, ROW, Setting, Verb, count, number_of};
 
 const MODES: &[Verb] = &[Verb::Modes];
+const CHATTER: &[Verb] = &[Verb::Chatter];
+const SWINGING: &[Verb] = &[Verb::Modes, Verb::Chatter];
 /// Of what the arm holds.
-const HELD: Setting = Setting { verbs: MODES, heading: "Tool", ..ROW };
+const HELD: Setting = Setting { verbs: SWINGING, heading: "Tool", ..ROW };
 
 pub(super) const ROWS: &[Setting] = &[
     Setting {
@@ -13,7 +15,7 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "kg",
         value: "KG",
         absent: Absent::Means("a tool that weighs nothing"),
-        needs: &[(Verb::Modes, "tool-com-mm")],
+        needs: &[(Verb::Modes, "tool-com-mm"), (Verb::Chatter, "tool-com-mm")],
         help: "Mass of the tool with its spindle, which swings with the arm; its centre says where",
         example: "60",
         ..HELD
@@ -35,14 +37,14 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "kg m2",
         value: "IXX,IXY,IXZ,IYY,IYZ,IZZ",
         absent: Absent::Means("none: a point mass"),
-        needs: &[(Verb::Modes, "tool-mass-kg")],
+        needs: &[(Verb::Modes, "tool-mass-kg"), (Verb::Chatter, "tool-mass-kg")],
         help: "Inertia of the tool about its own mass centre, along flange axes: elements of the matrix as URDF has them",
         example: "1.3,0,0,1.6,0,0.5",
         ..HELD
     },
     Setting {
         name: "damping-ratio",
-        verbs: MODES,
+        verbs: SWINGING,
         kind: number_of(0.0, 1.0, "of critical damping"),
         value: "ZETA",
         absent: Absent::Means("as the robot file has it of the drives, else 0.03"),
@@ -58,6 +60,40 @@ pub(super) const ROWS: &[Setting] = &[
         absent: Absent::Default("6"),
         help: "How many modes are told, the lowest first",
         example: "3",
+        ..ROW
+    },
+    Setting {
+        name: "robot",
+        verbs: CHATTER,
+        kind: Kind::Robot,
+        value: "ROBOT",
+        absent: Absent::Required,
+        help: "The robot that mills: a name, or the path of a robot file",
+        example: "KR 210 R2700-2",
+        ..ROW
+    },
+    Setting {
+        name: "feed",
+        verbs: CHATTER,
+        kind: number_of(-1e6, 1e6, "along an axis of the base"),
+        count: count(3, "numbers", "three, separated by commas"),
+        value: "X,Y,Z",
+        absent: Absent::Required,
+        help: "In which direction the tool feeds, along the axes of the base; what of it is along the tool axis is left out",
+        example: "1,0,0",
+        ..ROW
+    },
+    Setting {
+        name: "method",
+        verbs: CHATTER,
+        kind: Kind::Word(&[
+            ("mean", "The mean of the teeth over a revolution: zero order with the full receptance"),
+            ("teeth", "Tooth by tooth: semi-discretisation"),
+        ]),
+        value: "METHOD",
+        absent: Absent::Means("teeth where each cuts for half of the time or less and passes slowly, else mean"),
+        help: "How teeth are counted",
+        example: "teeth",
         ..ROW
     },
 ];

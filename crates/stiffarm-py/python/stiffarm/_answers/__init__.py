@@ -1,6 +1,7 @@
 """What the verbs answer."""
 
 from .base import Answer
+from .chatter import Chatter
 from .map import Map
 from .measuring import Identification, MeasurementPlan
 from .milling import Force, Ledger, Milled, PathRanking, Toolpath
@@ -10,6 +11,7 @@ from .posture import Compliance, Compliances
 
 __all__ = [
     "Answer",
+    "Chatter",
     "Comparison",
     "Compliance",
     "Compliances",

@@ -14,6 +14,7 @@ from ..types import (
     ForceDict,
     LedgerDict,
     MilledDict,
+    PathContact,
     PathLength,
     PathRankingDict,
     PathRankingRow,
@@ -132,6 +133,14 @@ class Milled(Table[MilledDict]):
     worst_shares: Array | None
     limit_margin_deg: float | None
     singular_margin_deg: float | None
+    #: The nearest that the arm comes to anything along the path, and which link to what.
+    clearance_mm: float | None
+    clearance_of: str | None
+    #: By which bodies: ``"estimated"`` or ``"stated"`` of the arm, and ``"keep-out"`` where it comes near to one.
+    clearance_by: list[str] | None
+    asked_clearance_mm: float
+    #: Where it is nearer than it was to keep; None where nobody looked.
+    contacts: list[PathContact] | None
     tolerance_mm: float | None
     margin_mm: float | None
     search: PlaceSearch | None

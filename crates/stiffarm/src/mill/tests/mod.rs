@@ -1,5 +1,6 @@
 //! What is told of a path, against what single postures, other paths and hand calculations say.
 
+mod contact;
 mod pins;
 
 use nalgebra::{UnitQuaternion, Vector3};
@@ -329,11 +330,11 @@ fn a_path_is_as_smooth_whether_its_least_error_was_sought_or_is_known() {
     let climb = |sought, most| Climb::new(&ladder, sought, most, false).path(Watch::nobody()).unwrap().expect("a path");
     let (_, least) = climb(Sought::LeastError, near);
     assert!(f64::from(ladder.floor()) <= least && least <= f64::from(near), "{least}");
-    let (path, most) = ladder.smoothest(near, false, Watch::nobody()).unwrap().unwrap();
+    let (path, most) = ladder.clone().smoothest(None, (near, false), Watch::nobody()).unwrap().unwrap();
     assert_eq!(most, near, "what is spared of the least error is more");
     assert_eq!(path, climb(Sought::LeastMotion, near).0);
     // Far above it the least error counts.
-    let (path, most) = ladder.smoothest(2.0 * near, false, Watch::nobody()).unwrap().unwrap();
+    let (path, most) = ladder.clone().smoothest(None, (2.0 * near, false), Watch::nobody()).unwrap().unwrap();
     assert!((f64::from(most) / least - 1.01).abs() < 1e-6, "{most} {least}");
     assert_eq!(path, climb(Sought::LeastMotion, most).0);
 }

@@ -1,0 +1,244 @@
+//! How is it told whether a cut swings?
+
+use std::f64::consts::TAU;
+
+use serde_json::{Value, json};
+use stiffarm::catalogue::ProcessFile;
+use stiffarm::chatter::{Chatter, DepthSpread, Edge, LONGEST, Lobe, Method, Verdict};
+use stiffarm::limits::Pendant;
+use stiffarm::mass::RigidBody;
+use stiffarm::modes::HeldTool;
+use stiffarm::robot::Robot;
+
+use super::compliance::vector;
+use super::stiffness::{self, stiffness};
+use super::words::{self, fixed};
+use super::{Line, Record, Rows, Table, field, line, with_schema};
+
+/// The answer of `chatter`, with what was asked.
+#[derive(Clone, Debug)]
+pub struct ChatterAnswer {
+    /// Which robot.
+    pub robot: Robot,
+    /// The joint angles that it reports, deg, as they were given.
+    pub joints_deg: [f64; 6],
+    /// What it holds.
+    pub tool: HeldTool,
+    /// The process file as it was named.
+    pub file: String,
+    /// What it says.
+    pub process: ProcessFile,
+    /// What was found.
+    pub chatter: Chatter,
+}
+
+fn rpm(spindle: f64) -> f64 {
+    spindle * 60.0 / TAU
+}
+
+fn depth(edge: Option<Edge>) -> Option<f64> {
+    edge.map(|edge| edge.depth)
+}
+
+fn hertz(edge: Option<Edge>) -> Option<f64> {
+    edge.map(|edge| edge.frequency)
+}
+
+/// mm with four decimals, or that it is beyond all edges.
+fn millimetres(depth: Option<f64>) -> String {
+    depth.map_or_else(|| format!("more than {}", fixed(LONGEST * 1e3, 0)), |depth| fixed(depth * 1e3, 4))
+}
+
+fn between(spread: DepthSpread) -> String {
+    format!("{}..{} mm", millimetres(spread.p05), millimetres(spread.p95))
+}
+
+impl ChatterAnswer {
+    /// Of robot modes, in a word.
+    fn robot_modes(&self) -> &'static str {
+        match self.chatter.verdict() {
+            Verdict::Calm => "calm",
+            Verdict::Limits(_) => "limit",
+            Verdict::NotDecided => "not decided",
+        }
+    }
+
+    /// Speed of the spindle, turns a minute.
+    pub fn rpm(&self) -> f64 {
+        rpm(self.chatter.cut.spindle)
+    }
+
+    /// In words; never that a cut is stable.
+    pub fn verdict(&self) -> String {
+        let of_robot = match self.chatter.verdict() {
+            Verdict::Calm => "robot modes calm".into(),
+            Verdict::Limits(depth) => format!("robot modes limit the depth to {} mm", fixed(depth * 1e3, 3)),
+            Verdict::NotDecided => "robot modes: not decided".to_owned(),
+        };
+        format!("{of_robot}; spindle modes unknown")
+    }
+
+    fn method(&self) -> &'static str {
+        match self.chatter.method {
+            Method::Mean => "mean",
+            Method::Teeth => "teeth",
+        }
+    }
+
+    /// What the intervals are over.
+    fn drawn(&self) -> Vec<&'static str> {
+        let parts = [("drives", self.chatter.drives_are_drawn), ("damping", self.chatter.damping_is_drawn)];
+        parts.into_iter().filter(|(_, is_drawn)| *is_drawn).map(|(name, _)| name).collect()
+    }
+
+    /// Every field.
+    pub fn record(&self) -> Record {
+        let Self { robot, joints_deg, tool, chatter, .. } = self;
+        let (body, swing, cut) = (tool.body.as_ref(), &chatter.swing, chatter.cut.milling.engagement);
+        let mut record = Record::new();
+        stiffness::put_robot(&mut record, robot);
+        record
+            .put(field::MODEL, "spatial")
+            .put(field::JOINTS, *joints_deg)
+            .put(field::PENDANT, robot.pendant().map(Pendant::name))
+            .put(field::TCP, swing.tool.translation.vector.as_slice())
+            .put(field::TOOL_MASS, body.map(|body| body.mass))
+            .put(field::TOOL_COM, body.map(|body| body.centre.as_slice()))
+            .put(field::TOOL_INERTIA, body.map(RigidBody::elements))
+            .put(field::PROCESS, &self.file)
+            .put(field::SPINDLE_SPEED, self.rpm())
+            .put(field::CUT_DEPTH, cut.depth)
+            .put(field::ENTRY_ANGLE, cut.entry)
+            .put(field::EXIT_ANGLE, cut.exit)
+            .put(field::CHATTER_METHOD, self.method())
+            .put(field::CRITICAL_DEPTH, depth(chatter.at_speed))
+            .put(field::CRITICAL_DEPTH_P05, chatter.spread.p05)
+            .put(field::CRITICAL_DEPTH_P95, chatter.spread.p95)
+            .put(field::CHATTER_FREQUENCY, hertz(chatter.at_speed))
+            .put(field::TOOTH_PHASE, chatter.tooth_phase())
+            .put(field::ANY_SPEED_DEPTH, depth(chatter.any_speed))
+            .put(field::ANY_SPEED_DEPTH_P05, chatter.any_speed_spread.p05)
+            .put(field::ANY_SPEED_DEPTH_P95, chatter.any_speed_spread.p95)
+            .put(field::ANY_SPEED_FREQUENCY, hertz(chatter.any_speed))
+            .put(field::PAN_DEPTH, depth(chatter.without_delay))
+            .put(field::PAN_FREQUENCY, hertz(chatter.without_delay))
+            .put(field::CHATTER_DRAWN, json!(self.drawn()))
+            .put(field::MODES_LOOKED_AT, json!(self.looked_at()))
+            .put(field::ROBOT_MODES, self.robot_modes())
+            .put(field::SPINDLE_MODES, "unknown")
+            .put(field::CHATTER_VERDICT, self.verdict())
+            .put(field::ASSUMED, json!(self.process.assumed))
+            .put(field::LOBES, self.lobes().map(|lobe| lobe.json()).collect::<Value>());
+        record
+    }
+
+    /// Hz.
+    fn looked_at(&self) -> Vec<f64> {
+        self.chatter.swing.modes.iter().map(|mode| mode.frequency).collect()
+    }
+
+    fn lobes(&self) -> impl Iterator<Item = Record> + '_ {
+        self.chatter.lobes.iter().map(|Lobe { spindle, edge, spread }| {
+            let mut record = Record::new();
+            record
+                .put(field::SPINDLE_SPEED, rpm(*spindle))
+                .put(field::LOBE_DEPTH, depth(*edge))
+                .put(field::LOBE_DEPTH_P05, spread.and_then(|spread| spread.p05))
+                .put(field::LOBE_DEPTH_P95, spread.and_then(|spread| spread.p95))
+                .put(field::CHATTER_FREQUENCY, hertz(*edge));
+            record
+        })
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        with_schema("chatter", super::ORIGIN, &self.record())
+    }
+
+    /// A row a speed of the spindle, for a spreadsheet.
+    pub fn rows(&self) -> Rows<'static> {
+        let records: Vec<Record> = self.lobes().collect();
+        let columns = records.first().map(Record::columns).unwrap_or_default();
+        Rows::new(columns, records.iter().map(Record::cells).collect())
+    }
+
+    /// For people.
+    pub fn table(&self) -> Table {
+        let Self { chatter, .. } = self;
+        let at =
+            |edge: Option<Edge>| edge.map_or_else(String::new, |edge| format!(" at {} Hz", fixed(edge.frequency, 2)));
+        let told = |edge: Option<Edge>| format!("{} mm{}", millimetres(depth(edge)), at(edge));
+        let with = |edge: Option<Edge>, spread: DepthSpread| format!("{}; 90 %: {}", told(edge), between(spread));
+        let cut = chatter.cut.milling.engagement;
+        let degrees = |angle: f64| fixed(angle.to_degrees(), 1);
+        let engagement = format!(
+            "{} mm deep, {} teeth from {} to {} deg",
+            fixed(cut.depth * 1e3, 3),
+            chatter.cut.milling.teeth,
+            degrees(cut.entry),
+            degrees(cut.exit)
+        );
+        let mut lines: Vec<Line> = vec![
+            line("verdict", self.verdict()),
+            line("cut", engagement),
+            line(format!("swings at {} rpm from", fixed(self.rpm(), 0)), with(chatter.at_speed, chatter.spread)),
+            line("at no speed below", with(chatter.any_speed, chatter.any_speed_spread)),
+            line("without the delay (Pan)", told(chatter.without_delay)),
+        ];
+        if let Some(phase) = chatter.tooth_phase() {
+            lines.push(line("turn from tooth to tooth", format!("{} rad", fixed(phase, 3))));
+        }
+        lines.push(line("robot modes looked at", format!("{} Hz", self.frequencies())));
+        lines.push(line("teeth", self.counted()));
+        lines.extend(self.process.assumed.iter().map(|one| line("assumed", one)));
+        Table::of_lines(lines)
+    }
+
+    fn frequencies(&self) -> String {
+        self.looked_at().iter().map(|hertz| fixed(*hertz, 1)).collect::<Vec<_>>().join(", ")
+    }
+
+    fn counted(&self) -> &'static str {
+        match self.chatter.method {
+            Method::Mean => "by their mean over a revolution",
+            Method::Teeth => "one by one (semi-discretisation), as straight ones",
+        }
+    }
+
+    /// What a figure says below its title.
+    pub fn heading(&self) -> String {
+        let (rpm, depth) = (fixed(self.rpm(), 0), fixed(self.chatter.cut.milling.engagement.depth * 1e3, 3));
+        format!("{depth} mm at {rpm} rpm: {}; {}", self.verdict(), self.file)
+    }
+
+    /// What stands below the table.
+    pub fn notes(&self) -> String {
+        let Self { robot, joints_deg, tool, chatter, .. } = self;
+        let angles = joints_deg.map(|angle| angle.to_string()).join(", ");
+        let last = self.looked_at().last().map_or_else(|| "0".into(), |hertz| fixed(*hertz, 0));
+        let mut notes = vec![
+            format!("{}; {}: {angles} deg", words::robot(robot), words::joints_reported(robot)),
+            format!("stiffness: {}", stiffness(robot)),
+            format!("feed along {} from the base", vector(&chatter.axes.column(0).into(), 3)),
+            tool.body.map_or_else(
+                || "tool: weighs nothing; a real one changes the depths (--tool-mass-kg, --tool-com-mm)".into(),
+                |body| format!("tool: {} kg, centre {} mm from the flange", body.mass, vector(&(body.centre * 1e3), 0)),
+            ),
+            match self.drawn()[..] {
+                [] => "intervals: none; stiffness and damping are taken as given".into(),
+                _ => format!("intervals: over draws of {}", self.drawn().join(" and ")),
+            },
+            format!("spindle, tool holder, cutter and work are rigid here: above {last} Hz nothing is known"),
+        ];
+        if chatter.drives_are_assumed {
+            notes.push("stiffness is nobody's: nothing is decided by it".into());
+        }
+        if chatter.verdict() == Verdict::NotDecided {
+            notes.push(
+                "to decide: measure the drives (`stiffarm measure`, `stiffarm identify`) and the damping of the first modes at this posture by a tap test (--damping-ratio)"
+                    .into(),
+            );
+        }
+        notes.join("\n") + "\n"
+    }
+}

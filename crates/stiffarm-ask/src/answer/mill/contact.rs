@@ -1,0 +1,105 @@
+//! What is told of what the arm touches along a path.
+
+use serde_json::{Value, json};
+
+use super::super::words::{bodies, clearance_of};
+use super::super::{Line, Record, field, fixed, line};
+use super::MillAnswer;
+use stiffarm::clearance::Obstacle;
+use stiffarm::mill::{Contact, PathClearance};
+
+/// So many contacts are told to people.
+const TOLD: usize = 6;
+
+impl MillAnswer {
+    /// How near the arm comes to anything; `None` where the path is not followed, or nobody asked.
+    pub fn clearance(&self) -> Option<&PathClearance> {
+        self.followed()?.clearance.as_ref()
+    }
+
+    /// The deepest contact, where there is one.
+    pub fn deepest(&self) -> Option<&Contact> {
+        self.clearance()?.contacts.iter().max_by(|a, b| a.depth.total_cmp(&b.depth))
+    }
+
+    /// Why no program is written, where that is because the arm touches something.
+    pub(super) fn forbidding_contact(&self) -> Option<String> {
+        let deepest = self.deepest().filter(|_| !self.allows_contact)?;
+        Some(format!("{}; another place or roll may keep clear, allow-contact takes it as it is", self.told(deepest)))
+    }
+
+    /// What a program says of contacts that are allowed.
+    pub(super) fn allowed_contact(&self) -> Option<String> {
+        let deepest = self.deepest().filter(|_| self.allows_contact)?;
+        Some(format!("WARNING: written although {}.", self.told(deepest)))
+    }
+
+    /// One contact in words.
+    fn told(&self, contact: &Contact) -> String {
+        let sample = &self.stations[contact.station].sample;
+        let at = if sample.line == 0 { String::new() } else { format!("line {}, ", sample.line) };
+        let asked = self.clearance().map_or(0.0, |found| found.asked);
+        let how = if asked < contact.depth {
+            format!("they overlap by {} mm", fixed((contact.depth - asked) * 1e3, 1))
+        } else {
+            format!("{} mm apart, {} mm asked", fixed((asked - contact.depth) * 1e3, 1), fixed(asked * 1e3, 1))
+        };
+        format!("{at}{} mm along the path, {}: {how}", fixed(sample.way * 1e3, 1), bodies(contact.link, contact.to))
+    }
+
+    /// How near the arm comes, and what it touches.
+    pub(super) fn put_clearance(&self, record: &mut Record) {
+        let found = self.clearance();
+        let nearest = found.and_then(|found| found.nearest.as_ref());
+        let by = nearest.map(|nearest| {
+            let of_arm = if nearest.is_estimated { "estimated" } else { "stated" };
+            let other = matches!(nearest.to, Obstacle::KeepOut(_)).then_some("keep-out");
+            json!([of_arm].into_iter().chain(other).collect::<Vec<_>>())
+        });
+        record
+            .put(field::CLEARANCE, nearest.map(|nearest| nearest.distance))
+            .put(field::CLEARANCE_OF, nearest.map(|nearest| bodies(nearest.link, nearest.to)))
+            .put(field::CLEARANCE_BY, by)
+            .put(field::ASKED_CLEARANCE, self.options.clear_of.map(|clear_of| clear_of.clearance))
+            .put(
+                field::CONTACTS,
+                found.map(|found| found.contacts.iter().map(|one| self.contact(one)).collect::<Value>()),
+            );
+    }
+
+    fn contact(&self, contact: &Contact) -> Value {
+        let sample = &self.stations[contact.station].sample;
+        let mut record = Record::new();
+        record
+            .put(field::LINE, sample.line)
+            .put(field::CONTACT_WAY, sample.way)
+            .put(field::BODIES, bodies(contact.link, contact.to))
+            .put(field::CONTACT_DEPTH, contact.depth);
+        record.json()
+    }
+
+    /// For people; loud where something is touched.
+    pub(super) fn clearance_lines(&self) -> Vec<Line> {
+        let Some(found) = self.clearance() else { return Vec::new() };
+        let nearest = found.nearest.as_ref().map(|nearest| {
+            let apart = fixed(nearest.distance * 1e3, 0);
+            line(
+                "clearance",
+                format!("{apart} mm, {}, at {} samples and between them", clearance_of(nearest), nearest.poses),
+            )
+        });
+        let contacts = found.contacts.iter().take(TOLD).map(|contact| line(LOUD, self.told(contact)));
+        let more = found.contacts.len().saturating_sub(TOLD);
+        let more = (0 < more).then(|| line("", format!("and {more} more")));
+        nearest.into_iter().chain(contacts).chain(more).collect()
+    }
+
+    /// What a manager would read of it.
+    pub(in crate::answer) fn contact_sentence(&self) -> Option<String> {
+        let deepest = self.deepest()?;
+        Some(format!("{LOUD} of {}: {}.", self.robot.full_name(), self.told(deepest)))
+    }
+}
+
+/// As places tell it.
+const LOUD: &str = "COLLISION";

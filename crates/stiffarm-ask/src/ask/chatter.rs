@@ -1,0 +1,59 @@
+//! `chatter`: does a cut swing with the arm, and how deep may it go?
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use stiffarm::catalogue::files;
+use stiffarm::chatter::chatter;
+
+use super::compliance::remarks;
+use super::{AskError, Context, process_of, selection};
+use crate::answer::{ChatterAnswer, Rows};
+use crate::figures::{Plate, lobes};
+use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::request::Request;
+
+pub(crate) fn answer(asked: &Request, context: Context) -> Result<ChatterOutput, AskError> {
+    let robot = asked.equipped(selection::robot(&asked.robot()?, context)?)?;
+    let (joints_deg, tool, wanted) = (asked.joints_deg()?, asked.held_tool()?, asked.chatter()?);
+    let name = asked.process()?;
+    let file = files::shown(Path::new(&name));
+    let process = process_of(&name, &file, context)?;
+    let radians = joints_deg.map(f64::to_radians);
+    let found = chatter(&robot, &radians, &tool, &process.process, &wanted)
+        .map_err(|error| AskError::Chatter { file: file.clone(), error })?;
+    remarks(&robot, [&joints_deg, &radians], context);
+    let answer = ChatterAnswer { robot, joints_deg, tool, file, process, chatter: found };
+    Ok(ChatterOutput(answer, Plate::of(asked)?))
+}
+
+pub(crate) struct ChatterOutput(ChatterAnswer, Plate);
+
+/// In which forms it is shown.
+pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("chatter") };
+
+impl Answer for ChatterOutput {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        vec![Piece::Table(self.0.table()), Piece::Break, Piece::Lines(self.0.notes())]
+    }
+
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.0.json())
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.0.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        Some(Ok(lobes::svg(&self.0, &self.1)))
+    }
+
+    fn plate(&self) -> Plate {
+        self.1
+    }
+}

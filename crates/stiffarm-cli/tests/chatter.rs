@@ -1,0 +1,96 @@
+//! Does the program tell from which depth a cut swings, and refuse what it cannot tell?
+
+use std::fs;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use tempfile::tempdir;
+
+const PROCESS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/examples/endmill.toml");
+const ARM: &[&str] = &["--robot", "KR 210 R2700-2", "--joints-deg", "0,-90,90,0,90,0"];
+const FEED: &[&str] = &["--feed", "1,0,0"];
+const HELD: &[&str] = &["--tool-mass-kg", "60", "--tool-com-mm", "0,0,200"];
+
+fn output(arguments: &[&[&str]]) -> (bool, String, String) {
+    let output = Command::cargo_bin("stiffarm").expect("built").args(arguments.concat()).output().expect("runs");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+    (output.status.success(), text(output.stdout), text(output.stderr))
+}
+
+fn json(arguments: &[&[&str]]) -> Value {
+    let (ok, out, err) = output(&[arguments, &[&["--format", "json"]]].concat());
+    assert!(ok, "{err}");
+    serde_json::from_str(&out).expect("JSON")
+}
+
+#[test]
+fn depths_have_their_intervals_and_the_verdict_is_what_these_say() {
+    let told = json(&[&["chatter", PROCESS], ARM, FEED, HELD]);
+    let number = |key: &str| told[key].as_f64().unwrap_or_else(|| panic!("{key}: {}", told[key]));
+    assert!(number("any_speed_depth_mm") <= number("critical_depth_mm"), "{told}");
+    assert!(number("any_speed_depth_mm_p05") < number("any_speed_depth_mm_p95"));
+    let phase = std::f64::consts::TAU * number("chatter_hz") * 60.0 / (4.0 * number("spindle_rpm"));
+    assert!((number("tooth_phase_rad") / phase - 1.0).abs() < 1e-9);
+    assert_eq!((number("cut_depth_mm"), number("spindle_rpm").round()), (3.0, 12_000.0));
+    let cut = number("cut_depth_mm");
+    let expected = match (told["critical_depth_mm_p05"].as_f64(), told["critical_depth_mm_p95"].as_f64()) {
+        (None, _) => "calm",
+        (Some(low), _) if cut < low => "calm",
+        (_, Some(high)) if high < cut => "limit",
+        _ => "not decided",
+    };
+    assert_eq!(told["robot_modes"], expected);
+    let verdict = told["verdict"].as_str().expect("words");
+    assert!(verdict.ends_with("; spindle modes unknown") && !verdict.contains("stable"), "{verdict}");
+    assert_eq!(told["modes_looked_at"].as_array().map(Vec::len), Some(6));
+    assert_eq!(told["drawn"], serde_json::json!(["drives", "damping"]));
+    // The chart has the speed of the cut.
+    let lobes = told["lobes"].as_array().expect("a list");
+    let at = lobes.iter().find(|lobe| (lobe["spindle_rpm"].as_f64().unwrap_or(0.0) - 12e3).abs() < 1e-6);
+    assert_eq!(at.map(|lobe| &lobe["depth_mm"]), Some(&told["critical_depth_mm"]));
+}
+
+#[test]
+fn the_table_says_what_is_not_promised_and_a_row_is_a_speed() {
+    let (ok, out, err) = output(&[&["chatter", PROCESS], ARM, FEED]);
+    assert!(ok, "{err}");
+    for words in ["spindle modes unknown", "without the delay (Pan)", "tool: weighs nothing", "are rigid here: above"] {
+        assert!(out.contains(words), "{words}\n{out}");
+    }
+    let (ok, out, err) = output(&[&["chatter", PROCESS], ARM, FEED, &["--method", "mean", "--format", "csv"]]);
+    assert!(ok, "{err}");
+    let lines: Vec<&str> = out.lines().collect();
+    assert_eq!(lines[0], "spindle_rpm,depth_mm,depth_mm_p05,depth_mm_p95,chatter_hz");
+    assert_eq!(lines.len(), 192);
+}
+
+#[test]
+fn a_figure_has_units_the_band_and_the_cut() {
+    let folder = tempdir().expect("a folder");
+    let file = folder.path().join("lobes.svg");
+    let (ok, _, err) = output(&[&["chatter", PROCESS], ARM, FEED, &["-o", file.to_str().expect("a path")]]);
+    assert!(ok, "{err}");
+    let svg = fs::read_to_string(file).expect("written");
+    for words in ["speed of the spindle rpm", "axial depth mm", "90 % of draws", "the cut", "spindle modes unknown"] {
+        assert!(svg.contains(words), "{words}");
+    }
+}
+
+#[test]
+fn cuts_that_are_not_covered_and_robots_without_masses_are_refused_with_what_to_do() {
+    let refused = |arguments: &[&[&str]], words: &str| {
+        let (ok, _, err) = output(arguments);
+        assert!(!ok && err.contains(words) && !err.contains("panicked"), "{err}");
+    };
+    let folder = tempdir().expect("a folder");
+    let drill = folder.path().join("drill.toml");
+    fs::write(&drill, "spindle_rpm = 1000\n[drilling]\nthrust_n = 500\ntorque_nm = 2\n").expect("written");
+    let drill = drill.to_str().expect("a path");
+    refused(&[&["chatter", drill], ARM, FEED], "drill.toml: chatter of drilling is not covered");
+    refused(&[&["chatter", PROCESS], ARM, &["--feed", "0,0,-1"]], "chatter of a plunge is not covered");
+    refused(&[&["chatter", PROCESS], ARM, &["--feed", "0,0,0"]], "expected three finite numbers, not all 0");
+    refused(&[&["chatter", PROCESS], ARM, FEED, &["--damping-ratio", "0"]], "has no damping");
+    refused(&[&["chatter", PROCESS], ARM], "--feed");
+    let bare: &[&str] = &["--robot", "KR 210 R2700 extra", "--joints-deg", "0,-90,90,0,90,0"];
+    refused(&[&["chatter", PROCESS], bare, FEED], "no masses in the robot file");
+}

@@ -1,0 +1,212 @@
+//! Verb: does a cut swing, and how deep may it go? The modes of the arm, and a delay from tooth to tooth.
+//!
+//! A tooth cuts what the one before it left: `f = a A (x(t) - x(t - T))`. Told are the least depth that swings at the speed of the spindle, the one
+//! that swings at no speed, and Pan's, which leaves the delay out. Modes of spindle, tool and work are not known here: nothing that this says is
+//! a promise above the highest mode that was looked at (\[theory\], section 13).
+
+mod curve;
+mod cut;
+mod draws;
+mod teeth;
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Matrix3, Vector3};
+use rayon::prelude::*;
+
+use crate::cutting::Process;
+use crate::modes::{Damping, HeldTool, Swing, modes};
+use crate::robot::Robot;
+
+pub use curve::{Curve, Edge};
+pub use cut::{ChatterError, Cut, LONGEST, axes};
+pub use draws::{DRAWS, DRAWS_BY_TOOTH, DepthSpread};
+pub use teeth::Teeth;
+
+use draws::{Draws, check_damped};
+
+/// A share of the tip's compliance without mass that is none but for rounding.
+const MASSLESS: f64 = 1e-3;
+/// Speeds of a chart: from a tenth of the spindle's to twice it, hundredths of it.
+const CHART: std::ops::RangeInclusive<usize> = 10..=200;
+/// Tooth by tooth every fifth of them.
+const EACH_BY_TOOTH: usize = 5;
+
+/// Of a slow cut that is counted tooth by tooth because that is asked.
+const MOST_STEPS: usize = 240;
+
+/// How teeth are counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// By their mean over a revolution: the zero-order approximation with the full receptance.
+    Mean,
+    /// Tooth by tooth: semi-discretisation.
+    Teeth,
+}
+
+/// What is asked of a cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Asked {
+    /// Of the tool in its material, base axes; made perpendicular to the tool axis.
+    pub feed: [f64; 3],
+    /// As [`modes`] takes it; it then has no interval.
+    pub damping: Option<Damping>,
+    /// Chosen by the engagement where `None`.
+    pub method: Option<Method>,
+}
+
+/// Does it swing?
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict {
+    /// Robot modes calm: the depth of the cut is less than what swings in 95 of 100 draws.
+    Calm,
+    /// Robot modes limit the depth, m: that of the cut is more than what swings in 95 of 100 draws.
+    Limits(f64),
+    /// Stiffness and damping are not known well enough.
+    NotDecided,
+}
+
+/// One speed of a chart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lobe {
+    /// Of the spindle, rad/s.
+    pub spindle: f64,
+    /// `None` where no edge up to [`LONGEST`] swings.
+    pub edge: Option<Edge>,
+    /// Over the draws; `None` tooth by tooth.
+    pub spread: Option<DepthSpread>,
+}
+
+/// What is told of a cut.
+#[derive(Clone, Debug)]
+pub struct Chatter {
+    /// The arm.
+    pub swing: Swing,
+    /// Feed, left and away, as columns, base axes.
+    pub axes: Matrix3<f64>,
+    /// The cut.
+    pub cut: Cut,
+    /// How teeth were counted, and whether that was asked.
+    pub method: Method,
+    /// At the speed of the cut; `None` where no edge up to [`LONGEST`] swings.
+    pub at_speed: Option<Edge>,
+    /// Over draws of drives and damping.
+    pub spread: DepthSpread,
+    /// At no speed less deep a cut swings, by the mean over a revolution.
+    pub any_speed: Option<Edge>,
+    /// Over draws.
+    pub any_speed_spread: DepthSpread,
+    /// Without the delay.
+    pub without_delay: Option<Edge>,
+    /// Does something say how far the drives may be off? Else the intervals are of the damping alone.
+    pub drives_are_drawn: bool,
+    /// The drives are nobody's: the paper's 1 urad/(N m).
+    pub drives_are_assumed: bool,
+    /// Does the damping have an interval?
+    pub damping_is_drawn: bool,
+    /// By the speed of the spindle.
+    pub lobes: Vec<Lobe>,
+}
+
+impl Chatter {
+    /// Does the cut swing, as far as robot modes tell?
+    pub fn verdict(&self) -> Verdict {
+        let depth = self.cut.milling.engagement.depth;
+        if self.drives_are_assumed {
+            return Verdict::NotDecided;
+        }
+        match (self.spread, self.at_speed) {
+            (DepthSpread { p05, .. }, _) if p05.is_none_or(|p05| depth < p05) => Verdict::Calm,
+            (DepthSpread { p95: Some(p95), .. }, Some(edge)) if p95 < depth => Verdict::Limits(edge.depth),
+            _ => Verdict::NotDecided,
+        }
+    }
+
+    /// By how much a swing at the edge turns from one tooth to the next, `w T`, rad: far below 1 the cut is a damper, for good or ill.
+    pub fn tooth_phase(&self) -> Option<f64> {
+        let edge = self.at_speed?;
+        Some(TAU * edge.frequency * self.cut.period_at(self.cut.spindle))
+    }
+}
+
+/// Does a cut swing with the robot at the joint angles `q` it reports, rad, and how deep may it go?
+///
+/// # Errors
+/// What [`modes`] refuses, and cuts that are not covered.
+pub fn chatter(
+    robot: &Robot,
+    q: &[f64; 6],
+    tool: &HeldTool,
+    process: &Process,
+    asked: &Asked,
+) -> Result<Chatter, ChatterError> {
+    let cut = Cut::of(process)?;
+    let swing = modes(robot, q, tool, asked.damping)?;
+    let massless = swing.massless_share();
+    if MASSLESS < massless {
+        return Err(ChatterError::Massless((1000.0 * massless).round() / 10.0));
+    }
+    let away = -(swing.tool.rotation * Vector3::z());
+    let axes = axes(asked.feed, &away)?;
+    let motion = swing.motion(&[1.0; 6], None).seen_along(&axes);
+    check_damped(&motion)?;
+    let damping_is_given = asked.damping.is_some() || matches!(swing.damping, Damping::OfDrives(_));
+    let teeth = Teeth::of(&motion, &cut);
+    let steps = steps(&teeth, &cut, asked.method);
+    let count = if steps.is_some() { DRAWS_BY_TOOTH } else { DRAWS };
+    let draws = Draws::of(robot, &swing, &axes, damping_is_given, count);
+    let (curve, drawn) = (Curve::of(&motion, &cut.mean()), draws.curves(&cut.mean()));
+    let any_speed = curve.any_speed();
+    let at = |curve: &Curve| curve.edge_at(cut.period_at(cut.spindle));
+    let from = any_speed.map_or(LONGEST, |edge| edge.depth) / 2.0;
+    let (at_speed, spread) = match steps {
+        Some(steps) => (teeth.edge_at(cut.spindle, steps, from), draws.by_tooth(&cut, &drawn, steps)),
+        None => (at(&curve), DepthSpread::of(drawn.iter().map(at))),
+    };
+    Ok(Chatter {
+        at_speed,
+        spread,
+        any_speed,
+        any_speed_spread: DepthSpread::of(drawn.iter().map(Curve::any_speed)),
+        without_delay: curve.without_delay(),
+        drives_are_drawn: crate::prior::factors(robot, 1).is_some(),
+        drives_are_assumed: robot.stiffness_is_assumed,
+        damping_is_drawn: !damping_is_given,
+        method: if steps.is_some() { Method::Teeth } else { Method::Mean },
+        lobes: match steps {
+            Some(_) => lobes_by_tooth(&teeth, &cut, from),
+            None => lobes(&curve, &drawn, &cut),
+        },
+        swing,
+        axes,
+        cut,
+    })
+}
+
+/// Steps of a cut tooth by tooth; `None` by the mean.
+fn steps(teeth: &Teeth, cut: &Cut, method: Option<Method>) -> Option<usize> {
+    match method {
+        Some(Method::Mean) => None,
+        Some(Method::Teeth) => Some(teeth.steps(cut.spindle).unwrap_or(MOST_STEPS)),
+        None => teeth.steps(cut.spindle).filter(|_| teeth.are_needed()),
+    }
+}
+
+fn lobes(curve: &Curve, drawn: &[Curve], cut: &Cut) -> Vec<Lobe> {
+    let speeds: Vec<f64> = CHART.map(|share| cut.spindle * share as f64 / 100.0).collect();
+    let lobe = |spindle: &f64| {
+        let at = |curve: &Curve| curve.edge_at(cut.period_at(*spindle));
+        Lobe { spindle: *spindle, edge: at(curve), spread: Some(DepthSpread::of(drawn.iter().map(at))) }
+    };
+    speeds.par_iter().map(lobe).collect()
+}
+
+fn lobes_by_tooth(teeth: &Teeth, cut: &Cut, from: f64) -> Vec<Lobe> {
+    let speeds: Vec<f64> = CHART.step_by(EACH_BY_TOOTH).map(|share| cut.spindle * share as f64 / 100.0).collect();
+    let lobe = |spindle: &f64| {
+        // Where a slow tooth would take too many steps the chart has no speed.
+        let steps = teeth.steps(*spindle)?;
+        Some(Lobe { spindle: *spindle, edge: teeth.edge_at(*spindle, steps, from), spread: None })
+    };
+    speeds.par_iter().filter_map(lobe).collect()
+}

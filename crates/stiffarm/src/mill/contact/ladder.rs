@@ -1,0 +1,195 @@
+//! Which nodes and edges of a ladder touch something? Those that a best path takes are looked at, and where one touches those about it; all
+//! that touch are blocked, and the path is sought anew, until it is clear. What was never the best is never looked at, and the path is
+//! the best of all that are clear.
+
+use std::collections::HashSet;
+use std::hash::Hash;
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::Guard;
+use super::step::Between;
+use super::touching::{Edge, OfRung};
+use crate::inverse::Configuration;
+use crate::mill::climb::{Climb, MOST_STEPS, Node, Sought};
+use crate::mill::fault::MillError;
+use crate::mill::follow::Arrangement;
+use crate::mill::ladder::Ladder;
+use crate::watch::Watch;
+
+impl Ladder<'_> {
+    /// The best path, as [`Climb::path`] has it, of all that are clear; of all where nobody asked.
+    pub(in crate::mill) fn clear_path(
+        &mut self,
+        guard: Option<&Guard>,
+        (sought, most, is_wound): (Sought, f32, bool),
+        watch: Watch,
+    ) -> Result<Result<(Vec<Node>, f64), usize>, MillError> {
+        loop {
+            let found = Climb::new(self, sought, most, is_wound).path(watch)?;
+            let (Some(guard), Ok((path, _))) = (guard, &found) else { return Ok(found) };
+            if self.is_clear(guard, path, most)? {
+                return Ok(found);
+            }
+            guard.has_forbidden();
+        }
+    }
+
+    /// Takes back what was blocked.
+    pub(in crate::mill) fn unblock(&mut self) {
+        for ((k, held), error) in std::mem::take(&mut self.touching).nodes {
+            *self.error_mut((k, held)) = error;
+        }
+    }
+
+    /// Whether a path touches nothing; else what touches is blocked: its nodes, or where these are clear its edges.
+    fn is_clear(&mut self, guard: &Guard, path: &[Node], most: f32) -> Result<bool, MillError> {
+        let rolls = self.grid.len();
+        let nodes: Vec<OfRung> =
+            path.iter().enumerate().map(|(k, node)| (k, node.configuration * rolls + node.roll)).collect();
+        let mut known = std::mem::take(&mut self.touching.known_nodes);
+        let about = |node: &OfRung| self.about_node(*node, most);
+        let touched = flood(nodes.clone(), &mut known, about, |node| self.node_touches(guard, *node))?;
+        self.touching.known_nodes = known;
+        if !touched.is_empty() {
+            for node in touched {
+                let error = std::mem::replace(self.error_mut(node), f32::INFINITY);
+                self.touching.nodes.push((node, error));
+            }
+            return Ok(false);
+        }
+        let edges = (1..nodes.len()).filter(|k| !self.rungs[*k].is_fresh);
+        let edges: Vec<Edge> = edges.map(|k| (k, nodes[k - 1].1, nodes[k].1)).collect();
+        let mut known = std::mem::take(&mut self.touching.known_edges);
+        let about = |edge: &Edge| self.about_edge(*edge, most);
+        let touched = flood(edges, &mut known, about, |edge| self.edge_touches(guard, *edge))?;
+        self.touching.known_edges = known;
+        let is_clear = touched.is_empty();
+        self.touching.edges.extend(touched);
+        Ok(is_clear)
+    }
+
+    fn error_mut(&mut self, (k, held): OfRung) -> &mut f32 {
+        let rolls = self.grid.len();
+        &mut self.rungs[k].errors[held / rolls][held % rolls]
+    }
+
+    fn may_be_taken(&self, (k, held): OfRung, most: f32) -> bool {
+        let rolls = self.grid.len();
+        self.rungs.get(k).is_some_and(|rung| rung.errors[held / rolls][held % rolls] <= most)
+    }
+
+    /// The node of the same configuration some steps of the roll aside.
+    fn aside(&self, held: usize, steps: isize) -> usize {
+        let rolls = self.grid.len();
+        held - held % rolls + (held % rolls).wrapping_add_signed(steps + rolls as isize) % rolls
+    }
+
+    /// One step of the roll, or one rung, from a node.
+    fn about_node(&self, (k, held): OfRung, most: f32) -> Vec<OfRung> {
+        let beside = [1, -1].map(|step| (k, self.aside(held, step)));
+        let mut found: Vec<OfRung> = beside.into_iter().chain([(k + 1, held), (k.wrapping_sub(1), held)]).collect();
+        found.retain(|node| self.may_be_taken(*node, most));
+        found
+    }
+
+    /// One step of the roll of either end, or one rung, from an edge.
+    fn about_edge(&self, (k, from, to): Edge, most: f32) -> Vec<Edge> {
+        let beside = [1, -1].map(|step| [(k, self.aside(from, step), to), (k, from, self.aside(to, step))]);
+        let mut found: Vec<Edge> = beside.into_iter().flatten().chain([(k + 1, from, to), (k - 1, from, to)]).collect();
+        found.retain(|edge| self.is_edge(*edge, most));
+        found
+    }
+
+    /// A path may take it.
+    fn is_edge(&self, (k, from, to): Edge, most: f32) -> bool {
+        let rolls = self.grid.len();
+        let apart = (from % rolls).abs_diff(to % rolls);
+        0 < k
+            && self.rungs.get(k).is_some_and(|rung| !rung.is_fresh)
+            && apart.min(rolls - apart) <= MOST_STEPS
+            && self.may_be_taken((k - 1, from), most)
+            && self.may_be_taken((k, to), most)
+    }
+
+    fn arrangement(&self, (k, held): OfRung) -> Arrangement {
+        let rolls = self.grid.len();
+        let configuration = Configuration::ALL[held / rolls];
+        Arrangement { configuration, roll: self.roll_of(&self.rungs[k], held % rolls) }
+    }
+
+    /// The stations at which the arm stands as at a node whatever nodes come before and after: the one that stands for the rung, and those from
+    /// which on it is arranged anew.
+    fn stations_of(&self, k: usize) -> Range<usize> {
+        let rung = &self.rungs[k];
+        let from = if k == 0 || rung.is_fresh { rung.samples.start } else { rung.at };
+        let goes_on = self.rungs.get(k + 1).is_some_and(|next| !next.is_fresh);
+        from..if goes_on { rung.at + 1 } else { rung.samples.end }
+    }
+
+    pub(in crate::mill) fn node_touches(&self, guard: &Guard, node: OfRung) -> Result<bool, MillError> {
+        Ok(!self.stands_clear(guard, node.0, self.arrangement(node))?)
+    }
+
+    pub(in crate::mill) fn edge_touches(&self, guard: &Guard, (k, from, to): Edge) -> Result<bool, MillError> {
+        self.touches_from(guard, k, self.arrangement((k - 1, from)), self.arrangement((k, to)))
+    }
+
+    /// Nothing is touched at the stations of a rung that are arranged as it is, nor between these.
+    pub(in crate::mill) fn stands_clear(&self, guard: &Guard, k: usize, at: Arrangement) -> Result<bool, MillError> {
+        Ok(!guard.touches_over(self.stations_of(k), |_| at)?)
+    }
+
+    /// Whether anything is touched from the station that stands for the rung before to the one that stands for a rung.
+    pub(in crate::mill) fn touches_from(
+        &self,
+        guard: &Guard,
+        k: usize,
+        from: Arrangement,
+        mut to: Arrangement,
+    ) -> Result<bool, MillError> {
+        to.roll += std::f64::consts::TAU * ((from.roll - to.roll) / std::f64::consts::TAU).round();
+        let of_rung = |rung: usize| if rung < k { from } else { to };
+        let stations = self.rungs[k - 1].at..self.rungs[k].at + 1;
+        let rung_of = |i: usize| if i < self.rungs[k].samples.start { k - 1 } else { k };
+        guard.touches_over(stations, |i| self.of_station(&of_rung, rung_of(i), i))
+    }
+}
+
+impl Guard<'_> {
+    /// Whether anything is touched at some stations in a row, or between them, or no posture holds one of them.
+    fn touches_over(&self, stations: Range<usize>, of: impl Fn(usize) -> Arrangement) -> Result<bool, MillError> {
+        let mut before = None;
+        for i in stations {
+            let at = of(i);
+            let Some(posed) = self.at(i, at)?.filter(|posed| !self.touches(posed)) else { return Ok(true) };
+            if let Some((from, last)) = &before
+                && !matches!(self.between(&self.straight(i, *from, at), [last, &posed])?, Between::Free)
+            {
+                return Ok(true);
+            }
+            before = Some((at, posed));
+        }
+        Ok(false)
+    }
+}
+
+/// What touches of some places, and of all that lie about those that touch, as far as it was not known before.
+fn flood<T: Copy + Eq + Hash + Send + Sync>(
+    from: Vec<T>,
+    known: &mut HashSet<T>,
+    about: impl Fn(&T) -> Vec<T>,
+    touches: impl Fn(&T) -> Result<bool, MillError> + Sync,
+) -> Result<Vec<T>, MillError> {
+    let (mut found, mut front) = (Vec::new(), from);
+    while !front.is_empty() {
+        front.retain(|place| known.insert(*place));
+        let touching = |place: &T| Ok(touches(place)?.then_some(*place));
+        let touched = front.par_iter().map(touching).collect::<Result<Vec<_>, MillError>>()?;
+        let touched: Vec<T> = touched.into_iter().flatten().collect();
+        front = touched.iter().flat_map(&about).collect();
+        found.extend(touched);
+    }
+    Ok(found)
+}

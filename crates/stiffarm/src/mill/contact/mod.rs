@@ -1,0 +1,166 @@
+//! What does the arm touch along a path, at its samples and between them?
+//!
+//! `step` decides between two samples, `ladder` takes the nodes and edges that touch out of a ladder, `path` tells of a path that is followed
+//! where it touches, and how near it comes elsewhere. Bodies are those of [`crate::clearance`].
+
+mod ladder;
+mod path;
+mod step;
+mod touching;
+
+#[cfg(test)]
+pub(super) use step::{Between, LEAST, Way};
+pub(super) use touching::Touching;
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::fault::MillError;
+use super::follow::{Arrangement, Stand};
+use super::stations::Station;
+use crate::batch::SpatialArm;
+use crate::cell::Cell;
+use crate::clearance::{Clearance, Link, Near, Obstacle, Surroundings, ThickArm};
+use crate::inverse::posture_of;
+use crate::robot::Robot;
+use crate::toolpath::ToolPose;
+
+/// The largest clearance that is asked, m.
+const MOST: f64 = 5.0;
+/// No floor is farther above or below the base, m.
+const FARTHEST_FLOOR: f64 = 100.0;
+
+/// What arm and tool keep clear of along a path: of themselves, and of what stands about them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClearOf {
+    /// The least distance, m.
+    pub clearance: f64,
+    /// The floor, walls and what is kept free; only a floor where `None`.
+    pub cell: Option<Cell>,
+    /// So high above the base, m; counts where there is no cell.
+    pub floor: Option<f64>,
+}
+
+/// How near arm and tool come to anything along a path that is followed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathClearance {
+    /// What was asked, m.
+    pub asked: f64,
+    /// The nearest at any sample, or where it touches between two of them; `None` where there is nothing to meet.
+    pub nearest: Option<Clearance>,
+    /// Where it is nearer than was asked, in the order of the path; none where every sample and all between them is clear.
+    pub contacts: Vec<Contact>,
+}
+
+/// A stretch of the path along which a link is nearer to something than was asked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// The station at which, or on the way to which, it is nearest.
+    pub station: usize,
+    /// Which link.
+    pub link: Link,
+    /// To what.
+    pub to: Obstacle,
+    /// How much nearer than was asked, m: where nothing was asked, how deep they overlap.
+    pub depth: f64,
+}
+
+/// A posture by its model angles, rad, with what it comes nearest to; `None` where there is nothing to meet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Posed {
+    theta: [f64; 6],
+    near: Option<Near>,
+}
+
+/// The bodies of an arm that stands before a part, made ready.
+pub(super) struct Guard<'a> {
+    thick: ThickArm<'a>,
+    about: Surroundings,
+    arm: &'a SpatialArm,
+    stations: &'a [Station],
+    stand: Stand,
+    clearance: f64,
+    /// No point of what a joint moves is farther from its axis, m.
+    farthest: [f64; 6],
+    /// Some node, edge or path was not taken because it touches.
+    forbade: AtomicBool,
+}
+
+impl ClearOf {
+    pub(super) fn check(&self) -> Result<(), MillError> {
+        for (what, value, least, most, expected) in [
+            ("a clearance, m", self.clearance, 0.0, MOST, "0 to 5 m"),
+            ("the height of a floor, m", self.floor.unwrap_or(0.0), -FARTHEST_FLOOR, FARTHEST_FLOOR, "-100 to 100 m"),
+        ] {
+            if !(least <= value && value <= most) {
+                return Err(MillError::Value { what, value, expected });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<'a> Guard<'a> {
+    /// `None` of an arm of which two links alone are known.
+    pub(super) fn of(
+        (robot, arm): (&'a Robot, &'a SpatialArm),
+        stations: &'a [Station],
+        stand: &Stand,
+        clear_of: &ClearOf,
+    ) -> Option<Self> {
+        let ClearOf { clearance, cell, floor } = clear_of;
+        let thick = ThickArm::new(robot, &stand.flange_from_tool, None)?;
+        Some(Self {
+            farthest: thick.farthest(),
+            forbade: AtomicBool::new(false),
+            thick,
+            about: Surroundings::of(cell.as_ref(), *floor),
+            arm,
+            stations,
+            stand: *stand,
+            clearance: *clearance,
+        })
+    }
+
+    /// Something was not taken because it touches.
+    pub(super) fn has_forbidden(&self) {
+        self.forbade.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether anything was.
+    pub(super) fn forbade(&self) -> bool {
+        self.forbade.load(Ordering::Relaxed)
+    }
+
+    /// With what it comes nearest to.
+    pub(super) fn posed(&self, theta: [f64; 6]) -> Posed {
+        Posed { theta, near: self.thick.nearest(&theta, &self.about) }
+    }
+
+    /// Nearer to something than was asked.
+    pub(super) fn touches(&self, posed: &Posed) -> bool {
+        posed.distance() < self.clearance
+    }
+
+    /// The posture that holds a tool pose, limits left aside; `None` where there is none.
+    ///
+    /// # Errors
+    /// A tool axis from which no roll counts.
+    pub(super) fn theta(&self, line: usize, pose: &ToolPose, at: Arrangement) -> Result<Option<[f64; 6]>, MillError> {
+        let part_from_tool = super::part_from_tool(pose, at.roll).ok_or(MillError::Roll { line })?;
+        let flange = self.stand.base_from_part * part_from_tool * self.stand.flange_from_tool.inverse();
+        Ok(posture_of(&self.arm.geometry, &flange, at.configuration))
+    }
+
+    /// Of a station.
+    fn at(&self, i: usize, at: Arrangement) -> Result<Option<Posed>, MillError> {
+        let sample = &self.stations[i].sample;
+        Ok(self.theta(sample.line, &sample.pose, at)?.map(|theta| self.posed(theta)))
+    }
+}
+
+impl Posed {
+    /// To the nearest, m.
+    fn distance(&self) -> f64 {
+        self.near.map_or(f64::INFINITY, |(distance, ..)| distance)
+    }
+}

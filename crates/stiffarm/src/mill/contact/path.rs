@@ -1,0 +1,144 @@
+//! Where does a path that is followed touch anything, and how near does it come elsewhere?
+
+use rayon::prelude::*;
+
+use super::step::{Between, Way};
+use super::{Contact, Guard, PathClearance, Posed};
+use crate::clearance::Near;
+use crate::mill::fault::MillError;
+use crate::mill::follow::{Arrangement, Pushed};
+use crate::watch::Watch;
+
+/// Stations that are looked at together: enough for all threads, and little memory.
+const TOGETHER: usize = 4096;
+
+/// Stations at which a path is looked at before it is followed.
+const SOON: usize = 64;
+
+/// What is nearest at a station and on the way to it, and whether that is nearer than was asked.
+type AtStation = (Option<Near>, bool);
+
+/// What was found so far.
+#[derive(Default)]
+struct Found {
+    nearest: Option<Near>,
+    contacts: Vec<Contact>,
+    /// The last contact goes on.
+    goes_on: bool,
+}
+
+impl Guard<'_> {
+    /// Every station of a path that is followed, and the way to each; inner: the first station to which no straight way leads.
+    ///
+    /// # Errors
+    /// What was stopped.
+    pub(in crate::mill) fn along(
+        &self,
+        samples: &[Pushed],
+        watch: Watch,
+    ) -> Result<Result<PathClearance, usize>, MillError> {
+        let (mut found, mut last) = (Found::default(), None);
+        for (chunk, together) in samples.chunks(TOGETHER).enumerate() {
+            watch.go_on()?;
+            let first = chunk * TOGETHER;
+            let posed: Vec<Posed> = together.par_iter().map(|one| self.posed(self.model_angles(one))).collect();
+            let of = |i: usize| {
+                let before = if i == 0 { last } else { Some(posed[i - 1]) };
+                self.at_station(samples, first + i, before.as_ref(), &posed[i])
+            };
+            let all = (0..posed.len()).into_par_iter().map(of).collect::<Result<Vec<_>, MillError>>()?;
+            for (i, one) in all.into_iter().enumerate() {
+                let Some(one) = one else { return Ok(Err(first + i)) };
+                found.add(first + i, one, self.clearance);
+            }
+            last = posed.last().copied();
+        }
+        let Found { nearest, contacts, .. } = found;
+        let nearest = nearest.map(|near| self.thick.told(near, samples.len()));
+        Ok(Ok(PathClearance { asked: self.clearance, nearest, contacts }))
+    }
+
+    /// Nothing is touched along a path that is followed.
+    pub(in crate::mill) fn is_clear(&self, samples: &[Pushed], watch: Watch) -> Result<bool, MillError> {
+        let is_clear = self.along(samples, watch)?.is_ok_and(|found| found.contacts.is_empty());
+        if !is_clear {
+            self.has_forbidden();
+        }
+        Ok(is_clear)
+    }
+
+    /// Something is touched at one of some stations all over the path: a whole path need not be followed to know that.
+    pub(in crate::mill) fn soon_touches(&self, of: impl Fn(usize) -> Arrangement) -> Result<bool, MillError> {
+        let count = self.stations.len();
+        for i in (0..count).step_by(count.div_ceil(SOON)) {
+            if self.at(i, of(i))?.is_some_and(|posed| self.touches(&posed)) {
+                self.has_forbidden();
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn model_angles(&self, one: &Pushed) -> [f64; 6] {
+        self.arm.geometry.model_angles(&one.joints, self.arm.limits.third_axis)
+    }
+
+    /// `None` where no straight way leads to it from the station before.
+    fn at_station(
+        &self,
+        samples: &[Pushed],
+        i: usize,
+        before: Option<&Posed>,
+        posed: &Posed,
+    ) -> Result<Option<AtStation>, MillError> {
+        let touches = self.touches(posed);
+        // Where an end touches that is said already.
+        let Some(before) = before.filter(|before| !touches && !self.touches(before)) else {
+            return Ok(Some((posed.near, touches)));
+        };
+        Ok(match self.led(samples, i, [before, posed])? {
+            Between::Free => Some((posed.near, false)),
+            Between::Touch(distance, middle) => Some((middle.near.map(|(_, link, to)| (distance, link, to)), true)),
+            Between::Lost => None,
+        })
+    }
+
+    /// The way to a station: straight as programs have it, and in joints where the arm is arranged anew and no straight one leads there.
+    fn led(&self, samples: &[Pushed], i: usize, ends: [&Posed; 2]) -> Result<Between, MillError> {
+        let [from, to] = [&samples[i - 1], &samples[i]].map(|one| one.arrangement);
+        let is_fresh = self.stations[i].is_fresh;
+        if !is_fresh || from.configuration == to.configuration {
+            let found = self.between(&self.straight(i, from, to), ends)?;
+            if !is_fresh || !matches!(found, Between::Lost) {
+                return Ok(found);
+            }
+        }
+        self.between(&Way::Joints(ends.map(|end| end.theta)), ends)
+    }
+
+    /// From the station before to one, with the rolls of both.
+    pub(super) fn straight(&self, i: usize, from: Arrangement, to: Arrangement) -> Way {
+        let [before, sample] = [i - 1, i].map(|i| &self.stations[i].sample);
+        let ends = [(before.pose, from.roll), (sample.pose, to.roll)];
+        Way::Straight { line: sample.line, configuration: to.configuration, ends }
+    }
+}
+
+impl Found {
+    fn add(&mut self, station: usize, (near, touches): AtStation, asked: f64) {
+        let Some((distance, link, to)) = near else { return };
+        if self.nearest.is_none_or(|(nearest, ..)| distance < nearest) {
+            self.nearest = near;
+        }
+        let goes_on = std::mem::replace(&mut self.goes_on, touches);
+        if !touches {
+            return;
+        }
+        let contact = Contact { station, link, to, depth: asked - distance };
+        match self.contacts.last_mut().filter(|last| goes_on && last.link == link && last.to == to) {
+            Some(last) if contact.depth <= last.depth => {}
+            Some(last) => *last = contact,
+            None => self.contacts.push(contact),
+        }
+    }
+}

@@ -1,0 +1,321 @@
+//! What is said to be clear, against every node, every edge and many places between two samples, looked at one by one.
+
+use super::*;
+use crate::cell::{Block, Cell, Mount};
+use crate::clearance::{Link, Obstacle, Surroundings, ThickArm};
+use crate::inverse::postures;
+use crate::mill::contact::{Between, LEAST, Posed, Way};
+
+/// Places that are looked at between two samples.
+const FINE: usize = 24;
+
+fn block(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Block {
+    let side = |[low, high]: [f64; 2]| Interval::spanning(low, high);
+    Block { x: side(x), y: side(y), z: side(z) }
+}
+
+fn clear_of(boxes: &[Block], clearance: f64) -> ClearOf {
+    let mut cell = Cell::of(Mount::pedestal(0.0));
+    cell.keep_out.iter_mut().zip(boxes).for_each(|(place, block)| *place = Some(*block));
+    ClearOf { clearance, cell: Some(cell), floor: None }
+}
+
+/// The distance of single postures, by another way through the library than paths take.
+struct Witness<'a> {
+    thick: ThickArm<'a>,
+    about: Surroundings,
+    stand: Stand,
+    robot: &'a Robot,
+}
+
+impl<'a> Witness<'a> {
+    fn new(robot: &'a Robot, stand: &Stand, clear_of: &ClearOf) -> Self {
+        let thick = ThickArm::new(robot, &stand.flange_from_tool, None).unwrap();
+        Self { thick, about: Surroundings::of(clear_of.cell.as_ref(), clear_of.floor), stand: *stand, robot }
+    }
+
+    /// `None` where it is not reached.
+    fn distance(&self, pose: &ToolPose, at: Arrangement) -> Option<f64> {
+        let crate::robot::Arm::SixAxis { geometry, .. } = &self.robot.arm else { unreachable!() };
+        let tool = self.stand.base_from_part * part_from_tool(pose, at.roll).unwrap();
+        let found = postures(geometry, &(tool * self.stand.flange_from_tool.inverse())).found;
+        let theta = found.into_iter().find_map(|(known, theta)| (known == at.configuration).then_some(theta))?;
+        Some(self.thick.clearance(&[theta], &self.about).unwrap().distance)
+    }
+
+    /// The least over a step, its ends and all between; `None` where something of it is not reached.
+    fn least(&self, ends: [(&ToolPose, Arrangement); 2]) -> Option<f64> {
+        let [(from, first), (to, last)] = ends;
+        let at = |i: usize| {
+            let part = i as f64 / FINE as f64;
+            let axis = (from.axis * (1.0 - part) + to.axis * part).normalize();
+            let roll = first.roll + part * (last.roll - first.roll);
+            let pose = ToolPose { tip: from.tip * (1.0 - part) + to.tip * part, axis };
+            self.distance(&pose, Arrangement { roll, ..first })
+        };
+        (0..=FINE).map(at).try_fold(f64::INFINITY, |least, distance| Some(distance?.min(least)))
+    }
+}
+
+/// Boxes beside a line along which the rolls differ in what they touch.
+fn worlds() -> Vec<ClearOf> {
+    let beside = |y: f64| block([1.2, 2.6], [y, y + 0.4], [0.0, 3.0]);
+    let post = |x: f64, y: f64| block([x, x + 0.01], [y, y + 0.01], [0.6, 1.1]);
+    vec![
+        clear_of(&[], 0.0),
+        clear_of(&[beside(0.75)], 0.0),
+        clear_of(&[beside(-0.7)], 0.05),
+        clear_of(&[block([1.65, 1.7], [-3.0, 3.0], [1.05, 1.1])], 0.0),
+        clear_of(&[post(1.5, 0.3), post(1.75, -0.15), post(1.65, 0.35)], 0.0),
+        clear_of(&[post(1.35, 0.2), post(1.6, -0.1), post(1.85, 0.1)], 0.02),
+    ]
+}
+
+/// The path of least error over a ladder, by every node and every edge looked at one by one and finely, and by those
+/// alone that a best path takes. What comes nearer to the asked clearance than the least step may count either way, and counts as it is said.
+#[test]
+fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
+    const ROLLS: usize = 36;
+    let (robot, one) = (robot(), stand());
+    let coarse = Steps { longest: 0.1, ..Steps::USUAL };
+    let stations = stations(&moves("line:0.5"), &coarse, |_| Some(KNOWN));
+    let options = with(RollMode::Free);
+    let arm = arm_with_margins(&robot, &one, &options).unwrap();
+    let grid = RollGrid::turn(ROLLS);
+    let every = Ladder::new(&arm, &stations, one, (ErrorPart::Total, grid), 0.8, Watch::nobody()).unwrap();
+    assert!(every.rungs.iter().all(|rung| rung.samples.len() == 1), "a rung a sample: nodes are single postures");
+    let climb = Climb::new(&every, Sought::LeastError, f32::MAX, false);
+    let (best, unasked) = climb.path(Watch::nobody()).unwrap().expect("a path");
+    // One world with a box in the wrist of the best path.
+    let middle = every.rungs.len() / 2;
+    let held = every.postures(every.rungs[middle].at, every.grid.roll(best[middle].roll));
+    let q = held.into_iter().find(|(known, _)| known.index() == best[middle].configuration).expect("it is held").1;
+    let crate::robot::Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!() };
+    let flange = geometry.forward(&geometry.model_angles(&q, limits.third_axis)).translation.vector;
+    let side = |i: usize, aside: f64| [flange[i] + aside - 0.01, flange[i] + aside + 0.01];
+    let beside = |aside: f64| clear_of(&[block(side(0, aside), side(1, -aside), side(2, 0.0))], 0.0);
+    let (mut blocked_nodes, mut blocked_edges, mut led_aside) = (0, 0, 0);
+    for clear_of in worlds().into_iter().chain([beside(0.08), beside(-0.08)]) {
+        let options = MillOptions { clear_of: Some(clear_of), ..options };
+        let question = Question { robot: &robot, arm: &arm, stations: &stations, options: &options };
+        let guard = question.guard(&one).unwrap();
+        let witness = Witness::new(&robot, &one, &clear_of);
+        let mut ladder = every.clone();
+        let at = |held: usize| Arrangement {
+            configuration: Configuration::ALL[held / ROLLS],
+            roll: ladder.grid.roll(held % ROLLS),
+        };
+        let pose = |k: usize| &stations[ladder.rungs[k].at].sample.pose;
+        let agreed = |least: Option<f64>, touches: bool| {
+            let least = least.expect("it is reached");
+            assert!(
+                (least - clear_of.clearance).abs() < LEAST || touches == (least < clear_of.clearance),
+                "{least} of {}: {touches}",
+                clear_of.clearance
+            );
+            !touches
+        };
+        let held = |k: usize| {
+            let errors = &ladder.rungs[k].errors;
+            (0..8 * ROLLS).filter(|held| errors[held / ROLLS][held % ROLLS] < f32::INFINITY).collect::<Vec<_>>()
+        };
+        // The best value of every node, of least error and of least motion, and its joints.
+        let mut last: Vec<(usize, f64)> = Vec::new();
+        for k in 0..ladder.rungs.len() {
+            let mut next = Vec::new();
+            for node in held(k) {
+                let touches = ladder.node_touches(&guard, (k, node)).unwrap();
+                if !agreed(witness.distance(pose(k), at(node)), touches) {
+                    blocked_nodes += 1;
+                    continue;
+                }
+                let error = f64::from(ladder.rungs[k].errors[node / ROLLS][node % ROLLS]);
+                let mut best = if k == 0 { error } else { f64::INFINITY };
+                for (from, value) in &last {
+                    let apart = (from % ROLLS).abs_diff(node % ROLLS);
+                    let is_near = from / ROLLS == node / ROLLS && apart.min(ROLLS - apart) <= 8;
+                    if !is_near || !climb.joins((k - 1, at(*from)), (k, at(node))) {
+                        continue;
+                    }
+                    let mut to = at(node);
+                    to.roll += std::f64::consts::TAU * ((at(*from).roll - to.roll) / std::f64::consts::TAU).round();
+                    let touches = ladder.edge_touches(&guard, (k, *from, node)).unwrap();
+                    if agreed(witness.least([(pose(k - 1), at(*from)), (pose(k), to)]), touches) {
+                        best = best.min(value.max(error));
+                    } else {
+                        blocked_edges += 1;
+                    }
+                }
+                if best < f64::INFINITY {
+                    next.push((node, best));
+                }
+            }
+            last = next;
+        }
+        let expected = last.iter().map(|(_, value)| *value).fold(f64::INFINITY, f64::min);
+        let found = ladder.clear_path(Some(&guard), (Sought::LeastError, f32::MAX, false), Watch::nobody()).unwrap();
+        let Ok((nodes, value)) = found else {
+            assert!(expected == f64::INFINITY, "{expected}");
+            continue;
+        };
+        assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
+        led_aside += usize::from(unasked < value * (1.0 - 1e-6));
+        // What was blocked is given back, and the path of before found again.
+        ladder.unblock();
+        let again = ladder.clear_path(None, (Sought::LeastError, f32::MAX, false), Watch::nobody()).unwrap();
+        assert_eq!(again.unwrap().1, unasked);
+        assert_eq!(nodes.len(), ladder.rungs.len());
+    }
+    assert!(100 < blocked_nodes && 3 <= blocked_edges && 1 <= led_aside, "{blocked_nodes} {blocked_edges} {led_aside}");
+}
+
+/// Ten thousand steps by chance beside boxes by chance, many of them with an asked clearance that their ends keep and what is between does not: where a fine subdivision
+/// finds a touch, the rule finds one, and where all is far from one, it finds none.
+#[test]
+fn no_touch_between_two_samples_is_missed() {
+    let (robot, mut one) = (robot(), stand());
+    one.base_from_part = Pose::identity();
+    let mut rng = fastrand::Rng::with_seed(391);
+    let arm = arm_with_margins(&robot, &one, &with(RollMode::Free)).unwrap();
+    let (mut steps, mut between, mut clear) = (0, 0, 0);
+    let stations = path("line:0.1", KNOWN);
+    while steps < 10_000 {
+        let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+        let tip = Vector3::new(part(1.0, 2.2), part(-0.8, 0.8), part(0.2, 1.5));
+        let centre = tip + Vector3::from_fn(|_, _| part(-0.5, 0.5));
+        let half = part(0.002, 0.1);
+        let side = |i: usize| [centre[i] - half, centre[i] + half];
+        let about = clear_of(&[block(side(0), side(1), side(2))], 0.0);
+        let witness = Witness::new(&robot, &one, &about);
+        for _ in 0..20 {
+            let mut part = |low: f64, high: f64| low + (high - low) * rng.f64();
+            let axis = Vector3::new(part(-0.6, 0.6), part(-0.6, 0.6), 1.0);
+            let from = ToolPose { tip: tip + Vector3::from_fn(|_, _| part(-0.1, 0.1)), axis: axis.normalize() };
+            let moved = Vector3::from_fn(|_, _| part(-0.05, 0.05));
+            let turned = axis + Vector3::new(part(-0.1, 0.1), part(-0.1, 0.1), 0.0);
+            let to = ToolPose { tip: from.tip + moved, axis: turned.normalize() };
+            let roll = part(-3.0, 3.0);
+            let rolls = [roll, roll + part(-0.3, 0.3)];
+            let share = part(0.0, 1.0);
+            let configuration = Configuration::ALL[rng.usize(0..8)];
+            let at = |roll: f64| Arrangement { configuration, roll };
+            let ends = [(from, rolls[0]), (to, rolls[1])];
+            let Some(least) = witness.least([(&from, at(rolls[0])), (&to, at(rolls[1]))]) else { continue };
+            let of_ends = ends.map(|(pose, roll)| witness.distance(&pose, at(roll)).expect("both are reached"));
+            let nearer = of_ends[0].min(of_ends[1]);
+            // Where it comes nearer in between than at the ends, what is asked lies between these two.
+            let clearance = if least < nearer { least + share * (nearer - least) } else { nearer * share };
+            if !(0.0 <= clearance) {
+                continue;
+            }
+            let options = MillOptions { clear_of: Some(ClearOf { clearance, ..about }), ..with(RollMode::Free) };
+            let question = Question { robot: &robot, arm: &arm, stations: &stations, options: &options };
+            let guard = question.guard(&one).unwrap();
+            let held = ends.map(|(pose, roll)| guard.theta(1, &pose, at(roll)).unwrap().expect("it is reached"));
+            // As paths are followed: clear of straight postures, and no joint turns far.
+            let is_followed = held.iter().all(|theta| 0.05 < arm.geometry.singular_margin(theta))
+                && (0..6).all(|i| crate::angle::wrapped(held[1][i] - held[0][i]).abs() < 0.5);
+            let [first, last]: [Posed; 2] = held.map(|theta| guard.posed(theta));
+            if !is_followed || guard.touches(&first) || guard.touches(&last) {
+                continue;
+            }
+            steps += 1;
+            let found = guard.between(&Way::Straight { line: 1, configuration, ends }, [&first, &last]).unwrap();
+            let is_free = matches!(found, Between::Free);
+            if least < clearance {
+                assert!(!is_free, "{least} of {clearance}: {from:?} {to:?} {rolls:?}");
+                between += 1;
+            }
+            // Between the places of the subdivision it may come nearer by what it moves there: some mm.
+            if clearance + 5e-3 < least {
+                assert!(is_free, "{least} of {clearance}: {found:?}");
+                clear += 1;
+            }
+        }
+    }
+    assert!(200 < between && 1000 < clear, "{between} {clear}");
+}
+
+/// No point of what a joint moves is farther from its axis than is said, at postures by chance.
+#[test]
+fn what_hangs_on_a_joint_is_no_farther_from_its_axis_than_is_said() {
+    let (robot, one) = (robot(), stand());
+    let crate::robot::Arm::SixAxis { geometry, .. } = &robot.arm else { unreachable!() };
+    let farthest = ThickArm::new(&robot, &one.flange_from_tool, None).unwrap().farthest();
+    let mut rng = fastrand::Rng::with_seed(392);
+    let mut most = [0.0_f64; 6];
+    for _ in 0..2000 {
+        let theta: [f64; 6] = std::array::from_fn(|_| 6.3 * (rng.f64() - 0.5));
+        let tip = (geometry.forward(&theta) * one.flange_from_tool).translation.vector;
+        let flange = geometry.forward(&theta).translation.vector;
+        for (i, (axis, through)) in geometry.axes(&theta).into_iter().enumerate() {
+            for point in [tip, flange] {
+                most[i] = most[i].max((point - through).cross(&axis).norm());
+            }
+        }
+    }
+    for i in 0..6 {
+        // The radii of the capsules are some decimetres; links by chance are seldom all stretched out.
+        assert!(most[i] < farthest[i] && farthest[i] < 1.3 * most[i] + 0.4, "{i}: {} {}", most[i], farthest[i]);
+    }
+}
+
+/// A box stands where the spindle would turn: another roll is taken, and nothing is touched. Where it leaves no roll, the path of before is told
+/// with what it touches. By hand: tools that stand upright in a floor that is raised.
+#[test]
+fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
+    let (robot, one) = (robot(), stand());
+    let stations = path("line:0.2", KNOWN);
+    let before = followed(&one, &stations, &with(RollMode::Free));
+    assert_eq!(before.clearance, None);
+    let tell = |clear_of: ClearOf, roll: RollMode| {
+        let found = followed(&one, &stations, &MillOptions { clear_of: Some(clear_of), ..with(roll) });
+        let told = found.clearance.clone().expect("it was asked");
+        (found, told)
+    };
+    // With nothing about, all stays as it was.
+    let (found, told) = tell(clear_of(&[], 0.0), RollMode::Free);
+    assert_eq!((found.samples, &told.contacts), (before.samples.clone(), &Vec::new()));
+    // A box that reaches 20 mm into the wrist of the middle sample of the best constant roll, from one side or the other.
+    let constant = followed(&one, &stations, &with(RollMode::Constant));
+    let crate::robot::Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!() };
+    let joints = constant.samples[stations.len() / 2].joints;
+    let flange = geometry.forward(&geometry.model_angles(&joints, limits.third_axis)).translation.vector;
+    let tip = one.base_from_part * Point3::from(stations[stations.len() / 2].sample.pose.tip);
+    let away = Vector3::z().cross(&(flange - tip.coords)).normalize();
+    let there = [1.0, -1.0].map(|which| {
+        let centre = flange + away * (which * (robot.thickness().0.wrist - 0.02));
+        let side = |i: usize| [centre[i] - 0.01, centre[i] + 0.01];
+        clear_of(&[block(side(0), side(1), side(2))], 0.01)
+    });
+    let there = there.into_iter().find(|there| tell(*there, RollMode::Constant).1.contacts.is_empty());
+    let there = there.expect("a side from which another roll leads");
+    for roll in [RollMode::Free, RollMode::Constant, RollMode::Linear] {
+        let (found, told) = tell(there, roll);
+        assert!(told.contacts.is_empty() && 0.01 <= told.nearest.unwrap().distance, "{roll:?}: {told:?}");
+        assert!(before.lower_bound * (1.0 - 1e-9) <= found.worst.0 && found.lower_bound <= found.worst.0);
+        let witness = Witness::new(&robot, &one, &there);
+        for i in 1..stations.len() {
+            let end = |i: usize| (&stations[i].sample.pose, found.samples[i].arrangement);
+            assert!(0.01 <= witness.least([end(i - 1), end(i)]).unwrap(), "{roll:?}: {i}");
+        }
+    }
+    // The roll of before touches it, and says where.
+    let at = constant.samples[0].arrangement.roll;
+    let (_, told) = tell(there, RollMode::Fixed(at));
+    let deepest = |told: &PathClearance| *told.contacts.iter().max_by(|a, b| a.depth.total_cmp(&b.depth)).unwrap();
+    let contact = deepest(&told);
+    assert_eq!(contact.to, Obstacle::KeepOut(1), "{contact:?}");
+    assert!(0.01 < contact.depth, "{contact:?}");
+    assert!((told.nearest.unwrap().distance - (0.01 - contact.depth)).abs() < 1e-12);
+    // A floor above the tip: no roll helps, and all of the path touches.
+    let flooded = ClearOf { clearance: 0.0, cell: None, floor: Some(0.65) };
+    let (found, told) = tell(flooded, RollMode::Free);
+    assert!(found.worst.0 <= before.worst.0 * (1.0 + 1e-9) && found.touches());
+    // By hand: the upper arm reaches down from the joint-2 axis by its radius, at every sample.
+    let contact = deepest(&told);
+    assert!(told.contacts.len() == 1 && contact.to == Obstacle::Floor && contact.link == Link::UpperArm, "{told:?}");
+    let by_hand = 0.65 - (geometry.c1 - robot.thickness().0.upper_arm);
+    assert!((contact.depth - by_hand).abs() < 1e-9, "{} {by_hand}", contact.depth);
+    assert!((told.nearest.unwrap().distance + contact.depth).abs() < 1e-12);
+}
