@@ -90,13 +90,11 @@ impl Sources {
     /// # Errors
     /// Where there is none, or the file is not read.
     pub fn text(&self, name: &str) -> Result<Cow<'_, str>, AskError> {
-        match self.at_hand(name) {
-            Some(text) => Ok(text.into()),
-            None => {
-                self.check_disk(name)?;
-                Ok(files::text(Path::new(name))?.into())
-            }
+        if let Some(text) = self.at_hand(name) {
+            return Ok(text.into());
         }
+        self.check_disk(name)?;
+        Ok(files::text(Path::new(name))?.into())
     }
 
     /// A text that came along.
@@ -137,13 +135,11 @@ impl Sources {
     /// Where there is no such file, or it has faults.
     pub fn robot(&self, name: &Path) -> Result<Loaded, AskError> {
         let told = name.to_string_lossy();
-        match self.at_hand(&told) {
-            Some(text) => Ok(files::load_text(text, name)?),
-            None => {
-                self.check_disk(&told)?;
-                Ok(files::load(name)?)
-            }
+        if let Some(text) = self.at_hand(&told) {
+            return Ok(files::load_text(text, name)?);
         }
+        self.check_disk(&told)?;
+        Ok(files::load(name)?)
     }
 
     /// What is asked of one of two setups, which may be a job file.
@@ -169,13 +165,11 @@ impl Sources {
     /// # Errors
     /// Where there is none.
     pub fn open(&self, name: &str) -> Result<Box<dyn BufRead + '_>, AskError> {
-        match self.at_hand(name) {
-            Some(text) => Ok(Box::new(text.as_bytes())),
-            None => {
-                self.check_disk(name)?;
-                Ok(Box::new(BufReader::new(files::open(Path::new(name))?)))
-            }
+        if let Some(text) = self.at_hand(name) {
+            return Ok(Box::new(text.as_bytes()));
         }
+        self.check_disk(name)?;
+        Ok(Box::new(BufReader::new(files::open(Path::new(name))?)))
     }
 
     /// Hands over the moves of a toolpath, as [`read_toolpath`].

@@ -12,6 +12,9 @@ use super::Context;
 use crate::ask::AskError;
 
 /// The one robot that a name or path means.
+///
+/// # Errors
+/// Where there is none, or its file has faults.
 pub fn robot(name: &str, context: Context) -> Result<Robot, AskError> {
     if let Some(robot) = context.sources.robots_named(name).next() {
         return Ok(robot.clone());
@@ -27,6 +30,9 @@ pub fn robot(name: &str, context: Context) -> Result<Robot, AskError> {
 }
 
 /// All robots that some of the names, patterns, files and folders mean, each once, in the order given.
+///
+/// # Errors
+/// Where one of them means nothing, or a file has faults.
 pub fn robots(wanted: &[String], context: Context) -> Result<Vec<Robot>, AskError> {
     let (mut found, mut seen): (Vec<Found>, HashSet<&str>) = (Vec::new(), HashSet::new());
     for name in wanted.iter().map(|name| name.trim()).filter(|name| seen.insert(name)) {
@@ -41,6 +47,9 @@ pub fn robots(wanted: &[String], context: Context) -> Result<Vec<Robot>, AskErro
 }
 
 /// Those that have all that is asked for, in their order.
+///
+/// # Errors
+/// Where none has.
 pub fn keep(robots: Vec<Robot>, asked: &Request, words: &[String]) -> Result<Vec<Robot>, AskError> {
     let typed = |key: &str| format!("--{}", key.replace('_', "-"));
     let nothing = |NothingLeft { asked, of, hint }| AskError::NothingLeft { asked, of, hint };
@@ -104,7 +113,10 @@ fn matching(name: &str, context: Context) -> Result<Vec<Found>, AskError> {
     if found.is_empty() { Err(AskError::NoRobot(name.into())) } else { Ok(found) }
 }
 
-/// Reads and checks one robot file; a URDF is imported as it stands, and what was chosen in that is said on stderr.
+/// Reads and checks one robot file; a URDF is imported as it stands, and what was chosen in that is said.
+///
+/// # Errors
+/// Where it is not read, or has faults.
 pub fn read_file(path: &Path, context: Context) -> Result<Robot, AskError> {
     let Loaded { robot, notes } = context.sources.robot(path)?;
     for note in &notes {

@@ -1,8 +1,8 @@
 //! From which depth on a cut swings, over the speed of the spindle, with the interval and the cut itself.
 
+use crate::answer::ChatterAnswer;
 use stiffarm::chatter::{Edge, LONGEST};
 use stiffarm::palette::{DEFLECTION, FORCE, INK};
-use crate::answer::ChatterAnswer;
 
 use super::Plate;
 use super::axes::{Axis, Frame, heading};

@@ -1,4 +1,4 @@
-//! Figures for reports: SVG text, and PNG made from that very text; a view in space as HTML.
+//! Figures as SVG text; a view in space as HTML.
 //!
 //! The SVG is written directly: filled contours need clip paths and rings with holes, lines need dashes, and a layout
 //! without overlaps needs the true widths of its texts.
@@ -52,4 +52,10 @@ pub enum FigureError {
     /// There is nothing to draw.
     #[error("{0}")]
     Nothing(&'static str),
+}
+
+/// Can it be drawn?
+#[cfg(test)]
+fn is_svg(text: &str) -> bool {
+    resvg::usvg::Tree::from_str(text, &resvg::usvg::Options::default()).is_ok()
 }

@@ -23,6 +23,9 @@ pub struct Plate {
 
 impl Plate {
     /// As it was asked for.
+    ///
+    /// # Errors
+    /// Where the range is none.
     pub fn of(asked: &Request) -> Result<Self, Refusal> {
         let scale = if asked.verb.setting("scale").is_some() { asked.scale()? } else { None };
         Ok(Self { width_mm: asked.width_mm(), scale })

@@ -275,7 +275,7 @@ fn draw_legends(canvas: &mut Canvas, panels: &[Panel], styles: &[Style], mut y: 
 
 #[cfg(test)]
 mod tests {
-    use super::super::png;
+    use super::super::is_svg;
     use super::*;
 
     fn curve(robot: &str, points: &[(f64, f64)]) -> Curve {
@@ -317,7 +317,7 @@ mod tests {
                 .collect(),
         ];
         for panels in &cases {
-            assert!(png(&svg(&long, panels, &Plate::default()).unwrap(), 0.5).is_ok());
+            assert!(is_svg(&svg(&long, panels, &Plate::default()).unwrap()));
         }
     }
 

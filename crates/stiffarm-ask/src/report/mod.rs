@@ -89,6 +89,7 @@ impl Section {
     }
 
     /// The same at the top of a page.
+    #[must_use]
     pub fn on_new_page(self) -> Self {
         Self { on_new_page: true, ..self }
     }
