@@ -2772,7 +2772,7 @@ class Lobe(TypedDict):
     """Speed of the spindle."""
 
     depth_mm: float | None
-    """The least axial depth that swings at a speed; null where none up to 300 mm does."""
+    """By how much that is nearer than what was to be kept; where nothing was, how deep they overlap."""
 
     depth_mm_p05: float | None
     """Five of a hundred such robots swing at less; null beyond 300 mm, and where teeth are counted one by one."""
