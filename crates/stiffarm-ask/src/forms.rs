@@ -11,7 +11,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use crate::answer::{Rows, Table};
-use crate::ask::AskError;
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::view3d::View;
 use crate::report::Report;

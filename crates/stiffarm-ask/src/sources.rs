@@ -16,7 +16,7 @@ use stiffarm::toolpath::{self, Builtin, Format, Move, ReadOptions, Understood, r
 use stiffarm::watch::Stopped;
 
 use self::target::{is_same, target};
-use crate::ask::AskError;
+use crate::error::AskError;
 use crate::request::{Request, Spelling, job};
 
 /// What holds the robots and texts that are named: first what came along, then the disks of this machine where they may be read.

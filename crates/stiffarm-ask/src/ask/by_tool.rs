@@ -10,10 +10,10 @@ use stiffarm::program::Language;
 use stiffarm::toolpath::Understood;
 use stiffarm::watch::Watch;
 
-use super::Context;
+use super::context::Context;
+use super::context::process_of;
 use super::path::all_moves;
-use super::process_of;
-use crate::ask::AskError;
+use crate::error::AskError;
 use crate::forms::{Answer, Forms, Piece, pretty};
 
 pub(crate) struct ByToolOutput {

@@ -7,8 +7,10 @@ use stiffarm::catalogue::files;
 use stiffarm::chatter::chatter;
 
 use super::compliance::remarks;
-use super::{AskError, Context, process_of, selection};
+use super::context::{Context, process_of};
+use super::selection;
 use crate::answer::{ChatterAnswer, Rows};
+use crate::error::AskError;
 use crate::figures::{Plate, lobes};
 use crate::forms::{Answer, Forms, Piece, pretty};
 use crate::request::Request;

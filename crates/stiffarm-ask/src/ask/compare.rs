@@ -8,9 +8,9 @@ use crate::request::Request;
 use stiffarm::model::ModelKind;
 use stiffarm::robot::Robot;
 
-use super::Context;
+use super::context::Context;
 use super::place::PlaceOutput;
-use crate::ask::AskError;
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::compare::CompareFigure;
 use crate::forms::{Answer, Forms, Piece, pretty};

@@ -12,8 +12,8 @@ use stiffarm::palette::{DEFLECTION, FORCE, WORST_DIRECTION};
 use stiffarm::robot::Robot;
 use stiffarm::spatial::Pose;
 
-use super::Context;
-use crate::ask::AskError;
+use super::context::Context;
+use crate::error::AskError;
 use crate::figures::view3d::{ArmMark, Arrow, View};
 use crate::forms::{Answer, Forms, Piece, pretty};
 

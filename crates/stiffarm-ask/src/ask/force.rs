@@ -7,9 +7,9 @@ use crate::answer::{CuttingAnswer, Rows};
 use crate::request::Request;
 use stiffarm::catalogue::files;
 
-use super::Context;
-use super::process_of;
-use crate::ask::AskError;
+use super::context::Context;
+use super::context::process_of;
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::hodograph::Hodograph;
 use crate::forms::{Answer, Forms, Piece, pretty};

@@ -7,15 +7,16 @@ use crate::request::Request;
 use stiffarm::catalogue::measurements;
 use stiffarm::identify::identify;
 
-use super::Context;
-use crate::ask::AskError;
+use super::context::Context;
+use super::reports::{self, Inputs};
+use crate::error::AskError;
 use crate::figures::{Plate, identify as figure};
 use crate::forms::{Answer, Forms, Piece, pretty, sheet};
-use crate::report::{self, Inputs, Report};
+use crate::report::Report;
 
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<IdentifyOutput<'a>, AskError> {
     let robot = super::selection::robot(&asked.robot()?, context)?;
-    let (measured, data) = super::table_of(&asked.data()?, (asked, context), measurements::read)?;
+    let (measured, data) = super::context::table_of(&asked.data()?, (asked, context), measurements::read)?;
     let options = asked.identification();
     let found = context.watched("identifying", |watch| identify(&robot, &measured, &options, watch));
     let found = found.map_err(|error| AskError::Identify { data: data.clone(), error })?;
@@ -63,7 +64,7 @@ impl Answer for IdentifyOutput<'_> {
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
-        Some(report::identify::of(self, self.asked))
+        Some(reports::identify::of(self, self.asked))
     }
 
     fn plate(&self) -> Plate {

@@ -11,9 +11,9 @@ use stiffarm::palette::FORCE;
 use stiffarm::place::{Placement, Within, place_task_watched};
 use stiffarm::watch::Watch;
 
-use super::Context;
+use super::context::Context;
 use super::drawing::{arm, force, scene};
-use crate::ask::AskError;
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::bands::Colours;
 use crate::figures::face::FaceFigure;

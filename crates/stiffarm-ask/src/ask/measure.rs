@@ -7,8 +7,8 @@ use crate::request::Request;
 use stiffarm::catalogue::measurements;
 use stiffarm::measure::{MeasureError, compare, over, plan};
 
-use super::Context;
-use crate::ask::AskError;
+use super::context::Context;
+use crate::error::AskError;
 use crate::figures::{Plate, postures};
 use crate::forms::{Answer, Forms, Piece, pretty, sheet};
 
@@ -42,7 +42,7 @@ fn own_runs(
     asked: &Request,
     context: Context,
 ) -> Result<(String, Vec<stiffarm::measure::OwnRun>), AskError> {
-    let (planned, shown) = super::table_of(name, (asked, context), measurements::read_planned)?;
+    let (planned, shown) = super::context::table_of(name, (asked, context), measurements::read_planned)?;
     Ok((shown, stiffarm::measure::own(&planned)))
 }
 

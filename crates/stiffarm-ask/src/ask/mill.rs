@@ -12,16 +12,17 @@ use stiffarm::program::Language;
 use stiffarm::toolpath::{Builtin, Format, Original, Understood};
 use stiffarm::watch::Watch;
 
-use super::Context;
+use super::context::Context;
 use super::drawing;
 use super::path::{all_moves, read_process_of};
-use crate::ask::AskError;
+use super::reports::{self, Inputs};
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Sheet, View, Zone};
 use crate::forms::{Answer, Forms, Piece, pretty};
-use crate::report::{self, Inputs, Report};
+use crate::report::Report;
 
 /// Places along the path of which the map of rolls shows every roll.
 const MAPPED: usize = 360;
@@ -189,7 +190,7 @@ impl Answer for MillOutput<'_> {
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
-        Some(report::mill::of(self, self.asked))
+        Some(reports::mill::of(self, self.asked))
     }
 
     fn plate(&self) -> Plate {

@@ -6,9 +6,9 @@ use crate::answer::{ModesAnswer, Rows};
 use crate::request::Request;
 use stiffarm::modes::modes;
 
-use super::Context;
 use super::compliance::remarks;
-use crate::ask::AskError;
+use super::context::Context;
+use crate::error::AskError;
 use crate::forms::{Answer, Forms, Piece, pretty};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ModesOutput, AskError> {

@@ -8,8 +8,9 @@ use stiffarm::catalogue::{ProcessFile, files};
 use stiffarm::toolpath::{Move, Survey, Understood};
 use stiffarm::watch::Stopped;
 
-use super::{AskError, Context, process_of};
+use super::context::{Context, process_of};
 use crate::answer::{PathAnswer, Rows};
+use crate::error::AskError;
 use crate::forms::{Answer, Forms, Piece, pretty};
 use crate::request::Request;
 

@@ -9,13 +9,15 @@ use stiffarm::robot::Status;
 use stiffarm::toolpath::Understood;
 use stiffarm::watch::Watch;
 
+use super::context::Context;
 use super::path::{all_moves, read_process_of};
-use super::{Context, selection};
-use crate::ask::AskError;
+use super::reports::{self, Inputs};
+use super::selection;
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::forms::{Answer, Forms, Piece, pretty};
-use crate::report::{self, Inputs, Report};
+use crate::report::Report;
 
 /// More bars are not told apart on one page.
 const MOST_BARS: usize = 60;
@@ -112,7 +114,7 @@ impl Answer for PathRankOutput<'_> {
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
-        Some(report::path_ranking::of(self, self.asked))
+        Some(reports::path_ranking::of(self, self.asked))
     }
 
     fn plate(&self) -> Plate {

@@ -12,17 +12,18 @@ use stiffarm::place::{Placed, Placement, SpaceHold, ZonePoint, deflection_field,
 use stiffarm::robot::Robot;
 use stiffarm::watch::Watch;
 
-use super::Context;
+use super::context::Context;
+use super::context::under_process;
 use super::map::Drawn;
-use super::under_process;
-use crate::ask::AskError;
+use super::reports::{self, Inputs};
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::face::FaceFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
 use crate::forms::{Answer, Forms, Piece, pretty};
-use crate::report::{self, Inputs, Report};
+use crate::report::Report;
 
 /// Points along the longer side of the map that is drawn, in the arm plane and in space.
 const FIGURE_SIZE: [usize; 2] = [400, 300];
@@ -292,7 +293,7 @@ impl Answer for PlaceOutput {
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
-        Some(report::place::of(self, &self.asked))
+        Some(reports::place::of(self, &self.asked))
     }
 
     fn plate(&self) -> Plate {

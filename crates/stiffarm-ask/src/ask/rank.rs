@@ -13,14 +13,15 @@ use stiffarm::rank::{Ranking, curves, rank};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::task::{Task, Zone};
 
-use super::Context;
-use super::under_process;
-use crate::ask::AskError;
+use super::context::Context;
+use super::context::under_process;
+use super::reports::{self, Inputs};
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::figures::ranking::{self, Curve, Panel};
 use crate::forms::{Answer, Forms, Piece, pretty};
-use crate::report::{self, Inputs, Report};
+use crate::report::Report;
 
 /// Sizes along each curve of the figure.
 const CURVE_POINTS: usize = 40;
@@ -243,7 +244,7 @@ impl Answer for RankOutput<'_> {
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
-        Some(report::rank::of(self, self.asked))
+        Some(reports::rank::of(self, self.asked))
     }
 
     fn plate(&self) -> Plate {

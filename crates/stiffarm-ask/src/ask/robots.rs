@@ -6,9 +6,10 @@ use serde_json::Value;
 use stiffarm::catalogue;
 use stiffarm::robot::Robot;
 
-use super::{AskError, selection};
+use super::selection;
 use crate::answer::Rows;
 use crate::answer::robot::{list, notes, sheet, table};
+use crate::error::AskError;
 use crate::forms::{Answer, Forms, Piece, pretty};
 use crate::request::Request;
 

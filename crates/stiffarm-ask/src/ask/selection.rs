@@ -8,8 +8,8 @@ use stiffarm::catalogue::files::{Loaded, shown};
 use stiffarm::catalogue::{self, NothingLeft, paper_robots, suggestions};
 use stiffarm::robot::Robot;
 
-use super::Context;
-use crate::ask::AskError;
+use super::context::Context;
+use crate::error::AskError;
 
 /// The one robot that a name or path means.
 ///

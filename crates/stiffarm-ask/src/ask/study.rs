@@ -6,8 +6,8 @@ use crate::answer::{Rows, StudyAnswer};
 use crate::request::Request;
 use stiffarm::study::{StudyOptions, study, study_watched};
 
-use super::Context;
-use crate::ask::AskError;
+use super::context::Context;
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::study::{self as figure_of, StudyCurve, StudyMark, StudyPanel};
 use crate::forms::{Answer, Forms, Piece, pretty};

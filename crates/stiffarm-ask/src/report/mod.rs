@@ -4,29 +4,9 @@
 //! sentence and every number is what `answer` tells, every picture one of `figures`.
 
 pub(crate) mod html;
-pub(crate) mod identify;
-mod inputs;
-pub(crate) mod mill;
-pub(crate) mod path_ranking;
-pub(crate) mod place;
-pub(crate) mod rank;
-mod robots;
+pub(crate) mod robots;
 
-use std::path::Path;
-
-use crate::answer::{HOLDS, Headline, ON_TOP, Table};
-use crate::request::{Request, job};
-pub(crate) use inputs::Inputs;
-
-use crate::ask::AskError;
-use crate::date::today;
-use crate::figures::Plate;
-
-/// How wide figures are laid out: within the margins of A4, mm.
-const WIDTH_MM: f64 = 174.0;
-
-/// So many letters of a command stand side by side on a page.
-const CODE_LETTERS: usize = 92;
+use crate::answer::{Headline, Table};
 
 /// A document.
 pub struct Report {
@@ -129,37 +109,4 @@ impl Report {
         let blocks = self.sections.iter().flat_map(|section| &section.blocks);
         blocks.filter_map(|block| if let Block::Figure(one) = block { Some(one) } else { None })
     }
-}
-
-/// How figures of a report are laid out; the range of the colours is that which was asked for.
-pub fn plate(asked: Plate) -> Plate {
-    Plate { width_mm: Some(WIDTH_MM), ..asked }
-}
-
-/// What a verdict is about, and how large what it is not about usually is; nothing where there is no tolerance.
-fn meaning(asked: &Request) -> Option<Section> {
-    asked.tolerance_mm()?;
-    let mut section = Section::new("What \"holds\" means");
-    section.text(HOLDS);
-    section.notes(ON_TOP);
-    Some(section)
-}
-
-/// Who says this, when, of which files, and how it is asked again: the last part of every report.
-///
-/// # Errors
-/// Where a file is no longer there.
-fn repeated(asked: &Request, inputs: &Inputs) -> Result<Section, AskError> {
-    let mut section = Section::new("To ask the same again");
-    section.text(format!("Computed on {} (UTC) by stiffarm {}.", today(), env!("CARGO_PKG_VERSION")));
-    if let Some(files) = inputs.files()? {
-        section
-            .text("Files that it rests on, with their digests; what was not read from a file comes with the program:");
-        section.table(files);
-    }
-    section.text("The same numbers come from this command, in the folder in which it was asked:");
-    section.blocks.push(Block::Code(asked.command_in_lines(CODE_LETTERS)));
-    section.text("or from this job file, job.toml, in that folder:");
-    section.blocks.push(Block::Code(job::write(asked, &[], Path::new("job.toml"))));
-    Ok(section)
 }

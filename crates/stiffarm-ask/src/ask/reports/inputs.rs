@@ -10,9 +10,9 @@ use sha2::{Digest, Sha256};
 use stiffarm::catalogue::files::{Unreadable, Why};
 use stiffarm::catalogue::{ProcessFile, files, find, read_process_beside};
 
-use super::Section;
-use crate::ask::AskError;
-use crate::ask::Context;
+use crate::ask::context::Context;
+use crate::error::AskError;
+use crate::report::Section;
 use crate::sources::Sources;
 
 /// Files that were named with a question, and where they are.

@@ -3,12 +3,14 @@
 use crate::answer::MillAnswer;
 use crate::request::Request;
 
-use super::robots::provenance_of;
-use super::{Report, Section, meaning, place, plate, repeated};
-use crate::ask::AskError;
+use super::place;
+use super::said::{meaning, plate, repeated};
 use crate::ask::mill::{MillOutput, rolls};
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
+use crate::report::robots::provenance_of;
+use crate::report::{Report, Section};
 
 /// The document.
 ///

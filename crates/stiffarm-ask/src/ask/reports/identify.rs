@@ -2,11 +2,12 @@
 
 use crate::request::Request;
 
-use super::robots::provenance_of;
-use super::{Block, Report, Section, plate, repeated};
-use crate::ask::AskError;
+use super::said::{plate, repeated};
 use crate::ask::identify::IdentifyOutput;
+use crate::error::AskError;
 use crate::figures::identify as figure;
+use crate::report::robots::provenance_of;
+use crate::report::{Block, Report, Section};
 
 /// The document.
 ///

@@ -8,12 +8,14 @@ use stiffarm::rank::{Ranking, Row};
 use stiffarm::study::{StudyOptions, study};
 use stiffarm::task::Task;
 
-use super::robots::provenance;
-use super::{Block, Listing, Report, Section, meaning, place, plate, repeated};
-use crate::ask::AskError;
+use super::place;
+use super::said::{meaning, plate, repeated};
 use crate::ask::place::PlaceOutput;
 use crate::ask::rank::{RankOutput, shapes};
 use crate::ask::study::StudyOutput;
+use crate::error::AskError;
+use crate::report::robots::provenance;
+use crate::report::{Block, Listing, Report, Section};
 
 /// So many robots have a part of their own.
 const MOST_PARTS: usize = 10;

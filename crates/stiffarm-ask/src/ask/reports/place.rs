@@ -4,12 +4,13 @@ use crate::answer::{Siting, Table};
 use crate::request::Request;
 use stiffarm::model::ModelKind;
 
-use super::robots::provenance_of;
-use super::{Report, Section, meaning, plate, repeated};
-use crate::ask::AskError;
+use super::said::{meaning, plate, repeated};
 use crate::ask::place::PlaceOutput;
+use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::shop::ShopFigure;
+use crate::report::robots::provenance_of;
+use crate::report::{Report, Section};
 
 /// The document.
 ///

@@ -3,10 +3,12 @@
 use crate::answer::MillAnswer;
 use crate::request::Request;
 
-use super::robots::provenance;
-use super::{Block, Listing, Report, Section, meaning, mill, plate, repeated};
-use crate::ask::AskError;
+use super::mill;
+use super::said::{meaning, plate, repeated};
 use crate::ask::path_ranking::PathRankOutput;
+use crate::error::AskError;
+use crate::report::robots::provenance;
+use crate::report::{Block, Listing, Report, Section};
 
 /// So many robots have a part of their own.
 const MOST_PARTS: usize = 10;
