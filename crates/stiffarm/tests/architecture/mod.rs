@@ -13,7 +13,18 @@ use source::{Uses, tokens, uses};
 const BELOW: [(&str, &str, &str); 0] = [];
 
 /// Files of one module that use each other all the same, and why. What is no longer so must go from here.
-const CIRCLES: [(&[&str], &str); 0] = [];
+const CIRCLES: [(&[&str], &str); 7] = [
+    (&["ask::identify", "ask::reports::identify"], REPORTED),
+    (&["ask::mill", "ask::reports::mill"], REPORTED),
+    (&["ask::path_ranking", "ask::reports::path_ranking"], REPORTED),
+    (&["ask::place", "ask::reports::place"], REPORTED),
+    (&["ask::rank", "ask::reports::rank"], REPORTED),
+    (&["figures::contour", "figures::stairs"], "a contour is led around the steps of its cells, which know its levels"),
+    (&["figures::view3d::solids", "figures::view3d::traces"], "a solid is a trace, and traces are told together"),
+];
+
+/// An answer is asked for its report, which is made of the answer and its figures.
+const REPORTED: &str = "an answer makes its report, and a report is made of its answer";
 
 /// The library, and what is asked of it and answered: the second uses the first, so their modules have one order.
 const CRATES: [&str; 2] =
