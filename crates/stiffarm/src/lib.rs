@@ -27,7 +27,7 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, `frontier`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
-//! [`geometry`], [`body`], [`mass`], [`drive`], [`plane`], [`calibration`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], `registration`, [`verify`], [`calibrate`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
+//! [`geometry`], [`body`], [`mass`], [`drive`], [`plane`], [`calibration`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`chain`], [`compliance`], [`identify`], `registration`, [`verify`], [`calibrate`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`modes`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`]. Each uses only those before it.
 //!
 //! # What is left out
@@ -52,6 +52,7 @@ pub mod calibrate;
 pub mod calibration;
 pub mod catalogue;
 pub mod cell;
+pub mod chain;
 pub mod clearance;
 pub mod compliance;
 pub mod cutting;

@@ -179,6 +179,7 @@ impl MillAnswer {
                 lines.push(line("lines over it", format!("{}{more}", told.join(", "))));
             }
         }
+        lines.extend(self.arm_lines());
         lines.extend(self.compensation.iter().flat_map(|compensation| self.compensated_lines(compensation)));
         lines
     }
@@ -228,7 +229,7 @@ impl MillAnswer {
         } else {
             "a robot follows the mean force over a revolution; the teeth cut far more often than it can follow"
         };
-        let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n"));
+        let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n{}", self.arm_note()));
         format!(
             "{holds}all six drives compliant, everything else rigid; {force}\nbetween samples nothing is looked at; collisions of the arm with part, floor and cell are not looked for\n"
         )
