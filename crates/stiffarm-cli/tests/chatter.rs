@@ -71,7 +71,8 @@ fn a_figure_has_units_the_band_and_the_cut() {
     let (ok, _, err) = output(&[&["chatter", PROCESS], ARM, FEED, &["-o", file.to_str().expect("a path")]]);
     assert!(ok, "{err}");
     let svg = fs::read_to_string(file).expect("written");
-    for words in ["speed of the spindle rpm", "axial depth mm", "90 % of draws", "the cut", "spindle modes unknown"] {
+    for words in ["speed of the spindle [rpm]", "axial depth [mm]", "90 % of draws", "the cut", "spindle modes unknown"]
+    {
         assert!(svg.contains(words), "{words}");
     }
 }

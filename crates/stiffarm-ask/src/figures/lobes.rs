@@ -27,17 +27,17 @@ pub(crate) fn svg(answer: &ChatterAnswer, plate: &Plate) -> String {
     let top = heading(&mut canvas, &title, &answer.heading()) + 20.0;
     let points = points(answer);
     let own = [answer.rpm(), found.cut.milling.engagement.depth * 1e3];
-    let told = [found.at_speed.map(|edge: Edge| edge.depth), found.spread.p95];
-    // What lies far above both the cut and its edge must not press them flat.
-    let most = told.into_iter().flatten().fold(own[1], |most, depth| most.max(depth * 1e3));
+    let edge = found.at_speed.map(|edge: Edge| edge.depth * 1e3);
+    // Draws that swing far above both the cut and its edge must not press them flat: the legend says that the band goes on.
+    let most = edge.map_or(own[1], |edge| edge.max(own[1]));
     let last = points.last().map_or(own[0], |point| point.rpm);
     let frame = Frame {
         x: Axis::new(0.0, last, [78.0, canvas.width - 24.0]),
-        y: Axis::new(0.0, 1.25 * most, [top + HEIGHT, top]),
+        y: Axis::new(0.0, 2.5 * most, [top + HEIGHT, top]),
     };
     let entries = draw(&mut canvas, &frame, &points, found.any_speed.map(|edge| edge.depth * 1e3), own);
-    frame.draw(&mut canvas, "speed of the spindle rpm", "axial depth mm");
-    let legend = Legend::new(entries, canvas.width - 80.0, 3);
+    frame.draw(&mut canvas, "speed of the spindle [rpm]", "axial depth [mm]");
+    let legend = Legend::new(entries, canvas.width - 80.0, 2);
     legend.draw(&mut canvas, [40.0, top + HEIGHT + 54.0]);
     canvas.height = top + HEIGHT + 68.0 + legend.height();
     canvas.finish()
@@ -81,7 +81,9 @@ fn draw(canvas: &mut Canvas, frame: &Frame, points: &[Point], any: Option<f64>, 
     let mark = format!(r#"fill="{FORCE}""#);
     canvas.circle(frame.at(rpm, depth), 5.0, &mark);
     if !band.is_empty() {
-        entries.push(Entry::new("90 % of draws", move |canvas, [x, y]| {
+        let goes_on = band.iter().any(|(_, [_, high])| frame.y.to < *high);
+        let what = if goes_on { "90 % of draws; the band goes on above" } else { "90 % of draws" };
+        entries.push(Entry::new(what, move |canvas, [x, y]| {
             canvas.rect([x - 12.0, y - 6.0], [x + 12.0, y + 6.0], &within);
         }));
     }
