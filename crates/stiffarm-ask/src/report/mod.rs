@@ -1,6 +1,6 @@
 //! What is handed on: an answer as a document that a manager understands and an engineer can sign, as HTML and as PDF.
 //!
-//! [`Report`] is the document, [`html`] prints it, and a file a verb makes it of its answer. Nothing is computed here: every
+//! [`Report`] is the document, `html` prints it, and `ask` makes it of an answer. Nothing is computed here: every
 //! sentence and every number is what `answer` tells, every picture one of `figures`.
 
 pub(crate) mod html;
