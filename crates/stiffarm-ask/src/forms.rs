@@ -9,6 +9,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use serde::Serialize;
+use serde_json::Value;
 
 use crate::answer::{Rows, Table};
 use crate::error::AskError;
@@ -58,11 +59,16 @@ pub trait Answer {
         self.text()
     }
 
-    /// For programs; through [`pretty`].
+    /// Its keys and values; of a map without the cells, which are its columns.
+    fn value(&self) -> Value;
+
+    /// For programs, as people can read it, too.
     ///
     /// # Errors
     /// Where `out` takes no more.
-    fn json(&self, out: &mut dyn Write) -> io::Result<()>;
+    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+        pretty(out, &self.value())
+    }
 
     /// For spreadsheets, and as typed columns for data frames.
     fn rows(&self) -> Rows<'_>;
@@ -97,6 +103,14 @@ pub trait Answer {
         None
     }
 
+    /// A picture as SVG, where there is one.
+    fn drawn(&self, what: Drawn) -> Option<Result<String, AskError>> {
+        match what {
+            Drawn::Figure => self.svg(),
+            Drawn::Shop => self.shop(),
+        }
+    }
+
     /// What was asked of the figure alone.
     fn plate(&self) -> Plate {
         Plate::default()
@@ -106,6 +120,22 @@ pub trait Answer {
     fn view(&self) -> Option<Result<View, AskError>> {
         None
     }
+
+    /// What a figure shows that someone else draws, with so many points along the longer side of a map that is made for it.
+    fn sketch(&self, _points: usize) -> Option<Result<Sketch, AskError>> {
+        None
+    }
+}
+
+/// What a figure shows beside the answer, for whoever draws it with tools of their own.
+#[derive(Clone, Debug)]
+pub struct Sketch {
+    /// Title, arm, and what else stands at one place.
+    pub shown: Value,
+    /// The rows and columns of a map.
+    pub shape: [usize; 2],
+    /// Its cells by the key of each layer, row by row; NaN where nothing is reached.
+    pub layers: Vec<(&'static str, Vec<f64>)>,
 }
 
 /// Tables one below the other, and what stands below them.
@@ -164,6 +194,40 @@ pub enum Drawn {
 }
 
 impl Form {
+    /// The text of an answer in this form; nothing of tables, pixels and pages, which need more than the answer.
+    ///
+    /// # Errors
+    /// Where there is nothing to draw or to write, and why.
+    pub fn text(&self, answer: &dyn Answer) -> Result<Option<Vec<u8>>, AskError> {
+        let nothing = || AskError::Figure("there is nothing to draw".into());
+        let made = |text: Option<Result<String, AskError>>| text.ok_or_else(nothing)?.map(String::into_bytes);
+        Ok(Some(match self {
+            Self::Json => {
+                let mut text = Vec::new();
+                answer.json(&mut text).expect("memory takes every byte");
+                text
+            }
+            Self::RobotFile => answer.robot_file().unwrap_or_default().into_bytes(),
+            Self::Svg(what) => made(answer.drawn(*what))?,
+            Self::View => made(answer.view().map(|view| view.map(|view| view.html())))?,
+            Self::Report => made(answer.report().map(|report| report.map(|report| report.html())))?,
+            Self::Program(ending) => answer.program(ending).transpose()?.unwrap_or_default(),
+            Self::Csv | Self::Parquet | Self::Md | Self::Txt | Self::Png(_) | Self::Pdf(_) | Self::PrintedReport => {
+                return Ok(None);
+            }
+        }))
+    }
+
+    /// It is made of the answer alone.
+    pub fn is_text(&self) -> bool {
+        match self {
+            Self::Json | Self::RobotFile | Self::Svg(_) | Self::View | Self::Report | Self::Program(_) => true,
+            Self::Csv | Self::Parquet | Self::Md | Self::Txt | Self::Png(_) | Self::Pdf(_) | Self::PrintedReport => {
+                false
+            }
+        }
+    }
+
     /// It is looked at, so that the table is printed beside it.
     pub fn is_picture(&self) -> bool {
         matches!(self, Self::Svg(_) | Self::Png(_) | Self::Pdf(_) | Self::View | Self::Report | Self::PrintedReport)

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
+use stiffarm::catalogue;
 use stiffarm::catalogue::files::{self, Loaded, shown};
 use stiffarm::robot::Robot;
 use stiffarm::toolpath::{self, Builtin, Format, Move, ReadOptions, Understood, read_toolpath};
@@ -22,7 +23,8 @@ use crate::request::{Request, Spelling, job};
 /// What holds the robots and texts that are named: first what came along, then the disks of this machine where they may be read.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
-    robots: Vec<Robot>,
+    /// Under the names by which they are meant.
+    robots: BTreeMap<String, Robot>,
     texts: BTreeMap<String, String>,
     disk: Option<Disk>,
 }
@@ -45,10 +47,11 @@ impl Sources {
         Self { texts, ..Self::default() }
     }
 
-    /// The same with robots that are at hand: their names mean them.
+    /// The same with a robot that is at hand, meant by this name whatever it is called.
     #[must_use]
-    pub fn with_robots(self, robots: Vec<Robot>) -> Self {
-        Self { robots, ..self }
+    pub fn with_robot(mut self, name: &str, robot: Robot) -> Self {
+        self.robots.insert(name.into(), robot);
+        self
     }
 
     /// The same with a text that is at hand.
@@ -58,9 +61,20 @@ impl Sources {
         self
     }
 
-    /// The robots at hand that have this name.
-    pub fn robots_named<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a Robot> {
-        self.robots.iter().filter(move |robot| robot.name == name)
+    /// The robot at hand that this name means.
+    pub fn robot_named(&self, name: &str) -> Option<&Robot> {
+        self.robots.get(name)
+    }
+
+    /// Names of which a command line knows nothing: robots and texts that came along where there is a disk, too.
+    pub fn nowhere_else(&self) -> Vec<&str> {
+        if self.disk.is_none() {
+            return Vec::new();
+        }
+        let is_own =
+            |(name, robot): &(&String, &Robot)| catalogue::find(name).is_none_or(|entry| entry.robot() != **robot);
+        let robots = self.robots.iter().filter(is_own).map(|(name, _)| name.as_str());
+        robots.chain(self.texts.keys().map(String::as_str)).collect()
     }
 
     /// Refuses what is written, under whatever name.
@@ -152,7 +166,7 @@ impl Sources {
                 let reader = Spelling::Key { file: shown(Path::new(name)), line: None };
                 Ok(asked.of_job(job::read_sent(text, name)?, reader)?)
             }
-            None if self.disk.is_some() && self.robots_named(name).next().is_none() => {
+            None if self.disk.is_some() && self.robot_named(name).is_none() => {
                 self.check_unwritten(Path::new(name.trim()))?;
                 Ok(asked.of_setup(name)?)
             }
@@ -211,6 +225,16 @@ mod tests {
         }
         let here = Sources::disk(Vec::new());
         assert!(here.holds("Cargo.toml") && here.folder("src").is_some(), "they are there");
+    }
+
+    #[test]
+    fn what_a_command_line_does_not_know_is_named() {
+        let usual = catalogue::find("BT200L").unwrap().robot();
+        let softer = catalogue::with_compliance(&usual, [2.0; 6]).unwrap();
+        let sources = Sources::disk(Vec::new()).with_robot("BT200L", usual).with_robot("BT200L (2)", softer.clone());
+        assert_eq!(sources.nowhere_else(), ["BT200L (2)"]);
+        let sources = sources.with_robot("BT200L", softer).with_text("the data frame", String::new());
+        assert_eq!(sources.nowhere_else(), ["BT200L", "BT200L (2)", "the data frame"]);
     }
 
     #[test]

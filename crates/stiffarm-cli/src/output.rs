@@ -8,7 +8,7 @@ use atomic_write_file::AtomicWriteFile;
 use stiffarm::plain::on_its_lines;
 use stiffarm_ask::answer::Rows;
 use stiffarm_ask::ask::AskError;
-use stiffarm_ask::forms::{Answer, Drawn, Form, Forms};
+use stiffarm_ask::forms::{Answer, Form, Forms};
 use stiffarm_ask::sources::target::target;
 
 use crate::columns::write_parquet;
@@ -211,14 +211,10 @@ impl<'a> Body<'a> {
             Form::Md => Self::of_format(answer, Format::Md),
             Form::Txt => Self::of_format(answer, Format::Table),
             Form::Parquet => Self::Parquet(answer.rows(), answer.forms().command),
-            Form::RobotFile => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
-            Form::Svg(what) => Self::Bytes(drawn(answer, *what)?.into()),
-            Form::Png(what) => Self::Bytes(raster::png(&drawn(answer, *what)?, answer.plate().pixels())?),
-            Form::Pdf(what) => Self::Bytes(raster::pdf(&drawn(answer, *what)?)?),
-            Form::View => Self::Bytes(picture(answer.view())?.html().into()),
-            Form::Report => Self::Bytes(picture(answer.report())?.html().into()),
+            Form::Png(what) => Self::Bytes(raster::png(&picture(answer.drawn(*what))?, answer.plate().pixels())?),
+            Form::Pdf(what) => Self::Bytes(raster::pdf(&picture(answer.drawn(*what))?)?),
             Form::PrintedReport => Self::Bytes(pdf::of(&picture(answer.report())?)?),
-            Form::Program(ending) => Self::Bytes(answer.program(ending).transpose()?.unwrap_or_default()),
+            form => Self::Bytes(form.text(answer)?.unwrap_or_default()),
         })
     }
 
@@ -243,14 +239,6 @@ impl<'a> Body<'a> {
         }
         out.flush()
     }
-}
-
-/// A picture as SVG.
-fn drawn(answer: &dyn Answer, what: Drawn) -> Result<String, Failure> {
-    picture(match what {
-        Drawn::Figure => answer.svg(),
-        Drawn::Shop => answer.shop(),
-    })
 }
 
 /// A picture of a kind that the command has said it can make.

@@ -15,7 +15,7 @@ use crate::output::say;
 impl Common {
     /// With what a question is asked.
     pub(crate) fn context(&self) -> Context<'_> {
-        Context { sources: &self.sources, listener: self, most_samples: self.most_samples }
+        Context { sources: &self.sources, listener: self, most_samples: self.most_samples, advises: true }
     }
 }
 

@@ -21,11 +21,22 @@ impl Asked {
 
     /// The same with what was given in another way: keyword and text.
     pub(crate) fn with(&self, verb: Verb, further: &[(&str, &str)]) -> PyResult<Request> {
-        let pair = |name: &str, text: &str| Pair { name: name.into(), text: text.into(), at: Spelling::Keyword };
-        let given = self.0.iter().map(|(name, text)| pair(name, text));
-        let pairs: Vec<Pair> = further.iter().map(|(name, text)| pair(name, text)).chain(given).collect();
-        Request::read(verb, &pairs, Spelling::Keyword).map_err(refused)
+        let given = self.0.iter().map(|(name, text)| (name.as_str(), text.as_str()));
+        let pairs = further.iter().copied().chain(given);
+        read(verb, pairs.map(|(name, text)| (name.to_owned(), text.to_owned())))
     }
+}
+
+/// What is asked of a verb, by keywords and texts.
+pub(crate) fn read(verb: Verb, given: impl IntoIterator<Item = (String, String)>) -> PyResult<Request> {
+    let pairs = given.into_iter().map(|(name, text)| Pair { name, text, at: Spelling::Keyword });
+    Request::read(verb, &pairs.collect::<Vec<_>>(), Spelling::Keyword).map_err(refused)
+}
+
+/// The verb of this name.
+pub(crate) fn verb(name: &str) -> PyResult<Verb> {
+    let found = Verb::ALL.into_iter().find(|known| known.name() == name);
+    found.ok_or_else(|| refused(format!("there is no verb '{name}'")))
 }
 
 /// An option as Python needs it: keyword, what it takes, the bounds of a whole number, whether it takes several, its default as it
@@ -35,9 +46,7 @@ type Told = (String, String, Option<(usize, usize)>, bool, Option<&'static str>,
 /// The options of a verb, in the order of help, but for those of the program's figures.
 #[pyfunction]
 pub(crate) fn options(verb: &str) -> PyResult<Vec<Told>> {
-    let verb = Verb::ALL.into_iter().find(|known| known.name() == verb);
-    let verb = verb.ok_or_else(|| refused("no such verb"))?;
-    let told = verb.settings().filter(|setting| !setting.is_of_figures()).map(|setting| {
+    let told = self::verb(verb)?.settings().filter(|setting| !setting.is_of_figures()).map(|setting| {
         let bounds = if let Kind::Whole { min, max } = setting.kind { Some((min, max)) } else { None };
         let default = if let Absent::Default(text) = setting.absent { Some(text) } else { None };
         let is_required = setting.absent == Absent::Required;

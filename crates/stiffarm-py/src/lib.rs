@@ -12,12 +12,11 @@
 
 mod asked;
 mod batch;
-mod drawn;
 mod draws;
+mod hearing;
 mod json;
 mod numbers;
 mod palette;
-mod paths;
 mod pool;
 mod robot;
 mod verbs;
@@ -46,21 +45,15 @@ mod _stiffarm {
     #[pymodule_export]
     use super::batch::{matrices, worst};
     #[pymodule_export]
-    use super::drawn::drawn_place;
-    #[pymodule_export]
     use super::draws::draws;
     #[pymodule_export]
     use super::palette::{colours, looks};
-    #[pymodule_export]
-    use super::paths::{chatter, force, mill, milled_program};
     #[pymodule_export]
     use super::pool::set_threads;
     #[pymodule_export]
     use super::robot::{Robot, robots, select};
     #[pymodule_export]
-    use super::verbs::{
-        compare, distinct, identify, map, measure, modes, order, place, posture, rank, study, validate,
-    };
+    use super::verbs::{answered, distinct, order, validate};
 
     use pyo3::prelude::*;
 

@@ -1,26 +1,28 @@
 //! Robots, and which of them are meant.
 
-use std::ffi::CString;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
-use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
 use stiffarm::calibrate::{CalibrateOptions, Level, calibrate};
-use stiffarm::catalogue::files::{self, LoadError, Unreadable};
+use stiffarm::catalogue::files;
 use stiffarm::catalogue::import::{ImportOptions, import};
 use stiffarm::catalogue::readings::{self, ReadOptions, Readings};
-use stiffarm::catalogue::{self, Entry, find, matching, paper_robots, read, suggestions, write};
+use stiffarm::catalogue::{self, find, read, suggestions, write};
 use stiffarm::robot::{Arm, Robot as Arms};
+use stiffarm::toolpath::MOST_SAMPLES;
 use stiffarm::verify::{VerifyOptions, verify};
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::robot::{drive_urad_per_nm, sheet};
 use stiffarm_ask::answer::{CalibrateAnswer, VerifyAnswer, words};
-use stiffarm_ask::request::{Request, Verb};
+use stiffarm_ask::ask::{AskError, Context, selection};
+use stiffarm_ask::request::Verb;
+use stiffarm_ask::sources::Sources;
 
 use crate::asked::Asked;
+use crate::hearing::{self, Heard, said};
 use crate::json::to_python;
 use crate::numbers::{kind, refuse_masked};
 use crate::{numbers, refused};
@@ -36,7 +38,7 @@ use crate::{numbers, refused};
 /// ------
 /// StiffarmError
 ///     Where no robot has the name, or the file has faults.
-#[pyclass(frozen, eq, module = "stiffarm._stiffarm")]
+#[pyclass(frozen, eq, from_py_object, module = "stiffarm._stiffarm")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Robot(pub(crate) Arms);
 
@@ -46,14 +48,20 @@ impl Robot {
     }
 
     /// A table of readings and its name, with what is odd about it as warnings.
-    fn readings(&self, table: &Path, frame_by: Option<String>, date: Option<&str>) -> PyResult<(Readings, String)> {
+    fn readings(
+        &self,
+        py: Python,
+        table: &Path,
+        frame_by: Option<String>,
+        date: Option<&str>,
+    ) -> PyResult<(Readings, String)> {
         if let Some(date) = date.filter(|date| !catalogue::is_date(date)) {
             return Err(refused(format!("date '{date}' is no day; expected such as 2026-05-31")));
         }
         let data = files::shown(table);
         let options = ReadOptions { columns: Vec::new(), frame_by, vendor: self.0.vendor.clone() };
         let found = readings::read(&text_of(table)?, &data, &options).map_err(refused)?;
-        remarks(table, &found.remarks)?;
+        remarks(py, table, &found.remarks)?;
         Ok((found, data))
     }
 }
@@ -61,8 +69,8 @@ impl Robot {
 #[pymethods]
 impl Robot {
     #[new]
-    fn new(#[pyo3(from_py_with = path)] name: PathBuf) -> PyResult<Self> {
-        robot(&name.to_string_lossy())
+    fn new(py: Python, #[pyo3(from_py_with = path)] name: PathBuf) -> PyResult<Self> {
+        robot(py, &name.to_string_lossy())
     }
 
     /// A robot that comes with the package, by its name; case, blanks and punctuation do not matter.
@@ -78,7 +86,10 @@ impl Robot {
     ///     Where no robot has the name; it suggests some that are close.
     #[staticmethod]
     fn catalogue(#[pyo3(from_py_with = text)] name: String) -> PyResult<Self> {
-        find(&name).map(|entry| Self(entry.robot())).ok_or_else(|| unknown(&name))
+        find(&name).map(|entry| Self(entry.robot())).ok_or_else(|| {
+            let suggestions = suggestions(&name).into_iter().map(Into::into).collect();
+            hearing::refused(AskError::UnknownRobot { name, suggestions })
+        })
     }
 
     /// A robot from the text of a robot file, or from its path.
@@ -93,13 +104,13 @@ impl Robot {
     /// StiffarmError
     ///     Every fault of the file at once, each with its line and key.
     #[staticmethod]
-    fn from_toml(#[pyo3(from_py_with = path)] source: PathBuf) -> PyResult<Self> {
+    fn from_toml(py: Python, #[pyo3(from_py_with = path)] source: PathBuf) -> PyResult<Self> {
         match source.to_str() {
             Some(text) if text.contains(['\n', '=']) => read(text, "robot").map(Self).map_err(refused),
             _ => {
                 let found = read(&text_of(&source)?, &files::shown(&source)).map_err(refused)?;
                 let notes: Vec<String> = found.calibration.iter().map(|_| files::CALIBRATION_NOT_USED.into()).collect();
-                remarks(&source, &notes)?;
+                remarks(py, &source, &notes)?;
                 Ok(Self(found))
             }
         }
@@ -123,6 +134,7 @@ impl Robot {
     #[staticmethod]
     #[pyo3(signature = (path, *, name=None, vendor=None, base=None, tip=None))]
     fn from_urdf(
+        py: Python,
         #[pyo3(from_py_with = path)] path: PathBuf,
         #[pyo3(from_py_with = text_or_none)] name: Option<String>,
         #[pyo3(from_py_with = text_or_none)] vendor: Option<String>,
@@ -132,7 +144,7 @@ impl Robot {
         let options = ImportOptions { name, vendor, base, tip, ..ImportOptions::default() };
         let text = text_of(&path)?;
         let found = import(&text, &files::shown(&path), &options).map_err(refused)?;
-        remarks(&path, &found.notes)?;
+        remarks(py, &path, &found.notes)?;
         Ok(Self(found.robot))
     }
 
@@ -205,7 +217,7 @@ impl Robot {
         #[pyo3(from_py_with = text_or_none)] frame_by: Option<String>,
         #[pyo3(from_py_with = text_or_none)] date: Option<String>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (table, data) = self.readings(&readings, frame_by, date.as_deref())?;
+        let (table, data) = self.readings(py, &readings, frame_by, date.as_deref())?;
         let others: Vec<Arms> = catalogue::robots()
             .into_iter()
             .filter(|one| one.vendor == self.0.vendor && one.name != self.0.name)
@@ -242,7 +254,7 @@ impl Robot {
         #[pyo3(from_py_with = text_or_none)] frame_by: Option<String>,
         #[pyo3(from_py_with = text_or_none)] date: Option<String>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (table, data) = self.readings(&points, frame_by, date.as_deref())?;
+        let (table, data) = self.readings(py, &points, frame_by, date.as_deref())?;
         let level = match level.as_deref() {
             None | Some("auto") => None,
             Some(name) => Some(Level::ALL.into_iter().find(|level| level.name() == name).ok_or_else(|| {
@@ -381,74 +393,35 @@ fn text_or_none(given: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
 }
 
 /// The one robot that a name or path means.
-pub(crate) fn robot(name: &str) -> PyResult<Robot> {
-    if let Some(entry) = find(name) {
-        return Ok(Robot(entry.robot()));
-    }
-    let path = Path::new(name);
-    if path.exists() || files::is_robot_file(path) { read_file(path) } else { Err(unknown(name)) }
+fn robot(py: Python, name: &str) -> PyResult<Robot> {
+    Ok(Robot(heard(py, |context| selection::robot(name, context))?))
 }
 
-fn unknown(name: &str) -> PyErr {
-    let near = suggestions(name);
-    let hint = if near.is_empty() {
-        "stiffarm.robots() lists the robots; a path to a robot file works too".into()
-    } else {
-        format!("did you mean {}?", near.join(", "))
-    };
-    refused(format!("robot '{name}' is not known; {hint}"))
+/// What is found on this machine, with what is said of it.
+fn heard<T: Send>(py: Python, found: impl FnOnce(Context) -> Result<T, AskError> + Send) -> PyResult<T> {
+    let (found, remarks) = py.detach(|| {
+        let (sources, heard) = (Sources::disk(Vec::new()), Heard::by(Watch::nobody()));
+        let context = Context { sources: &sources, listener: &heard, most_samples: MOST_SAMPLES, advises: false };
+        (found(context), heard.remarks())
+    });
+    let found = found.map_err(hearing::refused)?;
+    said(py, &remarks)?;
+    Ok(found)
 }
 
-fn read_file(path: &Path) -> PyResult<Robot> {
-    match files::load(path) {
-        Ok(found) => {
-            remarks(path, &found.notes)?;
-            Ok(Robot(found.robot))
-        }
-        Err(LoadError::Unreadable(error)) => Err(unread(&error)),
-        Err(error) => Err(refused(error)),
-    }
-}
-
-/// Says what was chosen in reading a file, each as a `UserWarning`.
-fn remarks(path: &Path, notes: &[String]) -> PyResult<()> {
-    for note in notes {
-        let text = format!("{}: {note}", files::shown(path)).replace('\0', " ");
-        let text = CString::new(text).map_err(refused)?;
-        Python::attach(|py| PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 1))?;
-    }
-    Ok(())
+/// Says what was chosen in reading a file.
+fn remarks(py: Python, path: &Path, notes: &[String]) -> PyResult<()> {
+    said(py, &notes.iter().map(|note| format!("{}: {note}", files::shown(path))).collect::<Vec<_>>())
 }
 
 fn text_of(path: &Path) -> PyResult<String> {
-    files::text(path).map_err(|error| unread(&error))
+    files::text(path).map_err(|error| hearing::refused(error.into()))
 }
 
-fn unread(error: &Unreadable) -> PyErr {
-    refused(format!("{error}; {}", error.advice()))
-}
-
-/// Every robot file in a folder, in the order of their names.
-fn folder(path: &Path) -> PyResult<Vec<Robot>> {
-    files::robot_files(path).map_err(|error| unread(&error))?.iter().map(|file| read_file(file)).collect()
-}
-
-/// The robots that names, patterns, paths and the sets `paper` and `all` mean, in the order given.
+/// The robots that a name, a pattern, a path, and the sets `paper` and `all` mean, in the order given.
 #[pyfunction]
-pub(crate) fn select(name: &str) -> PyResult<Vec<Robot>> {
-    let found = match name {
-        "paper" => paper_robots(),
-        "all" => catalogue::robots(),
-        _ if name.contains(['*', '?', '[']) => {
-            let found = matching(name).map_err(|error| refused(format!("'{name}' is not a pattern: {error}")))?;
-            if found.is_empty() {
-                return Err(refused(format!("'{name}' matches no robot")));
-            }
-            found.iter().map(Entry::robot).collect()
-        }
-        _ if Path::new(name).is_dir() => return folder(Path::new(name)),
-        _ => return Ok(vec![robot(name)?]),
-    };
+pub(crate) fn select(py: Python, name: String) -> PyResult<Vec<Robot>> {
+    let found = heard(py, |context| selection::robots(&[name], context))?;
     Ok(found.into_iter().map(Robot).collect())
 }
 
@@ -456,11 +429,6 @@ pub(crate) fn select(name: &str) -> PyResult<Vec<Robot>> {
 #[pyfunction]
 pub(crate) fn robots(among: Vec<PyRef<'_, Robot>>, words: Vec<String>, asked: Asked) -> PyResult<Vec<Robot>> {
     let among = among.iter().map(|robot| robot.0.clone()).collect();
-    Ok(kept(among, &asked.of(Verb::List)?, words)?.into_iter().map(Robot).collect())
-}
-
-/// Those of some robots that have all that is asked for.
-pub(crate) fn kept(among: Vec<Arms>, asked: &Request, words: Vec<String>) -> PyResult<Vec<Arms>> {
-    let kept = asked.filter(words).keep(among, str::to_owned);
-    kept.map_err(|nothing| refused(format!("{nothing}; {}", nothing.hint)))
+    let kept = selection::keep(among, &asked.of(Verb::List)?, &words).map_err(hearing::refused)?;
+    Ok(kept.into_iter().map(Robot).collect())
 }

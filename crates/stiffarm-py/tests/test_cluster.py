@@ -200,6 +200,7 @@ def test_a_scenario_that_fails_for_one_robot_counts_for_none(client, tmp_path):
     assert told == {names[0]: (4, 2, 1.0), names[1]: (4, 0, 0.0)}
 
 
+@pytest.mark.filterwarnings("ignore:.*beyond its limits")
 def test_a_number_of_scenarios_draws_the_drives_as_every_interval_does(client, tmp_path):
     """The interval of a posture comes from 2000 draws: with the factors that a sweep has, posture by posture, it is the same."""
     names, options = ["KR 210 R2700 extra", "IRB 6650S-200"], {"model": "spatial", "chunk_rows": 3}

@@ -80,7 +80,7 @@ def test_who_mills_must_be_clear() -> None:
         ({"robot": kuka, "robots": [kuka]}, "robot and robots exclude each other"),
         ({"robot": kuka, "vendor": "KUKA"}, "vendor and robot exclude each other"),
         ({"robots": "paper", "dry": True}, "robots and dry exclude each other"),
-        ({"vendor": "KUKA"}, 'robots is missing; .* robots="all"'),
+        ({"vendor": "nobody"}, "none of .* robots matches vendor nobody"),
         ({"robots": [kuka], "vendor": "ABB"}, "none of 1 robots matches vendor ABB"),
         ({"robots": []}, "robots"),
     ]:

@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import stiffarm
-from stiffarm import plot
+from stiffarm import _asked, plot
 
 
 def picture(ax):
@@ -93,11 +93,13 @@ def test_places():
 
 
 def test_a_place_is_drawn_with_the_stiffness_that_was_asked_for():
-    asked = {"within_m": "0.5..,0.."}
-    (_, usual), (shown, softer) = (
-        stiffarm._stiffarm.drawn_place(stiffarm.Robot("BT200L"), "A:0.3", {**asked, **more}, 40)
-        for more in ({}, {"drive_urad_per_nm": "2"})
-    )
+    def drawn(**more):
+        given = {"task": "A:0.3", "within_m": "0.5..,0..", **more}
+        reply = _asked.answered(_asked.question("place", given, robot=stiffarm.Robot("BT200L")), "mapping", points=40)
+        (cells,) = reply["layers"].values()
+        return reply["shown"], cells
+
+    (_, usual), (shown, softer) = drawn(), drawn(drive_urad_per_nm="2")
     assert np.allclose(softer, 2 * usual, rtol=1e-12, equal_nan=True) and "2 urad/(N m)" in shown["subtitle"]
 
 

@@ -101,6 +101,7 @@ def test_maps(program):
         assert np.isnan(found.values_mm).any()
 
 
+@pytest.mark.filterwarnings("ignore:.*beyond its limits")
 def test_postures(program):
     joints, tool, force = (10, -80, 85, 20, -30, 5), (0, 50, 200, 0, 10, 0), (100, -50, 20)
     for robot in ROBOTS:
@@ -201,6 +202,7 @@ def test_folders_of_robots(program, tmp_path):
     assert found.to_dict() == program("rank", "--robots", f"{tmp_path},BT200L", "--task", "A:0.2")
 
 
+@pytest.mark.filterwarnings("ignore:.*beyond its limits")
 def test_many_postures_are_what_single_ones_are():
     rng = np.random.default_rng(7)
     for robot in ROBOTS:

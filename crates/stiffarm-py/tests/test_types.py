@@ -64,6 +64,8 @@ def fits(value, kind, where):
 
 
 @pytest.mark.skipif(sys.version_info < (3, 10), reason="annotations with | are read from 3.10 on")
+@pytest.mark.filterwarnings("ignore:.*beyond its limits")
+@pytest.mark.filterwarnings("ignore:no load point is given")
 @pytest.mark.parametrize("name", ANSWERS)
 def test_answers_hold_what_their_types_say(name):
     answer = ANSWERS[name]()

@@ -9,6 +9,9 @@ import pytest
 import stiffarm
 from stiffarm import StiffarmError, _progress
 
+# Of identification: where the load was hung is taken from the table's silence.
+pytestmark = pytest.mark.filterwarnings("ignore:no load point is given")
+
 #: Calls in turn, each of which takes minutes where nothing stops it; half a second after each has begun comes what Ctrl-C sends.
 INTERRUPTED = """
 import os, signal, sys, threading, time

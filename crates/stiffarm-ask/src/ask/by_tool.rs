@@ -1,10 +1,10 @@
 //! A path that several tools mill, each with its own process, as text, table, JSON and one program.
 
-use std::io::{self, Write};
 use std::path::Path;
 
 use crate::answer::{ByToolAnswer, Rows};
 use crate::request::Request;
+use serde_json::Value;
 use stiffarm::catalogue::{ProcessFile, files};
 use stiffarm::program::Language;
 use stiffarm::toolpath::Understood;
@@ -14,7 +14,7 @@ use super::context::Context;
 use super::context::process_of;
 use super::path::all_moves;
 use crate::error::AskError;
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 
 pub(crate) struct ByToolOutput {
     pub(crate) answer: ByToolAnswer,
@@ -64,8 +64,8 @@ impl Answer for ByToolOutput {
         of_tools.chain(all).collect()
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.answer.json())
+    fn value(&self) -> Value {
+        self.answer.json()
     }
 
     fn shortfall(&self) -> Option<String> {

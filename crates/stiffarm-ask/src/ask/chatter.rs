@@ -1,6 +1,5 @@
 //! `chatter`: does a cut swing with the arm, and how deep may it go?
 
-use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::catalogue::files;
@@ -12,8 +11,9 @@ use super::selection;
 use crate::answer::{ChatterAnswer, Rows};
 use crate::error::AskError;
 use crate::figures::{Plate, lobes};
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 use crate::request::Request;
+use serde_json::Value;
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ChatterOutput, AskError> {
     let robot = asked.equipped(selection::robot(&asked.robot()?, context)?)?;
@@ -43,8 +43,8 @@ impl Answer for ChatterOutput {
         vec![Piece::Table(self.0.table()), Piece::Break, Piece::Lines(self.0.notes())]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.0.json())
+    fn value(&self) -> Value {
+        self.0.json()
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -1,10 +1,9 @@
 //! `stiffarm compare`: two setups side by side.
 
-use std::io::{self, Write};
-
 use crate::answer::words::{acting, class, mapped, tool};
 use crate::answer::{CompareAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use crate::request::Request;
+use serde_json::Value;
 use stiffarm::model::ModelKind;
 use stiffarm::robot::Robot;
 
@@ -13,7 +12,7 @@ use super::place::PlaceOutput;
 use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::compare::CompareFigure;
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<CompareOutput, AskError> {
     let [a, b] = asked.setups()?.map(|name| setup(&name, asked, context));
@@ -108,8 +107,8 @@ impl Answer for CompareOutput {
         pieces
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.answer.json())
+    fn value(&self) -> Value {
+        self.answer.json()
     }
 
     fn rows(&self) -> Rows<'_> {

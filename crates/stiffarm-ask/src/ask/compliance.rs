@@ -1,12 +1,11 @@
 //! `stiffarm compliance`: one posture, all six drives.
 
-use std::io::{self, Write};
-
 use crate::answer::compliance::vector;
 use crate::answer::words::class;
 use crate::answer::{ComplianceAnswer, Rows, Unit, stiffness};
 use crate::request::Request;
 use nalgebra::Vector3;
+use serde_json::Value;
 use stiffarm::compliance::{beyond_limits, compliance};
 use stiffarm::palette::{DEFLECTION, FORCE, WORST_DIRECTION};
 use stiffarm::robot::Robot;
@@ -15,7 +14,7 @@ use stiffarm::spatial::Pose;
 use super::context::Context;
 use crate::error::AskError;
 use crate::figures::view3d::{ArmMark, Arrow, View};
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ComplianceOutput, AskError> {
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
@@ -101,8 +100,8 @@ impl Answer for ComplianceOutput {
         vec![Piece::Table(self.answer.table()), Piece::Break, Piece::Lines(self.answer.notes())]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.answer.json())
+    fn value(&self) -> Value {
+        self.answer.json()
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -1,10 +1,10 @@
 //! `stiffarm force`: with what force does a process push on its tool?
 
-use std::io::{self, Write};
 use std::path::Path;
 
 use crate::answer::{CuttingAnswer, Rows};
 use crate::request::Request;
+use serde_json::Value;
 use stiffarm::catalogue::files;
 
 use super::context::Context;
@@ -12,7 +12,7 @@ use super::context::process_of;
 use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::hodograph::Hodograph;
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ForceOutput, AskError> {
     let name = asked.process()?;
@@ -36,8 +36,8 @@ impl Answer for ForceOutput {
         vec![Piece::Table(self.0.table()), Piece::Break, Piece::Lines(self.0.notes().into())]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.0.json())
+    fn value(&self) -> Value {
+        self.0.json()
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -1,9 +1,8 @@
 //! `stiffarm identify`: measured deflections to a robot file that says how well it is known.
 
-use std::io::{self, Write};
-
 use crate::answer::{IdentifyAnswer, Rows};
 use crate::request::Request;
+use serde_json::Value;
 use stiffarm::catalogue::measurements;
 use stiffarm::identify::identify;
 
@@ -11,7 +10,7 @@ use super::context::Context;
 use super::reports::{self, Inputs};
 use crate::error::AskError;
 use crate::figures::{Plate, identify as figure};
-use crate::forms::{Answer, Forms, Piece, pretty, sheet};
+use crate::forms::{Answer, Forms, Piece, sheet};
 use crate::report::Report;
 
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<IdentifyOutput<'a>, AskError> {
@@ -47,8 +46,8 @@ impl Answer for IdentifyOutput<'_> {
         sheet(tables.into_iter().flatten(), answer.notes())
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.answer.json())
+    fn value(&self) -> Value {
+        self.answer.json()
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use crate::answer::words::{class, direction, mapped, origin, tool, window};
 use crate::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use crate::request::{Layer, Request};
+use serde_json::Value;
 use stiffarm::map::{Grid, MapError, PointsBetween, map_watched};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
 use stiffarm::palette::FORCE;
@@ -21,7 +22,7 @@ use crate::figures::map::MapFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::sheets::Ways;
 use crate::figures::view3d::{Arrow, Cell, Sheet, View, Zone};
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece, Sketch, pretty};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<MapOutput, AskError> {
     let (kind, options) = (asked.model(), asked.map_options());
@@ -268,8 +269,16 @@ impl Answer for MapOutput {
         vec![Piece::Table(self.answer.table()), Piece::Break, Piece::Lines(self.answer.notes())]
     }
 
+    fn value(&self) -> Value {
+        self.answer.head_json()
+    }
+
     fn json(&self, out: &mut dyn Write) -> io::Result<()> {
         pretty(out, &self.answer)
+    }
+
+    fn sketch(&self, _points: usize) -> Option<Result<Sketch, AskError>> {
+        Some(Ok(super::sketch::of_map(&self.answer)))
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -1,16 +1,15 @@
 //! `stiffarm measure`: which postures and loads to measure, with a certificate.
 
-use std::io::{self, Write};
-
 use crate::answer::{MeasureAnswer, Rows};
 use crate::request::Request;
+use serde_json::Value;
 use stiffarm::catalogue::measurements;
 use stiffarm::measure::{MeasureError, compare, over, plan};
 
 use super::context::Context;
 use crate::error::AskError;
 use crate::figures::{Plate, postures};
-use crate::forms::{Answer, Forms, Piece, pretty, sheet};
+use crate::forms::{Answer, Forms, Piece, sheet};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<MeasureOutput, AskError> {
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
@@ -61,8 +60,8 @@ impl Answer for MeasureOutput {
         sheet([answer.summary(), answer.table()], answer.notes())
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.0.json())
+    fn value(&self) -> Value {
+        self.0.json()
     }
 
     fn rows(&self) -> Rows<'_> {

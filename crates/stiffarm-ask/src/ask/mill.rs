@@ -1,10 +1,10 @@
 //! `stiffarm mill PATH`: the error along a toolpath; with `--dry` what is understood of it.
 
-use std::io::{self, Write};
 use std::path::Path;
 
 use crate::answer::{MillAnswer, Rows, Unit};
 use crate::request::Request;
+use serde_json::Value;
 use stiffarm::catalogue::files;
 use stiffarm::mill::{RollMap, Stand};
 use stiffarm::model::{ArmPosture, Model, ModelError};
@@ -21,7 +21,7 @@ use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Sheet, View, Zone};
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 use crate::report::Report;
 
 /// Places along the path of which the map of rolls shows every roll.
@@ -160,8 +160,8 @@ impl Answer for MillOutput<'_> {
         vec![Piece::Table(self.answer.table()), Piece::Break, Piece::Lines(self.answer.notes())]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.answer.json())
+    fn value(&self) -> Value {
+        self.answer.json()
     }
 
     fn shortfall(&self) -> Option<String> {

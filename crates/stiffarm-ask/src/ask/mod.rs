@@ -22,6 +22,7 @@ pub mod rank;
 mod reports;
 pub mod robots;
 pub mod selection;
+mod sketch;
 pub mod study;
 
 pub use context::{Context, Listener};

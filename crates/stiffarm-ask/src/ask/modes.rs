@@ -1,15 +1,14 @@
 //! `stiffarm modes`: how the arm swings at one posture.
 
-use std::io::{self, Write};
-
 use crate::answer::{ModesAnswer, Rows};
 use crate::request::Request;
+use serde_json::Value;
 use stiffarm::modes::modes;
 
 use super::compliance::remarks;
 use super::context::Context;
 use crate::error::AskError;
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ModesOutput, AskError> {
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
@@ -34,8 +33,8 @@ impl Answer for ModesOutput {
         vec![Piece::Table(self.0.table()), Piece::Break, Piece::Lines(self.0.notes())]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.0.json())
+    fn value(&self) -> Value {
+        self.0.json()
     }
 
     fn rows(&self) -> Rows<'_> {

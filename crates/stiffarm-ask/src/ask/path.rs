@@ -1,7 +1,6 @@
 //! A toolpath and its process as they are read; what is understood of a path (`mill --dry`).
 
 use std::cell::RefCell;
-use std::io::{self, Write};
 use std::path::Path;
 
 use stiffarm::catalogue::{ProcessFile, files};
@@ -11,8 +10,9 @@ use stiffarm::watch::Stopped;
 use super::context::{Context, process_of};
 use crate::answer::{PathAnswer, Rows};
 use crate::error::AskError;
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 use crate::request::Request;
+use serde_json::Value;
 
 /// What is understood of a path.
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<PathOutput, AskError> {
@@ -73,8 +73,8 @@ impl Answer for PathOutput {
         vec![Piece::Table(self.0.table())]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.0.json())
+    fn value(&self) -> Value {
+        self.0.json()
     }
 
     fn rows(&self) -> Rows<'_> {

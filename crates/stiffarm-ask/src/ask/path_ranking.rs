@@ -1,9 +1,8 @@
 //! Several robots on a toolpath, as text, table, JSON and bars.
 
-use std::io::{self, Write};
-
 use crate::answer::{MillAnswer, PathRankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
 use crate::request::Request;
+use serde_json::Value;
 use stiffarm::drive::Architecture;
 use stiffarm::robot::Status;
 use stiffarm::toolpath::Understood;
@@ -16,7 +15,7 @@ use super::selection;
 use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 use crate::report::Report;
 
 /// More bars are not told apart on one page.
@@ -97,8 +96,8 @@ impl Answer for PathRankOutput<'_> {
         ]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.answer.json())
+    fn value(&self) -> Value {
+        self.answer.json()
     }
 
     fn shortfall(&self) -> Option<String> {

@@ -1,10 +1,9 @@
 //! `stiffarm place`: the best place of one zone.
 
-use std::io::{self, Write};
-
 use crate::answer::words::{class, direction, tool};
 use crate::answer::{MapAnswer, PlaceAnswer, Rows, Unit, stiffness};
 use crate::request::Request;
+use serde_json::{Value, json};
 use stiffarm::advice::advise;
 use stiffarm::map::{Spacing, map};
 use stiffarm::model::{ArmPosture, Model, ModelError, ModelKind};
@@ -16,17 +15,20 @@ use super::context::Context;
 use super::context::under_process;
 use super::map::Drawn;
 use super::reports::{self, Inputs};
+use super::sketch::{from_the_side, sketched};
 use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::face::FaceFigure;
 use crate::figures::scene::{ZoneMark, rim};
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece, Sketch};
 use crate::report::Report;
 
 /// Points along the longer side of the map that is drawn, in the arm plane and in space.
 const FIGURE_SIZE: [usize; 2] = [400, 300];
+/// Points along the longer side of a map that someone else draws, at most.
+const MOST_SKETCHED: usize = 2000;
 /// Points along each side of the zone that are drawn.
 const FACE_SIZE: usize = 33;
 
@@ -61,7 +63,7 @@ impl PlaceOutput {
             let advised = |watch: Watch| advise(&model, &task, &options, &placed, mm / 1e3, watch);
             context.watched("placing smaller zones", advised)
         };
-        let advice = tolerance_mm.map(sought).transpose().map_err(failure)?;
+        let advice = tolerance_mm.filter(|_| context.advises).map(sought).transpose().map_err(failure)?;
         let answer = PlaceAnswer { robot: robot.clone(), model: kind, task, options, placed, tolerance_mm, advice };
         let points = if kind == ModelKind::Planar { FIGURE_SIZE[0] } else { FIGURE_SIZE[1] };
         Ok(Self { model, answer, plate, asked: asked.clone(), inputs: Inputs::of(asked, context), points })
@@ -109,8 +111,12 @@ impl PlaceOutput {
 
     /// The map of what is reached, held as the zone is.
     pub(crate) fn mapped(&self) -> Result<MapAnswer, AskError> {
+        self.mapped_with(self.points)
+    }
+
+    fn mapped_with(&self, points: usize) -> Result<MapAnswer, AskError> {
         let Self { model, answer, .. } = self;
-        let options = answer.map_options(model, Spacing::Points(self.points));
+        let options = answer.map_options(model, Spacing::Points(points));
         let map = map(model, &options).map_err(|error| AskError::Map { robot: answer.robot.name.clone(), error })?;
         Ok(MapAnswer { model: model.clone(), options, map, zone: Some(answer.clone()) })
     }
@@ -211,6 +217,26 @@ impl PlaceOutput {
         q
     }
 
+    /// The section as the zone is held, arm and rim straight ahead.
+    fn sketched(&self, points: usize) -> Result<Sketch, AskError> {
+        let (best, hold) = self.feasible()?;
+        let map = self.mapped_with(points.clamp(2, MOST_SKETCHED))?;
+        let ((s, c), [x, y, z]) = (hold.map_or(0.0, |hold| hold.bearing).sin_cos(), best.worst_point);
+        let posture = hold.map_or_else(|| best.posture(), |hold| ArmPosture::Joints(self.straight_ahead(hold)));
+        let (robot, grid) = (&self.answer.robot, &map.map.deflection);
+        let shown = json!({
+            "title": robot.full_name(),
+            "subtitle": format!("{}; {}, {} model", class(robot), stiffness(robot), self.answer.model.name()),
+            "arm_m": from_the_side(self.model.points(&posture).unwrap_or_default()),
+            "knows_base": self.model.knows_base(),
+            "rim_m": from_the_side(self.rim()?),
+            "worst_m": [c * x + s * y, z],
+            "x_m": grid.x.points(),
+            "z_m": grid.z.points(),
+        });
+        Ok(sketched(shown, &map))
+    }
+
     fn label(&self, best: &Placement) -> String {
         format!("{}: {:.3} mm at worst", self.answer.task.label, Unit::Millimetre.told(best.deflection))
     }
@@ -264,8 +290,12 @@ impl Answer for PlaceOutput {
         if notes.is_empty() { vec![table] } else { vec![table, Piece::Break, Piece::Lines(notes)] }
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.answer.json())
+    fn value(&self) -> Value {
+        self.answer.json()
+    }
+
+    fn sketch(&self, points: usize) -> Option<Result<Sketch, AskError>> {
+        Some(self.sketched(points))
     }
 
     fn shortfall(&self) -> Option<String> {

@@ -1,10 +1,9 @@
 //! `stiffarm rank`: robots in order, for several tasks, against a tolerance.
 
-use std::cell::OnceCell;
-use std::io::{self, Write};
-
 use crate::answer::{self, RankAnswer, Rows, Unit, Verdict, looks, stiffnesses, words};
 use crate::request::{Request, distinct};
+use serde_json::Value;
+use std::cell::OnceCell;
 use stiffarm::advice::advise_best;
 use stiffarm::drive::Architecture;
 use stiffarm::model::ModelKind;
@@ -20,7 +19,7 @@ use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::bars::{BarRow, BarsFigure};
 use crate::figures::ranking::{self, Curve, Panel};
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 use crate::report::Report;
 
 /// Sizes along each curve of the figure.
@@ -224,8 +223,8 @@ impl Answer for RankOutput<'_> {
         ]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.answer.json())
+    fn value(&self) -> Value {
+        self.answer.json()
     }
 
     fn shortfall(&self) -> Option<String> {

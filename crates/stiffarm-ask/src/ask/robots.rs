@@ -1,7 +1,5 @@
 //! Robots of the catalogue, as they are listed.
 
-use std::io::{self, Write};
-
 use serde_json::Value;
 use stiffarm::catalogue;
 use stiffarm::robot::Robot;
@@ -10,7 +8,7 @@ use super::selection;
 use crate::answer::Rows;
 use crate::answer::robot::{list, notes, sheet, table};
 use crate::error::AskError;
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 use crate::request::Request;
 
 /// Those of the catalogue that have these words in their names and what is asked.
@@ -36,8 +34,8 @@ impl Answer for List {
         vec![Piece::Table(table(&self.0)), Piece::Break, Piece::Lines(notes(&self.0))]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.0.iter().map(sheet).collect::<Value>())
+    fn value(&self) -> Value {
+        self.0.iter().map(sheet).collect()
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -16,7 +16,7 @@ use crate::error::AskError;
 /// # Errors
 /// Where there is none, or its file has faults.
 pub fn robot(name: &str, context: Context) -> Result<Robot, AskError> {
-    if let Some(robot) = context.sources.robots_named(name).next() {
+    if let Some(robot) = context.sources.robot_named(name) {
         return Ok(robot.clone());
     }
     if let Some(entry) = catalogue::find(name) {
@@ -51,9 +51,9 @@ pub fn robots(wanted: &[String], context: Context) -> Result<Vec<Robot>, AskErro
 /// # Errors
 /// Where none has.
 pub fn keep(robots: Vec<Robot>, asked: &Request, words: &[String]) -> Result<Vec<Robot>, AskError> {
-    let typed = |key: &str| format!("--{}", key.replace('_', "-"));
+    let spelt = |key: &str| asked.reader().spelt(key);
     let nothing = |NothingLeft { asked, of, hint }| AskError::NothingLeft { asked, of, hint };
-    asked.filter(words.to_vec()).keep(robots, typed).map_err(nothing)
+    asked.filter(words.to_vec()).keep(robots, spelt).map_err(nothing)
 }
 
 /// A robot, and the file that it was read from.
@@ -85,9 +85,8 @@ fn told_apart(found: Vec<Found>, context: Context) -> Vec<Robot> {
 
 fn matching(name: &str, context: Context) -> Result<Vec<Found>, AskError> {
     let with_file = |path: &Path| Ok(Found { robot: read_file(path, context)?, file: Some(path.into()) });
-    let at_hand: Vec<Found> = context.sources.robots_named(name).map(|robot| robot.clone().into()).collect();
-    if !at_hand.is_empty() {
-        return Ok(at_hand);
+    if let Some(robot) = context.sources.robot_named(name) {
+        return Ok(vec![robot.clone().into()]);
     }
     match name {
         "" => {

@@ -1,16 +1,15 @@
 //! `stiffarm study`: architecture against link ratio and task size.
 
-use std::io::{self, Write};
-
 use crate::answer::{Rows, StudyAnswer};
 use crate::request::Request;
+use serde_json::Value;
 use stiffarm::study::{StudyOptions, study, study_watched};
 
 use super::context::Context;
 use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::study::{self as figure_of, StudyCurve, StudyMark, StudyPanel};
-use crate::forms::{Answer, Forms, Piece, pretty};
+use crate::forms::{Answer, Forms, Piece};
 
 /// Ratios and sizes along the sides of a figure.
 const FIGURE_RATIOS: usize = 61;
@@ -128,8 +127,8 @@ impl Answer for StudyOutput {
         ]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.0.json())
+    fn value(&self) -> Value {
+        self.0.json()
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -42,6 +42,14 @@ impl Spelling {
         }
     }
 
+    /// The name of an option whose key an answer has, such as `payload_kg`.
+    pub fn spelt(&self, key: &str) -> String {
+        match self {
+            Self::Keyword => key.into(),
+            _ => self.bare(&key.replace('_', "-")),
+        }
+    }
+
     /// An option that is not in the table, or not in this verb.
     pub(super) fn bare(&self, name: &str) -> String {
         let name = shown(name);

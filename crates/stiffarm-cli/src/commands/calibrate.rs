@@ -1,8 +1,8 @@
 //! `stiffarm calibrate`: measured points to a robot file that knows how this very arm differs from its drawing.
 
-use std::io::{self, Write};
 use std::path::Path;
 
+use serde_json::Value;
 use stiffarm::calibrate::{CalibrateOptions, calibrate};
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::readings::{self, ReadOptions};
@@ -12,7 +12,7 @@ use stiffarm_ask::date::today;
 
 use crate::args::CalibrateArgs;
 use crate::common::Common;
-use stiffarm_ask::forms::{Answer, Forms, Piece, pretty, sheet};
+use stiffarm_ask::forms::{Answer, Forms, Piece, sheet};
 
 use crate::failure::Failure;
 use crate::output::Outputs;
@@ -66,8 +66,8 @@ impl Answer for CalibrateOutput {
         sheet([self.answer.summary(), self.answer.table()], self.answer.notes())
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.answer.json())
+    fn value(&self) -> Value {
+        self.answer.json()
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -1,6 +1,5 @@
 //! `stiffarm robots check`: every fault of robot files at once, and what is doubtful about the rest.
 
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
@@ -11,7 +10,7 @@ use stiffarm_ask::answer::{Cell, Rows, Table, columns_of, field};
 use stiffarm_ask::ask::AskError;
 
 use crate::common::Common;
-use stiffarm_ask::forms::{Answer, Forms, Piece, pretty};
+use stiffarm_ask::forms::{Answer, Forms, Piece};
 
 use crate::failure::Failure;
 use crate::output::{Outputs, say, verdict};
@@ -108,7 +107,7 @@ impl Answer for Check {
         vec![Piece::Table(Table::of_rows(&self.rows()))]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+    fn value(&self) -> Value {
         let each = self.0.iter().map(|checked| {
             let faults = checked.faults().into_iter().map(|Fault { line, key, message }| {
                 json!({ "line": (0 < line).then_some(line), "key": key, "message": message })
@@ -121,7 +120,7 @@ impl Answer for Check {
                 "doubts": checked.doubts(),
             })
         });
-        pretty(out, &each.collect::<Value>())
+        each.collect()
     }
 
     /// A row per fault or doubt; one without for a file that has none.

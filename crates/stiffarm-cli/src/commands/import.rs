@@ -1,8 +1,6 @@
 //! `stiffarm robots import`: a robot file from a URDF or from OPW parameters.
 
-use std::io::{self, Write};
-
-use serde_json::json;
+use serde_json::{Value, json};
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::import::{ImportOptions, Imported, SAMPLES, import};
 use stiffarm::interval::Interval;
@@ -13,7 +11,7 @@ use stiffarm_ask::ask::AskError;
 
 use crate::args::ImportArgs;
 use crate::common::{Common, Format};
-use stiffarm_ask::forms::{Answer, Forms, Piece, pretty};
+use stiffarm_ask::forms::{Answer, Forms, Piece};
 
 use crate::failure::Failure;
 use crate::look::Look;
@@ -128,9 +126,9 @@ impl Answer for Report {
         vec![Piece::Table(self.report())]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+    fn value(&self) -> Value {
         let Imported { robot, text, notes, compared_with, largest_error, largest_turn } = &self.0;
-        let report = json!({
+        json!({
             "robot": robot.name,
             "vendor": robot.vendor,
             "architecture": robot.architecture.name(),
@@ -141,8 +139,7 @@ impl Answer for Report {
             "largest_error_m": largest_error,
             "largest_error_rad": largest_turn,
             "robot_file": text,
-        });
-        pretty(out, &report)
+        })
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -1,7 +1,6 @@
 //! `stiffarm robots show`: everything that is known of one robot, and what it reaches.
 
-use std::io::{self, Write};
-
+use serde_json::Value;
 use stiffarm::catalogue::write;
 use stiffarm::drive::{Architecture, Drives, Transmission};
 use stiffarm::geometry::Geometry;
@@ -15,7 +14,7 @@ use stiffarm_ask::answer::words::{architecture, assumed_architecture, class, sta
 use stiffarm_ask::answer::{Cell, Rows, Table, Unit, columns_of, field, stiffness};
 use stiffarm_ask::ask::AskError;
 
-use stiffarm_ask::forms::{Answer, Forms, Piece, pretty};
+use stiffarm_ask::forms::{Answer, Forms, Piece};
 
 use stiffarm_ask::figures::Plate;
 use stiffarm_ask::figures::reach::ReachFigure;
@@ -187,8 +186,8 @@ impl Answer for Sheet {
         vec![Piece::Table(table), Piece::Lines(notes)]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &sheet(&self.0))
+    fn value(&self) -> Value {
+        sheet(&self.0)
     }
 
     fn rows(&self) -> Rows<'_> {

@@ -1,12 +1,11 @@
 //! `stiffarm validate`: every published number beside the computed one.
 
-use std::io::{self, Write};
-
+use serde_json::Value;
 use stiffarm::ledger::{Printed, validate};
 use stiffarm_ask::answer::{LedgerAnswer, Rows};
 
 use crate::common::Common;
-use stiffarm_ask::forms::{Answer, Forms, Piece, pretty};
+use stiffarm_ask::forms::{Answer, Forms, Piece};
 
 use crate::failure::Failure;
 use crate::output::{Outputs, verdict};
@@ -35,8 +34,8 @@ impl Answer for Ledger {
         vec![Piece::Table(self.0.table()), Piece::Break, Piece::Lines(self.0.notes())]
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
-        pretty(out, &self.0.json())
+    fn value(&self) -> Value {
+        self.0.json()
     }
 
     fn rows(&self) -> Rows<'_> {

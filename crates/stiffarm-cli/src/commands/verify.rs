@@ -1,8 +1,8 @@
 //! `stiffarm robots verify`: does a robot file count the joints as the pendant does?
 
-use std::io::{self, Write};
 use std::path::Path;
 
+use serde_json::Value;
 use stiffarm::catalogue::readings::{self, ReadOptions, Readings};
 use stiffarm::catalogue::{self, files};
 use stiffarm::robot::Robot;
@@ -13,7 +13,7 @@ use stiffarm_ask::date::today;
 
 use crate::args::VerifyArgs;
 use crate::common::Common;
-use stiffarm_ask::forms::{Answer, Forms, Piece, pretty, sheet};
+use stiffarm_ask::forms::{Answer, Forms, Piece, sheet};
 
 use crate::failure::Failure;
 use crate::look::Look;
@@ -112,10 +112,10 @@ impl Answer for VerifyOutput {
         }
     }
 
-    fn json(&self, out: &mut dyn Write) -> io::Result<()> {
+    fn value(&self) -> Value {
         match self {
-            Self::One(one) => pretty(out, &one.json()),
-            Self::Any(any) => pretty(out, &any.json()),
+            Self::One(one) => one.json(),
+            Self::Any(any) => any.json(),
         }
     }
 

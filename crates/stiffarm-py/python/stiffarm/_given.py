@@ -74,6 +74,16 @@ def row(name: str, values: object) -> list[float]:
     return [float(value) for value in found]
 
 
+def spelt(value: float) -> str:
+    """A number as one types it: 300, and not 300.0; none of its digits is lost."""
+    return repr(value).removesuffix(".0")
+
+
+def joints(values: object) -> str:
+    """Six angles as the command line spells them."""
+    return ",".join(spelt(angle) for angle in row("joints_deg", values))
+
+
 def text(name: str, value: object) -> str:
     if not isinstance(value, str):
         raise StiffarmError(f"{name}={_short(value)}; expected a text")
@@ -123,7 +133,7 @@ def between(name: str, value: RangeLike | None) -> str | None:
     except (TypeError, ValueError):
         raise StiffarmError(f"{name}: {_short(value)} is not a range; expected both ends, None for an open one") from None
     ends = [None if end is None else number(name, end) for end in (low, high)]
-    return "..".join("" if end is None or abs(end) == float("inf") else repr(end) for end in ends)
+    return "..".join("" if end is None or abs(end) == float("inf") else spelt(end) for end in ends)
 
 
 def within(value: str | Sequence[RangeLike | None] | None) -> str | None:

@@ -84,8 +84,8 @@ def _text(option: Option, value: object) -> str | None:
     if isinstance(value, bool):
         return str(value).lower()
     if kind != "number" and isinstance(value, Iterable) or option.is_list:
-        return ",".join(repr(part) for part in _given.row(name, value))
-    return repr(_given.number(name, value))
+        return ",".join(_given.spelt(part) for part in _given.row(name, value))
+    return _given.spelt(_given.number(name, value))
 
 
 class _Type:

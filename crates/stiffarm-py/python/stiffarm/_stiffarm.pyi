@@ -1,6 +1,6 @@
 import os
 from collections.abc import Callable, Sequence
-from typing import Any, final
+from typing import Any, Protocol, final
 
 import numpy as np
 import numpy.typing as npt
@@ -12,35 +12,42 @@ __all__ = [
     "StiffarmError",
     "__sources__",
     "__version__",
+    "answered",
     "distinct",
-    "drawn_place",
     "draws",
-    "force",
-    "identify",
-    "map",
-    "compare",
-    "chatter",
     "matrices",
-    "milled_program",
-    "modes",
-    "measure",
-    "mill",
     "options",
     "looks",
     "order",
     "palette",
-    "place",
-    "posture",
-    "rank",
     "robots",
     "select",
     "set_threads",
-    "study",
     "worst",
     "validate",
 ]
 
 _Told = Callable[[int, int | None], object]
+
+class _Question(Protocol):
+    @property
+    def verb(self) -> str: ...
+    @property
+    def given(self) -> list[tuple[str, str]]: ...
+    @property
+    def robots(self) -> list[tuple[str, Robot]]: ...
+    @property
+    def texts(self) -> dict[str, str]: ...
+
+class _Wanted(Protocol):
+    @property
+    def forms(self) -> Sequence[str]: ...
+    @property
+    def written(self) -> Sequence[str]: ...
+    @property
+    def advice(self) -> bool: ...
+    @property
+    def points(self) -> int | None: ...
 
 class StiffarmError(ValueError): ...
 
@@ -111,22 +118,8 @@ class Robot:
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, tuple[str]]: ...
 
-def drawn_place(
-    robot: Robot, wanted_task: str, asked: dict[str, str], size: int
-) -> tuple[dict[str, Any], npt.NDArray[np.float64]]: ...
+def answered(question: _Question, wanted: _Wanted, progress: _Told | None = None) -> dict[str, Any]: ...
 def draws(robot: Robot, asked: dict[str, str], count: int) -> tuple[Robot, npt.NDArray[np.float64] | None]: ...
-def identify(
-    name: str, text: str | None, robot: Robot, asked: dict[str, str], progress: _Told | None = None
-) -> tuple[dict[str, Any], dict[str, Any], str]: ...
-def measure(
-    robot: Robot, asked: dict[str, str], progress: _Told | None = None
-) -> tuple[dict[str, Any], dict[str, Any]]: ...
-def chatter(
-    process: str, robot: Robot, joints_deg: Sequence[float], asked: dict[str, str]
-) -> tuple[dict[str, Any], dict[str, Any]]: ...
-def modes(
-    robot: Robot, joints_deg: Sequence[float], asked: dict[str, str]
-) -> tuple[dict[str, Any], dict[str, Any]]: ...
 def looks(robots: list[tuple[str, str]]) -> list[tuple[str, int] | None]: ...
 def palette() -> tuple[list[tuple[str, str]], list[tuple[str, list[str]]]]: ...
 def options(verb: str) -> list[tuple[str, str, tuple[int, int] | None, bool, str | None, bool, str]]: ...
@@ -140,36 +133,7 @@ def worst(
 def matrices(
     robot: Robot, joints_deg: npt.NDArray[np.float64], asked: dict[str, str], progress: _Told | None = None
 ) -> npt.NDArray[np.float64]: ...
-def posture(robot: Robot, joints_deg: Sequence[float], asked: dict[str, str]) -> dict[str, Any]: ...
-def place(
-    robot: Robot, wanted_task: str, asked: dict[str, str], advice: bool, progress: _Told | None = None
-) -> tuple[dict[str, Any], dict[str, Any]]: ...
-def compare(
-    a: Robot | str, b: Robot | str, asked: dict[str, str], progress: _Told | None = None
-) -> tuple[dict[str, Any], dict[str, Any]]: ...
-def rank(
-    robots: Sequence[Robot], tasks: Sequence[str], asked: dict[str, str], progress: _Told | None = None
-) -> tuple[dict[str, Any], dict[str, Any]]: ...
 def order(
     robots: Sequence[tuple[str, str, bool, bool]], proved_mm: Sequence[Sequence[tuple[float, float] | None]]
 ) -> list[tuple[int, int | None, bool | None, float | None]]: ...
-def map(
-    robot: Robot, asked: dict[str, str], progress: _Told | None = None
-) -> tuple[dict[str, Any], dict[str, npt.NDArray[np.float64]], dict[str, Any]]: ...
-def force(process: str) -> tuple[dict[str, Any], dict[str, Any]]: ...
-def mill(
-    path: str,
-    asked: dict[str, str],
-    robot: Robot | None = None,
-    robots: Sequence[Robot] | None = None,
-    progress: _Told | None = None,
-) -> tuple[dict[str, Any], dict[str, Any]]: ...
-def milled_program(
-    path: str, asked: dict[str, str], robot: Robot, ending: str | None = None, progress: _Told | None = None
-) -> str: ...
 def validate(progress: _Told | None = None) -> tuple[dict[str, Any], dict[str, Any]]: ...
-def study(
-    robot: Robot | None,
-    asked: dict[str, str],
-    progress: _Told | None = None,
-) -> tuple[dict[str, Any], dict[str, Any]]: ...

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, overload
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _given, _options, _stiffarm
 from ._answers import Chatter, Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, Modes, PathRanking, Placement, Ranking, Study, Toolpath
 from ._given import RobotLike
+from ._asked import OutputLike, answered, placed, question
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
 from .types import (
@@ -61,15 +62,15 @@ def robots(
 
 @overload
 def compliance(
-    robot: RobotLike, *, joints_deg: Sequence[float], full: bool = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
+    robot: RobotLike, *, joints_deg: Sequence[float], full: bool = ..., output: OutputLike = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
 ) -> Compliance: ...
 @overload
 def compliance(
-    robot: RobotLike, *, joints_deg: Sequence[Sequence[float]], full: bool = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
+    robot: RobotLike, *, joints_deg: Sequence[Sequence[float]], full: bool = ..., output: OutputLike = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
 ) -> Compliances: ...
 @overload
 def compliance(
-    robot: RobotLike, *, joints_deg: npt.ArrayLike, full: bool = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
+    robot: RobotLike, *, joints_deg: npt.ArrayLike, full: bool = ..., output: OutputLike = ..., progress: ProgressLike = ..., **options: Unpack[ComplianceOptions]
 ) -> Compliance | Compliances: ...
 @_options.takes("compliance", ComplianceOptions)
 def compliance(
@@ -77,6 +78,7 @@ def compliance(
     *,
     joints_deg: npt.ArrayLike,
     full: bool = False,
+    output: OutputLike = None,
     progress: ProgressLike = None,
     **options: Unpack[ComplianceOptions],
 ) -> Compliance | Compliances:
@@ -93,6 +95,8 @@ def compliance(
     full : bool
         Of many postures, the (n, 3, 3) matrices too.
     {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.html`` what can be turned, ``.json``; of one posture.
     progress : bool or callable, optional
         True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
         parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
@@ -113,9 +117,12 @@ def compliance(
     if joints.shape == (6,):
         if full:
             raise StiffarmError("full=True is for many postures: one has all there is")
-        return Compliance(_stiffarm.posture(robot, joints.tolist(), asked))
+        given = {"joints_deg": _given.joints(joints), **asked}
+        return Compliance(answered(question("compliance", given, robot=robot), "compliance", output=output)["answer"])
     if joints.ndim != 2 or joints.shape[1] != 6:
         raise StiffarmError(f"joints_deg of shape {joints.shape}; expected (6,) or (n, 6), in degrees")
+    if output is not None:
+        raise StiffarmError("output is for one posture; to_pandas() has the rows of many")
     if "force_n" in asked:
         raise StiffarmError("force_n is for one posture; of many, full=True gives the matrices")
     with told("compliances", progress) as tell:
@@ -126,7 +133,7 @@ def compliance(
 
 
 @_options.takes("place", PlaceOptions)
-def place(robot: RobotLike, *, task: str, progress: ProgressLike = None, **options: Unpack[PlaceOptions]) -> Placement:
+def place(robot: RobotLike, *, task: str, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[PlaceOptions]) -> Placement:
     """The best place of one zone.
 
     Parameters
@@ -136,6 +143,8 @@ def place(robot: RobotLike, *, task: str, progress: ProgressLike = None, **optio
     task : str
         ``circle:D``, ``rect:AxB`` in m, or the paper's ``A:d``, ``B:d``, ``C:d``.
     {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.html`` a report, ``.view.html`` what can be turned, ``.svg``, ``shop.svg`` the drawing for the shop, ``.json``.
     progress : bool or callable, optional
         True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
         parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
@@ -150,9 +159,10 @@ def place(robot: RobotLike, *, task: str, progress: ProgressLike = None, **optio
     StiffarmError
         Where an argument makes no sense.
     """
-    asked = (_given.robot(robot), _given.text("task", task), _options.spelt("place", options))
-    with told("searching places", progress) as tell:
-        return Placement(*_stiffarm.place(*asked, True, tell), asked)
+    given = {"task": _given.text("task", task), **_options.spelt("place", options)}
+    asked = question("place", given, robot=_given.robot(robot))
+    found = answered(asked, "searching places", output=output, progress=progress)
+    return Placement(found["answer"], found["columns"], asked)
 
 
 def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> PlacementDict:
@@ -169,8 +179,7 @@ def cell(robot: RobotLike, task: str, **options: Unpack[PlaceOptions]) -> Placem
     **options
         As in `place`.
     """
-    asked = (_given.robot(robot), _given.text("task", task), _options.spelt("place", options))
-    return Placement(*_stiffarm.place(*asked, False), asked).to_dict()
+    return Placement(placed(_given.robot(robot), _given.text("task", task), _options.spelt("place", options))).to_dict()
 
 
 @_options.takes("rank", RankOptions)
@@ -178,6 +187,7 @@ def rank(
     robots: RobotLike | Iterable[RobotLike] | None = None,
     *,
     tasks: str | Iterable[str] = PAPER_TASKS,
+    output: OutputLike = None,
     progress: ProgressLike = None,
     **options: Unpack[RankOptions],
 ) -> Ranking:
@@ -191,6 +201,8 @@ def rank(
     tasks : str or list of str
         As the task of `place`; without it the six of the paper.
     {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.html`` a report, ``.svg``, ``.json``.
     progress : bool or callable, optional
         True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
         parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
@@ -208,12 +220,21 @@ def rank(
     asked = _options.spelt("rank", options)
     if robots is None:
         robots = "all" if asked.keys() & _options.table("robots list").keys() else "paper"
-    with told("placing zones", progress) as tell:
-        return Ranking(*_stiffarm.rank(_given.robots(robots), _given.tasks(tasks), asked, tell))
+    who: str | list[Robot] | None = _given.robots(robots)
+    if who == _given.robots("paper"):
+        # They are those that are meant where neither robots are named nor properties.
+        who = "paper" if asked.keys() & _options.table("robots list").keys() else None
+    wanted = _given.tasks(tasks)
+    if not wanted:
+        raise StiffarmError("no task to rank for; give tasks")
+    given = {"tasks": ",".join(wanted), **asked}
+    found = answered(question("rank", given, robots=who), "placing zones", output=output, progress=progress)
+    return Ranking(found["answer"], found["columns"])
+
 
 
 @_options.takes("map", MapOptions)
-def map(robot: RobotLike, *, progress: ProgressLike = None, **options: Unpack[MapOptions]) -> Map:
+def map(robot: RobotLike, *, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[MapOptions]) -> Map:
     """The deflection over everything a robot reaches.
 
     Parameters
@@ -221,6 +242,8 @@ def map(robot: RobotLike, *, progress: ProgressLike = None, **options: Unpack[Ma
     robot : Robot or str
         Which.
     {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.html`` what can be turned, ``.svg``, ``.json``.
     progress : bool or callable, optional
         True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
         parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
@@ -235,12 +258,13 @@ def map(robot: RobotLike, *, progress: ProgressLike = None, **options: Unpack[Ma
     StiffarmError
         Where an argument makes no sense; too many points are refused before memory is taken.
     """
-    with told("mapping", progress) as tell:
-        return Map(*_stiffarm.map(_given.robot(robot), _options.spelt("map", options), tell))
+    asked = question("map", _options.spelt("map", options), robot=_given.robot(robot))
+    found = answered(asked, "mapping", output=output, points=0, progress=progress)
+    return Map(found["answer"], found["layers"], found["shown"])
 
 
 @_options.takes("study", StudyOptions)
-def study(*, robot: RobotLike | None = None, progress: ProgressLike = None, **options: Unpack[StudyOptions]) -> Study:
+def study(*, robot: RobotLike | None = None, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[StudyOptions]) -> Study:
     """Two architectures against link ratio and task size, without joint limits.
 
     Parameters
@@ -248,6 +272,8 @@ def study(*, robot: RobotLike | None = None, progress: ProgressLike = None, **op
     robot : Robot or str, optional
         One that is to be found among all this with its `task`: ``mark`` says where both stand, and which architecture is stiffer there.
     {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.svg``, ``.json``.
     progress : bool or callable, optional
         True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
         parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
@@ -262,14 +288,15 @@ def study(*, robot: RobotLike | None = None, progress: ProgressLike = None, **op
     StiffarmError
         Where an argument makes no sense.
     """
-    with told("studying", progress) as tell:
-        marked = None if robot is None else _given.robot(robot)
-        return Study(*_stiffarm.study(marked, _options.spelt("study", options), tell))
+    marked = None if robot is None else _given.robot(robot)
+    asked = question("study", _options.spelt("study", options), robot=marked)
+    found = answered(asked, "studying", output=output, progress=progress)
+    return Study(found["answer"], found["columns"])
 
 
 @_options.takes("compare", CompareOptions)
 def compare(
-    a: RobotLike, b: RobotLike, *, progress: ProgressLike = None, **options: Unpack[CompareOptions]
+    a: RobotLike, b: RobotLike, *, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[CompareOptions]
 ) -> Comparison:
     """Two setups side by side.
 
@@ -279,6 +306,8 @@ def compare(
         Robots, or paths of job files for `place` (TOML), which may say more: one robot with two tools takes two of them. What a job
         file says comes before the keywords, which are asked of both.
     {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.svg``, ``.json``.
     progress : bool or callable, optional
         True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
         parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
@@ -293,9 +322,9 @@ def compare(
     StiffarmError
         Where an argument makes no sense of one of them.
     """
-    asked = _options.spelt("compare", options)
-    with told("placing zones", progress) as tell:
-        return Comparison(*_stiffarm.compare(_given.setup("a", a), _given.setup("b", b), asked, tell))
+    asked = question("compare", _options.spelt("compare", options), a=_given.setup("a", a), b=_given.setup("b", b))
+    found = answered(asked, "placing zones", output=output, progress=progress)
+    return Comparison(found["answer"], found["columns"])
 
 
 @_options.takes("identify", IdentifyOptions)
@@ -303,6 +332,7 @@ def identify(
     data: str | os.PathLike[str] | object,
     *,
     robot: RobotLike,
+    output: OutputLike = None,
     progress: ProgressLike = None,
     **options: Unpack[IdentifyOptions],
 ) -> Identification:
@@ -316,6 +346,8 @@ def identify(
     robot : Robot or str
         The robot that was measured.
     {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.html`` a report, ``.toml`` the robot file, ``.svg``, ``.json``.
     progress : bool or callable, optional
         True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
         parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
@@ -330,14 +362,16 @@ def identify(
     StiffarmError
         Names every fault with its row and column, or says why nothing can be concluded.
     """
-    asked = _options.spelt("identify", options)
-    with told("identifying", progress) as tell:
-        return Identification(*_stiffarm.identify(*_given.table("data", data), _given.robot(robot), asked, tell))
+    name, text = _given.table("data", data)
+    given = {"data": name, **_options.spelt("identify", options)}
+    asked = question("identify", given, texts={} if text is None else {name: text}, robot=_given.robot(robot))
+    found = answered(asked, "identifying", output=output, progress=progress)
+    return Identification(found["answer"], found["columns"], found["robot_file"])
 
 
 @_options.takes("measure", MeasureOptions)
 def measure(
-    robot: RobotLike, *, progress: ProgressLike = None, **options: Unpack[MeasureOptions]
+    robot: RobotLike, *, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[MeasureOptions]
 ) -> MeasurementPlan:
     """Which postures and loads to measure, with a certificate that no other choice is much better.
 
@@ -346,6 +380,8 @@ def measure(
     robot : Robot or str
         Which.
     {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.json``.
     progress : bool or callable, optional
         True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
         parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
@@ -360,14 +396,14 @@ def measure(
     StiffarmError
         Where no posture can be measured, or the loads show nothing.
     """
-    asked = _options.spelt("measure", options)
-    with told("planning", progress) as tell:
-        return MeasurementPlan(*_stiffarm.measure(_given.robot(robot), asked, tell))
+    asked = question("measure", _options.spelt("measure", options), robot=_given.robot(robot))
+    found = answered(asked, "planning", output=output, progress=progress)
+    return MeasurementPlan(found["answer"], found["columns"])
 
 
 @_options.takes("modes", ModesOptions)
 def modes(
-    robot: RobotLike, *, joints_deg: Sequence[float] | npt.NDArray[np.float64], **options: Unpack[ModesOptions]
+    robot: RobotLike, *, joints_deg: Sequence[float] | npt.NDArray[np.float64], output: OutputLike = None, **options: Unpack[ModesOptions]
 ) -> Modes:
     """How an arm swings at one posture: frequencies, shapes, damping.
 
@@ -378,6 +414,8 @@ def modes(
     joints_deg : six numbers
         The posture, as the robot counts its joints.
     {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.json``.
 
     Returns
     -------
@@ -389,8 +427,9 @@ def modes(
     StiffarmError
         Where masses are not known, or nothing holds a drive.
     """
-    asked = _options.spelt("modes", options)
-    return Modes(*_stiffarm.modes(_given.robot(robot), [float(angle) for angle in joints_deg], asked))
+    given = {"joints_deg": _given.joints(joints_deg), **_options.spelt("modes", options)}
+    found = answered(question("modes", given, robot=_given.robot(robot)), "modes", output=output)
+    return Modes(found["answer"], found["columns"])
 
 
 @_options.takes("chatter", ChatterOptions)
@@ -400,6 +439,7 @@ def chatter(
     *,
     joints_deg: Sequence[float] | npt.NDArray[np.float64],
     feed: Sequence[float] | npt.NDArray[np.float64],
+    output: OutputLike = None,
     **options: Unpack[ChatterOptions],
 ) -> Chatter:
     """Does a cut swing with the arm at one posture, and how deep may it go?
@@ -417,6 +457,8 @@ def chatter(
     feed : three numbers
         In which direction the tool feeds, along the axes of the base.
     {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.svg``, ``.json``.
 
     Returns
     -------
@@ -428,18 +470,24 @@ def chatter(
     StiffarmError
         Where masses are not known, and of processes that are not covered.
     """
-    asked = _options.spelt("chatter", {"feed": feed, **options})
-    path = str(_given.path("process", process))
-    return Chatter(*_stiffarm.chatter(path, _given.robot(robot), [float(angle) for angle in joints_deg], asked))
+    given = {
+        "process": str(_given.path("process", process)),
+        "joints_deg": _given.joints(joints_deg),
+        **_options.spelt("chatter", {"feed": feed, **options}),
+    }
+    found = answered(question("chatter", given, robot=_given.robot(robot)), "chatter", output=output)
+    return Chatter(found["answer"], found["columns"])
 
 
-def force(process: str | os.PathLike[str]) -> Force:
+def force(process: str | os.PathLike[str], *, output: OutputLike = None) -> Force:
     """The cutting force of a process, on the tool: mean over a revolution, extremes, moment and power.
 
     Parameters
     ----------
     process : path
         A process file (TOML): tool, material, engagement and spindle, or a force as it is.
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.json``.
 
     Returns
     -------
@@ -451,7 +499,9 @@ def force(process: str | os.PathLike[str]) -> Force:
     StiffarmError
         Where the file has faults: all of them, with their lines.
     """
-    return Force(*_stiffarm.force(str(_given.path("process", process))))
+    given = {"process": str(_given.path("process", process))}
+    found = answered(question("force", given), "force", output=output)
+    return Force(found["answer"], found["columns"])
 
 
 @overload
@@ -487,6 +537,7 @@ def mill(
     robot: RobotLike | None = None,
     *,
     robots: RobotLike | Iterable[RobotLike] | None = None,
+    output: OutputLike = None,
     progress: ProgressLike = None,
     **options: Unpack[MillOptions],
 ) -> Milled | Toolpath | PathRanking:
@@ -501,7 +552,10 @@ def mill(
         The robot that mills: a name, or the path of a robot file.
     robots : robots, optional
         Robots that are ranked on the path, each at its own best place and rolls: robots, names, patterns (``"IRB 6700*"``), paths, or
-        the sets ``"paper"`` and ``"all"``; of them those that have a vendor, a payload or another property that is asked for.
+        the sets ``"paper"`` and ``"all"``; of them those that have a vendor, a payload or another property that is asked for. Where only
+        such a property is asked for, all robots that have it.
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.html`` a report, ``.view.html`` what can be turned, ``.svg``, ``shop.svg`` the drawing for the shop, ``.src``, ``.mod`` and ``.ls`` programs of controllers, ``.json``.
     progress : bool or callable, optional
         True shows on stderr how much of the work is done (None does on a terminal); a callable gets how much and of how much (or None).
     {options}
@@ -517,14 +571,14 @@ def mill(
     StiffarmError
         Where the path is refused: its line, the word and what was expected; where something makes no sense.
     """
-    asked = _options.spelt("mill", options)
+    given = {"path": str(_given.path("path", path)), **_options.spelt("mill", options)}
     one = None if robot is None else _given.robot(robot)
     several = None if robots is None else _given.robots(robots)
-    with told("milling", progress) as tell:
-        found = _stiffarm.mill(os.fspath(path), asked, one, several, tell)
-    if several is not None:
-        return PathRanking(*found)
-    return Milled(*found, (os.fspath(path), asked, one)) if one is not None else Toolpath(*found)
+    asked = question("mill", given, robot=one, robots=several)
+    found = answered(asked, "milling", output=output, progress=progress)
+    if "rows" in found["answer"]:
+        return PathRanking(found["answer"], found["columns"])
+    return Milled(found["answer"], found["columns"], asked) if one is not None else Toolpath(found["answer"], found["columns"])
 
 
 def validate(*, progress: ProgressLike = None) -> Ledger:

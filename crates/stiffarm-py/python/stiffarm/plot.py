@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _stiffarm
+from ._asked import answered
 from ._answers import Compliance, Map, Placement, Ranking, Study
 
 if TYPE_CHECKING:
@@ -253,7 +254,8 @@ def place(
         raise ValueError(f"{result.robot}: no place for {result.task} to draw: {result.reason}")
     if result.faces:
         raise ValueError(f"{result.robot}: the map shows one flat zone, and {result.task} is a part")
-    shown, cells = _stiffarm.drawn_place(*asked, size)
+    reply = answered(asked, "mapping", advice=False, points=size)
+    shown, (cells, *_) = reply["shown"], reply["layers"].values()
     ax = _axes(ax)
     x, z = np.asarray(shown["x_m"]), np.asarray(shown["z_m"])
     label = f"worst deflection under {result.force_n:g} N [mm]"

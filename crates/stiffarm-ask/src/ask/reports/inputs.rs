@@ -29,6 +29,11 @@ impl Inputs {
         Self { names: asked.files(), process: asked.given_process(), sources: context.sources.clone() }
     }
 
+    /// What a command line must be given as files first.
+    pub(crate) fn nowhere_else(&self) -> Vec<&str> {
+        self.sources.nowhere_else()
+    }
+
     /// The process with the force that it gives, and the names of the files that its own file names.
     fn read_process(&self) -> Result<Option<(CuttingAnswer, Vec<String>)>, AskError> {
         let Some(name) = &self.process else { return Ok(None) };

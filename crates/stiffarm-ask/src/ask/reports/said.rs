@@ -42,6 +42,13 @@ pub(super) fn repeated(asked: &Request, inputs: &Inputs) -> Result<Section, AskE
             .text("Files that it rests on, with their digests; what was not read from a file comes with the program:");
         section.table(files);
     }
+    let missing = inputs.nowhere_else();
+    if !missing.is_empty() {
+        section.text(format!(
+            "Not in any file, but handed over by a program: {}. Write it to a file first and name that below (in Python a robot's to_toml() is its robot file).",
+            missing.join(", ")
+        ));
+    }
     section.text("The same numbers come from this command, in the folder in which it was asked:");
     section.blocks.push(Block::Code(asked.command_in_lines(CODE_LETTERS)));
     section.text("or from this job file, job.toml, in that folder:");

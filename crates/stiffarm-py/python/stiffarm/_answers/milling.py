@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
 
-from .. import _stiffarm
+from .._asked import Question, text
 from .._given import Array
 from .._stiffarm import StiffarmError
 from ..types import (
@@ -25,6 +26,10 @@ from ..types import (
     ToolpathDict,
 )
 from .base import Table
+
+
+#: Endings of files that are written back in their own format.
+_REWRITTEN = (".nc", ".gcode", ".ngc", ".tap", ".apt", ".cls")
 
 
 class Force(Table[ForceDict]):
@@ -148,14 +153,14 @@ class Milled(Table[MilledDict]):
     fed_back: FedBackDict | None
     remarks: list[str]
 
-    #: Path, options and robot, from which programs are written.
-    _asked: tuple[str, dict[str, str], Any] | None
+    #: The question, from which programs are written.
+    _asked: Question | None
 
     def __init__(
         self,
         data: dict[str, Any],
         columns: dict[str, Any] | None = None,
-        asked: tuple[str, dict[str, str], Any] | None = None,
+        asked: Question | None = None,
     ) -> None:
         super().__init__(data, columns)
         self._asked = asked
@@ -168,21 +173,27 @@ class Milled(Table[MilledDict]):
 
     def program(self, controller: Literal["src", "mod", "ls"]) -> str:
         """The path as a program of a controller, by the ending of its files, compensated where that was asked for; the rolls are sought once more."""
-        return self._written(controller)
+        if controller not in ("src", "mod", "ls"):
+            raise StiffarmError(f"no controller reads {controller!r}; expected src, mod or ls")
+        return text(self._there(), "milling", f"path.{controller}")
 
     def rewritten(self) -> str:
         """The path's own file with its tips led aside by what the tool is pushed off; needs ``compensate=True``."""
-        return self._written(None)
+        asked = self._there()
+        given = dict(asked.given)
+        ending = Path(given["path"]).suffix.lower()
+        if ending not in _REWRITTEN:
+            ending = f".{given['format']}" if given.get("format") in ("apt", "cls") else ".nc"
+        return text(asked, "milling", f"path{ending}")
 
-    def _written(self, ending: str | None) -> str:
+    def _there(self) -> Question:
+        """The same question of the part where it was found to stand; its place need not be sought again."""
         if self._asked is None or self.at_m is None:
             raise StiffarmError(f"there is no program: {self.reason or 'the answer does not know what was asked'}")
-        path, asked, robot = self._asked
         x, y, z = self.at_m.tolist()
-        # Where the part was found to stand; its place need not be sought again.
-        here = {key: text for key, text in asked.items() if not key.startswith("within")}
-        here["at"] = ",".join(repr(part) for part in (x, y, z, self.at_yaw_deg or 0.0))
-        return _stiffarm.milled_program(path, here, robot, ending)
+        at = ",".join(repr(part) for part in (x, y, z, self.at_yaw_deg or 0.0))
+        sought = [keyword for keyword, _ in self._asked.given if keyword.startswith("within")]
+        return self._asked.without(*sought).with_given(at=at)
 
     def _words(self) -> str:
         if self.worst_mm is None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 from typing import Any
 
+from .._asked import Question
 from .._stiffarm import Robot, StiffarmError
 from ..types import (
     AdviceDict,
@@ -128,14 +129,14 @@ class Placement(Table[PlacementDict]):
     task_rank: int | None
     task_rank_tied: bool | None
 
-    #: Robot, task and options, from which a figure is drawn; of a ranking None.
-    _asked: tuple[Any, str, dict[str, str]] | None
+    #: The question, from which a figure is drawn; of a ranking None.
+    _asked: Question | None
 
     def __init__(
         self,
         data: dict[str, Any],
         columns: dict[str, Any] | None = None,
-        asked: tuple[Any, str, dict[str, str]] | None = None,
+        asked: Question | None = None,
     ) -> None:
         super().__init__(data, columns)
         self._asked = asked

@@ -25,6 +25,7 @@ import numpy.typing as npt
 
 from .. import _given, _options, _stiffarm
 from .._given import Array, RobotLike
+from .._asked import placed
 from .._stiffarm import Robot, StiffarmError
 from .._verbs import PAPER_TASKS
 from ..types import SweepOptions
@@ -235,7 +236,7 @@ def _checked(
     # Any robot of the catalogue will do: a zone that no arm reaches is refused at once, after its options were read.
     any_robot = Robot("KR 210 R2700 extra")
     for force in forces_n:
-        _stiffarm.place(any_robot, "circle:50", {**asked, "force_n": repr(force)}, False)
+        placed(any_robot, "circle:50", {**asked, "force_n": repr(force)})
     drawn: Array | None = None
     if scenarios is not None:
         for stiffness in asked.keys() & {"drive_urad_per_nm", "stiffness_nm_per_rad"}:

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from .._stiffarm import StiffarmError
+from .._whole import written_whole
 
 #: Names that begin so are passed over by whoever reads a folder of Parquet files.
 ASKED, SCENARIOS, SUMS, LOCK = "_question.json", "_scenarios.npy", "_sha256sums", "_lock"
@@ -29,18 +30,10 @@ def part_name(chunk: int, fingerprint: str) -> str:
 
 def write_whole(path: Path, data: bytes) -> str:
     """A file that is there is complete: it gets its name only when all of it is on the disk. Gives its digest."""
-    beside = path.with_name(f"_{path.name}.{uuid.uuid4().hex}")
     try:
-        with open(beside, "xb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(beside, path)
+        written_whole(path, data)
     except OSError as error:
         raise _unwritten(path, error) from None
-    finally:
-        with contextlib.suppress(OSError):
-            beside.unlink()
     return hashlib.sha256(data).hexdigest()
 
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _stiffarm
+from .._asked import placed
 from .._given import Array
 from .._stiffarm import Robot, StiffarmError
 from ._folder import ASKED, SCENARIOS, SUMS, listed, part_name, write_whole
@@ -213,7 +214,7 @@ def _nominal(toml: str) -> Robot:
 
 def _placed(robot: Robot, task: str, asked: dict[str, str]) -> dict[str, Any]:
     try:
-        return _stiffarm.place(robot, task, asked, False)[0]
+        return placed(robot, task, asked)
     except (KeyboardInterrupt, SystemExit):
         raise
     # A panic of the library is no Exception, and must not end the run either.
