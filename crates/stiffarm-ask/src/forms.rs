@@ -13,6 +13,7 @@ use serde_json::Value;
 
 use crate::answer::{Rows, Table};
 use crate::error::AskError;
+use crate::exports;
 use crate::figures::Plate;
 use crate::figures::view3d::View;
 use crate::report::Report;
@@ -111,6 +112,11 @@ pub trait Answer {
         }
     }
 
+    /// A map for programs that show fields in space, where there is one.
+    fn image(&self) -> Option<String> {
+        None
+    }
+
     /// What was asked of the figure alone.
     fn plate(&self) -> Plate {
         Plate::default()
@@ -176,6 +182,10 @@ pub enum Form {
     Pdf(Drawn),
     /// What can be turned in space.
     View,
+    /// The same as lines and faces for programs that show fields in space.
+    Lines,
+    /// A map as an image for them.
+    Image,
     /// What is handed on, to be read on a screen or printed.
     Report,
     /// The same as pages.
@@ -210,6 +220,8 @@ impl Form {
             Self::RobotFile => answer.robot_file().unwrap_or_default().into_bytes(),
             Self::Svg(what) => made(answer.drawn(*what))?,
             Self::View => made(answer.view().map(|view| view.map(|view| view.html())))?,
+            Self::Lines => made(answer.view().map(|view| view.map(|view| exports::lines(&view))))?,
+            Self::Image => made(answer.image().map(Ok))?,
             Self::Report => made(answer.report().map(|report| report.map(|report| report.html())))?,
             Self::Program(ending) => answer.program(ending).transpose()?.unwrap_or_default(),
             Self::Csv | Self::Parquet | Self::Md | Self::Txt | Self::Png(_) | Self::Pdf(_) | Self::PrintedReport => {
@@ -221,7 +233,14 @@ impl Form {
     /// It is made of the answer alone.
     pub fn is_text(&self) -> bool {
         match self {
-            Self::Json | Self::RobotFile | Self::Svg(_) | Self::View | Self::Report | Self::Program(_) => true,
+            Self::Json
+            | Self::RobotFile
+            | Self::Svg(_)
+            | Self::View
+            | Self::Lines
+            | Self::Image
+            | Self::Report
+            | Self::Program(_) => true,
             Self::Csv | Self::Parquet | Self::Md | Self::Txt | Self::Png(_) | Self::Pdf(_) | Self::PrintedReport => {
                 false
             }
@@ -257,6 +276,8 @@ impl Forms {
             "pdf" if self.is_reported && (is_named("report") || stem.ends_with("-report")) => Form::PrintedReport,
             ending if !is_known(ending) => return None,
             "html" => Form::View,
+            "vtp" => Form::Lines,
+            "vti" => Form::Image,
             "toml" => Form::RobotFile,
             "svg" => Form::Svg(drawn),
             "png" => Form::Png(drawn),

@@ -49,7 +49,7 @@ const ABOUT: [About; 23] = [
     About {
         name: "place",
         files: "a report to hand on as .html or report.pdf, the placement as .csv, .parquet, .json, .md or .txt, the arm, the zone and a map as \
-                .svg, .pdf or .png, where the work must stand as shop.svg, a view in space that can be turned as view.html",
+                .svg, .pdf or .png, where the work must stand as shop.svg, a view in space that can be turned as view.html, its lines and faces for ParaView as .vtp",
         is_long: true,
         examples: &[
             (
@@ -67,7 +67,7 @@ const ABOUT: [About; 23] = [
     About {
         name: "map",
         files: "the cells as .csv, .parquet or .json, the answer as .md or .txt, the map as .svg, .pdf or .png, a view in space that can be \
-                turned as .html",
+                turned as .html, for ParaView the cells as .vti and the view as .vtp",
         is_long: true,
         examples: &[
             (
@@ -113,7 +113,7 @@ const ABOUT: [About; 23] = [
     },
     About {
         name: "compliance",
-        files: "the 6 x 6 matrix as .csv or .parquet, the answer as .json, .md or .txt, a view in space that can be turned as .html",
+        files: "the 6 x 6 matrix as .csv or .parquet, the answer as .json, .md or .txt, a view in space that can be turned as .html, its lines for ParaView as .vtp",
         is_long: false,
         examples: &[(
             "stiffarm compliance \"KR 210 R2700 extra\" --joints-deg 0,-90,90,0,45,0 --tool-mm 0,0,150 --force-n 0,1000,0",
@@ -186,7 +186,7 @@ const ABOUT: [About; 23] = [
         name: "mill",
         files: "a report to hand on as .html or report.pdf, every sample as .csv or .parquet, the answer as .json, .md or .txt, error, rolls and path as .svg, .pdf or .png, \
                 where the part must stand as shop.svg, the robot and the path in space as view.html, robot programs \
-                as .src (KUKA), .mod (ABB) or .ls (Fanuc), with --compensate the path itself as .nc, .gcode, .ngc, .tap, .apt or .cls",
+                as .src (KUKA), .mod (ABB) or .ls (Fanuc), a script for RoboDK as .py, a trajectory for ROS 2 as .yaml, lines for ParaView as .vtp, with --compensate the path itself as .nc, .gcode, .ngc, .tap, .apt or .cls",
         is_long: true,
         examples: &[
             ("stiffarm mill part.nc --dry", "lengths, moves, extents, feed rates, what was assumed and what ignored"),

@@ -114,7 +114,7 @@ def test_numbers_out_of_range_are_named():
         (
             {"force_n": 0}, ["--force-n", "0"],
             "invalid value '0' for '--force-n <N>': expected a number from 0.001 to 1000000 N, or three along its axes, separated by commas",
-            "invalid value '0.0' for 'force_n': expected a number from 0.001 to 1000000 N, or three along its axes, separated by commas",
+            "invalid value '0' for 'force_n': expected a number from 0.001 to 1000000 N, or three along its axes, separated by commas",
         ),
     ],
 )  # fmt: skip

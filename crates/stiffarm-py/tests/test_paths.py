@@ -106,7 +106,7 @@ def test_programs_and_rewritten_paths_are_the_programs(tmp_path: Path) -> None:
         assert told == written.read_text(), ending
     plain = stiffarm.mill("line:0.1", "KR 210 R2700 extra", feed_mm_per_min=600, force_n=400, at=(1.7, 0, 0.8, 20))
     assert plain.program("src").startswith("&ACCESS") or "DEF" in plain.program("src")
-    for refused, says in [(plain.rewritten, "built in"), (lambda: plain.program("exe"), "expected src, mod or ls")]:  # type: ignore[arg-type]
+    for refused, says in [(plain.rewritten, "built in"), (lambda: plain.program("exe"), "expected src, mod, ls, py or yaml")]:  # type: ignore[arg-type]
         with pytest.raises(stiffarm.StiffarmError, match=says):
             refused()
 

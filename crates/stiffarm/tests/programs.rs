@@ -276,6 +276,74 @@ fn the_table_of_joints_holds_the_joints_and_their_poses() {
     }
 }
 
+/// Of each point of a trajectory: its joints, rad, and its time, s.
+fn trajectory(text: &str) -> Vec<([f64; 6], f64)> {
+    let point = |line: &str| {
+        let (_, rest) = line.split_once("positions: [").unwrap();
+        let (joints, rest) = rest.split_once("], time_from_start: {sec: ").unwrap();
+        let (whole, rest) = rest.split_once(", nanosec: ").unwrap();
+        let nanoseconds: u32 = rest.trim_end_matches('}').parse().unwrap();
+        assert!(nanoseconds < 1_000_000_000, "{line}");
+        let joints: Vec<f64> = joints.split(", ").map(|number| number.parse().unwrap()).collect();
+        (joints.try_into().unwrap(), whole.parse::<f64>().unwrap() + f64::from(nanoseconds) / 1e9)
+    };
+    text.lines().filter(|line| line.starts_with("  - ")).map(point).collect()
+}
+
+#[test]
+fn a_trajectory_has_the_joints_and_takes_as_long_as_the_way_at_its_speed() {
+    let geometry = kuka();
+    let (setup, stations) = (setup(&geometry), stations(100, 4));
+    let text = one_file(Language::Ros2, &setup, &stations, &style());
+    assert!(text.contains("joint_names: [joint_1, joint_2, joint_3, joint_4, joint_5, joint_6]"));
+    let points = trajectory(&text);
+    assert_eq!((points.len(), points[0].1), (100, 0.0));
+    let place = |station: &Station| setup.part_from_tool(0, &station.joints).translation.vector;
+    for (pair, way) in points.windows(2).zip(stations.windows(2)) {
+        assert!(pair[1].0.iter().zip(way[1].joints).all(|(a, b)| (a - b).abs() < 1e-9));
+        let speed = if way[1].is_cutting { way[1].feed.unwrap() } else { 0.5 };
+        let expected = (place(&way[1]) - place(&way[0])).norm() / speed;
+        // Both times are whole nanoseconds.
+        assert!((pair[1].1 - pair[0].1 - expected).abs() < 2e-9, "{} {expected}", pair[1].1 - pair[0].1);
+    }
+    // A tool that only turns takes as long as 30 deg/s make of it: its tip stands while joint 6 turns by 60 deg.
+    let turned = |turn: f64| Station { joints: [0.0, -1.2, 1.3, 0.0, 0.5, turn], ..stations[1] };
+    let upright = Tool { number: None, flange_from_tool: Pose::translation(0.0, 0.0, 0.2) };
+    let (tools, still) = ([upright], [turned(0.0), turned(PI / 3.0)]);
+    let setup = Setup { tools: &tools, ..setup };
+    let points = trajectory(&one_file(Language::Ros2, &setup, &still, &style()));
+    assert!((points[1].1 - 2.0).abs() < 1e-9, "{}", points[1].1);
+}
+
+#[test]
+fn the_script_for_robodk_has_the_joints_and_the_poses_they_make() {
+    let geometry = kuka();
+    let (setup, stations) = (setup(&geometry), stations(100, 4));
+    let text = one_file(Language::RoboDk, &setup, &stations, &style());
+    let rows: Vec<Vec<f64>> = text
+        .lines()
+        .filter(|line| line.starts_with("    (") && line.ends_with("),"))
+        .map(|line| numbers(&line.replace(['(', ')'], "").trim().trim_end_matches(',').replace(", ", ",")))
+        .collect();
+    assert_eq!(rows.len(), 100);
+    for (i, (row, station)) in rows.iter().zip(&stations).enumerate() {
+        assert_eq!((row[0], row.len(), row[15]), (station.line as f64, 16, 0.0));
+        let joints: [f64; 6] = std::array::from_fn(|i| row[1 + i].to_radians());
+        let pose = of_quaternion([row[7], row[8], row[9]], [row[10], row[11], row[12], row[13]]);
+        assert_near(&pose, &setup.part_from_tool(0, &joints), "pose");
+        let speed = if station.is_cutting && i != 0 { station.feed.unwrap() * 1e3 } else { 500.0 };
+        assert!((row[14] - speed).abs() < 1e-5, "{} {speed}", row[14]);
+    }
+    // A name closes no text of the script.
+    let named = Setup { robot: "a\"b\\", ..setup };
+    let text = one_file(Language::RoboDk, &named, &stations, &style());
+    assert!(
+        text.contains("ROBOT = \"a\\\"b\\\\\"\n"),
+        "{}",
+        text.lines().find(|line| line.starts_with("ROBOT")).unwrap()
+    );
+}
+
 /// Tools that point along x of the part, up and down, and a hair beside: the gimbal of all Euler angles.
 #[test]
 fn at_the_gimbal_and_close_to_it_poses_are_as_exact() {
@@ -481,8 +549,10 @@ fn where_it_is_not_known_what_the_pendant_shows_no_joint_angle_is_written_and_th
     assert_near(&of_angles(krl_frame(line)), &start, line);
     let rapid = one_file(Language::Rapid, &setup, &stations, &style());
     assert!(rapid.contains("ConfJ\\Off;") && rapid.contains("ConfL\\Off;"), "{rapid}");
-    let refused = write(Language::JointsCsv, &setup, &stations, &style()).unwrap_err();
-    assert!(refused.to_string().contains("KR 210") && refused.to_string().contains("pendant-as-file"), "{refused}");
+    for language in [Language::RoboDk, Language::Ros2, Language::JointsCsv] {
+        let refused = write(language, &setup, &stations, &style()).unwrap_err().to_string();
+        assert!(refused.contains("KR 210") && refused.contains("pendant-as-file"), "{refused}");
+    }
 }
 
 #[test]

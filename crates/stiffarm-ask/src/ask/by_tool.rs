@@ -42,7 +42,7 @@ fn processes(asked: &Request, context: Context) -> Result<Vec<(u32, String, Proc
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["src", "mod", "ls"], ..Forms::of("mill") };
+pub(crate) const FORMS: Forms = Forms { further: &["src", "mod", "ls", "py"], ..Forms::of("mill") };
 
 impl Answer for ByToolOutput {
     fn forms(&self) -> Forms {

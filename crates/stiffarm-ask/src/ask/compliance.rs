@@ -89,7 +89,7 @@ fn magnified(deflection: f64) -> f64 {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["html"], ..Forms::of("compliance") };
+pub(crate) const FORMS: Forms = Forms { further: &["html", "vtp"], ..Forms::of("compliance") };
 
 impl Answer for ComplianceOutput {
     fn forms(&self) -> Forms {

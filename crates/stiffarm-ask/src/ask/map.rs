@@ -15,6 +15,7 @@ use stiffarm::watch::Watch;
 use super::context::Context;
 use super::drawing::{arm, force, scene};
 use crate::error::AskError;
+use crate::exports;
 use crate::figures::Plate;
 use crate::figures::bands::Colours;
 use crate::figures::face::FaceFigure;
@@ -258,7 +259,7 @@ fn mark(zone: &PlaceAnswer, best: &Placement) -> ZoneMark {
 }
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf", "html"], ..Forms::of("map") };
+pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf", "html", "vtp", "vti"], ..Forms::of("map") };
 
 impl Answer for MapOutput {
     fn forms(&self) -> Forms {
@@ -291,6 +292,10 @@ impl Answer for MapOutput {
 
     fn view(&self) -> Option<Result<View, AskError>> {
         Some(Ok(self.drawn().view()))
+    }
+
+    fn image(&self) -> Option<String> {
+        Some(exports::image(&self.answer))
     }
 
     fn plate(&self) -> Plate {

@@ -137,7 +137,9 @@ impl MillOutput<'_> {
 
 /// In which forms it is shown.
 pub(crate) const FORMS: Forms = Forms {
-    further: &["svg", "png", "pdf", "html", "src", "mod", "ls", "nc", "gcode", "ngc", "tap", "apt", "cls"],
+    further: &[
+        "svg", "png", "pdf", "html", "vtp", "src", "mod", "ls", "py", "yaml", "nc", "gcode", "ngc", "tap", "apt", "cls",
+    ],
     is_reported: true,
     is_sited: true,
     ..Forms::of("mill")

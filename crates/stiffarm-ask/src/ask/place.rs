@@ -278,7 +278,7 @@ impl PlaceOutput {
 
 /// In which forms it is shown.
 pub(crate) const FORMS: Forms =
-    Forms { further: &["svg", "png", "pdf", "html"], is_reported: true, is_sited: true, ..Forms::of("place") };
+    Forms { further: &["svg", "png", "pdf", "html", "vtp"], is_reported: true, is_sited: true, ..Forms::of("place") };
 
 impl Answer for PlaceOutput {
     fn forms(&self) -> Forms {

@@ -68,15 +68,14 @@ def question(
     given: Mapping[str, str],
     *,
     texts: Mapping[str, str] | None = None,
-    **named: Robot | str | Iterable[Robot] | None,
+    **named: Robot | str | Sequence[Robot | str] | None,
 ) -> Question:
     """A question; `named` are options that take robots, or texts as they are; None is not given."""
-    names, pairs = _Named(value for value in named.values() if isinstance(value, str)), []
-    for keyword, value in named.items():
-        if isinstance(value, (Robot, str)):
-            pairs.append((keyword, names.name(value) if isinstance(value, Robot) else value))
-        elif value is not None:
-            pairs += [(keyword, names.name(robot)) for robot in value]
+    several = {keyword: [value] if isinstance(value, (Robot, str)) else value or [] for keyword, value in named.items()}
+    names = _Named(value for values in several.values() for value in values if isinstance(value, str))
+    pairs = [
+        (keyword, names.name(value) if isinstance(value, Robot) else value) for keyword, values in several.items() for value in values
+    ]
     return Question(verb, [*pairs, *given.items()], list(names.robots.items()), dict(texts or {}))
 
 

@@ -169,11 +169,19 @@ def robot(value: RobotLike) -> Robot:
     return value if isinstance(value, Robot) else Robot(value)
 
 
-def setup(name: str, value: RobotLike) -> Robot | str:
-    """A robot, or its name, or the path of a robot file or of a job file."""
+def named(name: str, value: RobotLike) -> Robot | str:
+    """A robot, or its name or path, which the library follows itself: so it knows the file."""
     if isinstance(value, Robot):
         return value
     return text(name, os.fspath(value) if isinstance(value, os.PathLike) else value)
+
+
+def named_robots(value: RobotLike | Iterable[RobotLike]) -> list[Robot | str]:
+    """The same of several: names, patterns, paths, sets. What a list with commas would part is read here."""
+    several = [named("robots", item) for item in each_robot(value)]
+    if not several:
+        raise StiffarmError("robots: none is given; expected a Robot, its name or the path of its file, or several")
+    return [Robot(item) if isinstance(item, str) and "," in item else item for item in several]
 
 
 def robots(value: RobotLike | Iterable[RobotLike]) -> list[Robot]:

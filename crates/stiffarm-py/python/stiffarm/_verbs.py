@@ -111,20 +111,21 @@ def compliance(
     StiffarmError
         For wrong shapes, angles that are no numbers or beyond 1080 deg, and planar robots.
     """
-    robot = _given.robot(robot)
     asked = _options.spelt("compliance", options)
     joints = _given.numbers("joints_deg", joints_deg)
     if joints.shape == (6,):
         if full:
             raise StiffarmError("full=True is for many postures: one has all there is")
         given = {"joints_deg": _given.joints(joints), **asked}
-        return Compliance(answered(question("compliance", given, robot=robot), "compliance", output=output)["answer"])
+        one = question("compliance", given, robot=_given.named("robot", robot))
+        return Compliance(answered(one, "compliance", output=output)["answer"])
     if joints.ndim != 2 or joints.shape[1] != 6:
         raise StiffarmError(f"joints_deg of shape {joints.shape}; expected (6,) or (n, 6), in degrees")
     if output is not None:
         raise StiffarmError("output is for one posture; to_pandas() has the rows of many")
     if "force_n" in asked:
         raise StiffarmError("force_n is for one posture; of many, full=True gives the matrices")
+    robot = _given.robot(robot)
     with told("compliances", progress) as tell:
         data: dict[str, object] = {"robot": robot.name, "worst_um_per_n": _stiffarm.worst(robot, joints, asked, tell)}
         if full:
@@ -160,7 +161,7 @@ def place(robot: RobotLike, *, task: str, output: OutputLike = None, progress: P
         Where an argument makes no sense.
     """
     given = {"task": _given.text("task", task), **_options.spelt("place", options)}
-    asked = question("place", given, robot=_given.robot(robot))
+    asked = question("place", given, robot=_given.named("robot", robot))
     found = answered(asked, "searching places", output=output, progress=progress)
     return Placement(found["answer"], found["columns"], asked)
 
@@ -218,16 +219,11 @@ def rank(
         Where an argument makes no sense, or no robot is left.
     """
     asked = _options.spelt("rank", options)
-    if robots is None:
-        robots = "all" if asked.keys() & _options.table("robots list").keys() else "paper"
-    who: str | list[Robot] | None = _given.robots(robots)
-    if who == _given.robots("paper"):
-        # They are those that are meant where neither robots are named nor properties.
-        who = "paper" if asked.keys() & _options.table("robots list").keys() else None
     wanted = _given.tasks(tasks)
     if not wanted:
         raise StiffarmError("no task to rank for; give tasks")
     given = {"tasks": ",".join(wanted), **asked}
+    who = None if robots is None else _given.named_robots(robots)
     found = answered(question("rank", given, robots=who), "placing zones", output=output, progress=progress)
     return Ranking(found["answer"], found["columns"])
 
@@ -258,7 +254,7 @@ def map(robot: RobotLike, *, output: OutputLike = None, progress: ProgressLike =
     StiffarmError
         Where an argument makes no sense; too many points are refused before memory is taken.
     """
-    asked = question("map", _options.spelt("map", options), robot=_given.robot(robot))
+    asked = question("map", _options.spelt("map", options), robot=_given.named("robot", robot))
     found = answered(asked, "mapping", output=output, points=0, progress=progress)
     return Map(found["answer"], found["layers"], found["shown"])
 
@@ -288,7 +284,7 @@ def study(*, robot: RobotLike | None = None, output: OutputLike = None, progress
     StiffarmError
         Where an argument makes no sense.
     """
-    marked = None if robot is None else _given.robot(robot)
+    marked = None if robot is None else _given.named("robot", robot)
     asked = question("study", _options.spelt("study", options), robot=marked)
     found = answered(asked, "studying", output=output, progress=progress)
     return Study(found["answer"], found["columns"])
@@ -322,7 +318,7 @@ def compare(
     StiffarmError
         Where an argument makes no sense of one of them.
     """
-    asked = question("compare", _options.spelt("compare", options), a=_given.setup("a", a), b=_given.setup("b", b))
+    asked = question("compare", _options.spelt("compare", options), a=_given.named("a", a), b=_given.named("b", b))
     found = answered(asked, "placing zones", output=output, progress=progress)
     return Comparison(found["answer"], found["columns"])
 
@@ -364,7 +360,7 @@ def identify(
     """
     name, text = _given.table("data", data)
     given = {"data": name, **_options.spelt("identify", options)}
-    asked = question("identify", given, texts={} if text is None else {name: text}, robot=_given.robot(robot))
+    asked = question("identify", given, texts={} if text is None else {name: text}, robot=_given.named("robot", robot))
     found = answered(asked, "identifying", output=output, progress=progress)
     return Identification(found["answer"], found["columns"], found["robot_file"])
 
@@ -396,7 +392,7 @@ def measure(
     StiffarmError
         Where no posture can be measured, or the loads show nothing.
     """
-    asked = question("measure", _options.spelt("measure", options), robot=_given.robot(robot))
+    asked = question("measure", _options.spelt("measure", options), robot=_given.named("robot", robot))
     found = answered(asked, "planning", output=output, progress=progress)
     return MeasurementPlan(found["answer"], found["columns"])
 
@@ -428,7 +424,7 @@ def modes(
         Where masses are not known, or nothing holds a drive.
     """
     given = {"joints_deg": _given.joints(joints_deg), **_options.spelt("modes", options)}
-    found = answered(question("modes", given, robot=_given.robot(robot)), "modes", output=output)
+    found = answered(question("modes", given, robot=_given.named("robot", robot)), "modes", output=output)
     return Modes(found["answer"], found["columns"])
 
 
@@ -475,7 +471,7 @@ def chatter(
         "joints_deg": _given.joints(joints_deg),
         **_options.spelt("chatter", {"feed": feed, **options}),
     }
-    found = answered(question("chatter", given, robot=_given.robot(robot)), "chatter", output=output)
+    found = answered(question("chatter", given, robot=_given.named("robot", robot)), "chatter", output=output)
     return Chatter(found["answer"], found["columns"])
 
 
@@ -572,8 +568,8 @@ def mill(
         Where the path is refused: its line, the word and what was expected; where something makes no sense.
     """
     given = {"path": str(_given.path("path", path)), **_options.spelt("mill", options)}
-    one = None if robot is None else _given.robot(robot)
-    several = None if robots is None else _given.robots(robots)
+    one = None if robot is None else _given.named("robot", robot)
+    several = None if robots is None else _given.named_robots(robots)
     asked = question("mill", given, robot=one, robots=several)
     found = answered(asked, "milling", output=output, progress=progress)
     if "rows" in found["answer"]:

@@ -27,9 +27,9 @@ pub enum ProgramFault {
         /// What makes sense.
         expected: &'static str,
     },
-    /// A table of joints that nobody may give a controller.
+    /// Joints that nobody may give a controller.
     #[error(
-        "{robot}: a table of joints is not written: it is not known whether the pendant shows the joints as the robot file counts them; \
+        "{robot}: no joints are written: it is not known whether the pendant shows the joints as the robot file counts them; \
          expected pendant = \"as-file\" with its source, or [verified], in the robot file, or pendant-as-file"
     )]
     Pendant {
@@ -47,7 +47,7 @@ pub enum ProgramFault {
         tools: usize,
     },
     /// Several tools where nothing can stop for a change.
-    #[error("a table of joints does not stop where the tool is changed; expected the path of one tool")]
+    #[error("a table or trajectory of joints does not stop where the tool is changed; expected the path of one tool")]
     Tools,
     /// A joint angle.
     #[error("line {line}: joint {joint} at {} deg: expected a number of at most {most_deg} deg", angle.to_degrees())]

@@ -1,4 +1,5 @@
-//! What does a robot's controller read, so that it follows these joints? KUKA KRL, ABB RAPID, Fanuc LS, and a table of joints.
+//! What does a robot's controller read, so that it follows these joints? KUKA KRL, ABB RAPID, Fanuc LS; a script for
+//! RoboDK, a trajectory for ROS 2, and a table of joints.
 //!
 //! The pose that is written of a place is the forward kinematics of the joints that are commanded there. A program begins with a
 //! move in joints, so that its configuration is settled, and goes on with straight moves of the tool in the frame of the part. Where it is
@@ -19,6 +20,8 @@ mod joints;
 mod krl;
 mod ls;
 mod rapid;
+mod robodk;
+mod ros2;
 mod steps;
 
 pub use fault::ProgramFault;
@@ -120,13 +123,17 @@ pub enum Language {
     Rapid,
     /// Fanuc.
     Ls,
+    /// A script that makes frame, tools, targets and program in RoboDK.
+    RoboDk,
+    /// A trajectory of joints as a message of ROS 2.
+    Ros2,
     /// A table of joint angles and poses: the reference for the others.
     JointsCsv,
 }
 
 impl Language {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Krl, Self::Rapid, Self::Ls, Self::JointsCsv];
+    pub const ALL: [Self; 6] = [Self::Krl, Self::Rapid, Self::Ls, Self::RoboDk, Self::Ros2, Self::JointsCsv];
 
     /// As people call it.
     pub const fn name(self) -> &'static str {
@@ -134,6 +141,8 @@ impl Language {
             Self::Krl => "KUKA KRL",
             Self::Rapid => "ABB RAPID",
             Self::Ls => "Fanuc LS",
+            Self::RoboDk => "a script for RoboDK",
+            Self::Ros2 => "a trajectory for ROS 2",
             Self::JointsCsv => "joints as CSV",
         }
     }
@@ -144,13 +153,23 @@ impl Language {
             Self::Krl => "src",
             Self::Rapid => "mod",
             Self::Ls => "ls",
+            Self::RoboDk => "py",
+            Self::Ros2 => "yaml",
             Self::JointsCsv => "csv",
         }
     }
 
-    /// The controller whose programs have this ending.
+    /// The language whose programs have this ending; tables are none.
     pub fn of_program(ending: &str) -> Option<Self> {
-        [Self::Krl, Self::Rapid, Self::Ls].into_iter().find(|language| language.ending() == ending)
+        Self::ALL
+            .into_iter()
+            .filter(|language| *language != Self::JointsCsv)
+            .find(|language| language.ending() == ending)
+    }
+
+    /// Long programs are several files, as controllers have little memory.
+    const fn is_cut_into_files(self) -> bool {
+        matches!(self, Self::Krl | Self::Rapid | Self::Ls)
     }
 
     /// Feed rates that it can say, m/s: three decimals of mm/s, one for Fanuc.
@@ -158,7 +177,7 @@ impl Language {
         match self {
             Self::Krl | Self::Rapid => [1e-5, 3.0],
             Self::Ls => [1e-3, 2.0],
-            Self::JointsCsv => [1e-6, 10.0],
+            Self::RoboDk | Self::Ros2 | Self::JointsCsv => [1e-6, 10.0],
         }
     }
 }
@@ -188,6 +207,8 @@ pub fn write(
         Language::Krl => krl::files(&program),
         Language::Rapid => rapid::files(&program),
         Language::Ls => ls::files(&program),
+        Language::RoboDk => robodk::files(&program)?,
+        Language::Ros2 => ros2::files(&program)?,
         Language::JointsCsv => joints::files(&program)?,
     })
 }

@@ -66,7 +66,7 @@ impl<'a> Program<'a> {
         if steps.len() < 2 {
             return Err(ProgramFault::TooFew { stations: steps.len() });
         }
-        let most = style.moves_per_file.filter(|_| language != Language::JointsCsv);
+        let most = style.moves_per_file.filter(|_| language.is_cut_into_files());
         let parts = parts(&steps, most.unwrap_or(usize::MAX));
         Ok(Self { setup, style, steps, parts })
     }

@@ -171,10 +171,13 @@ class Milled(Table[MilledDict]):
         verdict: bool | None = self._data.get("pass")
         return verdict
 
-    def program(self, controller: Literal["src", "mod", "ls"]) -> str:
-        """The path as a program of a controller, by the ending of its files, compensated where that was asked for; the rolls are sought once more."""
-        if controller not in ("src", "mod", "ls"):
-            raise StiffarmError(f"no controller reads {controller!r}; expected src, mod or ls")
+    def program(self, controller: Literal["src", "mod", "ls", "py", "yaml"]) -> str:
+        """The path as a program, by the ending of its files, compensated where that was asked for; the rolls are sought once more.
+
+        ``"src"`` for KUKA, ``"mod"`` for ABB, ``"ls"`` for Fanuc, ``"py"`` a script for RoboDK, ``"yaml"`` a trajectory for ROS 2.
+        """
+        if controller not in ("src", "mod", "ls", "py", "yaml"):
+            raise StiffarmError(f"no controller reads {controller!r}; expected src, mod, ls, py or yaml")
         return text(self._there(), "milling", f"path.{controller}")
 
     def rewritten(self) -> str:
