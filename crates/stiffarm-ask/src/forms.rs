@@ -208,6 +208,9 @@ impl Form {
     ///
     /// # Errors
     /// Where there is nothing to draw or to write, and why.
+    ///
+    /// # Panics
+    /// Never: memory takes every byte of the JSON.
     pub fn text(&self, answer: &dyn Answer) -> Result<Option<Vec<u8>>, AskError> {
         let nothing = || AskError::Figure("there is nothing to draw".into());
         let made = |text: Option<Result<String, AskError>>| text.ok_or_else(nothing)?.map(String::into_bytes);

@@ -53,7 +53,7 @@ mod _stiffarm {
     #[pymodule_export]
     use super::robot::{Robot, robots, select};
     #[pymodule_export]
-    use super::verbs::{answered, distinct, order, validate};
+    use super::verbs::{answered, distinct, order, paper, validate};
 
     use pyo3::prelude::*;
 

@@ -15,6 +15,7 @@ use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{Cell, ColumnKind, LedgerAnswer, Rows};
 use stiffarm_ask::ask::{self, Context};
 use stiffarm_ask::forms::{Forms, Sketch};
+use stiffarm_ask::paper::{self as folder, Item};
 use stiffarm_ask::request::{Request, distinct as apart};
 use stiffarm_ask::sources::Sources;
 
@@ -78,12 +79,12 @@ enum Column {
 /// `layers`.
 #[pyfunction]
 #[pyo3(signature = (question, wanted, progress=None))]
-pub(crate) fn answered<'py>(
-    py: Python<'py>,
+pub(crate) fn answered(
+    py: Python<'_>,
     question: Question,
     wanted: Wanted,
     progress: Progress,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<Bound<'_, PyDict>> {
     let asked = read(verb(&question.verb)?, question.given)?;
     let forms = ask::forms(&asked);
     wanted.forms.iter().try_for_each(|name| check(forms, name))?;
@@ -100,7 +101,7 @@ pub(crate) fn answered<'py>(
         (replied, heard.remarks())
     })?;
     said(py, &remarks)?;
-    replied.map_err(crate::hearing::refused)?.to_python(py)
+    replied.map_err(crate::hearing::refused)?.into_python(py)
 }
 
 /// Is there a form of this name, and is it made here?
@@ -138,7 +139,7 @@ fn reply(asked: &Request, sources: &Sources, heard: &Heard, wanted: &Wanted) -> 
 }
 
 impl Reply {
-    fn to_python(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    fn into_python(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         let reply = PyDict::new(py);
         reply.set_item("answer", to_python(py, &self.value)?)?;
         reply.set_item("columns", handed_over(py, self.columns)?)?;
@@ -200,6 +201,25 @@ pub(crate) fn validate(py: Python<'_>, progress: Progress) -> PyResult<(Bound<'_
     let found = detached(py, &progress, |_: Watch| ledger::validate(&Printed::PAPER))?;
     let answer = LedgerAnswer(found.map_err(refused)?);
     Ok((to_python(py, &answer.json())?, handed_over(py, columns(&answer.rows()))?))
+}
+
+/// A file and its text.
+type Text = (String, String);
+
+/// The file of a figure, the verb that makes it, and its keywords.
+type Figure = (String, String, Vec<(String, String)>);
+
+/// What makes the paper's figures: robot files that they name, every other text, and each figure's file, verb and keywords.
+#[pyfunction]
+pub(crate) fn paper() -> PyResult<(Vec<Text>, Vec<Text>, Vec<Figure>)> {
+    let (tables, items) = (folder::tables(&ledger::validate(&Printed::PAPER).map_err(refused)?), folder::items("svg"));
+    let index = ("index.md".to_owned(), folder::index(&tables, &items));
+    let texts = tables.into_iter().flat_map(|table| table.texts).chain([index]).collect();
+    let figure = |item: &Item| {
+        let (verb, given) = item.keywords();
+        (item.file.clone(), verb.name().to_owned(), given)
+    };
+    Ok((folder::arms().into(), texts, items.iter().map(figure).collect()))
 }
 
 /// The tasks of which no other before them has the zone.

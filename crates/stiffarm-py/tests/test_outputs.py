@@ -84,6 +84,20 @@ def test_what_cannot_be_written_is_said_and_nothing_is_left(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["process.json"]
 
 
+def test_the_papers_folder_is_that_of_the_program(tmp_path):
+    told = []
+    index = stiffarm.paper(tmp_path / "mine", progress=lambda done, total: told.append((done, total)))
+    subprocess.run([path_of_program(), "paper", "-o", str(tmp_path / "theirs"), "--quiet"], check=True, capture_output=True)
+    names = sorted(path.name for path in (tmp_path / "theirs").iterdir())
+    assert index == tmp_path / "mine" / "index.md" and sorted(path.name for path in index.parent.iterdir()) == names
+    for name in names:
+        assert (index.parent / name).read_bytes() == (tmp_path / "theirs" / name).read_bytes(), name
+    assert told[-1] == (len(told), len(told))
+    (tmp_path / "file").write_text("")
+    with pytest.raises(stiffarm.StiffarmError, match="cannot make"):
+        stiffarm.paper(tmp_path / "file")
+
+
 def test_two_robots_of_one_name_are_two(tmp_path):
     usual = stiffarm.Robot("BT200L")
     softer = usual.with_compliance(drive_urad_per_nm=2)

@@ -47,7 +47,7 @@ from ._answers import (
     Toolpath,
 )
 from ._stiffarm import Robot, StiffarmError, __version__, set_threads
-from ._verbs import cell, chatter, compare, compliance, force, identify, map, measure, mill, modes, place, rank, robots, study, validate
+from ._verbs import cell, chatter, compare, compliance, force, identify, map, measure, mill, modes, paper, place, rank, robots, study, validate
 
 __all__ = [
     "Answer",
@@ -80,6 +80,7 @@ __all__ = [
     "measure",
     "mill",
     "modes",
+    "paper",
     "place",
     "rank",
     "robots",

@@ -88,7 +88,7 @@ def answered(
     with told(doing, progress) as tell:
         reply = _stiffarm.answered(asked, wanted, tell)
     for file, text in zip(files, reply["files"]):
-        _write(file, text)
+        written(file, text)
     return reply
 
 
@@ -122,7 +122,8 @@ def _files(output: OutputLike) -> list[Path]:
     return files
 
 
-def _write(file: Path, text: bytes) -> None:
+def written(file: Path, text: bytes) -> None:
+    """Whole or not at all."""
     try:
         written_whole(file.resolve(), text)
     except OSError as error:

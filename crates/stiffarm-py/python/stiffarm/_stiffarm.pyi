@@ -19,6 +19,7 @@ __all__ = [
     "options",
     "looks",
     "order",
+    "paper",
     "palette",
     "robots",
     "select",
@@ -136,4 +137,5 @@ def matrices(
 def order(
     robots: Sequence[tuple[str, str, bool, bool]], proved_mm: Sequence[Sequence[tuple[float, float] | None]]
 ) -> list[tuple[int, int | None, bool | None, float | None]]: ...
+def paper() -> tuple[list[tuple[str, str]], list[tuple[str, str]], list[tuple[str, str, list[tuple[str, str]]]]]: ...
 def validate(progress: _Told | None = None) -> tuple[dict[str, Any], dict[str, Any]]: ...

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, overload
 
 import numpy as np
@@ -12,7 +13,7 @@ import numpy.typing as npt
 from . import _given, _options, _stiffarm
 from ._answers import Chatter, Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, Modes, PathRanking, Placement, Ranking, Study, Toolpath
 from ._given import RobotLike
-from ._asked import OutputLike, answered, placed, question
+from ._asked import OutputLike, Question, answered, placed, question, written
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
 from .types import (
@@ -575,6 +576,42 @@ def mill(
     if "rows" in found["answer"]:
         return PathRanking(found["answer"], found["columns"])
     return Milled(found["answer"], found["columns"], asked) if one is not None else Toolpath(found["answer"], found["columns"])
+
+
+def paper(folder: str | os.PathLike[str], *, progress: ProgressLike = None) -> Path:
+    """Every table and figure of the paper under its number, in a folder; ``index.md`` says which is which.
+
+    Parameters
+    ----------
+    folder : path
+        Made where it is not there; files of the same names are written anew.
+    progress : bool or callable, optional
+        As in `place`.
+
+    Returns
+    -------
+    Path
+        Of ``index.md``.
+
+    Raises
+    ------
+    StiffarmError
+        Where a file cannot be written.
+    """
+    where = _given.path("folder", folder)
+    try:
+        where.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise StiffarmError(f"cannot make {where}: {error.strerror or error}") from None
+    arms, texts, figures = _stiffarm.paper()
+    with told("drawing", progress) as tell:
+        for done, (file, verb, given) in enumerate(figures, 1):
+            answered(Question(verb, given, [], dict(arms)), "drawing", output=where / file)
+            if tell is not None:
+                tell(done, len(figures))
+    for file, text in [*arms, *texts]:
+        written(where / file, text.encode())
+    return where / "index.md"
 
 
 def validate(*, progress: ProgressLike = None) -> Ledger:
