@@ -10,7 +10,7 @@ Exit codes:
   0  the answer is told
   1  no answer: a file, a robot, a search
   2  wrong usage
-  3  with --check (rank, place): the tolerance is not held, or there is no place";
+  3  with --check (rank, place, mill): the tolerance is not held, or there is no place";
 
 /// Of one command.
 pub(crate) struct About {
@@ -147,7 +147,7 @@ const ABOUT: [About; 23] = [
     },
     About {
         name: "measure",
-        files: "the table to be filled in as .csv or .parquet, the plan as .json, .md or .txt",
+        files: "the table to be filled in as .csv or .parquet, the plan as .json, .md or .txt, the postures as .svg, .pdf or .png",
         is_long: true,
         examples: &[
             (

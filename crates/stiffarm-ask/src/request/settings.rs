@@ -930,7 +930,7 @@ const OF_ZONES: &[Setting] = &[
         kind: number_of(0.0, 5e3, "mm"),
         unit: "mm",
         value: "MM",
-        absent: Absent::Means("told, not asked"),
+        absent: Absent::Means("reported, none required"),
         help: "Smallest distance of the arm, links as capsules, from floor, work, itself and what is kept free",
         example: "50",
         ..CELL

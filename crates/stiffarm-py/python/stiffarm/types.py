@@ -182,7 +182,7 @@ class PlaceOptions(TypedDict, total=False):
 
     clearance_mm: float | None
     """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: told, not asked]."""
+    [default: reported, none required]."""
 
 
 class RankOptions(TypedDict, total=False):
@@ -296,7 +296,7 @@ class RankOptions(TypedDict, total=False):
 
     clearance_mm: float | None
     """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: told, not asked]."""
+    [default: reported, none required]."""
 
     vendor: str | Iterable[str] | None
     """Only robots of these makers, separated by commas."""
@@ -558,7 +558,7 @@ class CompareOptions(TypedDict, total=False):
 
     clearance_mm: float | None
     """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: told, not asked]."""
+    [default: reported, none required]."""
 
 
 class IdentifyOptions(TypedDict, total=False):
@@ -1028,7 +1028,7 @@ class SweepOptions(TypedDict, total=False):
 
     clearance_mm: float | None
     """Smallest distance of the arm [mm], links as capsules, from floor, work, itself and what is kept free
-    [default: told, not asked]."""
+    [default: reported, none required]."""
 
 
 class Schema(TypedDict):

@@ -45,7 +45,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Robot,
         value: "ROBOT",
         excludes: &["robots"],
-        help: "The robot that mills: a name, or the path of a robot file; several are ranked by robots, dry needs none",
+        help: "The robot that mills: a name, or the path of a robot file; for several robots there is `robots`; with `dry` none is needed",
         example: "KR 210 R2700 extra",
         ..MILLED
     },
