@@ -1,5 +1,6 @@
 //! What must a person know before a program runs? The head of each file says it, in ASCII.
 
+use super::ProgramFault;
 use super::angles::{Zyx, fixed, mm};
 use super::steps::Program;
 use crate::limits::Pendant;
@@ -58,6 +59,26 @@ pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
         count => format!("{count} poses have {y} at 90 or -90 deg, where the angles are not unique: {x} is set to 0."),
     });
     head
+}
+
+/// The sentences of a file that tells joints, and turns as quaternions, which have no gimbal.
+///
+/// # Errors
+/// Where it is not known what the pendant shows: no joint may be told then.
+pub(super) fn of_joints_alone(program: &Program) -> Result<Vec<String>, ProgramFault> {
+    let setup = program.setup;
+    if !setup.knows_joints() {
+        return Err(ProgramFault::Pendant { robot: on_one_line(setup.robot).into_owned() });
+    }
+    let dialect = Dialect {
+        angles: ["Rz", "Ry", "Rx"],
+        frame: ("Part, in the robot's base", setup.base_from_part),
+        tools: tools(program, "in the flange frame"),
+        flange_x: "down",
+    };
+    let mut lines = sentences(program, &dialect);
+    lines.pop(); // that of the gimbal
+    Ok(lines)
 }
 
 /// What is to be known of joint angles before anything else.

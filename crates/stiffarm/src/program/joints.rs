@@ -1,10 +1,9 @@
 //! A table of joints as the robot reports them, and of the poses they make: the reference for programs.
 
 use super::angles::{fixed, quaternion};
-use super::head::{Dialect, Text, sentences, tools};
+use super::head::{Text, of_joints_alone};
 use super::steps::Program;
 use super::{Language, ProgramFault, ProgramFile};
-use crate::plain::on_one_line;
 
 /// Decimals of every number: 1e-8 deg, 0.01 nm. A table is read in double precision.
 const DECIMALS: usize = 8;
@@ -14,22 +13,10 @@ const COLUMNS: &str =
     "line,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,feed_mm_per_min,cutting";
 
 pub(super) fn files(program: &Program) -> Result<Vec<ProgramFile>, ProgramFault> {
-    let setup = program.setup;
-    if !setup.knows_joints() {
-        return Err(ProgramFault::Pendant { robot: on_one_line(setup.robot).into_owned() });
-    }
-    if 1 < setup.tools.len() {
+    if 1 < program.setup.tools.len() {
         return Err(ProgramFault::Tools);
     }
-    let dialect = Dialect {
-        angles: ["Rz", "Ry", "Rx"],
-        frame: ("Part, in the robot's base", setup.base_from_part),
-        tools: tools(program, "in the flange frame"),
-        flange_x: "down",
-    };
-    let mut lines = sentences(program, &dialect);
-    // Quaternions have no gimbal.
-    lines.pop();
+    let mut lines = of_joints_alone(program)?;
     lines.push("x_mm to qz: the tool in the part, at these joints; qw qx qy qz a quaternion.".into());
     let mut text = Text::default();
     text.lines("# ", &lines);

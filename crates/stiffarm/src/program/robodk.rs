@@ -4,10 +4,9 @@
 //! has its tool at the joints of every place with where this library has it, and makes nothing where they differ.
 
 use super::angles::{fixed, quaternion};
-use super::head::{Dialect, Text, ascii, sentences, tools};
+use super::head::{Text, ascii, of_joints_alone};
 use super::steps::{Program, Step};
 use super::{Language, ProgramFault, ProgramFile};
-use crate::plain::on_one_line;
 use crate::spatial::Pose;
 
 /// Decimals of angles, deg, and of lengths, mm.
@@ -92,18 +91,7 @@ if __name__ == "__main__":
 
 pub(super) fn files(program: &Program) -> Result<Vec<ProgramFile>, ProgramFault> {
     let setup = program.setup;
-    if !setup.knows_joints() {
-        return Err(ProgramFault::Pendant { robot: on_one_line(setup.robot).into_owned() });
-    }
-    let dialect = Dialect {
-        angles: ["Rz", "Ry", "Rx"],
-        frame: ("Part, in the robot's base", setup.base_from_part),
-        tools: tools(program, "in the flange frame"),
-        flange_x: "down",
-    };
-    let mut lines = sentences(program, &dialect);
-    // Quaternions have no gimbal.
-    lines.pop();
+    let lines = of_joints_alone(program)?;
     let mut text = Text::default();
     text.line(
         "# A script for RoboDK: run it in a station with this robot. It makes a frame, tools, targets and a program.",

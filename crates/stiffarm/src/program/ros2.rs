@@ -1,40 +1,30 @@
 //! ROS 2: the message `trajectory_msgs/msg/JointTrajectory` as YAML, joints in rad and times in s.
 
 use super::angles::fixed;
-use super::head::{Dialect, Text, sentences, tools};
+use super::head::{Text, of_joints_alone};
 use super::steps::{Program, Step};
 use super::{Language, ProgramFault, ProgramFile};
-use crate::plain::on_one_line;
 
 /// Decimals of angles, rad.
 const DECIMALS: usize = 9;
 
-/// How fast the fastest joint turns where the tool has no way to go at a speed, rad/s: 30 deg/s.
-const TURNING: f64 = std::f64::consts::PI / 6.0;
+/// Between two points, s.
+const SHORTEST: f64 = 1e-6;
+
+/// No joint turns faster, rad/s: 30 deg/s. A tool that hardly moves while it turns has no other limit.
+const FASTEST_JOINT: f64 = std::f64::consts::PI / 6.0;
 
 pub(super) fn files(program: &Program) -> Result<Vec<ProgramFile>, ProgramFault> {
-    let setup = program.setup;
-    if !setup.knows_joints() {
-        return Err(ProgramFault::Pendant { robot: on_one_line(setup.robot).into_owned() });
-    }
-    if 1 < setup.tools.len() {
+    if 1 < program.setup.tools.len() {
         return Err(ProgramFault::Tools);
     }
-    let dialect = Dialect {
-        angles: ["Rz", "Ry", "Rx"],
-        frame: ("Part, in the robot's base", setup.base_from_part),
-        tools: tools(program, "in the flange frame"),
-        flange_x: "down",
-    };
-    let mut lines = sentences(program, &dialect);
-    // Joints have no gimbal.
-    lines.pop();
+    let lines = of_joints_alone(program)?;
     let mut text = Text::default();
     text.line("# trajectory_msgs/msg/JointTrajectory: positions in rad, times from the first point, where the robot must stand already.");
     text.line("# Joints as the pendant shows them. A description (URDF) may count them otherwise: compare one posture before it runs.");
     text.line("# The names are those of ROS-Industrial: put in those of the controller.");
-    text.line("# Between points the tool moves at the feed rate of the path, through the air at the program's own speed; where only the tool turns, the fastest");
-    text.line("# joint turns at 30 deg/s. Speeds and accelerations of the joints are not limited here.");
+    text.line("# Between points the tool moves at the feed rate of the path, through the air at the program's own speed; slower where a joint would turn faster");
+    text.line("# than 30 deg/s. Accelerations of the joints are not limited here.");
     text.lines("# ", &lines);
     text.line("joint_names: [joint_1, joint_2, joint_3, joint_4, joint_5, joint_6]");
     text.line("points:");
@@ -55,6 +45,5 @@ pub(super) fn files(program: &Program) -> Result<Vec<ProgramFile>, ProgramFault>
 fn duration(from: &Step, to: &Step) -> f64 {
     let length = (to.part_from_tool.translation.vector - from.part_from_tool.translation.vector).norm();
     let turned = from.joints.iter().zip(to.joints).map(|(a, b)| (b - a).abs()).fold(0.0, f64::max);
-    let only_turns = length < 1e-6;
-    if only_turns { (turned / TURNING).max(1e-6) } else { length / to.speed }
+    (length / to.speed).max(turned / FASTEST_JOINT).max(SHORTEST)
 }
