@@ -99,10 +99,9 @@ def placed(robot: Robot, task: str, options: Mapping[str, str]) -> dict[str, Any
     return found
 
 
-def text(asked: Question, doing: str, name: str) -> str:
+def text(asked: Question, name: str) -> str:
     """The answer in the form that a name asks for."""
-    with told(doing, None) as tell:
-        (found,) = _stiffarm.answered(asked, Wanted([name]), tell)["files"]
+    (found,) = _stiffarm.answered(asked, Wanted([name]))["files"]
     return str(found, "utf-8")
 
 
@@ -117,6 +116,8 @@ def _files(output: OutputLike) -> list[Path]:
             raise StiffarmError(f"cannot write {file}: there is no folder {file.absolute().parent}")
         if file.is_dir():
             raise StiffarmError(f"cannot write {file}: it is a folder")
+        if not os.access(file.absolute().parent, os.W_OK):
+            raise StiffarmError(f"cannot write {file}: its folder may not be written to")
     if len({file.resolve() for file in files}) < len(files):
         raise StiffarmError("output names one file twice")
     return files

@@ -178,7 +178,7 @@ class Milled(Table[MilledDict]):
         """
         if controller not in ("src", "mod", "ls", "py", "yaml"):
             raise StiffarmError(f"no controller reads {controller!r}; expected src, mod, ls, py or yaml")
-        return text(self._there(), "milling", f"path.{controller}")
+        return text(self._there(), f"path.{controller}")
 
     def rewritten(self) -> str:
         """The path's own file with its tips led aside by what the tool is pushed off; needs ``compensate=True``."""
@@ -187,7 +187,7 @@ class Milled(Table[MilledDict]):
         ending = Path(given["path"]).suffix.lower()
         if ending not in _REWRITTEN:
             ending = f".{given['format']}" if given.get("format") in ("apt", "cls") else ".nc"
-        return text(asked, "milling", f"path{ending}")
+        return text(asked, f"path{ending}")
 
     def _there(self) -> Question:
         """The same question of the part where it was found to stand; its place need not be sought again."""
