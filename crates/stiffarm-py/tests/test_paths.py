@@ -41,7 +41,7 @@ def test_what_is_refused_says_line_and_word() -> None:
     with pytest.raises(stiffarm.StiffarmError, match="G42: cutter compensation"):
         stiffarm.mill(path, dry=True)
     assert stiffarm.mill(path, dry=True, cutter_compensation="centre").arcs == 10
-    with pytest.raises(stiffarm.StiffarmError, match="robot is missing; .* dry needs none"):
+    with pytest.raises(stiffarm.StiffarmError, match="robot is missing; .* `dry` none is needed"):
         stiffarm.mill("circle:0.3")
     with pytest.raises(stiffarm.StiffarmError, match="robot and dry exclude each other"):
         stiffarm.mill("circle:0.3", "KR 210 R2700 extra", dry=True)  # type: ignore[call-overload]
