@@ -49,9 +49,9 @@ pub(super) struct Floor<'a> {
 type Rungs = Vec<(f32, usize)>;
 
 /// An interval of the roll with its bound.
-struct Cell {
-    lower: f64,
-    roll: Interval,
+pub(super) struct Cell {
+    pub(super) lower: f64,
+    pub(super) roll: Interval,
 }
 
 impl frontier::Node for Cell {

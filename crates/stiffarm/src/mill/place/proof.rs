@@ -13,7 +13,7 @@ use crate::enclose::{Affine, Vector, sin_cos, sum};
 use crate::frontier::{self, Frontier};
 use crate::interval::Interval;
 use crate::inverse::Configuration;
-use crate::mill::bound::Held;
+use crate::mill::bound::{Cell, Held};
 use crate::mill::fault::MillError;
 use crate::mill::ladder::Ladder;
 use crate::mill::solve::RollMode;
@@ -172,20 +172,20 @@ impl Search<'_> {
         let mut best: Option<f64> = None;
         let alike = self.arm.wrists_are_alike();
         for configuration in Configuration::ALL.into_iter().step_by(if alike { 2 } else { 1 }) {
+            // A configuration that is no better than the best so far tells nothing more.
+            let enough = best.map_or(enough, |best| best.min(enough));
             let mut worst = Some(0.0_f64);
             for i in samples {
+                let Some(known) = worst.filter(|worst| *worst < enough) else { break };
                 let lower = self.over_rolls(&self.stations[*i], configuration, enough, moved, turned)?;
-                worst = worst.zip(lower).map(|(worst, lower)| worst.max(lower));
-                if worst.is_none_or(|worst| enough <= worst) {
-                    break;
-                }
+                worst = lower.map(|lower| lower.max(known));
             }
             best = best.into_iter().chain(worst).reduce(f64::min);
         }
         Ok(best)
     }
 
-    /// The least bound of a sample over all rolls; `None` where it is held at none.
+    /// The least bound of a sample over all rolls, no further than `enough`; `None` where it is held at none.
     fn over_rolls(
         &self,
         station: &Station,
@@ -194,28 +194,31 @@ impl Search<'_> {
         moved: &impl Fn(Vector3<f64>) -> Vector<5>,
         turned: &impl Fn(Vector3<f64>) -> Vector<5>,
     ) -> Result<Option<f64>, MillError> {
-        let mut open = match self.options.roll {
+        let mut rolls = match self.options.roll {
             RollMode::Fixed(roll) => vec![Interval::point(roll)],
             _ => (0..6).map(|i| Interval::spanning(TAU * f64::from(i) / 6.0, TAU * f64::from(i + 1) / 6.0)).collect(),
         };
-        let mut least: Option<f64> = None;
-        while let Some(roll) = open.pop() {
-            let held = Held { station, configuration, roll: sin_cos::<5>(roll, 4), part: self.options.part };
-            // Both wrists stand for one another where they are alike.
-            let bound = held.either_wrist(&self.enclosure, self.arm.wrists_are_alike(), moved, turned)?;
-            match bound {
-                None => {}
-                Some(lower) if enough <= lower || roll.width() < FINEST_ROLL => {
-                    least = least.into_iter().chain([lower]).reduce(f64::min);
-                    // Nothing below can be told of this sample any more.
-                    if lower == 0.0 {
-                        return Ok(least);
-                    }
+        let mut open = Frontier::new();
+        let (mut least, mut parent): (Option<f64>, f64) = (None, 0.0);
+        loop {
+            for roll in rolls.drain(..) {
+                let held = Held { station, configuration, roll: sin_cos::<5>(roll, 4), part: self.options.part };
+                // Both wrists stand for one another where they are alike.
+                let bound = held.either_wrist(&self.enclosure, self.arm.wrists_are_alike(), moved, turned)?;
+                match bound.map(|lower| lower.max(parent)) {
+                    None => {}
+                    Some(lower) if enough <= lower => least = least.into_iter().chain([lower]).reduce(f64::min),
+                    Some(lower) => open.push(Cell { lower, roll }),
                 }
-                Some(_) => open.extend(roll.halves()),
             }
+            let Some(Cell { lower, roll }) = open.pop() else { return Ok(least) };
+            // Every other roll has at least as much.
+            if roll.width() < FINEST_ROLL {
+                return Ok(Some(lower));
+            }
+            parent = lower;
+            rolls.extend(roll.halves());
         }
-        Ok(least)
     }
 }
 
