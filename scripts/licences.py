@@ -5,6 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+# Builds the program, and a file of it ends up inside.
+CARRIED = "plotly"
 TEXTS = ("license", "licence", "copying", "notice", "copyright", "unlicense")
 
 
@@ -18,7 +20,7 @@ def run(*command: str) -> str:
 
 
 def compiled_in(found: dict, root: str) -> list[dict]:
-    """The packages that `root` needs when it runs: neither what builds it nor what tests it."""
+    """The packages that `root` needs when it runs: neither what tests it nor what builds it, but for what that leaves inside."""
     packages = {package["id"]: package for package in found["packages"]}
     nodes = {node["id"]: node for node in found["resolve"]["nodes"]}
     open_ids = [name for name, package in packages.items() if package["name"] == root]
@@ -29,6 +31,7 @@ def compiled_in(found: dict, root: str) -> list[dict]:
             if is_normal and dependency["pkg"] not in seen:
                 seen.add(dependency["pkg"])
                 open_ids.append(dependency["pkg"])
+    seen.update(name for name, package in packages.items() if package["name"] == CARRIED)
     foreign = (packages[name] for name in seen if packages[name]["source"] is not None)
     return sorted(foreign, key=lambda package: (package["name"], package["version"]))
 

@@ -6,14 +6,17 @@ mod arm;
 mod solids;
 mod traces;
 
-pub use arm::ArmMark;
+use std::io::Read;
 
-use crate::answer::Unit;
+use flate2::read::GzDecoder;
 use serde_json::Value;
 use stiffarm::map::Grid;
 use stiffarm::palette::{INK, PAPER, PROSE};
 
+pub use arm::ArmMark;
+
 use super::bands::Colours;
+use crate::answer::Unit;
 use crate::markup::escaped;
 
 /// No more points per side of a map are drawn: a browser turns some ten thousand smoothly.
@@ -152,13 +155,14 @@ Plotly.newPlot("view", figure.data, figure.layout, figure.config);
     }
 }
 
-/// The source of plotly.js: the first of the scripts that the crate carries, the second sets formulas.
+/// plotly.js as `build.rs` packs it.
+static PACKED: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/plotly.js.gz"));
+
+/// The source of plotly.js.
 fn script() -> String {
-    let mut scripts = plotly::Plot::offline_js_sources();
-    let start = scripts.find('>').map_or(0, |at| at + 1);
-    let end = scripts.find("</script>").unwrap_or(scripts.len());
-    scripts.truncate(end);
-    scripts.split_off(start)
+    let mut script = String::new();
+    GzDecoder::new(PACKED).read_to_string(&mut script).expect("it was packed when this was built");
+    script
 }
 
 /// JSON that cannot end the script it stands in.
