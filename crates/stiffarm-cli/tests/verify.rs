@@ -99,6 +99,12 @@ fn the_robot_of_a_table_is_found_among_all() {
     assert!(same.contains(&KUKA) && 1.0 < of(same.len()), "{told}");
 }
 
+/// Of the first move in joints of a KRL program, deg.
+fn first_joint_2(program: &str) -> f64 {
+    let (_, after) = program.split_once("A2 ").unwrap_or_else(|| panic!("{program}"));
+    after.split([',', '}']).next().unwrap().trim().parse().unwrap()
+}
+
 #[test]
 fn what_cannot_be_asked_is_refused() {
     let folder = TempDir::new().unwrap();
@@ -121,7 +127,7 @@ fn what_cannot_be_asked_is_refused() {
 }
 
 #[test]
-fn a_calibration_is_told_drawn_written_and_said_to_be_unused() {
+fn a_calibration_is_told_drawn_written_and_used_in_programs() {
     let folder = TempDir::new().unwrap();
     // Joint 2 stands 0.1 deg beyond what it reports.
     let mut text =
@@ -158,22 +164,39 @@ fn a_calibration_is_told_drawn_written_and_said_to_be_unused() {
     assert!(levels[1]["rms_mm"].as_f64().unwrap() < 1e-3 && 1.0 < told["nominal_rms_mm"].as_f64().unwrap(), "{told}");
     assert!(fs::read_to_string(folder.path().join("c.svg")).unwrap().contains("calibrated"));
     let (code, _, errors) = run(&folder, &["robots", "check", "mine.toml"]);
-    assert!(code == 0 && errors.contains("[calibration] is not used yet"), "{errors}");
-    let mill = [
-        "mill",
-        "line:0.1",
-        "--robot",
-        "mine.toml",
-        "--force-n",
-        "100,0,0",
-        "--at",
-        "1.7,0,0.8",
-        "--feed-mm-per-min",
-        "600",
-        "-o",
-        "a.src",
-    ];
-    let (code, _, errors) = run(&folder, &mill);
-    let program = fs::read_to_string(folder.path().join("a.src")).unwrap_or_else(|_| panic!("{code}: {errors}"));
-    assert!(program.contains("WARNING: KR 210 R2700 extra: its [calibration] is not used yet"), "{program}");
+    assert!(code == 0 && errors.contains("its [calibration] is used by compliance and mill alone"), "{errors}");
+    let path = ["mill", "line:0.1", "--force-n", "100,0,0", "--at", "1.7,0,0.8", "--feed-mm-per-min", "600"];
+    let how = ["--work-frame", "measured", "--roll", "0"];
+    let milled = |more: &[&str]| run(&folder, &[&path[..], &how, more].concat());
+    let (code, _, errors) = milled(&["--robot", "mine.toml", "-o", "a.src"]);
+    assert!(code != 0 && errors.contains("does not say controller_model"), "{errors}");
+    let mine = fs::read_to_string(folder.path().join("mine.toml")).unwrap();
+    let said = mine.replace("[calibration]", "[calibration]\ncontroller_model = \"nominal\"");
+    fs::write(folder.path().join("mine.toml"), said).unwrap();
+    for (robot, program) in [("mine.toml", "a.src"), (KUKA, "b.src")] {
+        let (code, _, errors) = milled(&["--robot", robot, "-o", program]);
+        assert_eq!(code, 0, "{errors}");
+    }
+    let [calibrated, drawn] = ["a.src", "b.src"].map(|name| fs::read_to_string(folder.path().join(name)).unwrap());
+    let head: Vec<&str> = calibrated.lines().take(8).collect();
+    assert!(head.iter().any(|line| line.contains("controller_model = nominal")), "{head:#?}");
+    assert!(calibrated.contains("Work frame: measured") && !drawn.contains("controller_model"));
+    // Joint 2 stands 0.1 deg beyond what it reports.
+    let [sent, other] = [&calibrated, &drawn].map(|program| first_joint_2(program));
+    assert!((sent + 0.1 - other).abs() < 2e-3, "{sent} {other}");
+    let (_, out, errors) = milled(&["--robot", "mine.toml", "--format", "json"]);
+    let told = json(&out);
+    let of = |key: &str| told["true_arm"][key].as_f64().unwrap_or_else(|| panic!("{key}: {out} {errors}"));
+    assert!(1.0 < of("uncorrected_mm") && of("by_both_mm") < 1e-6 && told["arm_error"].is_null(), "{out}");
+    let (_, out, _) = milled(&["--robot", KUKA, "--format", "json"]);
+    let other = json(&out);
+    assert!(other["true_arm"].is_null() && 0.0 < other["arm_error"]["p95_mm"].as_f64().unwrap(), "{out}");
+    let mounted = ["--robot", "mine.toml", "--mount", "ceiling:3"];
+    let (code, _, errors) = milled(&mounted);
+    assert!(code == 0 || !errors.contains("weight_mrad"), "zeros hold however the base stands: {errors}");
+    let weighs = fs::read_to_string(folder.path().join("mine.toml")).unwrap();
+    let weighs = weighs.replace("[calibration]", "[calibration]\nweight_mrad = [0.5, 0, 0, 0, 0, 0, 0, 0]");
+    fs::write(folder.path().join("mine.toml"), weighs).unwrap();
+    let (code, _, errors) = milled(&mounted);
+    assert!(code != 0 && errors.contains("weight_mrad"), "{errors}");
 }

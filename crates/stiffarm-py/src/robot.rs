@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
 use stiffarm::calibrate::{CalibrateOptions, Level, calibrate};
+use stiffarm::calibration::ControllerModel;
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::import::{ImportOptions, import};
 use stiffarm::catalogue::readings::{self, ReadOptions, Readings};
@@ -109,7 +110,7 @@ impl Robot {
             Some(text) if text.contains(['\n', '=']) => read(text, "robot").map(Self).map_err(refused),
             _ => {
                 let found = read(&text_of(&source)?, &files::shown(&source)).map_err(refused)?;
-                let notes: Vec<String> = found.calibration.iter().map(|_| files::CALIBRATION_NOT_USED.into()).collect();
+                let notes: Vec<String> = found.calibration.iter().map(|_| files::CALIBRATION_USE.into()).collect();
                 remarks(py, &source, &notes)?;
                 Ok(Self(found))
             }
@@ -245,7 +246,9 @@ impl Robot {
     ///     The column that tells apart where the tracker stood.
     /// date : str, optional
     ///     When it was measured; with it the answer has ``"robot_file"``, the text of the calibrated robot's file.
-    #[pyo3(signature = (points, *, level=None, frame_by=None, date=None))]
+    /// controller_model : str, optional
+    ///     With which arm the controller computed: ``"nominal"`` or ``"calibrated"``; without it the file leads to no programs.
+    #[pyo3(signature = (points, *, level=None, frame_by=None, date=None, controller_model=None))]
     fn calibrate<'py>(
         &self,
         py: Python<'py>,
@@ -253,15 +256,23 @@ impl Robot {
         #[pyo3(from_py_with = text_or_none)] level: Option<String>,
         #[pyo3(from_py_with = text_or_none)] frame_by: Option<String>,
         #[pyo3(from_py_with = text_or_none)] date: Option<String>,
+        #[pyo3(from_py_with = text_or_none)] controller_model: Option<String>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (table, data) = self.readings(py, &points, frame_by, date.as_deref())?;
+        let named = |name: String| {
+            let found = ControllerModel::ALL.into_iter().find(|model| model.name() == name);
+            found.ok_or_else(|| {
+                refused(format!("controller_model '{name}' is not known; expected nominal or calibrated"))
+            })
+        };
+        let controller = controller_model.map(named).transpose()?;
         let level = match level.as_deref() {
             None | Some("auto") => None,
             Some(name) => Some(Level::ALL.into_iter().find(|level| level.name() == name).ok_or_else(|| {
                 refused(format!("level '{name}' is not known; expected auto, zeros, geometry, weight or gears"))
             })?),
         };
-        let options = CalibrateOptions { level, at: None };
+        let options = CalibrateOptions { level, at: None, controller };
         let found = py
             .detach(|| calibrate(&self.0, &table, &options, Watch::nobody()))
             .map_err(|error| refused(format!("{data}: {error}")))?;

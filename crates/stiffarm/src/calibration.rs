@@ -29,6 +29,28 @@ impl Errors {
     pub const NONE: Self = Self { frames: [[0.0; 6]; 6], weight: [0.0; WEIGHT], gears: [[0.0; 2]; 6] };
 }
 
+/// With which arm the controller of a measured robot computes, while it is measured and later.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ControllerModel {
+    /// The one that was drawn.
+    Nominal,
+    /// One of its own that was measured (absolute accuracy, an option of most makers).
+    Calibrated,
+}
+
+impl ControllerModel {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Nominal, Self::Calibrated];
+
+    /// The name that robot files and options use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Nominal => "nominal",
+            Self::Calibrated => "calibrated",
+        }
+    }
+}
+
 /// What measured postures have shown of one arm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Calibration {
@@ -38,6 +60,8 @@ pub struct Calibration {
     pub residual: f64,
     /// The same where a third of a joint's range is predicted by the rest, m.
     pub left_out: f64,
+    /// With which arm its controller computes; `None` where nobody has said it: then no program is written.
+    pub controller: Option<ControllerModel>,
     /// How many postures were measured.
     pub rows: usize,
     /// When, as year-month-day.

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
+use crate::chain::TrueArm;
 use crate::load::{Forces, Largest, Load};
 use crate::robot::{Arm, Robot, Unheld};
 use crate::spatial::{Compliance, Pose};
@@ -9,7 +10,7 @@ use crate::spatial::{Compliance, Pose};
 /// An arm at one posture.
 #[derive(Clone, Debug)]
 pub struct Posture {
-    /// The tool frame in the base frame.
+    /// The tool frame in the base frame; of a robot that was calibrated where it truly stands.
     pub tool: Pose,
     /// 6 x 6 compliance at the tool point, base axes.
     pub compliance: Compliance,
@@ -92,7 +93,9 @@ pub enum PostureError {
 /// Compliance of a robot at the joint angles `q` it reports (rad), for a tool frame given in the flange frame.
 ///
 /// `C = (J A) k (J A)^T` with the 6 x 6 geometric Jacobian at the tool point and the transmission `A` (\[theory\], section
-/// 1); nothing is inverted, so singular postures have one too. Left out: links, bearings, base, the robot's own weight.
+/// 1); nothing is inverted, so singular postures have one too. Left out: links, bearings, base, the robot's own weight. Of a robot that was
+/// calibrated the tool stands where it truly does, on a base that stands on a floor; the compliance is that of the arm as drawn, which
+/// differs by less than 0.5 %.
 ///
 /// ```
 /// use stiffarm::catalogue::find;
@@ -125,6 +128,7 @@ pub fn compliance(robot: &Robot, q: &[f64; 6], flange_from_tool: &Pose) -> Resul
         Compliance(column * column.transpose() * k[i])
     });
     let sum = by_drive.iter().fold(Matrix6::zeros(), |sum, part| sum + part.0);
+    let tool = TrueArm::of(robot).map_or(tool, |arm| arm.flange(q) * flange_from_tool);
     Ok(Posture { tool, compliance: Compliance(sum), by_drive })
 }
 

@@ -28,7 +28,7 @@
 //! The library reads no file but through [`catalogue::files`], prints nothing and keeps no state.
 //!
 //! The modules in reading order: [`plain`], [`palette`], [`watch`], `root`, `frontier`, [`interval`], `angle`, `tolerances`, `real`, [`spatial`], [`load`], [`cutting`], [`limits`],
-//! [`geometry`], [`body`], [`mass`], [`drive`], [`plane`], [`calibration`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`compliance`], [`identify`], `registration`, [`verify`], [`calibrate`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
+//! [`geometry`], [`body`], [`mass`], [`drive`], [`plane`], [`calibration`], [`robot`], [`catalogue`], [`prior`], [`inverse`], [`chain`], [`compliance`], [`identify`], `registration`, [`verify`], [`calibrate`], [`batch`], [`zone`], [`part`], [`task`], [`toolpath`], [`program`], [`stock`], [`cell`], [`clearance`], [`work`], `enclose`, `follow`,
 //! [`model`], [`map`], [`place`], [`rank`], [`uncertainty`], [`modes`], [`chatter`], [`advice`], [`mill`], [`measure`], [`study`], [`ledger`]. Each uses only those before it.
 //!
 //! # What is left out
@@ -55,6 +55,7 @@ pub mod calibrate;
 pub mod calibration;
 pub mod catalogue;
 pub mod cell;
+pub mod chain;
 pub mod chatter;
 pub mod clearance;
 pub mod compliance;

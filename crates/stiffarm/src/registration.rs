@@ -11,6 +11,7 @@
 
 use nalgebra::{DMatrix, DVector, Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
 
+use crate::chain::Chain;
 use crate::spatial::Pose;
 
 /// What was seen at one posture.
@@ -21,13 +22,6 @@ pub(crate) struct Sight {
     pub points: Vec<Option<(Vector3<f64>, f64)>>,
     pub orientation: Option<UnitQuaternion<f64>>,
     pub stand: usize,
-}
-
-/// The flange in the base, and how a unit of each parameter moves it.
-pub(crate) struct Chain {
-    pub flange: Pose,
-    /// Velocity of what stands at the base's origin, and angular velocity; base axes.
-    pub twists: Vec<[Vector3<f64>; 2]>,
 }
 
 /// What is unknown, and what it rests on.

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use stiffarm::catalogue::find;
 use stiffarm::geometry::Geometry;
 use stiffarm::limits::{Pendant, ThirdAxis};
-use stiffarm::program::{Language, ProgramFault, ProgramFile, Setup, Station, Style, Tool, write};
+use stiffarm::program::{Controller, Language, ProgramFault, ProgramFile, Setup, Station, Style, Tool, write};
 use stiffarm::robot::Arm;
 use stiffarm::spatial::Pose;
 
@@ -33,6 +33,7 @@ fn setup(geometry: &Geometry) -> Setup<'_> {
         geometry,
         third_axis: ThirdAxis::Elbow,
         pendant: &Pendant::AsFile,
+        controller: Controller::Drawn,
         base_from_part: Pose::new(Vector3::new(1.4, -0.3, 0.8), Vector3::new(0.1, -0.2, 0.7)),
         tools: &HELD[..1],
         remarks: &[],

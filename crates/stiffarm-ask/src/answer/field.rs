@@ -489,6 +489,14 @@ fields! {
     LEFT_P95: "left_p95_mm", Kind::Number(Unit::Millimetre), "95 of a hundred draws leave less.";
     UNCERTAIN: "uncertainty", Kind::Text, "Who says how far the drives may be off.";
     BEYOND_LIMITS: "beyond_limits", Kind::Count, "Samples at which a joint is commanded beyond its range.";
+    WORK_FRAME: "work_frame", Kind::Text, "How the place of the work was found: measured or touched; null where nothing is followed.";
+    TRUE_ARM: "true_arm", Kind::Nested, "The largest error of the calibrated arm, geometry and load together; null of an arm that was not calibrated.";
+    UNCORRECTED: "uncorrected_mm", Kind::Number(Unit::Millimetre), "Where nothing is corrected.";
+    BY_STIFFNESS: "by_stiffness_mm", Kind::Number(Unit::Millimetre), "Where the deflection alone is; null under a force that may point anywhere.";
+    BY_GEOMETRY: "by_geometry_mm", Kind::Number(Unit::Millimetre), "Where the geometry alone is.";
+    BY_BOTH: "by_both_mm", Kind::Number(Unit::Millimetre), "Where both are, by the model; null under a force that may point anywhere.";
+    CALIBRATION_LEFT: "calibration_left_mm", Kind::Number(Unit::Millimetre), "What the calibration leaves where it was not measured, rms.";
+    ARM_ERROR: "arm_error", Kind::Nested, "The largest geometric error along the path of arms that nobody has calibrated: half and 95 of a hundred err by less; null of one that was.";
     SEARCH: "search", Kind::Nested, "How finely a place was looked for; null where it was given.";
     SAMPLES_OF_SEARCH: "samples", Kind::Count, "Samples that stood for the path in the search.";
     VERIFIED: "verified", Kind::Truth, "The readings agree with the robot file, and with no other way of counting the joints.";

@@ -41,11 +41,6 @@ pub fn pendant(robot: &Robot) -> Option<String> {
     })
 }
 
-/// That a calibration is not used; `None` of a robot that has none.
-pub fn calibration(robot: &Robot) -> Option<String> {
-    robot.calibration.as_ref().map(|_| format!("{}: {}", robot.name, stiffarm::catalogue::files::CALIBRATION_NOT_USED))
-}
-
 /// The same as a note below a table.
 pub fn pendant_note(robot: &Robot) -> String {
     pendant(robot).map_or_else(String::new, |remark| remark + "\n")

@@ -7,7 +7,7 @@ use super::wishes::number;
 use super::{Force, Refusal, Request, Verb};
 use stiffarm::cell::Block;
 use stiffarm::load::Load;
-use stiffarm::mill::{Acting, ClearOf, ErrorPart, MillOptions, PartPlacement, PathGround};
+use stiffarm::mill::{Acting, ClearOf, ErrorPart, MillOptions, PartPlacement, PathGround, WorkFrame};
 use stiffarm::place::PlaceOptions;
 use stiffarm::spatial::Pose;
 use stiffarm::toolpath::{
@@ -221,6 +221,12 @@ impl Request {
     /// Where along the path the roll is pinned, m, and to which angle, rad.
     pub fn pins(&self) -> Vec<[f64; 2]> {
         self.all("pin", |value| if let Value::Pin(pin) = value { Some(pin) } else { None })
+    }
+
+    /// How the place of the work was found.
+    pub fn work_frame(&self) -> WorkFrame {
+        let asked = self.word("work-frame");
+        WorkFrame::ALL.into_iter().find(|frame| asked == Some(frame.name())).unwrap_or_default()
     }
 
     /// The deflection is to be taken out.

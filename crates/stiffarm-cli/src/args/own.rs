@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 use stiffarm::calibrate::Level;
+use stiffarm::calibration::ControllerModel;
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
 use stiffarm::spatial::Pose;
@@ -102,6 +103,10 @@ pub(crate) struct CalibrateArgs {
     /// arm reaches]
     #[arg(long, value_name = "POINT", value_parser = place, allow_hyphen_values = true)]
     pub(crate) at: Option<[f64; 3]>,
+    /// With which arm the controller computes while it is measured, and later: nominal, the one that was drawn, or calibrated, with an
+    /// absolute-accuracy option of its own; for the robot file, without it no program is written
+    #[arg(long, value_name = "MODEL", value_parser = controller_model)]
+    pub(crate) controller_model: Option<ControllerModel>,
     /// When it was measured, for the robot file [default: today]
     #[arg(long, value_name = "YYYY-MM-DD", value_parser = date)]
     pub(crate) date: Option<String>,
@@ -210,6 +215,11 @@ fn level(text: &str) -> Result<Asked, String> {
     }
     let known = Level::ALL.into_iter().find(|level| level.name() == text);
     known.map(|level| Asked(Some(level))).ok_or_else(|| "expected auto, zeros, geometry, weight or gears".into())
+}
+
+fn controller_model(text: &str) -> Result<ControllerModel, String> {
+    let known = ControllerModel::ALL.into_iter().find(|model| model.name() == text);
+    known.ok_or_else(|| "expected nominal or calibrated".into())
 }
 
 /// `x,y,z` in m.

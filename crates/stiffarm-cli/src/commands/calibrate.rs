@@ -37,7 +37,7 @@ fn answer(args: &CalibrateArgs, common: &Common) -> Result<CalibrateOutput, Fail
     if robot.calibration.is_some() {
         common.remark("note: the [calibration] of the robot file is not a start: the arm as drawn is");
     }
-    let options = CalibrateOptions { level: args.level.0, at: args.at };
+    let options = CalibrateOptions { level: args.level.0, at: args.at, controller: args.controller_model };
     let found = watched("calibrating", common, |watch| calibrate(&robot, &readings, &options, watch));
     let found = found.map_err(|error| Failure::Calibrate { data: data.clone(), error })?;
     for row in &found.wrong_rows {

@@ -118,6 +118,7 @@ fn the_evidence_counts_what_is_recorded() {
         text.lines().filter(|line| !line.starts_with('#')).count() - 1
     };
     says(&evidence, &format!("| {} postures of ten robots", rows("spatial_cases.csv")));
+    says(&evidence, &format!("| {} postures of calibrated arms", rows("true_chain.csv")));
     says(&evidence, &format!("| {} numbers |", rows("identification.csv")));
     let programs = document("validation/rs274_cases.txt").text;
     let begin = |words: &[&str]| {

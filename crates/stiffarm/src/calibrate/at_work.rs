@@ -4,8 +4,8 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::CalibrateError;
-use super::errors::ALL;
 use super::fit::{Fitted, Rows};
+use crate::chain::ALL;
 use crate::limits::Limits;
 use crate::prior::normal;
 use crate::registration::{Problem, Sight};

@@ -2,18 +2,18 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::errors::{ALL, FRAMES, True};
 use super::level::Level;
-use crate::registration::{Chain, Linear, Problem, Sight, State};
+use crate::chain::{ALL, Chain, FRAMES, Frames};
+use crate::registration::{Linear, Problem, Sight, State};
 
 /// m and rad: within which the scale of the frames' errors is looked for.
-const SCALES: [f64; 2] = [0.1e-3, 2e-3];
+pub(super) const SCALES: [f64; 2] = [0.1e-3, 2e-3];
 /// m: no instrument is better.
 const LEAST_NOISE: f64 = 1e-7;
 
 /// Rows to which an arm is fitted.
 pub(super) struct Rows<'a> {
-    pub(super) arm: &'a True,
+    pub(super) arm: &'a Frames,
     pub(super) sights: Vec<Sight>,
     pub(super) stands: usize,
     pub(super) points: usize,

@@ -1,7 +1,7 @@
 //! What of an arm may differ from its drawing?
 
-use super::errors::{ALL, FRAMES};
 use crate::calibration::{JOINT_AXES, WEIGHT};
+use crate::chain::{ALL, FRAMES};
 
 /// How much is looked for; each level has all of those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -6,7 +6,6 @@
 //! stands on a floor; nothing of it is a stiffness.
 
 mod at_work;
-mod errors;
 mod fit;
 mod left_out;
 mod level;
@@ -15,15 +14,15 @@ mod suspects;
 
 use nalgebra::Vector3;
 
-use crate::calibration::{Calibration, Errors};
+use crate::calibration::{Calibration, ControllerModel, Errors};
 use crate::catalogue::readings::Readings;
+use crate::chain::{self, Frames};
 use crate::limits::Limits;
 use crate::registration::Sight;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 use crate::watch::{Stopped, Watch};
 pub use at_work::AtWork;
-use errors::True;
 use fit::{Fitted, Rows};
 pub use level::Level;
 pub use robust::WrongRow;
@@ -40,6 +39,8 @@ pub struct CalibrateOptions {
     pub level: Option<Level>,
     /// Where the work is, m, in the base frame: the error that remains is told within 0.25 m about it; over all the arm reaches where `None`.
     pub at: Option<[f64; 3]>,
+    /// With which arm the controller computed while it was measured, for the robot file.
+    pub controller: Option<ControllerModel>,
 }
 
 /// One level against the table.
@@ -99,6 +100,8 @@ pub struct Calibrated {
     pub narrow: Vec<(usize, f64)>,
     /// The error that remains; `None` where the arm does not reach the work.
     pub at_work: Option<AtWork>,
+    /// With which arm the controller computed, as it was said.
+    pub controller: Option<ControllerModel>,
 }
 
 /// Why nothing can be said.
@@ -159,6 +162,17 @@ fn because(suspect: Option<&str>) -> String {
     }
 }
 
+/// The scale of the frames' errors, m and rad, of which a share of arms have less: alike on a logarithmic scale.
+pub(crate) fn scale_of_errors(share: f64) -> f64 {
+    let [least, most] = fit::SCALES;
+    least * (most / least).powf(share)
+}
+
+/// Standard deviations of all errors of an arm that nobody has measured, m and rad, where its frames are off by `scale`.
+pub(crate) fn prior_of_errors(scale: f64) -> Vec<f64> {
+    Level::Gears.prior(scale)
+}
+
 /// Finds how an arm differs from its drawing.
 ///
 /// # Errors
@@ -170,7 +184,7 @@ pub fn calibrate(
     watch: Watch,
 ) -> Result<Calibrated, CalibrateError> {
     let Arm::SixAxis { limits, .. } = &robot.arm else { return Err(CalibrateError::Planar(robot.full_name())) };
-    let arm = True::of(robot).ok_or_else(|| CalibrateError::Planar(robot.full_name()))?;
+    let arm = Frames::of(robot).ok_or_else(|| CalibrateError::Planar(robot.full_name()))?;
     let sights = sights(readings)?;
     let shape = (readings.stands.len(), readings.points);
     let lines: Vec<usize> = readings.rows.iter().map(|row| row.line).collect();
@@ -208,7 +222,7 @@ pub fn calibrate(
         level: best.level.ok_or(CalibrateError::Undetermined)?,
         levels: fits.iter().map(|(fitted, out)| level_fit(fitted, *out)).collect(),
         errors: Errors::of(&best.state.parameters),
-        deviations: Errors::of(&(0..errors::ALL).map(deviation).collect::<Vec<_>>()),
+        deviations: Errors::of(&(0..chain::ALL).map(deviation).collect::<Vec<_>>()),
         shown: Errors::of(&best.share),
         wrong_rows: wrong_rows(&sound.wrong, &sights, &lines),
         tracker_in_base: best.state.bases.iter().map(Pose::inverse).collect(),
@@ -216,6 +230,7 @@ pub fn calibrate(
         rows: offs((&fits[0].0, best), &sound.index, &lines),
         narrow: narrow(&sights, limits),
         at_work,
+        controller: options.controller,
     })
 }
 
@@ -324,6 +339,7 @@ impl Calibrated {
             errors: self.errors.clone(),
             residual: taken.rms,
             left_out: taken.left_out.unwrap_or(taken.rms),
+            controller: self.controller,
             rows: self.rows.len(),
             date: date.into(),
             source: source.into(),

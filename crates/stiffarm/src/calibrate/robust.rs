@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::errors::True;
 use super::fit::Rows;
 use super::level::Level;
+use crate::chain::Frames;
 use crate::registration::{Linear, Sight, State};
 
 /// Degrees of freedom of Student's t.
@@ -46,7 +46,7 @@ pub(super) struct Sound {
 
 /// A state as drawn that most rows agree with: the best of random subsets by the median of distances.
 pub(super) fn start(
-    arm: &True,
+    arm: &Frames,
     sights: &[Sight],
     (stands, points): (usize, usize),
     subsets: usize,
@@ -83,7 +83,7 @@ pub(super) fn start(
 }
 
 /// Weights, noise and wrong rows under the level that has the arm's weight.
-pub(super) fn sound(arm: &True, sights: Vec<Sight>, (stands, points): (usize, usize), start: (State, f64)) -> Sound {
+pub(super) fn sound(arm: &Frames, sights: Vec<Sight>, (stands, points): (usize, usize), start: (State, f64)) -> Sound {
     const ROUNDS: usize = 25;
     let all = sights.clone();
     let mut rows = Rows { arm, sights, stands, points, lever: 0.3 };

@@ -1,7 +1,7 @@
 //! What may be the matter with a table of which an arm explains nothing?
 
-use super::errors::True;
 use super::robust::start;
+use crate::chain::Frames;
 use crate::registration::Sight;
 
 /// Subsets that are tried of each suspect.
@@ -12,7 +12,7 @@ const NEARER: f64 = 5.0;
 /// The fault that explains a table best, in words; none where none does. `off` is the median distance as it stands, m; `lines` are
 /// those of the rows.
 pub(super) fn suspect(
-    arm: &True,
+    arm: &Frames,
     sights: &[Sight],
     shape: (usize, usize),
     (off, lines): (f64, &[usize]),

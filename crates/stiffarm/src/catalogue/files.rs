@@ -103,13 +103,12 @@ pub enum LoadError {
 pub struct Loaded {
     /// The robot.
     pub robot: Robot,
-    /// Of a robot file that its calibration is not used; of a URDF what [`import`] chose, left out or found odd.
+    /// Of a robot file by what its calibration is used; of a URDF what [`import`] chose, left out or found odd.
     pub notes: Vec<String>,
 }
 
 /// Said of every robot that was calibrated.
-pub const CALIBRATION_NOT_USED: &str =
-    "its [calibration] is not used yet: every verb computes with the arm as drawn, and so do programs";
+pub const CALIBRATION_USE: &str = "its [calibration] is used by compliance and mill alone, with their programs: all else is computed with the arm as drawn";
 
 /// Reads a robot file, or a URDF as it stands.
 ///
@@ -130,7 +129,7 @@ pub fn load_text(text: &str, name: &Path) -> Result<Loaded, LoadError> {
         return Ok(Loaded { robot: imported.robot, notes: imported.notes });
     }
     let robot = read(text, &shown)?;
-    let notes = robot.calibration.iter().map(|_| CALIBRATION_NOT_USED.to_owned()).collect();
+    let notes = robot.calibration.iter().map(|_| CALIBRATION_USE.to_owned()).collect();
     Ok(Loaded { robot, notes })
 }
 

@@ -8,7 +8,7 @@ use toml::de::DeTable;
 use super::reader::{Log, Quantity, Table};
 use super::{Fault, Faults};
 use crate::body::Body;
-use crate::calibration::{Calibration, Errors, JOINT_AXES, own_turns};
+use crate::calibration::{Calibration, ControllerModel, Errors, JOINT_AXES, own_turns};
 use crate::drive::{Architecture, Drives, GravityCompensator, Identified, JointCompliance, Transmission};
 use crate::geometry::Geometry;
 use crate::interval::Interval;
@@ -433,6 +433,10 @@ fn calibration(mut table: Table, geometry: &Geometry, third_axis: ThirdAxis) -> 
         table.fault("date", format!("\"{date}\" is no date; expected such as \"2026-05-31\""));
     }
     let source = table.text("source", true);
+    let models = ControllerModel::ALL.map(|model| (model.name(), model));
+    let has_controller = table.has("controller_model");
+    let controller =
+        if has_controller { table.choice("controller_model", &models, None).map(Some) } else { Some(None) };
     table.finish(&[]);
     let own = own_turns(geometry, third_axis, &zero?.map(f64::to_radians));
     let mut frames = frames??.map(|row| row.map(|x| x / 1e3));
@@ -446,6 +450,7 @@ fn calibration(mut table: Table, geometry: &Geometry, third_axis: ThirdAxis) -> 
         errors: Errors { frames, weight, gears },
         residual: residual? / 1e3,
         left_out: left_out? / 1e3,
+        controller: controller?,
         rows: rows? as usize,
         date: date?,
         source: source?,

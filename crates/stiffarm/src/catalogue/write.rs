@@ -202,7 +202,7 @@ impl Text {
     }
 
     fn calibration(&mut self, calibration: &Calibration, geometry: &Geometry, limits: &Limits) {
-        let Calibration { errors, residual, left_out, rows, date, source } = calibration;
+        let Calibration { errors, residual, left_out, controller, rows, date, source } = calibration;
         self.table("calibration");
         self.list("zero_deg", zeros(geometry, limits.third_axis, &errors.frames).map(degrees));
         let frames = errors.frames.iter().enumerate().map(|(i, frame)| {
@@ -221,6 +221,9 @@ impl Text {
         }
         self.entry("residual_mm", &millimetres(*residual));
         self.entry("left_out_mm", &millimetres(*left_out));
+        if let Some(controller) = controller {
+            self.text("controller_model", controller.name());
+        }
         self.entry("rows", &rows.to_string());
         self.text("date", date);
         self.text("source", source);

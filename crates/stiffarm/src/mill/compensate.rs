@@ -306,7 +306,7 @@ fn raise(largest: &mut [f64], gives: &[Given], times: &[Vector6<f64>], drawn: &D
 }
 
 /// The known force on the tool, base axes; `None` in air.
-fn known_wrench(stand: &Stand, station: &Station) -> Result<Option<Wrench>, MillError> {
+pub(super) fn known_wrench(stand: &Stand, station: &Station) -> Result<Option<Wrench>, MillError> {
     match station.acting {
         None => Ok(None),
         Some(Acting::Any(_)) => Err(MillError::AnyDirection),
@@ -315,7 +315,7 @@ fn known_wrench(stand: &Stand, station: &Station) -> Result<Option<Wrench>, Mill
 }
 
 /// By how much the joints (model angles) give way under a wrench, rad: `A kappa A^T J^T w`.
-fn joint_deflection(
+pub(super) fn joint_deflection(
     robot: &Robot,
     theta: &[f64; 6],
     stand: &Stand,

@@ -45,6 +45,12 @@ pub enum MillError {
         /// rad.
         change: f64,
     },
+    /// A calibrated arm that does not have the posture of the drawing.
+    #[error("{}the calibrated arm has no posture near that of the arm as drawn; expected a path farther from straight postures and the rim", of_line(*line))]
+    Vanished {
+        /// Of the file.
+        line: usize,
+    },
     /// Nothing of the path feeds.
     #[error("nothing of the path feeds: there is nothing to mill")]
     NothingFeeds,

@@ -4,6 +4,7 @@
 //! those whose largest error is nearly the least (`climb`, over the nodes of `ladder`), smoothed (`smooth`), with a lower bound that no path of
 //! rolls beats (`bound`); where that lies far below, rolls are looked at once more in finer steps. Every number that is told is that of `follow`: one posture after the other, as [`crate::compliance`] has it.
 
+mod arm_error;
 mod blocked;
 mod bound;
 mod climb;
@@ -15,6 +16,7 @@ mod follow;
 mod forces;
 mod ladder;
 mod map;
+mod on_true_arm;
 mod place;
 mod smooth;
 mod solve;
@@ -22,6 +24,7 @@ mod stations;
 
 use nalgebra::Point3;
 
+pub use arm_error::{DrawnError, arm_error};
 use bound::Floor;
 pub use compensate::{Compensated, Remaining, compensate, drawn_errors, remaining};
 pub use contact::{ClearOf, Contact, PathClearance};
@@ -30,6 +33,7 @@ pub use fed_back::{FedBack, fed_back};
 pub use follow::{Arrangement, Pushed, Stand, part_from_tool};
 pub use forces::{Forced, ForcedError, Forcing, forced};
 pub use map::{RollCell, RollMap, roll_map};
+pub use on_true_arm::{ArmErrors, OnTrueArm, TrueOptions, WorkFrame, on_true_arm};
 pub use place::{PartPlacement, PathGround, PathPlaced, PathResolution, place_path};
 pub use solve::{MillOptions, RollMode};
 use solve::{Question, ROLLS};

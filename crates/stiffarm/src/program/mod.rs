@@ -1,7 +1,8 @@
 //! What does a robot's controller read, so that it follows these joints? KUKA KRL, ABB RAPID, Fanuc LS; a script for
 //! RoboDK, a trajectory for ROS 2, and a table of joints.
 //!
-//! The pose that is written of a place is the forward kinematics of the joints that are commanded there. A program begins with a
+//! The pose that is written of a place is the forward kinematics of the joints that are commanded there, by the arm with which the controller
+//! computes. A program begins with a
 //! move in joints, so that its configuration is settled, and goes on with straight moves of the tool in the frame of the part. Where it is
 //! not known whether the pendant counts the joints as the robot file does, no joint angle is written: the program says so in its first
 //! lines, and begins with a move to the first pose in the posture in which it finds the robot.
@@ -26,6 +27,7 @@ mod steps;
 
 pub use fault::ProgramFault;
 
+use crate::chain::TrueArm;
 use crate::geometry::Geometry;
 use crate::limits::{Pendant, ThirdAxis};
 use crate::spatial::Pose;
@@ -62,6 +64,17 @@ impl Tool {
     }
 }
 
+/// With which arm a controller goes from poses to joints.
+#[derive(Clone, Copy, Debug)]
+pub enum Controller<'a> {
+    /// That of the drawing; the robot was not calibrated.
+    Drawn,
+    /// That of the drawing, of a robot that was calibrated: a pose is that of the drawing at the joints of the true arm.
+    Mirrored,
+    /// With a calibration of its own: a pose is where the true arm stands.
+    Calibrated(&'a TrueArm),
+}
+
 /// Which robot holds which tool, and where the part stands.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup<'a> {
@@ -73,6 +86,8 @@ pub struct Setup<'a> {
     pub third_axis: ThirdAxis,
     /// Whether its pendant shows the joints so.
     pub pendant: &'a Pendant,
+    /// With which arm it computes.
+    pub controller: Controller<'a>,
     /// The part in the robot's base frame.
     pub base_from_part: Pose,
     /// The tools, each once.
@@ -89,12 +104,17 @@ impl Setup<'_> {
         *self.pendant != Pendant::Unknown
     }
 
-    /// A tool in the part at joint angles as reported, rad.
+    /// A tool in the part at joint angles as reported, rad, as the controller has it.
     ///
     /// # Panics
     /// Where there is no such tool.
     pub fn part_from_tool(&self, tool: usize, joints: &[f64; 6]) -> Pose {
-        let flange = self.geometry.forward(&self.geometry.model_angles(joints, self.third_axis));
+        let flange = match self.controller {
+            Controller::Drawn | Controller::Mirrored => {
+                self.geometry.forward(&self.geometry.model_angles(joints, self.third_axis))
+            }
+            Controller::Calibrated(arm) => arm.flange(joints),
+        };
         self.base_from_part.inverse() * flange * self.tools[tool].flange_from_tool
     }
 }

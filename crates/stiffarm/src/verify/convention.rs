@@ -2,10 +2,10 @@
 
 use nalgebra::Matrix6;
 
+use crate::chain::Chain;
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, ThirdAxis};
-use crate::registration::Chain;
 use crate::robot::{Arm, Robot};
 
 /// Which joints of the wrist are carried along by others: parts of theta 4 in 5, of 4 in 6, and of 5 in 6.

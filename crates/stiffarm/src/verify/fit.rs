@@ -149,7 +149,7 @@ impl<'a> Table<'a> {
     fn problem<'p>(
         &'p self,
         free: usize,
-        chain: &'p (dyn Fn(&[f64], &[f64; 6]) -> crate::registration::Chain + Sync),
+        chain: &'p (dyn Fn(&[f64], &[f64; 6]) -> crate::chain::Chain + Sync),
     ) -> Problem<'p> {
         Problem {
             sights: &self.sights,

@@ -4,13 +4,14 @@ use std::borrow::Cow;
 
 use super::super::path::tools;
 use super::super::{fixed, words};
+use super::arm;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::request::{Refusal, Request};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::cutting::{Law, Process};
 use stiffarm::mill::{
-    self, Acting, ErrorPart, ForcedError, Forcing, MillError, Milled, PathPlaced, Pushed, Stand, Station, compensate,
-    drawn_errors, forced, place_path, remaining,
+    self, Acting, ErrorPart, ForcedError, Forcing, MillError, Milled, PathPlaced, Pushed, Stand, Station, TrueOptions,
+    compensate, drawn_errors, forced, place_path, remaining,
 };
 use stiffarm::plain::on_one_line;
 use stiffarm::prior::Drawn;
@@ -51,6 +52,7 @@ impl MillAnswer {
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let robot = asked.equipped(robot.clone())?;
+        arm::check_mount(asked, &robot)?;
         let (options, flange_from_tool) = (asked.mill_options()?, asked.tip_of(tool)?);
         let (forcing, force, mut remarks) = forcing(asked, process)?;
         let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
@@ -74,7 +76,6 @@ impl MillAnswer {
         drop(moves);
         remarks.extend(forced.remarks);
         remarks.extend(words::pendant(&robot));
-        remarks.extend(words::calibration(&robot));
         let failed =
             |error| MillAnswerError::Mill { robot: robot.name.clone(), path: on_one_line(&path).into_owned(), error };
         let mut stations = forced.stations;
@@ -94,7 +95,8 @@ impl MillAnswer {
             }
         };
         let tolerance_mm = asked.tolerance_mm();
-        let (mut draws, mut compensated, mut fed_back) = (None, None, None);
+        let (mut draws, mut compensated, mut fed_back, mut arm) = (None, None, None, None);
+        let work_frame = asked.work_frame();
         if let (Some(Milled::Followed(found)), Some(placement)) = (&milled, placement) {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
             let drawn = |drawn: Drawn| {
@@ -107,6 +109,8 @@ impl MillAnswer {
                 let what = (&stations[..], &found.samples[..], options.part);
                 compensated = Some(compensation(asked, &robot, &stand, what, watch).map_err(failed)?);
             }
+            let options = TrueOptions { work_frame, part: options.part, is_compensated: asked.is_compensated() };
+            arm = Some(arm::told(&robot, &stand, (&stations, &found.samples), &options, watch).map_err(failed)?);
         }
         Ok(Self {
             robot,
@@ -124,6 +128,8 @@ impl MillAnswer {
             draws,
             fed_back,
             compensation: compensated,
+            work_frame,
+            arm,
             tolerance_mm,
             allows_contact: asked.allows_contact(),
             remarks,

@@ -10,6 +10,7 @@ use super::programs::program_of;
 use super::{MillAnswer, MillAnswerError};
 use crate::request::{Request, tool_name};
 use stiffarm::catalogue::ProcessFile;
+use stiffarm::mill::WorkFrame;
 use stiffarm::program::Language;
 use stiffarm::robot::Robot;
 use stiffarm::toolpath::{Move, MoveKind};
@@ -51,6 +52,11 @@ impl ByToolAnswer {
         processes: &[(u32, String, ProcessFile)],
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
+        let is_touched = asked.work_frame() == WorkFrame::Touched;
+        if robot.calibration.is_some() && is_touched {
+            let why = "touched finds the work with one tool; expected measured beside processes by tool of a calibrated robot";
+            return Err(asked.refused("work-frame", why.into()).into());
+        }
         let sections = sections(moves);
         let mills = |tool: u32| sections.iter().any(|(of, _)| *of == Some(tool));
         if let Some((tool, ..)) = processes.iter().find(|(tool, ..)| !mills(*tool)) {

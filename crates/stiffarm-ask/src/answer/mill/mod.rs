@@ -1,5 +1,6 @@
 //! What is told of a path that is milled: the error along it, how the tool is turned, where the part stands.
 
+mod arm;
 mod asked;
 mod by_tool;
 mod contact;
@@ -9,6 +10,7 @@ mod record;
 mod table;
 mod worst;
 
+pub use arm::ArmTold;
 pub use by_tool::{ByToolAnswer, Section};
 use nalgebra::Vector3;
 pub use ranking::{PathRankAnswer, PathRow};
@@ -21,7 +23,7 @@ use super::{fixed, with_schema};
 use crate::request::Refusal;
 use stiffarm::mill::{
     Acting, Blocked, Compensated, FedBack, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement,
-    PathGround, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, roll_map,
+    PathGround, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, WorkFrame, roll_map,
 };
 use stiffarm::program::ProgramFault;
 use stiffarm::robot::Robot;
@@ -63,6 +65,10 @@ pub struct MillAnswer {
     pub fed_back: Option<FedBack>,
     /// What compensation makes of it, where it was asked for and the path is followed.
     pub compensation: Option<Compensation>,
+    /// How the place of the work was found.
+    pub work_frame: WorkFrame,
+    /// What the geometry of the arm does; `None` where nothing is followed.
+    pub arm: Option<ArmTold>,
     /// The largest error that passes, mm.
     pub tolerance_mm: Option<f64>,
     /// Programs are written although the arm touches something.

@@ -3,9 +3,10 @@
 use std::io::Write;
 
 use super::super::stiffness::stiffness;
-use super::super::words;
 use super::{Compensation, MillAnswer, MillAnswerError};
-use stiffarm::mill::{Compensated, Followed, PartPlacement, Stand, Station, approach};
+use stiffarm::calibration::ControllerModel;
+use stiffarm::chain::TrueArm;
+use stiffarm::mill::{Followed, PartPlacement, Stand, Station, approach};
 use stiffarm::plain::on_one_line;
 use stiffarm::program::{self, Language, Setup, Style};
 use stiffarm::robot::Arm;
@@ -35,8 +36,8 @@ impl MillAnswer {
             return Err(MillAnswerError::NoProgram(self.reason().unwrap_or_default()));
         };
         self.check_contact()?;
-        let done = self.commanded()?;
-        let joints = |i: usize| done.map_or(found.samples[i].joints, |done| done.joints[i]);
+        self.check_commanded()?;
+        let joints = |i: usize| self.sent(i).map_or(found.samples[i].joints, |(joints, _)| joints);
         let station = |(i, station): (usize, &Station)| program::Station {
             line: station.sample.line,
             joints: joints(i),
@@ -76,17 +77,37 @@ impl MillAnswer {
                     error,
                 })?;
             if let Some(joints) = joints {
-                return Ok(Some((height, joints)));
+                return self.truly(joints, &stand).map(|joints| Some((height, joints)));
             }
         }
         Ok(None)
     }
 
-    /// What is commanded in place of the path, where compensation was asked for.
-    fn commanded(&self) -> Result<Option<&Compensated>, MillAnswerError> {
-        let Some(Compensation { done, .. }) = &self.compensation else { return Ok(None) };
-        match done.beyond.first() {
-            None => Ok(Some(done)),
+    /// The joints that put a calibrated arm where the drawing is at these, the part where it truly stands; the same ones of another arm.
+    fn truly(&self, joints: [f64; 6], stand: &Stand) -> Result<[f64; 6], MillAnswerError> {
+        let Some((arm, found)) = TrueArm::of(&self.robot).zip(self.on_true_arm()) else { return Ok(joints) };
+        let Arm::SixAxis { geometry, limits, .. } = &self.robot.arm else { return Ok(joints) };
+        let drawn = geometry.forward(&geometry.model_angles(&joints, limits.third_axis));
+        let flange = found.base_from_part * stand.base_from_part.inverse() * drawn;
+        let gone = "the calibrated arm has no posture above the path's beginning near that of the drawing";
+        arm.joints_near(&flange, &joints).ok_or_else(|| MillAnswerError::NoProgram(gone.into()))
+    }
+
+    /// The joints and the tool in the part that a controller is sent at a station in place of those of the path: of a calibrated arm, or compensated.
+    pub(super) fn sent(&self, i: usize) -> Option<([f64; 6], ToolPose)> {
+        let corrects_itself = self.robot.calibration.as_ref().and_then(|known| known.controller);
+        let which = usize::from(corrects_itself == Some(ControllerModel::Calibrated));
+        let of_true_arm = self.on_true_arm().map(|found| (found.joints[i], found.poses[i][which]));
+        of_true_arm
+            .or_else(|| self.compensation.as_ref().map(|Compensation { done, .. }| (done.joints[i], done.poses[i])))
+    }
+
+    /// That no joint is sent beyond its range.
+    fn check_commanded(&self) -> Result<(), MillAnswerError> {
+        let of_true_arm = self.on_true_arm().map(|found| &found.beyond);
+        let beyond = of_true_arm.or_else(|| self.compensation.as_ref().map(|Compensation { done, .. }| &done.beyond));
+        match beyond.and_then(|beyond| beyond.first()) {
+            None => Ok(()),
             Some(first) => {
                 let line = self.stations[*first].sample.line;
                 let why = format!(
@@ -107,8 +128,11 @@ impl MillAnswer {
         steps: &Steps,
         output: &mut dyn Write,
     ) -> Result<Rewritten, MillAnswerError> {
-        let none = || MillAnswerError::NoProgram("without --compensate the path stays as it is".into());
-        let done = self.commanded()?.ok_or_else(none)?;
+        if self.compensation.is_none() {
+            return Err(MillAnswerError::NoProgram("without --compensate the path stays as it is".into()));
+        }
+        self.check_commanded()?;
+        self.controller(TrueArm::of(&self.robot).as_ref())?;
         self.check_contact()?;
         let mut remarks = vec![
             format!("compensated by stiffarm for {}, {}", self.robot.name, stiffness(&self.robot)),
@@ -119,7 +143,8 @@ impl MillAnswer {
         let how = Rewriting { steps: *steps, straight: STRAIGHT, remarks: &remarks };
         let mut next = 0;
         let mut corrected = |sample: &Sample| {
-            let tip = done.poses.get(next).map_or(sample.pose.tip, |pose| pose.tip);
+            let is_known = next < self.stations.len();
+            let tip = if is_known { self.sent(next) } else { None }.map_or(sample.pose.tip, |(_, pose)| pose.tip);
             next += 1;
             // A file of three axes holds tips; what that leaves is told.
             ToolPose { tip, axis: sample.pose.axis }
@@ -157,12 +182,15 @@ pub(super) fn program_of(
         remarks.extend(only.map(|tool| format!("Only what tool {tool} of the path cuts.")));
     }
     let stiffness = stiffness(&first.robot);
-    remarks.extend(words::calibration(&first.robot).map(|remark| format!("WARNING: {remark}.")));
+    remarks.extend(first.arm_remarks());
+    let arm = TrueArm::of(&first.robot);
+    let controller = first.controller(arm.as_ref())?;
     let setup = Setup {
         robot: &first.robot.name,
         geometry,
         third_axis: limits.third_axis,
         pendant: &limits.pendant,
+        controller,
         base_from_part: placement.base_from_part(),
         tools: &tools,
         remarks: &remarks,

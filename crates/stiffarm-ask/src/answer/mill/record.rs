@@ -57,8 +57,9 @@ impl MillAnswer {
         record
             .put(field::FED_BACK, self.fed_back.as_ref().map(fed_back))
             .put(field::PATH_COMPENSATION, self.compensation.as_ref().map(compensated))
-            .put(field::SEARCH, self.search())
-            .put(field::REMARKS, json!(self.remarks));
+            .put(field::SEARCH, self.search());
+        self.put_arm(&mut record);
+        record.put(field::REMARKS, json!(self.remarks));
         record
     }
 
@@ -166,7 +167,7 @@ impl MillAnswer {
         columns.extend(numbers(&["limit_margin_deg", "singular_margin_deg"]));
         columns.push(Column::new("pass", Truth));
         columns.push(Column::new("cutting", Truth));
-        if self.compensation.is_some() {
+        if self.compensation.is_some() || self.on_true_arm().is_some() {
             columns.extend(numbers(&[
                 "q1_cmd_deg",
                 "q2_cmd_deg",
@@ -180,9 +181,9 @@ impl MillAnswer {
         let samples = self.followed().map_or(&[][..], |found| &found.samples);
         Rows::made(columns, samples.len(), move |i| {
             let mut cells = self.cells(&self.stations[i], &samples[i]);
-            if let Some(Compensation { done, .. }) = &self.compensation {
-                cells.extend(done.joints[i].map(|q| Cell::Number(q.to_degrees() + 0.0)));
-                cells.extend(done.poses[i].tip.iter().map(|x| Cell::Number(x * 1e3 + 0.0)));
+            if let Some((joints, pose)) = self.sent(i) {
+                cells.extend(joints.map(|q| Cell::Number(q.to_degrees() + 0.0)));
+                cells.extend(pose.tip.iter().map(|x| Cell::Number(x * 1e3 + 0.0)));
             }
             cells
         })

@@ -180,6 +180,7 @@ impl MillAnswer {
                 lines.push(line("lines over it", format!("{}{more}", told.join(", "))));
             }
         }
+        lines.extend(self.arm_lines());
         lines.extend(self.compensation.iter().flat_map(|compensation| self.compensated_lines(compensation)));
         lines
     }
@@ -229,7 +230,7 @@ impl MillAnswer {
         } else {
             "a robot follows the mean force over a revolution; the teeth cut far more often than it can follow"
         };
-        let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n"));
+        let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n{}", self.arm_note()));
         let looked = if self.options.clear_of.is_some() {
             "clearance: links as capsules, coarse, at every sample and between them; part and fixtures are not known, and the first move of a program, in joints, is checked by nobody"
         } else {

@@ -221,6 +221,20 @@ pub(super) const ROWS: &[Setting] = &[
         ..MILLED
     },
     Setting {
+        name: "work-frame",
+        kind: Kind::Word(&[
+            ("touched", "By touching points of it with this robot: what the arm errs alike at all of them cancels"),
+            ("measured", "By an instrument in the frame of the base: all that the arm errs counts"),
+        ]),
+        value: "HOW",
+        excludes: &["robots"],
+        absent: Absent::Default("touched"),
+        help: "How the place of the work was found, for the error of the arm's own geometry",
+        heading: "Compensation",
+        example: "measured",
+        ..MILLED
+    },
+    Setting {
         name: "compensate",
         kind: Kind::Flag,
         excludes: &["robots"],

@@ -1,5 +1,4 @@
-//! The chain of an arm whose joint frames stand a little otherwise than drawn, whose drives yield under its own weight, and whose
-//! gears err once per turn.
+//! Where does the flange of an arm stand whose joint frames differ from the drawing, and how does each error move it?
 //!
 //! `F = prod_i [ Tr(p_i) E_i Rot(e_i, theta_i + d_i) Tr(-p_i) ] F_0`, with the joints' points `p_i` and axes `e_i` at model zero, the
 //! frames' errors `E_i = Tr(s) exp(w)` in base axes at model zero, and the angles `d_i` of weight and gears.
@@ -9,7 +8,6 @@ use nalgebra::{Matrix3, Matrix6, Translation3, UnitQuaternion, Vector3};
 use crate::calibration::{Errors, JOINT_AXES, WEIGHT};
 use crate::geometry::Geometry;
 use crate::limits::ThirdAxis;
-use crate::registration::Chain;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 
@@ -36,20 +34,47 @@ impl Errors {
 
     /// The flange of the true arm in its base at joint angles as reported, rad; `None` of two links.
     pub fn flange(&self, robot: &Robot, q: &[f64; 6]) -> Option<Pose> {
-        Some(True::of(robot)?.chain(&self.parameters(), q).flange)
+        Some(Frames::of(robot)?.chain(&self.parameters(), q).flange)
     }
 }
 
-/// An arm of which errors are looked for.
+/// The flange in the base, and how a unit of each parameter moves it.
+pub(crate) struct Chain {
+    pub flange: Pose,
+    /// Velocity of what stands at the base's origin, and angular velocity; base axes.
+    pub twists: Vec<[Vector3<f64>; 2]>,
+}
+
+/// A joint of an arm that stands somewhere.
+pub(super) struct Joint {
+    /// What carries it.
+    pub(super) at: Pose,
+    /// A point of its axis, m, and the axis, base frame.
+    pub(super) centre: Vector3<f64>,
+    pub(super) axis: Vector3<f64>,
+}
+
+/// Shift, m, and turn of each joint's frame.
+pub(super) type Displaced = [(Vector3<f64>, UnitQuaternion<f64>); 6];
+
+/// The shifts and turns that parameters are.
+pub(super) fn displaced(parameters: &[f64]) -> Displaced {
+    std::array::from_fn(|i| {
+        let [shift, turn] = [0, 3].map(|first| Vector3::from_fn(|j, _| parameters[6 * i + first + j]));
+        (shift, UnitQuaternion::new(turn))
+    })
+}
+
+/// The joints of an arm as drawn, whose frames may differ.
 #[derive(Clone, Debug)]
-pub(crate) struct True {
-    geometry: Geometry,
-    third_axis: ThirdAxis,
+pub(crate) struct Frames {
+    pub(super) geometry: Geometry,
+    pub(super) third_axis: ThirdAxis,
     transmission: Matrix6<f64>,
     points: [Vector3<f64>; 6],
 }
 
-impl True {
+impl Frames {
     pub(crate) fn of(robot: &Robot) -> Option<Self> {
         let Arm::SixAxis { geometry, limits, drives } = &robot.arm else { return None };
         let Geometry { a1, a2, b, c1, c2, c3, .. } = *geometry;
@@ -65,7 +90,7 @@ impl True {
     }
 
     /// The flange as drawn.
-    pub(super) fn drawn(&self, q: &[f64; 6]) -> Pose {
+    pub(crate) fn drawn(&self, q: &[f64; 6]) -> Pose {
         self.geometry.forward(&self.geometry.model_angles(q, self.third_axis))
     }
 
@@ -94,35 +119,46 @@ impl True {
         })
     }
 
+    /// By how much weight and gears turn each joint, rad: a sum over the parameters behind those of the frames.
+    pub(super) fn yielded(&self, theta: &[f64; 6], yielding: &[f64]) -> [f64; 6] {
+        self.turned(theta).map(|parts| parts.iter().zip(yielding).map(|(part, parameter)| part * parameter).sum())
+    }
+
+    /// Goes from joint to joint, each turned by its angle, rad, to the flange.
+    pub(super) fn walk(&self, displaced: &Displaced, angles: &[f64; 6], mut each: impl FnMut(usize, Joint)) -> Pose {
+        let mut at = Pose::identity();
+        for (i, point) in self.points.iter().enumerate() {
+            let (shift, turn) = displaced[i];
+            let centre = (at * nalgebra::Point3::from(point + shift)).coords;
+            let frame = at.rotation * turn;
+            each(i, Joint { at, centre, axis: frame * Vector3::ith(JOINT_AXES[i], 1.0) });
+            let rotation = frame * UnitQuaternion::new(Vector3::ith(JOINT_AXES[i], angles[i]));
+            at = Pose::from_parts(Translation3::from(centre - rotation * point), rotation);
+        }
+        let Geometry { a1, a2, b, c1, c2, c3, c4, .. } = self.geometry;
+        at * Translation3::new(a1 + a2, b, c1 + c2 + c3 + c4)
+    }
+
     /// The flange, and how each parameter moves it.
     pub(crate) fn chain(&self, parameters: &[f64], q: &[f64; 6]) -> Chain {
         let theta = self.geometry.model_angles(q, self.third_axis);
         let turned = self.turned(&theta);
-        let mut at = Pose::identity();
+        let more = self.yielded(&theta, &parameters[FRAMES..]);
+        let angles = std::array::from_fn(|i| theta[i] + more[i]);
         let mut twists = vec![[Vector3::zeros(); 2]; ALL];
-        for (i, point) in self.points.iter().enumerate() {
-            let own = &parameters[6 * i..6 * i + 6];
-            let (shift, turn) = (Vector3::new(own[0], own[1], own[2]), Vector3::new(own[3], own[4], own[5]));
-            let centre = (at * nalgebra::Point3::from(point + shift)).coords;
-            let left = left_jacobian(&turn);
-            for axis in 0..3 {
-                twists[6 * i + axis] = [at.rotation * Vector3::ith(axis, 1.0), Vector3::zeros()];
-                let about = at.rotation * left.column(axis);
-                twists[6 * i + 3 + axis] = [centre.cross(&about), about];
+        let flange = self.walk(&displaced(parameters), &angles, |i, Joint { at, centre, axis }| {
+            let left = left_jacobian(&Vector3::from_fn(|j, _| parameters[6 * i + 3 + j]));
+            for j in 0..3 {
+                twists[6 * i + j] = [at.rotation * Vector3::ith(j, 1.0), Vector3::zeros()];
+                let about = at.rotation * left.column(j);
+                twists[6 * i + 3 + j] = [centre.cross(&about), about];
             }
-            let frame = at.rotation * UnitQuaternion::new(turn);
-            let about = frame * Vector3::ith(JOINT_AXES[i], 1.0);
-            let more: f64 = turned[i].iter().zip(&parameters[FRAMES..]).map(|(part, parameter)| part * parameter).sum();
             for (part, twist) in turned[i].iter().zip(&mut twists[FRAMES..]) {
-                twist[0] += centre.cross(&about) * *part;
-                twist[1] += about * *part;
+                twist[0] += centre.cross(&axis) * *part;
+                twist[1] += axis * *part;
             }
-            let rotation = frame * UnitQuaternion::new(Vector3::ith(JOINT_AXES[i], theta[i] + more));
-            at = Pose::from_parts(Translation3::from(centre - rotation * point), rotation);
-        }
-        let Geometry { a1, a2, b, c1, c2, c3, c4, .. } = self.geometry;
-        let zero = Translation3::new(a1 + a2, b, c1 + c2 + c3 + c4);
-        Chain { flange: at * zero, twists }
+        });
+        Chain { flange, twists }
     }
 }
 
@@ -160,7 +196,7 @@ mod tests {
     fn the_twists_are_what_differences_of_the_flange_give() {
         let mut rng = fastrand::Rng::with_seed(2);
         for robot in paper_robots() {
-            let arm = True::of(&robot).unwrap();
+            let arm = Frames::of(&robot).unwrap();
             let q: [f64; 6] = std::array::from_fn(|_| 4.0 * (rng.f64() - 0.5));
             let parameters = random(&mut rng, 5e-3);
             let Chain { flange, twists } = arm.chain(&parameters, &q);
@@ -188,7 +224,7 @@ mod tests {
         let mut rng = fastrand::Rng::with_seed(3);
         let robot = paper_robots().into_iter().find(|robot| robot.name == "KR 210 R2700 extra").unwrap();
         let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!("six axes") };
-        let arm = True::of(&robot).unwrap();
+        let arm = Frames::of(&robot).unwrap();
         for _ in 0..50 {
             let q: [f64; 6] = std::array::from_fn(|_| 4.0 * (rng.f64() - 0.5));
             let theta = geometry.model_angles(&q, limits.third_axis);

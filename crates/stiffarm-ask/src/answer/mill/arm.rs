@@ -1,0 +1,188 @@
+//! How the geometry of the very arm enters a path: as it was calibrated, or as large as it is of arms that nobody has calibrated.
+
+use stiffarm::calibration::{Calibration, ControllerModel};
+use stiffarm::chain::TrueArm;
+use stiffarm::mill::{
+    ArmErrors, DrawnError, MillError, OnTrueArm, Pushed, Stand, Station, TrueOptions, WorkFrame, arm_error, on_true_arm,
+};
+use stiffarm::program::Controller;
+use stiffarm::robot::Robot;
+use stiffarm::watch::Watch;
+
+use super::super::{Line, Record, field, fixed, line};
+use super::{MillAnswer, MillAnswerError};
+use crate::request::{Refusal, Request};
+
+/// How the arm's own geometry counts.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ArmTold {
+    /// It was calibrated: what is commanded, and what errs.
+    Calibrated(Box<OnTrueArm>),
+    /// It was not: so far such arms err along this path.
+    Drawn(DrawnError),
+}
+
+/// That the base stands as the calibration has it.
+///
+/// # Errors
+/// A base that does not stand on a floor where the own weight has terms.
+pub(super) fn check_mount(asked: &Request, robot: &Robot) -> Result<(), Refusal> {
+    let Some(mount) = asked.mount() else { return Ok(()) };
+    let holds = TrueArm::of(robot).is_none_or(|arm| arm.stands_as_measured(&mount.cell_from_base));
+    if holds {
+        return Ok(());
+    }
+    let why = format!(
+        "has a base that does not stand upright, and the weight_mrad of {} hold on a floor; expected floor, pedestal:H, or a calibration without them (--level geometry)",
+        robot.name
+    );
+    Err(asked.refused("mount", why))
+}
+
+/// What the arm's geometry does along a path.
+pub(super) fn told(
+    robot: &Robot,
+    stand: &Stand,
+    path: (&[Station], &[Pushed]),
+    options: &TrueOptions,
+    watch: Watch,
+) -> Result<ArmTold, MillError> {
+    if let Some(found) = on_true_arm(robot, stand, path, options, watch)? {
+        return Ok(ArmTold::Calibrated(Box::new(found)));
+    }
+    arm_error(robot, stand, path, (options.work_frame, options.part), watch).map(ArmTold::Drawn)
+}
+
+impl MillAnswer {
+    /// The path on the arm that was calibrated, where it was.
+    pub fn on_true_arm(&self) -> Option<&OnTrueArm> {
+        match &self.arm {
+            Some(ArmTold::Calibrated(found)) => Some(found),
+            Some(ArmTold::Drawn(_)) | None => None,
+        }
+    }
+
+    /// With which arm the controller computes.
+    ///
+    /// # Errors
+    /// A calibrated robot of which nobody has said it.
+    pub(super) fn controller<'a>(&self, arm: Option<&'a TrueArm>) -> Result<Controller<'a>, MillAnswerError> {
+        let (Some(calibration), Some(arm)) = (&self.robot.calibration, arm) else { return Ok(Controller::Drawn) };
+        match calibration.controller {
+            Some(ControllerModel::Nominal) => Ok(Controller::Mirrored),
+            Some(ControllerModel::Calibrated) => Ok(Controller::Calibrated(arm)),
+            None => Err(MillAnswerError::NoProgram(format!(
+                "the [calibration] of {} does not say controller_model; expected \"nominal\" (the controller computes with the arm as drawn) or \"calibrated\" (with an absolute-accuracy option of its own, as while it was measured): the wrong one corrects twice, or not at all",
+                self.robot.name
+            ))),
+        }
+    }
+
+    /// Both kinds of error as fields.
+    pub(super) fn put_arm(&self, record: &mut Record) {
+        let calibrated = self.on_true_arm().map(|found| {
+            let ArmErrors { uncorrected, by_stiffness, by_geometry, by_both } = found.errors;
+            let mut record = Record::new();
+            record
+                .put(field::UNCORRECTED, uncorrected)
+                .put(field::BY_STIFFNESS, by_stiffness)
+                .put(field::BY_GEOMETRY, by_geometry)
+                .put(field::BY_BOTH, by_both)
+                .put(field::CALIBRATION_LEFT, self.robot.calibration.as_ref().map(|known| known.left_out))
+                .put(field::BEYOND_LIMITS, found.beyond.len());
+            record
+        });
+        let drawn = self.drawn_error().map(|found| {
+            let mut record = Record::new();
+            record.put(field::MEDIAN_OFF, found.median).put(field::P95_OFF, found.p95);
+            record
+        });
+        record
+            .put(field::WORK_FRAME, self.arm.as_ref().map(|_| self.work_frame.name()))
+            .put(field::TRUE_ARM, calibrated)
+            .put(field::ARM_ERROR, drawn);
+    }
+
+    fn drawn_error(&self) -> Option<DrawnError> {
+        match self.arm {
+            Some(ArmTold::Drawn(found)) => Some(found),
+            Some(ArmTold::Calibrated(_)) | None => None,
+        }
+    }
+
+    /// The same as people read it.
+    pub(super) fn arm_lines(&self) -> Vec<Line> {
+        let mm = |metres: f64| format!("{} mm", fixed(metres * 1e3, 4));
+        let some = |metres: Option<f64>| metres.map_or_else(|| "not known under such a force".into(), mm);
+        let mut lines = Vec::new();
+        if let (Some(found), Some(known)) = (self.on_true_arm(), &self.robot.calibration) {
+            let ArmErrors { uncorrected, by_stiffness, by_geometry, by_both } = found.errors;
+            lines.push(line("calibrated arm, nothing corrected", mm(uncorrected)));
+            lines.push(line("deflection alone corrected", some(by_stiffness)));
+            lines.push(line("geometry alone corrected", mm(by_geometry)));
+            lines.push(line("both corrected, by the model", some(by_both)));
+            lines.push(line(
+                "the calibration itself leaves",
+                format!("{} rms where it was not measured", mm(known.left_out)),
+            ));
+            lines.extend(beyond(found).map(|told| line("BEYOND LIMITS", told)));
+        }
+        lines.extend(self.drawn_error().map(|DrawnError { median, p95 }| {
+            let told = format!(
+                "{} (median), {} (95 %) by the geometry of arms that nobody has calibrated, the work found as {}: not in the error",
+                mm(median),
+                mm(p95),
+                self.work_frame.name()
+            );
+            line("besides", told)
+        }));
+        lines
+    }
+
+    /// What a verdict is without: the geometry of an arm that was not calibrated, with its size here.
+    pub(super) fn arm_note(&self) -> String {
+        let told = |found: DrawnError| {
+            let [median, p95] = [found.median, found.p95].map(|metres| fixed(metres * 1e3, 2));
+            format!(
+                "Along this path the geometry of a {} that was not calibrated errs by {median} mm (median), {p95} mm (95 %) on top; `stiffarm calibrate` finds it.\n",
+                self.robot.name
+            )
+        };
+        self.drawn_error().map_or_else(String::new, told)
+    }
+
+    /// What of it stands in the head of a program.
+    pub(super) fn arm_remarks(&self) -> Vec<String> {
+        let (Some(found), Some(known)) = (self.on_true_arm(), &self.robot.calibration) else { return Vec::new() };
+        let Calibration { rows, date, source, left_out, .. } = &**known;
+        let mut remarks = vec![format!(
+            "Calibration: {date}, {rows} rows of {source}; it leaves {} mm rms where it was not measured.",
+            fixed(left_out * 1e3, 3)
+        )];
+        if known.controller == Some(ControllerModel::Calibrated) {
+            return remarks;
+        }
+        remarks.push(match self.work_frame {
+            WorkFrame::Measured => "Work frame: measured by an instrument in the frame of the base.".into(),
+            WorkFrame::Touched => {
+                let at = |at: &[f64; 3]| at.map(|x| fixed(x * 1e3, 1)).join(" ");
+                let points: Vec<String> = found.touched.iter().map(at).collect();
+                format!(
+                    "Work frame: touched with this robot at the part's points {} mm, the tool turned as it mills there; touched elsewhere, another part of the arm's error cancels.",
+                    points.join("; ")
+                )
+            }
+        });
+        remarks
+    }
+}
+
+/// Samples at which the true arm is commanded beyond its limits, in words.
+fn beyond(found: &OnTrueArm) -> Option<String> {
+    (!found.beyond.is_empty()).then(|| {
+        format!(
+            "{} samples command a joint of the calibrated arm beyond its range: no program is written",
+            found.beyond.len()
+        )
+    })
+}
