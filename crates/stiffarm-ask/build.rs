@@ -15,5 +15,6 @@ fn main() {
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
     packed.write_all(plotly.as_bytes()).expect("memory is written to");
     let folder = env::var_os("OUT_DIR").expect("cargo names a folder");
-    fs::write(PathBuf::from(folder).join("plotly.js.gz"), packed.finish().expect("it ends")).expect("the folder is there");
+    fs::write(PathBuf::from(folder).join("plotly.js.gz"), packed.finish().expect("it ends"))
+        .expect("the folder is there");
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use stiffarm::catalogue::files::{LoadError, Unreadable, shown};
 use stiffarm::catalogue::import::ImportError;
+use stiffarm::catalogue::stl::StlFault;
 use stiffarm::cutting::CuttingError;
 use stiffarm::map::MapError;
 use stiffarm::model::ModelError;
@@ -85,6 +86,9 @@ pub enum AskError {
     /// A process file with faults.
     #[error("{0}")]
     ProcessFile(stiffarm::catalogue::Faults),
+    /// An STL file that is not read.
+    #[error(transparent)]
+    Stl(#[from] StlFault),
     /// A process of which no force is told.
     #[error("{file}: {error}")]
     Process {
@@ -255,6 +259,7 @@ impl AskError {
             Self::Import { error, ends_are_given } => import_hint(error, *ends_are_given),
             Self::Path(_) => "`stiffarm mill --help` lists what can be said of a path whose file is silent; a CAM program can write what is refused as plain moves",
             Self::Mill(_) => "`stiffarm mill --help` tells what a path, a process and a stock may be",
+            Self::Stl(_) => "export the finished part from CAD as STL, in the frame of the path, its unit told by part-unit",
             Self::ProcessFile(_) | Self::Process { .. } => "docs/examples/endmill.toml is a complete process file to compare with",
             Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
             Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",

@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use stiffarm::catalogue;
 use stiffarm::catalogue::files::{self, Loaded, shown};
 use stiffarm::robot::Robot;
@@ -109,6 +111,21 @@ impl Sources {
         }
         self.check_disk(name)?;
         Ok(files::text(Path::new(name))?.into())
+    }
+
+    /// The bytes of this name: one more than `most` of them where there are more. Bytes that are no text come along as `data:;base64,...`.
+    ///
+    /// # Errors
+    /// As [`Sources::text`]; base64 that is none.
+    pub fn bytes(&self, name: &str, most: usize) -> Result<Cow<'_, [u8]>, AskError> {
+        if let Some(text) = self.at_hand(name) {
+            let packed = text.strip_prefix("data:").and_then(|rest| rest.split_once(";base64,"));
+            let Some((_, packed)) = packed else { return Ok(text.as_bytes().into()) };
+            let broken = |error| AskError::Usage(format!("{}: broken base64: {error}", shown(Path::new(name))));
+            return Ok(STANDARD.decode(packed.trim()).map_err(broken)?.into());
+        }
+        self.check_disk(name)?;
+        Ok(files::bytes(Path::new(name), most)?.into())
     }
 
     /// A text that came along.
@@ -235,6 +252,15 @@ mod tests {
         assert_eq!(sources.nowhere_else(), ["BT200L (2)"]);
         let sources = sources.with_robot("BT200L", softer).with_text("the data frame", String::new());
         assert_eq!(sources.nowhere_else(), ["BT200L", "BT200L (2)", "the data frame"]);
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_come_along_in_base64() {
+        let texts = [("a.stl", "data:model/stl;base64,AP+A"), ("b.stl", "solid"), ("c.stl", "data:;base64,!")];
+        let sources = Sources::sent(texts.map(|(name, text)| (name.into(), text.into())).into());
+        assert_eq!(*sources.bytes("a.stl", 9).unwrap(), [0, 255, 128]);
+        assert_eq!(*sources.bytes("b.stl", 9).unwrap(), *b"solid");
+        assert!(sources.bytes("c.stl", 9).unwrap_err().to_string().starts_with("c.stl: broken base64"));
     }
 
     #[test]

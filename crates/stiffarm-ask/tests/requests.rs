@@ -182,7 +182,7 @@ fn told(request: &Request) -> String {
                 request.is_compensated(),
                 request.stiffness_uncertainty(),
                 request.tolerance_mm(),
-                request.allows_contact(),
+                (request.allows_contact(), request.work_frame(), request.part(), request.stick_out(None)),
             );
             let milling = format!("{robot:?} {process:?} {acting:?} {at:?} {stock:?} {window:?} {left:?}");
             format!("{path:?} {format:?} {reading} {milling} {:?} {:?}", request.mill_options(), request.held())

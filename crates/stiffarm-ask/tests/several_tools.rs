@@ -34,7 +34,7 @@ fn by_tool(text: &str, options: &[(&str, &str)]) -> Result<ByToolAnswer, MillAns
     let processes = [(1, constant("one.toml", 300.0)), (2, constant("two.toml", 40.0))];
     let processes = processes.map(|(tool, (name, process))| (tool, name, process));
     let asked = request("two.nc", options)?;
-    ByToolAnswer::of(&asked, &robot(), ("two.nc", &moves_of(text, Format::GCode)), &processes, Watch::nobody())
+    ByToolAnswer::of(&asked, &robot(), ("two.nc", &moves_of(text, Format::GCode)), (&processes, None), Watch::nobody())
 }
 
 fn constant(name: &str, newtons: f64) -> (String, ProcessFile) {

@@ -86,7 +86,7 @@ const solve = oneInFlight(async (/** @type {Pin[]} */ pins) => {
 export const mill = {
   verb: "mill",
   parts: () => [
-    { verb: "mill", title: "Does the program hold it?", first: ["path", "robot", "process", "force-n", "at", "tolerance-mm", "roll", "pin", "compensate", "tool"] },
+    { verb: "mill", title: "Does the program hold it?", first: ["path", "robot", "process", "force-n", "at", "part", "stick-out-mm", "tolerance-mm", "roll", "pin", "compensate", "tool"] },
   ],
   mount(look, decide) {
     draw();

@@ -14,6 +14,7 @@ mod job;
 mod large_maps;
 mod measure;
 mod modes;
+mod part;
 mod path_ranking;
 mod paths;
 mod program;

@@ -95,7 +95,7 @@ pub enum PostureError {
 /// `C = (J A) k (J A)^T` with the 6 x 6 geometric Jacobian at the tool point and the transmission `A` (\[theory\], section
 /// 1); nothing is inverted, so singular postures have one too. Left out: links, bearings, base, the robot's own weight. Of a robot that was
 /// calibrated the tool stands where it truly does, on a base that stands on a floor; the compliance is that of the arm as drawn, which
-/// differs by less than 0.5 %.
+/// differs by less than 0.5 % where frames err by up to 0.5 mm and 0.5 mrad.
 ///
 /// ```
 /// use stiffarm::catalogue::find;

@@ -48,6 +48,8 @@ colours! {
     WINDOW, "window" = "#0a7d3c";
     /// Where nothing may be.
     KEEP_OUT, "keep_out" = "#7a1010";
+    /// The part, in space.
+    PART, "part" = "#b9a878";
     /// Where the tool is held and nothing pushes.
     AIR, "air" = "#eaf1f5";
     /// The force on the tool.

@@ -54,7 +54,7 @@ pub use ledger::LedgerAnswer;
 pub use looks::{Look, looks};
 pub use map::MapAnswer;
 pub use measure::{DrawnPosture, MeasureAnswer};
-pub use mill::{ByToolAnswer, Compensation, MillAnswer, MillAnswerError, PathRankAnswer};
+pub use mill::{Beside, ByToolAnswer, Compensation, MillAnswer, MillAnswerError, PartFile, PathRankAnswer};
 pub use modes::ModesAnswer;
 pub use numbers::fixed;
 pub use path::PathAnswer;

@@ -207,6 +207,7 @@ fn obstacle(to: Obstacle) -> String {
         Obstacle::Floor => "floor".into(),
         Obstacle::Mounting => "wall or ceiling".into(),
         Obstacle::Work => "work".into(),
+        Obstacle::Part => "part".into(),
         Obstacle::KeepOut(number) => format!("keep-out {number}"),
         Obstacle::Link(link) => link.name().into(),
     }

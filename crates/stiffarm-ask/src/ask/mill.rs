@@ -9,18 +9,19 @@ use stiffarm::catalogue::files;
 use stiffarm::mill::{RollMap, Stand};
 use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
+use stiffarm::spatial::Pose;
 use stiffarm::toolpath::{Builtin, Format, Original, Understood};
 use stiffarm::watch::Watch;
 
 use super::context::Context;
 use super::drawing;
-use super::path::{all_moves, read_process_of};
+use super::path::{all_moves, read_beside};
 use super::reports::{self, Inputs};
 use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
-use crate::figures::view3d::{Cell, Sheet, View, Zone};
+use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
 use crate::forms::{Answer, Forms, Piece};
 use crate::report::Report;
 
@@ -29,13 +30,15 @@ const MAPPED: usize = 360;
 /// Places along the path that a view in space shows, and how high its ribbon stands, m.
 const MOST_POINTS: usize = 3000;
 const RIBBON: f64 = 0.02;
+/// Of a part with more triangles a view shows the box alone.
+const MOST_TRIANGLES: usize = 50_000;
 
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<MillOutput<'a>, AskError> {
     let path = asked.path()?;
     let robot = super::selection::robot(&asked.robot()?, context)?;
-    let process = read_process_of(asked, context)?;
+    let beside = read_beside(asked, context)?;
     let (moves, understood) = all_moves(asked, &path, context, 1)?;
-    let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, moves), process, watch);
+    let milled = |watch: Watch| MillAnswer::of(asked, &robot, (path, moves), beside, watch);
     let mut answer = context.watched("milling", milled)?;
     answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
     Ok(MillOutput { answer, asked, context, plate: Plate::of(asked)? })
@@ -97,7 +100,23 @@ pub(crate) fn rolls(answer: &MillAnswer) -> Result<RollMap, AskError> {
 }
 
 impl MillOutput<'_> {
-    /// The path as a ribbon at its place, the robot at the worst sample.
+    /// The finished part where it stands; only the box about it where it has very many triangles.
+    fn part_at(&self, base_from_part: &Pose) -> Option<(Vec<Point>, Vec<[u32; 3]>)> {
+        let mesh = self.answer.options.clear_of.as_ref()?.part.as_ref()?;
+        let (corners, triangles) = mesh.placed(base_from_part);
+        if triangles.len() <= MOST_TRIANGLES {
+            return Some((corners, triangles.to_vec()));
+        }
+        let ends = mesh.extent();
+        let corner = |k: usize| base_from_part.transform_point(&[0, 1, 2].map(|i| ends[k >> i & 1][i]).into()).into();
+        let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3]];
+        Some((
+            (0..8).map(corner).collect(),
+            sides.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect(),
+        ))
+    }
+
+    /// The path as a ribbon at its place, the robot at the worst sample, or where it touches deepest.
     fn in_space(&self) -> Result<View, AskError> {
         let answer = &self.answer;
         let nothing = || AskError::Usage(format!("nothing to draw: {}", answer.reason().unwrap_or_default()));
@@ -119,17 +138,22 @@ impl MillOutput<'_> {
             sheet: Some(Sheet { rows: vec![row(0.0), row(RIBBON)] }),
             worst: Some(cell(worst, 0.0)),
         };
-        let pushed = &found.samples[worst];
+        let touches = answer.deepest();
+        let pushed = &found.samples[touches.map_or(worst, |contact| contact.station)];
         let arm = drawing::arm(&model, Some(ArmPosture::Joints(pushed.joints)), pushed.shares.as_ref());
+        let shown = answer
+            .deepest_told()
+            .map_or_else(|| "at the worst sample".into(), |told| format!("where it touches deepest ({told})"));
         Ok(View {
             title: format!("{} along {}", answer.robot.full_name(), answer.path),
-            notes: vec![answer.force.clone(), "the arm at the worst sample; the path as a ribbon above its tip".into()],
+            notes: vec![answer.force.clone(), format!("the arm {shown}; the path as a ribbon above its tip")],
             arm,
             zone: Some(zone),
             colour_label: "error [mm]".into(),
             scale: self.plate.ends(),
             floor: true,
             cell: answer.ground.cell,
+            part: self.part_at(&stand.base_from_part),
             ..View::default()
         })
     }

@@ -3,12 +3,14 @@
 use std::cell::RefCell;
 use std::path::Path;
 
+use stiffarm::catalogue::stl::{MOST_STL_BYTES, read_stl};
 use stiffarm::catalogue::{ProcessFile, files};
+use stiffarm::clearance::Mesh;
 use stiffarm::toolpath::{Move, Survey, Understood};
 use stiffarm::watch::Stopped;
 
 use super::context::{Context, process_of};
-use crate::answer::{PathAnswer, Rows};
+use crate::answer::{Beside, PartFile, PathAnswer, Rows};
 use crate::error::AskError;
 use crate::forms::{Answer, Forms, Piece};
 use crate::request::Request;
@@ -27,6 +29,19 @@ pub(super) fn read_process_of(asked: &Request, context: Context) -> Result<Optio
     let named = files::shown(Path::new(&file));
     let read = process_of(&file, &named, context)?;
     Ok(Some((named, read)))
+}
+
+/// The part's mesh, where one is given.
+pub(super) fn read_part(asked: &Request, context: Context) -> Result<Option<PartFile>, AskError> {
+    let Some((file, metres)) = asked.part() else { return Ok(None) };
+    let bytes = context.sources.bytes(&file, MOST_STL_BYTES)?;
+    let surface = read_stl(&bytes, &files::shown(Path::new(&file)), metres)?;
+    Ok(Some(PartFile { mesh: Mesh::of(&surface), notes: surface.notes }))
+}
+
+/// Process and part, where they are given.
+pub(super) fn read_beside(asked: &Request, context: Context) -> Result<Beside, AskError> {
+    Ok(Beside { process: read_process_of(asked, context)?, part: read_part(asked, context)? })
 }
 
 /// All moves of the path, as long as no more samples come of them, each kept for so many robots, than there may be.

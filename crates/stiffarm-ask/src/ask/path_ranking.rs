@@ -9,7 +9,7 @@ use stiffarm::toolpath::Understood;
 use stiffarm::watch::Watch;
 
 use super::context::Context;
-use super::path::{all_moves, read_process_of};
+use super::path::{all_moves, read_beside};
 use super::reports::{self, Inputs};
 use super::selection;
 use crate::error::AskError;
@@ -32,9 +32,9 @@ pub(crate) struct PathRankOutput<'a> {
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<PathRankOutput<'a>, AskError> {
     let path = asked.path()?;
     let robots = selection::keep(selection::robots(&asked.robots(), context)?, asked, &[])?;
-    let process = read_process_of(asked, context)?;
+    let beside = read_beside(asked, context)?;
     let (moves, understood) = all_moves(asked, &path, context, robots.len())?;
-    let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), process.as_ref(), watch);
+    let ranked = |watch: Watch| PathRankAnswer::of(asked, robots, (path, &moves), &beside, watch);
     let mut answer = context.watched("milling with every robot", ranked)?;
     answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
     Ok(PathRankOutput { answer, asked, inputs: Inputs::of(asked, context), plate: Plate::of(asked)? })

@@ -193,7 +193,8 @@ impl Request {
         let PathGround { margins, cell, .. } = self.path_ground()?;
         let clearance = self.number("clearance-mm").map(|mm| mm / 1e3);
         // Of several robots the bodies are guessed: they are looked at where that is asked.
-        let clearance = clearance.or_else(|| (!self.ranks_on_path()).then_some(0.0));
+        let is_looked_at = !self.ranks_on_path() || self.part().is_some();
+        let clearance = clearance.or_else(|| is_looked_at.then_some(0.0));
         let usual = MillOptions::usual();
         let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
         let roll = |value| if let Value::Roll(roll) = value { Some(roll) } else { None };
@@ -209,8 +210,28 @@ impl Request {
             singular_margin: radians("singular-margin-deg", usual.singular_margin),
             share_of_speed: self.number("speed-share").unwrap_or(usual.share_of_speed),
             tool_mass: self.tool_mass(),
-            clear_of: clearance.map(|clearance| ClearOf { clearance, cell, floor: margins.floor }),
+            clear_of: clearance.map(|clearance| {
+                let floor = margins.floor;
+                ClearOf { clearance, cell, floor, part: None, cutter: None }
+            }),
         })
+    }
+
+    /// The STL file of the part, where one is given, and how many metres its unit is.
+    pub fn part(&self) -> Option<(String, f64)> {
+        let metres = match self.word("part-unit") {
+            Some("inch") => 0.0254,
+            Some("m") => 1.0,
+            _ => 1e-3,
+        };
+        self.texts("part").pop().map(|name| (name, metres))
+    }
+
+    /// How far the cutter of a tool of the path stands out of the spindle, m, where that is said.
+    pub fn stick_out(&self, tool: Option<u32>) -> Option<f64> {
+        let of_tool = |(number, length): (u32, f64)| (Some(number) == tool).then_some(length);
+        let given = self.number("stick-out-mm").map(|mm| mm / 1e3);
+        given.or_else(|| self.tool_lengths().into_iter().find_map(of_tool))
     }
 
     /// A program is wanted although the arm touches something.

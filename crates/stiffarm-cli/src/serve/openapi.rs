@@ -69,7 +69,7 @@ fn asked(verb: Verb, about: &str) -> Value {
             "options": options,
             "files": {
                 "type": "object", "additionalProperties": { "type": "string" },
-                "description": "Texts that options name: robot files, processes, toolpaths, tables. No file of the server is read.",
+                "description": "Texts that options name: robot files, processes, toolpaths, tables, STL files (binary ones as data:;base64,...). No file of the server is read.",
             },
         },
     });

@@ -825,6 +825,16 @@ class MillOptions(TypedDict, total=False):
     """Smallest distance that arm and tool [mm], links as capsules, keep along the path from floor, themselves
     and what is kept free [default: 0; of several robots not looked at]."""
 
+    part: str | None
+    """The finished part as STL in the path's frame: arm and spindle keep clear of it, the cutter may touch it."""
+
+    part_unit: Literal["mm", "inch", "m"]
+    """Of the lengths in the STL file, which names none."""
+
+    stick_out_mm: float | None
+    """How far the cutter stands out of the spindle [mm]: so near to its tip nothing of the tool can touch the
+    part [default: the length of the tool (tool-lengths-mm); else the spindle is not compared with the part]."""
+
     allow_contact: bool
     """Write programs of a path along which the arm comes nearer to something than it should."""
 
@@ -842,6 +852,9 @@ class MillOptions(TypedDict, total=False):
 
     tolerance_mm: float | None
     """Largest error that passes [mm]."""
+
+    work_frame: Literal["touched", "measured"]
+    """How the place of the work was found, for the error of the arm's own geometry."""
 
     compensate: bool
     """Take the deflection out: tell what is left of it, and which joints and tips are to be commanded; -o writes
@@ -2432,6 +2445,17 @@ class MilledDict(_Pass):
 
     search: PlaceSearch | None
     """How finely a place was looked for; null where it was given."""
+
+    work_frame: str | None
+    """How the place of the work was found: measured or touched; null where nothing is followed."""
+
+    true_arm: None
+    """The largest error of the calibrated arm, geometry and load together; null of an arm that was not
+    calibrated."""
+
+    arm_error: dict[str, object] | None
+    """The largest geometric error along the path of arms that nobody has calibrated: half and 95 of a hundred
+    err by less; null of one that was."""
 
     remarks: list[str]
     """What is odd."""

@@ -21,7 +21,7 @@ use stiffarm::study::study;
 use stiffarm::toolpath::{self, Builtin, Format, Move, MoveKind, Survey};
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{
-    ChatterAnswer, CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer,
+    Beside, ChatterAnswer, CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer,
     MeasureAnswer, MillAnswer, ModesAnswer, PathAnswer, PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
 };
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
@@ -358,7 +358,8 @@ pub(crate) fn path_rankings() -> Vec<Value> {
             moves.extend(back(&moves));
         }
         let path = ("line:0.1".into(), &moves[..]);
-        let mut answer = PathRankAnswer::of(&asked, robots.to_vec(), path, None, Watch::nobody()).unwrap();
+        let mut answer =
+            PathRankAnswer::of(&asked, robots.to_vec(), path, &Beside::default(), Watch::nobody()).unwrap();
         answer.remarks.push("a remark".into());
         answer.json()
     };

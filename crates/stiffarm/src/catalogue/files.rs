@@ -150,16 +150,25 @@ pub fn open(path: &Path) -> Result<File, Unreadable> {
     File::open(path).map_err(|error| because(Why::System(error)))
 }
 
+/// The bytes of a file: no more than one after `most` of them.
+///
+/// # Errors
+/// Where it is no regular file, or the system refuses.
+pub fn bytes(path: &Path, most: usize) -> Result<Vec<u8>, Unreadable> {
+    let mut bytes = Vec::new();
+    // Not by the length it tells: what the system itself makes up has none.
+    let read = open(path)?.take(most as u64 + 1).read_to_end(&mut bytes);
+    read.map_err(|error| Unreadable { path: path.into(), why: Why::System(error) })?;
+    Ok(bytes)
+}
+
 /// The text of a file, without the mark that some editors put before UTF-8.
 ///
 /// # Errors
 /// Where it is no regular file, larger than [`MOST_BYTES`], no UTF-8, or the system refuses.
 pub fn text(path: &Path) -> Result<String, Unreadable> {
     let because = |why| Unreadable { path: path.into(), why };
-    let mut bytes = Vec::new();
-    // Not by the length it tells: what the system itself makes up has none.
-    let read = open(path)?.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes);
-    read.map_err(|error| because(Why::System(error)))?;
+    let bytes = bytes(path, MOST_BYTES)?;
     if MOST_BYTES < bytes.len() {
         return Err(because(Why::Large));
     }

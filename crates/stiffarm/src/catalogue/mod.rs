@@ -1,4 +1,4 @@
-//! Robot files and the robots that come with the program; process files, and the materials that do.
+//! Robot files and the robots that come with the program; process files, and the materials that do; meshes of parts.
 
 mod cells;
 mod doubts;
@@ -14,6 +14,7 @@ mod process_file;
 mod reader;
 pub mod readings;
 mod robot_file;
+pub mod stl;
 mod write;
 
 pub use doubts::doubts;

@@ -1,6 +1,7 @@
 //! How near does the arm come to the floor, to what stands about it, to the work and to itself? Coarse: links are capsules.
 
 mod links;
+mod mesh;
 mod solid;
 
 use nalgebra::Vector3;
@@ -12,6 +13,7 @@ use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 use crate::task::Zone;
 use links::{Tool, links};
+pub use mesh::Mesh;
 pub(crate) use solid::{Capsule, Solid};
 
 /// The work is a sheet of this thickness, m, behind its surface.
@@ -45,6 +47,8 @@ pub enum Obstacle {
     Mounting,
     /// What is machined.
     Work,
+    /// The part as its mesh has it.
+    Part,
     /// A box that was asked to be kept free, by its number from 1.
     KeepOut(usize),
     /// Another link.
@@ -81,6 +85,17 @@ pub(crate) struct Surroundings {
     pub(crate) work: Option<Solid>,
     /// Boxes that must be kept free.
     pub(crate) keep_out: Vec<Solid>,
+    /// The part whose mesh is known.
+    pub(crate) part: Option<Part>,
+}
+
+/// A part whose mesh is known.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    pub(crate) mesh: Mesh,
+    pub(crate) base_from_part: Pose,
+    /// So far the cutter stands out of the spindle, m; `None` where that is not known, and the tool is not compared with the part.
+    pub(crate) cutter: Option<f64>,
 }
 
 /// A robot whose links have a thickness.
@@ -115,6 +130,7 @@ impl Surroundings {
             mounting: carries.then(|| [Vector3::zeros(), Vector3::z()]),
             pedestal: if mount.kind == MountKind::Pedestal { base.z.max(0.0) } else { 0.0 },
             work: None,
+            part: None,
             keep_out: cell.keep_out().map(solid).collect(),
         }
     }
@@ -231,6 +247,15 @@ impl<'a> ThickArm<'a> {
             if let Some(work) = about.work.filter(|_| may_touch && has_moved) {
                 nearest.solid((link, &capsule), Obstacle::Work, &work);
             }
+            if let Some(part) = about.part.as_ref().filter(|_| has_moved) {
+                if i + 1 < links.len() {
+                    nearest.part(link, part, &capsule, Mesh::apart_from);
+                } else if let Some(spindle) = part.cutter.and_then(|cutter| capsule.cut_back(cutter))
+                    && link == Link::Tool
+                {
+                    nearest.part(link, part, &spindle, Mesh::apart_from_cylinder);
+                }
+            }
             let Some(capsule) = (if is_last { capsule.cut_back(capsule.radius) } else { Some(capsule) }) else {
                 continue;
             };
@@ -262,6 +287,14 @@ impl Nearest {
     fn take(&mut self, distance: f64, link: Link, to: Obstacle) {
         if self.0.is_none_or(|(nearest, ..)| distance < nearest) {
             self.0 = Some((distance, link, to));
+        }
+    }
+
+    /// As of a solid.
+    fn part(&mut self, link: Link, part: &Part, capsule: &Capsule, apart: fn(&Mesh, &Pose, &Capsule) -> f64) {
+        let at_least = capsule.ball().apart_from_ball(&part.mesh.ball(&part.base_from_part));
+        if self.0.is_none_or(|(nearest, ..)| !(nearest <= at_least)) {
+            self.take(apart(&part.mesh, &part.base_from_part, capsule), link, Obstacle::Part);
         }
     }
 

@@ -1,4 +1,4 @@
-//! How far is a link from a box, a disc or another link? The only place where `parry` and its types are used.
+//! How far is a link from a box, a disc or another link? `parry` and its types are used here and in `mesh` alone.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
@@ -36,6 +36,10 @@ pub(super) struct Ball {
 }
 
 impl Ball {
+    pub(super) fn new(centre: Vector3<f64>, radius: f64) -> Self {
+        Self { centre, radius }
+    }
+
     /// To another one, m; negative where they overlap.
     pub(super) fn apart_from_ball(&self, other: &Self) -> f64 {
         (self.centre - other.centre).norm() - self.radius - other.radius
@@ -76,7 +80,7 @@ impl Capsule {
         apart - self.radius
     }
 
-    fn segment(&self) -> Segment {
+    pub(super) fn segment(&self) -> Segment {
         let [from, mut to] = self.ends;
         if (to - from).norm() < SHORT {
             to.z += SHORT;
@@ -118,7 +122,7 @@ impl Solid {
     }
 }
 
-fn parry(pose: &Pose) -> ParryPose {
+pub(super) fn parry(pose: &Pose) -> ParryPose {
     let [x, y, z, w] = pose.rotation.coords.into();
     ParryPose::from_parts(
         Vector::from(<[f64; 3]>::from(pose.translation.vector)),

@@ -120,7 +120,7 @@ impl MillOptions {
                 return Err(MillError::Value { what, value, expected });
             }
         }
-        self.clear_of.map_or(Ok(()), |clear_of| clear_of.check())
+        self.clear_of.as_ref().map_or(Ok(()), ClearOf::check)
     }
 }
 

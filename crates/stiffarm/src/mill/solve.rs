@@ -53,7 +53,7 @@ impl RollMode {
 }
 
 /// What is asked of a path that is milled, besides where the part stands.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MillOptions {
     /// Of the tool about its axis.
     pub roll: RollMode,

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use super::super::path::tools;
 use super::super::{fixed, words};
 use super::arm;
+use super::part::PartFile;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::request::{Refusal, Request};
 use stiffarm::catalogue::ProcessFile;
@@ -27,7 +28,7 @@ const CELLS_IN_A_RADIUS: f64 = 160.0;
 const MOST_CELLS: f64 = 1e7;
 
 impl MillAnswer {
-    /// What a request asks of a robot, a path and its moves, and a process (with the name of its file) where there is one.
+    /// What a request asks of a robot, a path and its moves, and what was read beside it.
     ///
     /// # Errors
     /// What makes no sense together; what nobody waited for.
@@ -35,12 +36,12 @@ impl MillAnswer {
         asked: &Request,
         robot: &Robot,
         (path, moves): (String, impl Into<Cow<'m, [Move]>>),
-        process: Option<(String, ProcessFile)>,
+        beside: impl Into<Beside>,
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let moves = of_one_tool(asked, moves.into())?;
         let tool = surveyed(asked, moves.iter()).tools.first().and_then(|(tool, _)| *tool);
-        Self::with(asked, robot, (path, moves), Tooled { tool, process }, watch)
+        Self::with(asked, robot, (path, moves), Tooled { tool, beside: beside.into() }, watch)
     }
 
     /// The same of moves that are all of one tool.
@@ -48,12 +49,12 @@ impl MillAnswer {
         asked: &Request,
         robot: &Robot,
         (path, moves): (String, Cow<[Move]>),
-        Tooled { tool, process }: Tooled,
+        Tooled { tool, beside: Beside { process, part } }: Tooled,
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let robot = asked.equipped(robot.clone())?;
         arm::check_mount(asked, &robot)?;
-        let (options, flange_from_tool) = (asked.mill_options()?, asked.tip_of(tool)?);
+        let (mut options, flange_from_tool) = (asked.mill_options()?, asked.tip_of(tool)?);
         let (forcing, force, mut remarks) = forcing(asked, process)?;
         let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
         let mut stock = match (asked.stock()?, &forcing) {
@@ -71,6 +72,10 @@ impl MillAnswer {
             (None, _) => None,
         };
         let survey = surveyed(asked, moves.iter());
+        if let (Some(clear_of), Some(part)) = (&mut options.clear_of, part) {
+            remarks.extend(part.checked(asked, &survey)?);
+            (clear_of.part, clear_of.cutter) = (Some(part.mesh), asked.stick_out(tool));
+        }
         let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
         // Long ones need the memory.
         drop(moves);
@@ -137,12 +142,26 @@ impl MillAnswer {
     }
 }
 
-/// Which tool of a path mills, and by which process, with the name of its file.
+/// What was read beside a path.
+#[derive(Clone, Debug, Default)]
+pub struct Beside {
+    /// The process with the name of its file; `None` where the force is told as such.
+    pub process: Option<(String, ProcessFile)>,
+    /// The part, where its mesh is given.
+    pub part: Option<PartFile>,
+}
+
+impl From<Option<(String, ProcessFile)>> for Beside {
+    fn from(process: Option<(String, ProcessFile)>) -> Self {
+        Self { process, part: None }
+    }
+}
+
+/// Which tool of a path mills, and what was read beside the path.
 pub(super) struct Tooled {
     /// Its number; `None` where the path has one tool.
     pub(super) tool: Option<u32>,
-    /// `None` where the force is told as such.
-    pub(super) process: Option<(String, ProcessFile)>,
+    pub(super) beside: Beside,
 }
 
 /// Of moves, all of them.

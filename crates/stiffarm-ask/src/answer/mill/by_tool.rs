@@ -7,7 +7,7 @@ use super::super::verdict::{self, Verdict};
 use super::super::{Cell, Column, ColumnKind, Record, Rows, Table, field, fixed, stiffness, with_schema};
 use super::asked::Tooled;
 use super::programs::program_of;
-use super::{MillAnswer, MillAnswerError};
+use super::{Beside, MillAnswer, MillAnswerError, PartFile};
 use crate::request::{Request, tool_name};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::mill::WorkFrame;
@@ -41,7 +41,7 @@ pub struct Section {
 }
 
 impl ByToolAnswer {
-    /// What a request asks of a robot, a path and its moves, and of a process (with the name of its file) for each tool.
+    /// What a request asks of a robot, a path and its moves, of a process (with the name of its file) for each tool, and of the part's mesh.
     ///
     /// # Errors
     /// A tool without process or length, one that never feeds, and as [`MillAnswer::of`].
@@ -49,7 +49,7 @@ impl ByToolAnswer {
         asked: &Request,
         robot: &Robot,
         (path, moves): (&str, &[Move]),
-        processes: &[(u32, String, ProcessFile)],
+        (processes, part): (&[(u32, String, ProcessFile)], Option<&PartFile>),
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let is_touched = asked.work_frame() == WorkFrame::Touched;
@@ -71,7 +71,8 @@ impl ByToolAnswer {
                 let why = format!("has no file for {}, from line {line}; expected one of each tool", tool_name(tool));
                 return Err(asked.refused("process", why).into());
             };
-            let tooled = Tooled { tool, process: Some((name.clone(), process.clone())) };
+            let beside = Beside { process: Some((name.clone(), process.clone())), part: part.cloned() };
+            let tooled = Tooled { tool, beside };
             let milled = MillAnswer::with(asked, robot, (path.to_owned(), moves.into()), tooled, watch.of_part())?;
             parts.one_more().map_err(|stopped| MillAnswerError::Mill {
                 robot: robot.name.clone(),

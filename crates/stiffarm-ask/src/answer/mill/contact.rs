@@ -53,14 +53,18 @@ impl MillAnswer {
         let nearest = found.and_then(|found| found.nearest.as_ref());
         let by = nearest.map(|nearest| {
             let of_arm = if nearest.is_estimated { "estimated" } else { "stated" };
-            let other = matches!(nearest.to, Obstacle::KeepOut(_)).then_some("keep-out");
+            let other = match nearest.to {
+                Obstacle::KeepOut(_) => Some("keep-out"),
+                Obstacle::Part => Some("mesh"),
+                _ => None,
+            };
             json!([of_arm].into_iter().chain(other).collect::<Vec<_>>())
         });
         record
             .put(field::CLEARANCE, nearest.map(|nearest| nearest.distance))
             .put(field::CLEARANCE_OF, nearest.map(|nearest| bodies(nearest.link, nearest.to)))
             .put(field::CLEARANCE_BY, by)
-            .put(field::ASKED_CLEARANCE, self.options.clear_of.map(|clear_of| clear_of.clearance))
+            .put(field::ASKED_CLEARANCE, self.options.clear_of.as_ref().map(|clear_of| clear_of.clearance))
             .put(
                 field::CONTACTS,
                 found.map(|found| found.contacts.iter().map(|one| self.contact(one)).collect::<Value>()),
@@ -94,10 +98,33 @@ impl MillAnswer {
         nearest.into_iter().chain(contacts).chain(more).collect()
     }
 
+    /// Which collisions were looked for, and which were not.
+    pub(super) fn looked_at(&self) -> String {
+        let Some(clear_of) = &self.options.clear_of else {
+            return "between samples nothing is looked at; collisions of the arm with part, floor and cell are not looked for".into();
+        };
+        let unknown = match (&clear_of.part, clear_of.cutter) {
+            (None, _) => "part and fixtures are not known",
+            (Some(_), None) => {
+                "how far the cutter stands out of the spindle is not known (stick-out-mm), so that the tool is not compared with the part; the block that is cut away and fixtures are not known"
+            }
+            (Some(_), Some(_)) => {
+                "the cutter may touch the part; the block that is cut away and fixtures are not known"
+            }
+        };
+        format!(
+            "clearance: links as capsules, coarse, at every sample and between them; {unknown}, and the first move of a program, in joints, is checked by nobody"
+        )
+    }
+
     /// What a manager would read of it.
     pub(in crate::answer) fn contact_sentence(&self) -> Option<String> {
-        let deepest = self.deepest()?;
-        Some(format!("{LOUD} of {}: {}.", self.robot.full_name(), self.told(deepest)))
+        Some(format!("{LOUD} of {}: {}.", self.robot.full_name(), self.deepest_told()?))
+    }
+
+    /// The deepest contact in words, where there is one.
+    pub(crate) fn deepest_told(&self) -> Option<String> {
+        self.deepest().map(|deepest| self.told(deepest))
     }
 }
 

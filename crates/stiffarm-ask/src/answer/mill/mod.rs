@@ -4,6 +4,7 @@ mod arm;
 mod asked;
 mod by_tool;
 mod contact;
+mod part;
 mod programs;
 mod ranking;
 mod record;
@@ -11,8 +12,10 @@ mod table;
 mod worst;
 
 pub use arm::ArmTold;
+pub use asked::Beside;
 pub use by_tool::{ByToolAnswer, Section};
 use nalgebra::Vector3;
+pub use part::PartFile;
 pub use ranking::{PathRankAnswer, PathRow};
 use serde_json::Value;
 

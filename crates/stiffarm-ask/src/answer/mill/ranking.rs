@@ -5,9 +5,8 @@ use serde_json::{Value, json};
 use super::super::verdict::{self, Verdict};
 use super::super::words::{self, degrees};
 use super::super::{Record, Rows, Table, field, fixed, stiffness, stiffnesses, uncertainty, with_schema};
-use super::{MillAnswer, MillAnswerError, least};
+use super::{Beside, MillAnswer, MillAnswerError, least};
 use crate::request::Request;
-use stiffarm::catalogue::ProcessFile;
 use stiffarm::compliance::PostureError;
 use stiffarm::mill::MillError;
 use stiffarm::rank::{Contestant, Standing, order};
@@ -43,7 +42,7 @@ pub struct PathRow {
 }
 
 impl PathRankAnswer {
-    /// What a request asks of robots, a path and its moves, and a process (with the name of its file) where there is one.
+    /// What a request asks of robots, a path and its moves, and what was read beside it.
     ///
     /// # Errors
     /// What makes no sense together; what nobody waited for.
@@ -51,13 +50,13 @@ impl PathRankAnswer {
         asked: &Request,
         robots: Vec<Robot>,
         (path, moves): (String, &[Move]),
-        process: Option<&(String, ProcessFile)>,
+        beside: &Beside,
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let parts = watch.parts(Some(robots.len()));
         let mut all = Vec::with_capacity(robots.len());
         for robot in robots {
-            let milled = MillAnswer::of(asked, &robot, (path.clone(), moves), process.cloned(), watch.of_part());
+            let milled = MillAnswer::of(asked, &robot, (path.clone(), moves), beside.clone(), watch.of_part());
             let milled = match milled {
                 Err(MillAnswerError::Mill { error: MillError::Posture(error), .. }) => Err(error),
                 milled => Ok(milled?),

@@ -231,12 +231,7 @@ impl MillAnswer {
             "a robot follows the mean force over a revolution; the teeth cut far more often than it can follow"
         };
         let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n{}", self.arm_note()));
-        let looked = if self.options.clear_of.is_some() {
-            "clearance: links as capsules, coarse, at every sample and between them; part and fixtures are not known, and the first move of a program, in joints, is checked by nobody"
-        } else {
-            "between samples nothing is looked at; collisions of the arm with part, floor and cell are not looked for"
-        };
-        format!("{holds}all six drives compliant, everything else rigid; {force}\n{looked}\n")
+        format!("{holds}all six drives compliant, everything else rigid; {force}\n{}\n", self.looked_at())
     }
 }
 

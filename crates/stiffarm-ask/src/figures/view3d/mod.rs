@@ -50,6 +50,8 @@ pub struct View {
     pub floor: bool,
     /// The place where the robot works, where something is known of it: its floor, and what is kept free.
     pub cell: Option<stiffarm::cell::Cell>,
+    /// The finished part: corners, and triangles by the numbers of these.
+    pub part: Option<(Vec<Point>, Vec<[u32; 3]>)>,
 }
 
 /// A point with its deflection.

@@ -61,6 +61,12 @@ impl Solid {
         }
     }
 
+    /// Triangles as they are.
+    pub(crate) fn mesh(points: &[Point], triangles: &[[u32; 3]]) -> Self {
+        let faces = triangles.iter().map(|triangle| triangle.map(|i| i as usize)).collect();
+        Self { points: points.to_vec(), faces }
+    }
+
     /// The body as plotly.js draws it.
     pub(crate) fn trace(&self, name: &str, colour: &str) -> Value {
         let part = |k: usize| self.points.iter().map(|at| length(at[k])).collect::<Value>();

@@ -4,7 +4,7 @@ use nalgebra::{Point3, Vector3};
 use serde_json::{Value, json};
 use stiffarm::cell::Block;
 use stiffarm::interval::Interval;
-use stiffarm::palette::{ARM_IN_SPACE, BASE, FAINT, FLOOR, GREY, INK, JOINT_IN_SPACE, KEEP_OUT, TOOL, ZONE};
+use stiffarm::palette::{ARM_IN_SPACE, BASE, FAINT, FLOOR, GREY, INK, JOINT_IN_SPACE, KEEP_OUT, PART, TOOL, ZONE};
 
 use super::super::bands::Bands;
 use super::solids::Solid;
@@ -44,6 +44,9 @@ impl View {
         }
         traces.extend(self.floor_height().map(|height| self.floor(height)));
         self.draw_cell(&mut traces);
+        if let Some((points, triangles)) = &self.part {
+            traces.push(Solid::mesh(points, triangles).trace("part", PART));
+        }
         self.draw_arm(&mut traces);
         self.draw_zone(&mut traces);
         self.draw_arrows(&mut traces);

@@ -54,7 +54,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Robot,
         count: SEVERAL,
         value: "ROBOTS",
-        excludes: &["robot", "at", "compensate", "allow-contact", "pendant-as-file"],
+        excludes: &["robot", "at", "work-frame", "compensate", "allow-contact", "pendant-as-file"],
         help: "Robots that are ranked on the path, each at its best place: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times",
         example: "KR 210*,BT200L",
         ..MILLED
@@ -162,6 +162,40 @@ pub(super) const ROWS: &[Setting] = &[
         help: "Smallest distance that arm and tool, links as capsules, keep along the path from floor, themselves and what is kept free",
         heading: "Cell",
         example: "20",
+        ..MILLED
+    },
+    Setting {
+        name: "part",
+        kind: Kind::File,
+        value: "FILE.stl",
+        help: "The finished part as STL in the path's frame: arm and spindle keep clear of it, the cutter may touch it",
+        heading: "Cell",
+        example: "part.stl",
+        ..MILLED
+    },
+    Setting {
+        name: "part-unit",
+        kind: Kind::Word(&[("mm", ""), ("inch", ""), ("m", "")]),
+        value: "UNIT",
+        absent: Absent::Default("mm"),
+        needs: &[(Verb::Mill, "part")],
+        help: "Of the lengths in the STL file, which names none",
+        heading: "Cell",
+        example: "m",
+        ..MILLED
+    },
+    Setting {
+        name: "stick-out-mm",
+        kind: number_of(0.0, 5e3, "mm"),
+        unit: "mm",
+        value: "MM",
+        absent: Absent::Means(
+            "the length of the tool (tool-lengths-mm); else the spindle is not compared with the part",
+        ),
+        needs: &[(Verb::Mill, "part")],
+        help: "How far the cutter stands out of the spindle: so near to its tip nothing of the tool can touch the part",
+        heading: "Cell",
+        example: "80",
         ..MILLED
     },
     Setting {

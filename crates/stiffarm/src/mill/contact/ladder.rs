@@ -163,7 +163,7 @@ impl Guard<'_> {
         let mut before = None;
         for i in stations {
             let at = of(i);
-            let Some(posed) = self.at(i, at)?.filter(|posed| !self.touches(posed)) else { return Ok(true) };
+            let Some(posed) = self.at(i, at)?.filter(|posed| !self.grazes(posed)) else { return Ok(true) };
             if let Some((from, last)) = &before
                 && !matches!(self.between(&self.straight(i, *from, at), [last, &posed])?, Between::Free)
             {

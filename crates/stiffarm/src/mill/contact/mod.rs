@@ -19,7 +19,7 @@ use super::follow::{Arrangement, Stand};
 use super::stations::Station;
 use crate::batch::SpatialArm;
 use crate::cell::Cell;
-use crate::clearance::{Clearance, Link, Near, Obstacle, Surroundings, ThickArm};
+use crate::clearance::{Clearance, Link, Mesh, Near, Obstacle, Part, Surroundings, ThickArm};
 use crate::inverse::posture_of;
 use crate::robot::Robot;
 use crate::toolpath::ToolPose;
@@ -30,7 +30,7 @@ const MOST: f64 = 5.0;
 const FARTHEST_FLOOR: f64 = 100.0;
 
 /// What arm and tool keep clear of along a path: of themselves, and of what stands about them.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ClearOf {
     /// The least distance, m.
     pub clearance: f64,
@@ -38,6 +38,10 @@ pub struct ClearOf {
     pub cell: Option<Cell>,
     /// So high above the base, m; counts where there is no cell.
     pub floor: Option<f64>,
+    /// The part in its own frame, as it is when it is done. The cutter may touch it.
+    pub part: Option<Mesh>,
+    /// So far the cutter stands out of the spindle, m; where that is not known the tool is not compared with the part.
+    pub cutter: Option<f64>,
 }
 
 /// How near arm and tool come to anything along a path that is followed.
@@ -89,6 +93,7 @@ impl ClearOf {
     pub(super) fn check(&self) -> Result<(), MillError> {
         for (what, value, least, most, expected) in [
             ("a clearance, m", self.clearance, 0.0, MOST, "0 to 5 m"),
+            ("what stands out of a spindle, m", self.cutter.unwrap_or(0.0), 0.0, MOST, "0 to 5 m"),
             ("the height of a floor, m", self.floor.unwrap_or(0.0), -FARTHEST_FLOOR, FARTHEST_FLOOR, "-100 to 100 m"),
         ] {
             if !(least <= value && value <= most) {
@@ -107,13 +112,16 @@ impl<'a> Guard<'a> {
         stand: &Stand,
         clear_of: &ClearOf,
     ) -> Option<Self> {
-        let ClearOf { clearance, cell, floor } = clear_of;
+        let ClearOf { clearance, cell, floor, part, cutter } = clear_of;
         let thick = ThickArm::new(robot, &stand.flange_from_tool, None)?;
         Some(Self {
             farthest: thick.farthest(),
             forbade: AtomicBool::new(false),
             thick,
-            about: Surroundings::of(cell.as_ref(), *floor),
+            about: Surroundings {
+                part: part.clone().map(|mesh| Part { mesh, base_from_part: stand.base_from_part, cutter: *cutter }),
+                ..Surroundings::of(cell.as_ref(), *floor)
+            },
             arm,
             stations,
             stand: *stand,

@@ -18,7 +18,7 @@ use crate::mill::follow::Arrangement;
 use crate::toolpath::ToolPose;
 
 /// A step along which nothing moves farther, m, is not halved any more: by no more than half of this a clearance may be denied that is kept.
-pub(in crate::mill) const LEAST: f64 = 1e-4;
+pub(in crate::mill) const LEAST: f64 = 1e-3;
 /// However fast joints turn, a step is halved no more often.
 const MOST_HALVINGS: usize = 40;
 
@@ -78,7 +78,8 @@ impl Guard<'_> {
             return Ok(Between::Free);
         }
         let middle = self.posed(theta);
-        if self.touches(&middle) {
+        // What is so near that no longer step than the least could be free counts as touching at once.
+        if self.grazes(&middle) {
             return Ok(Between::Touch(middle.distance(), middle));
         }
         if moved <= LEAST || halvings == 0 {
@@ -88,6 +89,11 @@ impl Guard<'_> {
             Between::Free => self.halved(way, [part, parts[1]], [&middle, ends[1]], halvings - 1),
             found => Ok(found),
         }
+    }
+
+    /// Nearer to something than was asked, or by less than half of the least step farther.
+    pub(super) fn grazes(&self, posed: &Posed) -> bool {
+        posed.distance() < self.clearance + LEAST / 2.0
     }
 
     /// No point moves farther, m, over a step with this middle. A joint turns by the sum of both halves, and by as much more as it may turn back in

@@ -1,8 +1,9 @@
 //! What is said to be clear, against every node, every edge and many places between two samples, looked at one by one.
 
 use super::*;
+use crate::catalogue::stl::Surface;
 use crate::cell::{Block, Cell, Mount};
-use crate::clearance::{Link, Obstacle, Surroundings, ThickArm};
+use crate::clearance::{Link, Mesh, Obstacle, Surroundings, ThickArm};
 use crate::inverse::postures;
 use crate::mill::contact::{Between, LEAST, Posed, Way};
 
@@ -17,7 +18,20 @@ fn block(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Block {
 fn clear_of(boxes: &[Block], clearance: f64) -> ClearOf {
     let mut cell = Cell::of(Mount::pedestal(0.0));
     cell.keep_out.iter_mut().zip(boxes).for_each(|(place, block)| *place = Some(*block));
-    ClearOf { clearance, cell: Some(cell), floor: None }
+    ClearOf { clearance, cell: Some(cell), floor: None, part: None, cutter: None }
+}
+
+/// The first box that is kept free as the triangles of a part.
+fn mesh_of(clear_of: &ClearOf, stand: &Stand) -> Mesh {
+    let block = clear_of.cell.unwrap().keep_out[0].unwrap();
+    let ends = [block.x, block.y, block.z].map(|side| [side.min(), side.max()]);
+    let corner = |i: usize| {
+        let at = Point3::new(ends[0][i & 1], ends[1][i >> 1 & 1], ends[2][i >> 2]);
+        stand.base_from_part.inverse_transform_point(&at).into()
+    };
+    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles = faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+    Mesh::of(&Surface { corners: (0..8).map(corner).collect(), triangles, is_closed: true, notes: Vec::new() })
 }
 
 /// The distance of single postures, by another way through the library than paths take.
@@ -96,7 +110,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
     let beside = |aside: f64| clear_of(&[block(side(0, aside), side(1, -aside), side(2, 0.0))], 0.0);
     let (mut blocked_nodes, mut blocked_edges, mut led_aside) = (0, 0, 0);
     for clear_of in worlds().into_iter().chain([beside(0.08), beside(-0.08)]) {
-        let options = MillOptions { clear_of: Some(clear_of), ..options };
+        let options = MillOptions { clear_of: Some(clear_of.clone()), ..options.clone() };
         let question = Question { robot: &robot, arm: &arm, stations: &stations, options: &options };
         let guard = question.guard(&one).unwrap();
         let witness = Witness::new(&robot, &one, &clear_of);
@@ -208,7 +222,8 @@ fn no_touch_between_two_samples_is_missed() {
             if !(0.0 <= clearance) {
                 continue;
             }
-            let options = MillOptions { clear_of: Some(ClearOf { clearance, ..about }), ..with(RollMode::Free) };
+            let options =
+                MillOptions { clear_of: Some(ClearOf { clearance, ..about.clone() }), ..with(RollMode::Free) };
             let question = Question { robot: &robot, arm: &arm, stations: &stations, options: &options };
             let guard = question.guard(&one).unwrap();
             let held = ends.map(|(pose, roll)| guard.theta(1, &pose, at(roll)).unwrap().expect("it is reached"));
@@ -288,10 +303,10 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
         let side = |i: usize| [centre[i] - 0.01, centre[i] + 0.01];
         clear_of(&[block(side(0), side(1), side(2))], 0.01)
     });
-    let there = there.into_iter().find(|there| tell(*there, RollMode::Constant).1.contacts.is_empty());
+    let there = there.into_iter().find(|there| tell(there.clone(), RollMode::Constant).1.contacts.is_empty());
     let there = there.expect("a side from which another roll leads");
     for roll in [RollMode::Free, RollMode::Constant, RollMode::Linear] {
-        let (found, told) = tell(there, roll);
+        let (found, told) = tell(there.clone(), roll);
         assert!(told.contacts.is_empty() && 0.01 <= told.nearest.unwrap().distance, "{roll:?}: {told:?}");
         assert!(before.lower_bound * (1.0 - 1e-9) <= found.worst.0 && found.lower_bound <= found.worst.0);
         let witness = Witness::new(&robot, &one, &there);
@@ -302,14 +317,22 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     }
     // The roll of before touches it, and says where.
     let at = constant.samples[0].arrangement.roll;
-    let (_, told) = tell(there, RollMode::Fixed(at));
+    let (_, told) = tell(there.clone(), RollMode::Fixed(at));
     let deepest = |told: &PathClearance| *told.contacts.iter().max_by(|a, b| a.depth.total_cmp(&b.depth)).unwrap();
     let contact = deepest(&told);
     assert_eq!(contact.to, Obstacle::KeepOut(1), "{contact:?}");
     assert!(0.01 < contact.depth, "{contact:?}");
     assert!((told.nearest.unwrap().distance - (0.01 - contact.depth)).abs() < 1e-12);
+    // The same box as the triangles of a part touches as deep, and the same ways are clear of it.
+    let as_part = ClearOf { part: Some(mesh_of(&there, &one)), cell: Some(Cell::of(Mount::pedestal(0.0))), ..there };
+    let (_, of_part) = tell(as_part.clone(), RollMode::Fixed(at));
+    let of_part = deepest(&of_part);
+    assert_eq!((of_part.to, of_part.link, of_part.station), (Obstacle::Part, contact.link, contact.station));
+    assert!((of_part.depth - contact.depth).abs() < 1e-6, "{of_part:?} {contact:?}");
+    let (_, told) = tell(as_part, RollMode::Constant);
+    assert!(told.contacts.is_empty() && 0.01 <= told.nearest.unwrap().distance, "{told:?}");
     // A floor above the tip: no roll helps, and all of the path touches.
-    let flooded = ClearOf { clearance: 0.0, cell: None, floor: Some(0.65) };
+    let flooded = ClearOf { clearance: 0.0, cell: None, floor: Some(0.65), part: None, cutter: None };
     let (found, told) = tell(flooded, RollMode::Free);
     assert!(found.worst.0 <= before.worst.0 * (1.0 + 1e-9) && found.touches());
     // By hand: the upper arm reaches down from the joint-2 axis by its radius, at every sample.

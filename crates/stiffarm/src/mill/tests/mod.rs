@@ -521,7 +521,7 @@ fn what_is_not_followed_says_where_and_why() {
     // From the joint-2 axis 8.65 m ahead and 0.675 m down to the tip; links, flange and tool reach about 2.9 m.
     assert!(5.0 < beyond && beyond < 6.5 && blocked.samples == stations.len(), "{blocked}");
     // Joint 2 keeps 9 of its 135 degrees.
-    let narrow = MillOptions { limit_margin: 1.1, ..options };
+    let narrow = MillOptions { limit_margin: 1.1, ..options.clone() };
     assert!(matches!(at(one, &stations, &narrow).why, Why::Narrow | Why::Limit { .. }));
     // A joint that turns by a tenth of a degree a second.
     let mut slow = robot.clone();

@@ -1,0 +1,51 @@
+//! The finished part, of which arm and spindle keep clear: does its mesh lie where the path does?
+
+use super::super::fixed;
+use crate::request::{Refusal, Request};
+use stiffarm::clearance::Mesh;
+use stiffarm::toolpath::Survey;
+
+/// A part of which the feed moves reach over so many times its width, or which is so many times as wide as they reach, has another unit.
+const TOO_SMALL: f64 = 20.0;
+const TOO_LARGE: f64 = 500.0;
+
+/// A part as it was read.
+#[derive(Clone, Debug)]
+pub struct PartFile {
+    /// In the path's frame, m.
+    pub mesh: Mesh,
+    /// What was cured in its file, and what is odd.
+    pub notes: Vec<String>,
+}
+
+impl PartFile {
+    /// What is to be said of it.
+    ///
+    /// # Errors
+    /// A part that the path cannot be of by its size.
+    pub(super) fn checked(&self, asked: &Request, survey: &Survey) -> Result<Vec<String>, Refusal> {
+        let mut notes = self.notes.clone();
+        let Some(extent) = survey.extent.map(|corners| corners.map(<[f64; 3]>::from)) else { return Ok(notes) };
+        let part = self.mesh.extent();
+        let sides = |[low, high]: [[f64; 3]; 2]| [0, 1, 2].map(|i| high[i] - low[i]);
+        let widest = |extent| sides(extent).into_iter().fold(0.0, f64::max);
+        let ratio = widest(part) / widest(extent);
+        if ratio < 1.0 / TOO_SMALL || TOO_LARGE < ratio {
+            let told = |extent| sides(extent).map(|side| fixed(side * 1e3, 3)).join(" x ");
+            let why = format!(
+                "measures {} mm, and the feed moves reach over {} mm; expected a part of their size: is its unit another one (part-unit)?",
+                told(part),
+                told(extent)
+            );
+            return Err(asked.refused("part", why));
+        }
+        let is_apart =
+            (0..3).any(|i| part[1][i] + widest(part) < extent[0][i] || extent[1][i] + widest(part) < part[0][i]);
+        if is_apart {
+            notes.push(
+                "the part lies farther from the feed moves than it is wide: is its origin that of the path?".into(),
+            );
+        }
+        Ok(notes)
+    }
+}

@@ -1,0 +1,124 @@
+//! Does a path keep clear of the part that an STL file holds, and are wrong files told by what is wrong with them?
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use tempfile::TempDir;
+
+const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/examples");
+
+/// Exit code, standard output, standard error; never a panic.
+fn run(folder: &Path, more: &[&str]) -> (i32, String, String) {
+    let usual =
+        ["mill", "rib.nc", "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--force-n", "300,100,50"];
+    let mut program = Command::cargo_bin("stiffarm").unwrap();
+    let output = program.current_dir(folder).args(usual).args(["--at", "1.7,0,0.8"]).args(more).output().expect("runs");
+    let [out, errors] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"));
+    assert!(!errors.contains("panicked"), "{errors}");
+    (output.status.code().expect("an exit code"), out, errors)
+}
+
+fn folder() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    for name in ["rib.nc", "rib.stl"] {
+        fs::copy(Path::new(EXAMPLES).join(name), folder.path().join(name)).unwrap();
+    }
+    folder
+}
+
+fn json(folder: &Path, more: &[&str]) -> Value {
+    let (code, out, errors) = run(folder, &[more, &["--format", "json"]].concat());
+    assert_eq!(code, 0, "{errors}");
+    serde_json::from_str(&out).expect("JSON")
+}
+
+/// By hand: the spindle is thicker than the 60 mm from the groove to the rib, and begins 80 mm above the tip, 45 mm below the rib's top (5 mm deep groove).
+#[test]
+fn a_spindle_beside_a_rib_touches_it_unless_the_cutter_is_long_enough() {
+    let folder = folder();
+    let folder = folder.path();
+    let alone = json(folder, &[]);
+    assert_eq!(alone["contacts"], serde_json::json!([]));
+    let short = json(folder, &["--part", "rib.stl", "--stick-out-mm", "80"]);
+    // The rib 10 mm nearer to the groove: so much deeper.
+    let whole = fs::read_to_string(folder.join("rib.stl")).unwrap();
+    fs::write(folder.join("nearer.stl"), whole.replace(" 60 ", " 50 ")).unwrap();
+    let nearer = json(folder, &["--part", "nearer.stl", "--stick-out-mm", "80"]);
+    let [depth, deeper] = [&short, &nearer].map(|told| {
+        let contacts = told["contacts"].as_array().unwrap().iter();
+        let of_tool = contacts.filter(|contact| contact["bodies"] == "tool to part");
+        of_tool.filter_map(|contact| contact["depth_mm"].as_f64()).fold(0.0, f64::max)
+    });
+    assert!(0.0 < depth && (deeper - depth - 10.0).abs() < 0.01, "{depth} {deeper}");
+    assert!(
+        short["clearance_by"].as_array().unwrap().contains(&"mesh".into())
+            && short["clearance_mm"].as_f64() <= Some(0.0),
+        "{short}"
+    );
+    // Above the rib's top at every sample, by 140 - 5 - 120 mm where the tool stands upright.
+    let long = json(folder, &["--part", "rib.stl", "--stick-out-mm", "140"]);
+    assert_eq!((&long["contacts"], &long["clearance_of"]), (&serde_json::json!([]), &"tool to part".into()), "{long}");
+    let apart = long["clearance_mm"].as_f64().unwrap();
+    assert!((apart - 15.0).abs() < 0.01, "{apart}");
+    // The arm is led around the rib, and that costs something.
+    assert!(alone["worst_mm"].as_f64() < long["worst_mm"].as_f64(), "{long}");
+    // The length of the tool says the same, from a spindle that ends so much before the tip.
+    let (code, told, _) = run(folder, &["--part", "rib.stl"]);
+    assert!(code == 0 && told.contains("stick-out-mm") && !told.contains("COLLISION"), "{told}");
+}
+
+#[test]
+fn no_program_is_written_over_the_touch_of_a_part() {
+    let folder = folder();
+    let folder = folder.path();
+    let short = ["--part", "rib.stl", "--stick-out-mm", "80", "-o", "rib.src"];
+    let (code, _, errors) = run(folder, &short);
+    assert!(
+        code == 1 && errors.contains(" to part: they overlap by ") && !folder.join("rib.src").exists(),
+        "{code} {errors}"
+    );
+    let (code, _, errors) = run(folder, &[&short[..], &["--allow-contact", "-o", "rib.view.html"]].concat());
+    assert_eq!(code, 0, "{errors}");
+    assert!(fs::read_to_string(folder.join("rib.src")).unwrap().contains("WARNING: written although"));
+    let view = fs::read_to_string(folder.join("rib.view.html")).unwrap();
+    assert!(
+        view.contains("\"part\"") && view.contains("where it touches deepest (line 7"),
+        "the part, and the arm at the touch"
+    );
+}
+
+#[test]
+fn wrong_meshes_are_refused_by_what_is_wrong() {
+    let folder = folder();
+    let folder = folder.path();
+    let whole = fs::read_to_string(folder.join("rib.stl")).unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).unwrap();
+    write("cut.stl", &whole[..whole.len() / 2]);
+    write("dae.stl", "<?xml version=\"1.0\"?><COLLADA/>");
+    write("lfs.stl", "version https://git-lfs.github.com/spec/v1\n");
+    write("empty.stl", "");
+    let in_metres = |line: &str| {
+        let Some(numbers) = line.trim().strip_prefix("vertex ") else { return format!("{line}\n") };
+        let metres: Vec<String> = numbers.split(' ').map(|mm| (mm.parse::<f64>().unwrap() / 1e3).to_string()).collect();
+        format!("vertex {}\n", metres.join(" "))
+    };
+    write("metres.stl", &whole.lines().map(in_metres).collect::<String>());
+    for (more, code, says) in [
+        (&["--part", "none.stl"][..], 1, "none.stl"),
+        (&["--part", "cut.stl"], 1, "cut.stl: it is no STL file"),
+        (&["--part", "dae.stl"], 1, "dae.stl: it is XML, such as COLLADA, not STL"),
+        (&["--part", "lfs.stl"], 1, "git lfs pull"),
+        (&["--part", "empty.stl"], 1, "empty.stl: it is empty"),
+        (&["--part", "rib.stl", "--part-unit", "m"], 1, "m wide; expected at most 100 m"),
+        (&["--part", "metres.stl"], 2, "part-unit"),
+        (&["--part-unit", "m"], 2, "--part"),
+        (&["--stick-out-mm", "80"], 2, "--part"),
+        (&["--part", "rib.stl", "--stick-out-mm", "-1"], 2, "stick-out-mm"),
+        (&["--part", "rib.stl", "-o", "rib.stl.csv", "-o", "rib.stl"], 2, "rib.stl"),
+    ] {
+        let (found, out, errors) = run(folder, more);
+        assert!(found == code && errors.contains(says) && out.is_empty(), "{more:?}: {found} {errors}");
+    }
+}
