@@ -107,7 +107,9 @@ fn what_is_corrected_alone_leaves_the_other_part() {
     // The deflection at the loaded posture, rather than at the path's: some parts in a thousand.
     assert!((on.errors.by_geometry / found.worst.0 - 1.0).abs() < 0.01, "{:?} {:?}", on.errors, found.worst);
     // The same rolls in air: without a force others would be as good.
-    stations.iter_mut().for_each(|station| station.acting = None);
+    for station in &mut stations {
+        station.acting = None;
+    }
     let options = TrueOptions { work_frame: WorkFrame::Measured, part: ErrorPart::Total, is_compensated: false };
     let path = (&stations[..], &found.samples[..]);
     let unloaded = on_true_arm(&robot, &stand(), path, &options, Watch::nobody()).unwrap().unwrap();

@@ -211,7 +211,9 @@ fn surface(found: &Corners, metres: f64, notes: &mut Vec<String>) -> Result<Surf
         notes.push(format!("its surface is not closed ({open} edges): what lies wholly inside is not noticed"));
     } else if triangles.iter().map(|[a, b, c]| at(*a).dot(&at(*b).cross(&at(*c)))).sum::<f64>() < 0.0 {
         notes.push("its surface is inside out, and was turned".into());
-        triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+        for triangle in &mut triangles {
+            triangle.swap(1, 2);
+        }
     }
     Ok(Surface { corners, triangles, is_closed: open == 0, notes: Vec::new() })
 }
@@ -291,7 +293,9 @@ mod tests {
         let mut turned = block([300.0, 200.0, 100.0]);
         let read = |triangles: &Corners| read_stl(&binary("", triangles), "part.stl", 1e-3).unwrap();
         let usual = read(&turned);
-        turned.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+        for triangle in &mut turned {
+            triangle.swap(1, 2);
+        }
         let found = read(&turned);
         assert_eq!(found.notes, ["part.stl: its surface is inside out, and was turned"]);
         let volume = |surface: &Surface| {

@@ -93,7 +93,7 @@ pub(crate) struct Surroundings {
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub(crate) mesh: Mesh,
-    pub(crate) base_from_part: Pose,
+    pub(crate) pose: Pose,
     /// So far the cutter stands out of the spindle, m; `None` where that is not known, and the tool is not compared with the part.
     pub(crate) cutter: Option<f64>,
 }
@@ -292,9 +292,9 @@ impl Nearest {
 
     /// As of a solid.
     fn part(&mut self, link: Link, part: &Part, capsule: &Capsule, apart: fn(&Mesh, &Pose, &Capsule) -> f64) {
-        let at_least = capsule.ball().apart_from_ball(&part.mesh.ball(&part.base_from_part));
+        let at_least = capsule.ball().apart_from_ball(&part.mesh.ball(&part.pose));
         if self.0.is_none_or(|(nearest, ..)| !(nearest <= at_least)) {
-            self.take(apart(&part.mesh, &part.base_from_part, capsule), link, Obstacle::Part);
+            self.take(apart(&part.mesh, &part.pose, capsule), link, Obstacle::Part);
         }
     }
 

@@ -44,10 +44,10 @@ pub(super) fn told(
     robot: &Robot,
     stand: &Stand,
     path: (&[Station], &[Pushed]),
-    options: &TrueOptions,
+    options: TrueOptions,
     watch: Watch,
 ) -> Result<ArmTold, MillError> {
-    if let Some(found) = on_true_arm(robot, stand, path, options, watch)? {
+    if let Some(found) = on_true_arm(robot, stand, path, &options, watch)? {
         return Ok(ArmTold::Calibrated(Box::new(found)));
     }
     arm_error(robot, stand, path, (options.work_frame, options.part), watch).map(ArmTold::Drawn)

@@ -115,7 +115,7 @@ impl MillAnswer {
                 compensated = Some(compensation(asked, &robot, &stand, what, watch).map_err(failed)?);
             }
             let options = TrueOptions { work_frame, part: options.part, is_compensated: asked.is_compensated() };
-            arm = Some(arm::told(&robot, &stand, (&stations, &found.samples), &options, watch).map_err(failed)?);
+            arm = Some(arm::told(&robot, &stand, (&stations, &found.samples), options, watch).map_err(failed)?);
         }
         Ok(Self {
             robot,

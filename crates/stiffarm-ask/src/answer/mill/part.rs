@@ -30,7 +30,7 @@ impl PartFile {
         let sides = |[low, high]: [[f64; 3]; 2]| [0, 1, 2].map(|i| high[i] - low[i]);
         let widest = |extent| sides(extent).into_iter().fold(0.0, f64::max);
         let ratio = widest(part) / widest(extent);
-        if ratio < 1.0 / TOO_SMALL || TOO_LARGE < ratio {
+        if !(1.0 / TOO_SMALL..=TOO_LARGE).contains(&ratio) {
             let told = |extent| sides(extent).map(|side| fixed(side * 1e3, 3)).join(" x ");
             let why = format!(
                 "measures {} mm, and the feed moves reach over {} mm; expected a part of their size: is its unit another one (part-unit)?",

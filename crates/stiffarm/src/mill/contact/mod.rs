@@ -119,7 +119,7 @@ impl<'a> Guard<'a> {
             forbade: AtomicBool::new(false),
             thick,
             about: Surroundings {
-                part: part.clone().map(|mesh| Part { mesh, base_from_part: stand.base_from_part, cutter: *cutter }),
+                part: part.clone().map(|mesh| Part { mesh, pose: stand.base_from_part, cutter: *cutter }),
                 ..Surroundings::of(cell.as_ref(), *floor)
             },
             arm,
