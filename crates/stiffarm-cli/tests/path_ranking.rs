@@ -125,3 +125,25 @@ fn the_verdict_is_that_of_the_best_robot() {
         assert_eq!(word, expected, "{tolerance:?}");
     }
 }
+
+/// Of a clearance that no arm keeps from itself: what is touched is told, and nobody wins.
+#[test]
+fn a_robot_that_touches_something_has_no_rank_and_says_what() {
+    let robots = "KR 210 R2700 extra,IRB 6650S-200";
+    let words = ["mill", "line:0.05", "--robots", robots, "--clearance-mm", "3000", "--tolerance-mm", "9"];
+    let ranked = json(&words);
+    for row in ranked["rows"].as_array().unwrap() {
+        assert_eq!(
+            (&row["feasible"], &row["rank"], &row["pass"]),
+            (&false.into(), &Value::Null, &Value::Null),
+            "{row}"
+        );
+        assert!(row["reason"].as_str().unwrap().starts_with("COLLISION of "), "{row}");
+    }
+    let told = String::from_utf8(stiffarm(&words).stdout).unwrap();
+    assert!(told.contains("follows line:0.05 and keeps clear") && told.contains("mm apart, 3000.0 mm asked"), "{told}");
+    assert!(!told.contains("is that of") && !told.contains("is held by"), "{told}");
+    // With nothing asked both are ranked.
+    let usual = json(&[&words[..4], &["--tolerance-mm", "9"]].concat());
+    assert!(usual["rows"].as_array().unwrap().iter().all(|row| row["feasible"] == true && row["pass"] == true));
+}

@@ -8,7 +8,7 @@ use super::super::{Record, Rows, Table, field, fixed, stiffness, stiffnesses, un
 use super::{Beside, MillAnswer, MillAnswerError, least};
 use crate::request::Request;
 use stiffarm::compliance::PostureError;
-use stiffarm::mill::MillError;
+use stiffarm::mill::{Followed, MillError};
 use stiffarm::rank::{Contestant, Standing, order};
 use stiffarm::robot::{Robot, Status};
 use stiffarm::toolpath::Move;
@@ -166,11 +166,7 @@ impl PathRankAnswer {
     pub fn notes(&self) -> String {
         let mut notes = self.sentences().join("\n") + "\n\n";
         for row in &self.rows {
-            let why = match &row.milled {
-                Ok(milled) => milled.reason(),
-                Err(error) => Some(error.to_string()),
-            };
-            notes.extend(why.map(|why| format!("- {}: {why}\n", row.robot.name)));
+            notes.extend(reason(&row.milled).map(|why| format!("- {}: {why}\n", row.robot.name)));
         }
         notes.extend(self.remarks.iter().map(|remark| format!("note: {remark}\n")));
         notes += "* smallest error of the robots whose geometry is published; #: one more than the robots that are certainly better, by their errors and the proved bounds; = cannot be told apart by the proof\n";
@@ -181,7 +177,7 @@ impl PathRankAnswer {
     /// What a manager would read.
     pub fn sentences(&self) -> Vec<String> {
         let Some((best, rivals)) = self.best() else {
-            return vec![format!("No robot whose geometry is published follows {}.", self.path)];
+            return vec![format!("No robot whose geometry is published follows {}{}.", self.path, self.clearly())];
         };
         let mm = |metres: f64| format!("{} mm", fixed(metres * 1e3, 3));
         let value = best.proved().map_or(0.0, |[_, value]| value);
@@ -213,6 +209,12 @@ impl PathRankAnswer {
         told
     }
 
+    /// What a path that is followed must do besides, where some robot does not.
+    fn clearly(&self) -> &'static str {
+        let touches = |milled: &MillAnswer| milled.followed().is_some_and(Followed::touches);
+        if self.milled().any(touches) { " and keeps clear" } else { "" }
+    }
+
     /// Why the answer is no, where it is: no robot of published geometry follows the path and holds the tolerance.
     pub fn shortfall(&self) -> Option<String> {
         let is_good = |row: &PathRow| {
@@ -225,7 +227,7 @@ impl PathRankAnswer {
         }
         Some(match self.tolerance_mm {
             Some(tolerance) => format!("no robot of published geometry holds {tolerance} mm along {}", self.path),
-            None => format!("no robot of published geometry follows {}", self.path),
+            None => format!("no robot of published geometry follows {}{}", self.path, self.clearly()),
         })
     }
 }
@@ -253,7 +255,7 @@ fn ordered(all: Vec<(Robot, Result<MillAnswer, PostureError>)>) -> Vec<PathRow> 
     let standings = order(&contestants);
     let draws = |(robot, milled): &(Robot, Result<MillAnswer, PostureError>)| {
         let milled = milled.as_ref().ok().filter(|_| robot.status != Status::Estimated)?;
-        milled.draws.clone()
+        clear(milled).and_then(|_| milled.draws.clone())
     };
     let chances = of_task(&all.iter().map(draws).collect::<Vec<_>>());
     let mut all: Vec<_> = all.into_iter().zip(chances).map(Some).collect();
@@ -264,13 +266,26 @@ fn ordered(all: Vec<(Robot, Result<MillAnswer, PostureError>)>) -> Vec<PathRow> 
     standings.into_iter().filter_map(row).collect()
 }
 
-/// What the largest error may be by what is proved, m: the lower bound and the value.
+/// What the largest error may be by what is proved, m: the lower bound and the value; `None` where the path is not followed, or touches something.
 fn proved(milled: &MillAnswer) -> Option<[f64; 2]> {
-    Some([milled.lower_bound()?, milled.followed()?.worst.0])
+    Some([milled.lower_bound()?, clear(milled)?.worst.0])
+}
+
+/// The path as it is followed, where it is and touches nothing: an arm that cannot do without is no better than one that does not reach.
+fn clear(milled: &MillAnswer) -> Option<&Followed> {
+    milled.followed().filter(|found| !found.touches())
+}
+
+/// Why a robot has no rank.
+fn reason(milled: &Result<MillAnswer, PostureError>) -> Option<String> {
+    match milled {
+        Ok(milled) => milled.reason().or_else(|| milled.contact_sentence()),
+        Err(error) => Some(error.to_string()),
+    }
 }
 
 impl PathRow {
-    /// What the largest error may be by what is proved, m: the lower bound and the value; `None` where the path is not followed.
+    /// What the largest error may be by what is proved, m: the lower bound and the value; `None` where the path is not followed, or touches something.
     pub fn proved(&self) -> Option<[f64; 2]> {
         proved(self.milled.as_ref().ok()?)
     }
@@ -287,14 +302,13 @@ impl PathRow {
         let placement = answer.and_then(|answer| answer.placement);
         let in_cell = placement.filter(|_| answer.is_some_and(|answer| answer.ground.cell.is_some()));
         let spread = answer.and_then(MillAnswer::spread);
-        let reason = milled.map_or_else(|error| Some(error.to_string()), MillAnswer::reason);
         let mut record = Record::new();
         stiffness::put_robot(&mut record, robot);
         record
             .put(field::RANK, standing.rank.map(|rank| rank.place))
             .put(field::RANK_TIED, standing.rank.map(|rank| rank.is_tied))
-            .put(field::FEASIBLE, answer.map(|_| found.is_some()))
-            .put(field::REASON, reason)
+            .put(field::FEASIBLE, answer.map(|milled| clear(milled).is_some()))
+            .put(field::REASON, reason(&self.milled))
             .put(field::PATH_WORST, found.map(|found| found.worst.0))
             .put(field::PATH_WORST_P05, spread.map(|spread| spread.p05))
             .put(field::PATH_WORST_P95, spread.map(|spread| spread.p95))
@@ -307,7 +321,8 @@ impl PathRow {
             .put(field::CELL_YAW, in_cell.map(|placement| placement.yaw))
             .put(field::LIMIT_MARGIN, found.map(|found| least(found, |pushed| pushed.limit_margin)))
             .put(field::SINGULAR_MARGIN, found.map(|found| least(found, |pushed| pushed.singular_margin)));
-        verdict::put(&mut record, tolerance_mm, answer.and_then(MillAnswer::verdict), false);
+        let verdict = answer.filter(|milled| clear(milled).is_some()).and_then(MillAnswer::verdict);
+        verdict::put(&mut record, tolerance_mm, verdict, false);
         uncertainty::put_chances(&mut record, &[*chances]);
         record.put(field::SEARCH, answer.and_then(MillAnswer::search));
         record
