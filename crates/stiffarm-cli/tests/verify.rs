@@ -191,6 +191,36 @@ fn a_calibration_is_told_drawn_written_and_used_in_programs() {
     let (_, out, _) = milled(&["--robot", KUKA, "--format", "json"]);
     let other = json(&out);
     assert!(other["true_arm"].is_null() && 0.0 < other["arm_error"]["p95_mm"].as_f64().unwrap(), "{out}");
+    // A rewritten path says of both controllers what must be on and what off.
+    fs::write(folder.path().join("line.nc"), "G21 G90\nG1 X-50 Y0 Z0 F600\nG1 X50\n").unwrap();
+    let nominal = fs::read_to_string(folder.path().join("mine.toml")).unwrap();
+    for (model, says) in [
+        ("nominal", "absolute-accuracy correction of the controller must be off"),
+        ("calibrated", "calibration must be on"),
+    ] {
+        let said = nominal.replace("controller_model = \"nominal\"", &format!("controller_model = \"{model}\""));
+        fs::write(folder.path().join("own.toml"), said).unwrap();
+        let words = [
+            "mill",
+            "line.nc",
+            "--force-n",
+            "100,0,0",
+            "--at",
+            "1.7,0,0.8",
+            "--robot",
+            "own.toml",
+            "--compensate",
+            "-o",
+            "out.nc",
+        ];
+        let (code, _, errors) = run(&folder, &[&words[..], &how].concat());
+        let written = fs::read_to_string(folder.path().join("out.nc")).unwrap_or_default();
+        assert!(
+            code == 0 && written.contains(says) && written.contains(&format!("controller_model = {model}")),
+            "{errors} {written}"
+        );
+        assert!(written.contains("Work frame: measured") == (model == "nominal"), "{written}");
+    }
     let mounted = ["--robot", "mine.toml", "--mount", "ceiling:3"];
     let (code, _, errors) = milled(&mounted);
     assert!(code == 0 || !errors.contains("weight_mrad"), "zeros hold however the base stands: {errors}");

@@ -1,6 +1,5 @@
 //! What must a person know before a program runs? The head of each file says it, in ASCII.
 
-use super::Controller;
 use super::ProgramFault;
 use super::angles::{Zyx, fixed, mm};
 use super::steps::Program;
@@ -30,7 +29,7 @@ pub(super) fn tools(program: &Program, what: &str) -> Vec<(String, Pose)> {
 pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
     let setup = program.setup;
     let frame = |what: &str, pose: &Pose| format!("{what}: {}", told(pose, dialect.angles));
-    let first = of_controller(&setup.controller).iter().chain(of_joints(setup.pendant));
+    let first = setup.controller.of_calibration().iter().chain(of_joints(setup.pendant));
     let mut head: Vec<String> = first.map(|sentence| (*sentence).to_owned()).collect();
     head.push(if setup.tools.len() < 2 {
         "This program moves the arm and nothing else: spindle, coolant and tool changes are not in it.".to_owned()
@@ -49,7 +48,7 @@ pub(super) fn sentences(program: &Program, dialect: &Dialect) -> Vec<String> {
         Some(source) => format!("The deflection under the cutting force is taken out. Stiffness: {}", ascii(source)),
         None => "The deflection under the cutting force is not taken out.".into(),
     });
-    head.push(corrections(&setup.controller).into());
+    head.push(setup.controller.corrections().into());
     head.push("Mass of tool and load: not from here, set them on the controller.".into());
     let at_gimbal = program.steps.iter().filter(|step| step.angles.is_at_gimbal).count();
     let [_, y, x] = dialect.angles;
@@ -78,33 +77,6 @@ pub(super) fn of_joints_alone(program: &Program) -> Result<Vec<String>, ProgramF
     let mut lines = sentences(program, &dialect);
     lines.pop(); // that of the gimbal
     Ok(lines)
-}
-
-/// For which controller a calibrated arm is corrected.
-fn of_controller(controller: &Controller) -> &'static [&'static str] {
-    match controller {
-        Controller::Drawn => &[],
-        Controller::Mirrored => &[
-            "This arm was calibrated: joints and poses are corrected for a controller that computes with the arm as drawn (controller_model = nominal).",
-            "WARNING: a controller with an absolute-accuracy calibration of its own would correct twice.",
-        ],
-        Controller::Calibrated(_) => &[
-            "This arm was calibrated: poses are written for a controller with an absolute-accuracy calibration of its own (controller_model = calibrated).",
-            "WARNING: where that is off, poses are not corrected at all.",
-        ],
-    }
-}
-
-/// What the controller must not correct itself.
-fn corrections(controller: &Controller) -> &'static str {
-    match controller {
-        Controller::Drawn | Controller::Mirrored => {
-            "Elastic and absolute-accuracy correction of the controller must be off: the poses are those of the joints without it."
-        }
-        Controller::Calibrated(_) => {
-            "Elastic correction of the controller must be off; its absolute-accuracy calibration must be on, as while the arm was measured."
-        }
-    }
 }
 
 /// What is to be known of joint angles before anything else.

@@ -75,6 +75,35 @@ pub enum Controller<'a> {
     Calibrated(&'a TrueArm),
 }
 
+impl Controller<'_> {
+    /// For which controller a calibrated arm is corrected; nothing of another one.
+    pub const fn of_calibration(&self) -> &'static [&'static str] {
+        match self {
+            Self::Drawn => &[],
+            Self::Mirrored => &[
+                "This arm was calibrated: joints and poses are corrected for a controller that computes with the arm as drawn (controller_model = nominal).",
+                "WARNING: a controller with an absolute-accuracy calibration of its own would correct twice.",
+            ],
+            Self::Calibrated(_) => &[
+                "This arm was calibrated: poses are written for a controller with an absolute-accuracy calibration of its own (controller_model = calibrated).",
+                "WARNING: where that is off, poses are not corrected at all.",
+            ],
+        }
+    }
+
+    /// What it must not correct itself, and what it must.
+    pub const fn corrections(&self) -> &'static str {
+        match self {
+            Self::Drawn | Self::Mirrored => {
+                "Elastic and absolute-accuracy correction of the controller must be off: the poses are those of the joints without it."
+            }
+            Self::Calibrated(_) => {
+                "Elastic correction of the controller must be off; its absolute-accuracy calibration must be on, as while the arm was measured."
+            }
+        }
+    }
+}
+
 /// Which robot holds which tool, and where the part stands.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup<'a> {

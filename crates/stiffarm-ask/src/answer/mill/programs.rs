@@ -132,13 +132,13 @@ impl MillAnswer {
             return Err(MillAnswerError::NoProgram("without --compensate the path stays as it is".into()));
         }
         self.check_commanded()?;
-        self.controller(TrueArm::of(&self.robot).as_ref())?;
+        let arm = TrueArm::of(&self.robot);
+        let controller = self.controller(arm.as_ref())?;
         self.check_contact()?;
-        let mut remarks = vec![
-            format!("compensated by stiffarm for {}, {}", self.robot.name, stiffness(&self.robot)),
-            "elastic or absolute-accuracy corrections of the controller must be off, or it is corrected twice"
-                .to_owned(),
-        ];
+        let mut remarks: Vec<String> = controller.of_calibration().iter().map(|told| (*told).to_owned()).collect();
+        remarks.push(format!("compensated by stiffarm for {}, {}", self.robot.name, stiffness(&self.robot)));
+        remarks.push(controller.corrections().to_owned());
+        remarks.extend(self.arm_remarks());
         remarks.extend(self.allowed_contact());
         let how = Rewriting { steps: *steps, straight: STRAIGHT, remarks: &remarks };
         let mut next = 0;
