@@ -9,7 +9,6 @@ use stiffarm::catalogue::files;
 use stiffarm::mill::{RollMap, Stand};
 use stiffarm::model::{ArmPosture, Model, ModelError};
 use stiffarm::program::Language;
-use stiffarm::spatial::Pose;
 use stiffarm::toolpath::{Builtin, Format, Original, Understood};
 use stiffarm::watch::Watch;
 
@@ -21,7 +20,7 @@ use crate::error::AskError;
 use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
-use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
+use crate::figures::view3d::{Cell, Sheet, View, Zone};
 use crate::forms::{Answer, Forms, Piece};
 use crate::report::Report;
 
@@ -30,8 +29,6 @@ const MAPPED: usize = 360;
 /// Places along the path that a view in space shows, and how high its ribbon stands, m.
 const MOST_POINTS: usize = 3000;
 const RIBBON: f64 = 0.02;
-/// Of a part with more triangles a view shows the box alone.
-const MOST_TRIANGLES: usize = 50_000;
 
 pub(crate) fn answer<'a>(asked: &'a Request, context: Context<'a>) -> Result<MillOutput<'a>, AskError> {
     let path = asked.path()?;
@@ -100,22 +97,6 @@ pub(crate) fn rolls(answer: &MillAnswer) -> Result<RollMap, AskError> {
 }
 
 impl MillOutput<'_> {
-    /// The finished part where it stands; only the box about it where it has very many triangles.
-    fn part_at(&self, base_from_part: &Pose) -> Option<(Vec<Point>, Vec<[u32; 3]>)> {
-        let mesh = self.answer.options.clear_of.as_ref()?.part.as_ref()?;
-        let (corners, triangles) = mesh.placed(base_from_part);
-        if triangles.len() <= MOST_TRIANGLES {
-            return Some((corners, triangles.to_vec()));
-        }
-        let ends = mesh.extent();
-        let corner = |k: usize| base_from_part.transform_point(&[0, 1, 2].map(|i| ends[k >> i & 1][i]).into()).into();
-        let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3]];
-        Some((
-            (0..8).map(corner).collect(),
-            sides.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect(),
-        ))
-    }
-
     /// The path as a ribbon at its place, the robot at the worst sample, or where it touches deepest.
     fn in_space(&self) -> Result<View, AskError> {
         let answer = &self.answer;
@@ -153,7 +134,11 @@ impl MillOutput<'_> {
             scale: self.plate.ends(),
             floor: true,
             cell: answer.ground.cell,
-            part: self.part_at(&stand.base_from_part),
+            part: answer
+                .options
+                .clear_of
+                .as_ref()
+                .and_then(|clear_of| Some((clear_of.part.clone()?, stand.base_from_part))),
             ..View::default()
         })
     }

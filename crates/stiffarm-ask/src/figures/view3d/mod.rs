@@ -10,8 +10,10 @@ use std::io::Read;
 
 use flate2::read::GzDecoder;
 use serde_json::Value;
+use stiffarm::clearance::Mesh;
 use stiffarm::map::Grid;
 use stiffarm::palette::{INK, PAPER, PROSE};
+use stiffarm::spatial::Pose;
 
 pub use arm::ArmMark;
 
@@ -50,8 +52,8 @@ pub struct View {
     pub floor: bool,
     /// The place where the robot works, where something is known of it: its floor, and what is kept free.
     pub cell: Option<stiffarm::cell::Cell>,
-    /// The finished part: corners, and triangles by the numbers of these.
-    pub part: Option<(Vec<Point>, Vec<[u32; 3]>)>,
+    /// The finished part, and where it stands.
+    pub part: Option<(Mesh, Pose)>,
 }
 
 /// A point with its deflection.

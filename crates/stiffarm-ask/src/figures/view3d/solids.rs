@@ -62,9 +62,9 @@ impl Solid {
     }
 
     /// Triangles as they are.
-    pub(crate) fn mesh(points: &[Point], triangles: &[[u32; 3]]) -> Self {
+    pub(crate) fn mesh(points: Vec<Point>, triangles: &[[u32; 3]]) -> Self {
         let faces = triangles.iter().map(|triangle| triangle.map(|i| i as usize)).collect();
-        Self { points: points.to_vec(), faces }
+        Self { points, faces }
     }
 
     /// The body as plotly.js draws it.

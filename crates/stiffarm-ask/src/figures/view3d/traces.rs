@@ -15,6 +15,8 @@ use crate::markup::escaped;
 const RADII: [f64; 6] = [0.17, 0.105, 0.085, 0.06, 0.04, 0.022];
 /// Radius of the shaft of an arrow, m: it stands out on both faces of a section.
 const SHAFT: f64 = 0.016;
+/// Of a part with more triangles the box alone is drawn.
+const MOST_TRIANGLES: usize = 50_000;
 /// Ticks along the longest axis.
 const MOST_TICKS: f64 = 6.0;
 /// Squares of the floor, m.
@@ -44,9 +46,7 @@ impl View {
         }
         traces.extend(self.floor_height().map(|height| self.floor(height)));
         self.draw_cell(&mut traces);
-        if let Some((points, triangles)) = &self.part {
-            traces.push(Solid::mesh(points, triangles).trace("part", PART));
-        }
+        self.draw_part(&mut traces);
         self.draw_arm(&mut traces);
         self.draw_zone(&mut traces);
         self.draw_arrows(&mut traces);
@@ -60,6 +60,22 @@ impl View {
         let known = known.filter(|mm| mm.is_finite());
         let [low, high] = known.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], mm| [low.min(mm), high.max(mm)]);
         (low <= high).then(|| Bands::within(self.scale, [low, high], self.colours))
+    }
+
+    /// All of its triangles, or where there are very many the box about it.
+    fn draw_part(&self, traces: &mut Vec<Value>) {
+        let Some((mesh, pose)) = &self.part else { return };
+        let (points, triangles) = mesh.placed(pose);
+        let solid = if triangles.len() <= MOST_TRIANGLES {
+            Solid::mesh(points, triangles)
+        } else {
+            let ends = mesh.extent();
+            let corner = |k: usize| [0, 1, 2].map(|i| ends[k >> i & 1][i]).into();
+            Solid::block(std::array::from_fn(|k| pose.transform_point(&corner(k)).into()))
+        };
+        let mut trace = solid.trace("part", PART);
+        trace["showlegend"] = json!(true);
+        traces.push(trace);
     }
 
     fn draw_arm(&self, traces: &mut Vec<Value>) {
