@@ -88,10 +88,7 @@ pub enum StlWhy {
 /// # Errors
 /// What cannot be read, with what to do.
 pub fn read_stl(bytes: &[u8], file: &str, metres: f64) -> Result<Surface, StlFault> {
-    let read = corners(bytes).and_then(|(found, mut notes)| {
-        let surface = surface(&found, metres, &mut notes)?;
-        Ok(Surface { notes, ..surface })
-    });
+    let read = corners(bytes).and_then(|(found, notes)| surface(&found, metres, notes));
     let named = |note: String| format!("{file}: {note}");
     match read {
         Ok(surface) => Ok(Surface { notes: surface.notes.into_iter().map(named).collect(), ..surface }),
@@ -172,7 +169,7 @@ fn all(bytes: Vec<u8>) -> Result<Corners, StlWhy> {
 }
 
 /// The surface in m: corners that are alike are one, triangles without an area are left out, and an inside that is turned out is turned back.
-fn surface(found: &Corners, metres: f64, notes: &mut Vec<String>) -> Result<Surface, StlWhy> {
+fn surface(found: &Corners, metres: f64, mut notes: Vec<String>) -> Result<Surface, StlWhy> {
     let mut known: HashMap<[u32; 3], u32> = HashMap::new();
     let (mut corners, mut triangles) = (Vec::new(), Vec::new());
     for (i, triangle) in found.iter().enumerate() {
@@ -215,7 +212,7 @@ fn surface(found: &Corners, metres: f64, notes: &mut Vec<String>) -> Result<Surf
             triangle.swap(1, 2);
         }
     }
-    Ok(Surface { corners, triangles, is_closed: open == 0, notes: Vec::new() })
+    Ok(Surface { corners, triangles, is_closed: open == 0, notes })
 }
 
 /// Edges along which as many triangles do not go forth as go back.

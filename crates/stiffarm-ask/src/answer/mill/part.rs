@@ -5,9 +5,10 @@ use crate::request::{Refusal, Request};
 use stiffarm::clearance::Mesh;
 use stiffarm::toolpath::Survey;
 
-/// A part of which the feed moves reach over so many times its width, or which is so many times as wide as they reach, has another unit.
+/// No feed moves reach over so many times the width of their part: its unit is another one.
 const TOO_SMALL: f64 = 20.0;
-const TOO_LARGE: f64 = 500.0;
+/// A part so many times as wide as its feed moves reach is asked about: it may be a hole in a wing.
+const LARGE: f64 = 100.0;
 
 /// A part as it was read.
 #[derive(Clone, Debug)]
@@ -29,8 +30,7 @@ impl PartFile {
         let part = self.mesh.extent();
         let sides = |[low, high]: [[f64; 3]; 2]| [0, 1, 2].map(|i| high[i] - low[i]);
         let widest = |extent| sides(extent).into_iter().fold(0.0, f64::max);
-        let ratio = widest(part) / widest(extent);
-        if !(1.0 / TOO_SMALL..=TOO_LARGE).contains(&ratio) {
+        if TOO_SMALL * widest(part) < widest(extent) {
             let told = |extent| sides(extent).map(|side| fixed(side * 1e3, 3)).join(" x ");
             let why = format!(
                 "measures {} mm, and the feed moves reach over {} mm; expected a part of their size: is its unit another one (part-unit)?",
@@ -38,6 +38,10 @@ impl PartFile {
                 told(extent)
             );
             return Err(asked.refused("part", why));
+        }
+        if LARGE * widest(extent) < widest(part) {
+            let metres = fixed(widest(part), 3);
+            notes.push(format!("the part is {metres} m wide, over {LARGE} times as much as the feed moves reach: is its unit another one (part-unit)?"));
         }
         let is_apart =
             (0..3).any(|i| part[1][i] + widest(part) < extent[0][i] || extent[1][i] + widest(part) < part[0][i]);
