@@ -207,6 +207,17 @@ def row(case: Case, answer: Answer) -> dict[str, str]:
     return question | {name: " ".join(repr(float(x)) for x in vector) for name, vector in vectors.items()}
 
 
+def record(target: pathlib.Path, rows: list[dict], by: str, columns: str) -> None:
+    """Writes the cases with who computed them."""
+    with target.open("w", encoding="utf-8", newline="") as file:
+        file.write(f"# recorded by scripts/reference: {by}.\n")
+        file.write(f"# Base axes, SI unless named; {columns}\n")
+        table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
+    print(f"{len(rows)} cases in {target.relative_to(ROOT)}")
+
+
 def main() -> None:
     rows, worst = [], 0.0
     for case in cases():
@@ -219,13 +230,9 @@ def main() -> None:
         rows.append(row(case, answer))
     toolbox = f"Robotics Toolbox (roboticstoolbox-python {version('roboticstoolbox-python')})"
     programs = f"Pinocchio (pin {version('pin')}) and {toolbox}"
-    with TARGET.open("w", encoding="utf-8", newline="") as file:
-        file.write(f"# recorded by scripts/reference: {programs}, which agree to {AGREEMENT:.0e}.\n")
-        file.write("# Base axes, SI unless named; rows of tool_rotation, rows of the upper triangle of compliance_si\n")
-        table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)
-    print(f"{len(rows)} cases in {TARGET.relative_to(ROOT)}; {programs} differ by {worst:.1e} at most")
+    by = f"{programs}, which agree to {AGREEMENT:.0e}"
+    record(TARGET, rows, by, "rows of tool_rotation, rows of the upper triangle of compliance_si")
+    print(f"{programs} differ by {worst:.1e} at most")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ vectors: the moment of a unit weight at the end of a unit vector about the joint
 
 from __future__ import annotations
 
-import csv
 import pathlib
 import random
 import tomllib
@@ -15,7 +14,7 @@ from importlib.metadata import version
 import numpy as np
 import pinocchio as pin
 
-from reference import LENGTHS, ROBOTS, ROOT, open_chain_deg, random_posture
+from reference import LENGTHS, ROBOTS, ROOT, open_chain_deg, random_posture, record
 
 TARGET = ROOT / "validation/true_chain.csv"
 CASES = 3
@@ -94,13 +93,8 @@ def main() -> None:
         robot = tomllib.loads(path.read_text(encoding="utf-8"))
         draw = random.Random(f"true {path.stem}")
         rows += [row(robot, draw) for _ in range(CASES)]
-    with TARGET.open("w", encoding="utf-8", newline="") as file:
-        file.write(f"# recorded by scripts/reference: Pinocchio (pin {version('pin')}), with shifted joint placements.\n")
-        file.write("# Base axes, SI unless named; rows of flange_rotation and of the Jacobian at the flange, translation first\n")
-        table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)
-    print(f"{len(rows)} cases in {TARGET.relative_to(ROOT)}")
+    by = f"Pinocchio (pin {version('pin')}), with shifted joint placements"
+    record(TARGET, rows, by, "rows of flange_rotation and of the Jacobian at the flange, translation first")
 
 
 if __name__ == "__main__":
