@@ -169,8 +169,7 @@ impl Cycle {
                     Wrong::new(
                         name.clone(),
                         format!(
-                            "Q is missing or too small; expected the depth of a peck, more than a {}th of the hole",
-                            (MOST / repeats).floor()
+                            "Q is missing or too small; expected the depth of a peck, at most {MOST} pecks in all holes of the block"
                         ),
                     )
                 })?;
