@@ -244,12 +244,14 @@ fn named(names: Vec<String>) -> String {
 fn ordered(all: Vec<(Robot, Result<MillAnswer, PostureError>)>) -> Vec<PathRow> {
     let contestants: Vec<Contestant> = all
         .iter()
-        .map(|(robot, milled)| Contestant {
+        .map(|(robot, milled)| (robot, milled.as_ref().ok().and_then(proved)))
+        .map(|(robot, proved)| Contestant {
             vendor: &robot.vendor,
             name: &robot.name,
             is_estimated: robot.status == Status::Estimated,
-            is_judged: milled.is_ok(),
-            proved: vec![milled.as_ref().ok().and_then(proved)],
+            // There is one task: who does not do it stands behind nobody.
+            is_judged: proved.is_some(),
+            proved: vec![proved],
         })
         .collect();
     let standings = order(&contestants);
