@@ -70,6 +70,37 @@ fn a_spindle_beside_a_rib_touches_it_unless_the_cutter_is_long_enough() {
 }
 
 #[test]
+fn every_sample_tells_its_clearance_and_figures_show_where_it_touches() {
+    let folder = folder();
+    let folder = folder.path();
+    let asked = ["--part", "rib.stl", "--stick-out-mm"];
+    for (length, touches) in [("80", true), ("140", false)] {
+        let one = [&asked[..], &[length]].concat();
+        let told = json(folder, &one);
+        for file in ["path.csv", "path.svg", "path.view.html"] {
+            assert_eq!(run(folder, &[&one[..], &["-o", file, "-q"]].concat()).0, 0, "{file}");
+        }
+        let mut table = csv::Reader::from_path(folder.join("path.csv")).unwrap();
+        let headings = table.headers().unwrap().clone();
+        let column = |name: &str| headings.iter().position(|one| one == name).unwrap();
+        let [line, apart, of] = ["line", "clearance_mm", "clearance_of"].map(column);
+        let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
+        let distance = |row: &csv::StringRecord| row[apart].parse::<f64>().unwrap();
+        let nearest = rows.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
+        assert!((distance(nearest) - told["clearance_mm"].as_f64().unwrap()).abs() < 1e-9, "{nearest:?}");
+        assert_eq!(nearest[of], *told["clearance_of"].as_str().unwrap());
+        let touching: Vec<&str> = rows.iter().filter(|row| distance(row) < 0.0).map(|row| &row[line]).collect();
+        assert_eq!(!touching.is_empty(), touches);
+        for contact in told["contacts"].as_array().unwrap() {
+            assert!(touching.contains(&&*contact["line"].to_string()), "{contact}");
+        }
+        let [figure, view] = ["path.svg", "path.view.html"].map(|file| fs::read_to_string(folder.join(file)).unwrap());
+        assert_eq!(figure.contains(">touches<"), touches);
+        assert_eq!(view.contains(r#""name":"touches""#), touches);
+    }
+}
+
+#[test]
 fn no_program_is_written_over_the_touch_of_a_part() {
     let folder = folder();
     let folder = folder.path();

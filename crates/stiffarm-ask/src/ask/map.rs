@@ -212,7 +212,7 @@ impl<'a> Drawn<'a> {
             arrows: arrows.into_iter().collect(),
             floor: model.knows_base(),
             cell,
-            part: None,
+            ..View::default()
         }
     }
 }

@@ -1,5 +1,6 @@
 //! `stiffarm mill PATH`: the error along a toolpath; with `--dry` what is understood of it.
 
+use std::ops::Range;
 use std::path::Path;
 
 use crate::answer::{MillAnswer, Rows, Unit};
@@ -119,6 +120,7 @@ impl MillOutput<'_> {
             sheet: Some(Sheet { rows: vec![row(0.0), row(RIBBON)] }),
             worst: Some(cell(worst, 0.0)),
         };
+        let stretch = |run: Range<usize>| run.map(|i| stand.above(&answer.stations[i], 0.0)).collect();
         let touches = answer.deepest();
         let pushed = &found.samples[touches.map_or(worst, |contact| contact.station)];
         let arm = drawing::arm(&model, Some(ArmPosture::Joints(pushed.joints)), pushed.shares.as_ref());
@@ -130,6 +132,7 @@ impl MillOutput<'_> {
             notes: vec![answer.force.clone(), format!("the arm {shown}; the path as a ribbon above its tip")],
             arm,
             zone: Some(zone),
+            touching: (answer.touching_is_called(), answer.touching().into_iter().map(stretch).collect()),
             colour_label: "error [mm]".into(),
             scale: self.plate.ends(),
             floor: true,

@@ -25,6 +25,11 @@ const PIN: f64 = 5.0;
 /// Below a frame, px.
 const BELOW: f64 = 84.0;
 
+/// A wide band below the path where something is touched.
+fn touching() -> String {
+    format!(r#"stroke="{ALARM}" stroke-opacity="0.35" stroke-width="11" stroke-linejoin="round""#)
+}
+
 /// A path that is milled.
 pub(crate) struct MilledFigure<'a> {
     pub answer: &'a MillAnswer,
@@ -233,6 +238,10 @@ impl MilledFigure<'_> {
         let y = Axis::new(y0 - pad, y1 + pad, [top + scale * high, top]);
         let frame = Frame { x, y };
         frame.grid(canvas);
+        for run in self.answer.touching() {
+            let points: Vec<Px> = run.map(|i| frame.at(tips[i][0], tips[i][1])).collect();
+            canvas.polyline(&points, &format!(r#"fill="none" {}"#, touching()));
+        }
         let mut line: (String, Vec<Px>) = (String::new(), Vec::new());
         let draw = |canvas: &mut Canvas, line: &(String, Vec<Px>), is_rapid: bool| {
             let look = if is_rapid {
@@ -291,6 +300,9 @@ impl MilledFigure<'_> {
         if self.answer.pins().next().is_some() {
             let look = format!(r#"fill="{PAPER}" stroke="{INK}" stroke-width="2""#);
             entries.push(Entry::new("roll pinned", move |canvas, at| canvas.circle(at, PIN, &look)));
+        }
+        if !self.answer.touching().is_empty() {
+            entries.push(Entry::line(self.answer.touching_is_called(), touching()));
         }
         for (cell, words, colour) in [
             (RollCell::Air, "in air: nothing pushes", AIR),

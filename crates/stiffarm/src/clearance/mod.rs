@@ -55,6 +55,17 @@ pub enum Obstacle {
     Link(Link),
 }
 
+/// The nearest that any link comes to anything in one pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Near {
+    /// How far, m; less than 0 where they overlap, by so much.
+    pub distance: f64,
+    /// Which link.
+    pub link: Link,
+    /// To what.
+    pub to: Obstacle,
+}
+
 /// The nearest that any link comes to anything, over all poses that were looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clearance {
@@ -193,7 +204,7 @@ impl<'a> ThickArm<'a> {
     }
 
     /// The nearest of so many poses, with how well that is known.
-    pub(crate) fn told(&self, (distance, link, to): Near, poses: usize) -> Clearance {
+    pub(crate) fn told(&self, Near { distance, link, to }: Near, poses: usize) -> Clearance {
         let (is_estimated, knows_tool) = (self.is_estimated, !self.ends_at_wrist);
         Clearance { distance, link, to, is_estimated, knows_tool, poses }
     }
@@ -277,23 +288,20 @@ impl<'a> ThickArm<'a> {
     }
 }
 
-/// How near, m, which link comes to what.
-pub(crate) type Near = (f64, Link, Obstacle);
-
 /// The nearest so far.
 struct Nearest(Option<Near>);
 
 impl Nearest {
     fn take(&mut self, distance: f64, link: Link, to: Obstacle) {
-        if self.0.is_none_or(|(nearest, ..)| distance < nearest) {
-            self.0 = Some((distance, link, to));
+        if self.0.is_none_or(|nearest| distance < nearest.distance) {
+            self.0 = Some(Near { distance, link, to });
         }
     }
 
     /// As of a solid.
     fn part(&mut self, link: Link, part: &Part, capsule: &Capsule, apart: fn(&Mesh, &Pose, &Capsule) -> f64) {
         let at_least = capsule.ball().apart_from_ball(&part.mesh.ball(&part.pose));
-        if self.0.is_none_or(|(nearest, ..)| !(nearest <= at_least)) {
+        if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
             self.take(apart(&part.mesh, &part.pose, capsule), link, Obstacle::Part);
         }
     }
@@ -301,7 +309,7 @@ impl Nearest {
     /// Asks `parry` only where the balls about both come nearer than what is known.
     fn solid(&mut self, (link, capsule): (Link, &Capsule), to: Obstacle, solid: &Solid) {
         let at_least = capsule.ball().apart_from_ball(&solid.ball());
-        if self.0.is_none_or(|(nearest, ..)| !(nearest <= at_least)) {
+        if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
             self.take(capsule.apart_from_solid(solid), link, to);
         }
     }

@@ -1,5 +1,7 @@
 //! What is told of what the arm touches along a path.
 
+use std::ops::Range;
+
 use serde_json::{Value, json};
 
 use super::super::words::{bodies, clearance_of};
@@ -20,6 +22,22 @@ impl MillAnswer {
     /// The deepest contact, where there is one.
     pub fn deepest(&self) -> Option<&Contact> {
         self.clearance()?.contacts.iter().max_by(|a, b| a.depth.total_cmp(&b.depth))
+    }
+
+    /// Stretches of the path that are nearer to something than was asked, as stations: each begins where the way to the first that is leaves the one before.
+    pub fn touching(&self) -> Vec<Range<usize>> {
+        let Some(found) = self.clearance() else { return Vec::new() };
+        let touches = |i: &usize| found.at[*i].is_some_and(|near| near.distance < found.asked);
+        let near: Vec<usize> = (0..found.at.len()).filter(touches).collect();
+        near.chunk_by(|a, b| a + 1 == *b).map(|run| run[0].saturating_sub(1)..run[run.len() - 1] + 1).collect()
+    }
+
+    /// What such a stretch is called.
+    pub fn touching_is_called(&self) -> String {
+        match self.clearance().map_or(0.0, |found| found.asked) {
+            0.0 => "touches".into(),
+            asked => format!("nearer than {} mm", fixed(asked * 1e3, 1)),
+        }
     }
 
     /// Why no program is written, where that is because the arm touches something.

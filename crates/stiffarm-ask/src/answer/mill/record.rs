@@ -6,8 +6,10 @@ use super::super::cell as told_cell;
 use super::super::path::corners;
 use super::super::stiffness::stiffness;
 use super::super::verdict::{self, Verdict};
+use super::super::words::bodies;
 use super::super::{Cell, Column, ColumnKind, Record, Rows, field, payload};
 use super::{Compensation, MillAnswer, least};
+use stiffarm::clearance::Near;
 use stiffarm::limits::Pendant;
 use stiffarm::mill::{Acting, FedBack, Pushed, Stand, Station};
 use stiffarm::robot::Arm;
@@ -167,6 +169,9 @@ impl MillAnswer {
         columns.extend(numbers(&["limit_margin_deg", "singular_margin_deg"]));
         columns.push(Column::new("pass", Truth));
         columns.push(Column::new("cutting", Truth));
+        if self.clearance().is_some() {
+            columns.extend([Column::new("clearance_mm", Number), Column::new("clearance_of", Text)]);
+        }
         if self.compensation.is_some() || self.on_true_arm().is_some() {
             columns.extend(numbers(&[
                 "q1_cmd_deg",
@@ -181,6 +186,7 @@ impl MillAnswer {
         let samples = self.followed().map_or(&[][..], |found| &found.samples);
         Rows::made(columns, samples.len(), move |i| {
             let mut cells = self.cells(&self.stations[i], &samples[i]);
+            cells.extend(self.clearance().into_iter().flat_map(|found| clearance_cells(found.at[i])));
             if let Some((joints, pose)) = self.sent(i) {
                 cells.extend(joints.map(|q| Cell::Number(q.to_degrees() + 0.0)));
                 cells.extend(pose.tip.iter().map(|x| Cell::Number(x * 1e3 + 0.0)));
@@ -229,6 +235,12 @@ impl MillAnswer {
         cells.push(Cell::Truth(sample.is_cutting));
         cells
     }
+}
+
+fn clearance_cells(near: Option<Near>) -> [Cell; 2] {
+    near.map_or([Cell::Absent, Cell::Absent], |near| {
+        [Cell::Number(near.distance * 1e3 + 0.0), Cell::Text(bodies(near.link, near.to))]
+    })
 }
 
 /// What becomes of the path as the cut changes with the displacement.

@@ -40,6 +40,8 @@ pub struct View {
     pub zone: Option<Zone>,
     /// A map of the deflection, such as that of the arm plane.
     pub section: Option<Sheet>,
+    /// Where it touches something, or is nearer to it than was asked: what that is called, and the lines.
+    pub touching: (String, Vec<Vec<Point>>),
     /// What pushes, and where to.
     pub arrows: Vec<Arrow>,
     /// What the colours mean, with the unit.

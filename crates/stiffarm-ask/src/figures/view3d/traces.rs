@@ -4,7 +4,9 @@ use nalgebra::{Point3, Vector3};
 use serde_json::{Value, json};
 use stiffarm::cell::Block;
 use stiffarm::interval::Interval;
-use stiffarm::palette::{ARM_IN_SPACE, BASE, FAINT, FLOOR, GREY, INK, JOINT_IN_SPACE, KEEP_OUT, PART, TOOL, ZONE};
+use stiffarm::palette::{
+    ALARM, ARM_IN_SPACE, BASE, FAINT, FLOOR, GREY, INK, JOINT_IN_SPACE, KEEP_OUT, PART, TOOL, ZONE,
+};
 
 use super::super::bands::Bands;
 use super::solids::Solid;
@@ -37,7 +39,12 @@ impl View {
         let mut traces = Vec::new();
         let bands = self.bands();
         let zone_sheet = self.zone.as_ref().and_then(|zone| zone.sheet.as_ref());
-        let sheets = [("section", self.section.as_ref(), 0.75), ("inside the zone", zone_sheet, 1.0)];
+        // What has no rim is a path: its ribbon is all that is seen of it.
+        let inside = match &self.zone {
+            Some(zone) if zone.rim.is_empty() => &*zone.label,
+            _ => "inside the zone",
+        };
+        let sheets = [("section", self.section.as_ref(), 0.75), (inside, zone_sheet, 1.0)];
         for (name, sheet, opacity) in sheets {
             if let (Some(sheet), Some(bands)) = (sheet, bands) {
                 let with_bar = traces.is_empty();
@@ -49,6 +56,10 @@ impl View {
         self.draw_part(&mut traces);
         self.draw_arm(&mut traces);
         self.draw_zone(&mut traces);
+        let (called, touching) = &self.touching;
+        if !touching.is_empty() {
+            traces.push(lines(called, touching, ALARM, 9.0));
+        }
         self.draw_arrows(&mut traces);
         traces
     }
@@ -122,9 +133,11 @@ impl View {
 
     fn draw_zone(&self, traces: &mut Vec<Value>) {
         let Some(zone) = &self.zone else { return };
-        let mut rim = lines(&zone.label, &self.on_both_faces(&zone.rim, LINKS_APART), ZONE, 7.0);
-        rim["hoverinfo"] = json!("name");
-        traces.push(rim);
+        if !zone.rim.is_empty() {
+            let mut rim = lines(&zone.label, &self.on_both_faces(&zone.rim, LINKS_APART), ZONE, 7.0);
+            rim["hoverinfo"] = json!("name");
+            traces.push(rim);
+        }
         if let Some(worst) = &zone.worst {
             let deflection = worst.mm.map_or_else(String::new, |mm| format!("<br>{mm:.4} mm"));
             let text = format!("worst point{deflection}<br>{}", place(&worst.at));

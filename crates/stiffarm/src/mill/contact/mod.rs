@@ -51,6 +51,8 @@ pub struct PathClearance {
     pub asked: f64,
     /// The nearest at any sample, or where it touches between two of them; `None` where there is nothing to meet.
     pub nearest: Option<Clearance>,
+    /// The nearest at every station, or where it touches on the way to that; `None` where there is nothing to meet.
+    pub at: Vec<Option<Near>>,
     /// Where it is nearer than was asked, in the order of the path; none where every sample and all between them is clear.
     pub contacts: Vec<Contact>,
 }
@@ -169,6 +171,6 @@ impl<'a> Guard<'a> {
 impl Posed {
     /// To the nearest, m.
     fn distance(&self) -> f64 {
-        self.near.map_or(f64::INFINITY, |(distance, ..)| distance)
+        self.near.map_or(f64::INFINITY, |near| near.distance)
     }
 }

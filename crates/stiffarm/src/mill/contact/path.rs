@@ -22,6 +22,7 @@ type AtStation = (Option<Near>, bool);
 #[derive(Default)]
 struct Found {
     nearest: Option<Near>,
+    at: Vec<Option<Near>>,
     contacts: Vec<Contact>,
     /// The last contact goes on.
     goes_on: bool,
@@ -53,9 +54,9 @@ impl Guard<'_> {
             }
             last = posed.last().copied();
         }
-        let Found { nearest, contacts, .. } = found;
+        let Found { nearest, at, contacts, .. } = found;
         let nearest = nearest.map(|near| self.thick.told(near, samples.len()));
-        Ok(Ok(PathClearance { asked: self.clearance, nearest, contacts }))
+        Ok(Ok(PathClearance { asked: self.clearance, nearest, at, contacts }))
     }
 
     /// Nothing is touched along a path that is followed.
@@ -98,7 +99,7 @@ impl Guard<'_> {
         };
         Ok(match self.led(samples, i, [before, posed])? {
             Between::Free => Some((posed.near, false)),
-            Between::Touch(distance, middle) => Some((middle.near.map(|(_, link, to)| (distance, link, to)), true)),
+            Between::Touch(distance, middle) => Some((middle.near.map(|near| Near { distance, ..near }), true)),
             Between::Lost => None,
         })
     }
@@ -126,8 +127,9 @@ impl Guard<'_> {
 
 impl Found {
     fn add(&mut self, station: usize, (near, touches): AtStation, asked: f64) {
-        let Some((distance, link, to)) = near else { return };
-        if self.nearest.is_none_or(|(nearest, ..)| distance < nearest) {
+        self.at.push(near);
+        let Some(Near { distance, link, to }) = near else { return };
+        if self.nearest.is_none_or(|nearest| distance < nearest.distance) {
             self.nearest = near;
         }
         let goes_on = std::mem::replace(&mut self.goes_on, touches);

@@ -313,6 +313,12 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
             let end = |i: usize| (&stations[i].sample.pose, found.samples[i].arrangement);
             assert!(0.01 <= witness.least([end(i - 1), end(i)]).unwrap(), "{roll:?}: {i}");
         }
+        // Every station tells the distance of its own posture.
+        assert_eq!(told.at.len(), stations.len());
+        for (i, near) in told.at.iter().enumerate() {
+            let known = witness.distance(&stations[i].sample.pose, found.samples[i].arrangement).unwrap();
+            assert!((near.unwrap().distance - known).abs() < 1e-9, "{roll:?}: {i}");
+        }
     }
     // The roll of before touches it, and says where.
     let at = constant.samples[0].arrangement.roll;
