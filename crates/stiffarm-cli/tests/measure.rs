@@ -160,3 +160,59 @@ fn a_plan_for_a_robot_whose_pendant_is_not_known_opens_with_that_and_is_read_all
     program(&asked("KR 210 R2700 extra")).success();
     assert!(fs::read_to_string(&table).unwrap().starts_with("run,posture,q1_deg"));
 }
+
+const POSTURES: [&str; 9] =
+    ["measure", "KR 210 R2700 extra", "--geometry", "--runs", "10", "--candidates", "200", "--marker-mm", "100,0,150"];
+
+/// A plan of postures, filled in with where the program itself says that the point stands, tells an arm that is as drawn.
+#[test]
+fn a_plan_of_postures_is_filled_in_and_calibrates_the_arm() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let (table, filled, figure) = (file("plan.csv"), file("filled.csv"), file("plan.svg"));
+    program(&[&POSTURES[..], &["-o", &table, "-o", &figure]].concat()).success();
+    let told = program(&[&POSTURES[..], &["--format", "json"]].concat()).success();
+    let told: Value = serde_json::from_slice(&told.get_output().stdout).unwrap();
+    let at_work = |key: &str| told["at_work"][key].as_f64().unwrap();
+    let in_order = ["unexplained_mm", "lower_bound_mm", "expected_mm", "random_mm"].map(at_work);
+    assert!(in_order.is_sorted() && at_work("expected_mm") < at_work("as_drawn_mm"), "{told}");
+    assert_eq!(told["runs"].as_array().unwrap().len(), 10);
+    assert!(fs::read_to_string(figure).unwrap().contains("run 10"));
+    // As it is nothing was seen.
+    let refused = program(&["calibrate", "KR 210 R2700 extra", &table]).failure().code(1);
+    assert!(String::from_utf8_lossy(&refused.get_output().stderr).contains("plan.csv"), "{refused:?}");
+    let text = fs::read_to_string(&table).unwrap();
+    let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with('#')).collect();
+    assert_eq!(lines[0], "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x1_mm,y1_mm,z1_mm");
+    let mut made = lines[0].to_owned() + "\n";
+    for line in &lines[1..] {
+        let joints = line.strip_suffix(",,,").unwrap();
+        let given = format!("--joints-deg={joints}");
+        let asked = ["compliance", "KR 210 R2700 extra", &given, "--tool-mm", "100,0,150", "--format", "json"];
+        let posture: Value = serde_json::from_slice(&program(&asked).success().get_output().stdout).unwrap();
+        let point = [0, 1, 2].map(|i| format!("{:.5}", posture["tcp_m"][i].as_f64().unwrap() * 1e3));
+        writeln!(made, "{joints},{}", point.join(",")).unwrap();
+    }
+    fs::write(&filled, made).unwrap();
+    let found = program(&["calibrate", "KR 210 R2700 extra", &filled, "--format", "json"]).success();
+    let found: Value = serde_json::from_slice(&found.get_output().stdout).unwrap();
+    assert!(found["nominal_rms_mm"].as_f64().unwrap() < 1e-3 && found["rows"] == 10, "{found}");
+}
+
+#[test]
+fn what_says_nothing_of_a_calibration_is_refused() {
+    for (words, expected) in [
+        (&["--loads", "down"][..], "loads"),
+        (&["--force-n", "500"], "force-n"),
+        (&["--repeats", "3"], "repeats"),
+        (&["--compare", "mine.csv"], "compare"),
+        (&["--candidates", "30000"], "at most 20000"),
+        (&["--marker-mm", "a=0,0,1;b=0,1,0;c=1,0,0;d=1,1,0;e=0,0,2"], "at most 4"),
+        (&["--runs", "4"], "at least 6"),
+    ] {
+        let asked = [&["measure", "KR 210 R2700 extra", "--geometry"], words].concat();
+        let refused = program(&asked).failure();
+        let told = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+        assert!(told.contains(expected), "{words:?}: {told}");
+    }
+}

@@ -529,6 +529,12 @@ fields! {
     TRACKER_IN_BASE: "tracker_in_base", Kind::Nested, "Each stand of the tracker in the base: x, y, z mm and turns about fixed x, y, z deg.";
     NARROW: "narrow", Kind::Nested, "Joints that moved over less than a third of their range, with that share.";
     EXPECTED_AT_WORK: "expected_mm", Kind::Number(Unit::Millimetre), "Root mean square of the error that remains at the work, where it is found by the tracker.";
+    LEAST_AT_WORK: "lower_bound_mm", Kind::Number(Unit::Millimetre), "No choice of as many of the candidates leaves less.";
+    RANDOM_AT_WORK: "random_mm", Kind::Number(Unit::Millimetre), "What the median random choice leaves.";
+    AS_DRAWN: "as_drawn_mm", Kind::Number(Unit::Millimetre), "Without a calibration.";
+    UNEXPLAINED: "unexplained_mm", Kind::Number(Unit::Millimetre), "The part of all of these that no error of the arm explains, and no calibration takes away.";
+    BY_COUNT: "by_count", Kind::Nested, "What so many postures leave, each chosen after those before.";
+    POSTURE_COUNT: "postures", Kind::Count, "So many.";
     WORK_INTERVAL: "ci95_mm", numbers(Unit::Millimetre, &["ci95_low_mm", "ci95_high_mm"]), "Where that root mean square lies with 95 %.";
     WORK_P95: "work_p95_mm", Kind::Number(Unit::Millimetre), "95 of a hundred points at the work are off by less.";
     AT_WORK: "at_work", Kind::Nested, "The error that remains at the work: expected, with its interval, and over how many postures; null where the arm does not reach it.";

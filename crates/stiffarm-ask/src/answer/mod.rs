@@ -53,7 +53,7 @@ pub use identify::IdentifyAnswer;
 pub use ledger::LedgerAnswer;
 pub use looks::{Look, looks};
 pub use map::MapAnswer;
-pub use measure::{DrawnPosture, MeasureAnswer};
+pub use measure::{DrawnPosture, GeometryAnswer, MeasureAnswer};
 pub use mill::{Beside, ByToolAnswer, Compensation, MillAnswer, MillAnswerError, PartFile, PathRankAnswer};
 pub use modes::ModesAnswer;
 pub use numbers::fixed;

@@ -1,27 +1,39 @@
 //! `stiffarm measure`: which postures and loads to measure, with a certificate.
 
-use crate::answer::{MeasureAnswer, Rows};
+use crate::answer::{GeometryAnswer, MeasureAnswer, Rows};
 use crate::request::Request;
 use serde_json::Value;
 use stiffarm::catalogue::measurements;
-use stiffarm::measure::{MeasureError, compare, over, plan};
+use stiffarm::measure::{MeasureError, Options, compare, geometry_plan, over, plan};
+use stiffarm::robot::Robot;
 
 use super::context::Context;
 use crate::error::AskError;
 use crate::figures::{Plate, postures};
 use crate::forms::{Answer, Forms, Piece, sheet};
 
-pub(crate) fn answer(asked: &Request, context: Context) -> Result<MeasureOutput, AskError> {
+/// The robot, what is asked of a plan, and the work in words.
+fn prepared(asked: &Request, context: Context) -> Result<(Robot, Options, String), AskError> {
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
-    let failed = |error: MeasureError| AskError::Measure { robot: robot.name.clone(), error };
     let mut options = asked.measurement_plan();
     let mut work = "anywhere within the limits".to_owned();
     if asked.is_given("task") {
         let task = asked.task()?;
         work = format!("{} at its best place, tool down", task.label);
         let tool = asked.held().tool();
-        options.work = context.watched("placing", |watch| over(&robot, &tool, task.zone, watch)).map_err(failed)?;
+        let found = context.watched("placing", |watch| over(&robot, &tool, task.zone, watch));
+        options.work = found.map_err(|error| failed(&robot, error))?;
     }
+    Ok((robot, options, work))
+}
+
+fn failed(robot: &Robot, error: MeasureError) -> AskError {
+    AskError::Measure { robot: robot.name.clone(), error }
+}
+
+pub(crate) fn answer(asked: &Request, context: Context) -> Result<MeasureOutput, AskError> {
+    let (robot, options, work) = prepared(asked, context)?;
+    let failed = |error: MeasureError| failed(&robot, error);
     let own = asked.compared().map(|name| own_runs(&name, asked, context)).transpose()?;
     let found = context.watched("planning", |watch| plan(&robot, &options, watch)).map_err(failed)?;
     let compared = match own {
@@ -33,6 +45,14 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<MeasureOutput,
         }
     };
     Ok(MeasureOutput(MeasureAnswer { robot, options, work, plan: found, compared }, Plate::of(asked)?))
+}
+
+/// In which postures an arm is measured to be calibrated.
+pub(crate) fn geometry(asked: &Request, context: Context) -> Result<GeometryOutput, AskError> {
+    let (robot, options, work) = prepared(asked, context)?;
+    let found = context.watched("planning", |watch| geometry_plan(&robot, &options, watch));
+    let plan = found.map_err(|error| failed(&robot, error))?;
+    Ok(GeometryOutput(GeometryAnswer { robot, options, work, plan }, Plate::of(asked)?))
 }
 
 /// Postures and loads of a table of one's own; of several markers of one run the first.
@@ -70,6 +90,36 @@ impl Answer for MeasureOutput {
 
     fn svg(&self) -> Option<Result<String, AskError>> {
         let title = format!("Postures to measure, {}", self.0.robot.name);
+        Some(Ok(postures::svg(&title, &self.0.postures(), &self.1)))
+    }
+
+    fn plate(&self) -> Plate {
+        self.1
+    }
+}
+
+pub(crate) struct GeometryOutput(GeometryAnswer, Plate);
+
+impl Answer for GeometryOutput {
+    fn forms(&self) -> Forms {
+        FORMS
+    }
+
+    fn text(&self) -> Vec<Piece> {
+        let Self(answer, _) = self;
+        sheet([answer.summary(), answer.table()], answer.notes())
+    }
+
+    fn value(&self) -> Value {
+        self.0.json()
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        self.0.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        let title = format!("Postures to calibrate, {}", self.0.robot.name);
         Some(Ok(postures::svg(&title, &self.0.postures(), &self.1)))
     }
 

@@ -46,6 +46,7 @@ pub fn ask<'a>(asked: &'a Request, context: Context<'a>) -> Result<Box<dyn Answe
         Verb::Study => Box::new(study::answer(asked, context)?),
         Verb::Compare => Box::new(compare::answer(asked, context)?),
         Verb::Identify => Box::new(identify::answer(asked, context)?),
+        Verb::Measure if asked.plans_geometry() => Box::new(measure::geometry(asked, context)?),
         Verb::Measure => Box::new(measure::answer(asked, context)?),
         Verb::Mill if asked.is_dry() => Box::new(path::answer(asked, context)?),
         Verb::Mill if asked.ranks_on_path() => Box::new(path_ranking::answer(asked, context)?),

@@ -41,11 +41,12 @@ pub(crate) fn svg(title: &str, postures: &[DrawnPosture], plate: &Plate) -> Stri
         }
         top += HEAD + height + 10.0;
     }
-    let entries = vec![
-        Entry::line("load", format!(r#"stroke="{FORCE}" stroke-width="2.6""#)),
-        Entry::new("load across the picture", across),
-        Entry::new("marker", marker),
-    ];
+    let mut entries = Vec::new();
+    if postures.iter().any(|posture| posture.load.is_some()) {
+        entries.push(Entry::line("load", format!(r#"stroke="{FORCE}" stroke-width="2.6""#)));
+        entries.push(Entry::new("load across the picture", across));
+    }
+    entries.push(Entry::new("marker", marker));
     let legend = Legend::new(entries, canvas.width - 60.0, 4);
     legend.draw(&mut canvas, [30.0, top]);
     canvas.height = top + legend.height() + 12.0;
@@ -63,7 +64,7 @@ fn marker(canvas: &mut Canvas, at: Px) {
 
 /// From where to where all of them reach, m: ahead, and up, with room for loads.
 fn extents(postures: &[DrawnPosture]) -> [Interval; 2] {
-    let all = || postures.iter().flat_map(|one| one.points.iter().chain(&one.markers).chain(&one.load[..1]));
+    let all = || postures.iter().flat_map(|one| one.points.iter().chain(&one.markers).chain(one.loaded()));
     let reached = [0, 1].map(|axis| {
         // The foot of the robot is seen, too.
         let ends = all().map(|point| point[axis]).fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
@@ -85,6 +86,16 @@ fn metre(canvas: &mut Canvas, frame: &Frame) {
     canvas.text([to + 7.0, y], "1 m", Font::new(11.5));
 }
 
+/// From where it acts, px, and where it points.
+fn draw_load(canvas: &mut Canvas, from: Px, along: [f64; 2]) {
+    if along[0].hypot(along[1]) < ACROSS {
+        across(canvas, from);
+    } else {
+        let look = format!(r#"stroke="{FORCE}" stroke-width="2.6""#);
+        arrow(canvas, from, [from[0] + LOAD * along[0], from[1] - LOAD * along[1]], &look);
+    }
+}
+
 /// One posture under its left upper corner, in a picture that shows so much, m, and is so high, px.
 fn draw(
     canvas: &mut Canvas,
@@ -92,13 +103,15 @@ fn draw(
     [left, top]: Px,
     ([ahead, up], height): ([Interval; 2], f64),
 ) -> Frame {
-    let DrawnPosture { runs: [first, last], joint_1, points, markers, load, told, expected_mm } = posture;
+    let DrawnPosture { runs: [first, last], joint_1, points, markers, load } = posture;
     let name = if first == last { format!("run {first}") } else { format!("runs {first} to {last}") };
     let bold = Font::new(13.0).bold();
-    canvas.text([left, top + 10.0], &bold.cut(&format!("{name}: {told}"), ROOM), bold);
+    let (told, expected) = load.as_ref().map_or_else(Default::default, |load| {
+        (format!(": {}", load.told), format!(", {:.2} mm expected", load.expected_mm))
+    });
+    canvas.text([left, top + 10.0], &bold.cut(&format!("{name}{told}"), ROOM), bold);
     let small = Font::new(11.5).colour(GREY);
-    let moved = format!("joint 1 at {joint_1:.2}°, {expected_mm:.2} mm expected");
-    canvas.text([left, top + 27.0], &small.cut(&moved, ROOM), small);
+    canvas.text([left, top + 27.0], &small.cut(&format!("joint 1 at {joint_1:.2}°{expected}"), ROOM), small);
     let top = top + HEAD;
     let frame = Frame {
         x: Axis::new(ahead.min(), ahead.max(), [left, left + ROOM]),
@@ -123,19 +136,14 @@ fn draw(
         }
     }
     // What carries load point and markers.
-    for point in markers.iter().chain(&load[..1]) {
+    for point in markers.iter().chain(posture.loaded()) {
         canvas.line(at(points[3]), at(*point), &format!(r#"stroke="{GREY}" stroke-width="2""#));
     }
     for joint in &points[..3] {
         canvas.circle(at(*joint), 3.4, &format!(r#"fill="{PAPER}" stroke="{INK}" stroke-width="1.6""#));
     }
-    let [from, along] = *load;
-    let from = at(from);
-    if along[0].hypot(along[1]) < ACROSS {
-        across(canvas, from);
-    } else {
-        let look = format!(r#"stroke="{FORCE}" stroke-width="2.6""#);
-        arrow(canvas, from, [from[0] + LOAD * along[0], from[1] - LOAD * along[1]], &look);
+    if let Some(load) = load {
+        draw_load(canvas, at(load.arrow[0]), load.arrow[1]);
     }
     for point in markers {
         marker(canvas, at(*point));

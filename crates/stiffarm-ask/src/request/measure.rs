@@ -39,10 +39,41 @@ impl Request {
         }
     }
 
+    /// Postures to calibrate an arm are asked for, and no loads.
+    pub fn plans_geometry(&self) -> bool {
+        self.verb == Verb::Measure && self.is_wished("geometry")
+    }
+
+    /// What says nothing where an arm is calibrated.
+    fn check_geometry(&self) -> Result<(), Refusal> {
+        /// Readings of more are not read.
+        const MOST_MARKERS: usize = 4;
+        /// More would take a gigabyte.
+        const MOST_CANDIDATES: usize = 20_000;
+        let loads = ["loads", "force-n", "load-mm", "criterion", "repeats", "compare", "stiffness"];
+        if let Some(name) = loads.into_iter().find(|name| self.is_given(name)) {
+            let why = "says nothing beside geometry: nothing is loaded, and no posture is measured twice";
+            return Err(self.refused(name, why.into()));
+        }
+        let (markers, candidates) = (self.points().markers.len(), self.count("candidates"));
+        if MOST_MARKERS < markers {
+            return Err(self.refused("marker-mm", format!("of {markers} points; expected at most {MOST_MARKERS}")));
+        }
+        if MOST_CANDIDATES < candidates {
+            return Err(
+                self.refused("candidates", format!("{candidates}; expected at most {MOST_CANDIDATES} beside geometry"))
+            );
+        }
+        Ok(())
+    }
+
     /// More runs than there are candidates would only repeat some; work is looked at by one criterion alone.
     pub(super) fn check_runs(&self) -> Result<(), Refusal> {
         if self.verb != Verb::Measure {
             return Ok(());
+        }
+        if self.plans_geometry() {
+            self.check_geometry()?;
         }
         let (runs, candidates) = (self.count("runs"), self.count("candidates"));
         if candidates < runs {

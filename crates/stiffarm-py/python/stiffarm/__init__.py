@@ -29,6 +29,7 @@ Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl
 
 from ._answers import (
     Answer,
+    CalibrationPlan,
     Chatter,
     Comparison,
     Compliance,
@@ -51,6 +52,7 @@ from ._verbs import cell, chatter, compare, compliance, force, identify, map, me
 
 __all__ = [
     "Answer",
+    "CalibrationPlan",
     "Chatter",
     "Comparison",
     "Compliance",

@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import Chatter, Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, Modes, PathRanking, Placement, Ranking, Study, Toolpath
+from ._answers import CalibrationPlan, Chatter, Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, Modes, PathRanking, Placement, Ranking, Study, Toolpath
 from ._given import RobotLike
 from ._asked import OutputLike, Question, answered, placed, question, written
 from ._progress import ProgressLike, told
@@ -366,16 +366,30 @@ def identify(
     return Identification(found["answer"], found["columns"], found["robot_file"])
 
 
+@overload
+def measure(
+    robot: RobotLike, *, geometry: Literal[False] = False, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[MeasureOptions]
+) -> MeasurementPlan: ...
+
+
+@overload
+def measure(
+    robot: RobotLike, *, geometry: Literal[True], output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[MeasureOptions]
+) -> CalibrationPlan: ...
+
+
 @_options.takes("measure", MeasureOptions)
 def measure(
-    robot: RobotLike, *, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[MeasureOptions]
-) -> MeasurementPlan:
+    robot: RobotLike, *, geometry: bool = False, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[MeasureOptions]
+) -> MeasurementPlan | CalibrationPlan:
     """Which postures and loads to measure, with a certificate that no other choice is much better.
 
     Parameters
     ----------
     robot : Robot or str
         Which.
+    geometry : bool
+        Postures in which points of the flange are measured to calibrate the arm; nothing is loaded then.
     {options}
     output : path or list of paths, optional
         Files to which the answer is written as well; the ending chooses the form: ``.json``.
@@ -385,16 +399,19 @@ def measure(
 
     Returns
     -------
-    MeasurementPlan
-        Runs in an order with short ways; ``to_pandas()`` is the table to be filled in, which `identify` reads.
+    MeasurementPlan or CalibrationPlan
+        Runs in an order with short ways; ``to_pandas()`` is the table to be filled in, which `identify`, or with ``geometry`` `Robot.calibrate`, reads.
 
     Raises
     ------
     StiffarmError
         Where no posture can be measured, or the loads show nothing.
     """
-    asked = question("measure", _options.spelt("measure", options), robot=_given.named("robot", robot))
+    typed = {"geometry": True, **options} if geometry else options
+    asked = question("measure", _options.spelt("measure", typed), robot=_given.named("robot", robot))
     found = answered(asked, "planning", output=output, progress=progress)
+    if geometry:
+        return CalibrationPlan(found["answer"], found["columns"])
     return MeasurementPlan(found["answer"], found["columns"])
 
 

@@ -54,7 +54,7 @@ fn written() -> String {
         ("Study", "study", Verb::Study, NONE),
         ("Compare", "compare", Verb::Compare, &["a", "b"]),
         ("Identify", "identify", Verb::Identify, NONE),
-        ("Measure", "measure", Verb::Measure, NONE),
+        ("Measure", "measure", Verb::Measure, &["geometry"]),
         ("Modes", "modes", Verb::Modes, NONE),
         ("Chatter", "chatter", Verb::Chatter, &["process", "feed"]),
         ("Mill", "mill", Verb::Mill, NONE),
@@ -165,6 +165,15 @@ fn write_answers(text: &mut String) {
     let within =
         [("drives", "ExpectedDrive"), ("runs", "MeasurementRun"), ("compared", "ComparedTable"), with_schema[0]];
     class(text, ("MeasurementPlanDict", "TypedDict"), "`stiffarm.MeasurementPlan.to_dict`.", &plan, &within);
+
+    let plan = Fields::of(&samples::calibration_plans());
+    class(text, ("PlannedPosture", "TypedDict"), "A posture in which points are measured.", plan.under("runs"), &[]);
+    class(text, ("CalibrationLeaves", "TypedDict"), "What so many postures leave.", plan.under("by_count"), &[]);
+    let about = "The error that a calibration leaves at the work.";
+    class(text, ("PlannedAtWork", "TypedDict"), about, plan.under("at_work"), &[]);
+    let within =
+        [("runs", "PlannedPosture"), ("by_count", "CalibrationLeaves"), ("at_work", "PlannedAtWork"), with_schema[0]];
+    class(text, ("CalibrationPlanDict", "TypedDict"), "`stiffarm.CalibrationPlan.to_dict`.", &plan, &within);
 
     write_paths(text);
     let swings = Fields::of(&samples::swings());

@@ -12,7 +12,7 @@ use stiffarm::drive::Architecture;
 use stiffarm::identify::{Identification, IdentifyError, identify};
 use stiffarm::ledger::{Printed, validate};
 use stiffarm::map::map;
-use stiffarm::measure::plan;
+use stiffarm::measure::{geometry_plan, plan};
 use stiffarm::modes::modes;
 use stiffarm::place::{Hold, PlaceError, Placed, place_task};
 use stiffarm::rank::rank;
@@ -21,8 +21,9 @@ use stiffarm::study::study;
 use stiffarm::toolpath::{self, Builtin, Format, Move, MoveKind, Survey};
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{
-    Beside, ChatterAnswer, CompareAnswer, ComplianceAnswer, CuttingAnswer, IdentifyAnswer, LedgerAnswer, MapAnswer,
-    MeasureAnswer, MillAnswer, ModesAnswer, PathAnswer, PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer,
+    Beside, ChatterAnswer, CompareAnswer, ComplianceAnswer, CuttingAnswer, GeometryAnswer, IdentifyAnswer,
+    LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer, ModesAnswer, PathAnswer, PathRankAnswer, PlaceAnswer,
+    RankAnswer, StudyAnswer,
 };
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
@@ -277,6 +278,13 @@ pub(crate) fn measurement_plans() -> Vec<Value> {
     let mut unseen = of(&[], Some(("mine.csv".into(), 6, 1e-12, 0.5)));
     unseen.plan.random = f64::INFINITY;
     vec![unseen.json(), of(&[("load-mm", "0,50,200"), ("loads", "down,left")], None).json()]
+}
+
+pub(crate) fn calibration_plans() -> Vec<Value> {
+    let asked = asked(Verb::Measure, &[("geometry", "true"), ("runs", "8"), ("candidates", "40")]);
+    let (robot, options) = (asked.equipped(kuka()).unwrap(), asked.measurement_plan());
+    let plan = geometry_plan(&robot, &options, Watch::nobody()).unwrap();
+    vec![GeometryAnswer { robot, options, work: "anywhere".into(), plan }.json()]
 }
 
 pub(crate) fn cutting_forces() -> Vec<Value> {

@@ -22,41 +22,52 @@ pub(super) struct Candidates {
     pub information: Vec<Matrix6<f64>>,
 }
 
+/// So many postures spread evenly within the limits that can be measured, as reported, rad; fewer where no more are found.
+///
+/// # Errors
+/// Where none is found.
+pub(super) fn postures(
+    robot: &Robot,
+    options: &Options,
+    wanted: usize,
+    parts: &Parts,
+) -> Result<Vec<[f64; 6]>, MeasureError> {
+    let Arm::SixAxis { limits, .. } = &robot.arm else {
+        return Err(PostureError::Planar(robot.name.clone()).into());
+    };
+    // Whole turns of the joints 4 and 6 show nothing new.
+    let ends = limits.joints.map(|range| [range.min().max(-PI), range.max().min(PI)]);
+    let posture = |n: usize| {
+        let at = halton(n);
+        // To a hundredth of a degree, so that what is told is what is meant.
+        let told = |angle: f64| ((angle.to_degrees() * 100.0).round() / 100.0).to_radians();
+        std::array::from_fn(|i| told(ends[i][0] + at[i] * (ends[i][1] - ends[i][0])))
+    };
+    let mut postures = Vec::with_capacity(wanted);
+    for start in (0..MOST_REFUSED * wanted).step_by(wanted.max(1)) {
+        let block: Vec<usize> = (start..start + wanted).collect();
+        let kept: Result<Vec<Option<[f64; 6]>>, MeasureError> = block
+            .into_par_iter()
+            .map(|n| {
+                parts.go_on()?;
+                let q: [f64; 6] = posture(n);
+                Ok((beyond_limits(robot, &q).is_empty() && stands_free(robot, &q, options)?).then_some(q))
+            })
+            .collect();
+        postures.extend(kept?.into_iter().flatten());
+        parts.one_more()?;
+        if wanted <= postures.len() {
+            break;
+        }
+    }
+    postures.truncate(wanted);
+    if postures.is_empty() { Err(MeasureError::NoCandidate) } else { Ok(postures) }
+}
+
 impl Candidates {
     pub(super) fn of(robot: &Robot, options: &Options, parts: &Parts) -> Result<Self, MeasureError> {
-        let Arm::SixAxis { limits, .. } = &robot.arm else {
-            return Err(PostureError::Planar(robot.name.clone()).into());
-        };
         let wanted = options.candidates.div_ceil(options.ways.len().max(1));
-        // Whole turns of the joints 4 and 6 show nothing new.
-        let ends = limits.joints.map(|range| [range.min().max(-PI), range.max().min(PI)]);
-        let posture = |n: usize| {
-            let at = halton(n);
-            // To a hundredth of a degree, so that what is told is what is meant.
-            let told = |angle: f64| ((angle.to_degrees() * 100.0).round() / 100.0).to_radians();
-            std::array::from_fn(|i| told(ends[i][0] + at[i] * (ends[i][1] - ends[i][0])))
-        };
-        let mut postures = Vec::with_capacity(wanted);
-        for start in (0..MOST_REFUSED * wanted).step_by(wanted.max(1)) {
-            let block: Vec<usize> = (start..start + wanted).collect();
-            let kept: Result<Vec<Option<[f64; 6]>>, MeasureError> = block
-                .into_par_iter()
-                .map(|n| {
-                    parts.go_on()?;
-                    let q: [f64; 6] = posture(n);
-                    Ok((beyond_limits(robot, &q).is_empty() && stands_free(robot, &q, options)?).then_some(q))
-                })
-                .collect();
-            postures.extend(kept?.into_iter().flatten());
-            parts.one_more()?;
-            if wanted <= postures.len() {
-                break;
-            }
-        }
-        postures.truncate(wanted);
-        if postures.is_empty() {
-            return Err(MeasureError::NoCandidate);
-        }
+        let postures = postures(robot, options, wanted, parts)?;
         let pairs: Vec<(usize, usize)> =
             (0..postures.len()).flat_map(|posture| (0..options.ways.len()).map(move |way| (posture, way))).collect();
         let of = |(posture, way): &(usize, usize)| {

@@ -1,4 +1,4 @@
-//! Verb: in which postures, and under which loads, should a robot be measured?
+//! Verb: in which postures, and under which loads, should a robot be measured? And in which to calibrate it ([`geometry_plan`])?
 //!
 //! A run `i` (a posture and a load) tells `M_i = Phi_i^T Phi_i / sigma^2` of the compliances, many runs their sum. A design is as good as
 //! it lets the deflection over the work be predicted: `phi(M) = tr(W M^-1)`, the mean variance of what a unit force moves there, with `W` the mean of
@@ -15,6 +15,7 @@
 
 mod candidates;
 mod design;
+mod geometry;
 mod route;
 mod sight;
 mod zone;
@@ -34,6 +35,7 @@ use crate::watch::{Parts, Stopped, Watch};
 
 use candidates::Candidates;
 use design::{Aim, Chosen, Repeats, Shares};
+pub use geometry::{GeometryPlan, geometry_plan};
 pub use sight::{Cone, Instrument};
 pub use zone::over;
 
@@ -189,6 +191,14 @@ pub enum MeasureError {
         runs: usize,
         /// How many drives are to be told apart.
         drives: usize,
+        /// The fewest.
+        least: usize,
+    },
+    /// Too few postures to calibrate an arm.
+    #[error("{rows} postures calibrate no arm; expected at least {least}, and better forty")]
+    TooFewRows {
+        /// How many were asked for.
+        rows: usize,
         /// The fewest.
         least: usize,
     },
@@ -439,7 +449,7 @@ impl<'a> Search<'a> {
             Ok(Run { q, way, load, expected })
         };
         let mut runs: Vec<Run> = chosen.runs.iter().map(run).collect::<Result<_, MeasureError>>()?;
-        route::order(&mut runs, limits.speeds);
+        route::order(&mut runs, limits.speeds, |run| run.q);
         parts.one_more()?;
         let count = options.runs as f64;
         Ok(Plan {

@@ -134,12 +134,22 @@ pub(super) const ROWS: &[Setting] = &[
         ..ROW
     },
     Setting {
+        name: "geometry",
+        verbs: MEASURE,
+        kind: Kind::Flag,
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "Plan postures in which a tracker measures points of the flange, so that calibrate finds how the arm differs from its drawing; nothing is loaded then",
+        example: "true",
+        ..ROW
+    },
+    Setting {
         name: "task",
         verbs: MEASURE,
         kind: Kind::Task,
         value: "TASK",
         absent: Absent::Means("anywhere within the limits"),
-        help: "The work over which the deflection is to be predicted: a zone at its best place, the tool down",
+        help: "The work over which the deflection, or with geometry the error of the arm, is to be predicted: a zone at its best place, the tool down",
         example: "rect:0.6x0.4",
         ..ROW
     },
@@ -171,7 +181,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Whole { min: 2, max: 1000 },
         value: "N",
         absent: Absent::Default("20"),
-        help: "How many postures and loads are to be measured",
+        help: "How many postures and loads, or with geometry postures, are to be measured",
         example: "30",
         ..ROW
     },

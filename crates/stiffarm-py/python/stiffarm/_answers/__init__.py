@@ -3,7 +3,7 @@
 from .base import Answer
 from .chatter import Chatter
 from .map import Map
-from .measuring import Identification, MeasurementPlan
+from .measuring import CalibrationPlan, Identification, MeasurementPlan
 from .milling import Force, Ledger, Milled, PathRanking, Toolpath
 from .modes import Modes
 from .placing import Comparison, Placement, Ranking, Study
@@ -11,6 +11,7 @@ from .posture import Compliance, Compliances
 
 __all__ = [
     "Answer",
+    "CalibrationPlan",
     "Chatter",
     "Comparison",
     "Compliance",

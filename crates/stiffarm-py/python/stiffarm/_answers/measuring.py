@@ -7,6 +7,8 @@ from typing import Any
 from .._given import Array
 from .._stiffarm import Robot
 from ..types import (
+    CalibrationLeaves,
+    CalibrationPlanDict,
     ComparedTable,
     ExpectedDrive,
     FoundCompensator,
@@ -15,6 +17,8 @@ from ..types import (
     IdentifiedDrive,
     MeasurementPlanDict,
     MeasurementRun,
+    PlannedAtWork,
+    PlannedPosture,
     ReadingRemainder,
     Schema,
     TriedModel,
@@ -128,3 +132,31 @@ class MeasurementPlan(Table[MeasurementPlanDict]):
 
     def _words(self) -> str:
         return f"{self.robot}: {len(self)} runs, efficiency {100 * self.efficiency:.1f} % at least"
+
+
+class CalibrationPlan(Table[CalibrationPlanDict]):
+    """In which postures to measure points of the flange, to calibrate the arm."""
+
+    schema: Schema
+    robot: str
+    vendor: str
+    #: Whether the pendant shows the joints as the robot file counts them: ``"as-file"``, ``"verified"``, ``"given"`` or ``"unknown"``.
+    pendant: str | None
+    #: The points that are looked at, in the flange frame.
+    points_mm: list[list[float]]
+    #: What a calibration by these postures leaves at the work, and what any choice of as many, a random one, and none leave.
+    at_work: PlannedAtWork
+    #: The bound over the value, in the mean square of what a plan decides.
+    efficiency: float
+    random_efficiency: float | None
+    candidates: int
+    #: What 10 to 100 postures leave.
+    by_count: list[CalibrationLeaves]
+    #: ``joints_deg`` of each posture.
+    runs: list[PlannedPosture]
+
+    def __len__(self) -> int:
+        return len(self.runs)
+
+    def _words(self) -> str:
+        return f"{self.robot}: {len(self)} postures leave {self.at_work['expected_mm']:.3f} mm at the work, efficiency {100 * self.efficiency:.1f} % at least"

@@ -1,5 +1,7 @@
 //! How is a plan of measurements told?
 
+mod geometry;
+
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
@@ -9,6 +11,9 @@ use super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, Unit, field, li
 use stiffarm::limits::Pendant;
 use stiffarm::measure::{Cone, Criterion, Instrument, Options, Plan, Run};
 use stiffarm::robot::{Arm, Robot};
+use stiffarm::spatial::Pose;
+
+pub use geometry::GeometryAnswer;
 
 /// What a plan is judged by, and how many of the unit in which that is told are one in SI: (um/N)^2, or nothing of parts.
 const fn judged(criterion: Criterion) -> (&'static str, f64) {
@@ -46,18 +51,70 @@ pub struct DrawnPosture {
     pub points: [[f64; 2]; 4],
     /// What is looked at.
     pub markers: Vec<[f64; 2]>,
-    /// Where the load acts, and where it points, of length 1 or less where it leaves the plane of the arm.
-    pub load: [[f64; 2]; 2],
-    /// The load in words.
+    /// The load, where there is one.
+    pub load: Option<DrawnLoad>,
+}
+
+/// The load of a posture as a picture has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnLoad {
+    /// Where it acts, and where it points, of length 1 or less where it leaves the plane of the arm.
+    pub arrow: [[f64; 2]; 2],
+    /// In words.
     pub told: String,
     /// How far the marker that moves most is expected to move, mm.
     pub expected_mm: f64,
 }
 
+impl DrawnPosture {
+    /// Where a load acts, where there is one.
+    pub fn loaded(&self) -> Option<&[f64; 2]> {
+        self.load.as_ref().map(|load| &load.arrow[0])
+    }
+
+    /// Run `number`, from 1, at joint angles as reported, rad, with points of the flange frame, m, and what stands there; `None` of a robot of two links.
+    fn of(
+        robot: &Robot,
+        (number, q): (usize, &[f64; 6]),
+        markers: &[Vector3<f64>],
+        load: impl FnOnce(&Seen) -> Option<DrawnLoad>,
+    ) -> Option<Self> {
+        let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { return None };
+        let theta = geometry.model_angles(q, limits.third_axis);
+        let seen = Seen { flange: geometry.forward(&theta), heading: theta[0] };
+        let [_, points @ ..] = geometry.points(&theta);
+        Some(Self {
+            runs: [number; 2],
+            joint_1: told(q)[0],
+            points: points.map(|point| seen.aside(&Vector3::from(point))),
+            markers: markers.iter().map(|point| seen.at(point)).collect(),
+            load: load(&seen),
+        })
+    }
+}
+
+/// An arm from its side.
+struct Seen {
+    flange: Pose,
+    heading: f64,
+}
+
+impl Seen {
+    /// Of base axes, ahead and up.
+    fn aside(&self, v: &Vector3<f64>) -> [f64; 2] {
+        let (s, c) = self.heading.sin_cos();
+        [c * v.x + s * v.y, v.z]
+    }
+
+    /// A point of the flange frame, m.
+    fn at(&self, point: &Vector3<f64>) -> [f64; 2] {
+        self.aside(&(self.flange * nalgebra::Point3::from(*point)).coords)
+    }
+}
+
 impl MeasureAnswer {
     /// The postures of the plan, in their order; none of a robot of two links.
     pub fn postures(&self) -> Vec<DrawnPosture> {
-        let Arm::SixAxis { geometry, limits, .. } = &self.robot.arm else { return Vec::new() };
         let mut found: Vec<DrawnPosture> = Vec::new();
         for (i, run) in self.plan.runs.iter().enumerate() {
             if 0 < i && self.plan.runs[i - 1].q == run.q && self.plan.runs[i - 1].way == run.way {
@@ -66,22 +123,15 @@ impl MeasureAnswer {
                 }
                 continue;
             }
-            let theta = geometry.model_angles(&run.q, limits.third_axis);
-            let flange = geometry.forward(&theta);
-            let (s, c) = theta[0].sin_cos();
-            let side = |v: &Vector3<f64>| [c * v.x + s * v.y, v.z];
-            let at = |point: &Vector3<f64>| side(&(flange * nalgebra::Point3::from(*point)).coords);
             let way = &self.options.ways[run.way];
-            let [_, points @ ..] = geometry.points(&theta);
-            found.push(DrawnPosture {
-                runs: [i + 1; 2],
-                joint_1: joints(run)[0],
-                points: points.map(|point| side(&Vector3::from(point))),
-                markers: self.options.markers.iter().map(at).collect(),
-                load: [at(&self.options.load_at), side(&way.along)],
-                told: format!("{} N {}", fixed(self.options.newtons, 0), way.name),
-                expected_mm: Unit::Millimetre.told(largest(run)),
-            });
+            let load = |seen: &Seen| {
+                Some(DrawnLoad {
+                    arrow: [seen.at(&self.options.load_at), seen.aside(&way.along)],
+                    told: format!("{} N {}", fixed(self.options.newtons, 0), way.name),
+                    expected_mm: Unit::Millimetre.told(largest(run)),
+                })
+            };
+            found.extend(DrawnPosture::of(&self.robot, (i + 1, &run.q), &self.options.markers, load));
         }
         found
     }
@@ -218,7 +268,7 @@ impl MeasureAnswer {
             line("stiffness", stiffness(robot)),
             line("loads", format!("{} N {}", options.newtons, ways.join(", "))),
             line("work", format!("{}, {} postures", self.work, plan.work)),
-            line("markers are seen", self.sight()),
+            line("markers are seen", sight(options)),
             line(
                 "candidates",
                 format!(
@@ -279,19 +329,6 @@ impl MeasureAnswer {
         format!("{found} runs{of}")
     }
 
-    /// From where markers are seen.
-    fn sight(&self) -> String {
-        let Some(Instrument { at, cone }) = &self.options.instrument else {
-            return "from everywhere: where the instrument stands is not told (--instrument)".into();
-        };
-        let triple =
-            |vector: &Vector3<f64>| vector.iter().map(|x| digits(*x, 3).to_string()).collect::<Vec<_>>().join(", ");
-        let side = cone.as_ref().map_or("from all sides".into(), |Cone { faces, acceptance }| {
-            format!("up to {} deg from {} of the flange", fixed(acceptance.to_degrees(), 1), triple(faces))
-        });
-        format!("{side}, from ({}) m, past the arm", triple(at))
-    }
-
     /// One row per run.
     pub fn table(&self) -> Table {
         let joints_in_deg = format!("{} deg", words::joints_reported(&self.robot));
@@ -312,13 +349,11 @@ impl MeasureAnswer {
 
     /// What stands below the table.
     pub fn notes(&self) -> String {
-        let unseen = self.unseen_note();
-        let sight = if self.options.instrument.is_some() { ", sight" } else { "" };
-        let coarse = if self.robot.thickness().1 { "as capsules of estimated radii" } else { "as capsules" };
         format!(
-            "{unseen}{}in this order the joints travel little; looked at were joint limits, window{sight}, and the links ({coarse}) towards floor and each other, in these postures and not on the way\n\
-             -o plan.csv writes the table to be filled in (dx_mm, dy_mm, dz_mm), which `stiffarm identify` reads\n",
-            words::pendant_note(&self.robot)
+            "{}{}{}\n-o plan.csv writes the table to be filled in (dx_mm, dy_mm, dz_mm), which `stiffarm identify` reads\n",
+            self.unseen_note(),
+            words::pendant_note(&self.robot),
+            looked_at(&self.robot, &self.options)
         )
     }
 }
@@ -353,6 +388,28 @@ impl MeasureAnswer {
     }
 }
 
+/// From where markers are seen.
+fn sight(options: &Options) -> String {
+    let Some(Instrument { at, cone }) = &options.instrument else {
+        return "from everywhere: where the instrument stands is not told (--instrument)".into();
+    };
+    let triple =
+        |vector: &Vector3<f64>| vector.iter().map(|x| digits(*x, 3).to_string()).collect::<Vec<_>>().join(", ");
+    let side = cone.as_ref().map_or("from all sides".into(), |Cone { faces, acceptance }| {
+        format!("up to {} deg from {} of the flange", fixed(acceptance.to_degrees(), 1), triple(faces))
+    });
+    format!("{side}, from ({}) m, past the arm", triple(at))
+}
+
+/// What was looked at of every posture.
+fn looked_at(robot: &Robot, options: &Options) -> String {
+    let sight = if options.instrument.is_some() { ", sight" } else { "" };
+    let coarse = if robot.thickness().1 { "as capsules of estimated radii" } else { "as capsules" };
+    format!(
+        "in this order the joints travel little; looked at were joint limits, window{sight}, and the links ({coarse}) towards floor and each other, in these postures and not on the way"
+    )
+}
+
 /// How far the marker that moves most is expected to move, m.
 fn largest(run: &Run) -> f64 {
     run.expected.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max)
@@ -360,5 +417,9 @@ fn largest(run: &Run) -> f64 {
 
 /// As the robot reports them, deg, to a hundredth, to which they are chosen.
 fn joints(run: &Run) -> [f64; 6] {
-    run.q.map(|angle| (angle.to_degrees() * 100.0).round() / 100.0 + 0.0)
+    told(&run.q)
+}
+
+fn told(q: &[f64; 6]) -> [f64; 6] {
+    q.map(|angle| (angle.to_degrees() * 100.0).round() / 100.0 + 0.0)
 }

@@ -1,0 +1,180 @@
+//! Which rows of unknowns are chosen? Whole postures, none twice, by exchange; and a bound that no choice goes below.
+
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+
+use crate::watch::{Parts, Stopped};
+
+/// Steps towards the best shares.
+const MOST_STEPS: usize = 300;
+/// The bound is good enough where it is this part of what shares reach.
+const GOOD: f64 = 0.999;
+/// Random choices that are compared.
+const RANDOM: usize = 101;
+/// An exchange that is better by less is none.
+const BETTER: f64 = 1e-6;
+
+/// Candidates to choose from.
+pub(super) struct Choice {
+    /// `each` rows a candidate, in parts of the noise, over unknowns in parts of what is known of them.
+    pub rows: DMatrix<f64>,
+    pub each: usize,
+    /// `W` over the same unknowns.
+    pub weight: DMatrix<f64>,
+}
+
+impl Choice {
+    fn count(&self) -> usize {
+        self.rows.nrows() / self.each
+    }
+
+    fn of(&self, i: usize) -> nalgebra::DMatrixView<'_, f64, nalgebra::U1, nalgebra::Dyn> {
+        self.rows.rows(self.each * i, self.each)
+    }
+
+    /// `(1 + sum M_i)^-1`.
+    pub(super) fn covariance(&self, chosen: &[usize]) -> DMatrix<f64> {
+        let mut rows = DMatrix::zeros(self.each * chosen.len(), self.rows.ncols());
+        for (place, &i) in chosen.iter().enumerate() {
+            rows.rows_mut(self.each * place, self.each).copy_from(&self.of(i));
+        }
+        inverse(rows.transpose() * rows)
+    }
+
+    /// `phi`, m^2.
+    pub(super) fn value(&self, chosen: &[usize]) -> f64 {
+        self.weight.dot(&self.covariance(chosen))
+    }
+
+    /// By how much `phi` falls with one more of every candidate.
+    pub(super) fn gains(&self, covariance: &DMatrix<f64>) -> Vec<f64> {
+        let moved = &self.rows * covariance;
+        let seen = &moved * &self.weight;
+        let gain = |i: usize| {
+            let of = |rows: &DMatrix<f64>| rows.rows(self.each * i, self.each).into_owned();
+            let (moved, seen) = (of(&moved), of(&seen));
+            let told = &moved * self.of(i).transpose() + DMatrix::identity(self.each, self.each);
+            let solved = told.cholesky().map(|root| root.solve(&(seen * moved.transpose())).trace());
+            solved.unwrap_or(f64::NEG_INFINITY)
+        };
+        (0..self.count()).into_par_iter().map(gain).collect()
+    }
+
+    /// With one less of those chosen.
+    pub(super) fn without(&self, covariance: &DMatrix<f64>, i: usize) -> Option<DMatrix<f64>> {
+        let rows = self.of(i);
+        let moved = rows * covariance;
+        let told = DMatrix::identity(self.each, self.each) - &moved * rows.transpose();
+        Some(covariance + moved.transpose() * told.cholesky()?.solve(&moved))
+    }
+
+    /// So many, each the one that helps most after those before.
+    pub(super) fn greedy(&self, count: usize, parts: &Parts) -> Result<Vec<usize>, Stopped> {
+        let mut chosen: Vec<usize> = Vec::new();
+        while chosen.len() < count {
+            parts.one_more()?;
+            let gains = self.gains(&self.covariance(&chosen));
+            let free = (0..self.count()).filter(|i| !chosen.contains(i));
+            chosen.extend(free.max_by(|&i, &j| gains[i].total_cmp(&gains[j]).then(j.cmp(&i))));
+        }
+        Ok(chosen)
+    }
+
+    /// Each in its turn for another that is better, until none is.
+    fn exchanged(&self, mut chosen: Vec<usize>, parts: &Parts) -> Result<Vec<usize>, Stopped> {
+        let mut value = self.value(&chosen);
+        loop {
+            let before = value;
+            for place in 0..chosen.len() {
+                parts.one_more()?;
+                let Some(without) = self.without(&self.covariance(&chosen), chosen[place]) else { continue };
+                let gains = self.gains(&without);
+                let free = (0..self.count()).filter(|i| !chosen.contains(i));
+                let Some(best) = free.max_by(|&i, &j| gains[i].total_cmp(&gains[j]).then(j.cmp(&i))) else { continue };
+                let known = std::mem::replace(&mut chosen[place], best);
+                let changed = self.value(&chosen);
+                if changed < value * (1.0 - BETTER) {
+                    value = changed;
+                } else {
+                    chosen[place] = known;
+                }
+            }
+            if before * (1.0 - BETTER) <= value {
+                return Ok(chosen);
+            }
+        }
+    }
+
+    /// What no choice of so many goes below, m^2, and shares of the candidates that come near it.
+    ///
+    /// `phi` is convex in the shares `w`, so that `phi(w*) >= phi(w) + sum (w_i - w*_i) d_i` with `d_i = tr(C W C M_i)`; and `sum w*_i d_i` is no more than the
+    /// sum of the largest `d_i`, as many as are chosen. The shares grow by the root of `d_i` over a common measure, none beyond 1.
+    pub(super) fn bound(&self, chosen: usize, parts: &Parts) -> Result<(f64, Vec<f64>), Stopped> {
+        let mut shares = vec![chosen as f64 / self.count() as f64; self.count()];
+        let mut best = 0.0_f64;
+        for _ in 0..MOST_STEPS {
+            parts.one_more()?;
+            let mut scaled = self.rows.clone();
+            for (row, mut values) in scaled.row_iter_mut().enumerate() {
+                values *= shares[row / self.each];
+            }
+            let covariance = inverse(self.rows.transpose() * scaled);
+            let value = self.weight.dot(&covariance);
+            let slope = &covariance * &self.weight * &covariance;
+            let told = (&self.rows * slope).component_mul(&self.rows);
+            let slopes: Vec<f64> = (0..self.count()).map(|i| told.rows(self.each * i, self.each).sum()).collect();
+            let mut sorted = slopes.clone();
+            sorted.sort_by(|a, b| b.total_cmp(a));
+            let now: f64 = shares.iter().zip(&slopes).map(|(share, slope)| share * slope).sum();
+            best = best.max(value + now - sorted[..chosen].iter().sum::<f64>());
+            if GOOD * value <= best {
+                break;
+            }
+            grow(&mut shares, &slopes, chosen as f64);
+        }
+        Ok((best, shares))
+    }
+
+    /// So many whole ones, as good as exchange makes them: from the greedy choice, and from the largest shares.
+    pub(super) fn best(&self, greedy: &[usize], shares: &[f64], parts: &Parts) -> Result<Vec<usize>, Stopped> {
+        let mut order: Vec<usize> = (0..self.count()).collect();
+        order.sort_by(|&i, &j| shares[j].total_cmp(&shares[i]).then(i.cmp(&j)));
+        let of_shares = self.exchanged(order[..greedy.len()].to_vec(), parts)?;
+        let of_greedy = self.exchanged(greedy.to_vec(), parts)?;
+        Ok(if self.value(&of_shares) < self.value(&of_greedy) { of_shares } else { of_greedy })
+    }
+
+    /// The median `phi` of random choices, m^2.
+    pub(super) fn random(&self, chosen: usize) -> f64 {
+        let mut rng = fastrand::Rng::with_seed(1);
+        let choices: Vec<Vec<usize>> = (0..RANDOM).map(|_| rng.choose_multiple(0..self.count(), chosen)).collect();
+        let mut values: Vec<f64> = choices.par_iter().map(|choice| self.value(choice)).collect();
+        values.sort_by(f64::total_cmp);
+        values[RANDOM / 2]
+    }
+}
+
+/// `(1 + M)^-1` of a positive `M`.
+fn inverse(information: DMatrix<f64>) -> DMatrix<f64> {
+    let count = information.nrows();
+    let all = information + DMatrix::identity(count, count);
+    all.cholesky().expect("1 and squares are positive").inverse()
+}
+
+/// Shares by the root of their slopes, none beyond 1, adding up to as much as before.
+fn grow(shares: &mut [f64], slopes: &[f64], sum: f64) {
+    const HALVINGS: usize = 60;
+    let grown: DVector<f64> = DVector::from_iterator(
+        shares.len(),
+        shares.iter().zip(slopes).map(|(share, slope)| share * slope.max(0.0).sqrt()),
+    );
+    let total = |measure: f64| grown.iter().map(|share| (share / measure).min(1.0)).sum::<f64>();
+    let (mut low, mut high) = (0.0, grown.sum() / sum);
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(low, high);
+        if total(middle) < sum { high = middle } else { low = middle }
+    }
+    for (share, grown) in shares.iter_mut().zip(&grown) {
+        *share = (grown / high).min(1.0);
+    }
+}
