@@ -116,6 +116,32 @@ pub enum ModesError {
 /// # Errors
 /// A robot without masses, and numbers that make no sense.
 pub fn modes(robot: &Robot, q: &[f64; 6], tool: &HeldTool, damping: Option<Damping>) -> Result<Swing, ModesError> {
+    let (mut swing, k, in_drives) = solved(robot, q, tool, damping)?;
+    let spreads = spreads(robot, &k, &in_drives).into_iter().flatten();
+    swing.modes.iter_mut().zip(spreads).for_each(|(mode, spread)| mode.spread = Some(spread));
+    Ok(swing)
+}
+
+/// The same without how far the frequencies may be off, in a hundredth of the time: of many postures.
+///
+/// # Errors
+/// As [`modes`].
+pub fn nominal_modes(
+    robot: &Robot,
+    q: &[f64; 6],
+    tool: &HeldTool,
+    damping: Option<Damping>,
+) -> Result<Swing, ModesError> {
+    solved(robot, q, tool, damping).map(|(swing, ..)| swing)
+}
+
+/// With the compliance of the drives, rad/(N m), and the mass matrix in their coordinates, kg m^2.
+fn solved(
+    robot: &Robot,
+    q: &[f64; 6],
+    tool: &HeldTool,
+    damping: Option<Damping>,
+) -> Result<(Swing, [f64; 6], Matrix6<f64>), ModesError> {
     let Arm::SixAxis { geometry, limits, drives } = &robot.arm else {
         return Err(PostureError::Planar(robot.name.clone()).into());
     };
@@ -150,18 +176,17 @@ pub fn modes(robot: &Robot, q: &[f64; 6], tool: &HeldTool, damping: Option<Dampi
         .rotor
         .map(|rotor| beside_rotors(&in_drives, &rotor).ok_or_else(|| ModesError::Rotor(robot.name.clone())));
     let free = beside.transpose()?.map(|inertia| frequencies(&(root * inertia * root)));
-    let spreads = spreads(robot, &k, &in_drives);
     let swinging = found.iter().filter(|(lambda, _)| NONE * largest < *lambda).enumerate();
     let modes = swinging.map(|(rank, (lambda, u))| Mode {
         frequency: frequency(*lambda),
-        spread: spreads.as_ref().and_then(|spreads| spreads.get(rank).copied()),
+        spread: None,
         motors_free: free.as_ref().and_then(|free| free.get(rank).copied()),
         // v = k^1/2 u / lambda^1/2, so v^T D v / 2w = u^T k^1/2 D k^1/2 u / 2 lambda^1/2.
         damping_ratio: u.dot(&(friction * u)) / (2.0 * lambda.sqrt()),
         tip: tip * u / lambda.sqrt(),
         drive_shares: u.map(|part| part * part).into(),
     });
-    Ok(Swing { tool: base_from_tool, modes: modes.collect(), damping, tip, inertia, friction })
+    Ok((Swing { tool: base_from_tool, modes: modes.collect(), damping, tip, inertia, friction }, k, in_drives))
 }
 
 impl Swing {
@@ -261,8 +286,11 @@ fn spreads(robot: &Robot, k: &[f64; 6], in_drives: &Matrix6<f64>) -> Option<Vec<
     Some((0..fewest).map(|rank| Spread::of(draws.iter().map(|draw| draw[rank]).collect())).collect())
 }
 
-/// Every link has a mass, and a parallelogram its rod and counterweight.
-fn check_masses(robot: &Robot) -> Result<(), ModesError> {
+/// Every link has a mass.
+///
+/// # Errors
+/// Which have none.
+pub(crate) fn check_masses(robot: &Robot) -> Result<(), ModesError> {
     let has = |carrier: &dyn Fn(&Carrier) -> bool| robot.masses.iter().any(|mass| carrier(&mass.carrier));
     let links: Vec<String> =
         (1..=6).filter(|link| !has(&|carrier| *carrier == Carrier::Link(*link))).map(|link| link.to_string()).collect();

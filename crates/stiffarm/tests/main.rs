@@ -9,6 +9,7 @@ mod bad_measurements;
 mod calibrate;
 mod chain;
 mod chatter;
+mod chatter_path;
 mod chatter_verdict;
 mod directional;
 mod feeds;

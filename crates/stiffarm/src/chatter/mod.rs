@@ -4,6 +4,7 @@
 //! that swings at no speed, and Pan's, which leaves the delay out. Modes of spindle, tool and work are not known here: nothing that this says is
 //! a promise above the highest mode that was looked at (\[theory\], section 13).
 
+mod advice;
 mod curve;
 mod cut;
 mod draws;
@@ -15,7 +16,7 @@ use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
 
 use crate::cutting::Process;
-use crate::modes::{Damping, HeldTool, Swing, modes};
+use crate::modes::{Damping, HeldTool, Motion, Swing, modes, nominal_modes};
 use crate::robot::Robot;
 
 pub use curve::{Curve, Edge};
@@ -96,6 +97,8 @@ pub struct Chatter {
     pub any_speed: Option<Edge>,
     /// Over draws.
     pub any_speed_spread: DepthSpread,
+    /// Fed the other way, up for down milling, at the speed of the cut; `None` beyond [`LONGEST`].
+    pub other_way: Option<Edge>,
     /// Without the delay.
     pub without_delay: Option<Edge>,
     /// Does something say how far the drives may be off? Else the intervals are of the damping alone.
@@ -142,14 +145,7 @@ pub fn chatter(
 ) -> Result<Chatter, ChatterError> {
     let cut = Cut::of(process)?;
     let swing = modes(robot, q, tool, asked.damping)?;
-    let massless = swing.massless_share();
-    if MASSLESS < massless {
-        return Err(ChatterError::Massless((1000.0 * massless).round() / 10.0));
-    }
-    let away = -(swing.tool.rotation * Vector3::z());
-    let axes = axes(asked.feed, &away)?;
-    let motion = swing.motion(&[1.0; 6], None).seen_along(&axes);
-    check_damped(&motion)?;
+    let (axes, motion) = in_axes_of_cut(&swing, asked.feed)?;
     let damping_is_given = asked.damping.is_some() || matches!(swing.damping, Damping::OfDrives(_));
     let teeth = Teeth::of(&motion, &cut);
     let steps = steps(&teeth, &cut, asked.method);
@@ -163,11 +159,13 @@ pub fn chatter(
         Some(steps) => (teeth.edge_at(cut.spindle, steps, from), draws.by_tooth(&cut, &drawn, steps)),
         None => (at(&curve), DepthSpread::of(drawn.iter().map(at))),
     };
+    let other_way = advice::other_way(&motion, &cut, steps, from);
     Ok(Chatter {
         at_speed,
         spread,
         any_speed,
         any_speed_spread: DepthSpread::of(drawn.iter().map(Curve::any_speed)),
+        other_way,
         without_delay: curve.without_delay(),
         drives_are_drawn: crate::prior::factors(robot, 1).is_some(),
         drives_are_assumed: robot.stiffness_is_assumed,
@@ -181,6 +179,39 @@ pub fn chatter(
         axes,
         cut,
     })
+}
+
+/// Feed, left and away as columns, base axes, and the arm along them.
+fn in_axes_of_cut(swing: &Swing, feed: [f64; 3]) -> Result<(Matrix3<f64>, Motion), ChatterError> {
+    let massless = swing.massless_share();
+    if MASSLESS < massless {
+        return Err(ChatterError::Massless((1000.0 * massless).round() / 10.0));
+    }
+    let away = -(swing.tool.rotation * Vector3::z());
+    let axes = axes(feed, &away)?;
+    let motion = swing.motion(&[1.0; 6], None).seen_along(&axes);
+    check_damped(&motion)?;
+    Ok((axes, motion))
+}
+
+/// The least depth that swings at one posture, by the mean of the teeth over a revolution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ByMean {
+    /// At the speed of the cut; `None` where no edge up to [`LONGEST`] swings.
+    pub edge: Option<Edge>,
+    /// Teeth cut so shortly, and pass so slowly, that this mean misleads: [`chatter`] counts them one by one.
+    pub misleads: bool,
+}
+
+/// What [`chatter`] tells by [`Method::Mean`] of a depth at the speed of the cut, without what it may be off: of many postures.
+///
+/// # Errors
+/// As [`chatter`].
+pub fn by_mean(robot: &Robot, q: &[f64; 6], tool: &HeldTool, cut: &Cut, asked: &Asked) -> Result<ByMean, ChatterError> {
+    let swing = nominal_modes(robot, q, tool, asked.damping)?;
+    let (_, motion) = in_axes_of_cut(&swing, asked.feed)?;
+    let edge = Curve::of(&motion, &cut.mean()).edge_at(cut.period_at(cut.spindle));
+    Ok(ByMean { edge, misleads: steps(&Teeth::of(&motion, cut), cut, None).is_some() })
 }
 
 /// Steps of a cut tooth by tooth; `None` by the mean.

@@ -1,5 +1,6 @@
 //! Why a path is not milled.
 
+use crate::chatter::ChatterError;
 use crate::compliance::PostureError;
 use crate::watch::Stopped;
 
@@ -80,6 +81,14 @@ pub enum MillError {
     /// Pins leave nothing to a roll that is told otherwise, and nothing is proved of all places with them.
     #[error("pinned rolls go with free rolls and a part that stands somewhere")]
     PinnedElse,
+    /// Whether its cuts swing cannot be told.
+    #[error("{}{error}", of_line(*line))]
+    Chatter {
+        /// Of the file; 0 where it is no matter of the path.
+        line: usize,
+        /// Why.
+        error: ChatterError,
+    },
     /// A number out of its range.
     #[error("{what} of {value}; expected {expected}")]
     Value {

@@ -44,13 +44,13 @@ pub fn fed_back(
     let mut found: Option<FedBack> = None;
     for (station, pushed) in stations.iter().zip(followed) {
         watch.go_on()?;
-        let (Some(Acting::Known { force, moment }), Some(changes)) = (station.acting, &station.changes) else {
+        let (Some(Acting::Known { force, moment }), Some(cut)) = (station.acting, &station.cut) else {
             continue;
         };
         let axes = stand.cutting_axes(&station.sample);
         let posture = compliance(robot, &pushed.joints, &stand.flange_from_tool)?;
         let meant = axes.transpose() * posture.compliance.deflection(&wrench(&axes, force, moment)).0;
-        let changes = Matrix3x2::from_columns(&changes.map(Vector3::from));
+        let changes = Matrix3x2::from_columns(&cut.changes.map(Vector3::from));
         let back = axes.transpose() * posture.compliance.translation() * axes * changes;
         let of_cut: Matrix2<f64> = back.fixed_rows::<2>(1).into();
         let contraction = spectral_radius(&of_cut);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::fault::of_line;
-use super::stations::{Acting, Station, cut, cutting_axes};
+use super::stations::{Acting, Station, StationCut, cut, cutting_axes};
 use crate::cutting::{Along, CuttingError, Engagement, Law, Measured, MeasuredAxes, Milling, Process, Side};
 use crate::stock::{Engaged, Stock, StockError};
 use crate::toolpath::{Given, Move, Sample, Steps};
@@ -157,7 +157,7 @@ pub fn forced(
             }
             (Forcing::Same(_), _) => Ok(usual.clone()),
         };
-        found.map(|(acting, changes)| (Some(acting), changes))
+        found.map(|(acting, cut)| (Some(acting), cut))
     })?;
     remarks.extend(about_feeds(&stations, forcing));
     if let (false, Forcing::Process(Process { law: Law::Milling(milling), .. })) = (has_stock, forcing) {
@@ -278,8 +278,8 @@ fn through(
     Ok(found)
 }
 
-/// What pushes, and what of it changes where the tool is moved across and axially, N/m.
-type Cutting = (Acting, Option<Arc<[[f64; 3]; 2]>>);
+/// What pushes, and how a mill cuts.
+type Cutting = (Acting, Option<Arc<StationCut>>);
 
 /// The mean force of a process.
 fn cutting(process: &Process) -> Result<Cutting, CuttingError> {
@@ -288,7 +288,9 @@ fn cutting(process: &Process) -> Result<Cutting, CuttingError> {
         || Acting::Any(if let Law::Worst(newtons) = process.law { newtons } else { 0.0 }),
         |(force, moment)| Acting::Known { force, moment },
     );
-    Ok((acting, process.changes()?.map(Arc::new)))
+    let Law::Milling(milling) = &process.law else { return Ok((acting, None)) };
+    let of_mill = |changes| Arc::new(StationCut { engagement: milling.engagement, changes });
+    Ok((acting, process.changes()?.map(of_mill)))
 }
 
 /// A mill of a process at what of it is in the stock.

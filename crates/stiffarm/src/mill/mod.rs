@@ -7,6 +7,7 @@
 mod arm_error;
 mod blocked;
 mod bound;
+mod chatter;
 mod climb;
 mod compensate;
 mod contact;
@@ -26,6 +27,7 @@ use nalgebra::Point3;
 
 pub use arm_error::{DrawnError, arm_error};
 use bound::Floor;
+pub use chatter::{Judged, MillHeld, PathChatter, Uncovered, chatter_along, check_chatter};
 pub use compensate::{Compensated, Remaining, compensate, drawn_errors, remaining};
 pub use contact::{ClearOf, Contact, PathClearance};
 pub use fault::{Blocked, MillError, Why};
@@ -38,7 +40,7 @@ pub use place::{PartPlacement, PathGround, PathPlaced, PathResolution, place_pat
 pub use solve::{MillOptions, RollMode};
 use solve::{Question, ROLLS};
 use stations::check_normals;
-pub use stations::{Acting, ErrorPart, Station, cutting_axes, pin, stations};
+pub use stations::{Acting, ErrorPart, Station, StationCut, cutting_axes, pin, stations};
 
 use crate::batch::SpatialArm;
 use crate::compliance::check_held;

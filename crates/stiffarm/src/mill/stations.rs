@@ -7,6 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::fault::MillError;
 use crate::batch::Pushing;
+use crate::cutting::Engagement;
 use crate::load::Push;
 use crate::toolpath::{Move, Sample, Steps, samples};
 
@@ -83,6 +84,15 @@ impl Acting {
     }
 }
 
+/// How a mill cuts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StationCut {
+    /// Where its teeth are in the work.
+    pub engagement: Engagement,
+    /// By how much the force changes, along feed, across and axial, where the tool is moved across and axially, N/m.
+    pub changes: [[f64; 3]; 2],
+}
+
 /// The tool at one place of its path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Station {
@@ -90,9 +100,8 @@ pub struct Station {
     pub sample: Sample,
     /// What pushes; `None` in air.
     pub acting: Option<Acting>,
-    /// By how much that changes, along feed, across and axial, where the tool is moved across and axially, N/m, once for all stations of the
-    /// same cut; `None` where no cut is known.
-    pub changes: Option<Arc<[[f64; 3]; 2]>>,
+    /// Of a mill, once for all stations of the same cut; `None` where no cut is known.
+    pub cut: Option<Arc<StationCut>>,
     /// How long the way from the station before takes, s; `None` at the beginning, in rapid moves, and where the feed rate is not said.
     pub time: Option<f64>,
     /// The arm may come here in any configuration and at any roll: the path begins, goes on elsewhere, or is clear of the work.
@@ -133,8 +142,8 @@ pub fn stations(moves: &[Move], steps: &Steps, mut acting: impl FnMut(&Sample) -
     found
 }
 
-/// What pushes on the tool, and what of it changes where the tool is moved across and axially, N/m.
-pub(super) type Pushes = (Option<Acting>, Option<Arc<[[f64; 3]; 2]>>);
+/// What pushes on the tool, and how it cuts.
+pub(super) type Pushes = (Option<Acting>, Option<Arc<StationCut>>);
 
 /// The same where what pushes may have no answer: the first sample without one ends it.
 pub(super) fn cut<E>(
@@ -153,9 +162,9 @@ pub(super) fn cut<E>(
                 Some(feed) => Some((sample.way - before.way) / feed),
                 None => (sample.way == before.way).then_some(0.0),
             });
-            let (acting, changes) = pushes(one, &sample)?;
+            let (acting, cut) = pushes(one, &sample)?;
             let acting = acting.filter(|_| sample.is_cutting);
-            found.push(Station { sample, acting, changes, time, is_fresh: !goes_on, pinned: None });
+            found.push(Station { sample, acting, cut, time, is_fresh: !goes_on, pinned: None });
         }
         way += one.length();
     }

@@ -1,0 +1,158 @@
+//! Does a cut swing with the arm along a path, and where is it least deep that does?
+//!
+//! At every sample that cuts [`by_mean`] has the critical depth: at the posture that was found there, the engagement and the feed as there. The
+//! full answer, with intervals, lobes and a verdict, is that of the sample at which the critical depth is least in proportion to that of its cut.
+
+use rayon::prelude::*;
+
+use super::fault::MillError;
+use super::follow::{Pushed, Stand};
+use super::stations::{Acting, Station, StationCut};
+use crate::chatter::{Asked, ByMean, Chatter, ChatterError, Cut, axes, by_mean, chatter};
+use crate::cutting::{Law, Milling, Process};
+use crate::mass::RigidBody;
+use crate::modes::{Damping, HeldTool, check_masses};
+use crate::robot::Robot;
+use crate::watch::Watch;
+
+/// What swings with the arm, and how it dies away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MillHeld {
+    /// Tool and spindle, in flange axes, from the flange; nothing that weighs where `None`.
+    pub body: Option<RigidBody>,
+    /// As [`chatter`] takes it.
+    pub damping: Option<Damping>,
+}
+
+/// Why nothing is told of a sample at which the tool feeds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Uncovered {
+    /// The feed is within 60 deg of the tool axis: plunges, drilling cycles.
+    Plunge,
+    /// The tool turns without going anywhere.
+    Turn,
+    /// The path gives a force, and no cut.
+    Force,
+    /// Nothing is cut there.
+    Air,
+}
+
+impl Uncovered {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Plunge, Self::Turn, Self::Force, Self::Air];
+
+    /// In a word or two.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Plunge => "plunge",
+            Self::Turn => "turn in place",
+            Self::Force => "force of the path",
+            Self::Air => "air",
+        }
+    }
+}
+
+/// What is told of one sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Judged {
+    /// The tool is led rapidly.
+    Rapid,
+    /// Nothing, and why.
+    Uncovered(Uncovered),
+    /// From which depth it swings.
+    Cut {
+        /// At the speed of the spindle.
+        critical: ByMean,
+        /// Of the cut there, m.
+        depth: f64,
+    },
+}
+
+/// A path of whose cuts it is known whether they swing.
+#[derive(Clone, Debug)]
+pub struct PathChatter {
+    /// At every station.
+    pub samples: Vec<Judged>,
+    /// The station at which the critical depth is least in proportion to that of its cut, with all that is told of it; `None` where no sample is covered.
+    pub worst: Option<(usize, Chatter)>,
+}
+
+impl Judged {
+    /// The critical depth in proportion to that of the cut; `None` where nothing is told.
+    fn reserve(&self) -> Option<f64> {
+        let Self::Cut { critical, depth } = self else { return None };
+        Some(critical.edge.map_or(f64::INFINITY, |edge| edge.depth / depth))
+    }
+}
+
+impl Station {
+    /// The cut, where it is one that is covered; `None` of rapid moves.
+    fn covered(&self) -> Option<Result<&StationCut, Uncovered>> {
+        let sample = &self.sample;
+        if !sample.is_cutting {
+            return None;
+        }
+        let Some(way) = sample.direction else { return Some(Err(Uncovered::Turn)) };
+        // Before what is cut: of a stock that the tool goes straight down into no cut is known.
+        if axes(way.into(), &sample.pose.axis) == Err(ChatterError::Plunge) {
+            return Some(Err(Uncovered::Plunge));
+        }
+        Some(match (&self.cut, self.acting) {
+            (Some(cut), _) => Ok(cut),
+            (None, None | Some(Acting::Known { force: [0.0, 0.0, 0.0], .. })) => Err(Uncovered::Air),
+            (None, Some(_)) => Err(Uncovered::Force),
+        })
+    }
+}
+
+/// That chatter of a process can be told of a robot, before its path is sought.
+///
+/// # Errors
+/// A robot without masses, what is no flat mill that turns right.
+pub fn check_chatter(robot: &Robot, process: &Process) -> Result<(), ChatterError> {
+    check_masses(robot)?;
+    Cut::of(process).map(|_| ())
+}
+
+/// Do the cuts of a process swing along a path that is followed?
+///
+/// # Errors
+/// As [`check_chatter`]; postures of which [`chatter`] tells nothing; what was stopped.
+pub fn chatter_along(
+    robot: &Robot,
+    stand: &Stand,
+    (stations, followed): (&[Station], &[Pushed]),
+    (process, held): (&Process, &MillHeld),
+    watch: Watch,
+) -> Result<PathChatter, MillError> {
+    let of_line = |line: usize| move |error| MillError::Chatter { line, error };
+    let usual = Cut::of(process).map_err(of_line(0))?;
+    let tool = HeldTool { flange_from_tool: stand.flange_from_tool, body: held.body };
+    let cut = |at: &StationCut| Cut { milling: Milling { engagement: at.engagement, ..usual.milling }, ..usual };
+    let asked = |station: &Station| {
+        let feed = station.sample.direction.map_or([0.0; 3], |way| (stand.base_from_part.rotation * way).into());
+        Asked { feed, damping: held.damping, method: None }
+    };
+    let judged = |(station, pushed): (&Station, &Pushed)| {
+        watch.go_on()?;
+        let at = match station.covered() {
+            None => return Ok(Judged::Rapid),
+            Some(Err(why)) => return Ok(Judged::Uncovered(why)),
+            Some(Ok(at)) => at,
+        };
+        let critical = by_mean(robot, &pushed.joints, &tool, &cut(at), &asked(station));
+        let critical = critical.map_err(of_line(station.sample.line))?;
+        Ok::<_, MillError>(Judged::Cut { critical, depth: at.engagement.depth })
+    };
+    let samples: Vec<Judged> = stations.par_iter().zip(followed).map(judged).collect::<Result<_, _>>()?;
+    let reserves = samples.iter().enumerate().filter_map(|(i, judged)| Some((i, judged.reserve()?)));
+    let worst = reserves.min_by(|a, b| a.1.total_cmp(&b.1));
+    let worst = worst.and_then(|(i, _)| Some((i, cut(stations[i].cut.as_ref()?))));
+    let full = |(i, cut): (usize, Cut)| {
+        let (station, joints) = (&stations[i], &followed[i].joints);
+        let there = Process { law: Law::Milling(cut.milling), ..process.clone() };
+        let found = chatter(robot, joints, &tool, &there, &asked(station)).map_err(of_line(station.sample.line))?;
+        Ok::<_, MillError>((i, found))
+    };
+    Ok(PathChatter { worst: worst.map(full).transpose()?, samples })
+}
