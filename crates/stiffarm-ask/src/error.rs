@@ -191,6 +191,7 @@ impl From<MillAnswerError> for AskError {
     fn from(error: MillAnswerError) -> Self {
         match error {
             MillAnswerError::Request(refusal) => refusal.into(),
+            MillAnswerError::Chatter { process, error } => Self::Chatter { file: process, error },
             error => Self::Mill(error),
         }
     }

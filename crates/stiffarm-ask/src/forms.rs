@@ -2,7 +2,8 @@
 //!
 //! The ending chooses. Two endings stand for two things each: `.html` is a report where the verb makes one, and the view that can be turned
 //! elsewhere; `view.html` and `*.view.html` are that view wherever there is one. `.pdf` is the figure; `report.pdf`, `*.report.pdf` and `*-report.pdf`
-//! are the report on paper. `shop.svg` and `*.shop.svg`, and the same as `.png` and `.pdf`, are the drawing of where the work must stand.
+//! are the report on paper. `shop.svg` and `*.shop.svg`, and the same as `.png` and `.pdf`, are the drawing of where the work must stand; `lobes.svg` is
+//! from which depth a cut swings.
 
 use std::ffi::OsStr;
 use std::io::{self, Write};
@@ -32,6 +33,8 @@ pub struct Forms {
     pub is_reported: bool,
     /// It draws where the work must stand.
     pub is_sited: bool,
+    /// It draws from which depth a cut swings, beside its figure.
+    pub has_lobes: bool,
 }
 
 /// A piece of an answer as people read it.
@@ -99,6 +102,11 @@ pub trait Answer {
         None
     }
 
+    /// From which depth a cut swings, as SVG, where there is such a figure beside the other.
+    fn lobes(&self) -> Option<Result<String, AskError>> {
+        None
+    }
+
     /// What is handed on, where there is a report.
     fn report(&self) -> Option<Result<Report, AskError>> {
         None
@@ -109,6 +117,7 @@ pub trait Answer {
         match what {
             Drawn::Figure => self.svg(),
             Drawn::Shop => self.shop(),
+            Drawn::Lobes => self.lobes(),
         }
     }
 
@@ -201,6 +210,8 @@ pub enum Drawn {
     Figure,
     /// Where the work must stand, as a shop drawing has it.
     Shop,
+    /// From which depth a cut swings.
+    Lobes,
 }
 
 impl Form {
@@ -259,7 +270,7 @@ impl Form {
 impl Forms {
     /// Of a command whose answers are tables.
     pub const fn of(command: &'static str) -> Self {
-        Self { command, further: &[], is_reported: false, is_sited: false }
+        Self { command, further: &[], is_reported: false, is_sited: false, has_lobes: false }
     }
 
     /// The form that a name asks for; nothing where there is none of it.
@@ -268,7 +279,13 @@ impl Forms {
         let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
         let is_named = |what: &str| stem == what || stem.ends_with(&format!(".{what}"));
         let is_known = |ending: &str| self.further.contains(&ending);
-        let drawn = if self.is_sited && is_named("shop") { Drawn::Shop } else { Drawn::Figure };
+        let drawn = if self.is_sited && is_named("shop") {
+            Drawn::Shop
+        } else if self.has_lobes && is_named("lobes") {
+            Drawn::Lobes
+        } else {
+            Drawn::Figure
+        };
         Some(match ending.as_str() {
             "json" => Form::Json,
             "csv" => Form::Csv,
@@ -301,6 +318,9 @@ impl Forms {
         }
         if self.is_sited {
             endings.push("shop.svg".into());
+        }
+        if self.has_lobes {
+            endings.push("lobes.svg".into());
         }
         endings.extend(TABLES.map(|ending| format!(".{ending}")));
         endings

@@ -39,7 +39,8 @@ fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static s
         given.push(("model", "regions"));
     }
     // A mass centre is of a mass.
-    if setting.name == "tool-com-mm" {
+    let has = |name: &str| given.iter().any(|(given, _)| *given == name);
+    if has("tool-com-mm") && !has("tool-mass-kg") {
         given.push(("tool-mass-kg", "60"));
     }
     // What is asked of a cut goes with its feed.
@@ -183,6 +184,7 @@ fn told(request: &Request) -> String {
                 request.stiffness_uncertainty(),
                 request.tolerance_mm(),
                 (request.allows_contact(), request.work_frame(), request.part(), request.stick_out(None)),
+                request.path_chatter().ok(),
             );
             let milling = format!("{robot:?} {process:?} {acting:?} {at:?} {stock:?} {window:?} {left:?}");
             format!("{path:?} {format:?} {reading} {milling} {:?} {:?}", request.mill_options(), request.held())

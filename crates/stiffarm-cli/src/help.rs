@@ -185,7 +185,7 @@ const ABOUT: [About; 23] = [
     About {
         name: "mill",
         files: "a report to hand on as .html or report.pdf, every sample as .csv or .parquet, the answer as .json, .md or .txt, error, rolls and path as .svg, .pdf or .png, \
-                where the part must stand as shop.svg, the robot and the path in space as view.html, robot programs \
+                where the part must stand as shop.svg, with --chatter from which depth cuts swing as lobes.svg, the robot and the path in space as view.html, robot programs \
                 as .src (KUKA), .mod (ABB) or .ls (Fanuc), a script for RoboDK as .py, a trajectory for ROS 2 as .yaml, lines for ParaView as .vtp, with --compensate the path itself as .nc, .gcode, .ngc, .tap, .apt or .cls",
         is_long: true,
         examples: &[

@@ -3,6 +3,7 @@
 // One program for all of them: each would link the library once more.
 mod catalogue;
 mod chatter;
+mod chatter_path;
 mod compare;
 mod habits;
 #[cfg(unix)]

@@ -70,12 +70,16 @@ impl ChatterAnswer {
 
     /// In words; never that a cut is stable.
     pub fn verdict(&self) -> String {
-        let of_robot = match self.chatter.verdict() {
+        format!("{}; spindle modes unknown", self.of_robot())
+    }
+
+    /// The part of the verdict that is known.
+    pub(super) fn of_robot(&self) -> String {
+        match self.chatter.verdict() {
             Verdict::Calm => "robot modes calm".into(),
             Verdict::Limits(depth) => format!("robot modes limit the depth to {} mm", fixed(depth * 1e3, 3)),
             Verdict::NotDecided => "robot modes: not decided".to_owned(),
-        };
-        format!("{of_robot}; spindle modes unknown")
+        }
     }
 
     fn method(&self) -> &'static str {
@@ -94,7 +98,7 @@ impl ChatterAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
         let Self { robot, joints_deg, tool, chatter, .. } = self;
-        let (body, swing, cut) = (tool.body.as_ref(), &chatter.swing, chatter.cut.milling.engagement);
+        let (body, swing) = (tool.body.as_ref(), &chatter.swing);
         let mut record = Record::new();
         stiffness::put_robot(&mut record, robot);
         record
@@ -105,31 +109,56 @@ impl ChatterAnswer {
             .put(field::TOOL_MASS, body.map(|body| body.mass))
             .put(field::TOOL_COM, body.map(|body| body.centre.as_slice()))
             .put(field::TOOL_INERTIA, body.map(RigidBody::elements))
-            .put(field::PROCESS, &self.file)
-            .put(field::SPINDLE_SPEED, self.rpm())
-            .put(field::CUT_DEPTH, cut.depth)
-            .put(field::ENTRY_ANGLE, cut.entry)
-            .put(field::EXIT_ANGLE, cut.exit)
-            .put(field::CHATTER_METHOD, self.method())
-            .put(field::CRITICAL_DEPTH, depth(chatter.at_speed))
-            .put(field::CRITICAL_DEPTH_P05, chatter.spread.p05)
-            .put(field::CRITICAL_DEPTH_P95, chatter.spread.p95)
-            .put(field::CHATTER_FREQUENCY, hertz(chatter.at_speed))
-            .put(field::TOOTH_PHASE, chatter.tooth_phase())
-            .put(field::ANY_SPEED_DEPTH, depth(chatter.any_speed))
-            .put(field::ANY_SPEED_DEPTH_P05, chatter.any_speed_spread.p05)
-            .put(field::ANY_SPEED_DEPTH_P95, chatter.any_speed_spread.p95)
-            .put(field::ANY_SPEED_FREQUENCY, hertz(chatter.any_speed))
-            .put(field::PAN_DEPTH, depth(chatter.without_delay))
-            .put(field::PAN_FREQUENCY, hertz(chatter.without_delay))
-            .put(field::CHATTER_DRAWN, json!(self.drawn()))
-            .put(field::MODES_LOOKED_AT, json!(self.looked_at()))
-            .put(field::ROBOT_MODES, self.robot_modes())
-            .put(field::SPINDLE_MODES, "unknown")
+            .put(field::PROCESS, &self.file);
+        Self::put_cut(Some(self), &mut record);
+        record
             .put(field::CHATTER_VERDICT, self.verdict())
             .put(field::ASSUMED, json!(self.process.assumed))
             .put(field::LOBES, self.lobes().map(|lobe| lobe.json()).collect::<Value>());
         record
+    }
+
+    /// What is told of a cut, whoever asks, but the verdict in words; every key is there where nothing is told, too.
+    pub(super) fn put_cut(found: Option<&Self>, record: &mut Record) {
+        let chatter = found.map(|found| &found.chatter);
+        let cut = chatter.map(|chatter| chatter.cut.milling.engagement);
+        let edge = |of: fn(&Chatter) -> Option<Edge>| chatter.and_then(of);
+        let [at_speed, any_speed] = [edge(|chatter| chatter.at_speed), edge(|chatter| chatter.any_speed)];
+        let [other_way, without_delay] = [edge(|chatter| chatter.other_way), edge(|chatter| chatter.without_delay)];
+        record
+            .put(field::SPINDLE_SPEED, found.map(Self::rpm))
+            .put(field::CUT_DEPTH, cut.map(|cut| cut.depth))
+            .put(field::ENTRY_ANGLE, cut.map(|cut| cut.entry))
+            .put(field::EXIT_ANGLE, cut.map(|cut| cut.exit))
+            .put(field::CHATTER_METHOD, found.map(Self::method))
+            .put(field::CRITICAL_DEPTH, depth(at_speed))
+            .put(field::CRITICAL_DEPTH_P05, chatter.and_then(|chatter| chatter.spread.p05))
+            .put(field::CRITICAL_DEPTH_P95, chatter.and_then(|chatter| chatter.spread.p95))
+            .put(field::CHATTER_FREQUENCY, hertz(at_speed))
+            .put(field::TOOTH_PHASE, chatter.and_then(Chatter::tooth_phase))
+            .put(field::ANY_SPEED_DEPTH, depth(any_speed))
+            .put(field::ANY_SPEED_DEPTH_P05, chatter.and_then(|chatter| chatter.any_speed_spread.p05))
+            .put(field::ANY_SPEED_DEPTH_P95, chatter.and_then(|chatter| chatter.any_speed_spread.p95))
+            .put(field::ANY_SPEED_FREQUENCY, hertz(any_speed))
+            .put(field::OTHER_WAY_DEPTH, depth(other_way))
+            .put(field::OTHER_WAY_FREQUENCY, hertz(other_way))
+            .put(field::CALM_SPEEDS, found.and_then(Self::calm_rpm).map(|speeds| json!(speeds)))
+            .put(field::PAN_DEPTH, depth(without_delay))
+            .put(field::PAN_FREQUENCY, hertz(without_delay))
+            .put(field::CHATTER_DRAWN, found.map(|found| json!(found.drawn())))
+            .put(field::MODES_LOOKED_AT, found.map(|found| json!(found.looked_at())))
+            .put(field::ROBOT_MODES, found.map_or("not covered", Self::robot_modes))
+            .put(field::SPINDLE_MODES, "unknown");
+    }
+
+    /// Speeds at which the cut is calm, turns a minute, from where to where; `None` where they are not known.
+    fn calm_rpm(&self) -> Option<Vec<[f64; 2]>> {
+        Some(self.chatter.calm_speeds()?.into_iter().map(|ends| ends.map(rpm)).collect())
+    }
+
+    /// Where the tool feeds, of length one, base axes.
+    pub(super) fn feed(&self) -> [f64; 3] {
+        self.chatter.axes.column(0).into()
     }
 
     /// Hz.
@@ -164,6 +193,14 @@ impl ChatterAnswer {
 
     /// For people.
     pub fn table(&self) -> Table {
+        let mut lines = vec![line("verdict", self.verdict())];
+        lines.extend(self.lines());
+        lines.extend(self.process.assumed.iter().map(|one| line("assumed", one)));
+        Table::of_lines(lines)
+    }
+
+    /// What is told of the cut.
+    pub(super) fn lines(&self) -> Vec<Line> {
         let Self { chatter, .. } = self;
         let at =
             |edge: Option<Edge>| edge.map_or_else(String::new, |edge| format!(" at {} Hz", fixed(edge.frequency, 2)));
@@ -179,7 +216,6 @@ impl ChatterAnswer {
             degrees(cut.exit)
         );
         let mut lines: Vec<Line> = vec![
-            line("verdict", self.verdict()),
             line("cut", engagement),
             line(format!("swings at {} rpm from", fixed(self.rpm(), 0)), with(chatter.at_speed, chatter.spread)),
             line("at no speed below", with(chatter.any_speed, chatter.any_speed_spread)),
@@ -188,10 +224,25 @@ impl ChatterAnswer {
         if let Some(phase) = chatter.tooth_phase() {
             lines.push(line("turn from tooth to tooth", format!("{} rad", fixed(phase, 3))));
         }
+        lines.push(line("calm speeds", self.calm()));
+        lines.push(line("fed the other way, swings from", told(chatter.other_way)));
         lines.push(line("robot modes looked at", format!("{} Hz", self.frequencies())));
         lines.push(line("teeth", self.counted()));
-        lines.extend(self.process.assumed.iter().map(|one| line("assumed", one)));
-        Table::of_lines(lines)
+        lines
+    }
+
+    /// At which speeds the cut would be calm.
+    fn calm(&self) -> String {
+        let within = [0.5, 1.5].map(|share| fixed(share * self.rpm(), 0)).join(" to ");
+        match self.calm_rpm().as_deref() {
+            None if self.chatter.drives_are_assumed => "not known: the stiffness is nobody's".into(),
+            None => "not known: counted tooth by tooth, depths at other speeds have no interval".into(),
+            Some([]) => format!("none from {within} rpm: at each, fewer than 95 of 100 draws allow the cut"),
+            Some(speeds) => {
+                let told = |[from, to]: &[f64; 2]| format!("{} to {}", fixed(*from, 0), fixed(*to, 0));
+                format!("{} rpm, of {within} rpm", speeds.iter().map(told).collect::<Vec<_>>().join(", "))
+            }
+        }
     }
 
     fn frequencies(&self) -> String {
@@ -213,13 +264,22 @@ impl ChatterAnswer {
 
     /// What stands below the table.
     pub fn notes(&self) -> String {
-        let Self { robot, joints_deg, tool, chatter, .. } = self;
+        let Self { robot, joints_deg, .. } = self;
         let angles = joints_deg.map(|angle| angle.to_string()).join(", ");
-        let last = self.looked_at().last().map_or_else(|| "0".into(), |hertz| fixed(*hertz, 0));
         let mut notes = vec![
             format!("{}; {}: {angles} deg", words::robot(robot), words::joints_reported(robot)),
             format!("stiffness: {}", stiffness(robot)),
-            format!("feed along {} from the base", vector(&chatter.axes.column(0).into(), 3)),
+            format!("feed along {} from the base", vector(&self.feed().into(), 3)),
+        ];
+        notes.extend(self.basis());
+        notes.join("\n") + "\n"
+    }
+
+    /// What it rests on, and what is not known.
+    pub(super) fn basis(&self) -> Vec<String> {
+        let Self { tool, chatter, .. } = self;
+        let last = self.looked_at().last().map_or_else(|| "0".into(), |hertz| fixed(*hertz, 0));
+        let mut notes = vec![
             tool.body.map_or_else(
                 || "tool: weighs nothing; a real one changes the depths (--tool-mass-kg, --tool-com-mm)".into(),
                 |body| format!("tool: {} kg, centre {} mm from the flange", body.mass, vector(&(body.centre * 1e3), 0)),
@@ -239,6 +299,6 @@ impl ChatterAnswer {
                     .into(),
             );
         }
-        notes.join("\n") + "\n"
+        notes
     }
 }

@@ -18,10 +18,10 @@ use super::drawing;
 use super::path::{all_moves, read_beside};
 use super::reports::{self, Inputs};
 use crate::error::AskError;
-use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
 use crate::figures::view3d::{Cell, Sheet, View, Zone};
+use crate::figures::{Plate, lobes};
 use crate::forms::{Answer, Forms, Piece};
 use crate::report::Report;
 
@@ -154,6 +154,7 @@ pub(crate) const FORMS: Forms = Forms {
     ],
     is_reported: true,
     is_sited: true,
+    has_lobes: true,
     ..Forms::of("mill")
 };
 
@@ -201,6 +202,18 @@ impl Answer for MillOutput<'_> {
         };
         let drawn = |siting| ShopFigure { siting: &siting, plate: self.plate }.svg();
         Some(self.answer.siting().map(drawn).ok_or_else(nothing))
+    }
+
+    fn lobes(&self) -> Option<Result<String, AskError>> {
+        let nothing = || {
+            let why = match &self.answer.chatter {
+                None => "nothing to draw: lobes are told with --chatter, of a path that is followed",
+                Some(_) => "nothing to draw: no cut of the path is covered",
+            };
+            AskError::Figure(why.into())
+        };
+        let worst = self.answer.chatter.as_ref().and_then(|told| told.worst.as_ref());
+        Some(worst.map(|(_, found)| lobes::svg(found, &self.plate)).ok_or_else(nothing))
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {

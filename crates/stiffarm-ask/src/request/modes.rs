@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use stiffarm::chatter::{Asked, Method};
 use stiffarm::mass::RigidBody;
+use stiffarm::mill::MillHeld;
 use stiffarm::modes::{Damping, HeldTool};
 
 use super::wishes::number;
@@ -39,6 +40,17 @@ impl Request {
         let feed: [f64; 3] = self.all("feed", number).try_into().map_err(|_| self.missing("feed"))?;
         let method = self.word("method").map(|word| if word == "teeth" { Method::Teeth } else { Method::Mean });
         Ok(Asked { feed, damping: self.damping(), method })
+    }
+
+    /// What swings along a path, where it is asked whether its cuts do.
+    ///
+    /// # Errors
+    /// A mass without its centre.
+    pub fn path_chatter(&self) -> Result<Option<MillHeld>, Refusal> {
+        if !self.is_wished("chatter") {
+            return Ok(None);
+        }
+        Ok(Some(MillHeld { body: self.held_tool()?.body, damping: self.damping() }))
     }
 
     /// How many modes are told.

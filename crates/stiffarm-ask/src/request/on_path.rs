@@ -66,14 +66,15 @@ impl Request {
         self.verb == Verb::Mill && (self.is_given("robots") || self.filters().next().is_some())
     }
 
-    /// What chooses among robots has no meaning for one.
+    /// What chooses among robots has no meaning for one, nor with what is asked of one alone.
     pub(super) fn check_filters(&self) -> Result<(), Refusal> {
-        let robot = self.find("robot").filter(|_| self.verb == Verb::Mill);
-        match self.filters().next().zip(robot) {
-            Some((filter, robot)) => Err(Refusal::Excludes {
+        let is_of_one = |given: &&super::Given| given.setting.excludes.contains(&"robots");
+        let of_one = self.given.iter().find(is_of_one).filter(|_| self.verb == Verb::Mill);
+        match self.filters().next().zip(of_one) {
+            Some((filter, of_one)) => Err(Refusal::Excludes {
                 at: filter.at.clone(),
                 name: filter.at.name(filter.setting),
-                other: robot.at.name(robot.setting),
+                other: of_one.at.name(of_one.setting),
             }),
             None => Ok(()),
         }

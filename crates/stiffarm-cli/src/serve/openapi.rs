@@ -78,7 +78,7 @@ fn asked(verb: Verb, about: &str) -> Value {
     }
     let form = json!({
         "name": "as", "in": "query", "schema": { "type": "string", "default": "json" },
-        "description": "The form: json, csv, md, txt, parquet; of most verbs svg, png, pdf; of place and mill shop (drawing of where the work must stand, SVG); view (3-D, HTML), report (HTML) and report-pdf, toml (robot file), src, mod, ls, \
+        "description": "The form: json, csv, md, txt, parquet; of most verbs svg, png, pdf; of place and mill shop (drawing of where the work must stand, SVG); of mill lobes (with chatter, SVG); view (3-D, HTML), report (HTML) and report-pdf, toml (robot file), src, mod, ls, \
                         py (RoboDK), yaml (ROS 2) or nc (programs), vtp and vti (ParaView); job and command tell how the same is asked elsewhere",
     });
     let mut responses = refusals();

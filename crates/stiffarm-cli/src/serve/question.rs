@@ -123,7 +123,7 @@ pub(super) fn form_of(text: Option<&str>) -> Result<Form, Refused> {
         Refused::new(
             StatusCode::BAD_REQUEST,
             why,
-            "?as=json, csv, md, txt, svg, png, pdf, shop, view, report, report-pdf, job or command",
+            "?as=json, csv, md, txt, svg, png, pdf, shop, lobes, view, report, report-pdf, job or command",
         )
     };
     let mut form = Form::File("json".into());

@@ -780,6 +780,17 @@ class MillOptions(TypedDict, total=False):
     status: str | Iterable[Literal["identified", "data-sheet", "derived", "estimated"]] | None
     """Only robots of these statuses: identified, data-sheet, derived, estimated; separated by commas."""
 
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
+
+    tool_inertia_kg_m2: npt.ArrayLike | None
+    """Inertia of the tool about its own mass centre [kg m2], along flange axes: elements of the matrix as URDF
+    has them [default: none: a point mass]."""
+
+    damping_ratio: float | None
+    """Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08 [default: as the
+    robot file has it of the drives, else 0.03]."""
+
     dry: bool
     """Only tell what was understood of the path: lengths, moves, extents, feed rates, what was assumed and
     ignored."""
@@ -863,6 +874,10 @@ class MillOptions(TypedDict, total=False):
     stiffness_uncertainty: float | None
     """By how much the compliance of every drive may be off: one standard deviation of its logarithm, for what
     compensation leaves [default: as the robot file or the prior has it]."""
+
+    chatter: bool
+    """Tell whether the cuts swing with the arm, and from which depth: at every sample, and with intervals at the
+    worst; flat end mills and a robot whose masses are known."""
 
     pendant_as_file: bool
     """The pendant shows the joints as the robot file counts them (zeros, signs, joint 3): programs then begin
@@ -2294,6 +2309,122 @@ class FedBackDict(TypedDict):
     """Samples at which nothing settles: pushed aside, the tool is drawn in."""
 
 
+class UncoveredSamples(TypedDict):
+    """Samples of a path of whose chatter nothing is told."""
+
+    why: str
+    """plunge, turn in place, force of the path (it gives no cut), or air."""
+
+    samples: int
+    """How many they are."""
+
+    lines: list[int]
+    """Lines of the file, ascending; none of a path built in."""
+
+
+class PathChatter(TypedDict):
+    """Whether the cuts of a path swing with the arm."""
+
+    chatter_verdict: str
+    """What is told of robot modes and of spindle modes along a path, in words, with the sample of which it is."""
+
+    covered_samples: int
+    """Samples of which a critical depth is told."""
+
+    not_covered: list[UncoveredSamples]
+    """Samples that feed, and of which nothing is told: why, how many, and the lines on which they are."""
+
+    mean_misleads: int
+    """Samples whose teeth cut so shortly, and pass so slowly, that their mean over a revolution misleads; only
+    the worst is counted tooth by tooth."""
+
+    at_sample: int | None
+    """The sample at which the critical depth is least in proportion to the cut, from 0; null where no sample is
+    covered."""
+
+    at_line: int | None
+    """Its line in the file; 0 of a path built in."""
+
+    joints_deg: list[float] | None
+    """Joint angles as the robot reports them, deg."""
+
+    feed: list[float] | None
+    """Where the tool feeds, of length one, base axes."""
+
+    spindle_rpm: float | None
+    """Speed of the spindle."""
+
+    cut_depth_mm: float | None
+    """Axial depth of the cut, as the process has it."""
+
+    entry_deg: float | None
+    """Where a tooth enters, from the left of the feed in the sense of the rotation."""
+
+    exit_deg: float | None
+    """Where a tooth leaves."""
+
+    method: str | None
+    """How teeth are counted: mean (over a revolution) or teeth (one by one)."""
+
+    critical_depth_mm: float | None
+    """The least axial depth that swings with the robot at the speed of the spindle; null where none up to 300 mm
+    does."""
+
+    critical_depth_mm_p05: float | None
+    """Five of a hundred such robots swing at less, as far as drives and damping may be off; null beyond 300 mm."""
+
+    critical_depth_mm_p95: float | None
+    """Five of a hundred swing at more alone; null beyond 300 mm."""
+
+    chatter_hz: float | None
+    """The frequency of the swing at that depth."""
+
+    tooth_phase_rad: float | None
+    """By how much the swing turns from tooth to tooth; far below 1 the cut is a damper, which calms or drives."""
+
+    any_speed_depth_mm: float | None
+    """Less deep no speed swings, by the mean of the teeth; null where none up to 300 mm does."""
+
+    any_speed_depth_mm_p05: float | None
+    """Of five of a hundred such robots it is less."""
+
+    any_speed_depth_mm_p95: float | None
+    """Of five of a hundred it is more."""
+
+    any_speed_hz: float | None
+    """The frequency of the swing at that depth."""
+
+    other_way_depth_mm: float | None
+    """The least axial depth that swings at the speed of the spindle where the cut is fed the other way, up for
+    down; null where none up to 300 mm does."""
+
+    other_way_hz: float | None
+    """The frequency of the swing at that depth."""
+
+    calm_rpm: list[list[float]] | None
+    """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws
+    allow: pairs of from and to; null where teeth are counted one by one, and of drives that are nobody's."""
+
+    pan_depth_mm: float | None
+    """The least depth at which modes couple without the delay (Pan); beside the others, never instead of them."""
+
+    pan_hz: float | None
+    """Its frequency; 0 where the arm gives way."""
+
+    drawn: list[str] | None
+    """What the intervals are over: drives, damping, both or neither."""
+
+    modes_looked_at: list[float] | None
+    """Frequencies of the robot's modes that were looked at, Hz; nothing is told above the last."""
+
+    robot_modes: str
+    """calm where the cut is less deep than 95 of 100 draws allow, limit where it is deeper than 95 of 100 allow,
+    else not decided; not covered of a path without a cut of which anything is known."""
+
+    spindle_modes: str
+    """unknown: modes of spindle, tool and work are not looked at."""
+
+
 class MilledDict(_Pass):
     """`stiffarm.Milled.to_dict`."""
 
@@ -2439,6 +2570,10 @@ class MilledDict(_Pass):
     fed_back: FedBackDict | None
     """What becomes of the largest error as width and depth of the cut change with the displacement; null where
     no cut is known."""
+
+    chatter: PathChatter | None
+    """Whether the cuts swing with the arm, at the sample at which the critical depth is least in proportion to
+    the cut; null where that was not asked, or the path is not followed."""
 
     compensation: None
     """What compensation makes of the path; null where it was not asked for."""
@@ -2902,6 +3037,17 @@ class ChatterDict(TypedDict):
     any_speed_hz: float | None
     """The frequency of the swing at that depth."""
 
+    other_way_depth_mm: float | None
+    """The least axial depth that swings at the speed of the spindle where the cut is fed the other way, up for
+    down; null where none up to 300 mm does."""
+
+    other_way_hz: float | None
+    """The frequency of the swing at that depth."""
+
+    calm_rpm: list[list[float]] | None
+    """Speeds of the spindle within 0.5 to 1.5 of its own at which the cut is less deep than 95 of 100 draws
+    allow: pairs of from and to; null where teeth are counted one by one, and of drives that are nobody's."""
+
     pan_depth_mm: float | None
     """The least depth at which modes couple without the delay (Pan); beside the others, never instead of them."""
 
@@ -2916,7 +3062,7 @@ class ChatterDict(TypedDict):
 
     robot_modes: str
     """calm where the cut is less deep than 95 of 100 draws allow, limit where it is deeper than 95 of 100 allow,
-    else not decided."""
+    else not decided; not covered of a path without a cut of which anything is known."""
 
     spindle_modes: str
     """unknown: modes of spindle, tool and work are not looked at."""

@@ -211,11 +211,16 @@ fn write_paths(text: &mut String) {
     class(text, ("PathContact", "TypedDict"), about, milled.under("contacts"), &[]);
     let about = "What becomes of an error as the cut changes by it.";
     class(text, ("FedBackDict", "TypedDict"), about, milled.under("fed_back"), &[]);
+    let about = "Samples of a path of whose chatter nothing is told.";
+    class(text, ("UncoveredSamples", "TypedDict"), about, milled.under("chatter").under("not_covered"), &[]);
+    let (about, within) = ("Whether the cuts of a path swing with the arm.", [("not_covered", "UncoveredSamples")]);
+    class(text, ("PathChatter", "TypedDict"), about, milled.under("chatter"), &within);
     let within = [
         ("part", "PathLength"),
         ("roll", "RollChoice"),
         ("search", "PlaceSearch"),
         ("fed_back", "FedBackDict"),
+        ("chatter", "PathChatter"),
         ("contacts", "PathContact"),
         with_schema[0],
     ];

@@ -18,7 +18,7 @@ use stiffarm::place::{Hold, PlaceError, Placed, place_task};
 use stiffarm::rank::rank;
 use stiffarm::robot::Robot;
 use stiffarm::study::study;
-use stiffarm::toolpath::{self, Builtin, Format, Move, MoveKind, Survey};
+use stiffarm::toolpath::{self, Builtin, Format, Move, MoveKind, Survey, ToolPose};
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{
     Beside, ChatterAnswer, CompareAnswer, ComplianceAnswer, CuttingAnswer, GeometryAnswer, IdentifyAnswer,
@@ -202,7 +202,7 @@ pub(crate) fn cuts() -> Vec<Value> {
         let asked = asked(Verb::Chatter, &[typed, &given].concat());
         let (joints_deg, tool, wanted) =
             (asked.joints_deg().unwrap(), asked.held_tool().unwrap(), asked.chatter().unwrap());
-        let robot = asked.equipped(find("KR 210 R2700-2").unwrap().robot()).unwrap();
+        let robot = asked.equipped(weighed()).unwrap();
         let mut process = read_process(text, "endmill.toml").unwrap();
         process.assumed.push("straight teeth".into());
         let chatter = chatter(&robot, &joints_deg.map(f64::to_radians), &tool, &process.process, &wanted).unwrap();
@@ -212,7 +212,8 @@ pub(crate) fn cuts() -> Vec<Value> {
     // As of an arm that no cut swings.
     let mut calm = of(&tool);
     let chatter = &mut calm.chatter;
-    (chatter.at_speed, chatter.any_speed, chatter.without_delay) = (None, None, None);
+    (chatter.at_speed, chatter.any_speed) = (None, None);
+    (chatter.other_way, chatter.without_delay) = (None, None);
     let unbounded = stiffarm::chatter::DepthSpread { p05: None, p95: None };
     (chatter.spread, chatter.any_speed_spread) = (unbounded, unbounded);
     chatter.lobes.iter_mut().for_each(|lobe| (lobe.edge, lobe.spread) = (None, None));
@@ -324,6 +325,18 @@ fn back(moves: &[Move]) -> Option<Move> {
     Some(Move { kind: MoveKind::Rapid, from: last.to, to: last.from, feed: None, ..last })
 }
 
+/// A robot whose masses are known.
+fn weighed() -> Robot {
+    find("KR 210 R2700-2").expect("in the catalogue").robot()
+}
+
+/// Straight down where a path ends.
+fn plunge(moves: &[Move]) -> Option<Move> {
+    let last = *moves.last()?;
+    let down = ToolPose { tip: last.to.tip - last.to.axis * 0.01, ..last.to };
+    Some(Move { line: 7, from: last.to, to: down, ..last })
+}
+
 pub(crate) fn milled() -> Vec<Value> {
     let of = |typed: Typed| {
         let usual = [("path", "line:0.2"), ("robot", "it"), ("step-mm", "50")];
@@ -332,24 +345,33 @@ pub(crate) fn milled() -> Vec<Value> {
         if typed.contains(&("at", "9,0,0")) {
             moves.extend(back(&moves));
         }
-        let slot = "[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = \"al7075-t6\"\n
-[engagement]\nap_mm = 2\nae_mm = 16\nside = \"slot\"\nfeed_per_tooth_mm = 0.1\n";
+        if typed.contains(&("chatter", "true")) {
+            moves.extend(plunge(&moves));
+        }
+        if typed.contains(&("damping-ratio", "0.05")) {
+            moves.remove(0);
+        }
+        let slot = "spindle_rpm = 9000\n[tool]\ndiameter_mm = 16\nteeth = 4\n[material]\npreset = \"al7075-t6\"\n
+[engagement]\nap_mm = 0.05\nae_mm = 16\nside = \"slot\"\nfeed_per_tooth_mm = 0.1\n";
         let process = read_process(slot, "process.toml").unwrap();
         let process = asked.acting().unwrap().is_none().then(|| ("process.toml".into(), process));
-        let mut answer =
-            MillAnswer::of(&asked, &kuka(), ("line:0.2".into(), &moves), process, Watch::nobody()).unwrap();
+        let robot = if typed.contains(&("chatter", "true")) { weighed() } else { kuka() };
+        let mut answer = MillAnswer::of(&asked, &robot, ("line:0.2".into(), &moves), process, Watch::nobody()).unwrap();
         if !typed.contains(&("force-n", "400")) {
             answer.remarks.push("a remark".into());
         }
         answer.json()
     };
     let tool = ("tool", "spindle:250@90");
+    let swinging = [("tool-mm", "0,0,200"), ("at", "1.7,0,0.8"), ("process", "process.toml"), ("chatter", "true")];
     vec![
         of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("tolerance-mm", "0.5")]),
         of(&[tool, ("force-n", "300,-120,80"), ("at", "9,0,0")]),
         of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("pin", "0@10")]),
         of(&[tool, ("force-n", "400"), ("at", "1.8,0,0.8,20"), ("clearance-mm", "1500")]),
         of(&[tool, ("roll", "constant"), ("within", "1..,0.5..")]),
+        of(&swinging),
+        of(&[&swinging[..], &[("damping-ratio", "0.05")]].concat()),
     ]
 }
 

@@ -28,6 +28,8 @@ impl MillAnswer {
                 }
             },
         };
+        let sentences: Vec<String> =
+            sentences.into_iter().chain(self.chatter_verdict().map(|told| format!("Chatter: {told}."))).collect();
         let mut rests_on = means(self.tolerance_mm).into_iter().chain(rests_on(&self.robot)).collect::<Vec<_>>();
         rests_on.push(format!("Force on the tool: {}.", self.force));
         rests_on.extend(self.payload().map(|payload| format!("Payload: {}.", payload.told())));

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use super::super::path::tools;
 use super::super::{fixed, words};
 use super::arm;
+use super::chatter::AskedChatter;
 use super::part::PartFile;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::request::{Refusal, Request};
@@ -55,6 +56,7 @@ impl MillAnswer {
         let robot = asked.equipped(robot.clone())?;
         arm::check_mount(asked, &robot)?;
         let (mut options, flange_from_tool) = (asked.mill_options()?, asked.tip_of(tool)?);
+        let chatter = AskedChatter::of(asked, &robot, (tool, process.as_ref()))?;
         let (forcing, force, mut remarks) = forcing(asked, process)?;
         let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
         let mut stock = match (asked.stock()?, &forcing) {
@@ -100,7 +102,7 @@ impl MillAnswer {
             }
         };
         let tolerance_mm = asked.tolerance_mm();
-        let (mut draws, mut compensated, mut fed_back, mut arm) = (None, None, None, None);
+        let (mut draws, mut compensated, mut fed_back, mut arm, mut swings) = (None, None, None, None, None);
         let work_frame = asked.work_frame();
         if let (Some(Milled::Followed(found)), Some(placement)) = (&milled, placement) {
             let stand = Stand { base_from_part: placement.base_from_part(), flange_from_tool };
@@ -114,6 +116,10 @@ impl MillAnswer {
                 let what = (&stations[..], &found.samples[..], options.part);
                 compensated = Some(compensation(asked, &robot, &stand, what, watch).map_err(failed)?);
             }
+            let told = |chatter: AskedChatter| {
+                chatter.told(&robot, &stand, (&stations, &found.samples), watch).map_err(failed)
+            };
+            swings = chatter.map(told).transpose()?;
             let options = TrueOptions { work_frame, part: options.part, is_compensated: asked.is_compensated() };
             arm = Some(arm::told(&robot, &stand, (&stations, &found.samples), options, watch).map_err(failed)?);
         }
@@ -135,6 +141,7 @@ impl MillAnswer {
             compensation: compensated,
             work_frame,
             arm,
+            chatter: swings,
             tolerance_mm,
             allows_contact: asked.allows_contact(),
             remarks,

@@ -3,6 +3,7 @@
 mod arm;
 mod asked;
 mod by_tool;
+mod chatter;
 mod contact;
 mod part;
 mod programs;
@@ -14,6 +15,7 @@ mod worst;
 pub use arm::ArmTold;
 pub use asked::Beside;
 pub use by_tool::{ByToolAnswer, Section};
+pub use chatter::ChatterTold;
 use nalgebra::Vector3;
 pub use part::PartFile;
 pub use ranking::{PathRankAnswer, PathRow};
@@ -24,6 +26,7 @@ use super::uncertainty::Known;
 use super::verdict::Verdict;
 use super::{fixed, with_schema};
 use crate::request::Refusal;
+use stiffarm::chatter::ChatterError;
 use stiffarm::mill::{
     Acting, Blocked, Compensated, FedBack, Followed, ForcedError, MillError, MillOptions, Milled, PartPlacement,
     PathGround, PathResolution, Pushed, Remaining, RollMap, RollMode, Stand, Station, WorkFrame, roll_map,
@@ -72,6 +75,8 @@ pub struct MillAnswer {
     pub work_frame: WorkFrame,
     /// What the geometry of the arm does; `None` where nothing is followed.
     pub arm: Option<ArmTold>,
+    /// Whether its cuts swing, where that was asked and the path is followed.
+    pub chatter: Option<ChatterTold>,
     /// The largest error that passes, mm.
     pub tolerance_mm: Option<f64>,
     /// Programs are written although the arm touches something.
@@ -115,6 +120,14 @@ pub enum MillAnswerError {
         path: String,
         /// Why.
         error: ForcedError,
+    },
+    /// Whether its cuts swing cannot be told.
+    #[error("{process}: {error}")]
+    Chatter {
+        /// Its file, and the tool where there are several.
+        process: String,
+        /// Why.
+        error: ChatterError,
     },
     /// There is no program to write.
     #[error("no program: {0}")]

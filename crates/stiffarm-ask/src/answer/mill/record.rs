@@ -8,7 +8,7 @@ use super::super::stiffness::stiffness;
 use super::super::verdict::{self, Verdict};
 use super::super::words::bodies;
 use super::super::{Cell, Column, ColumnKind, Record, Rows, field, payload};
-use super::{Compensation, MillAnswer, least};
+use super::{ChatterTold, Compensation, MillAnswer, least};
 use stiffarm::clearance::Near;
 use stiffarm::limits::Pendant;
 use stiffarm::mill::{Acting, FedBack, Pushed, Stand, Station};
@@ -58,6 +58,7 @@ impl MillAnswer {
         let compensated = |compensation| compensated(compensation, self.tolerance_mm);
         record
             .put(field::FED_BACK, self.fed_back.as_ref().map(fed_back))
+            .put(field::PATH_CHATTER, self.chatter_record())
             .put(field::PATH_COMPENSATION, self.compensation.as_ref().map(compensated))
             .put(field::SEARCH, self.search());
         self.put_arm(&mut record);
@@ -183,6 +184,7 @@ impl MillAnswer {
             ]));
             columns.extend(numbers(&["x_cmd_mm", "y_cmd_mm", "z_cmd_mm"]));
         }
+        columns.extend(self.chatter.iter().flat_map(|_| ChatterTold::columns()));
         let samples = self.followed().map_or(&[][..], |found| &found.samples);
         Rows::made(columns, samples.len(), move |i| {
             let mut cells = self.cells(&self.stations[i], &samples[i]);
@@ -191,6 +193,7 @@ impl MillAnswer {
                 cells.extend(joints.map(|q| Cell::Number(q.to_degrees() + 0.0)));
                 cells.extend(pose.tip.iter().map(|x| Cell::Number(x * 1e3 + 0.0)));
             }
+            cells.extend(self.chatter.iter().flat_map(|told| told.cells(i)));
             cells
         })
     }

@@ -180,6 +180,7 @@ impl MillAnswer {
                 lines.push(line("lines over it", format!("{}{more}", told.join(", "))));
             }
         }
+        lines.extend(self.chatter_lines());
         lines.extend(self.arm_lines());
         lines.extend(self.compensation.iter().flat_map(|compensation| self.compensated_lines(compensation)));
         lines
@@ -231,7 +232,8 @@ impl MillAnswer {
             "a robot follows the mean force over a revolution; the teeth cut far more often than it can follow"
         };
         let holds = self.tolerance_mm.map_or_else(String::new, |_| format!("{HOLDS}\n{}", self.arm_note()));
-        format!("{holds}all six drives compliant, everything else rigid; {force}\n{}\n", self.looked_at())
+        let swings = self.chatter_basis();
+        format!("{holds}all six drives compliant, everything else rigid; {force}\n{}\n{swings}", self.looked_at())
     }
 }
 

@@ -7,8 +7,8 @@ use super::place;
 use super::said::{meaning, plate, repeated};
 use crate::ask::mill::{MillOutput, rolls};
 use crate::error::AskError;
-use crate::figures::Plate;
 use crate::figures::milled::MilledFigure;
+use crate::figures::{Plate, lobes};
 use crate::report::robots::provenance_of;
 use crate::report::{Report, Section};
 
@@ -36,6 +36,7 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, AskError
         drives.table(table);
         drives
     }));
+    sections.extend(swings(answer, found.plate));
     sections.extend([provenance_of(&answer.robot), repeated(asked, &inputs)?]);
     Ok(Report {
         title: format!("{} along {}", answer.robot.full_name(), answer.path),
@@ -43,6 +44,21 @@ pub(crate) fn of(found: &MillOutput, asked: &Request) -> Result<Report, AskError
         headline: answer.headline(),
         sections,
     })
+}
+
+/// Whether the cuts swing, where that was asked.
+fn swings(answer: &MillAnswer, asked: Plate) -> Option<Section> {
+    let verdict = answer.chatter_verdict()?;
+    let mut section = Section::new("Whether the cuts swing with the arm");
+    section.text(format!("{verdict}. A robot that is calm says nothing of spindle, holder, cutter and work."));
+    if let Some((_, found)) = answer.chatter.as_ref().and_then(|told| told.worst.as_ref()) {
+        section.figure(
+            lobes::svg(found, &plate(asked)),
+            "From which depth the cut at the worst sample swings, over the speed of the spindle.",
+        );
+    }
+    section.table(answer.chatter_table());
+    Some(section)
 }
 
 /// Error, rolls and path; nothing where it is not followed.

@@ -54,7 +54,7 @@ pub(super) const ROWS: &[Setting] = &[
         kind: Kind::Robot,
         count: SEVERAL,
         value: "ROBOTS",
-        excludes: &["robot", "at", "work-frame", "compensate", "allow-contact", "pendant-as-file"],
+        excludes: &["robot", "at", "work-frame", "compensate", "allow-contact", "pendant-as-file", "chatter"],
         help: "Robots that are ranked on the path, each at its best place: names, patterns (*), files, folders, or the sets `paper` and `all`; separated by commas or given several times",
         example: "KR 210*,BT200L",
         ..MILLED
@@ -288,6 +288,18 @@ pub(super) const ROWS: &[Setting] = &[
         help: "By how much the compliance of every drive may be off: one standard deviation of its logarithm, for what compensation leaves",
         heading: "Compensation",
         example: "0.2",
+        ..MILLED
+    },
+    Setting {
+        name: "chatter",
+        kind: Kind::Flag,
+        excludes: &["robots"],
+        needs: &[(Verb::Mill, "process")],
+        value: "YES",
+        absent: Absent::Default("false"),
+        help: "Tell whether the cuts swing with the arm, and from which depth: at every sample, and with intervals at the worst; flat end mills and a robot whose masses are known",
+        heading: "Tool",
+        example: "true",
         ..MILLED
     },
     Setting {

@@ -4,13 +4,17 @@ use super::{Absent, Kind, ROW, Setting, Verb, count, number_of};
 
 const MODES: &[Verb] = &[Verb::Modes];
 const CHATTER: &[Verb] = &[Verb::Chatter];
+/// At one posture.
 const SWINGING: &[Verb] = &[Verb::Modes, Verb::Chatter];
+/// There, and along a path.
+const ALL: &[Verb] = &[Verb::Modes, Verb::Chatter, Verb::Mill];
 /// Of what the arm holds.
-const HELD: Setting = Setting { verbs: SWINGING, heading: "Tool", ..ROW };
+const HELD: Setting = Setting { verbs: ALL, heading: "Tool", ..ROW };
 
 pub(super) const ROWS: &[Setting] = &[
     Setting {
         name: "tool-mass-kg",
+        verbs: SWINGING,
         kind: number_of(1e-3, 5000.0, "kg"),
         unit: "kg",
         value: "KG",
@@ -26,6 +30,7 @@ pub(super) const ROWS: &[Setting] = &[
         count: count(3, "numbers", "three, separated by commas"),
         unit: "mm",
         value: "X,Y,Z",
+        needs: &[(Verb::Mill, "chatter")],
         help: "Mass centre of the tool in the flange frame: x,y,z; with its mass",
         example: "0,0,200",
         ..HELD
@@ -37,14 +42,15 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "kg m2",
         value: "IXX,IXY,IXZ,IYY,IYZ,IZZ",
         absent: Absent::Means("none: a point mass"),
-        needs: &[(Verb::Modes, "tool-mass-kg"), (Verb::Chatter, "tool-mass-kg")],
+        needs: &[(Verb::Modes, "tool-mass-kg"), (Verb::Chatter, "tool-mass-kg"), (Verb::Mill, "tool-com-mm")],
         help: "Inertia of the tool about its own mass centre, along flange axes: elements of the matrix as URDF has them",
         example: "1.3,0,0,1.6,0,0.5",
         ..HELD
     },
     Setting {
         name: "damping-ratio",
-        verbs: SWINGING,
+        verbs: ALL,
+        needs: &[(Verb::Mill, "chatter")],
         kind: number_of(0.0, 1.0, "of critical damping"),
         value: "ZETA",
         absent: Absent::Means("as the robot file has it of the drives, else 0.03"),

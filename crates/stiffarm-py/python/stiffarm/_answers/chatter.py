@@ -52,6 +52,11 @@ class Chatter(Table[ChatterDict]):
     any_speed_depth_mm_p05: float | None
     any_speed_depth_mm_p95: float | None
     any_speed_hz: float | None
+    #: Fed the other way, up for down, at the speed of the spindle.
+    other_way_depth_mm: float | None
+    other_way_hz: float | None
+    #: Speeds at which the cut would be calm, from where to where, within 0.5 to 1.5 of the spindle's; None where they are not known.
+    calm_rpm: list[list[float]] | None
     #: Without the delay: beside the others, never instead of them.
     pan_depth_mm: float | None
     pan_hz: float | None

@@ -15,6 +15,7 @@ from ..types import (
     ForceDict,
     LedgerDict,
     MilledDict,
+    PathChatter,
     PathContact,
     PathLength,
     PathRankingDict,
@@ -151,6 +152,9 @@ class Milled(Table[MilledDict]):
     search: PlaceSearch | None
     #: What becomes of the largest error as width and depth of the cut change by it; None where no cut is known.
     fed_back: FedBackDict | None
+    #: Whether the cuts swing with the arm (``chatter=True``): critical depth at the worst sample, its interval, what is not covered. In the
+    #: data frame ``critical_depth_mm``, ``chatter_hz`` and ``chatter_covered`` of every sample.
+    chatter: PathChatter | None
     remarks: list[str]
 
     #: The question, from which programs are written.

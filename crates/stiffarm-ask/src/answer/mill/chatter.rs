@@ -1,0 +1,203 @@
+//! How is it told whether the cuts of a path swing?
+
+use std::collections::BTreeSet;
+
+use serde_json::{Value, json};
+use stiffarm::catalogue::ProcessFile;
+use stiffarm::chatter::Chatter;
+use stiffarm::mill::{
+    Judged, MillError, MillHeld, PathChatter, Pushed, Stand, Station, Uncovered, chatter_along, check_chatter,
+};
+use stiffarm::modes::HeldTool;
+use stiffarm::robot::Robot;
+use stiffarm::watch::Watch;
+
+use super::super::chatter::ChatterAnswer;
+use super::super::{Cell, Column, ColumnKind, Line, Record, Table, field, fixed, line};
+use super::{MillAnswer, MillAnswerError};
+use crate::request::{Request, tool_name};
+
+/// Lines of the file that are named in a table.
+const MOST_LINES: usize = 8;
+
+/// What is asked of the cuts of a path.
+pub(super) struct AskedChatter {
+    held: MillHeld,
+    file: String,
+    process: ProcessFile,
+}
+
+/// Whether the cuts of a path swing.
+#[derive(Clone, Debug)]
+pub struct ChatterTold {
+    /// At every station.
+    pub samples: Vec<Judged>,
+    /// Where the critical depth is least in proportion to that of the cut, with all that is told of it; `None` where no sample is covered.
+    pub worst: Option<(usize, Box<ChatterAnswer>)>,
+}
+
+impl AskedChatter {
+    /// Of a request, its robot, and the process of its tool with the name of its file; `None` where it is not asked.
+    ///
+    /// # Errors
+    /// A robot or a process of which it cannot be told.
+    pub(super) fn of(
+        asked: &Request,
+        robot: &Robot,
+        (tool, process): (Option<u32>, Option<&(String, ProcessFile)>),
+    ) -> Result<Option<Self>, MillAnswerError> {
+        let Some((held, (file, process))) = asked.path_chatter()?.zip(process.cloned()) else { return Ok(None) };
+        check_chatter(robot, &process.process).map_err(|error| {
+            let of_tool = if asked.mills_by_tool() { format!("{}, ", tool_name(tool)) } else { String::new() };
+            MillAnswerError::Chatter { process: format!("{of_tool}{file}"), error }
+        })?;
+        Ok(Some(Self { held, file, process }))
+    }
+
+    /// Along a path that is followed.
+    pub(super) fn told(
+        self,
+        robot: &Robot,
+        stand: &Stand,
+        path: (&[Station], &[Pushed]),
+        watch: Watch,
+    ) -> Result<ChatterTold, MillError> {
+        let Self { held, file, process } = self;
+        let PathChatter { samples, worst } = chatter_along(robot, stand, path, (&process.process, &held), watch)?;
+        let told = |(i, chatter): (usize, Chatter)| {
+            let joints_deg = path.1[i].joints.map(f64::to_degrees);
+            let tool = HeldTool { flange_from_tool: stand.flange_from_tool, body: held.body };
+            (i, Box::new(ChatterAnswer { robot: robot.clone(), joints_deg, tool, file, process, chatter }))
+        };
+        Ok(ChatterTold { samples, worst: worst.map(told) })
+    }
+}
+
+impl ChatterTold {
+    /// What every sample has of it.
+    pub(super) fn columns() -> [Column; 3] {
+        let [depth, hertz] = [field::CRITICAL_DEPTH, field::CHATTER_FREQUENCY].map(|field| field.key);
+        [
+            Column::new(depth, ColumnKind::Number),
+            Column::new(hertz, ColumnKind::Number),
+            Column::new("chatter_covered", ColumnKind::Truth),
+        ]
+    }
+
+    /// Of one sample: a depth is absent where it is beyond the longest edge, and where nothing is told; the last cell says which.
+    pub(super) fn cells(&self, sample: usize) -> [Cell; 3] {
+        match self.samples[sample] {
+            Judged::Rapid => [Cell::Absent, Cell::Absent, Cell::Absent],
+            Judged::Uncovered(_) => [Cell::Absent, Cell::Absent, Cell::Truth(false)],
+            Judged::Cut { critical, .. } => {
+                let number = |x: Option<f64>| x.map_or(Cell::Absent, Cell::Number);
+                let depth = critical.edge.map(|edge| edge.depth * 1e3);
+                [number(depth), number(critical.edge.map(|edge| edge.frequency)), Cell::Truth(true)]
+            }
+        }
+    }
+
+    fn covered(&self) -> usize {
+        self.samples.iter().filter(|judged| matches!(judged, Judged::Cut { .. })).count()
+    }
+
+    /// Samples at which the mean over a revolution misleads.
+    fn misled(&self) -> usize {
+        self.samples.iter().filter(|judged| matches!(judged, Judged::Cut { critical, .. } if critical.misleads)).count()
+    }
+}
+
+impl MillAnswer {
+    /// What is not covered: why, at how many samples, and on which lines.
+    fn uncovered(&self) -> Vec<(Uncovered, usize, BTreeSet<usize>)> {
+        let Some(told) = &self.chatter else { return Vec::new() };
+        let of = |why: Uncovered| {
+            let there = || {
+                let samples = self.stations.iter().zip(&told.samples);
+                samples.filter(move |(_, judged)| **judged == Judged::Uncovered(why)).map(|(station, _)| station)
+            };
+            (why, there().count(), there().map(|station| station.sample.line).filter(|line| 0 < *line).collect())
+        };
+        Uncovered::ALL.into_iter().map(of).filter(|(_, count, _)| 0 < *count).collect()
+    }
+
+    /// Where a sample is, in words.
+    fn at_sample(&self, sample: usize) -> String {
+        let at = &self.stations[sample].sample;
+        if at.line == 0 { format!("{} mm of the way", fixed(at.way * 1e3, 1)) } else { format!("line {}", at.line) }
+    }
+
+    /// In words; never that a cut is stable.
+    pub fn chatter_verdict(&self) -> Option<String> {
+        let told = self.chatter.as_ref()?;
+        let of_robot = match &told.worst {
+            None => "not covered: no cut of which anything is known".to_owned(),
+            Some((worst, found)) => format!("{} at the worst sample, {}", found.of_robot(), self.at_sample(*worst)),
+        };
+        let uncovered: usize = self.uncovered().iter().map(|(_, count, _)| count).sum();
+        let besides = if 0 < uncovered { format!("; {uncovered} samples are not covered") } else { String::new() };
+        Some(format!("{of_robot}{besides}; spindle modes unknown"))
+    }
+
+    /// As fields.
+    pub(super) fn chatter_record(&self) -> Option<Record> {
+        let told = self.chatter.as_ref()?;
+        let uncovered = |(why, count, lines): (Uncovered, usize, BTreeSet<usize>)| {
+            let mut record = Record::new();
+            record
+                .put(field::UNCOVERED_WHY, why.name())
+                .put(field::SAMPLES_OF_PATH, count)
+                .put(field::UNCOVERED_LINES, json!(lines));
+            record.json()
+        };
+        let (worst, found) = told.worst.as_ref().map(|(worst, found)| (*worst, found.as_ref())).unzip();
+        let mut record = Record::new();
+        record
+            .put(field::PATH_CHATTER_VERDICT, self.chatter_verdict())
+            .put(field::COVERED, told.covered())
+            .put(field::NOT_COVERED, self.uncovered().into_iter().map(uncovered).collect::<Value>())
+            .put(field::MEAN_MISLEADS, told.misled())
+            .put(field::CHATTER_SAMPLE, worst)
+            .put(field::CHATTER_LINE, worst.map(|worst| self.stations[worst].sample.line))
+            .put(field::JOINTS, found.map(|found| found.joints_deg))
+            .put(field::FEED_DIRECTION, found.map(ChatterAnswer::feed));
+        ChatterAnswer::put_cut(found, &mut record);
+        Some(record)
+    }
+
+    /// As people read it.
+    pub(super) fn chatter_lines(&self) -> Vec<Line> {
+        let (Some(told), Some(verdict)) = (&self.chatter, self.chatter_verdict()) else { return Vec::new() };
+        let mut lines = vec![line("chatter", verdict)];
+        lines.extend(told.worst.iter().flat_map(|(_, found)| found.lines()));
+        lines.extend(self.uncovered().into_iter().map(|(why, count, at)| {
+            let named: Vec<String> = at.iter().take(MOST_LINES).map(ToString::to_string).collect();
+            let more =
+                if MOST_LINES < at.len() { format!(" and {} more", at.len() - MOST_LINES) } else { String::new() };
+            let on = if at.is_empty() { String::new() } else { format!(", line {}{more}", named.join(", ")) };
+            line("chatter not covered", format!("{}: {count} samples{on}", why.name()))
+        }));
+        if 0 < told.misled() {
+            let told = format!(
+                "at {} samples, where teeth cut shortly and pass slowly; only the worst by the mean is counted tooth by tooth",
+                told.misled()
+            );
+            lines.push(line("mean over a revolution misleads", told));
+        }
+        lines
+    }
+
+    /// The same as a table.
+    pub fn chatter_table(&self) -> Table {
+        Table::of_lines(self.chatter_lines())
+    }
+
+    /// What it rests on, a line each.
+    pub(super) fn chatter_basis(&self) -> String {
+        let worst = self.chatter.as_ref().and_then(|told| told.worst.as_ref());
+        worst.map_or_else(String::new, |(_, found)| {
+            let lines = found.basis().into_iter().map(|told| format!("chatter: {told}\n"));
+            lines.collect()
+        })
+    }
+}
