@@ -13,6 +13,7 @@ mod continuity;
 mod dual_bound;
 mod links;
 mod node;
+mod over_zone;
 mod prepared;
 
 pub(crate) use affine::{Affine, Vector, sin_cos, sum};
@@ -22,4 +23,5 @@ pub(crate) use compliance::add_squares;
 pub(crate) use continuity::TurnExtent;
 pub(crate) use dual_bound::{Line, least_largest, remaining};
 pub(crate) use node::{Node, middle, variables};
+pub(crate) use over_zone::least_over;
 pub(crate) use prepared::{ArmEnclosure, PushEnclosure, ToolFrameEnclosure};

@@ -1,19 +1,15 @@
 //! How far do the joints turn within a zone? Enclosed, so that nothing between two samples is missed.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::batch::SpatialArm;
-use crate::enclose::{Affine, Angles, ArmEnclosure, sin_cos};
-use crate::frontier::{self, Frontier};
+use crate::enclose::{Affine, Angles, ArmEnclosure, least_over};
 use crate::interval::Interval;
 use crate::inverse::{Configuration, posture_of};
 use crate::spatial::Pose;
 use crate::task::Zone;
 use crate::tolerances;
 use crate::work::{WorkPlacement, WorkPlane};
-
-/// Parts of a zone that are enclosed before the search for a least value stops with the bound it has.
-const MOST_PARTS: usize = 5000;
 
 /// A zone at its place, held in one configuration.
 pub(super) struct HeldZone<'a> {
@@ -26,18 +22,6 @@ pub(super) struct HeldZone<'a> {
     configuration: Configuration,
     /// The model angles at its centre, theta 1 to 6 and `theta 2 + theta 3`.
     centre: [f64; 7],
-}
-
-/// A part of a zone (sides of a rectangle, or radius and angle on a disc), and a lower bound on the least value in it.
-struct Part {
-    sides: [Interval; 2],
-    least: f64,
-}
-
-impl frontier::Node for Part {
-    fn key(&self) -> [f64; 2] {
-        [self.least, 0.0]
-    }
 }
 
 impl<'a> HeldZone<'a> {
@@ -68,80 +52,17 @@ impl<'a> HeldZone<'a> {
     /// It is too low by at most [`tolerances::FOLLOWED`] or the part [`tolerances::FOLLOWED_PART`] of it, unless it is at least
     /// `enough`. `value` takes the angles less than half a turn from those at the centre.
     pub(super) fn least(&self, enough: f64, value: impl Fn(&Angles) -> f64) -> f64 {
-        let mut queue = Frontier::new();
-        let mut found = f64::INFINITY;
-        let whole = match self.zone {
-            Zone::Circle { diameter } => [Interval::spanning(0.0, diameter / 2.0), Interval::spanning(-PI, PI)],
-            Zone::Rectangle { width, height } => {
-                [width, height].map(|side| Interval::spanning(-side / 2.0, side / 2.0))
-            }
-        };
-        queue.push(Part { sides: whole, least: f64::NEG_INFINITY });
-        let mut parts = 0;
-        while let Some(Part { sides, least }) = queue.pop() {
+        let is_enough = |least: f64, found: f64| {
             let tolerance = tolerances::FOLLOWED.max(tolerances::FOLLOWED_PART * found.abs());
-            if enough <= least || found - tolerance <= least || MOST_PARTS < parts {
-                return least.min(found);
-            }
-            for sides in self.halves(sides) {
-                parts += 1;
-                let angles = self.enclosure.angles(&self.plane, &self.work, self.part(sides), self.configuration);
-                let least_here = angles.map_or(f64::NEG_INFINITY, |angles| value(&self.followed(angles)));
-                queue.push(Part { sides, least: least.max(least_here) });
-                if found <= least_here {
-                    continue;
-                }
-                for at in self.corners(sides) {
-                    let Some(angles) = self.angles_at(at) else { return f64::NEG_INFINITY };
-                    found = found.min(value(&angles.map(Interval::point)));
-                }
-            }
-        }
-        found
-    }
-
-    /// The two halves of a part across its longer side; an angle counts as the length of its arc on the rim.
-    fn halves(&self, sides: [Interval; 2]) -> [[Interval; 2]; 2] {
-        let lever = match self.zone {
-            Zone::Circle { .. } => sides[0].max(),
-            Zone::Rectangle { .. } => 1.0,
+            enough <= least || found - tolerance <= least
         };
-        let longer = usize::from(sides[0].width() < lever * sides[1].width());
-        sides[longer].halves().map(|half| {
-            let mut part = sides;
-            part[longer] = half;
-            part
-        })
-    }
-
-    /// All points of a part, m from the centre of the zone.
-    fn part(&self, sides: [Interval; 2]) -> [Affine<2>; 2] {
-        let length = |i: usize| {
-            let mut length = Affine::point(sides[i].middle());
-            length.deviations[i] = sides[i].width() / 2.0;
-            length
+        let bound = |part: [Affine<2>; 2]| {
+            let angles = self.enclosure.angles(&self.plane, &self.work, part, self.configuration);
+            angles.map_or(f64::NEG_INFINITY, |angles| value(&self.followed(angles)))
         };
-        match self.zone {
-            Zone::Rectangle { .. } => [length(0), length(1)],
-            Zone::Circle { .. } => {
-                let (sine, cosine) = sin_cos::<2>(sides[1], 1);
-                [length(0) * cosine, length(0) * sine]
-            }
-        }
-    }
-
-    fn corners(&self, sides: [Interval; 2]) -> [[f64; 2]; 4] {
-        let corner = |a: f64, b: f64| match self.zone {
-            Zone::Rectangle { .. } => [a, b],
-            Zone::Circle { .. } => [a * b.cos(), a * b.sin()],
-        };
-        let [first, second] = sides;
-        [
-            corner(first.min(), second.min()),
-            corner(first.min(), second.max()),
-            corner(first.max(), second.min()),
-            corner(first.max(), second.max()),
-        ]
+        let at =
+            |at: [f64; 2]| self.angles_at(at).map_or(f64::NEG_INFINITY, |angles| value(&angles.map(Interval::point)));
+        least_over(self.zone, is_enough, bound, at).bound
     }
 
     /// The angles at a point of the zone, m from its centre.
