@@ -141,12 +141,6 @@ impl Geometry {
         })
     }
 
-    /// How what turns about the joint-2 axis as the forearm does has moved from where it is at model zero: the crank of a parallelogram.
-    pub(crate) fn crank(&self, theta: &[f64; 6]) -> Pose {
-        let turn = about(Vector3::zeros(), Vector3::z() * theta[0]);
-        turn * about(self.shoulder_at_zero(), Vector3::y() * (theta[1] + theta[2]))
-    }
-
     /// A point of the joint-2 axis at model zero, in the arm plane, m, base frame.
     pub(crate) fn shoulder_at_zero(&self) -> Vector3<f64> {
         Vector3::new(self.a1, self.b, self.c1)

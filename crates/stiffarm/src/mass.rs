@@ -3,10 +3,15 @@
 //! Bodies are stated as a robot file states them: at model zero (all model angles zero: upper arm and forearm upright), in the base's
 //! axes, from the base. From there [`Geometry::links`] carries them.
 
-use nalgebra::{Matrix3, Matrix6, Point3, Vector3};
+mod matrix;
+
+use nalgebra::{Matrix3, Point3, Vector3};
 
 use crate::geometry::Geometry;
 use crate::spatial::Pose;
+
+pub use matrix::mass_matrix;
+pub(crate) use matrix::{LinkDirections, inertia_of};
 
 /// The least that a body weighs, kg: descriptions have less where they know nothing.
 pub const LEAST_KG: f64 = 1e-3;
@@ -58,6 +63,13 @@ pub struct Mass {
     pub carrier: Carrier,
     /// What it weighs.
     pub body: RigidBody,
+}
+
+impl Mass {
+    /// What is held at the flange: a body in the axes of the flange, from its centre.
+    pub fn held(geometry: &Geometry, body: &RigidBody) -> Self {
+        Self { carrier: Carrier::Link(6), body: body.seen_from(&geometry.forward(&[0.0; 6])) }
+    }
 }
 
 impl RigidBody {
@@ -116,66 +128,6 @@ impl RigidBody {
             "no body has this inertia: its principal moments are {least:.4}, {middle:.4} and {largest:.4} kg m^2; expected none negative, and each at most the sum of the other two"
         ))
     }
-}
-
-/// The inertia of bodies and tool as seen in the six model angles: `M = sum m Jv^T Jv + Jw^T I Jw`, kg m^2, at the model angles `theta`, rad.
-///
-/// The kinetic energy is `1/2 theta'^T M theta'`. `tool` is in the base's axes at this posture, from the base, and moves with link 6.
-pub fn mass_matrix(geometry: &Geometry, theta: &[f64; 6], masses: &[Mass], tool: Option<&RigidBody>) -> Matrix6<f64> {
-    let axes = geometry.axes(theta);
-    let links = geometry.links(theta);
-    let mut sum = Matrix6::zeros();
-    for Mass { carrier, body } in masses {
-        match carrier {
-            Carrier::Base => {}
-            Carrier::Link(link) => add(&mut sum, &axes, *link, &body.seen_from(&links[link - 1])),
-            Carrier::Counterweight => {
-                let body = body.seen_from(&geometry.crank(theta));
-                // Turned by theta2 + theta3 about the joint-2 axis.
-                add(&mut sum, &[axes[0], axes[1], axes[1], axes[3], axes[4], axes[5]], 3, &body);
-            }
-            Carrier::Rod { crank } => add_rod(&mut sum, geometry, theta, *crank, body),
-        }
-    }
-    if let Some(tool) = tool {
-        add(&mut sum, &axes, 6, tool);
-    }
-    sum
-}
-
-/// Adds a body in base axes that the first `joints` axes move, each a direction and a point that it passes through.
-fn add(sum: &mut Matrix6<f64>, axes: &[(Vector3<f64>, Vector3<f64>); 6], joints: usize, body: &RigidBody) {
-    let moved = axes.map(|(axis, through)| axis.cross(&(body.centre - through)));
-    let turned = axes.map(|(axis, _)| axis);
-    add_columns(sum, &moved[..joints], &turned[..joints], body);
-}
-
-/// Adds a body whose centre and turn follow the first joints by these columns.
-fn add_columns(sum: &mut Matrix6<f64>, moved: &[Vector3<f64>], turned: &[Vector3<f64>], body: &RigidBody) {
-    for i in 0..moved.len() {
-        let resisted = body.inertia * turned[i];
-        for j in 0..=i {
-            let part = body.mass * moved[i].dot(&moved[j]) + resisted.dot(&turned[j]);
-            sum[(i, j)] += part;
-            if i != j {
-                sum[(j, i)] += part;
-            }
-        }
-    }
-}
-
-/// The rod: its end on the crank turns by theta2 + theta3 about the joint-2 axis, and it turns itself by theta2.
-fn add_rod(sum: &mut Matrix6<f64>, geometry: &Geometry, theta: &[f64; 6], [ahead, up]: [f64; 2], body: &RigidBody) {
-    let axes = geometry.axes(theta);
-    let (across, shoulder) = axes[1];
-    let [_, upper_arm, ..] = geometry.links(theta);
-    let at_zero = geometry.shoulder_at_zero() + Vector3::new(ahead, 0.0, up);
-    let end = (geometry.crank(theta) * Point3::from(at_zero)).coords;
-    let turned = RigidBody { centre: body.centre - at_zero, ..*body }
-        .seen_from(&Pose::from_parts(end.into(), upper_arm.rotation));
-    let of_end = across.cross(&(end - shoulder));
-    let moved = [axes[0].0.cross(&turned.centre), across.cross(&(turned.centre - end)) + of_end, of_end];
-    add_columns(sum, &moved, &[axes[0].0, across, Vector3::zeros()], &turned);
 }
 
 #[cfg(test)]

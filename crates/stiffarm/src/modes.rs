@@ -4,25 +4,32 @@
 //! `lambda = 1/w^2` of `N = k^1/2 M k^1/2`, so rigid drives (`k = 0`) and bodies without mass are `lambda = 0` instead of a division by zero.
 //! The stiffness is that of [`mod@crate::compliance`]: gravity and springs of base and bearings are left out (\[theory\], section 12).
 
+mod arm;
 mod motion;
+mod zone;
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Complex, DMatrix, Matrix3, Matrix3xX, Matrix6, SymmetricEigen, Vector3};
+use nalgebra::{Complex, DMatrix, Matrix3, Matrix3x6, Matrix3xX, Matrix6, SymmetricEigen, Vector3};
 
-use crate::compliance::{PostureError, check_joint, check_tool};
-use crate::mass::{Carrier, RigidBody, mass_matrix};
+use crate::compliance::PostureError;
+use crate::mass::{Carrier, RigidBody};
 use crate::prior::factors;
-use crate::robot::{Arm, Robot};
+use crate::robot::Robot;
 use crate::spatial::Pose;
 use crate::uncertainty::{DRAWS, Spread};
 
+pub use arm::SwingingArm;
+pub(crate) use arm::check_masses;
 pub use motion::Motion;
+pub use zone::{ModeOverZone, SwingOverZone, modes_over};
 
 /// Of each mode where the robot file says nothing of damping; measured on such arms: 0.02 to 0.08.
 pub const DAMPING_RATIO: f64 = 0.03;
 /// A mode whose `1/w^2` is a smaller share of the largest is none: it is rounding, or nothing springs there.
 const NONE: f64 = 1e-12;
+/// How many joints move the points of [`Swing::points`].
+const MOVED_BY: [usize; 5] = [0, 1, 2, 3, 6];
 
 /// What is held at the flange.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +64,8 @@ pub struct Mode {
     pub damping_ratio: f64,
     /// How the tip moves, `J v` with `v^T M v = 1 kg m^2`: m per root of kg m^2, base axes.
     pub tip: Vector3<f64>,
+    /// How the points of [`Swing::points`] move, in the same unit.
+    pub moved: [Vector3<f64>; 5],
     /// Which share of the energy each drive stores where the arm stands still; adds up to 1.
     pub drive_shares: [f64; 6],
 }
@@ -66,12 +75,14 @@ pub struct Mode {
 pub struct Swing {
     /// The tool frame in the base frame.
     pub tool: Pose,
+    /// Base, joint-2 axis, elbow, wrist centre and flange, m, base frame.
+    pub points: [Vector3<f64>; 5],
     /// Ascending by frequency; as many as there are drives that spring and bodies that they move.
     pub modes: Vec<Mode>,
     /// What the damping ratios are from.
     pub damping: Damping,
     /// `J A k^1/2`, rows of translation alone.
-    tip: nalgebra::Matrix3x6<f64>,
+    tip: Matrix3x6<f64>,
     /// `k^1/2 A^T M A k^1/2`, s^2.
     inertia: Matrix6<f64>,
     /// `k^1/2 D k^1/2`, s.
@@ -103,6 +114,12 @@ pub enum ModesError {
     /// A rotor that weighs nothing.
     #[error("{0}: a rotor without inertia; expected more than 0 kg m2 at every joint")]
     Rotor(String),
+    /// A zone that only the two links hold.
+    #[error("over a zone an arm swings in space: a placement by the spatial model is needed")]
+    NotInSpace,
+    /// A placement of another arm or tool.
+    #[error("the posture of the zone does not lead to its point {} m, {} m from its centre", .0[0], .0[1])]
+    NotHeld([f64; 2]),
     /// Nothing springs, or nothing weighs.
     #[error("{0}: nothing swings: no drive that springs moves a mass")]
     Nothing(String),
@@ -142,28 +159,24 @@ fn solved(
     tool: &HeldTool,
     damping: Option<Damping>,
 ) -> Result<(Swing, [f64; 6], Matrix6<f64>), ModesError> {
-    let Arm::SixAxis { geometry, limits, drives } = &robot.arm else {
-        return Err(PostureError::Planar(robot.name.clone()).into());
-    };
-    q.iter().enumerate().try_for_each(|(joint, angle)| check_joint(joint, *angle))?;
-    check_tool(&tool.flange_from_tool)?;
-    if let Some(fault) = tool.body.as_ref().and_then(tool_fault) {
-        return Err(ModesError::Tool(fault));
-    }
-    check_masses(robot)?;
-    let damping = damping.or(drives.motors.damping.map(Damping::OfDrives)).unwrap_or(Damping::Ratio(DAMPING_RATIO));
+    let arm = SwingingArm::new(robot, tool)?;
+    let theta = arm.model_angles(q)?;
+    let (geometry, motors) = (arm.geometry(), &arm.drives().motors);
+    let damping = damping.or(motors.damping.map(Damping::OfDrives)).unwrap_or(Damping::Ratio(DAMPING_RATIO));
     check_damping(&damping)?;
 
-    let theta = geometry.model_angles(q, limits.third_axis);
-    let flange = geometry.forward(&theta);
-    let base_from_tool = flange * tool.flange_from_tool;
-    let k = drives.compliance_at(theta[1]).ok_or_else(|| PostureError::Unstable(robot.name.clone()))?;
-    let held = tool.body.map(|body| body.seen_from(&flange));
-    let a = drives.transmission.0;
-    let in_drives = a.transpose() * mass_matrix(geometry, &theta, &robot.masses, held.as_ref()) * a;
-    let jacobian = geometry.jacobian(&theta, &base_from_tool.translation.vector) * a;
+    let base_from_tool = geometry.forward(&theta) * tool.flange_from_tool;
+    let (k, in_drives) = arm.springs_and_inertia(&theta)?;
+    let jacobian = geometry.jacobian(&theta, &base_from_tool.translation.vector) * arm.drives().transmission.0;
     let root = Matrix6::from_diagonal(&k.map(f64::sqrt).into());
     let tip = jacobian.fixed_rows::<3>(0) * root;
+    let points = geometry.points(&theta).map(Vector3::from);
+    let links: [Matrix3x6<f64>; 5] = std::array::from_fn(|i| {
+        // Joint 3 passes through the elbow, the joints of the wrist through its centre.
+        let moves = |joint: usize| if joint < MOVED_BY[i] { 1.0 } else { 0.0 };
+        let before = Matrix6::from_diagonal(&std::array::from_fn(moves).into());
+        geometry.jacobian(&theta, &points[i]).fixed_rows::<3>(0) * before * arm.drives().transmission.0 * root
+    });
     let inertia = root * in_drives * root;
     let found = eigen(&inertia);
     let largest = found[0].0;
@@ -171,8 +184,7 @@ fn solved(
         return Err(ModesError::Nothing(robot.name.clone()));
     }
     let friction = friction(&damping, &root, &found);
-    let beside = drives
-        .motors
+    let beside = motors
         .rotor
         .map(|rotor| beside_rotors(&in_drives, &rotor).ok_or_else(|| ModesError::Rotor(robot.name.clone())));
     let free = beside.transpose()?.map(|inertia| frequencies(&(root * inertia * root)));
@@ -184,9 +196,11 @@ fn solved(
         // v = k^1/2 u / lambda^1/2, so v^T D v / 2w = u^T k^1/2 D k^1/2 u / 2 lambda^1/2.
         damping_ratio: u.dot(&(friction * u)) / (2.0 * lambda.sqrt()),
         tip: tip * u / lambda.sqrt(),
+        moved: links.map(|link| link * u / lambda.sqrt()),
         drive_shares: u.map(|part| part * part).into(),
     });
-    Ok((Swing { tool: base_from_tool, modes: modes.collect(), damping, tip, inertia, friction }, k, in_drives))
+    let swing = Swing { tool: base_from_tool, points, modes: modes.collect(), damping, tip, inertia, friction };
+    Ok((swing, k, in_drives))
 }
 
 impl Swing {
@@ -286,22 +300,6 @@ fn spreads(robot: &Robot, k: &[f64; 6], in_drives: &Matrix6<f64>) -> Option<Vec<
     Some((0..fewest).map(|rank| Spread::of(draws.iter().map(|draw| draw[rank]).collect())).collect())
 }
 
-/// Every link has a mass.
-///
-/// # Errors
-/// Which have none.
-pub(crate) fn check_masses(robot: &Robot) -> Result<(), ModesError> {
-    let has = |carrier: &dyn Fn(&Carrier) -> bool| robot.masses.iter().any(|mass| carrier(&mass.carrier));
-    let links: Vec<String> =
-        (1..=6).filter(|link| !has(&|carrier| *carrier == Carrier::Link(*link))).map(|link| link.to_string()).collect();
-    let missing = match links.len() {
-        0 => return Ok(()),
-        6 => "no masses".to_owned(),
-        _ => format!("no mass of link {}", links.join(", ")),
-    };
-    Err(ModesError::NoMasses { robot: robot.full_name(), missing })
-}
-
 /// What is left out of a robot's masses, though it has them of every link: rod and counterweight of a parallelogram.
 pub fn left_out(robot: &Robot) -> Vec<&'static str> {
     let has = |carrier: fn(&Carrier) -> bool| robot.masses.iter().any(|mass| carrier(&mass.carrier));
@@ -311,17 +309,6 @@ pub fn left_out(robot: &Robot) -> Vec<&'static str> {
         ("counterweight", has(|carrier| *carrier == Carrier::Counterweight)),
     ];
     parts.into_iter().filter(|(_, is_there)| quasi_serial && !is_there).map(|(part, _)| part).collect()
-}
-
-fn tool_fault(body: &RigidBody) -> Option<String> {
-    const MOST_KG: f64 = 5000.0;
-    if !(0.0 < body.mass && body.mass <= MOST_KG) {
-        return Some(format!("a mass of {} kg; expected more than 0 and at most {MOST_KG} kg", body.mass));
-    }
-    if !(body.centre.norm() <= 10.0) {
-        return Some(format!("a mass centre {} m from the flange; expected at most 10 m", body.centre.norm()));
-    }
-    body.inertia_fault()
 }
 
 fn check_damping(damping: &Damping) -> Result<(), ModesError> {

@@ -7,7 +7,7 @@ use stiffarm::catalogue::{find, read, with_compliance, write};
 use stiffarm::compliance::compliance;
 use stiffarm::drive::Architecture;
 use stiffarm::mass::{Carrier, Mass, RigidBody, mass_matrix};
-use stiffarm::modes::{Damping, HeldTool, ModesError, Swing, modes};
+use stiffarm::modes::{Damping, HeldTool, ModesError, Swing, SwingingArm, modes};
 use stiffarm::prior::with_prior;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
@@ -72,9 +72,9 @@ fn three_springs_and_the_masses_of_a_tx200_give_its_published_modes_to_all_digit
     close(&frequencies(&swing), &[8.76944, 14.82100, 23.13586], 5e-5);
 
     let Arm::SixAxis { geometry, .. } = &robot.arm else { panic!("six axes") };
-    let flange = geometry.forward(&q);
-    let tool = tx200_spindle().body.unwrap().seen_from(&flange);
-    let m = mass_matrix(geometry, &q, &robot.masses, Some(&tool));
+    let mut masses = robot.masses.clone();
+    masses.push(Mass::held(geometry, &tx200_spindle().body.unwrap()));
+    let m = mass_matrix(geometry, &q, &masses);
     let upper = [m[(0, 0)], m[(0, 1)], m[(0, 2)], m[(1, 1)], m[(1, 2)], m[(2, 2)]];
     close(&upper, &[377.1118, -38.6733, 0.1667, 330.1834, 74.2362, 98.3999], 2e-3);
 }
@@ -216,6 +216,39 @@ fn turning_joint_1_turns_the_shapes_and_leaves_the_frequencies() {
         assert!((a.tip - turned).norm().min((a.tip + turned).norm()) < 1e-9);
         assert!((a.drive_shares.iter().sum::<f64>() - 1.0).abs() < 1e-12);
     }
+}
+
+/// Links do not stretch: of two ends of a link the difference of their motions is across it. The flange moves as a tip without a tool does.
+#[test]
+fn in_every_mode_the_links_keep_their_lengths_and_the_flange_moves_with_the_last() {
+    let (robot, tool, _) = kr210();
+    let tool = HeldTool { flange_from_tool: Pose::identity(), ..tool };
+    let q = [0.3, -1.4, 1.5, 0.4, 0.7, -0.2];
+    let swing = modes(&robot, &q, &tool, None).unwrap();
+    let wrist_to_flange = (swing.points[4] - swing.points[3]).norm();
+    assert!((wrist_to_flange - 0.215).abs() < 1e-12, "{wrist_to_flange}");
+    for mode in &swing.modes {
+        let size = mode.moved.iter().map(Vector3::norm).fold(0.0, f64::max);
+        assert!(mode.moved[0].norm() == 0.0 && (mode.moved[4] - mode.tip).norm() <= 1e-12 * size, "{mode:?}");
+        for (points, moved) in swing.points.windows(2).zip(mode.moved.windows(2)) {
+            let stretch = (points[1] - points[0]).dot(&(moved[1] - moved[0]));
+            assert!(stretch.abs() <= 1e-12 * size * (points[1] - points[0]).norm(), "{mode:?}");
+        }
+        // Joint 1 alone moves the joint-2 axis, about the vertical.
+        assert!(mode.moved[1].z.abs() <= 1e-12 * size && mode.moved[1].dot(&swing.points[1]).abs() <= 1e-12 * size);
+    }
+}
+
+/// `frequencies` is the quick way to the numbers of `modes`.
+#[test]
+fn the_frequencies_of_a_prepared_arm_are_those_of_its_modes() {
+    let (robot, tool, q) = kr210();
+    let arm = SwingingArm::new(&robot, &tool).unwrap();
+    for turn in [-0.4, 0.0, 0.7] {
+        let q = q.map(|angle| angle + turn);
+        close(&arm.frequencies(&q).unwrap(), &frequencies(&modes(&robot, &q, &tool, None).unwrap()), 1e-7);
+    }
+    assert!(matches!(arm.frequencies(&[f64::NAN; 6]), Err(ModesError::Posture(_))));
 }
 
 #[test]

@@ -5,11 +5,12 @@ use nalgebra::Vector3;
 use super::affine::{Affine, Vector};
 use super::bounds::NodeBounds;
 use super::continuity::{JointDirections, TurnExtent};
-use super::links::{angle, seen_from_forearm, unit};
+use super::links::{ArmView, Links, angle, seen_from_forearm, unit};
 use super::node::WorkPlaneEnclosure;
 use super::prepared::{ArmEnclosure, ToolFrameEnclosure};
 use crate::interval::Interval;
 use crate::inverse::{ArmBranch, Configuration, Wrist};
+use crate::mass::LinkDirections;
 use crate::plane::Elbow;
 use crate::tolerances;
 use crate::work::{WorkPlacement, WorkPlane};
@@ -79,6 +80,54 @@ impl ArmEnclosure {
         part: [Affine<2>; 2],
         configuration: Configuration,
     ) -> Option<Angles> {
+        let HeldPart { view, links, fourth, sixth, fifth: [c5, s5] } =
+            self.held_part(plane, work, part, configuration)?;
+        let [(s2, c2), (s23, c23)] = [links.upper, links.forearm].map(|[x, z]| (x, z));
+        Some([
+            angle(view.first[0], view.first[1])?,
+            angle(c2, s2)?,
+            angle(c2 * c23 + s2 * s23, c2 * s23 - s2 * c23)?,
+            angle(fourth[0], fourth[1])?,
+            angle(c5, s5)?,
+            angle(sixth[0], sixth[1])?,
+            angle(c23, s23)?,
+        ])
+    }
+
+    /// Where the links point with which a configuration holds all of a part of the work plane, and the compliance of each drive there,
+    /// rad/(N m). `None` as of [`Self::angles`].
+    pub(crate) fn directions(
+        &self,
+        plane: &WorkPlane,
+        work: &WorkPlacement,
+        part: [Affine<2>; 2],
+        configuration: Configuration,
+    ) -> Option<(LinkDirections<Affine<2>>, [Affine<2>; 6])> {
+        let HeldPart { view, links, fourth, fifth, .. } = self.held_part(plane, work, part, configuration)?;
+        let [_, s5] = fifth;
+        let length = if configuration.wrist == Wrist::Flip { -s5 } else { s5 };
+        let inverse = length.inverse(Interval::spanning(tolerances::PROOF_CLEARANCE, 1.0))?;
+        let [c4, s4] = fourth.map(|part| unit(part * inverse));
+        let [s23, c23] = links.forearm;
+        let compliances = self.drive_compliances(&links);
+        let directions = LinkDirections {
+            upper: links.upper,
+            forearm: links.forearm,
+            axis_5: [-(c23 * s4), c4, s23 * s4],
+            axis_6: view.axis_6,
+            flange_x: view.flange_x,
+        };
+        Some((directions, compliances))
+    }
+
+    /// How a configuration holds all of a part of the work plane. `None` as of [`Self::angles`].
+    fn held_part(
+        &self,
+        plane: &WorkPlane,
+        work: &WorkPlacement,
+        part: [Affine<2>; 2],
+        configuration: Configuration,
+    ) -> Option<HeldPart> {
         let [wrist_to_tool, axis_6, flange_x] =
             [self.wrist_to_tool, self.axis_6, self.flange_x].map(|v| <[f64; 3]>::from(plane.tool() * Vector3::from(v)));
         let fixed = |v: [f64; 3]| v.map(Affine::point);
@@ -99,7 +148,6 @@ impl ArmEnclosure {
             return None;
         }
         let links = self.links(&view.wrist, branch, &mut NodeBounds::default()).flatten()?;
-        let [(s2, c2), (s23, c23)] = [links.upper, links.forearm].map(|[x, z]| (x, z));
         let (fourth, sixth, c5) = seen_from_forearm(&view, &links);
         let square = fourth[0].square() + fourth[1].square();
         if !(tolerances::PROOF_CLEARANCE * tolerances::PROOF_CLEARANCE < square.min()) {
@@ -108,16 +156,20 @@ impl ArmEnclosure {
         let sign = if configuration.wrist == Wrist::Flip { -1.0 } else { 1.0 };
         let s5 = square.sqrt()? * sign;
         let (fourth, sixth) = (fourth.map(|x| x * sign), sixth.map(|x| x * sign));
-        Some([
-            angle(view.first[0], view.first[1])?,
-            angle(c2, s2)?,
-            angle(c2 * c23 + s2 * s23, c2 * s23 - s2 * c23)?,
-            angle(fourth[0], fourth[1])?,
-            angle(c5, s5)?,
-            angle(sixth[0], sixth[1])?,
-            angle(c23, s23)?,
-        ])
+        Some(HeldPart { view, links, fourth, sixth, fifth: [c5, s5] })
     }
+}
+
+/// How a configuration holds all of a part of the work plane.
+struct HeldPart {
+    view: ArmView<2>,
+    links: Links<2>,
+    /// Cosine and sine of theta 4, each times the length of the sine of theta 5.
+    fourth: [Affine<2>; 2],
+    /// The same of theta 6.
+    sixth: [Affine<2>; 2],
+    /// Cosine and sine of theta 5.
+    fifth: [Affine<2>; 2],
 }
 
 /// All points of a part of the work plane, base axes.

@@ -168,7 +168,7 @@ impl ArmEnclosure {
     }
 
     /// The compliance of each drive, with the compensator's part; NaN where nothing is known of it.
-    fn drive_compliances<const N: usize>(&self, links: &Links<N>) -> [Affine<N>; 6] {
+    pub(super) fn drive_compliances<const N: usize>(&self, links: &Links<N>) -> [Affine<N>; 6] {
         let mut k = self.arm.k.map(Affine::point);
         if let Some(compensator) = &self.arm.compensator {
             let [s2, c2] = links.upper;

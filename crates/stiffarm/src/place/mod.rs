@@ -24,6 +24,7 @@ use crate::plane::Elbow;
 use crate::task::{Task, Zone};
 use crate::tolerances;
 use crate::watch::Watch;
+use crate::work::WorkPlacement;
 
 /// Deflections below this, m, are rounding: nothing gives way.
 pub(crate) const NOTHING: f64 = 1e-15;
@@ -306,6 +307,12 @@ impl Placement {
 }
 
 impl SpaceHold {
+    /// How the zone of a placement that is held so lies, before it is turned by the bearing.
+    pub fn work(&self, placement: &Placement) -> WorkPlacement {
+        let [x, z] = placement.centre;
+        WorkPlacement { x, y: 0.0, z, yaw: self.yaw, angle: placement.angle, roll: self.roll }
+    }
+
     /// As [`Placement::smallest_margin`].
     pub fn smallest_margin(&self) -> (f64, MarginOf) {
         match self.limit_margin {

@@ -6,7 +6,7 @@ use crate::compliance::{PostureError, compliance};
 use crate::inverse::posture_of;
 use crate::model::{ModelError, SpatialModel};
 use crate::place::{PlaceError, PlaceOptions, Placement, SpaceHold};
-use crate::work::{WorkPlacement, WorkPlane};
+use crate::work::WorkPlane;
 
 /// A point of a zone at its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,8 +26,7 @@ pub(in crate::place) fn deflection_field(
     points: impl IntoIterator<Item = [f64; 2]>,
 ) -> Result<Vec<ZonePoint>, PlaceError> {
     let (robot, arm) = (model.robot(), model.arm());
-    let [x, z] = placement.centre;
-    let work = WorkPlacement { x, y: 0.0, z, yaw: hold.yaw, angle: placement.angle, roll: hold.roll };
+    let work = hold.work(placement);
     let plane = WorkPlane::of(options.stance().elevation, &work);
     let forces = plane.forces(options.load);
     let tool_from_flange = arm.flange_from_tool.inverse();
