@@ -114,6 +114,16 @@ pub enum AskError {
         /// Why.
         error: PlaceError,
     },
+    /// A zone without a place, where more is asked of it than the place.
+    #[error("{robot}: no place for {task}: {reason}")]
+    NoPlace {
+        /// Which robot.
+        robot: String,
+        /// Which zone.
+        task: String,
+        /// Why.
+        reason: stiffarm::place::Misfit,
+    },
     /// A map that cannot be made.
     #[error("{robot}: {error}")]
     Map {
@@ -238,6 +248,7 @@ impl AskError {
             Self::Place { robot, .. } => {
                 return format!("`stiffarm robots show \"{robot}\"` tells lengths and limits; --within, --angle and --gap bound the search");
             }
+            Self::NoPlace { .. } => "--at says where the zone stands; `stiffarm place` finds where it may, and what margins it keeps",
             Self::Posture { robot, .. } => {
                 return format!("`stiffarm robots show \"{robot}\"` tells what is known of its joints and drives");
             }

@@ -43,6 +43,10 @@ fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static s
     if has("tool-com-mm") && !has("tool-mass-kg") {
         given.push(("tool-mass-kg", "60"));
     }
+    // A zone swings at a place.
+    if verb == Verb::Modes && given.iter().any(|(name, _)| *name == "task") && setting.name != "at" {
+        given.push(("at", "1.5,0.8"));
+    }
     // What is asked of a cut goes with its feed.
     if verb == Verb::Chatter && setting.name != "feed" {
         given.push(("feed", "1,0,0"));
@@ -143,7 +147,8 @@ fn told(request: &Request) -> String {
         }
         Verb::Modes => {
             let (robot, joints, tool) = (request.robot().ok(), request.joints_deg().ok(), request.held_tool());
-            format!("{robot:?} {joints:?} {tool:?} {:?} {}", request.damping(), request.mode_count())
+            let zone = request.swinging_zone().ok();
+            format!("{robot:?} {joints:?} {tool:?} {:?} {} {zone:?}", request.damping(), request.mode_count())
         }
         Verb::Chatter => {
             let (robot, joints, tool) = (request.robot().ok(), request.joints_deg().ok(), request.held_tool());
@@ -200,10 +205,10 @@ fn every_option_changes_what_is_told() {
     for verb in Verb::ALL {
         for setting in verb.settings() {
             let with = alone(verb, setting);
-            // A mass and its centre go together.
-            let is_tool =
-                [Verb::Modes, Verb::Chatter].contains(&verb) && ["tool-mass-kg", "tool-com-mm"].contains(&setting.name);
-            let left = if is_tool { &[] } else { &with[1..] };
+            // A mass and its centre go together, and a zone and its place.
+            let go_together = [Verb::Modes, Verb::Chatter].contains(&verb)
+                && ["tool-mass-kg", "tool-com-mm", "task"].contains(&setting.name);
+            let left = if go_together { &[] } else { &with[1..] };
             let without = asked(verb, left).expect("the same without it");
             let with = asked(verb, &with).expect("an example");
             assert_ne!(told(&with), told(&without), "{verb:?}: {} changes nothing", setting.name);

@@ -37,7 +37,10 @@ pub(crate) const VERBS: [(Verb, &str); 12] = [
     (Verb::Place, "Find the best place of one zone, with a proof"),
     (Verb::Map, "Map the deflection over everything a robot reaches"),
     (Verb::Compliance, "Six-axis compliance at one posture, and which drive gives how much"),
-    (Verb::Modes, "Frequencies and shapes in which a robot swings at one posture, where its masses are known"),
+    (
+        Verb::Modes,
+        "Frequencies and shapes in which a robot swings at one posture or over a zone, where its masses are known",
+    ),
     (Verb::Chatter, "Does a cut swing with the arm at one posture, and how deep may it go"),
     (Verb::Study, "Compare two architectures over link ratio and task size"),
     (Verb::Compare, "Two setups side by side: robots, tools, places; each may be a job file for place"),

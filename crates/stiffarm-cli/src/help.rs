@@ -84,7 +84,7 @@ const ABOUT: [About; 23] = [
     About {
         name: "modes",
         is_long: false,
-        files: "the modes as .csv or .parquet, the answer as .json, .md or .txt",
+        files: "the modes as .csv or .parquet, of one posture their shapes as .svg, .pdf or .png, the answer as .json, .md or .txt",
         examples: &[
             (
                 "stiffarm modes \"KR 210 R2700-2\" --joints-deg 0,-90,90,0,45,0",
@@ -93,6 +93,10 @@ const ABOUT: [About; 23] = [
             (
                 "stiffarm modes \"KR 210 R2700-2\" --joints-deg 0,-90,90,0,45,0 --tool-mass-kg 60 --tool-com-mm 0,0,200",
                 "with a spindle of 60 kg, its centre 200 mm before the flange",
+            ),
+            (
+                "stiffarm modes \"KR 210 R2700-2\" --task rect:0.4x0.6 --at 1.5,0.8 --tool-mm 0,0,200 --tool-mass-kg 60 --tool-com-mm 0,0,200",
+                "over a zone at one place, with a proved least first frequency",
             ),
         ],
     },

@@ -61,3 +61,75 @@ fn robots_without_masses_and_tools_that_cannot_be_are_refused_with_what_to_do() 
     refused(&[ASKED, &["--damping-ratio", "1.5"]], "1.5");
     refused(&[ASKED, &["--count", "0"]], "from 1 to 6");
 }
+
+const OVER: &[&str] = &[
+    "modes",
+    "KR 210 R2700-2",
+    "--task",
+    "rect:0.4x0.6",
+    "--at",
+    "1.5,0.8",
+    "--tool-mm",
+    "0,0,200",
+    "--roll-deg",
+    "0",
+];
+
+/// The numbers at the least are those that `modes` tells of that posture, which `place` knows nothing of.
+#[test]
+fn over_a_zone_the_least_is_told_with_its_interval_and_a_proved_first_frequency_below_it() {
+    let (ok, out, err) = output(&[OVER, HELD, &["--format", "json"]]);
+    assert!(ok, "{err}");
+    let told: Value = serde_json::from_str(&out).expect("JSON");
+    let number = |value: &Value| value.as_f64().unwrap_or_else(|| panic!("no number: {told}"));
+    let modes = told["modes"].as_array().expect("a list");
+    assert_eq!(modes.len(), 6);
+    let first = &modes[0];
+    let (least, proved) = (number(&first["frequency_hz_least"]), number(&told["first_at_least_hz"]));
+    assert!(proved <= least && 0.985 * least < proved, "{proved} {least}");
+    assert!(number(&first["frequency_hz_p05"]) < least && least < number(&first["frequency_hz_p95"]), "{first}");
+    assert!(number(&told["first_at_least_hz_p05"]) < proved);
+    for mode in modes {
+        assert!(number(&mode["frequency_hz_least"]) < number(&mode["frequency_hz_largest"]), "{mode}");
+        let [x, y, z] = [0, 1, 2].map(|i| number(&mode["least_at_m"][i]));
+        assert!((x - 1.5).abs() <= 0.2 + 1e-6 && y.abs() <= 0.3 + 1e-6 && (z - 0.8).abs() < 1e-6, "{mode}");
+    }
+    assert_eq!(number(&told["roll_deg"]), 0.0);
+}
+
+#[test]
+fn over_a_zone_the_table_says_what_is_proved_and_what_is_sampled() {
+    let (ok, out, err) = output(&[OVER, HELD, &["--count", "2"]]);
+    assert!(ok, "{err}");
+    for words in
+        ["proved to be at least", "5 % of such robots lie below", "points, at most", "not proved", "tool rolled by 0"]
+    {
+        assert!(out.contains(words), "{words}: {out}");
+    }
+    let (ok, out, err) = output(&[OVER, HELD, &["--count", "2", "--format", "csv"]]);
+    assert!(ok, "{err}");
+    let lines: Vec<&str> = out.lines().collect();
+    assert_eq!(lines.len(), 3, "{out}");
+    assert!(lines[0].starts_with("mode,frequency_hz_least,frequency_hz_p05,frequency_hz_p95,least_x_m,"), "{out}");
+}
+
+#[test]
+fn a_zone_without_a_place_and_what_is_of_one_posture_are_refused() {
+    let refused = |arguments: &[&[&str]], words: &str| {
+        let (ok, _, err) = output(arguments);
+        assert!(!ok && err.contains(words) && !err.contains("panicked"), "{words}: {err}");
+    };
+    let bare: &[&str] = &["modes", "KR 210 R2700-2"];
+    refused(&[bare], "--joints-deg");
+    refused(&[bare, &["--task", "rect:0.4x0.6"]], "--at");
+    refused(&[bare, &["--at", "1.5,0.8"]], "--at needs --task");
+    refused(&[ASKED, &["--roll-deg", "0"]], "--roll-deg needs --task");
+    refused(&[ASKED, &["--task", "rect:0.4x0.6", "--at", "1.5,0.8"]], "--joints-deg");
+    refused(&[OVER, &["--damping-ratio", "0.05"]], "--damping-ratio");
+    refused(&[bare, &["--task", "rect:0.4x0.6", "--at", "9,0.8"]], "no place for rect:0.4x0.6");
+    refused(&[bare, &["--task", "box:0.4x0.3x0.2", "--at", "1.5,0.8"]], "is the middle of one flat zone");
+    refused(
+        &[&["modes", "KR 210 R2700 extra", "--task", "rect:0.4x0.6", "--at", "1.5,0.8"]],
+        "no masses in the robot file",
+    );
+}

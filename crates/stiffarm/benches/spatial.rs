@@ -3,13 +3,16 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use nalgebra::Vector3;
 use rs_opw_kinematics::glam::{DQuat, DVec3};
 use rs_opw_kinematics::kinematic_traits::{Kinematics, Pose as OpwPose};
 use rs_opw_kinematics::kinematics_impl::OPWKinematics;
 use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
 use stiffarm::batch::SpatialArm;
-use stiffarm::catalogue::paper_robots;
+use stiffarm::catalogue::{find, paper_robots};
 use stiffarm::geometry::Geometry;
+use stiffarm::mass::RigidBody;
+use stiffarm::modes::{HeldTool, SwingingArm};
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 
@@ -60,6 +63,20 @@ fn poses(c: &mut Criterion) {
     group.finish();
 }
 
+/// Frequencies of an arm with six springs, posture by posture.
+fn modes(c: &mut Criterion) {
+    let robot = find("KR 210 R2700-2").expect("in the catalogue").robot();
+    let q = joints(&robot);
+    let body = RigidBody::point(60.0, Vector3::new(0.0, 0.0, 0.2));
+    let tool = HeldTool { flange_from_tool: Pose::translation(0.0, 0.0, 0.2), body: Some(body) };
+    let arm = SwingingArm::new(&robot, &tool).expect("an arm with masses");
+    let mut group = c.benchmark_group("modes_1k");
+    group.throughput(Throughput::Elements(1000));
+    let each = |n: usize| arm.frequencies(&std::array::from_fn(|i| q[i][n])).expect("a posture").len();
+    group.bench_function("frequencies", |b| b.iter(|| (0..1000).map(each).sum::<usize>()));
+    group.finish();
+}
+
 /// The arm in rs-opw-kinematics, which counts joints by the same formula.
 fn opw(geometry: &Geometry) -> OPWKinematics {
     let Geometry { a1, a2, b, c1, c2, c3, c4, offset, sign } = geometry.clone();
@@ -77,5 +94,5 @@ fn one_thread() -> Criterion {
     Criterion::default()
 }
 
-criterion_group! { name = spatial; config = one_thread(); targets = postures, poses }
+criterion_group! { name = spatial; config = one_thread(); targets = postures, poses, modes }
 criterion_main!(spatial);

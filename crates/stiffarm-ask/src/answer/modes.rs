@@ -123,10 +123,7 @@ impl ModesAnswer {
             format!("{}; {}: {angles} deg", words::robot(robot), words::joints_reported(robot)),
             format!("stiffness: {}", stiffness(robot)),
             format!("tool point from the base: {} m", vector(&swing.tool.translation.vector, 4)),
-            tool.body.map_or_else(
-                || "tool: weighs nothing; a real one lowers the frequencies (--tool-mass-kg, --tool-com-mm)".into(),
-                |body| format!("tool: {} kg, centre {} mm from the flange", body.mass, vector(&(body.centre * 1e3), 0)),
-            ),
+            tool_note(tool),
             match self.damping_source() {
                 "assumed" => {
                     format!("damping: assumed {DAMPING_RATIO} of every mode; measured on such arms 0.02 to 0.08")
@@ -136,15 +133,28 @@ impl ModesAnswer {
             "motors held still by the brakes or a stiff servo; a soft servo lowers the frequencies below both columns"
                 .into(),
         ];
-        let missing = left_out(robot);
-        if !missing.is_empty() {
-            let missing = missing.join(" and ");
-            notes.push(format!("left out, no mass in the robot file: {missing}; true frequencies lie lower or higher"));
-        }
+        notes.extend(left_out_note(robot));
         if swing.modes.iter().all(|mode| mode.spread.is_none()) {
             notes.push("nothing says how far the drives may be off, and with them the frequencies".into());
         }
         notes.push("base axes: x forward, y left, z up; bearings, links and base rigid".into());
         notes.join("\n") + "\n"
     }
+}
+
+/// What the tool weighs.
+pub(super) fn tool_note(tool: &HeldTool) -> String {
+    tool.body.map_or_else(
+        || "tool: weighs nothing; a real one lowers the frequencies (--tool-mass-kg, --tool-com-mm)".into(),
+        |body| format!("tool: {} kg, centre {} mm from the flange", body.mass, vector(&(body.centre * 1e3), 0)),
+    )
+}
+
+/// Which moving parts are left out, where there are some.
+pub(super) fn left_out_note(robot: &Robot) -> Option<String> {
+    let missing = left_out(robot);
+    (!missing.is_empty()).then(|| {
+        let missing = missing.join(" and ");
+        format!("left out, no mass in the robot file: {missing}; true frequencies lie lower or higher")
+    })
 }

@@ -15,6 +15,7 @@ pub mod map;
 pub mod measure;
 pub mod mill;
 pub mod modes;
+pub mod modes_over;
 pub mod path;
 pub mod path_ranking;
 pub mod place;
@@ -41,6 +42,7 @@ pub fn ask<'a>(asked: &'a Request, context: Context<'a>) -> Result<Box<dyn Answe
         Verb::Place => Box::new(place::answer(asked, context)?),
         Verb::Map => Box::new(map::answer(asked, context)?),
         Verb::Compliance => Box::new(compliance::answer(asked, context)?),
+        Verb::Modes if asked.swings_over_zone() => Box::new(modes_over::answer(asked, context)?),
         Verb::Modes => Box::new(modes::answer(asked, context)?),
         Verb::Chatter => Box::new(chatter::answer(asked, context)?),
         Verb::Study => Box::new(study::answer(asked, context)?),
@@ -64,6 +66,7 @@ pub fn forms(asked: &Request) -> Forms {
         Verb::Place => place::FORMS,
         Verb::Map => map::FORMS,
         Verb::Compliance => compliance::FORMS,
+        Verb::Modes if asked.swings_over_zone() => modes_over::FORMS,
         Verb::Modes => modes::FORMS,
         Verb::Chatter => chatter::FORMS,
         Verb::Study => study::FORMS,

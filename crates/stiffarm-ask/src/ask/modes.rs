@@ -8,6 +8,7 @@ use stiffarm::modes::modes;
 use super::compliance::remarks;
 use super::context::Context;
 use crate::error::AskError;
+use crate::figures::{Plate, swinging};
 use crate::forms::{Answer, Forms, Piece};
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ModesOutput, AskError> {
@@ -16,13 +17,14 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ModesOutput, A
     let radians = joints_deg.map(f64::to_radians);
     let swing = modes(&robot, &radians, &tool, damping).map_err(AskError::Modes)?;
     remarks(&robot, [&joints_deg, &radians], context);
-    Ok(ModesOutput(ModesAnswer { robot, joints_deg, tool, damping, count: asked.mode_count(), swing }))
+    let answer = ModesAnswer { robot, joints_deg, tool, damping, count: asked.mode_count(), swing };
+    Ok(ModesOutput(answer, Plate::of(asked)?))
 }
 
-pub(crate) struct ModesOutput(ModesAnswer);
+pub(crate) struct ModesOutput(ModesAnswer, Plate);
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms::of("modes");
+pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("modes") };
 
 impl Answer for ModesOutput {
     fn forms(&self) -> Forms {
@@ -39,5 +41,13 @@ impl Answer for ModesOutput {
 
     fn rows(&self) -> Rows<'_> {
         self.0.rows()
+    }
+
+    fn svg(&self) -> Option<Result<String, AskError>> {
+        Some(Ok(swinging::svg(&self.0, &self.1)))
+    }
+
+    fn plate(&self) -> Plate {
+        self.1
     }
 }

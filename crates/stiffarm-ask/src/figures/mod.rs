@@ -30,6 +30,7 @@ pub(crate) mod sheets;
 pub(crate) mod shop;
 mod stairs;
 pub(crate) mod study;
+pub(crate) mod swinging;
 pub mod view3d;
 
 pub use bands::Colours;

@@ -5,9 +5,11 @@ use stiffarm::chatter::{Asked, Method};
 use stiffarm::mass::RigidBody;
 use stiffarm::mill::MillHeld;
 use stiffarm::modes::{Damping, HeldTool};
+use stiffarm::place::PlaceOptions;
+use stiffarm::task::Task;
 
 use super::wishes::number;
-use super::{Refusal, Request};
+use super::{Refusal, Request, Verb};
 
 impl Request {
     /// What the arm holds: the tool frame, and a body where the tool's mass is told.
@@ -30,6 +32,24 @@ impl Request {
     /// Damping of every mode, where it is given.
     pub fn damping(&self) -> Option<Damping> {
         self.number("damping-ratio").map(Damping::Ratio)
+    }
+
+    /// Is it asked how the arm swings over a zone, rather than at one posture?
+    pub fn swings_over_zone(&self) -> bool {
+        self.verb == Verb::Modes && self.is_given("task")
+    }
+
+    /// The zone over which it is asked how the arm swings, and how it is placed.
+    ///
+    /// # Errors
+    /// Where zone or place are missing, or together have no answer.
+    pub fn swinging_zone(&self) -> Result<(Task, PlaceOptions), Refusal> {
+        let task = self.task()?;
+        if !self.is_given("at") {
+            return Err(self.missing("at"));
+        }
+        let options = self.place_options(Some(task.zone))?;
+        Ok((task, options))
     }
 
     /// What is asked of a cut that may swing.

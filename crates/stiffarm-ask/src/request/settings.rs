@@ -217,12 +217,14 @@ const SPRINGING: &[Verb] = &[
     Verb::Mill,
 ];
 const PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compare];
+/// Those that hold a tool against a zone.
+const HOLDING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compare, Verb::Modes];
 /// Those that place zones and nothing else.
 const ONLY_PLACING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Compare];
 /// Those that tell deflections of robots.
 const BENDING: &[Verb] = &[Verb::Rank, Verb::Place, Verb::Map, Verb::Compliance, Verb::Compare];
 const CHOOSING: &[Verb] = &[Verb::Rank, Verb::Mill, Verb::List];
-const A_ZONE: &[(Verb, &str)] = &[(Verb::Map, "zone")];
+const A_ZONE: &[(Verb, &str)] = &[(Verb::Map, "zone"), (Verb::Modes, "task")];
 const WITH_FORCE: &[(Verb, &str)] =
     &[(Verb::Rank, "force-n"), (Verb::Place, "force-n"), (Verb::Map, "force-n"), (Verb::Compare, "force-n")];
 
@@ -291,7 +293,7 @@ const WHOSE: Setting = Setting {
     ..SPRINGS
 };
 /// Of what every place keeps.
-const MARGIN: Setting = Setting { verbs: PLACING, needs: A_ZONE, heading: "Margins; 0 or none gives them up", ..ROW };
+const MARGIN: Setting = Setting { verbs: HOLDING, needs: A_ZONE, heading: "Margins; 0 or none gives them up", ..ROW };
 /// Of the tool's pose.
 const TOOL: Setting = Setting { verbs: PLACING, of: Of::Spatial, value: "DEG", heading: "Model", ..ROW };
 /// The same, as spindles are described.
@@ -303,6 +305,49 @@ const SPINDLE: Setting = Setting {
     help: "The tool by its shape: spindle:LENGTH@ANGLE+OFFSET, ANGLE between tool axis and flange axis (it leans towards the flange's x, \
            and joint 6 turns it), OFFSET from the flange to where they cross",
     example: "spindle:250@90+30",
+    ..TOOL
+};
+/// The six joints of a posture.
+const JOINTS: Setting = Setting {
+    name: "joints-deg",
+    kind: degrees_of(1080.0, "degrees for each of six joints"),
+    count: count(6, "angles", "six, separated by commas"),
+    unit: "deg",
+    value: "Q1,..,Q6",
+    absent: Absent::Required,
+    help: "The six joint angles as the robot reports them, separated by commas",
+    example: "0,-90,90,0,45,0",
+    ..ROW
+};
+/// Where the tool points.
+const TOOL_DIRECTION: Setting = Setting {
+    name: "tool-direction",
+    kind: Kind::Elevation,
+    value: "DIRECTION",
+    absent: Absent::Means("down"),
+    help: "The tool axis: down, forward, up, or its angle above the horizontal in degrees",
+    example: "forward",
+    ..TOOL
+};
+/// Which way a zone faces.
+const YAW: Setting = Setting {
+    name: "yaw-deg",
+    verbs: ONLY_PLACING,
+    kind: Kind::Yaw,
+    unit: "deg",
+    absent: Absent::Means("the best of -90..90"),
+    help: "Angle of the zone about the vertical, 0 faces the robot; or any",
+    example: "30",
+    ..TOOL
+};
+/// How the tool is turned about its axis.
+const ROLL: Setting = Setting {
+    name: "roll-deg",
+    kind: degrees_of(360.0, "degrees"),
+    unit: "deg",
+    absent: Absent::Means("the best"),
+    help: "Rotation about the tool axis; 0 has the tool's x axis ahead, on a wall upright",
+    example: "45",
     ..TOOL
 };
 /// What pushes on the tool in a zone.
@@ -659,7 +704,7 @@ const OF_ZONES: &[Setting] = &[
     },
     Setting {
         name: "angle",
-        verbs: PLACING,
+        verbs: HOLDING,
         kind: Kind::Angle,
         value: "ANGLE",
         absent: Absent::Default("axes"),
@@ -680,18 +725,7 @@ const OF_ZONES: &[Setting] = &[
         example: "0.001",
         ..ROW
     },
-    Setting {
-        name: "joints-deg",
-        verbs: POSTURE,
-        kind: degrees_of(1080.0, "degrees for each of six joints"),
-        count: count(6, "angles", "six, separated by commas"),
-        unit: "deg",
-        value: "Q1,..,Q6",
-        absent: Absent::Required,
-        help: "The six joint angles as the robot reports them, separated by commas",
-        example: "0,-90,90,0,45,0",
-        ..ROW
-    },
+    Setting { verbs: &[Verb::Compliance, Verb::Chatter], ..JOINTS },
     Setting {
         name: "force-n",
         verbs: COMPLIANCE,
@@ -878,34 +912,9 @@ const OF_ZONES: &[Setting] = &[
         ..TOOL
     },
     Setting { name: "tool", ..SPINDLE },
-    Setting {
-        name: "tool-direction",
-        kind: Kind::Elevation,
-        value: "DIRECTION",
-        absent: Absent::Means("down"),
-        help: "The tool axis: down, forward, up, or its angle above the horizontal in degrees",
-        example: "forward",
-        ..TOOL
-    },
-    Setting {
-        name: "yaw-deg",
-        verbs: ONLY_PLACING,
-        kind: Kind::Yaw,
-        unit: "deg",
-        absent: Absent::Means("the best of -90..90"),
-        help: "Angle of the zone about the vertical, 0 faces the robot; or any",
-        example: "30",
-        ..TOOL
-    },
-    Setting {
-        name: "roll-deg",
-        kind: degrees_of(360.0, "degrees"),
-        unit: "deg",
-        absent: Absent::Means("the best"),
-        help: "Rotation about the tool axis; 0 has the tool's x axis ahead, on a wall upright",
-        example: "45",
-        ..TOOL
-    },
+    TOOL_DIRECTION,
+    YAW,
+    ROLL,
     Setting {
         name: "mount",
         kind: Kind::Mount,
@@ -956,6 +965,7 @@ const OF_ZONES: &[Setting] = &[
             Verb::Identify,
             Verb::Measure,
             Verb::Force,
+            Verb::Modes,
             Verb::Chatter,
             Verb::Mill,
         ],

@@ -37,7 +37,7 @@ pub enum Layer {
 impl Request {
     /// The model has all six drives.
     pub fn is_spatial(&self) -> bool {
-        self.word("model") == Some("spatial")
+        self.verb == Verb::Modes || self.word("model") == Some("spatial")
     }
 
     /// The robot's name or path.
@@ -136,10 +136,7 @@ impl Request {
             // In space all six drives count, and nobody's are alike. Of what no size is known that is all that can be said.
             None if robot.stiffness_is_assumed
                 && (self.is_spatial()
-                    || matches!(
-                        self.verb,
-                        Verb::Compliance | Verb::Modes | Verb::Chatter | Verb::Measure | Verb::Mill
-                    )) =>
+                    || matches!(self.verb, Verb::Compliance | Verb::Chatter | Verb::Measure | Verb::Mill)) =>
             {
                 Ok(with_prior(&robot).unwrap_or(robot))
             }
@@ -189,9 +186,13 @@ impl Request {
         if self.is_the_papers() {
             return Wanted { load: Load::PAPER, within: None, margins: Margins::NONE, angle: Angle::Axes, gap: None };
         }
-        // A zone on a map of the arm plane is placed for the worst direction, whatever is mapped.
-        let load = self.load();
-        let load = if self.verb == Verb::Map { load.in_worst_direction() } else { load };
+        let load = match self.verb {
+            // A zone on a map of the arm plane is placed for the worst direction, whatever is mapped.
+            Verb::Map => self.load().in_worst_direction(),
+            // Held in the stiffest way, whatever pushes.
+            Verb::Modes => Load::PAPER,
+            _ => self.load(),
+        };
         let within_or_anywhere = Some(within.unwrap_or(Within::ANYWHERE));
         let margins = self.margins(within);
         Wanted { load, within: within_or_anywhere, margins, angle: self.angle(), gap: self.number("gap") }

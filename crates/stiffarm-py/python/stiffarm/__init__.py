@@ -11,7 +11,7 @@ A robot and a task go in; each verb is one function:
 `compare`      which of two setups is better, and is that proved?
 `identify`     how stiff are the drives, by measured deflections?
 `measure`      which postures and loads must be measured for that?
-`modes`        how does an arm swing at one posture?
+`modes`        how does an arm swing at one posture, or over a zone?
 `chatter`      does a cut swing with the arm, and how deep may it go?
 `force`        with what force does a process push on its tool?
 `mill`         how far is the tool pushed off along a toolpath?
@@ -41,6 +41,7 @@ from ._answers import (
     MeasurementPlan,
     Milled,
     Modes,
+    ModesOverZone,
     PathRanking,
     Placement,
     Ranking,
@@ -64,6 +65,7 @@ __all__ = [
     "MeasurementPlan",
     "Milled",
     "Modes",
+    "ModesOverZone",
     "PathRanking",
     "Placement",
     "Ranking",

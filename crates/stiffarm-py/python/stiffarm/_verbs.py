@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import CalibrationPlan, Chatter, Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, Modes, PathRanking, Placement, Ranking, Study, Toolpath
+from ._answers import CalibrationPlan, Chatter, Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, Modes, ModesOverZone, PathRanking, Placement, Ranking, Study, Toolpath
 from ._given import RobotLike
 from ._asked import OutputLike, Question, answered, placed, question, written
 from ._progress import ProgressLike, told
@@ -415,35 +415,47 @@ def measure(
     return MeasurementPlan(found["answer"], found["columns"])
 
 
-@_options.takes("modes", ModesOptions)
+@overload
 def modes(
     robot: RobotLike, *, joints_deg: Sequence[float] | npt.NDArray[np.float64], output: OutputLike = None, **options: Unpack[ModesOptions]
-) -> Modes:
-    """How an arm swings at one posture: frequencies, shapes, damping.
+) -> Modes: ...
+@overload
+def modes(robot: RobotLike, *, joints_deg: None = None, output: OutputLike = None, **options: Unpack[ModesOptions]) -> ModesOverZone: ...
+@_options.takes("modes", ModesOptions)
+def modes(
+    robot: RobotLike,
+    *,
+    joints_deg: Sequence[float] | npt.NDArray[np.float64] | None = None,
+    output: OutputLike = None,
+    **options: Unpack[ModesOptions],
+) -> Modes | ModesOverZone:
+    """How an arm swings at one posture: frequencies, shapes, damping. With ``task`` and ``at`` over a zone: least and largest frequencies.
 
     Parameters
     ----------
     robot : Robot or str
         Which; its file must say what its bodies weigh.
-    joints_deg : six numbers
-        The posture, as the robot counts its joints.
+    joints_deg : six numbers, optional
+        The posture, as the robot counts its joints; instead of a zone.
     {options}
     output : path or list of paths, optional
-        Files to which the answer is written as well; the ending chooses the form: ``.json``.
+        Files to which the answer is written as well; the ending chooses the form: ``.json``, of one posture ``.svg``.
 
     Returns
     -------
-    Modes
-        The lowest first, with the motors held still and free.
+    Modes or ModesOverZone
+        The lowest first, with the motors held still and free; over a zone also a proved least first frequency.
 
     Raises
     ------
     StiffarmError
-        Where masses are not known, or nothing holds a drive.
+        Where masses are not known, nothing holds a drive, or the zone has no place.
     """
-    given = {"joints_deg": _given.joints(joints_deg), **_options.spelt("modes", options)}
+    posture = {} if joints_deg is None else {"joints_deg": _given.joints(joints_deg)}
+    given = {**posture, **_options.spelt("modes", options)}
     found = answered(question("modes", given, robot=_given.named("robot", robot)), "modes", output=output)
-    return Modes(found["answer"], found["columns"])
+    answer = Modes if joints_deg is not None else ModesOverZone
+    return answer(found["answer"], found["columns"])
 
 
 @_options.takes("chatter", ChatterOptions)

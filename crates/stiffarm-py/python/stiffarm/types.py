@@ -677,6 +677,24 @@ class MeasureOptions(TypedDict, total=False):
 class ModesOptions(TypedDict, total=False):
     """Keywords of `stiffarm.modes`."""
 
+    limit_margin_deg: float | None
+    """What every joint keeps from either end of its range [deg], all over the zone [default: 5]."""
+
+    singular_margin_deg: float | None
+    """What wrist and arm keep from straight [deg], all over the zone [default: 5]."""
+
+    clear_of_base_m: float | None
+    """What the zone keeps from the joint-1 axis [m] [default: the robot's own column, estimated as a1 + 0.15 (c2
+    + l3)]."""
+
+    floor_m: str | float | None
+    """Height of the floor from the robot's base [m], or none; all of the zone stands above it [default: 0,
+    unless --within says how low the zone may stand]."""
+
+    angle: str | float
+    """Angle of a rectangle: axes (horizontal or vertical; under a force with --feed-deg all four quarter turns),
+    horizontal, vertical (its long side), free, or degrees of its first side."""
+
     tool_mm: npt.ArrayLike | None
     """Tool frame in the flange frame [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed axes [default: the flange
     centre]."""
@@ -694,6 +712,24 @@ class ModesOptions(TypedDict, total=False):
 
     stiffness_nm_per_rad: npt.ArrayLike | None
     """The same as a stiffness [N m/rad]: one for all six drives, or six."""
+
+    task: str | None
+    """Instead of a posture a flat zone, with --at: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; tells the
+    least and the largest frequencies, and a proved least first frequency."""
+
+    at: npt.ArrayLike | None
+    """The place where the middle of the zone stands [m]: so far ahead of the robot's base and so far above it;
+    of a rectangle with --angle 0 unless another is given."""
+
+    tool_direction: str | float | None
+    """The tool axis: down, forward, up, or its angle above the horizontal in degrees [default: down]."""
+
+    yaw_deg: str | float | None
+    """Angle of the zone about the vertical [deg], 0 faces the robot; or any [default: 0]."""
+
+    roll_deg: float | None
+    """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the
+    stiffest]."""
 
     tool_mass_kg: float | None
     """Mass of the tool with its spindle [kg], which swings with the arm; its centre says where [default: a tool
@@ -2921,6 +2957,133 @@ class ModesDict(TypedDict):
     """Moving parts whose masses the robot file does not have."""
 
     modes: list[SwingMode]
+    """How the arm swings, the lowest frequency first."""
+
+
+class ModeOverZone(TypedDict):
+    """One mode over a zone; modes are counted by their frequencies at each point."""
+
+    mode: int
+    """Which mode, from 1."""
+
+    frequency_hz_least: float
+    """The least frequency of the points of the zone that were looked at, motors held still."""
+
+    frequency_hz_p05: float | None
+    """Five of a hundred such robots lie below, as far as the drives may be off; null where nothing says how far."""
+
+    frequency_hz_p95: float | None
+    """Five of a hundred lie above."""
+
+    least_at_m: list[float]
+    """Where, from the base."""
+
+    frequency_hz_largest: float
+    """The largest frequency of the points of the zone that were looked at."""
+
+    largest_at_m: list[float]
+    """Where, from the base."""
+
+
+class ModesOverZoneDict(TypedDict):
+    """`stiffarm.ModesOverZone.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    architecture: str
+    """serial or quasi-serial."""
+
+    architecture_assumed: bool
+    """Nothing says that it is of this architecture."""
+
+    status: str
+    """How well the robot's numbers are known."""
+
+    stiffness_source: str
+    """Who says how stiff the drives are: assumed, prior, published, robot file, identified or given."""
+
+    drive_urad_per_nm: list[float]
+    """The compliance of each drive; null where a robot of two links has none."""
+
+    model: str
+    """planar or spatial; of an identification what springs: drives, base, tool or base-and-tool."""
+
+    task: str
+    """The zone as it was asked for."""
+
+    tool_mm: list[float]
+    """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
+
+    tool_direction_deg: float
+    """The tool axis above the horizontal."""
+
+    x_m: float
+    """Ahead, from the base."""
+
+    z_m: float
+    """Up, from the base."""
+
+    bearing_deg: float
+    """Where about the joint-1 axis the zone stands."""
+
+    yaw_deg: float
+    """Of the zone's plane about the vertical."""
+
+    angle_deg: float
+    """Of the first side of a rectangle: below 180, or below 360 where the feed of a known force counts from it."""
+
+    roll_deg: float
+    """About the tool axis."""
+
+    shoulder: str
+    """front or back."""
+
+    elbow: str
+    """up or down."""
+
+    wrist: str
+    """no flip or flip."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+
+    tool_com_mm: list[float] | None
+    """Mass centre of the tool in the flange frame."""
+
+    tool_inertia_kg_m2: list[float] | None
+    """Inertia of the tool about its mass centre, along flange axes."""
+
+    masses_left_out: list[str]
+    """Moving parts whose masses the robot file does not have."""
+
+    first_at_least_hz: float | None
+    """Nowhere in the zone the first frequency is lower, motors held still: proved for the stiffness as it is
+    told, and no promise where that is not measured; null where the proof did not end."""
+
+    first_at_least_hz_p05: float | None
+    """The same of five of a hundred such robots, as far as the drives may be off: drawn, not proved; null where
+    nothing says how far."""
+
+    zone_parts: int
+    """Into how many parts the zone was cut for the proof."""
+
+    samples: int
+    """How many they are."""
+
+    sample_step_m: float
+    """Distance between the poses in the zone."""
+
+    modes: list[ModeOverZone]
     """How the arm swings, the lowest frequency first."""
 
 

@@ -176,10 +176,7 @@ fn write_answers(text: &mut String) {
     class(text, ("CalibrationPlanDict", "TypedDict"), "`stiffarm.CalibrationPlan.to_dict`.", &plan, &within);
 
     write_paths(text);
-    let swings = Fields::of(&samples::swings());
-    class(text, ("SwingMode", "TypedDict"), "One way in which an arm swings.", swings.under("modes"), &[]);
-    let within = [("modes", "SwingMode"), with_schema[0]];
-    class(text, ("ModesDict", "TypedDict"), "`stiffarm.Modes.to_dict`.", &swings, &within);
+    write_swings(text);
     let cuts = Fields::of(&samples::cuts());
     class(
         text,
@@ -192,6 +189,20 @@ fn write_answers(text: &mut String) {
     class(text, ("ChatterDict", "TypedDict"), "`stiffarm.Chatter.to_dict`.", &cuts, &within);
     let compliance = Fields::of(&compliances);
     class(text, ("ComplianceDict", "TypedDict"), "`stiffarm.Compliance.to_dict`.", &compliance, &with_schema);
+}
+
+/// How an arm swings.
+fn write_swings(text: &mut String) {
+    let with_schema = ("schema", "Schema");
+    let swings = Fields::of(&samples::swings());
+    class(text, ("SwingMode", "TypedDict"), "One way in which an arm swings.", swings.under("modes"), &[]);
+    let within = [("modes", "SwingMode"), with_schema];
+    class(text, ("ModesDict", "TypedDict"), "`stiffarm.Modes.to_dict`.", &swings, &within);
+    let over = Fields::of(&samples::swings_over_zones());
+    let about = "One mode over a zone; modes are counted by their frequencies at each point.";
+    class(text, ("ModeOverZone", "TypedDict"), about, over.under("modes"), &[]);
+    let within = [("modes", "ModeOverZone"), with_schema];
+    class(text, ("ModesOverZoneDict", "TypedDict"), "`stiffarm.ModesOverZone.to_dict`.", &over, &within);
 }
 
 /// What is told of processes and paths.

@@ -13,8 +13,8 @@ use stiffarm::identify::{Identification, IdentifyError, identify};
 use stiffarm::ledger::{Printed, validate};
 use stiffarm::map::map;
 use stiffarm::measure::{geometry_plan, plan};
-use stiffarm::modes::modes;
-use stiffarm::place::{Hold, PlaceError, Placed, place_task};
+use stiffarm::modes::{modes, modes_over};
+use stiffarm::place::{Hold, PlaceError, Placed, place, place_task};
 use stiffarm::rank::rank;
 use stiffarm::robot::Robot;
 use stiffarm::study::study;
@@ -22,8 +22,8 @@ use stiffarm::toolpath::{self, Builtin, Format, Move, MoveKind, Survey, ToolPose
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{
     Beside, ChatterAnswer, CompareAnswer, ComplianceAnswer, CuttingAnswer, GeometryAnswer, IdentifyAnswer,
-    LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer, ModesAnswer, PathAnswer, PathRankAnswer, PlaceAnswer,
-    RankAnswer, StudyAnswer,
+    LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer, ModesAnswer, ModesOverAnswer, PathAnswer, PathRankAnswer,
+    PlaceAnswer, RankAnswer, StudyAnswer,
 };
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
@@ -193,6 +193,26 @@ pub(crate) fn swings() -> Vec<Value> {
     let mut without_rod = of("paper", &[("damping-ratio", "0.05")]);
     without_rod.robot.architecture = Architecture::QuasiSerial;
     vec![of("prior", &[]).json(), without_rod.json(), free.json()]
+}
+
+pub(crate) fn swings_over_zones() -> Vec<Value> {
+    let of = |stiffness: &str, typed: Typed| {
+        let zone = [("task", "circle:0.1"), ("at", "1.5,1.0"), ("stiffness", stiffness)];
+        let asked = asked(Verb::Modes, &[typed, &zone].concat());
+        let ((task, options), tool) = (asked.swinging_zone().unwrap(), asked.held_tool().unwrap());
+        let robot = asked.equipped(find("KR 210 R2700-2").unwrap().robot()).unwrap();
+        let model = asked.model().of(&robot).unwrap();
+        let placed = place(&model, task.zone, &options).unwrap();
+        let best = placed.feasible().expect("a place").clone();
+        let over = modes_over(&model, task.zone, &options, &best, &tool).unwrap();
+        ModesOverAnswer { robot, task, options, best, tool, count: 6, over }
+    };
+    let tool = [("tool-mass-kg", "60"), ("tool-com-mm", "0,0,200"), ("tool-inertia-kg-m2", "1,0,0,1,0,1")];
+    let mut unproved = of("paper", &[]);
+    unproved.over.first_at_least = None;
+    // Of a parallelogram whose rod nobody has weighed.
+    unproved.robot.architecture = Architecture::QuasiSerial;
+    vec![of("prior", &tool).json(), unproved.json()]
 }
 
 pub(crate) fn cuts() -> Vec<Value> {

@@ -169,6 +169,12 @@ impl<'a> HeldSwing<'a> {
 
     /// No point of a part of the zone has a larger `lambda = 1/w^2`, s^2; `None` where nothing is known of the part.
     fn most_lambda(&self, part: [Affine<2>; 2]) -> Option<f64> {
+        let [at_vertices, left_over] = self.enclosed_lambda(part)?;
+        Some(at_vertices + left_over)
+    }
+
+    /// The largest `lambda` at the vertices of a part, and by how much it may be more for what is not affine, s^2.
+    fn enclosed_lambda(&self, part: [Affine<2>; 2]) -> Option<[f64; 2]> {
         let (directions, k) = self.enclosure.directions(&self.plane, &self.work, part, self.configuration)?;
         let inertia = inertia_of(self.arm.geometry(), &directions, self.arm.bodies());
         // Softer drives swing slower, whatever the masses.
@@ -177,14 +183,16 @@ impl<'a> HeldSwing<'a> {
         let each = |part: &dyn Fn(&Affine<2>) -> f64| Matrix6::from_fn(|i, j| part(&inertia[i.max(j)][i.min(j)]));
         let in_springs = |m: Matrix6<f64>| root * a.transpose() * m * a * root;
         let middle = in_springs(each(&|x| x.centre));
-        let slopes = [0, 1].map(|i| in_springs(each(&|x| x.deviations[i])));
+        let [first, second] = [0, 1].map(|i| in_springs(each(&|x| x.deviations[i])));
         let left_over = root * a.abs().transpose() * each(&|x| x.remainder) * a.abs() * root;
-        let vertices = [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]];
-        let at_vertex = |[u, v]: [f64; 2]| (middle + slopes[0] * u + slopes[1] * v).symmetric_eigenvalues().max();
-        // |v^T E v| <= |v|^T R |v| for every E whose entries are at most those of R.
-        let most = vertices.map(at_vertex).into_iter().fold(0.0, f64::max) + left_over.symmetric_eigenvalues().max();
-        let is_known = [middle, left_over].iter().chain(&slopes).all(|m| m.iter().all(|x| x.is_finite()));
-        (is_known && most.is_finite()).then_some(most)
+        if ![middle, first, second, left_over].iter().all(|m| m.iter().all(|x| x.is_finite())) {
+            return None;
+        }
+        let vertices =
+            [middle - first - second, middle - first + second, middle + first - second, middle + first + second];
+        let largest = |m: Matrix6<f64>| m.symmetric_eigenvalues().max();
+        // |u^T E u| <= |u|^T R |u| for every E whose entries are at most those of R.
+        Some([vertices.map(largest).into_iter().fold(0.0, f64::max), largest(left_over)])
     }
 }
 

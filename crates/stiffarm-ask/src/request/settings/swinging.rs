@@ -1,6 +1,6 @@
 //! What is asked of how an arm swings.
 
-use super::{Absent, Kind, ROW, Setting, Verb, count, number_of};
+use super::{Absent, JOINTS, Kind, Of, ROLL, ROW, Setting, TOOL_DIRECTION, Verb, YAW, count, count_of, number_of};
 
 const MODES: &[Verb] = &[Verb::Modes];
 const CHATTER: &[Verb] = &[Verb::Chatter];
@@ -11,7 +11,51 @@ const ALL: &[Verb] = &[Verb::Modes, Verb::Chatter, Verb::Mill];
 /// Of what the arm holds.
 const HELD: Setting = Setting { verbs: ALL, heading: "Tool", ..ROW };
 
+/// How motion dies away.
+const DAMPING: Setting = Setting {
+    name: "damping-ratio",
+    kind: number_of(0.0, 1.0, "of critical damping"),
+    value: "ZETA",
+    absent: Absent::Means("as the robot file has it of the drives, else 0.03"),
+    help: "Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08",
+    example: "0.05",
+    ..ROW
+};
+/// Of how a zone is held.
+const OVER_ZONE: &[(Verb, &str)] = &[(Verb::Modes, "task")];
+
 pub(super) const ROWS: &[Setting] = &[
+    Setting {
+        verbs: MODES,
+        absent: Absent::Means("the postures of a zone: --task with --at"),
+        excludes: &["task"],
+        ..JOINTS
+    },
+    Setting {
+        name: "task",
+        verbs: MODES,
+        kind: Kind::Task,
+        value: "TASK",
+        excludes: &["joints-deg", "damping-ratio"],
+        help: "Instead of a posture a flat zone, with --at: circle:D, rect:AxB, A:d, B:d, C:d with sizes in m; tells the least and the largest frequencies, and a proved least first frequency",
+        example: "rect:0.4x0.6",
+        ..ROW
+    },
+    Setting {
+        name: "at",
+        verbs: MODES,
+        kind: number_of(-1e3, 1e3, "m"),
+        count: count_of(2, 2, "numbers", "x,z in m"),
+        unit: "m",
+        value: "X,Z",
+        needs: OVER_ZONE,
+        help: "The place where the middle of the zone stands: so far ahead of the robot's base and so far above it; of a rectangle with --angle 0 unless another is given",
+        example: "1.5,0.8",
+        ..ROW
+    },
+    Setting { verbs: MODES, of: Of::Any, needs: OVER_ZONE, heading: "", ..TOOL_DIRECTION },
+    Setting { verbs: MODES, of: Of::Any, needs: OVER_ZONE, heading: "", absent: Absent::Means("0"), ..YAW },
+    Setting { verbs: MODES, of: Of::Any, needs: OVER_ZONE, heading: "", absent: Absent::Means("the stiffest"), ..ROLL },
     Setting {
         name: "tool-mass-kg",
         verbs: SWINGING,
@@ -47,17 +91,8 @@ pub(super) const ROWS: &[Setting] = &[
         example: "1.3,0,0,1.6,0,0.5",
         ..HELD
     },
-    Setting {
-        name: "damping-ratio",
-        verbs: ALL,
-        needs: &[(Verb::Mill, "chatter")],
-        kind: number_of(0.0, 1.0, "of critical damping"),
-        value: "ZETA",
-        absent: Absent::Means("as the robot file has it of the drives, else 0.03"),
-        help: "Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08",
-        example: "0.05",
-        ..ROW
-    },
+    Setting { verbs: MODES, excludes: &["task"], ..DAMPING },
+    Setting { verbs: &[Verb::Chatter, Verb::Mill], needs: &[(Verb::Mill, "chatter")], ..DAMPING },
     Setting {
         name: "count",
         verbs: MODES,

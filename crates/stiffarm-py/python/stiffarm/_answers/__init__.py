@@ -5,7 +5,7 @@ from .chatter import Chatter
 from .map import Map
 from .measuring import CalibrationPlan, Identification, MeasurementPlan
 from .milling import Force, Ledger, Milled, PathRanking, Toolpath
-from .modes import Modes
+from .modes import Modes, ModesOverZone
 from .placing import Comparison, Placement, Ranking, Study
 from .posture import Compliance, Compliances
 
@@ -23,6 +23,7 @@ __all__ = [
     "MeasurementPlan",
     "Milled",
     "Modes",
+    "ModesOverZone",
     "PathRanking",
     "Placement",
     "Ranking",

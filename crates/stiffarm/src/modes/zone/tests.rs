@@ -128,6 +128,25 @@ fn no_point_of_a_part_has_a_larger_eigenvalue_than_is_enclosed() {
     assert!(10_000 < points && closest < 1e-3, "{points} points, the closest {closest}");
 }
 
+/// What is left over is needed: by the vertices alone some points would overstep.
+#[test]
+fn the_vertices_alone_do_not_bound_a_part() {
+    let (mut overstepped, mut points) = (0, 0);
+    each_zone(|held, _| {
+        let half = held.zone.sides().map(|side| side * 0.3);
+        let mut part = [Affine::point(0.0), Affine::point(0.0)];
+        (part[0].deviations[0], part[1].deviations[1]) = (half[0], half[1]);
+        let Some([at_vertices, _]) = held.enclosed_lambda(part) else { return };
+        let side = |i: i32| f64::from(i) / 4.0 - 1.0;
+        for [u, v] in (0..=8).flat_map(|i| (0..=8).map(move |j| [side(i), side(j)])) {
+            let found = held.frequencies([u * half[0], v * half[1]]).unwrap();
+            points += 1;
+            overstepped += usize::from(at_vertices < lambda(found[0]));
+        }
+    });
+    assert!(5 < overstepped, "{overstepped} of {points}");
+}
+
 #[test]
 fn what_the_enclosure_leaves_over_is_of_second_order() {
     each_zone(|held, _| {
