@@ -177,6 +177,15 @@ def test_plans_of_measurements(program, tmp_path):
     assert pandas.isna(found.to_pandas()["dx_mm"]).all()
 
 
+def test_plans_of_postures_to_calibrate(program):
+    words = ["--geometry", "--runs", "8", "--candidates", "60", "--marker-mm", "100,0,150", "--instrument", "3,-2,1.5"]
+    found = stiffarm.measure("KR 210 R2700 extra", geometry=True, runs=8, candidates=60, marker_mm="100,0,150", instrument_m=(3, -2, 1.5))
+    assert isinstance(found, stiffarm.CalibrationPlan) and len(found) == 8
+    assert found.to_dict() == program("measure", "KR 210 R2700 extra", *words)
+    with pytest.raises(stiffarm.StiffarmError, match="geometry"):
+        stiffarm.measure("KR 210 R2700 extra", geometry=True, loads="down")
+
+
 def test_catalogue_and_filters(program):
     found = stiffarm.robots("6700", vendor="abb", reach_m=(None, 2.8), payload_kg="200..")
     expected = program("robots", "list", "6700", "--vendor", "abb", "--reach-m", "..2.8", "--payload-kg", "200..")

@@ -618,8 +618,8 @@ class MeasureOptions(TypedDict, total=False):
     (with ; between, or given several times); columns marker_x_mm, .. overrule it [default: the load point]."""
 
     task: str | None
-    """The work over which the deflection is to be predicted: a zone at its best place, the tool down [default:
-    anywhere within the limits]."""
+    """The work over which the deflection, or with geometry the error of the arm, is to be predicted: a zone at
+    its best place, the tool down [default: anywhere within the limits]."""
 
     loads: str | Iterable[str]
     """In which directions you can load: down (weights), up, ahead, back, left, right, or x:y:z along base axes
@@ -629,7 +629,7 @@ class MeasureOptions(TypedDict, total=False):
     """How large the load is [N]."""
 
     runs: int
-    """How many postures and loads are to be measured."""
+    """How many postures and loads, or with geometry postures, are to be measured."""
 
     criterion: Literal["prediction", "a", "d"]
     """By what a plan is judged; each is certified against every other choice of the candidates."""
@@ -2188,6 +2188,86 @@ class MeasurementPlanDict(TypedDict):
 
     compared: ComparedTable | None
     """What the table that was given is worth."""
+
+
+class PlannedPosture(TypedDict):
+    """A posture in which points are measured."""
+
+    run: int
+    """Its number, from 1."""
+
+    joints_deg: list[float]
+    """Joint angles as the robot reports them, deg."""
+
+
+class CalibrationLeaves(TypedDict):
+    """What so many postures leave."""
+
+    postures: int
+    """How many postures."""
+
+    expected_mm: float
+    """How far the marker is expected to move."""
+
+
+class PlannedAtWork(TypedDict):
+    """The error that a calibration leaves at the work."""
+
+    expected_mm: float
+    """How far the marker is expected to move."""
+
+    lower_bound_mm: float
+    """No allowed place has less."""
+
+    random_mm: float
+    """What the median random choice leaves."""
+
+    as_drawn_mm: float
+    """Without a calibration."""
+
+    unexplained_mm: float
+    """The part of all of these that no error of the arm explains, and no calibration takes away."""
+
+    postures: int
+    """How many postures."""
+
+
+class CalibrationPlanDict(TypedDict):
+    """`stiffarm.CalibrationPlan.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    pendant: str
+    """Whether the pendant shows the joints so: as-file (published), verified (read on the robot), given (by
+    whoever asks), unknown."""
+
+    points_mm: list[list[float]]
+    """The points that were looked at, in the flange frame, mm."""
+
+    at_work: PlannedAtWork
+    """The error that remains at the work: expected, with its interval, and over how many postures; null where
+    the arm does not reach it."""
+
+    efficiency: float
+    """The bound over the value: 1 is proved best."""
+
+    random_efficiency: float
+    """The same of the median random choice; null where that leaves some drive unseen."""
+
+    candidates: int
+    """Among so many was chosen."""
+
+    by_count: list[CalibrationLeaves]
+    """What so many postures leave, each chosen after those before."""
+
+    runs: list[PlannedPosture]
+    """One entry per run, in the order in which they are made."""
 
 
 class ForceDict(TypedDict):

@@ -157,24 +157,7 @@ fn write_answers(text: &mut String) {
     let about = "`stiffarm.Identification.to_dict`.";
     class(text, ("IdentificationDict", "TypedDict"), about, &identification, &within);
 
-    let plan = Fields::of(&samples::measurement_plans());
-    class(text, ("ExpectedDrive", "TypedDict"), "How well a drive will be known.", plan.under("drives"), &[]);
-    class(text, ("MeasurementRun", "TypedDict"), "A posture and a load.", plan.under("runs"), &[]);
-    let about = "What a table of one's own is worth.";
-    class(text, ("ComparedTable", "TypedDict"), about, plan.under("compared"), &[]);
-    let within =
-        [("drives", "ExpectedDrive"), ("runs", "MeasurementRun"), ("compared", "ComparedTable"), with_schema[0]];
-    class(text, ("MeasurementPlanDict", "TypedDict"), "`stiffarm.MeasurementPlan.to_dict`.", &plan, &within);
-
-    let plan = Fields::of(&samples::calibration_plans());
-    class(text, ("PlannedPosture", "TypedDict"), "A posture in which points are measured.", plan.under("runs"), &[]);
-    class(text, ("CalibrationLeaves", "TypedDict"), "What so many postures leave.", plan.under("by_count"), &[]);
-    let about = "The error that a calibration leaves at the work.";
-    class(text, ("PlannedAtWork", "TypedDict"), about, plan.under("at_work"), &[]);
-    let within =
-        [("runs", "PlannedPosture"), ("by_count", "CalibrationLeaves"), ("at_work", "PlannedAtWork"), with_schema[0]];
-    class(text, ("CalibrationPlanDict", "TypedDict"), "`stiffarm.CalibrationPlan.to_dict`.", &plan, &within);
-
+    write_plans(text);
     write_paths(text);
     write_swings(text);
     let cuts = Fields::of(&samples::cuts());
@@ -189,6 +172,27 @@ fn write_answers(text: &mut String) {
     class(text, ("ChatterDict", "TypedDict"), "`stiffarm.Chatter.to_dict`.", &cuts, &within);
     let compliance = Fields::of(&compliances);
     class(text, ("ComplianceDict", "TypedDict"), "`stiffarm.Compliance.to_dict`.", &compliance, &with_schema);
+}
+
+/// What is to be measured.
+fn write_plans(text: &mut String) {
+    let with_schema = ("schema", "Schema");
+    let plan = Fields::of(&samples::measurement_plans());
+    class(text, ("ExpectedDrive", "TypedDict"), "How well a drive will be known.", plan.under("drives"), &[]);
+    class(text, ("MeasurementRun", "TypedDict"), "A posture and a load.", plan.under("runs"), &[]);
+    let about = "What a table of one's own is worth.";
+    class(text, ("ComparedTable", "TypedDict"), about, plan.under("compared"), &[]);
+    let within = [("drives", "ExpectedDrive"), ("runs", "MeasurementRun"), ("compared", "ComparedTable"), with_schema];
+    class(text, ("MeasurementPlanDict", "TypedDict"), "`stiffarm.MeasurementPlan.to_dict`.", &plan, &within);
+
+    let plan = Fields::of(&samples::calibration_plans());
+    class(text, ("PlannedPosture", "TypedDict"), "A posture in which points are measured.", plan.under("runs"), &[]);
+    class(text, ("CalibrationLeaves", "TypedDict"), "What so many postures leave.", plan.under("by_count"), &[]);
+    let about = "The error that a calibration leaves at the work.";
+    class(text, ("PlannedAtWork", "TypedDict"), about, plan.under("at_work"), &[]);
+    let within =
+        [("runs", "PlannedPosture"), ("by_count", "CalibrationLeaves"), ("at_work", "PlannedAtWork"), with_schema];
+    class(text, ("CalibrationPlanDict", "TypedDict"), "`stiffarm.CalibrationPlan.to_dict`.", &plan, &within);
 }
 
 /// How an arm swings.

@@ -6,39 +6,65 @@ use rayon::prelude::*;
 use crate::watch::{Parts, Stopped};
 
 /// Steps towards the best shares.
-const MOST_STEPS: usize = 300;
+const MOST_STEPS: usize = 100;
 /// The bound is good enough where it is this part of what shares reach.
 const GOOD: f64 = 0.999;
+/// Among so many candidates, those with the largest shares, whole ones are chosen.
+const PROMISING: usize = 400;
 /// Random choices that are compared.
 const RANDOM: usize = 101;
 /// An exchange that is better by less is none.
 const BETTER: f64 = 1e-6;
+/// Rows that are summed together: the same sums on every machine, however many threads there are.
+const TOGETHER: usize = 192;
 
 /// Candidates to choose from.
 pub(super) struct Choice {
-    /// `each` rows a candidate, in parts of the noise, over unknowns in parts of what is known of them.
-    pub rows: DMatrix<f64>,
+    /// `each` columns a candidate, in parts of the noise, over unknowns in parts of what is known of them.
+    pub told: DMatrix<f64>,
     pub each: usize,
     /// `W` over the same unknowns.
     pub weight: DMatrix<f64>,
 }
 
+/// `sum w_i c_i c_i^T` over columns.
+pub(super) fn squares(columns: &DMatrix<f64>, share: impl Fn(usize) -> f64 + Sync) -> DMatrix<f64> {
+    let count = columns.nrows();
+    let all: Vec<usize> = (0..columns.ncols()).collect();
+    let sum_of = |some: &[usize]| {
+        let mut sum = DMatrix::zeros(count, count);
+        for &i in some {
+            sum.ger(share(i), &columns.column(i), &columns.column(i), 1.0);
+        }
+        sum
+    };
+    let sums: Vec<DMatrix<f64>> = all.par_chunks(TOGETHER).map(sum_of).collect();
+    sums.into_iter().fold(DMatrix::zeros(count, count), |sum, part| sum + part)
+}
+
 impl Choice {
     fn count(&self) -> usize {
-        self.rows.nrows() / self.each
+        self.told.ncols() / self.each
     }
 
-    fn of(&self, i: usize) -> nalgebra::DMatrixView<'_, f64, nalgebra::U1, nalgebra::Dyn> {
-        self.rows.rows(self.each * i, self.each)
+    /// The columns of a candidate.
+    fn of(&self, i: usize) -> DMatrix<f64> {
+        self.told.columns(self.each * i, self.each).into_owned()
+    }
+
+    /// Those with the largest shares, and their numbers.
+    pub(super) fn promising(&self, shares: &[f64], least: usize) -> (Self, Vec<usize>) {
+        let mut order: Vec<usize> = (0..self.count()).collect();
+        order.sort_by(|&i, &j| shares[j].total_cmp(&shares[i]).then(i.cmp(&j)));
+        order.truncate(PROMISING.max(least));
+        let columns: Vec<_> = order.iter().flat_map(|&i| (0..self.each).map(move |j| self.each * i + j)).collect();
+        (Self { told: self.told.select_columns(&columns), each: self.each, weight: self.weight.clone() }, order)
     }
 
     /// `(1 + sum M_i)^-1`.
     pub(super) fn covariance(&self, chosen: &[usize]) -> DMatrix<f64> {
-        let mut rows = DMatrix::zeros(self.each * chosen.len(), self.rows.ncols());
-        for (place, &i) in chosen.iter().enumerate() {
-            rows.rows_mut(self.each * place, self.each).copy_from(&self.of(i));
-        }
-        inverse(rows.transpose() * rows)
+        let columns: Vec<usize> = chosen.iter().flat_map(|&i| self.each * i..self.each * (i + 1)).collect();
+        inverse(squares(&self.told.select_columns(&columns), |_| 1.0))
     }
 
     /// `phi`, m^2.
@@ -48,13 +74,12 @@ impl Choice {
 
     /// By how much `phi` falls with one more of every candidate.
     pub(super) fn gains(&self, covariance: &DMatrix<f64>) -> Vec<f64> {
-        let moved = &self.rows * covariance;
-        let seen = &moved * &self.weight;
         let gain = |i: usize| {
-            let of = |rows: &DMatrix<f64>| rows.rows(self.each * i, self.each).into_owned();
-            let (moved, seen) = (of(&moved), of(&seen));
-            let told = &moved * self.of(i).transpose() + DMatrix::identity(self.each, self.each);
-            let solved = told.cholesky().map(|root| root.solve(&(seen * moved.transpose())).trace());
+            let rows = self.of(i);
+            let moved = times(covariance, &rows);
+            let seen = times(&self.weight, &moved);
+            let told = DMatrix::identity(self.each, self.each) + rows.tr_mul(&moved);
+            let solved = told.cholesky().map(|root| root.solve(&moved.tr_mul(&seen)).trace());
             solved.unwrap_or(f64::NEG_INFINITY)
         };
         (0..self.count()).into_par_iter().map(gain).collect()
@@ -63,9 +88,14 @@ impl Choice {
     /// With one less of those chosen.
     pub(super) fn without(&self, covariance: &DMatrix<f64>, i: usize) -> Option<DMatrix<f64>> {
         let rows = self.of(i);
-        let moved = rows * covariance;
-        let told = DMatrix::identity(self.each, self.each) - &moved * rows.transpose();
-        Some(covariance + moved.transpose() * told.cholesky()?.solve(&moved))
+        let moved = times(covariance, &rows);
+        let told = DMatrix::identity(self.each, self.each) - rows.tr_mul(&moved);
+        let solved = told.cholesky()?.solve(&moved.transpose());
+        let mut found = covariance.clone();
+        for (j, column) in moved.column_iter().enumerate() {
+            found.ger(1.0, &column, &solved.row(j).transpose(), 1.0);
+        }
+        Some(found)
     }
 
     /// So many, each the one that helps most after those before.
@@ -114,15 +144,13 @@ impl Choice {
         let mut best = 0.0_f64;
         for _ in 0..MOST_STEPS {
             parts.one_more()?;
-            let mut scaled = self.rows.clone();
-            for (row, mut values) in scaled.row_iter_mut().enumerate() {
-                values *= shares[row / self.each];
-            }
-            let covariance = inverse(self.rows.transpose() * scaled);
+            let covariance = inverse(squares(&self.told, |column| shares[column / self.each]));
             let value = self.weight.dot(&covariance);
-            let slope = &covariance * &self.weight * &covariance;
-            let told = (&self.rows * slope).component_mul(&self.rows);
-            let slopes: Vec<f64> = (0..self.count()).map(|i| told.rows(self.each * i, self.each).sum()).collect();
+            let slope = |i: usize| {
+                let moved = times(&covariance, &self.of(i));
+                moved.dot(&times(&self.weight, &moved))
+            };
+            let slopes: Vec<f64> = (0..self.count()).into_par_iter().map(slope).collect();
             let mut sorted = slopes.clone();
             sorted.sort_by(|a, b| b.total_cmp(a));
             let now: f64 = shares.iter().zip(&slopes).map(|(share, slope)| share * slope).sum();
@@ -135,13 +163,11 @@ impl Choice {
         Ok((best, shares))
     }
 
-    /// So many whole ones, as good as exchange makes them: from the greedy choice, and from the largest shares.
-    pub(super) fn best(&self, greedy: &[usize], shares: &[f64], parts: &Parts) -> Result<Vec<usize>, Stopped> {
-        let mut order: Vec<usize> = (0..self.count()).collect();
-        order.sort_by(|&i, &j| shares[j].total_cmp(&shares[i]).then(i.cmp(&j)));
-        let of_shares = self.exchanged(order[..greedy.len()].to_vec(), parts)?;
-        let of_greedy = self.exchanged(greedy.to_vec(), parts)?;
-        Ok(if self.value(&of_shares) < self.value(&of_greedy) { of_shares } else { of_greedy })
+    /// As good as exchange makes a greedy choice and the first of all: of those that are promising they have the largest shares.
+    pub(super) fn best(&self, greedy: &[usize], parts: &Parts) -> Result<Vec<usize>, Stopped> {
+        let first = self.exchanged((0..greedy.len()).collect(), parts)?;
+        let greedy = self.exchanged(greedy.to_vec(), parts)?;
+        Ok(if self.value(&first) < self.value(&greedy) { first } else { greedy })
     }
 
     /// The median `phi` of random choices, m^2.
@@ -152,6 +178,15 @@ impl Choice {
         values.sort_by(f64::total_cmp);
         values[RANDOM / 2]
     }
+}
+
+/// A square matrix on every column: few columns are served faster one by one.
+fn times(matrix: &DMatrix<f64>, columns: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut found = DMatrix::zeros(columns.nrows(), columns.ncols());
+    for (mut to, from) in found.column_iter_mut().zip(columns.column_iter()) {
+        to.gemv(1.0, matrix, &from, 0.0);
+    }
+    found
 }
 
 /// `(1 + M)^-1` of a positive `M`.

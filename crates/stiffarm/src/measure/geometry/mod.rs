@@ -18,7 +18,7 @@ use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 use crate::watch::Watch;
 
-use choice::Choice;
+use choice::{Choice, squares};
 
 /// m and rad: what is known of the instrument's frame, and of where the points sit.
 const ROUGHLY: f64 = 1.0;
@@ -91,28 +91,28 @@ pub fn geometry_plan(robot: &Robot, options: &Options, watch: Watch) -> Result<G
     let work: &[[f64; 6]] = if options.work.is_empty() { &candidates } else { &options.work };
     let told = Told { frames: &frames, prior: prior_of_errors(scale_of_errors(0.5)), markers: &options.markers };
     let seen = told.rows(work, &options.markers[..1]);
-    let weight = seen.transpose() * &seen / work.len() as f64;
+    let weight = squares(&seen.transpose(), |_| 1.0) / work.len() as f64;
     let noise = options.sigma.hypot(options.posture_sigma);
-    let choice =
-        Choice { rows: told.rows(&candidates, &options.markers) / noise, each: 3 * options.markers.len(), weight };
-
-    let most = COUNTS[COUNTS.len() - 1].max(options.runs).min(candidates.len());
-    let greedy = choice.greedy(most, &parts)?;
+    let told = told.rows(&candidates, &options.markers).transpose() / noise;
+    let choice = Choice { told, each: 3 * options.markers.len(), weight };
     let (bound, shares) = choice.bound(options.runs, &parts)?;
-    let chosen = choice.best(&greedy[..options.runs], &shares, &parts)?;
+    let most = COUNTS[COUNTS.len() - 1].max(options.runs).min(candidates.len());
+    let (promising, numbers) = choice.promising(&shares, most);
+    let greedy = promising.greedy(most, &parts)?;
+    let chosen = promising.best(&greedy[..options.runs], &parts)?;
     let unexplained = options.posture_sigma * 3_f64.sqrt();
     let remaining = |value: f64| value.sqrt().hypot(unexplained);
     let counts = COUNTS.into_iter().filter(|count| *count <= most);
-    let mut plan: Vec<[f64; 6]> = chosen.iter().map(|&i| candidates[i]).collect();
+    let mut plan: Vec<[f64; 6]> = chosen.iter().map(|&i| candidates[numbers[i]]).collect();
     route::order(&mut plan, limits.speeds, |q| *q);
     Ok(GeometryPlan {
         postures: plan,
-        expected: remaining(choice.value(&chosen)),
+        expected: remaining(promising.value(&chosen)),
         lower_bound: remaining(bound),
         random: remaining(choice.random(options.runs)),
         as_drawn: remaining(as_drawn(&seen)),
         unexplained,
-        by_count: counts.map(|count| (count, remaining(choice.value(&greedy[..count])))).collect(),
+        by_count: counts.map(|count| (count, remaining(promising.value(&greedy[..count])))).collect(),
         candidates: candidates.len(),
         work: work.len(),
     })

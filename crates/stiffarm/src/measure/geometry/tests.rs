@@ -32,9 +32,9 @@ fn robot() -> Robot {
 
 /// Rows of a few unknowns.
 fn choice(rng: &mut fastrand::Rng, count: usize) -> Choice {
-    let rows = DMatrix::from_fn(2 * count, 4, |_, _| 3.0 * (rng.f64() - 0.5));
+    let told = DMatrix::from_fn(4, 2 * count, |_, _| 3.0 * (rng.f64() - 0.5));
     let half = DMatrix::from_fn(3, 4, |_, _| rng.f64());
-    Choice { rows, each: 2, weight: half.transpose() * half }
+    Choice { told, each: 2, weight: half.transpose() * half }
 }
 
 /// Every three of eight candidates.
@@ -46,9 +46,12 @@ fn no_choice_goes_below_the_bound_and_exchange_finds_the_best_or_nearly() {
         let choice = choice(&mut rng, 8);
         let all = (0..8).flat_map(|a| (0..a).flat_map(move |b| (0..b).map(move |c| [a, b, c])));
         let best = all.map(|three| choice.value(&three)).fold(f64::INFINITY, f64::min);
-        let greedy = choice.greedy(3, &parts).unwrap();
         let (bound, shares) = choice.bound(3, &parts).unwrap();
-        let found = choice.value(&choice.best(&greedy, &shares, &parts).unwrap());
+        let (promising, numbers) = choice.promising(&shares, 3);
+        assert!(shares[numbers[7]] <= shares[numbers[0]] && numbers.len() == 8);
+        let greedy = promising.greedy(3, &parts).unwrap();
+        let found = promising.best(&greedy, &parts).unwrap();
+        let found = choice.value(&found.iter().map(|&i| numbers[i]).collect::<Vec<_>>());
         assert!(bound <= best * (1.0 + 1e-9), "{bound} is no bound of {best}");
         assert!(0.6 * best < bound, "{bound} is far below {best}");
         assert!(best <= found * (1.0 + 1e-9) && found < 1.2 * best, "{found} was found, {best} is there");
