@@ -165,10 +165,11 @@ fn told(request: &Request) -> String {
         Verb::Measure => {
             let (robot, task) = (request.robot().ok(), request.task().ok());
             format!(
-                "{robot:?} {task:?} {:?} {:?} {:?}",
+                "{robot:?} {task:?} {:?} {:?} {:?} {}",
                 request.points(),
                 request.measurement_plan(),
-                request.compared()
+                request.compared(),
+                request.plans_geometry()
             )
         }
         Verb::Identify => {
