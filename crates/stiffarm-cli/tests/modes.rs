@@ -85,12 +85,12 @@ fn over_a_zone_the_least_is_told_with_its_interval_and_a_proved_first_frequency_
     let modes = told["modes"].as_array().expect("a list");
     assert_eq!(modes.len(), 6);
     let first = &modes[0];
-    let (least, proved) = (number(&first["frequency_hz_least"]), number(&told["first_at_least_hz"]));
+    let (least, proved) = (number(&first["least_frequency_hz"]), number(&told["first_at_least_hz"]));
     assert!(proved <= least && 0.985 * least < proved, "{proved} {least}");
     assert!(number(&first["frequency_hz_p05"]) < least && least < number(&first["frequency_hz_p95"]), "{first}");
     assert!(number(&told["first_at_least_hz_p05"]) < proved);
     for mode in modes {
-        assert!(number(&mode["frequency_hz_least"]) < number(&mode["frequency_hz_largest"]), "{mode}");
+        assert!(number(&mode["least_frequency_hz"]) < number(&mode["largest_frequency_hz"]), "{mode}");
         let [x, y, z] = [0, 1, 2].map(|i| number(&mode["least_at_m"][i]));
         assert!((x - 1.5).abs() <= 0.2 + 1e-6 && y.abs() <= 0.3 + 1e-6 && (z - 0.8).abs() < 1e-6, "{mode}");
     }
@@ -110,7 +110,7 @@ fn over_a_zone_the_table_says_what_is_proved_and_what_is_sampled() {
     assert!(ok, "{err}");
     let lines: Vec<&str> = out.lines().collect();
     assert_eq!(lines.len(), 3, "{out}");
-    assert!(lines[0].starts_with("mode,frequency_hz_least,frequency_hz_p05,frequency_hz_p95,least_x_m,"), "{out}");
+    assert!(lines[0].starts_with("mode,least_frequency_hz,frequency_hz_p05,frequency_hz_p95,least_x_m,"), "{out}");
 }
 
 #[test]

@@ -154,7 +154,7 @@ def test_modes_over_a_zone(program):
     words = ["--task", "circle:0.2", "--at", "1.5,1.0", "--roll-deg", "0", "--tool-mass-kg", "60", "--tool-com-mm", "0,0,200"]
     found = stiffarm.modes("KR 210 R2700-2", task="circle:0.2", at=(1.5, 1.0), roll_deg=0, tool_mass_kg=60, tool_com_mm=(0, 0, 200))
     assert isinstance(found, stiffarm.ModesOverZone) and found.to_dict() == program("modes", "KR 210 R2700-2", *words)
-    assert found.first_at_least_hz is not None and found.first_at_least_hz <= found.modes[0]["frequency_hz_least"]
+    assert found.first_at_least_hz is not None and found.first_at_least_hz <= found.modes[0]["least_frequency_hz"]
 
 
 def test_chatter(program):

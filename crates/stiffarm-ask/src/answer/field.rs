@@ -300,9 +300,9 @@ fields! {
     FREQUENCY_FREE: "frequency_motors_free_hz", Kind::Number(Unit::Given("hz")), "Of the same rank with motors that only the inertia of their rotors holds; null where rotors are not known.";
     FIRST_AT_LEAST: "first_at_least_hz", Kind::Number(Unit::Given("hz")), "Nowhere in the zone the first frequency is lower, motors held still: proved for the stiffness as it is told, and no promise where that is not measured; null where the proof did not end.";
     FIRST_AT_LEAST_P05: "first_at_least_hz_p05", Kind::Number(Unit::Given("hz")), "The same of five of a hundred such robots, as far as the drives may be off: drawn, not proved; null where nothing says how far.";
-    FREQUENCY_LEAST: "frequency_hz_least", Kind::Number(Unit::Given("hz")), "The least frequency of the points of the zone that were looked at, motors held still.";
+    FREQUENCY_LEAST: "least_frequency_hz", Kind::Number(Unit::Given("hz")), "The least frequency of the points of the zone that were looked at, motors held still.";
     LEAST_AT: "least_at_m", numbers(Unit::Metre, &["least_x_m", "least_y_m", "least_z_m"]), "Where, from the base.";
-    FREQUENCY_LARGEST: "frequency_hz_largest", Kind::Number(Unit::Given("hz")), "The largest frequency of the points of the zone that were looked at.";
+    FREQUENCY_LARGEST: "largest_frequency_hz", Kind::Number(Unit::Given("hz")), "The largest frequency of the points of the zone that were looked at.";
     LARGEST_AT: "largest_at_m", numbers(Unit::Metre, &["largest_x_m", "largest_y_m", "largest_z_m"]), "Where, from the base.";
     ZONE_PARTS: "zone_parts", Kind::Count, "Into how many parts the zone was cut for the proof.";
     DAMPING_RATIO: "damping_ratio", Kind::Number(Unit::One), "Share of the critical damping.";

@@ -3046,7 +3046,7 @@ class ModeOverZone(TypedDict):
     mode: int
     """Which mode, from 1."""
 
-    frequency_hz_least: float
+    least_frequency_hz: float
     """The least frequency of the points of the zone that were looked at, motors held still."""
 
     frequency_hz_p05: float | None
@@ -3058,7 +3058,7 @@ class ModeOverZone(TypedDict):
     least_at_m: list[float]
     """Where, from the base."""
 
-    frequency_hz_largest: float
+    largest_frequency_hz: float
     """The largest frequency of the points of the zone that were looked at."""
 
     largest_at_m: list[float]

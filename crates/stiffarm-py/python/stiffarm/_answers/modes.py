@@ -91,7 +91,7 @@ class ModesOverZone(Table[ModesOverZoneDict]):
     #: How many points were looked at for least and largest, and how far they lie apart, m.
     samples: int
     sample_step_m: float
-    #: The lowest first: ``frequency_hz_least`` with its 90 % interval and place, ``frequency_hz_largest`` with its place.
+    #: The lowest first: ``least_frequency_hz`` with its 90 % interval and place, ``largest_frequency_hz`` with its place.
     modes: list[ModeOverZone]
 
     def __len__(self) -> int:
@@ -100,4 +100,4 @@ class ModesOverZone(Table[ModesOverZoneDict]):
     def _words(self) -> str:
         first = self.modes[0]
         proved = "nothing proved" if self.first_at_least_hz is None else f"proved at least {self.first_at_least_hz:.2f} Hz"
-        return f"{self.robot} over {self.task}: first mode {first['frequency_hz_least']:.2f} to {first['frequency_hz_largest']:.2f} Hz, {proved}"
+        return f"{self.robot} over {self.task}: first mode {first['least_frequency_hz']:.2f} to {first['largest_frequency_hz']:.2f} Hz, {proved}"
