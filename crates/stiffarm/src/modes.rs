@@ -1,6 +1,6 @@
 //! Verb: how does the arm swing at a posture? Frequencies, shapes and damping of its modes, and what a force that swings does to the tip.
 //!
-//! In the coordinates of the drives `(K - w^2 M) v = 0` with `K = diag(1/k_i)` and `M = A^T M_q A` ([`mass_matrix`]). Solved as
+//! In the coordinates of the drives `(K - w^2 M) v = 0` with `K = diag(1/k_i)` and `M = A^T M_q A` ([`crate::mass::mass_matrix`]). Solved as
 //! `lambda = 1/w^2` of `N = k^1/2 M k^1/2`, so rigid drives (`k = 0`) and bodies without mass are `lambda = 0` instead of a division by zero.
 //! The stiffness is that of [`mod@crate::compliance`]: gravity and springs of base and bearings are left out (\[theory\], section 12).
 
