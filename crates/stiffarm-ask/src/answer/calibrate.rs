@@ -104,9 +104,7 @@ impl CalibrateAnswer {
             record.put(field::LINE, row.line).put(field::BEFORE, row.before).put(field::AFTER, row.after);
             record
         });
-        let records: Vec<Record> = records.collect();
-        let columns = records.first().map(Record::columns).unwrap_or_default();
-        Rows::new(columns, records.iter().map(Record::cells).collect())
+        Rows::of(&records.collect::<Vec<_>>())
     }
 
     /// What was found, line by line.

@@ -186,9 +186,7 @@ impl ChatterAnswer {
 
     /// A row a speed of the spindle, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        let records: Vec<Record> = self.lobes().collect();
-        let columns = records.first().map(Record::columns).unwrap_or_default();
-        Rows::new(columns, records.iter().map(Record::cells).collect())
+        Rows::of(&self.lobes().collect::<Vec<_>>())
     }
 
     /// For people.

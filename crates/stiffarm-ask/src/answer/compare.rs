@@ -134,8 +134,7 @@ impl CompareAnswer {
             record.put(field::SETUP, *name).extend(side.record());
             record
         });
-        let records: Vec<Record> = records.collect();
-        Rows::new(records[0].columns(), records.iter().map(Record::cells).collect())
+        Rows::of(&records.collect::<Vec<_>>())
     }
 
     /// For people: a column for each setup.

@@ -155,9 +155,7 @@ impl IdentifyAnswer {
 
     /// One row per drive, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        let records: Vec<Record> = self.drives().collect();
-        let columns = records.first().map(Record::columns).unwrap_or_default();
-        Rows::new(columns, records.iter().map(Record::cells).collect())
+        Rows::of(&self.drives().collect::<Vec<_>>())
     }
 
     /// The robot file with what was identified.

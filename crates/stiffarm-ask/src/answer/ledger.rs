@@ -25,9 +25,7 @@ impl LedgerAnswer {
 
     /// For a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        let records: Vec<Record> = self.0.iter().map(record).collect();
-        let columns = records.first().map(Record::columns).unwrap_or_default();
-        Rows::new(columns, records.iter().map(Record::cells).collect())
+        Rows::of(&self.0.iter().map(record).collect::<Vec<_>>())
     }
 
     /// Why numbers are listed, each reason once.

@@ -106,9 +106,7 @@ impl ModesOverAnswer {
 
     /// A row a mode, for a spreadsheet.
     pub fn rows(&self) -> Rows<'static> {
-        let records: Vec<Record> = self.told().collect();
-        let columns = records.first().map(Record::columns).unwrap_or_default();
-        Rows::new(columns, records.iter().map(Record::cells).collect())
+        Rows::of(&self.told().collect::<Vec<_>>())
     }
 
     /// For people.

@@ -4,7 +4,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 
 use super::field::{Field, Kind};
-use super::rows::{Cell, Column, ColumnKind};
+use super::rows::{Cell, Column, ColumnKind, Rows};
 
 /// A value, in SI where its field has a unit.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,6 +109,14 @@ impl Record {
     /// The same record as a row of that table.
     pub fn cells(&self) -> Vec<Cell> {
         self.0.iter().flat_map(|(field, datum)| cells_of(field, datum)).collect()
+    }
+}
+
+impl Rows<'_> {
+    /// A row a record, under the headings of the first: those of one table have the same fields.
+    pub fn of(records: &[Record]) -> Self {
+        let columns = records.first().map(Record::columns).unwrap_or_default();
+        Self::new(columns, records.iter().map(Record::cells).collect())
     }
 }
 

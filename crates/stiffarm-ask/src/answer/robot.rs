@@ -90,9 +90,7 @@ fn entry(robot: &Robot) -> Record {
 
 /// Robots for a spreadsheet, a row each.
 pub fn list(robots: &[Robot]) -> Rows<'static> {
-    let records: Vec<Record> = robots.iter().map(entry).collect();
-    let columns = records.first().map(Record::columns).unwrap_or_default();
-    Rows::new(columns, records.iter().map(Record::cells).collect())
+    Rows::of(&robots.iter().map(entry).collect::<Vec<_>>())
 }
 
 /// Robots for people, a row each.

@@ -194,9 +194,7 @@ fn what_fits(best: Option<&(Robot, Fit)>, as_file: &Fit) -> String {
 }
 
 fn rows(fits: &[(Robot, Fit)]) -> Rows<'static> {
-    let records: Vec<Record> = fits.iter().map(record).collect();
-    let columns = records.first().map(Record::columns).unwrap_or_default();
-    Rows::new(columns, records.iter().map(Record::cells).collect())
+    Rows::of(&fits.iter().map(record).collect::<Vec<_>>())
 }
 
 fn record((robot, fit): &(Robot, Fit)) -> Record {

@@ -97,9 +97,7 @@ impl PathRankAnswer {
 
     /// One row per robot.
     pub fn rows(&self) -> Rows<'static> {
-        let records: Vec<Record> = self.rows.iter().map(|row| row.record(self.tolerance_mm)).collect();
-        let columns = records.first().map_or_else(Vec::new, Record::columns);
-        Rows::new(columns, records.iter().map(Record::cells).collect())
+        Rows::of(&self.rows.iter().map(|row| row.record(self.tolerance_mm)).collect::<Vec<_>>())
     }
 
     pub(in crate::answer) fn milled(&self) -> impl Iterator<Item = &MillAnswer> {
