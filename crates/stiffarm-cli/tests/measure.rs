@@ -206,6 +206,10 @@ fn what_says_nothing_of_a_calibration_is_refused() {
         (&["--force-n", "500"], "force-n"),
         (&["--repeats", "3"], "repeats"),
         (&["--compare", "mine.csv"], "compare"),
+        (&["--drive-urad-per-nm", "1"], "drive-urad-per-nm"),
+        (&["--stiffness-nm-per-rad", "1e6"], "stiffness-nm-per-rad"),
+        (&["--tool", "spindle:250@90"], "without a task"),
+        (&["--tool-mm", "0,0,200"], "without a task"),
         (&["--candidates", "30000"], "at most 20000"),
         (&["--marker-mm", "a=0,0,1;b=0,1,0;c=1,0,0;d=1,1,0;e=0,0,2"], "at most 4"),
         (&["--runs", "4"], "at least 6"),
@@ -214,5 +218,16 @@ fn what_says_nothing_of_a_calibration_is_refused() {
         let refused = program(&asked).failure();
         let told = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
         assert!(told.contains(expected), "{words:?}: {told}");
+    }
+}
+
+#[test]
+fn points_on_the_axis_of_joint_6_are_said_to_tell_nothing_of_its_zero() {
+    for (marker, is_on_axis) in [("0,0,150", true), ("100,0,150", false), ("a=0,0,150;b=0,80,0", false)] {
+        let words =
+            ["measure", "KR 210 R2700 extra", "--geometry", "--runs", "8", "--candidates", "40", "--marker-mm", marker];
+        let told = program(&words).success();
+        let told = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
+        assert_eq!(told.contains("nothing is told of its zero"), is_on_axis, "{marker}: {told}");
     }
 }

@@ -23,7 +23,12 @@ impl Request {
                 Some("d") => Criterion::D,
                 _ => Criterion::Prediction,
             },
-            ways: self.all("loads", |value| if let Value::Way(way) = value { Some(way) } else { None }),
+            // Nothing is loaded where an arm is calibrated.
+            ways: if self.plans_geometry() {
+                Vec::new()
+            } else {
+                self.all("loads", |value| if let Value::Way(way) = value { Some(way) } else { None })
+            },
             newtons: number("force-n"),
             load_at,
             markers: if markers.is_empty() { vec![load_at] } else { markers },
@@ -50,9 +55,23 @@ impl Request {
         const MOST_MARKERS: usize = 4;
         /// More would take a gigabyte.
         const MOST_CANDIDATES: usize = 20_000;
-        let loads = ["loads", "force-n", "load-mm", "criterion", "repeats", "compare", "stiffness"];
-        if let Some(name) = loads.into_iter().find(|name| self.is_given(name)) {
+        const LOADS: [&str; 9] = [
+            "loads",
+            "force-n",
+            "load-mm",
+            "criterion",
+            "repeats",
+            "compare",
+            "stiffness",
+            "drive-urad-per-nm",
+            "stiffness-nm-per-rad",
+        ];
+        if let Some(name) = LOADS.into_iter().find(|name| self.is_given(name)) {
             let why = "says nothing beside geometry: nothing is loaded, and no posture is measured twice";
+            return Err(self.refused(name, why.into()));
+        }
+        if let Some(name) = ["tool-mm", "tool"].into_iter().find(|name| !self.is_given("task") && self.is_given(name)) {
+            let why = "says nothing beside geometry without a task: the points sit in the flange frame";
             return Err(self.refused(name, why.into()));
         }
         let (markers, candidates) = (self.points().markers.len(), self.count("candidates"));

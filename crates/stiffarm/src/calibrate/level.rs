@@ -16,9 +16,10 @@ pub enum Level {
     Gears,
 }
 
-/// rad: how far drives yield, and gears err.
-const WEIGHT_PRIOR: f64 = 0.5e-3;
-const GEARS_PRIOR: f64 = 0.1e-3;
+/// rad: how far a drive yields under the arm's own weight, one standard deviation.
+pub const WEIGHT_PRIOR: f64 = 0.5e-3;
+/// rad: how far a gear errs once per turn, one standard deviation.
+pub const GEARS_PRIOR: f64 = 0.1e-3;
 
 impl Level {
     /// All, the least first.

@@ -24,7 +24,7 @@ use crate::spatial::Pose;
 use crate::watch::{Stopped, Watch};
 pub use at_work::AtWork;
 use fit::{Fitted, Rows};
-pub use level::Level;
+pub use level::{GEARS_PRIOR, Level, WEIGHT_PRIOR};
 pub use robust::WrongRow;
 
 /// So few postures fit any frames.

@@ -478,7 +478,9 @@ fn stands_free(robot: &Robot, q: &[f64; 6], options: &Options) -> Result<bool, M
         let inside = |window: &[Interval; 3]| (0..3).all(|axis| window[axis].contains(point[axis], 0.0));
         0.0 <= point.z && options.window.as_ref().is_none_or(inside)
     };
-    if !options.markers.iter().chain([&options.load_at]).all(at_hand) {
+    // Where nothing is loaded, nothing has a load point.
+    let loaded = (!options.ways.is_empty()).then_some(&options.load_at);
+    if !options.markers.iter().chain(loaded).all(at_hand) {
         return Ok(false);
     }
     let thick = ThickArm::new(robot, &Pose::identity(), None).ok_or_else(planar)?;

@@ -3,10 +3,12 @@
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
+use super::super::Unit;
 use super::super::numbers::digits;
 use super::super::words::{self, fixed};
 use super::super::{Cell, Column, ColumnKind, Line, Record, Rows, Table, field, line, with_schema};
 use super::{DrawnPosture, looked_at, sight, told};
+use stiffarm::calibrate::{GEARS_PRIOR, WEIGHT_PRIOR};
 use stiffarm::limits::Pendant;
 use stiffarm::measure::{GeometryPlan, Options};
 use stiffarm::robot::Robot;
@@ -143,11 +145,26 @@ impl GeometryAnswer {
 
     /// What stands below the table.
     pub fn notes(&self) -> String {
+        let mrad = |rad: f64| digits(Unit::Milliradian.told(rad), 2);
         format!(
-            "{}{}\nassumed: frames of the joints are off by 0.45 mm and mrad, drives yield by 0.5 mrad under the own weight, gears err by 0.1 mrad (one standard deviation each)\n\
-             -o plan.csv writes the table to be filled in (x1_mm, y1_mm, z1_mm), which `stiffarm calibrate` reads\n",
+            "{}{}\nassumed: frames of the joints are off by {} mm and mrad, drives yield by {} mrad under the own weight, gears err by {} mrad (one standard deviation each)\n\
+             {}-o plan.csv writes the table to be filled in (x1_mm, y1_mm, z1_mm), which `stiffarm calibrate` reads\n",
             words::pendant_note(&self.robot),
-            looked_at(&self.robot, &self.options)
+            looked_at(&self.robot, &self.options),
+            mrad(self.plan.scale),
+            mrad(WEIGHT_PRIOR),
+            mrad(GEARS_PRIOR),
+            self.on_axis_note()
         )
+    }
+
+    /// Points on the axis of joint 6 do not move with it.
+    fn on_axis_note(&self) -> &'static str {
+        /// m: nearer to it the zero of joint 6 cannot be told.
+        const NEAR: f64 = 1e-3;
+        if self.options.markers.iter().any(|at| NEAR < at.xy().norm()) {
+            return "";
+        }
+        "all points lie on the axis of joint 6, so nothing is told of its zero: a point aside of it does (--marker-mm)\n"
     }
 }

@@ -24,7 +24,7 @@ use choice::{Choice, squares};
 const ROUGHLY: f64 = 1.0;
 /// Of so many postures each, at most, a plan is told besides.
 const COUNTS: [usize; 5] = [10, 20, 40, 70, 100];
-/// What is wanted of one posture takes the instrument's frame, six unknowns, and the points.
+/// Fewer rows are not calibrated by.
 const LEAST: usize = crate::calibrate::LEAST_ROWS;
 
 /// Postures in which points of the flange are to be measured, and what they are worth.
@@ -44,6 +44,8 @@ pub struct GeometryPlan {
     pub unexplained: f64,
     /// So many postures, and what they leave, m, chosen one after the other.
     pub by_count: Vec<(usize, f64)>,
+    /// How far the joints' frames of an arm that nobody has calibrated are taken to be off, one standard deviation, m and rad.
+    pub scale: f64,
     /// How many candidates there were.
     pub candidates: usize,
     /// How many postures the work had.
@@ -89,7 +91,8 @@ pub fn geometry_plan(robot: &Robot, options: &Options, watch: Watch) -> Result<G
         return Err(MeasureError::TooFewPostures { runs, repeats: 1, postures });
     }
     let work: &[[f64; 6]] = if options.work.is_empty() { &candidates } else { &options.work };
-    let told = Told { frames: &frames, prior: prior_of_errors(scale_of_errors(0.5)), markers: &options.markers };
+    let scale = scale_of_errors(0.5);
+    let told = Told { frames: &frames, prior: prior_of_errors(scale), markers: &options.markers };
     let seen = told.rows(work, &options.markers[..1]);
     let weight = squares(&seen.transpose(), |_| 1.0) / work.len() as f64;
     let noise = options.sigma.hypot(options.posture_sigma);
@@ -113,6 +116,7 @@ pub fn geometry_plan(robot: &Robot, options: &Options, watch: Watch) -> Result<G
         as_drawn: remaining(as_drawn(&seen)),
         unexplained,
         by_count: counts.map(|count| (count, remaining(promising.value(&greedy[..count])))).collect(),
+        scale,
         candidates: candidates.len(),
         work: work.len(),
     })
