@@ -60,20 +60,25 @@ def yielded(robot: dict, theta: np.ndarray, weight: list[float], gears: list[flo
     return turned + periodic[:, 0] * np.sin(theta) + periodic[:, 1] * np.cos(theta)
 
 
+def flange(robot: dict, joints: list[float], frames: list[float], weight: list[float], gears: list[float]) -> tuple[pin.SE3, np.ndarray]:
+    """Where the flange of such an arm stands at angles as reported, deg, and its Jacobian there."""
+    theta = np.radians(open_chain_deg(robot, joints))
+    psi = theta + yielded(robot, theta, np.array(weight) / 1e3, np.array(gears) / 1e3)
+    model = model_of(robot, np.array(frames).reshape(6, 6) / 1e3)
+    data = model.createData()
+    last = model.getFrameId("flange")
+    jacobian = pin.computeFrameJacobian(model, data, psi, last, pin.LOCAL_WORLD_ALIGNED)
+    pin.framesForwardKinematics(model, data, psi)
+    return data.oMf[last], jacobian
+
+
 def row(robot: dict, draw: random.Random) -> dict[str, str]:
     def numbers(count: int, most: float) -> list[float]:
         return [round(draw.uniform(-most, most), 4) for _ in range(count)]
 
     frames, weight, gears = numbers(36, 2), numbers(8, 1), numbers(12, 0.2)
     joints = random_posture(robot, draw)
-    theta = np.radians(open_chain_deg(robot, joints))
-    psi = theta + yielded(robot, theta, np.array(weight) / 1e3, np.array(gears) / 1e3)
-    model = model_of(robot, np.array(frames).reshape(6, 6) / 1e3)
-    data = model.createData()
-    flange = model.getFrameId("flange")
-    jacobian = pin.computeFrameJacobian(model, data, psi, flange, pin.LOCAL_WORLD_ALIGNED)
-    pin.framesForwardKinematics(model, data, psi)
-    pose = data.oMf[flange]
+    pose, jacobian = flange(robot, joints, frames, weight, gears)
     vectors = {
         "joints_deg": joints,
         "frames_mm_mrad": frames,

@@ -226,6 +226,35 @@ fn a_tracker_that_moved_has_a_frame_of_its_own_and_points_may_be_missing() {
     assert!(found.taken().rms < 2.0 * NOISE * 3_f64.sqrt(), "{:?}", found.levels);
 }
 
+/// The table that the guide calibrates, which Pinocchio computed (`scripts/example_tables.py`), against where its arm truly stands elsewhere.
+#[test]
+fn the_table_of_the_guide_tells_where_its_arm_stands_in_postures_that_it_does_not_have() {
+    let truth = include_str!("../../../validation/tracker_truth.csv");
+    let columns = truth.lines().last().unwrap().split(',');
+    let columns = columns.map(|numbers| numbers.split(' ').map(|x| x.parse().unwrap()).collect::<Vec<f64>>());
+    let [frames, weight, gears, noise, points, tracker] = columns.collect::<Vec<_>>().try_into().unwrap();
+    let (milli, mut truth) = ([frames, weight, gears].concat(), Errors::NONE);
+    let Errors { frames, weight, gears } = &mut truth;
+    let all = frames.iter_mut().flatten().chain(weight).chain(gears.iter_mut().flatten());
+    all.zip(&milli).for_each(|(error, milli)| *error = milli / 1e3);
+    let point = Point3::new(points[0], points[1], points[2]) / 1e3;
+    let tracker = Isometry3::new(Vector3::from_row_slice(&tracker[..3]), Vector3::from_row_slice(&tracker[3..]));
+    let (robot, noise) = (robot(), noise[0] / 1e3);
+    let found = asked(&robot, include_str!("../../../docs/examples/tracker.csv")).unwrap();
+    let mut rng = fastrand::Rng::with_seed(5);
+    let elsewhere: Vec<[f64; 6]> = (0..200).map(|_| posture(&robot, &mut rng, 0.8)).collect();
+    let square = |q: &[f64; 6]| {
+        let flange = |errors: &Errors| errors.flange(&robot, &q.map(f64::to_radians)).unwrap();
+        let expected = found.tracker_in_base[0].inverse() * flange(&found.errors) * Point3::from(found.points[0]);
+        let stands = tracker.inverse() * flange(&truth) * point;
+        (expected - stands).norm_squared() + 3.0 * noise.powi(2)
+    };
+    let off = (elsewhere.iter().map(square).sum::<f64>() / elsewhere.len() as f64).sqrt();
+    let told = found.at_work.unwrap();
+    assert!((told.interval[0]..=told.interval[1]).contains(&off), "{off} {told:?}");
+    assert!(10.0 * off < found.levels[0].rms && found.wrong_rows.is_empty(), "{off} {:?}", found.levels[0]);
+}
+
 /// 95 % intervals of the error that remains, over arms and tables that are drawn, against what a tracker with the same noise measures at postures
 /// that it has not seen: both ends hold.
 #[test]
