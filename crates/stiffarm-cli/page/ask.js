@@ -48,14 +48,17 @@ export async function call(path, body) {
   return (await post(path, body, undefined)).json();
 }
 
+/** Where a verb is asked. @param {string} verb */
+export const addressOf = (verb) => `/api/${verb.replaceAll(" ", "/")}`;
+
 /** The answer in one format. @param {string} verb @param {Question} question @param {string} as @param {AbortSignal} [signal] */
 export async function written(verb, question, as, signal) {
-  return post(`/api/${verb}?as=${as}`, question, signal);
+  return post(`${addressOf(verb)}?as=${as}`, question, signal);
 }
 
 /** The fields of the answer. @param {string} verb @param {Question} question @param {AbortSignal} [signal] @returns {Promise<any>} */
 export async function fields(verb, question, signal) {
-  return (await post(`/api/${verb}`, question, signal)).json();
+  return (await post(addressOf(verb), question, signal)).json();
 }
 
 /**
@@ -63,7 +66,7 @@ export async function fields(verb, question, signal) {
  * @param {string} verb @param {Question} question @param {AbortSignal} signal @param {(at: Progress) => void} tell @returns {Promise<any>}
  */
 export async function watched(verb, question, signal, tell) {
-  const reply = await post(`/api/${verb}`, question, signal, "application/x-ndjson");
+  const reply = await post(addressOf(verb), question, signal, "application/x-ndjson");
   if (!reply.body) throw refusal(null);
   const reader = reply.body.pipeThrough(new TextDecoderStream()).getReader();
   let rest = "";

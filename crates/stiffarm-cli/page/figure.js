@@ -1,6 +1,6 @@
 // How is a picture of the server shown, and how does what it shows come to the user's disk?
 
-import { Refusal, call, written } from "./ask.js";
+import { Refusal, addressOf, call, written } from "./ask.js";
 import { button, byId, el, save, say } from "./dom.js";
 
 /** @typedef {import("./ask.js").Question} Question */
@@ -91,7 +91,7 @@ export function takeaway(asked, kinds) {
   const show = async () => {
     try {
       const { verb, question } = asked();
-      const { command, python } = await call(`/api/${verb}?as=command`, question);
+      const { command, python } = await call(`${addressOf(verb)}?as=command`, question);
       code.replaceChildren(snippet("as command", command), snippet("as Python", python));
     } catch (fault) {
       tellFault(fault);

@@ -55,7 +55,7 @@ function more(verb, title, rest) {
 /** @param {string} verb @param {Row} row */
 function control(verb, row) {
   const key = keyOf(verb, row);
-  const id = `${verb}.${row.name}`;
+  const id = `${verb.replaceAll(" ", "-")}.${row.name}`;
   const help = el("p", { class: "help", id: `${id}.help` }, [row.help]);
   const label = el("label", { for: id }, [labelled(row)]);
   const field = el("div", { class: `field of-${row.kind}`, "data-option": row.name, "data-key": key }, [label, ...entry(row, key, id), help]);

@@ -1,7 +1,9 @@
-// How is a file of the user opened, so that questions can name it?
+// How does a file come into the questions: opened by the user, or made by an answer?
 
+import { written } from "./ask.js";
 import { button, el, say } from "./dom.js";
-import { keep } from "./state.js";
+import { tellFault } from "./figure.js";
+import { change, keep, question } from "./state.js";
 
 /** Bytes that may be no text, as an address that holds them. @param {File} file @returns {Promise<string>} */
 function bytesOf(file) {
@@ -26,4 +28,15 @@ export function opener(label, id, then, shown = "open file") {
     then(first.name, first.text);
   });
   return el("span", { class: "opener" }, [button(shown, () => file.click(), { "aria-label": label }), file]);
+}
+
+/** The robot file that the answer of a verb has, used at once. @param {string} verb @param {string} name */
+export async function useRobot(verb, name) {
+  try {
+    const text = await (await written(verb, question(verb), "toml")).text();
+    keep([[name, text]]);
+    change({ robot: name }, "place");
+  } catch (fault) {
+    tellFault(fault);
+  }
 }

@@ -1,6 +1,6 @@
 // What does the page do first, and what when the question changes?
 
-import { call, get } from "./ask.js";
+import { addressOf, call, get } from "./ask.js";
 import { byId, button, el, save, say } from "./dom.js";
 import { tellFault } from "./figure.js";
 import { packed } from "./files.js";
@@ -8,6 +8,7 @@ import { build, faulty, refresh } from "./form.js";
 import { opener } from "./open.js";
 import { addressWith, change, firstQuestion, forget, onChange, question, readAddress, readJob, value, view } from "./state.js";
 import { learn } from "./table.js";
+import { calibrate } from "./view_calibrate.js";
 import { measure } from "./view_measure.js";
 import { mill } from "./view_mill.js";
 import { place } from "./view_place.js";
@@ -23,7 +24,7 @@ import { cancellable, work } from "./work.js";
  */
 
 /** @type {Record<string, View>} */
-const views = { robots, place, mill, measure };
+const views = { robots, place, mill, measure, calibrate };
 let mounted = "";
 let soon = 0;
 
@@ -69,7 +70,7 @@ async function fromAddress() {
 async function saveJob() {
   try {
     const { verb } = current();
-    const { job } = await call(`/api/${verb}?as=command`, question(verb));
+    const { job } = await call(`${addressOf(verb)}?as=command`, question(verb));
     save(new Blob([job], { type: "application/toml" }), `${verb}.toml`);
     say("the job file is downloaded");
   } catch (fault) {

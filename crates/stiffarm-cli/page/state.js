@@ -5,7 +5,7 @@ import { asked, keyOf, row, rows, typed } from "./table.js";
 
 /** @typedef {import("./ask.js").Question} Question */
 
-export const VIEWS = ["robots", "place", "mill", "measure"];
+export const VIEWS = ["robots", "place", "mill", "measure", "calibrate"];
 
 /** Files that were opened, by name: they go with every question that names them. @type {Map<string, string>} */
 export const files = new Map(recalled());
@@ -146,6 +146,6 @@ export function readJob({ verb, options }) {
     const of = row(verb, name);
     if (of) changes[keyOf(verb, of)] = typed(given);
   }
-  const of = { rank: "robots", mill: "mill", measure: "measure", identify: "measure" }[verb] ?? "place";
+  const of = { rank: "robots", mill: "mill", measure: "measure", identify: "measure", calibrate: "calibrate", "robots verify": "calibrate" }[verb] ?? "place";
   change(changes, of);
 }

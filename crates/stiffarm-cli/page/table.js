@@ -47,7 +47,8 @@ function isSame(a, b) {
 export function keyOf(verb, row) {
   const alike = (/** @type {string} */ other) => rows(other).some((shared) => shared.name === row.name && isSame(shared, row));
   if (alike("place")) return row.name;
-  return `${verb === "identify" && alike("measure") ? "measure" : verb}.${row.name}`;
+  const before = { identify: "measure", "robots verify": "calibrate" }[verb];
+  return `${before !== undefined && alike(before) ? before : verb.split(" ").at(-1)}.${row.name}`;
 }
 
 /** A text as a job file has it: numbers as numbers. @param {Row} row @param {string} text @returns {unknown} */

@@ -2,9 +2,9 @@
 
 import { fields, watched, written } from "./ask.js";
 import { button, el, say } from "./dom.js";
-import { Picture, takeaway, tellFault } from "./figure.js";
-import { opener } from "./open.js";
-import { change, keep, question, value } from "./state.js";
+import { Picture, takeaway } from "./figure.js";
+import { opener, useRobot } from "./open.js";
+import { change, question, value } from "./state.js";
 import { list, read, sortable, under, verdict, words } from "./told.js";
 import { progress } from "./work.js";
 
@@ -17,17 +17,6 @@ const picture = new Picture("what remains of the measurements, by the model");
 const drawn = new Picture("the postures to measure, each from the side of the arm");
 const measured = () => ({ verb: "measure", question: question("measure") });
 const identified = () => ({ verb: "identify", question: question("identify") });
-
-/** The robot file with what was found, used at once. */
-async function use() {
-  try {
-    const text = await (await written("identify", question("identify"), "toml")).text();
-    keep([["identified.toml", text]]);
-    change({ robot: "identified.toml" }, "place");
-  } catch (fault) {
-    tellFault(fault);
-  }
-}
 
 /** @type {import("./page.js").View} */
 export const measure = {
@@ -77,7 +66,7 @@ async function identify(signal) {
     verdict(label, "not explained by the drives as found", null, under(about, /^fit$/)),
     ...(about ? [list(about, /^(fit|not explained)$/)] : []),
     words(told.sentences.flat()),
-    button("use this robot in the other views", use, { class: "main" }),
+    button("use this robot in the other views", () => useRobot("identify", "identified.toml"), { class: "main" }),
     takeaway(identified, [["robot file", "toml"], ["CSV", "csv"], ["SVG", "svg"], ["PNG", "png"], ["JSON", "json"], ["report", "report", "html"]]),
   );
   say(label);

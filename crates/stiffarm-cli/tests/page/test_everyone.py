@@ -7,7 +7,7 @@ from playwright.sync_api import expect
 
 from conftest import Open
 
-VIEWS = ["robots", "place", "mill", "measure?measure.runs=6&measure.candidates=200"]
+VIEWS = ["robots", "place", "mill", "measure?measure.runs=6&measure.candidates=200", "calibrate"]
 
 UNNAMED = """() => [...document.querySelectorAll('input, select, button, a[href], [tabindex="0"]')]
     .filter(element => !(element.labels?.length || element.getAttribute('aria-label') || element.textContent.trim()))

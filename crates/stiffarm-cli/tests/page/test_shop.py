@@ -68,3 +68,19 @@ def test_measurements_identify_a_robot_that_is_used_at_once(look: Open) -> None:
     page.get_by_role("button", name="use this robot in the other views").click()
     expect(page.locator("nav a[aria-current]")).to_contain_text("Place")
     expect(page.locator(".rests")).to_contain_text("identified in 43 postures")
+
+
+def test_tables_are_verified_and_calibrate_a_robot_that_is_used_at_once(look: Open) -> None:
+    page = look("#calibrate")
+    expect(page.locator("#number").first).to_have_text("no table yet")
+    readings = page.get_by_label("open a file for data").and_(page.locator("input"))
+    readings.first.set_input_files(EXAMPLES / "pendant.csv")
+    expect(page.locator("#number").first).to_have_text("verified")
+    settled(page)
+    readings.last.set_input_files(EXAMPLES / "tracker.csv")
+    expect(page.get_by_role("region", name="what each level leaves").locator("tbody tr")).to_have_count(5)
+    expect(page.get_by_alt_text("every row's error")).to_be_visible()
+    settled(page)
+    page.get_by_role("button", name="use this robot in the other views").click()
+    expect(page.locator("nav a[aria-current]")).to_contain_text("Place")
+    expect(page.get_by_role("combobox", name="robot", exact=True)).to_have_value("calibrated.toml")
