@@ -170,6 +170,28 @@ pub enum AskError {
     /// A table of measurements with faults.
     #[error("{0}")]
     Measurements(stiffarm::catalogue::Faults),
+    /// A table of readings with faults.
+    #[error("{0}")]
+    Readings(stiffarm::catalogue::Faults),
+    /// Readings that tell nothing.
+    #[error("{data}: {error}")]
+    Verify {
+        /// Which table.
+        data: String,
+        /// Why.
+        error: stiffarm::verify::VerifyError,
+    },
+    /// Measured points that tell nothing.
+    #[error("{data}: {error}")]
+    Calibrate {
+        /// Which table.
+        data: String,
+        /// Why.
+        error: stiffarm::calibrate::CalibrateError,
+    },
+    /// The answer is told: the file is not verified.
+    #[error("{0} is not verified")]
+    NotVerified(String),
     /// A study that makes no sense.
     #[error(transparent)]
     Study(#[from] stiffarm::study::StudyError),
@@ -276,6 +298,10 @@ impl AskError {
             Self::Usage(_) | Self::Request(_) => "--help behind the command tells its options",
             Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",
             Self::Measure { .. } => "--help behind the command tells its options: --loads, --window, --load-mm, --marker-mm",
+            Self::Readings(_) => "every fault is named with its row and column; --columns NAME=HEADING says what a table calls its columns",
+            Self::Verify { .. } => "read three to ten postures that move every joint; docs/verify.md tells how",
+            Self::Calibrate { .. } => "forty postures that move every joint through its range, three points each, tell most; docs/verify.md tells what to look at",
+            Self::NotVerified(_) => "the answer above says what fits and what is missing; programs of a robot that is not verified say so",
             Self::Identify { .. } => "`stiffarm measure ROBOT` tells which postures and loads to measure",
             Self::Map { error: MapError::Size { .. }, .. } => "try --size 1000",
             Self::Map { .. } | Self::Figure(_) => "--format csv or json gives the numbers; `stiffarm robots show` what is reached",

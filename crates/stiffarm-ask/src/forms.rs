@@ -82,8 +82,13 @@ pub trait Answer {
         None
     }
 
+    /// What was asked is answered with no, whatever was asked to hold: how the program ends.
+    fn refusal(&self) -> Option<AskError> {
+        None
+    }
+
     /// A robot file, where there is one.
-    fn robot_file(&self) -> Option<String> {
+    fn robot_file(&self) -> Option<Result<String, AskError>> {
         None
     }
 
@@ -231,7 +236,7 @@ impl Form {
                 answer.json(&mut text).expect("memory takes every byte");
                 text
             }
-            Self::RobotFile => answer.robot_file().unwrap_or_default().into_bytes(),
+            Self::RobotFile => made(answer.robot_file())?,
             Self::Svg(what) => made(answer.drawn(*what))?,
             Self::View => made(answer.view().map(|view| view.map(|view| view.html())))?,
             Self::Lines => made(answer.view().map(|view| view.map(|view| exports::lines(&view))))?,

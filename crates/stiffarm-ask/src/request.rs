@@ -16,6 +16,7 @@ mod on_path;
 mod options;
 mod path;
 mod python;
+mod reading;
 mod refusal;
 mod sent;
 mod settings;

@@ -176,6 +176,15 @@ fn told(request: &Request) -> String {
             let (data, robot) = (request.data().ok(), request.robot().ok());
             format!("{data:?} {robot:?} {:?} {:?}", request.points(), request.identification())
         }
+        Verb::Calibrate => {
+            let (data, robot) = (request.data().ok(), request.robot().ok());
+            format!("{data:?} {robot:?} {:?} {:?} {:?}", request.reading("KUKA"), request.calibration(), request.date())
+        }
+        Verb::Verify => {
+            let (data, robot, reading) = (request.data().ok(), request.robot().ok(), request.reading("KUKA"));
+            let asked = (request.verification(), request.tries_all(), request.date());
+            format!("{data:?} {robot:?} {reading:?} {asked:?}")
+        }
         Verb::Mill => {
             let (path, format) = (request.path().ok(), request.path_format("a").ok());
             let reading = format!("{} {:?} {:?}", request.is_dry(), request.read_options(), request.steps());

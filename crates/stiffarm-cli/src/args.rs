@@ -8,13 +8,13 @@ use std::path::{Path, PathBuf};
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 use clap_complete::Shell;
 use stiffarm::catalogue::files;
-use stiffarm_ask::request::{Kind, Pair, Request, Spelling, Verb, job};
+use stiffarm_ask::request::{Absent, Kind, Pair, Request, Spelling, Verb, job};
 
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::help::{EXIT_CODES, with_help, without_common};
 use crate::options::{CHECK, CHECKED, SAVE_JOB, positional_pairs, positional_rows, positionals_of, subcommand, typed};
-pub(crate) use own::{CalibrateArgs, ImportArgs, PaperArgs, RobotsAction, ServeArgs, VerifyArgs};
+pub(crate) use own::{ImportArgs, PaperArgs, RobotsAction, ServeArgs};
 
 /// What the program does.
 const ABOUT: &str =
@@ -23,16 +23,12 @@ const ABOUT: &str =
 /// What `paper` does.
 const PAPER: &str = "Make every table and figure of the paper under its number, in the folder given with -o";
 
-/// What `calibrate` does.
-const CALIBRATE: &str =
-    "Find how this very arm differs from its drawing, from points on its flange that a tracker measured";
-
 /// What `serve` does.
 const SERVE: &str =
     "Serve a page in the browser, and all verbs over HTTP as JSON; it reads no files but those that are sent to it";
 
 /// The verbs of the library, with a line of help each.
-pub(crate) const VERBS: [(Verb, &str); 12] = [
+pub(crate) const VERBS: [(Verb, &str); 14] = [
     (Verb::Rank, "Rank robots for tasks; without arguments the ten robots of the paper on its six tasks"),
     (Verb::Place, "Find the best place of one zone, with a proof"),
     (Verb::Map, "Map the deflection over everything a robot reaches"),
@@ -48,6 +44,11 @@ pub(crate) const VERBS: [(Verb, &str); 12] = [
     (Verb::Mill, "How far is the tool pushed off along a toolpath, at the best rolls and the best place"),
     (Verb::Measure, "Plan which postures and loads to measure, so that identify finds the drives"),
     (Verb::Identify, "Find how stiff the drives of a robot are, from deflections that were measured"),
+    (
+        Verb::Calibrate,
+        "Find how this very arm differs from its drawing, from points on its flange that a tracker measured",
+    ),
+    (Verb::Verify, "Does a robot file count the joints as the pendant does? Three to ten postures read from it tell"),
 ];
 
 /// The whole command line.
@@ -72,9 +73,14 @@ fn command_with(hidden: bool) -> Command {
             .num_args(0..)
             .help("Words that must stand in the maker's or the robot's name"),
     );
+    let (of_robots, verbs): (Vec<_>, Vec<_>) = VERBS
+        .map(|(verb, about)| (verb.name(), with_help(subcommand(verb, about, hidden), verb.name())))
+        .into_iter()
+        .partition(|(name, _)| name.starts_with("robots "));
     let robots = Command::new("robots").about("List, show and check robots").subcommand(with_help(list, "robots list"));
     let robots = with_help(RobotsAction::augment_subcommands(robots), "robots");
-    let robots = ["show", "check", "import", "verify"].into_iter().fold(robots, |robots, name| {
+    let robots = robots.subcommands(of_robots.into_iter().map(|(_, command)| command));
+    let robots = ["show", "check", "import"].into_iter().fold(robots, |robots, name| {
         robots.mut_subcommand(name, |command| with_help(command, &format!("robots {name}")))
     });
     let validate = Command::new("validate").about("Print every published number beside the computed one");
@@ -92,8 +98,7 @@ fn command_with(hidden: bool) -> Command {
     );
     let serve = ServeArgs::augment_args(Command::new("serve").about(SERVE));
     program
-        .subcommands(VERBS.map(|(verb, about)| with_help(subcommand(verb, about, hidden), verb.name())))
-        .subcommand(with_help(CalibrateArgs::augment_args(Command::new("calibrate").about(CALIBRATE)), "calibrate"))
+        .subcommands(verbs.into_iter().map(|(_, command)| command))
         .subcommand(robots)
         .subcommand(with_help(PaperArgs::augment_args(Command::new("paper").about(PAPER)), "paper"))
         .subcommand(shown(with_help(serve, "serve")))
@@ -123,8 +128,6 @@ pub(crate) enum Task {
     Completions(Shell),
     /// Manual pages, to a folder where one is named.
     Man(Option<PathBuf>),
-    /// Measured points to errors of an arm.
-    Calibrate(CalibrateArgs),
     /// The published tables and figures.
     Paper(PaperArgs),
     /// Everything above over HTTP.
@@ -141,7 +144,7 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
         let asked = Common::from_arg_matches(inner).map_err(|error| Failure::usage(error.to_string()))?;
         Ok::<_, Failure>(Common { sources: asked.disk(), ..asked })
     };
-    if let Some((verb, _)) = VERBS.into_iter().find(|(verb, _)| verb.name() == name) {
+    if let Some(verb) = verb_named(name) {
         return ask(verb, inner, common(inner)?);
     }
     if name == "validate" {
@@ -158,13 +161,13 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
         let args = PaperArgs::from_arg_matches(inner).map_err(|error| Failure::usage(error.to_string()))?;
         return Ok((Task::Paper(args), common(inner)?));
     }
-    if name == "calibrate" {
-        let args = CalibrateArgs::from_arg_matches(inner).map_err(|error| Failure::usage(error.to_string()))?;
-        return Ok((Task::Calibrate(args), common(inner)?));
-    }
     if name == "serve" {
         let args = ServeArgs::from_arg_matches(inner).map_err(|error| Failure::usage(error.to_string()))?;
         return Ok((Task::Serve(args), common(inner)?));
+    }
+    let below = inner.subcommand().map(|(below, inner)| (format!("{name} {below}"), inner));
+    if let Some((verb, inner)) = below.and_then(|(name, inner)| Some((verb_named(&name)?, inner))) {
+        return ask(verb, inner, common(inner)?);
     }
     let list = |pairs: &[Pair]| Request::read(Verb::List, pairs, Spelling::Typed);
     match inner.subcommand() {
@@ -178,6 +181,10 @@ pub(crate) fn read(matches: &ArgMatches) -> Result<(Task, Common), Failure> {
             Ok((Task::Robots(known), common(action)?))
         }
     }
+}
+
+fn verb_named(name: &str) -> Option<Verb> {
+    VERBS.into_iter().map(|(verb, _)| verb).find(|verb| verb.name() == name)
 }
 
 /// A verb, from what was typed and the job file that may stand beside it.
@@ -222,10 +229,15 @@ fn ask(verb: Verb, matches: &ArgMatches, mut common: Common) -> Result<(Task, Co
 /// The job in a file, where it is one; nothing where it is a robot's, a process or a path.
 fn job_file(verb: Verb, name: &str) -> Result<Option<job::Job>, Failure> {
     let path = Path::new(name);
-    // One robot, table, process or path may stand here as well; of two setups neither stands alone.
-    let takes_another = positional_rows(verb).count() == 1;
+    // One robot, table, process or path may stand here as well; of two that must be given neither stands alone.
+    let takes_another = positional_rows(verb).filter(|row| row.absent == Absent::Required).count() == 1;
     if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
-        let others = if verb == Verb::Compare { "or two setups" } else { "robots are named by --robots" };
+        let values: Vec<&str> = positional_rows(verb).map(|row| row.value).collect();
+        let others = match verb {
+            Verb::Compare => "or two setups".to_owned(),
+            _ if values.is_empty() => "robots are named by --robots".into(),
+            _ => format!("or {}", values.join(" ")),
+        };
         let why = format!("'{name}' is no job file; expected a name that ends in .toml, {others}");
         return if takes_another { Ok(None) } else { Err(Failure::usage(why)) };
     }

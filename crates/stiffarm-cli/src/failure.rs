@@ -55,28 +55,6 @@ pub(crate) enum Failure {
     /// One file is to hold two things.
     #[error("cannot write {} twice: another output is the same file", shown(.0))]
     Twice(PathBuf),
-    /// A table of readings with faults.
-    #[error("{0}")]
-    Readings(stiffarm::catalogue::Faults),
-    /// Readings that tell nothing.
-    #[error("{data}: {error}")]
-    Verify {
-        /// Which table.
-        data: String,
-        /// Why.
-        error: stiffarm::verify::VerifyError,
-    },
-    /// Measured points that tell nothing.
-    #[error("{data}: {error}")]
-    Calibrate {
-        /// Which table.
-        data: String,
-        /// Why.
-        error: stiffarm::calibrate::CalibrateError,
-    },
-    /// The answer is told: the file is not verified.
-    #[error("{0} is not verified")]
-    NotVerified(String),
     /// A ledger that cannot be read.
     #[error(transparent)]
     Ledger(#[from] stiffarm::ledger::LedgerError),
@@ -146,10 +124,6 @@ impl Failure {
             }
             Self::Ending { .. } => "the ending of the name chooses what is written",
             Self::Twice(_) => "give each output a name of its own",
-            Self::Readings(_) => "every fault is named with its row and column; --columns NAME=HEADING says what a table calls its columns",
-            Self::Verify { .. } => "read three to ten postures that move every joint; docs/verify.md tells how",
-            Self::Calibrate { .. } => "forty postures that move every joint through its range, three points each, tell most; docs/verify.md tells what to look at",
-            Self::NotVerified(_) => "the answer above says what fits and what is missing; programs of a robot that is not verified say so",
             Self::Ledger(_) => "the tables are compiled in: this is a fault of the program, please report it",
             Self::Unsettled(_) => "the rows that say DISAGREES or LISTED; crates/stiffarm/printed/ holds what is printed and why it differs",
         }

@@ -54,7 +54,6 @@ fn answer(task: &Task, common: &Common) -> Result<(), Failure> {
         Task::Ask(asked) => commands::asked(asked, common),
         Task::List(words, asked) => commands::robots::listed(words, asked, common),
         Task::Robots(action) => commands::robots::run(action, common),
-        Task::Calibrate(args) => commands::calibrate::run(args, common),
         Task::Paper(args) => commands::paper::run(args, common),
         Task::Serve(args) => serve::run(args, common),
         Task::Validate => commands::validate::run(common),

@@ -70,7 +70,13 @@ fn usage(verb: Verb) -> String {
     let is_required = |setting: &&Setting| setting.absent == Absent::Required && !setting.is_positional;
     let required: String =
         verb.settings().filter(is_required).map(|row| format!(" --{} <{}>", row.name, row.value)).collect();
-    let about: String = positional_rows(verb).map(|row| format!(" <{}>", row.value)).collect();
+    let about: String = positional_rows(verb)
+        .map(
+            |row| {
+                if row.absent == Absent::Required { format!(" <{}>", row.value) } else { format!(" [{}]", row.value) }
+            },
+        )
+        .collect();
     if Verb::JOBS.contains(&verb) {
         format!("stiffarm {name} [OPTIONS]{required}{about}\n       stiffarm {name} [OPTIONS] JOB.toml")
     } else {
@@ -144,9 +150,11 @@ pub(crate) fn positionals_of(matches: &ArgMatches) -> Vec<&String> {
     matches.get_many::<String>(POSITIONAL).into_iter().flatten().collect()
 }
 
-/// The same as pairs, under the names of their rows.
+/// The same as pairs, under the names of their rows; where they are too few for all rows, of those that must be given.
 pub(crate) fn positional_pairs(verb: Verb, texts: &[&String]) -> Vec<Pair> {
     let pair =
         |(row, text): (&Setting, &&String)| Pair { name: row.name.into(), text: (*text).clone(), at: Spelling::Typed };
-    positional_rows(verb).zip(texts).map(pair).collect()
+    let are_few = texts.len() < positional_rows(verb).count();
+    let rows = positional_rows(verb).filter(|row| !are_few || row.absent == Absent::Required);
+    rows.zip(texts).map(pair).collect()
 }

@@ -224,7 +224,10 @@ impl<'a> Body<'a> {
             Form::Json => Self::of_format(answer, Format::Json),
             Form::Csv | Form::Parquet => Self::of_format(answer, Format::Csv),
             Form::Md => Self::of_format(answer, Format::Md),
-            Form::RobotFile => Self::Bytes(answer.robot_file().unwrap_or_default().into()),
+            Form::RobotFile => match answer.robot_file() {
+                Some(Ok(text)) => Self::Bytes(text.into()),
+                _ => Self::of_stdout(answer, usual),
+            },
             _ => Self::of_stdout(answer, usual),
         }
     }

@@ -111,13 +111,17 @@ fn what_cannot_be_asked_is_refused() {
     fs::write(folder.path().join("pendant.csv"), table(1.0)).unwrap();
     fs::write(folder.path().join("bad.csv"), table(1.0).replace("x_mm", "x")).unwrap();
     for (arguments, code, says) in [
-        (&["robots", "verify", "pendant.csv"][..], 2, "expected ROBOT READINGS.csv"),
+        (&["robots", "verify", "pendant.csv"][..], 2, "ROBOT"),
         (&["robots", "verify", KUKA, "none.csv"], 1, "none.csv"),
         (&["robots", "verify", KUKA, "bad.csv"], 1, "bad.csv:1: x_mm: the column is missing"),
         (&["robots", "verify", KUKA, "pendant.csv", "--date", "2026-13-01"], 2, "2026-05-31"),
         (&["robots", "verify", KUKA, "pendant.csv", "-o", "pendant.csv"], 2, "reads this file"),
-        (&["robots", "verify", "pendant.csv", "--any", "-o", "x.toml"], 2, "no robot file is written"),
+        (&["robots", "verify", "pendant.csv", "--any", "-o", "x.toml"], 2, "expected a name that ends in"),
         (&["calibrate", KUKA, "pendant.csv", "--level", "all"], 2, "zeros, geometry, weight or gears"),
+        (&["calibrate", KUKA, "pendant.csv"], 1, "a controller computes"),
+        (&["calibrate", KUKA], 2, "expected a name that ends in .toml, or ROBOT POINTS.csv"),
+        (&["calibrate", KUKA, "pendant.csv", "--columns", "x1_mm"], 2, "NAME=HEADING"),
+        (&["calibrate", KUKA, "pendant.csv", "--at", "1,2"], 2, "x,y,z in m"),
         (&["calibrate", KUKA, "bad.csv"], 1, "bad.csv:1: x_mm"),
         (&["calibrate", KUKA, "pendant.csv", "--frame-by", "station"], 1, "--frame-by names the column"),
     ] {

@@ -6,18 +6,14 @@ use std::path::{Path, PathBuf};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::Value;
-use stiffarm::calibrate::{CalibrateOptions, Level, calibrate};
-use stiffarm::calibration::ControllerModel;
 use stiffarm::catalogue::files;
 use stiffarm::catalogue::import::{ImportOptions, import};
-use stiffarm::catalogue::readings::{self, ReadOptions, Readings};
 use stiffarm::catalogue::{self, find, read, suggestions, write};
 use stiffarm::robot::{Arm, Robot as Arms};
 use stiffarm::toolpath::MOST_SAMPLES;
-use stiffarm::verify::{VerifyOptions, verify};
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::robot::{drive_urad_per_nm, sheet};
-use stiffarm_ask::answer::{CalibrateAnswer, VerifyAnswer, words};
+use stiffarm_ask::answer::words;
 use stiffarm_ask::ask::{AskError, Context, selection};
 use stiffarm_ask::request::Verb;
 use stiffarm_ask::sources::Sources;
@@ -46,24 +42,6 @@ pub(crate) struct Robot(pub(crate) Arms);
 impl Robot {
     fn key(&self, key: &str) -> Value {
         sheet(&self.0)[key].clone()
-    }
-
-    /// A table of readings and its name, with what is odd about it as warnings.
-    fn readings(
-        &self,
-        py: Python,
-        table: &Path,
-        frame_by: Option<String>,
-        date: Option<&str>,
-    ) -> PyResult<(Readings, String)> {
-        if let Some(date) = date.filter(|date| !catalogue::is_date(date)) {
-            return Err(refused(format!("date '{date}' is no day; expected such as 2026-05-31")));
-        }
-        let data = files::shown(table);
-        let options = ReadOptions { columns: Vec::new(), frame_by, vendor: self.0.vendor.clone() };
-        let found = readings::read(&text_of(table)?, &data, &options).map_err(refused)?;
-        remarks(py, table, &found.remarks)?;
-        Ok((found, data))
     }
 }
 
@@ -197,93 +175,6 @@ impl Robot {
             .or_else(|_| drive_urad_per_nm.extract::<[f64; 6]>())
             .map_err(|_| refused("drive_urad_per_nm takes one number, or six"))?;
         catalogue::with_compliance(&self.0, each).map(Self).map_err(refused)
-    }
-
-    /// Does its file count the joints as a table of readings does? As ``stiffarm robots verify --format json`` prints it.
-    ///
-    /// Parameters
-    /// ----------
-    /// readings : path
-    ///     A table of six joints with the controller's position, or with measured points.
-    /// frame_by : str, optional
-    ///     The column that tells apart where the tracker stood.
-    /// date : str, optional
-    ///     When it was read, such as ``"2026-05-31"``; with it the answer has ``"robot_file"``, the text of the robot file that counts as the
-    ///     readings do, None where nothing fits.
-    #[pyo3(signature = (readings, *, frame_by=None, date=None))]
-    fn verify<'py>(
-        &self,
-        py: Python<'py>,
-        #[pyo3(from_py_with = path)] readings: PathBuf,
-        #[pyo3(from_py_with = text_or_none)] frame_by: Option<String>,
-        #[pyo3(from_py_with = text_or_none)] date: Option<String>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let (table, data) = self.readings(py, &readings, frame_by, date.as_deref())?;
-        let others: Vec<Arms> = catalogue::robots()
-            .into_iter()
-            .filter(|one| one.vendor == self.0.vendor && one.name != self.0.name)
-            .collect();
-        let found = py
-            .detach(|| verify(&self.0, &table, &VerifyOptions::default(), &others, Watch::nobody()))
-            .map_err(|error| refused(format!("{data}: {error}")))?;
-        let answer = VerifyAnswer { found, data, date: date.clone().unwrap_or_default() };
-        let mut told = answer.json();
-        if date.is_some() {
-            told["robot_file"] = answer.robot_file().map_or(Value::Null, |(text, _)| text.into());
-        }
-        to_python(py, &told)
-    }
-
-    /// How does this very arm differ from its drawing? As ``stiffarm calibrate --format json`` prints it.
-    ///
-    /// Parameters
-    /// ----------
-    /// points : path
-    ///     A table of six joints and one to four points that were measured.
-    /// level : str, optional
-    ///     ``"zeros"``, ``"geometry"``, ``"weight"`` or ``"gears"``; without it the one with the largest evidence.
-    /// frame_by : str, optional
-    ///     The column that tells apart where the tracker stood.
-    /// date : str, optional
-    ///     When it was measured; with it the answer has ``"robot_file"``, the text of the calibrated robot's file.
-    /// controller_model : str, optional
-    ///     With which arm the controller computed: ``"nominal"`` or ``"calibrated"``; without it the file leads to no programs.
-    #[pyo3(signature = (points, *, level=None, frame_by=None, date=None, controller_model=None))]
-    fn calibrate<'py>(
-        &self,
-        py: Python<'py>,
-        #[pyo3(from_py_with = path)] points: PathBuf,
-        #[pyo3(from_py_with = text_or_none)] level: Option<String>,
-        #[pyo3(from_py_with = text_or_none)] frame_by: Option<String>,
-        #[pyo3(from_py_with = text_or_none)] date: Option<String>,
-        #[pyo3(from_py_with = text_or_none)] controller_model: Option<String>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let (table, data) = self.readings(py, &points, frame_by, date.as_deref())?;
-        let named = |name: String| {
-            let found = ControllerModel::ALL.into_iter().find(|model| model.name() == name);
-            found.ok_or_else(|| {
-                refused(format!("controller_model '{name}' is not known; expected nominal or calibrated"))
-            })
-        };
-        let controller = controller_model.map(named).transpose()?;
-        let level = match level.as_deref() {
-            None | Some("auto") => None,
-            Some(name) => Some(Level::ALL.into_iter().find(|level| level.name() == name).ok_or_else(|| {
-                refused(format!("level '{name}' is not known; expected auto, zeros, geometry, weight or gears"))
-            })?),
-        };
-        let options = CalibrateOptions { level, at: None, controller };
-        let found = py
-            .detach(|| calibrate(&self.0, &table, &options, Watch::nobody()))
-            .map_err(|error| refused(format!("{data}: {error}")))?;
-        let is_chosen = level.is_none();
-        let answer =
-            CalibrateAnswer { found, robot: self.0.clone(), data, date: date.clone().unwrap_or_default(), is_chosen };
-        let mut told = answer.json();
-        if date.is_some() {
-            told["robot_file"] = answer.robot_file().into();
-        }
-        to_python(py, &told)
     }
 
     /// The robot file that makes an equal robot.

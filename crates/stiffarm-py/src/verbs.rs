@@ -132,7 +132,11 @@ fn reply(asked: &Request, sources: &Sources, heard: &Heard, wanted: &Wanted) -> 
     Ok(Reply {
         value: found.value(),
         columns: columns(&found.rows()),
-        robot_file: found.robot_file(),
+        robot_file: match found.robot_file() {
+            // Nothing fits: the answer says so itself.
+            Some(Err(ask::AskError::NotVerified(_))) | None => None,
+            Some(text) => Some(text?),
+        },
         files: wanted.forms.iter().map(text).collect::<Result<_, ask::AskError>>()?,
         sketch: wanted.points.and_then(|points| found.sketch(points)).transpose()?,
     })

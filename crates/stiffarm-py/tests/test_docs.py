@@ -41,7 +41,7 @@ def test_every_public_name_says_what_it_is(name):
 
 
 def test_options_that_are_keywords_are_explained():
-    for function in (stiffarm.rank, stiffarm.place, stiffarm.map, stiffarm.study, stiffarm.compliance, stiffarm.identify, stiffarm.measure, stiffarm.modes, stiffarm.chatter):
+    for function in (stiffarm.rank, stiffarm.place, stiffarm.map, stiffarm.study, stiffarm.compliance, stiffarm.identify, stiffarm.measure, stiffarm.modes, stiffarm.chatter, stiffarm.calibrate, stiffarm.verify):
         for keyword in inspect.signature(function).parameters:
             assert f"{keyword} : " in function.__doc__, (function.__name__, keyword)
 

@@ -9,7 +9,7 @@ from stiffarm import StiffarmError, _options, cluster
 VERBS = {
     "robots list": stiffarm.robots, "rank": stiffarm.rank, "place": stiffarm.place, "map": stiffarm.map,
     "compliance": stiffarm.compliance, "study": stiffarm.study, "compare": stiffarm.compare, "identify": stiffarm.identify,
-    "measure": stiffarm.measure, "modes": stiffarm.modes, "chatter": stiffarm.chatter,
+    "measure": stiffarm.measure, "modes": stiffarm.modes, "chatter": stiffarm.chatter, "calibrate": stiffarm.calibrate, "robots verify": stiffarm.verify,
 }  # fmt: skip
 
 

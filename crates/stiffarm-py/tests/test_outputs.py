@@ -33,6 +33,16 @@ ASKED = {
         ["identify", TABLE, "--robot", FANUC, "--date", "2026-05-31"],
         ["a.html", "a.toml", "a.svg"],
     ),
+    "calibrate": (
+        lambda files: stiffarm.calibrate(KUKA, EXAMPLES / "tracker.csv", date="2026-05-31", output=files),
+        ["calibrate", KUKA, str(EXAMPLES / "tracker.csv"), "--date", "2026-05-31"],
+        ["a.toml", "a.svg", "a.json"],
+    ),
+    "verify": (
+        lambda files: stiffarm.verify(KUKA, EXAMPLES / "pendant.csv", date="2026-05-31", output=files),
+        ["robots", "verify", KUKA, str(EXAMPLES / "pendant.csv"), "--date", "2026-05-31"],
+        ["a.toml", "a.json"],
+    ),
     "mill": (
         lambda files: stiffarm.mill("line:0.1", KUKA, feed_mm_per_min=600, force_n=(300, 100, 50), at=(1.7, 0, 0.8, 20), output=files),
         ["mill", "line:0.1", "--robot", KUKA, "--feed-mm-per-min", "600", "--force-n", "300,100,50", "--at", "1.7,0,0.8,20"],

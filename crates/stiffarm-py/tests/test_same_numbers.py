@@ -142,6 +142,37 @@ def test_identification(program):
         stiffarm.identify(frame.assign(fy_n=[1, 2, np.nan, *frame.fy_n[3:]]), robot=robot)
 
 
+def test_calibration(program):
+    robot, data = "KR 210 R2700 extra", Path(__file__).parents[3] / "docs/examples/tracker.csv"
+    expected = program("calibrate", robot, str(data), "--at", "1.8,0,0.8", "--level", "weight")
+    found = stiffarm.calibrate(robot, data, at=(1.8, 0, 0.8), level="weight")
+    assert isinstance(found, stiffarm.Calibration) and found.to_dict() == expected
+    assert found.frames_mm_mrad.shape == (6, 6) and "[calibration]" in found.calibrated_robot.to_toml()
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.read_csv(data, comment="#").rename(columns={"joint_1_deg": "A1", "x1_mm": "X"})
+    found = stiffarm.calibrate(robot, frame, at=(1.8, 0, 0.8), level="weight", columns={"joint_1_deg": "A1", "x1_mm": "X"})
+    assert found.to_dict() == expected
+    with pytest.raises(stiffarm.StiffarmError, match="a controller computes"):
+        stiffarm.calibrate(robot, data.with_name("pendant.csv"))
+
+
+def test_verification(program):
+    robot, data = "KR 210 R2700 extra", Path(__file__).parents[3] / "docs/examples/pendant.csv"
+    known = {"base_mm": (0, 0, 0), "tool_mm": (0, 0, 0)}
+    found = stiffarm.verify(robot, data, **known)
+    assert found.verified and found.to_dict() == program("robots", "verify", robot, str(data), "--base-mm", "0,0,0", "--tool-mm", "0,0,0")
+    assert "[verified]" in found.verified_robot.to_toml()
+    any_of = stiffarm.verify(None, data, any=True)
+    assert isinstance(any_of, stiffarm.FittingRobots) and any_of.to_dict() == program("robots", "verify", str(data), "--any")
+    assert {fit["robot"] for fit in any_of.fits[:2]} == {"KR 210 R2700 extra", "KR 270 R2700"}
+    other = stiffarm.verify("IRB 6700-200/2.6", data)
+    assert not other.verified
+    with pytest.raises(stiffarm.StiffarmError, match="no way of counting"):
+        _ = other.verified_robot
+    with pytest.raises(stiffarm.StiffarmError, match="robot is missing"):
+        stiffarm.verify(None, data)
+
+
 def test_modes(program):
     words = ("--joints-deg", "0,-90,90,0,45,0", "--tool-mass-kg", "60", "--tool-com-mm", "0,0,200", "--stiffness", "prior")
     found = stiffarm.modes("KR 210 R2700-2", joints_deg=(0, -90, 90, 0, 45, 0), tool_mass_kg=60, tool_com_mm=(0, 0, 200), stiffness="prior")

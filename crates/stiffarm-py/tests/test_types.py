@@ -36,12 +36,17 @@ ANSWERS = {
     "modes": lambda: stiffarm.modes("KR 210 R2700-2", joints_deg=(0, -90, 90, 0, 45, 0), tool_mass_kg=60, tool_com_mm=(0, 0, 200)),
     "modes over a zone": lambda: stiffarm.modes("KR 210 R2700-2", task="circle:0.2", at=(1.5, 1.0), tool_mass_kg=60, tool_com_mm=(0, 0, 200)),
     "chatter": lambda: stiffarm.chatter(EXAMPLES / "endmill.toml", "KR 210 R2700-2", joints_deg=(0, -90, 90, 0, 90, 0), feed=(1, 0, 0)),
+    "calibrate": lambda: stiffarm.calibrate("KR 210 R2700 extra", EXAMPLES / "tracker.csv", at=(1.8, 0, 0.8)),
+    "verify": lambda: stiffarm.verify("KR 210 R2700 extra", EXAMPLES / "pendant.csv"),
+    "verify measured": lambda: stiffarm.verify("KR 210 R2700-2", EXAMPLES / "tracker.csv"),
+    "verify any": lambda: stiffarm.verify(None, EXAMPLES / "pendant.csv", any=True),
     "measure": lambda: stiffarm.measure("KR 210 R2700 extra", runs=6, candidates=200),
     "measure to calibrate": lambda: stiffarm.measure("KR 210 R2700 extra", geometry=True, runs=8, candidates=40),
 }
 KEYS = {"Placement": "PlacementDict", "Ranking": "RankingDict", "Study": "StudyDict", "Map": "MapDict", "Compliance": "ComplianceDict", "Identification": "IdentificationDict",
         "Modes": "ModesDict", "ModesOverZone": "ModesOverZoneDict", "Chatter": "ChatterDict", "MeasurementPlan": "MeasurementPlanDict",
-        "CalibrationPlan": "CalibrationPlanDict"}  # fmt: skip
+        "CalibrationPlan": "CalibrationPlanDict", "Calibration": "CalibrationDict", "Verification": "VerificationDict",
+        "FittingRobots": "FittingRobotsDict"}  # fmt: skip
 
 
 def fits(value, kind, where):

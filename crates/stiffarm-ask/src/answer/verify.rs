@@ -158,15 +158,19 @@ impl VerifyRankAnswer {
 
     /// Which it is.
     pub fn notes(&self) -> String {
-        match self.fits.first() {
-            Some((robot, fit)) if fit.agrees() => format!(
-                "{} rows of {} are from {}; `stiffarm robots verify \"{}\" ..` verifies it.\n",
-                self.rows,
-                self.data,
-                robot.full_name(),
-                robot.name
+        let agree = self.fits.iter().filter(|(_, fit)| fit.agrees());
+        let names: Vec<String> = agree.map(|(robot, _)| robot.full_name()).collect();
+        let (rows, data) = (self.rows, &self.data);
+        match names.as_slice() {
+            [] => "No robot fits as it counts its joints; `stiffarm robots verify ROBOT ..` tries other ways of counting.\n".into(),
+            [one] => {
+                format!("{rows} rows of {data} are from {one}; `stiffarm robots verify \"{}\" ..` verifies it.\n", self.fits[0].0.name)
+            }
+            several => format!(
+                "{rows} rows of {data} fit {} robots alike: {}. The name plate tells which it is; `stiffarm robots verify ROBOT ..` verifies it.\n",
+                several.len(),
+                several.join(", ")
             ),
-            _ => "No robot fits as it counts its joints; `stiffarm robots verify ROBOT ..` tries other ways of counting.\n".into(),
         }
     }
 }

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 use stiffarm::catalogue::measurements::{Measurements, Points};
+use stiffarm::catalogue::readings::{self, Readings};
 use stiffarm::catalogue::{Faults, ProcessFile, files, read_process_beside};
 use stiffarm::watch::{Stopped, Watch};
 
@@ -85,5 +86,16 @@ pub(super) fn table_of(
 ) -> Result<(Measurements, String), AskError> {
     let (text, shown) = (context.sources.text(name)?, files::shown(Path::new(name)));
     let found = read(&text, &shown, &asked.points()).map_err(AskError::Measurements)?;
+    Ok((found, shown))
+}
+
+/// Readings of an arm of this maker, and the name of their table as it is shown.
+pub(super) fn readings_of(vendor: &str, (asked, context): (&Request, Context)) -> Result<(Readings, String), AskError> {
+    let name = asked.data()?;
+    let (text, shown) = (context.sources.text(&name)?, files::shown(Path::new(&name)));
+    let found = readings::read(&text, &shown, &asked.reading(vendor)).map_err(AskError::Readings)?;
+    for remark in &found.remarks {
+        context.listener.remark(&format!("note: {shown}: {remark}"));
+    }
     Ok((found, shown))
 }

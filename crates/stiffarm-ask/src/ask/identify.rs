@@ -54,8 +54,8 @@ impl Answer for IdentifyOutput<'_> {
         self.answer.rows()
     }
 
-    fn robot_file(&self) -> Option<String> {
-        Some(self.answer.robot_file())
+    fn robot_file(&self) -> Option<Result<String, AskError>> {
+        Some(Ok(self.answer.robot_file()))
     }
 
     fn svg(&self) -> Option<Result<String, AskError>> {

@@ -4,6 +4,7 @@
 //! asks says where names lead ([`Sources`](crate::sources::Sources)) and listens while it takes ([`Listener`]).
 
 pub mod by_tool;
+pub mod calibrate;
 pub mod chatter;
 pub mod compare;
 pub mod compliance;
@@ -25,6 +26,7 @@ pub mod robots;
 pub mod selection;
 mod sketch;
 pub mod study;
+pub mod verify;
 
 pub use context::{Context, Listener};
 
@@ -50,6 +52,9 @@ pub fn ask<'a>(asked: &'a Request, context: Context<'a>) -> Result<Box<dyn Answe
         Verb::Identify => Box::new(identify::answer(asked, context)?),
         Verb::Measure if asked.plans_geometry() => Box::new(measure::geometry(asked, context)?),
         Verb::Measure => Box::new(measure::answer(asked, context)?),
+        Verb::Calibrate => Box::new(calibrate::answer(asked, context)?),
+        Verb::Verify if asked.is_of_any_robot() => Box::new(verify::of_any(asked, context)?),
+        Verb::Verify => Box::new(verify::answer(asked, context)?),
         Verb::Mill if asked.is_dry() => Box::new(path::answer(asked, context)?),
         Verb::Mill if asked.ranks_on_path() => Box::new(path_ranking::answer(asked, context)?),
         Verb::Mill if asked.mills_by_tool() => Box::new(by_tool::answer(asked, context)?),
@@ -73,6 +78,9 @@ pub fn forms(asked: &Request) -> Forms {
         Verb::Compare => compare::FORMS,
         Verb::Identify => identify::FORMS,
         Verb::Measure => measure::FORMS,
+        Verb::Calibrate => calibrate::FORMS,
+        Verb::Verify if asked.is_of_any_robot() => verify::FORMS_OF_ANY,
+        Verb::Verify => verify::FORMS,
         Verb::Mill if asked.is_dry() => path::FORMS,
         Verb::Mill if asked.ranks_on_path() => path_ranking::FORMS,
         Verb::Mill if asked.mills_by_tool() => by_tool::FORMS,

@@ -44,7 +44,7 @@ impl Request {
             },
             regions: self.count("regions"),
             with_prior: self.is_wished("prior"),
-            date: self.texts("date").pop(),
+            date: self.date(),
         }
     }
 

@@ -1,8 +1,8 @@
 //! What does an option take, and which value does a text stand for?
 
 use super::notation::{
-    Angle, Force, block, direction, elevation, force, marker, mount, number, of_tool, open_range, pin, point, roll,
-    shape, spindle, tool, tool_length, way, window, yaw,
+    Angle, Force, block, direction, elevation, force, heading, marker, mount, number, of_tool, open_range, pin, point,
+    roll, shape, spindle, tool, tool_length, way, window, yaw,
 };
 use stiffarm::catalogue::is_date;
 use stiffarm::catalogue::measurements::Marker;
@@ -88,6 +88,8 @@ pub enum Kind {
     Direction,
     /// Year, month and day.
     Date,
+    /// What a column is called in a table: `NAME=HEADING`.
+    Heading,
     /// A zone with its size.
     Task,
     /// A zone at size 1.
@@ -159,6 +161,7 @@ pub(super) enum Value {
     Roll(RollMode),
     Pin([f64; 2]),
     OfTool(u32, f64),
+    Heading(String, String),
 }
 
 impl Kind {
@@ -194,6 +197,7 @@ impl Kind {
                 | Self::Mount
                 | Self::Pin
                 | Self::Date
+                | Self::Heading
         )
     }
 
@@ -216,6 +220,7 @@ impl Kind {
             Self::Text | Self::Robot | Self::File | Self::FileOfTool => Ok(Value::Text(text.into())),
             Self::Date if is_date(text) => Ok(Value::Text(text.into())),
             Self::Date => Err("expected a day as year-month-day, such as 2026-05-31".into()),
+            Self::Heading => heading(text).map(|(ours, theirs)| Value::Heading(ours, theirs)),
             Self::Flag => text.parse().map(Value::Truth).map_err(|_| "expected true or false".into()),
             Self::Word(words) => {
                 let known = words.iter().find(|(word, _)| *word == text);

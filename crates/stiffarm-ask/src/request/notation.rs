@@ -140,6 +140,17 @@ pub fn tool(text: &str) -> Result<Pose, String> {
     Ok(Pose::from_parts(Translation3::new(x / 1e3, y / 1e3, z / 1e3), Rotation3::from_euler_angles(rx, ry, rz).into()))
 }
 
+/// `NAME=HEADING`: what a column is called here, and what a table calls it.
+///
+/// # Errors
+/// What was expected.
+pub(super) fn heading(text: &str) -> Result<(String, String), String> {
+    let expected = || "expected NAME=HEADING, such as joint_1_deg=J1".to_owned();
+    let (ours, theirs) = text.split_once('=').ok_or_else(expected)?;
+    let [ours, theirs] = [ours, theirs].map(|part| part.trim().to_owned());
+    if ours.is_empty() || theirs.is_empty() { Err(expected()) } else { Ok((ours, theirs)) }
+}
+
 /// `x,y,z` in mm in the flange frame, as m.
 ///
 /// # Errors

@@ -6,11 +6,14 @@ use stiffarm::catalogue::quoted;
 impl Request {
     /// The call that asks the same, of the package `stiffarm`, in the folder in which it was asked.
     pub fn python(&self) -> String {
-        let positional = self.given.iter().filter(|given| given.setting.is_positional).map(literal);
+        let rows = self.verb.settings().filter(|row| row.is_positional);
+        let mut positional: Vec<Option<String>> = rows.map(|row| self.find(row.name).map(literal)).collect();
+        while positional.pop_if(|last| last.is_none()).is_some() {}
+        let positional = positional.into_iter().map(|literal| literal.unwrap_or_else(|| "None".into()));
         let named = self.given.iter().filter(|given| !given.setting.is_positional);
         let named = named.map(|given| format!("{}={}", given.setting.keyword(), literal(given)));
         let arguments: Vec<String> = positional.chain(named).collect();
-        format!("stiffarm.{}({})", self.verb.name(), arguments.join(", "))
+        format!("stiffarm.{}({})", self.verb.function(), arguments.join(", "))
     }
 }
 
@@ -38,6 +41,15 @@ fn one(kind: Kind, text: &str) -> String {
 mod tests {
     use super::super::{Pair, Spelling, Verb};
     use super::*;
+
+    #[test]
+    fn what_stands_without_its_name_keeps_its_place() {
+        let pair = |name: &str, text: &str| Pair { name: name.into(), text: text.into(), at: Spelling::Typed };
+        let pairs = [pair("data", "pendant.csv"), pair("any", "true"), pair("columns", "x_mm=X,y_mm=Y")];
+        let asked = Request::read(Verb::Verify, &pairs, Spelling::Typed).unwrap();
+        let expected = r#"stiffarm.verify(None, "pendant.csv", any=True, columns=["x_mm=X", "y_mm=Y"])"#;
+        assert_eq!(asked.python(), expected);
+    }
 
     #[test]
     fn a_call_asks_the_same_and_nothing_in_it_is_run() {

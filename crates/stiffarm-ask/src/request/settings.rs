@@ -2,6 +2,7 @@
 
 mod measuring;
 pub(super) mod milling;
+mod reading;
 mod swinging;
 
 use super::kind::{ANY, Count, Kind, count, count_of, degrees_of, number_of, one_or};
@@ -30,6 +31,10 @@ pub enum Verb {
     Identify,
     /// Which measurements to make.
     Measure,
+    /// How an arm differs from its drawing.
+    Calibrate,
+    /// Whether a robot file counts the joints as readings do.
+    Verify,
     /// A part along a toolpath.
     Mill,
     /// The force of a process.
@@ -40,7 +45,7 @@ pub enum Verb {
 
 impl Verb {
     /// All of them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 15] = [
         Self::Rank,
         Self::Place,
         Self::Map,
@@ -51,12 +56,14 @@ impl Verb {
         Self::Compare,
         Self::Identify,
         Self::Measure,
+        Self::Calibrate,
+        Self::Verify,
         Self::Mill,
         Self::Force,
         Self::List,
     ];
     /// Those that a job file may ask.
-    pub const JOBS: [Self; 12] = [
+    pub const JOBS: [Self; 14] = [
         Self::Rank,
         Self::Place,
         Self::Map,
@@ -67,6 +74,8 @@ impl Verb {
         Self::Compare,
         Self::Identify,
         Self::Measure,
+        Self::Calibrate,
+        Self::Verify,
         Self::Mill,
         Self::Force,
     ];
@@ -84,10 +93,17 @@ impl Verb {
             Self::Compare => "compare",
             Self::Identify => "identify",
             Self::Measure => "measure",
+            Self::Calibrate => "calibrate",
+            Self::Verify => "robots verify",
             Self::Mill => "mill",
             Self::Force => "force",
             Self::List => "robots list",
         }
+    }
+
+    /// Its function in Python.
+    pub fn function(self) -> &'static str {
+        self.name().rsplit(' ').next().unwrap_or_default()
     }
 
     /// Its rows, in the order in which help tells them.
@@ -382,11 +398,11 @@ const FILTER: Setting = Setting { verbs: CHOOSING, value: "NAME", heading: FILTE
 
 /// Every option, each once for the verbs in which it means the same.
 pub static SETTINGS: &[Setting] = &joined::<
-    { OF_ZONES.len() + swinging::ROWS.len() + measuring::ROWS.len() + milling::ROWS.len() },
->([OF_ZONES, swinging::ROWS, measuring::ROWS, milling::ROWS]);
+    { OF_ZONES.len() + swinging::ROWS.len() + measuring::ROWS.len() + reading::ROWS.len() + milling::ROWS.len() },
+>([OF_ZONES, swinging::ROWS, measuring::ROWS, reading::ROWS, milling::ROWS]);
 
 /// One list of four.
-const fn joined<const N: usize>(lists: [&[Setting]; 4]) -> [Setting; N] {
+const fn joined<const N: usize>(lists: [&[Setting]; 5]) -> [Setting; N] {
     let (mut all, mut filled, mut list) = ([ROW; N], 0, 0);
     while list < lists.len() {
         let mut i = 0;
@@ -404,7 +420,7 @@ const fn joined<const N: usize>(lists: [&[Setting]; 4]) -> [Setting; N] {
 const OF_ZONES: &[Setting] = &[
     Setting {
         name: "robot",
-        verbs: &[Verb::Place, Verb::Map, Verb::Compliance, Verb::Modes, Verb::Measure],
+        verbs: &[Verb::Place, Verb::Map, Verb::Compliance, Verb::Modes, Verb::Measure, Verb::Calibrate],
         kind: Kind::Robot,
         value: "ROBOT",
         absent: Absent::Required,
@@ -964,6 +980,7 @@ const OF_ZONES: &[Setting] = &[
             Verb::Compare,
             Verb::Identify,
             Verb::Measure,
+            Verb::Calibrate,
             Verb::Force,
             Verb::Modes,
             Verb::Chatter,

@@ -5,12 +5,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
-use stiffarm::calibrate::Level;
-use stiffarm::calibration::ControllerModel;
 use stiffarm::drive::Architecture;
 use stiffarm::interval::Interval;
-use stiffarm::spatial::Pose;
-use stiffarm_ask::request::{number, open_range, tool};
+use stiffarm_ask::request::{number, open_range};
 
 #[derive(Debug, Args)]
 pub(crate) struct PaperArgs {
@@ -74,73 +71,6 @@ pub(crate) enum RobotsAction {
     },
     /// Make a robot file from a URDF or from OPW parameters, and prove it
     Import(ImportArgs),
-    /// Does a robot file count the joints as the pendant does? Three to ten postures read from it tell
-    Verify(VerifyArgs),
-}
-
-/// A level, or `None` for the one with the largest evidence.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Asked(pub(crate) Option<Level>);
-
-#[derive(Debug, Args)]
-pub(crate) struct CalibrateArgs {
-    /// A robot's name, or the path of a robot file
-    pub(crate) robot: String,
-    /// The table: joint_1_deg .. joint_6_deg as the robot reports them, and one to four points x1_mm, y1_mm, z1_mm .. in the
-    /// tracker's frame, empty where one was not seen; or one point and a quaternion qw, qx, qy, qz
-    pub(crate) points: String,
-    /// How much may differ from the drawing, each with all before it: zeros, geometry, weight (the arm's own, on a floor), gears; auto takes
-    /// the one with the largest evidence
-    #[arg(long, value_name = "LEVEL", value_parser = level, default_value = "auto")]
-    pub(crate) level: Asked,
-    /// What columns are called in the table: joint_1_deg=J1,x1_mm=X
-    #[arg(long, value_name = "NAME=HEADING", value_delimiter = ',', value_parser = column)]
-    pub(crate) columns: Vec<(String, String)>,
-    /// The column that tells apart where the tracker stood; each stand has a frame of its own
-    #[arg(long, value_name = "COLUMN")]
-    pub(crate) frame_by: Option<String>,
-    /// Where the work is, x,y,z in the base frame [m]: the error that remains is told within 0.25 m about it [default: over all the
-    /// arm reaches]
-    #[arg(long, value_name = "POINT", value_parser = place, allow_hyphen_values = true)]
-    pub(crate) at: Option<[f64; 3]>,
-    /// With which arm the controller computes while it is measured, and later: nominal, the one that was drawn, or calibrated, with an
-    /// absolute-accuracy option of its own; for the robot file, without it no program is written
-    #[arg(long, value_name = "MODEL", value_parser = controller_model)]
-    pub(crate) controller_model: Option<ControllerModel>,
-    /// When it was measured, for the robot file [default: today]
-    #[arg(long, value_name = "YYYY-MM-DD", value_parser = date)]
-    pub(crate) date: Option<String>,
-    /// Width of the figure on paper [mm], for svg, pdf and png at 300 dpi [default: 1000 px]
-    #[arg(long, value_name = "MM", value_parser = width)]
-    pub(crate) width_mm: Option<f64>,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct VerifyArgs {
-    /// A robot's name or the path of a robot file, and the table of readings: joint_1_deg .. joint_6_deg, x_mm, y_mm, z_mm as the
-    /// pendant shows them, and the maker's angles where it does (a_deg ..; w_deg ..; q1 .. q4; rx_deg ..; o_deg ..); or measured
-    /// points x1_mm, y1_mm, z1_mm ..
-    #[arg(required = true, num_args = 1..=2, value_names = ["ROBOT", "READINGS"])]
-    pub(crate) asked: Vec<String>,
-    /// Try all robots of the catalogue; the robot may be left out
-    #[arg(long)]
-    pub(crate) any: bool,
-    /// The base of the robot file in the frame of the readings, x,y,z,rx,ry,rz [mm, deg about fixed axes], 0,0,0 where no base is in force; shows
-    /// the zero of joint 1 [default: fitted]
-    #[arg(long, value_name = "FRAME", value_parser = tool, allow_hyphen_values = true)]
-    pub(crate) base_mm: Option<Pose>,
-    /// The tool in force, in the flange frame, x,y,z,rx,ry,rz, 0,0,0 where none is; shows the zero of joint 6 [default: fitted]
-    #[arg(long, value_name = "FRAME", value_parser = tool, allow_hyphen_values = true)]
-    pub(crate) tool_mm: Option<Pose>,
-    /// What columns are called in the table: joint_1_deg=J1,x_mm=X
-    #[arg(long, value_name = "NAME=HEADING", value_delimiter = ',', value_parser = column)]
-    pub(crate) columns: Vec<(String, String)>,
-    /// The column that tells apart where the tracker stood; each stand has a frame of its own
-    #[arg(long, value_name = "COLUMN")]
-    pub(crate) frame_by: Option<String>,
-    /// When it was read, for the robot file [default: today]
-    #[arg(long, value_name = "YYYY-MM-DD", value_parser = date)]
-    pub(crate) date: Option<String>,
 }
 
 #[derive(Debug, Args)]
@@ -195,36 +125,4 @@ fn joint_range(text: &str) -> Result<Interval, String> {
 fn architecture(text: &str) -> Result<Architecture, String> {
     let known = Architecture::ALL.into_iter().find(|architecture| architecture.name() == text);
     known.ok_or_else(|| "expected serial or quasi-serial".into())
-}
-
-/// `NAME=HEADING`.
-fn column(text: &str) -> Result<(String, String), String> {
-    let expected = || "expected NAME=HEADING, such as joint_1_deg=J1".to_owned();
-    let (ours, theirs) = text.split_once('=').ok_or_else(expected)?;
-    let [ours, theirs] = [ours, theirs].map(|part| part.trim().to_owned());
-    if ours.is_empty() || theirs.is_empty() { Err(expected()) } else { Ok((ours, theirs)) }
-}
-
-fn date(text: &str) -> Result<String, String> {
-    if stiffarm::catalogue::is_date(text) { Ok(text.into()) } else { Err("expected a day such as 2026-05-31".into()) }
-}
-
-fn level(text: &str) -> Result<Asked, String> {
-    if text == "auto" {
-        return Ok(Asked(None));
-    }
-    let known = Level::ALL.into_iter().find(|level| level.name() == text);
-    known.map(|level| Asked(Some(level))).ok_or_else(|| "expected auto, zeros, geometry, weight or gears".into())
-}
-
-fn controller_model(text: &str) -> Result<ControllerModel, String> {
-    let known = ControllerModel::ALL.into_iter().find(|model| model.name() == text);
-    known.ok_or_else(|| "expected nominal or calibrated".into())
-}
-
-/// `x,y,z` in m.
-fn place(text: &str) -> Result<[f64; 3], String> {
-    let expected = || "expected x,y,z in m, each from -20 to 20".to_owned();
-    let numbers = text.split(',').map(|part| number(part, -20.0, 20.0, "m").map_err(|_| expected()));
-    numbers.collect::<Result<Vec<_>, _>>()?.try_into().map_err(|_| expected())
 }

@@ -147,7 +147,7 @@ impl Answer for Report {
         Rows::new([field::KEY, field::VALUE].map(|field| columns_of(&field)).concat(), rows.collect())
     }
 
-    fn robot_file(&self) -> Option<String> {
-        Some(self.0.text.clone())
+    fn robot_file(&self) -> Option<Result<String, AskError>> {
+        Some(Ok(self.0.text.clone()))
     }
 }

@@ -1,6 +1,5 @@
 //! What is typed: a question is asked and its answer delivered; and one file for each of the program's own commands.
 
-pub(crate) mod calibrate;
 pub(crate) mod check;
 pub(crate) mod import;
 pub(crate) mod paper;
@@ -8,7 +7,6 @@ pub(crate) mod robots;
 mod sheet;
 pub(crate) mod shell;
 pub(crate) mod validate;
-pub(crate) mod verify;
 
 use stiffarm_ask::ask::{ask, forms};
 use stiffarm_ask::request::Request;
@@ -21,6 +19,7 @@ use crate::output::{Outputs, verdict};
 pub(crate) fn asked(asked: &Request, common: &Common) -> Result<(), Failure> {
     let outputs = Outputs::open(common, forms(asked))?;
     let answer = ask(asked, common.context())?;
-    let shortfall = answer.shortfall().filter(|_| common.check);
-    verdict(outputs.deliver(&*answer), shortfall.map_or(Ok(()), |why| Err(Failure::NotHeld(why))))
+    let shortfall = answer.shortfall().filter(|_| common.check).map(Failure::NotHeld);
+    let no = answer.refusal().map(Failure::from).or(shortfall);
+    verdict(outputs.deliver(&*answer), no.map_or(Ok(()), Err))
 }

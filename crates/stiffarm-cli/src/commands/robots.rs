@@ -16,7 +16,6 @@ pub(crate) fn run(action: &RobotsAction, common: &Common) -> Result<(), Failure>
         RobotsAction::Show { robot, width_mm } => show(robot, *width_mm, common),
         RobotsAction::Check { files } => super::check::run(files, common),
         RobotsAction::Import(args) => super::import::run(args, common),
-        RobotsAction::Verify(args) => super::verify::run(args, common),
     }
 }
 

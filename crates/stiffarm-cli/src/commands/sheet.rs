@@ -196,8 +196,8 @@ impl Answer for Sheet {
         Rows::new([field::KEY, field::VALUE].map(|field| columns_of(&field)).concat(), rows.collect())
     }
 
-    fn robot_file(&self) -> Option<String> {
-        Some(write(&self.0))
+    fn robot_file(&self) -> Option<Result<String, AskError>> {
+        Some(Ok(write(&self.0)))
     }
 
     fn svg(&self) -> Option<Result<String, AskError>> {

@@ -43,10 +43,10 @@ impl Form {
     /// The name of the file that the command line would write.
     pub(super) fn file(&self, verb: Verb) -> String {
         match self {
-            Self::File(ending) => named(verb.name(), ending),
-            Self::View => named(verb.name(), "view.html"),
-            Self::Report => named(verb.name(), "html"),
-            Self::PrintedReport => named(verb.name(), "report.pdf"),
+            Self::File(ending) => named(verb.function(), ending),
+            Self::View => named(verb.function(), "view.html"),
+            Self::Report => named(verb.function(), "html"),
+            Self::PrintedReport => named(verb.function(), "report.pdf"),
             Self::Job => "job.toml".into(),
             Self::Command => "command.json".into(),
         }

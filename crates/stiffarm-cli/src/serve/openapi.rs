@@ -6,6 +6,7 @@ use stiffarm_ask::request::{Absent, Kind, Setting, Verb};
 
 use super::options::bounds;
 use super::reply::{Reply, json_reply};
+use super::route::address;
 use crate::args::VERBS;
 
 /// Every status that a question may have besides 200, and when.
@@ -31,7 +32,7 @@ pub(super) fn reply() -> Reply {
 pub(super) fn description() -> Value {
     let mut paths = Map::new();
     for (verb, about) in VERBS {
-        paths.insert(format!("/api/{}", verb.name()), json!({ "post": asked(verb, about) }));
+        paths.insert(format!("/api/{}", address(verb)), json!({ "post": asked(verb, about) }));
     }
     let table = || json!({ "type": "object" });
     let sheets = || json!({ "type": "array", "items": table() });
@@ -41,7 +42,6 @@ pub(super) fn description() -> Value {
     paths
         .insert("/api/robots/{name}".into(), json!({ "get": told("One robot of the catalogue", &[name()], &table()) }));
     paths.insert("/api/robots/check".into(), json!({ "post": checked() }));
-    paths.insert("/api/robots/verify".into(), json!({ "post": verified() }));
     paths.insert("/api/job".into(), json!({ "post": job() }));
     json!({
         "openapi": "3.1.0",
@@ -91,7 +91,7 @@ fn asked(verb: Verb, about: &str) -> Value {
         },
     });
     json!({
-        "summary": about, "operationId": verb.name(), "parameters": [form],
+        "summary": about, "operationId": verb.function(), "parameters": [form],
         "requestBody": { "required": true, "content": { "application/json": { "schema": question } } },
         "responses": responses,
     })
@@ -201,31 +201,6 @@ fn checked() -> Value {
         },
     });
     of_file("What is wrong with a robot file, a URDF, or OPW parameters", &verdict)
-}
-
-/// What readings of a pendant are asked of, and say.
-fn verified() -> Value {
-    let text = || json!({ "type": "string" });
-    let verdict = json!({
-        "type": "object", "required": ["schema", "verified", "rows", "fits"],
-        "properties": {
-            "verified": { "type": "boolean" }, "rows": { "type": "integer" },
-            "fits": { "type": "array", "items": { "type": "object" } },
-        },
-    });
-    let mut told = of_file(
-        "Whether a robot counts its joints as a table of readings does; with any, which robot they are from",
-        &verdict,
-    );
-    let question = json!({
-        "type": "object", "additionalProperties": false, "required": ["readings", "files"],
-        "properties": {
-            "robot": text(), "readings": text(), "any": { "type": "boolean" }, "date": text(),
-            "files": { "type": "object", "additionalProperties": text() },
-        },
-    });
-    told["requestBody"]["content"]["application/json"]["schema"] = question;
-    told
 }
 
 /// What a job file asks.

@@ -81,6 +81,7 @@ pub(super) fn kind(kind: Kind) -> &'static str {
         Kind::Way => "way",
         Kind::Direction => "direction",
         Kind::Date => "date",
+        Kind::Heading => "heading",
         Kind::Task => "task",
         Kind::Shape => "shape",
         Kind::Posture => "posture",

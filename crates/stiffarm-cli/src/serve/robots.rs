@@ -6,24 +6,21 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 use stiffarm::catalogue::files::{LoadError, load_text};
 use stiffarm::catalogue::import::{ImportError, ImportOptions, import};
-use stiffarm::catalogue::{Fault, Faults, doubts, is_date};
-use stiffarm::plain::on_one_line;
+use stiffarm::catalogue::{Fault, Faults, doubts};
 use stiffarm::robot::Robot;
 use stiffarm_ask::answer::robot::sheet;
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
 use super::answer::written;
 use super::form::Form;
-use super::question::{check_name, decoded, form_of, object, query, texts, unlike};
-use super::reply::{Refused, Reply, json_reply, keep_as, note, reply};
+use super::question::{check_name, decoded, form_of, object, query, unlike};
+use super::reply::{Refused, Reply, json_reply, keep_as, reply};
 use super::route::computed;
 use super::{Server, named};
-use crate::args::VerifyArgs;
 use stiffarm_ask::ask::AskError;
 use stiffarm_ask::ask::robots::answer;
 
 use crate::commands::robots::sheet_of;
-use crate::commands::verify;
 use crate::common::Common;
 use crate::failure::Failure;
 use stiffarm_ask::sources::Sources;
@@ -80,58 +77,6 @@ pub(super) async fn checked(server: &Arc<Server>, body: Vec<u8>) -> Result<Reply
     let (bytes, _) = computed(server, move |_| Ok(verdict(&name, &text).to_string().into_bytes())).await?;
     let value = serde_json::from_slice(&bytes).map_err(|error| unlike(&error.to_string()))?;
     Ok(json_reply(&value))
-}
-
-/// As `robots verify`: `{"robot": .., "readings": its name, "any": .., "date": .., "files": {..}}`, the robot left out where any is asked.
-pub(super) async fn verified(server: &Arc<Server>, body: Vec<u8>) -> Result<Reply, Refused> {
-    let mut told = object(&body)?;
-    let files = told.remove("files").map_or_else(
-        || Ok(serde_json::Map::new()),
-        |files| match files {
-            Value::Object(files) => Ok(files),
-            _ => Err(unlike("'files' is no object")),
-        },
-    )?;
-    let mut taken = |key: &str| match told.remove(key) {
-        None | Some(Value::Null) => Ok(None),
-        Some(Value::String(text)) => Ok(Some(text)),
-        Some(_) => Err(unlike(&format!("'{key}' is no text"))),
-    };
-    let (robot, readings, date) = (taken("robot")?, taken("readings")?, taken("date")?);
-    let any = match told.remove("any") {
-        None => false,
-        Some(Value::Bool(any)) => any,
-        Some(_) => return Err(unlike("'any' is neither true nor false")),
-    };
-    let Some(readings) = readings else { return Err(unlike("'readings' is missing: the name of a table in 'files'")) };
-    if let Some(key) = told.keys().next() {
-        return Err(unlike(&format!(
-            "'{}' is not known; expected robot, readings, any, date and files",
-            on_one_line(key)
-        )));
-    }
-    if let Some(date) = date.as_ref().filter(|date| !is_date(date)) {
-        return Err(unlike(&format!("'{}' is no date; expected such as 2026-05-31", on_one_line(date))));
-    }
-    let sources = Sources::sent(texts(files)?);
-    let args = VerifyArgs {
-        asked: robot.into_iter().chain([readings]).collect(),
-        any,
-        base_mm: None,
-        tool_mm: None,
-        columns: Vec::new(),
-        frame_by: None,
-        date,
-    };
-    let (bytes, notes) = computed(server, move |client| {
-        let common = Common { sources, client: Some(client), ..Common::usual() };
-        written(&verify::answer(&args, &common)?, "verified.json")
-    })
-    .await?;
-    let value = serde_json::from_slice(&bytes).map_err(|error| unlike(&error.to_string()))?;
-    let mut told = json_reply(&value);
-    note(&mut told, &notes);
-    Ok(told)
 }
 
 /// The robot, or every fault; a robot file is found by its ending, as by the program.

@@ -50,11 +50,10 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
             aside(move || job::understood(&body)).await
         }
         "/api/robots/check" => robots::checked(server, posted(request).await?).await,
-        "/api/robots/verify" => robots::verified(server, posted(request).await?).await,
         path => {
             let verb = |prefix: &str| {
                 let name = path.strip_prefix(prefix)?;
-                Verb::JOBS.into_iter().find(|verb| verb.name() == name)
+                Verb::JOBS.into_iter().find(|verb| address(*verb) == name)
             };
             match (verb("/api/"), verb("/view/")) {
                 (Some(verb), _) => answer(server, verb, form_of(asked.as_deref())?, request).await,
@@ -65,6 +64,11 @@ async fn routed(server: &Arc<Server>, request: Request<Incoming>) -> Result<Repl
             }
         }
     }
+}
+
+/// Of a verb behind `/api/`.
+pub(super) fn address(verb: Verb) -> String {
+    verb.name().replace(' ', "/")
 }
 
 /// The body of a question as JSON.

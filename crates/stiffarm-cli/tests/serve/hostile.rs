@@ -207,10 +207,17 @@ fn what_is_malformed_is_refused_with_a_word_and_harms_nobody() {
         ("/api/measure", "{\"options\": {\"robot\": \"BT200L\", \"candidates\": 1000000}}", 400, "too much"),
         ("/api/nothing", "{}", 404, "nothing of this name"),
         ("/api/robots/check", "{\"name\": \"a\"}", 400, "expected"),
-        ("/api/robots/verify", "{\"robot\": \"BT200L\"}", 400, "'readings' is missing"),
-        ("/api/robots/verify", "{\"readings\": \"/etc/passwd\", \"any\": true}", 422, "came along"),
-        ("/api/robots/verify", "{\"readings\": \"a\", \"tool\": 1}", 400, "'tool' is not known"),
-        ("/api/robots/verify", "{\"readings\": \"a\", \"date\": \"today\"}", 400, "no date"),
+        ("/api/robots/verify", "{\"options\": {\"robot\": \"BT200L\"}}", 400, "data is missing"),
+        ("/api/robots/verify", "{\"options\": {\"data\": \"a\"}}", 400, "robot is missing"),
+        ("/api/robots/verify", "{\"options\": {\"data\": \"/etc/passwd\", \"any\": true}}", 422, "came along"),
+        ("/api/robots/verify", "{\"options\": {\"data\": \"a\", \"tool\": 1}}", 400, "tool does not go with"),
+        ("/api/robots/verify", "{\"options\": {\"data\": \"a\", \"date\": \"today\"}}", 400, "year-month-day"),
+        (
+            "/api/calibrate",
+            "{\"options\": {\"robot\": \"BT200L\", \"data\": \"a\", \"columns\": [\"a\"]}}",
+            400,
+            "NAME=HEADING",
+        ),
     ] {
         let reply = served.post(path, "", body);
         assert_eq!(reply.status, status, "{body}: {}", reply.text());

@@ -157,9 +157,34 @@ fn every_answer_and_every_refusal_is_as_it_is_described() {
             200,
         ),
         ("/api/robots/check", json!({ "name": "a.toml", "text": "x = 1" }), 200),
-        ("/api/robots/verify", json!({ "robot": "BT200L", "readings": "p.csv", "files": { "p.csv": READINGS } }), 200),
-        ("/api/robots/verify", json!({ "readings": "p.csv", "any": true, "files": { "p.csv": READINGS } }), 200),
-        ("/api/robots/verify", json!({ "robot": "nobody", "readings": "p.csv", "files": { "p.csv": READINGS } }), 422),
+        (
+            "/api/robots/verify",
+            json!({ "options": { "robot": "BT200L", "data": "p.csv" }, "files": { "p.csv": READINGS } }),
+            200,
+        ),
+        (
+            "/api/robots/verify",
+            json!({ "options": { "data": "p.csv", "any": true }, "files": { "p.csv": READINGS } }),
+            200,
+        ),
+        (
+            "/api/robots/verify",
+            json!({ "options": { "robot": "nobody", "data": "p.csv" }, "files": { "p.csv": READINGS } }),
+            422,
+        ),
+        (
+            "/api/calibrate",
+            json!({
+                "options": { "robot": "KR 210 R2700 extra", "data": "t.csv", "level": "zeros", "at": [1.8, 0, 0.8] },
+                "files": { "t.csv": include_str!("../../../../docs/examples/tracker.csv") },
+            }),
+            200,
+        ),
+        (
+            "/api/calibrate",
+            json!({ "options": { "robot": "BT200L", "data": "p.csv" }, "files": { "p.csv": READINGS } }),
+            422,
+        ),
         ("/api/robots/check", json!({ "name": "a.urdf", "text": "<robot/>" }), 200),
         ("/api/robots/check", json!({ "name": "a.yaml", "text": "a: [" }), 200),
     ];
@@ -191,7 +216,7 @@ fn every_option_takes_what_is_described() {
     let (whole, table) = (served.get("/openapi.json").json(), served.get("/api/options").json());
     for verb in table["verbs"].as_array().unwrap() {
         let name = verb["verb"].as_str().unwrap();
-        let path = format!("/api/{name}");
+        let path = format!("/api/{}", name.replace(' ', "/"));
         let schema = &body_schema(&whole, &path)["properties"]["options"];
         for option in verb["options"].as_array().unwrap() {
             let key = option["name"].as_str().unwrap();

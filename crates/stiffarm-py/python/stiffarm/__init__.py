@@ -11,6 +11,8 @@ A robot and a task go in; each verb is one function:
 `compare`      which of two setups is better, and is that proved?
 `identify`     how stiff are the drives, by measured deflections?
 `measure`      which postures and loads must be measured for that?
+`calibrate`    how does this very arm differ from its drawing?
+`verify`       does a robot file count the joints as the pendant does?
 `modes`        how does an arm swing at one posture, or over a zone?
 `chatter`      does a cut swing with the arm, and how deep may it go?
 `force`        with what force does a process push on its tool?
@@ -29,11 +31,13 @@ Long calls run without the interpreter's lock on all cores (`set_threads`); Ctrl
 
 from ._answers import (
     Answer,
+    Calibration,
     CalibrationPlan,
     Chatter,
     Comparison,
     Compliance,
     Compliances,
+    FittingRobots,
     Force,
     Identification,
     Ledger,
@@ -47,17 +51,39 @@ from ._answers import (
     Ranking,
     Study,
     Toolpath,
+    Verification,
 )
 from ._stiffarm import Robot, StiffarmError, __version__, set_threads
-from ._verbs import cell, chatter, compare, compliance, force, identify, map, measure, mill, modes, paper, place, rank, robots, study, validate
+from ._verbs import (
+    calibrate,
+    cell,
+    chatter,
+    compare,
+    compliance,
+    force,
+    identify,
+    map,
+    measure,
+    mill,
+    modes,
+    paper,
+    place,
+    rank,
+    robots,
+    study,
+    validate,
+    verify,
+)
 
 __all__ = [
     "Answer",
+    "Calibration",
     "CalibrationPlan",
     "Chatter",
     "Comparison",
     "Compliance",
     "Compliances",
+    "FittingRobots",
     "Force",
     "Identification",
     "Ledger",
@@ -73,7 +99,9 @@ __all__ = [
     "StiffarmError",
     "Study",
     "Toolpath",
+    "Verification",
     "__version__",
+    "calibrate",
     "cell",
     "chatter",
     "compare",
@@ -91,4 +119,5 @@ __all__ = [
     "set_threads",
     "study",
     "validate",
+    "verify",
 ]

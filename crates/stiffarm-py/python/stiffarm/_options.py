@@ -53,7 +53,7 @@ def spelt(verb: str, given: Mapping[str, object]) -> dict[str, str]:
         if keyword not in known:
             near = difflib.get_close_matches(keyword, known, 1)
             hint = f"; did you mean {near[0]}?" if near else ""
-            raise TypeError(f"{verb}() got an unexpected keyword argument {keyword!r}{hint}")
+            raise TypeError(f"{verb.split()[-1]}() got an unexpected keyword argument {keyword!r}{hint}")
     texts = {keyword: _text(known[keyword], value) for keyword, value in given.items() if value is not None}
     return {keyword: text for keyword, text in texts.items() if text is not None}
 
@@ -73,6 +73,9 @@ def _text(option: Option, value: object) -> str | None:
         return ",".join(_given.texts(name, value)) or None
     if kind == "marker":
         return ";".join(_given.texts(name, value)) or None
+    if kind == "heading":
+        pairs: Any = [f"{name}={heading}" for name, heading in value.items()] if isinstance(value, Mapping) else value
+        return _given.listed(name, pairs)
     if kind == "flag":
         return str(_given.truth(name, value)).lower()
     if kind in ("text", "file", "date", "word", "robot", "task", "shape", "posture", "mount"):

@@ -71,22 +71,6 @@ class Robot:
     @staticmethod
     def from_numbers(name: str, **numbers: float | str | bool | npt.ArrayLike | None) -> Robot: ...
     def with_compliance(self, *, drive_urad_per_nm: float | Sequence[float] | npt.NDArray[np.float64]) -> Robot: ...
-    def verify(
-        self,
-        readings: str | os.PathLike[str],
-        *,
-        frame_by: str | None = None,
-        date: str | None = None,
-    ) -> dict[str, Any]: ...
-    def calibrate(
-        self,
-        points: str | os.PathLike[str],
-        *,
-        level: str | None = None,
-        frame_by: str | None = None,
-        date: str | None = None,
-        controller_model: str | None = None,
-    ) -> dict[str, Any]: ...
     def to_toml(self) -> str: ...
     def to_dict(self) -> dict[str, Any]: ...
     @property

@@ -11,12 +11,35 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _given, _options, _stiffarm
-from ._answers import CalibrationPlan, Chatter, Comparison, Compliance, Compliances, Force, Identification, Ledger, Map, MeasurementPlan, Milled, Modes, ModesOverZone, PathRanking, Placement, Ranking, Study, Toolpath
+from ._answers import (
+    Calibration,
+    CalibrationPlan,
+    Chatter,
+    Comparison,
+    Compliance,
+    Compliances,
+    FittingRobots,
+    Force,
+    Identification,
+    Ledger,
+    Map,
+    MeasurementPlan,
+    Milled,
+    Modes,
+    ModesOverZone,
+    PathRanking,
+    Placement,
+    Ranking,
+    Study,
+    Toolpath,
+    Verification,
+)
 from ._given import RobotLike
 from ._asked import OutputLike, Question, answered, placed, question, written
 from ._progress import ProgressLike, told
 from ._stiffarm import Robot, StiffarmError
 from .types import (
+    CalibrateOptions,
     ChatterOptions,
     CompareOptions,
     ComplianceOptions,
@@ -30,6 +53,7 @@ from .types import (
     RankOptions,
     RobotsOptions,
     StudyOptions,
+    VerifyOptions,
 )
 
 if TYPE_CHECKING:
@@ -366,6 +390,100 @@ def identify(
     return Identification(found["answer"], found["columns"], found["robot_file"])
 
 
+@_options.takes("calibrate", CalibrateOptions)
+def calibrate(
+    robot: RobotLike,
+    data: str | os.PathLike[str] | object,
+    *,
+    output: OutputLike = None,
+    progress: ProgressLike = None,
+    **options: Unpack[CalibrateOptions],
+) -> Calibration:
+    """How this very arm differs from its drawing, from points on its flange that a tracker measured.
+
+    Parameters
+    ----------
+    robot : Robot or str
+        The robot that was measured, as drawn.
+    data : path or data frame
+        A table of six joints and one to four points (CSV). Whatever has ``to_csv`` (pandas) or ``write_csv`` (polars) will do.
+    {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.toml`` the robot file, ``.svg``, ``.json``.
+    progress : bool or callable, optional
+        True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
+        parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
+
+    Returns
+    -------
+    Calibration
+        The errors of the arm, the error that remains at the work with its interval, and the robot that knows them.
+
+    Raises
+    ------
+    StiffarmError
+        Names every fault with its row and column, or says why nothing can be concluded.
+    """
+    name, text = _given.table("data", data)
+    given = {"data": name, **_options.spelt("calibrate", options)}
+    asked = question("calibrate", given, texts={} if text is None else {name: text}, robot=_given.named("robot", robot))
+    found = answered(asked, "calibrating", output=output, progress=progress)
+    return Calibration(found["answer"], found["columns"], found["robot_file"])
+
+
+@overload
+def verify(
+    robot: None, data: str | os.PathLike[str] | object, *, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[VerifyOptions]
+) -> FittingRobots: ...
+@overload
+def verify(
+    robot: RobotLike, data: str | os.PathLike[str] | object, *, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[VerifyOptions]
+) -> Verification: ...
+@_options.takes("robots verify", VerifyOptions)
+def verify(
+    robot: RobotLike | None,
+    data: str | os.PathLike[str] | object,
+    *,
+    output: OutputLike = None,
+    progress: ProgressLike = None,
+    **options: Unpack[VerifyOptions],
+) -> Verification | FittingRobots:
+    """Whether a robot file counts the joints as a pendant does.
+
+    Parameters
+    ----------
+    robot : Robot or str, or None
+        Which; None with ``any=True`` where it is asked from which robot the readings are.
+    data : path or data frame
+        A table of six joints with the controller's position, or with measured points (CSV). Whatever has ``to_csv`` (pandas) or
+        ``write_csv`` (polars) will do.
+    {options}
+    output : path or list of paths, optional
+        Files to which the answer is written as well; the ending chooses the form: ``.toml`` the robot file, ``.json``.
+    progress : bool or callable, optional
+        True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
+        parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.
+
+    Returns
+    -------
+    Verification or FittingRobots
+        Whether it does, what fits best, and the robot that counts so; of no robot all that fit, the best first.
+
+    Raises
+    ------
+    StiffarmError
+        Names every fault with its row and column, or says why nothing can be concluded.
+    """
+    name, text = _given.table("data", data)
+    given = {"data": name, **_options.spelt("robots verify", options)}
+    named = {} if robot is None else {"robot": _given.named("robot", robot)}
+    asked = question("robots verify", given, texts={} if text is None else {name: text}, **named)
+    found = answered(asked, "comparing", output=output, progress=progress)
+    if robot is None:
+        return FittingRobots(found["answer"], found["columns"])
+    return Verification(found["answer"], found["columns"], found["robot_file"])
+
+
 @overload
 def measure(
     robot: RobotLike, *, geometry: Literal[False] = False, output: OutputLike = None, progress: ProgressLike = None, **options: Unpack[MeasureOptions]
@@ -400,7 +518,7 @@ def measure(
     Returns
     -------
     MeasurementPlan or CalibrationPlan
-        Runs in an order with short ways; ``to_pandas()`` is the table to be filled in, which `identify`, or with ``geometry`` `Robot.calibrate`, reads.
+        Runs in an order with short ways; ``to_pandas()`` is the table to be filled in, which `identify`, or with ``geometry`` `calibrate`, reads.
 
     Raises
     ------

@@ -5,7 +5,7 @@ Written by ``STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types`` from the 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal, TypedDict
 
 import numpy.typing as npt
@@ -672,6 +672,57 @@ class MeasureOptions(TypedDict, total=False):
 
     compare: str | None
     """A table of postures and loads of your own: what it is worth beside the plan."""
+
+
+class CalibrateOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.calibrate`."""
+
+    level: Literal["auto", "zeros", "geometry", "weight", "gears"]
+    """How much may differ from the drawing."""
+
+    columns: str | Iterable[str] | Mapping[str, str] | None
+    """What columns are called in the table: joint_1_deg=J1,x1_mm=X [default: as they are called here]."""
+
+    frame_by: str | None
+    """The column that tells apart where the tracker stood; each stand has a frame of its own [default: one
+    frame]."""
+
+    at: npt.ArrayLike | None
+    """Where the work is [m], from the robot's base: the error that remains is told within 0.25 m about it
+    [default: over all the arm reaches]."""
+
+    controller_model: Literal["nominal", "calibrated"] | None
+    """With which arm the controller computes while it is measured, and later: for the robot file [default: no
+    program is written of the robot file]."""
+
+    date: str | None
+    """When it was read or measured, as year-month-day: for the robot file [default: today]."""
+
+
+class VerifyOptions(TypedDict, total=False):
+    """Keywords of `stiffarm.verify`."""
+
+    any: bool
+    """Try all robots of the catalogue, not only those of the same maker; which robot are the readings from,
+    where none is named."""
+
+    base_mm: npt.ArrayLike | None
+    """The base of the robot file in the frame of the readings [mm, deg]: x,y,z or x,y,z,rx,ry,rz about fixed
+    axes, 0,0,0 where no base is in force; shows the zero of joint 1 [default: fitted]."""
+
+    tool_mm: npt.ArrayLike | None
+    """The tool in force [mm, deg], in the flange frame: x,y,z or x,y,z,rx,ry,rz about fixed axes, 0,0,0 where
+    none is; shows the zero of joint 6 [default: fitted]."""
+
+    columns: str | Iterable[str] | Mapping[str, str] | None
+    """What columns are called in the table: joint_1_deg=J1,x1_mm=X [default: as they are called here]."""
+
+    frame_by: str | None
+    """The column that tells apart where the tracker stood; each stand has a frame of its own [default: one
+    frame]."""
+
+    date: str | None
+    """When it was read or measured, as year-month-day: for the robot file [default: today]."""
 
 
 class ModesOptions(TypedDict, total=False):
@@ -2268,6 +2319,232 @@ class CalibrationPlanDict(TypedDict):
 
     runs: list[PlannedPosture]
     """One entry per run, in the order in which they are made."""
+
+
+class LevelFit(TypedDict):
+    """What a level leaves."""
+
+    level: str
+    """How much of the arm may differ from its drawing: zeros, geometry, weight, gears; of a list also as drawn."""
+
+    rms_mm: float
+    """The root mean square of the error over what feeds."""
+
+    median_mm: float
+    """Half of the distances are less."""
+
+    p95_mm: float
+    """95 of a hundred distances are less."""
+
+    largest_mm: float
+    """What counts of the translation, the largest that the force may cause."""
+
+    left_out_rms_mm: float | None
+    """Root mean square of the distances that are predicted where a third of a joint's range is left out; null
+    where none can be."""
+
+    shown: float
+    """How many parameters the rows show: the trace of one less posterior over prior."""
+
+    log_evidence: float
+    """Logarithm of the marginal likelihood, up to what all levels share."""
+
+
+class WrongRow(TypedDict):
+    """A point that was left out."""
+
+    line: int
+    """From 1."""
+
+    point: int
+
+    distance_mm: float
+
+
+class NarrowJoint(TypedDict):
+    """A joint that moved over less than a third of its range."""
+
+    joint: int
+
+    share: float
+
+
+class CalibratedAtWork(TypedDict):
+    """The error that remains at the work."""
+
+    expected_mm: float
+    """How far the marker is expected to move."""
+
+    ci95_mm: list[float]
+    """Where that root mean square lies with 95 %."""
+
+    work_p95_mm: float
+    """95 of a hundred points at the work are off by less."""
+
+    postures: int
+    """How many postures."""
+
+
+class CalibrationDict(TypedDict):
+    """`stiffarm.Calibration.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    level: str
+    """How much of the arm may differ from its drawing: zeros, geometry, weight, gears; of a list also as drawn."""
+
+    rows: int
+    """Postures that were read."""
+
+    nominal_rms_mm: float
+    """Root mean square of the distances of the arm as drawn."""
+
+    levels: list[LevelFit]
+    """Every level: what it leaves."""
+
+    wrong_rows: list[WrongRow]
+    """Points that were left out: line of the file, point (0: all of the row) and distance, mm."""
+
+    tracker_in_base: list[list[float]]
+    """Each stand of the tracker in the base: x, y, z mm and turns about fixed x, y, z deg."""
+
+    points_mm: list[list[float]]
+    """The points that were looked at, in the flange frame, mm."""
+
+    zero_deg: list[float]
+    """Zero offset of each joint, as a robot file has it."""
+
+    frames_mm_mrad: list[list[float]]
+    """Of each joint's frame three shifts, mm, and three turns, mrad, in the base's axes at model zero; the zeros
+    are left out."""
+
+    weight_mrad: list[float]
+    """How drives yield under the arm's own weight: of drive 2 on sin t2, cos t2, sin t23, cos t23, of drive 3 on
+    sin t23, cos t23, of drive 5 on two arms of the tool."""
+
+    weight_ci95_mrad: list[list[float]]
+    """Where each lies with 95 %."""
+
+    gears_mrad: list[list[float]]
+    """Once per turn of each joint: sine, cosine."""
+
+    narrow: list[NarrowJoint]
+    """Joints that moved over less than a third of their range, with that share."""
+
+    at_work: CalibratedAtWork | None
+    """The error that remains at the work: expected, with its interval, and over how many postures; null where
+    the arm does not reach it."""
+
+
+class WayOfCounting(TypedDict):
+    """A way of counting the joints."""
+
+    robot: str
+    """The maker's name for the robot."""
+
+    vendor: str
+    """The maker."""
+
+    third_axis: str
+    """What joint 3 counts from: elbow, the upper arm; forearm, the horizontal."""
+
+    sign: list[float]
+    """Of each joint, as in a robot file."""
+
+    zero_deg: list[float]
+    """Zero offset of each joint, as a robot file has it."""
+
+    carried: list[float]
+    """By how much joints of the wrist carry others along: 4 turns 5, 4 turns 6, 5 turns 6."""
+
+    rms_mm: float
+    """The root mean square of the error over what feeds."""
+
+    largest_mm: float
+    """What counts of the translation, the largest that the force may cause."""
+
+    largest_deg: float | None
+    """The largest turn between orientations; null where none was read."""
+
+    differs: str
+    """The same in a line."""
+
+    differences: list[str]
+    """In what it differs from its robot file, in words."""
+
+
+class WrongReading(TypedDict):
+    """The row that does not agree."""
+
+    line: int
+    """From 1."""
+
+    distance_mm: float
+
+
+class VerificationDict(TypedDict):
+    """`stiffarm.Verification.to_dict`."""
+
+    schema: Schema
+
+    robot: str
+    """The maker's name for the robot."""
+
+    verified: bool
+    """The readings agree with the robot file, and with no other way of counting the joints."""
+
+    rows: int
+    """Postures that were read."""
+
+    measured: bool
+    """Points were measured by an instrument; else the controller computed them."""
+
+    largest_mm: float
+    """What counts of the translation, the largest that the force may cause."""
+
+    rms_mm: float
+    """The root mean square of the error over what feeds."""
+
+    largest_deg: float | None
+    """The largest turn between orientations; null where none was read."""
+
+    base_mm_deg: list[list[float]]
+    """The base of the robot file in the frame of the readings: x, y, z mm and turns about fixed x, y, z deg; one
+    for each stand."""
+
+    points_mm: list[list[float]]
+    """The points that were looked at, in the flange frame, mm."""
+
+    fits: list[WayOfCounting]
+    """Robots and ways of counting the joints, the best first."""
+
+    alike: list[str]
+    """What the readings do not tell apart, in words."""
+
+    postures_deg: list[list[float]]
+    """Postures that would tell it apart: joint angles."""
+
+    wrong_row: WrongReading | None
+    """The row that is off where all others agree: its line in the file and its distance, mm; null where there is
+    none."""
+
+
+class FittingRobotsDict(TypedDict):
+    """`stiffarm.FittingRobots.to_dict`."""
+
+    schema: Schema
+
+    verified: bool
+    """The readings agree with the robot file, and with no other way of counting the joints."""
+
+    rows: int
+    """Postures that were read."""
+
+    fits: list[WayOfCounting]
+    """Robots and ways of counting the joints, the best first."""
 
 
 class ForceDict(TypedDict):

@@ -24,7 +24,7 @@ Written by ``STIFFARM_WRITE=1 cargo test -p stiffarm-py --test types`` from the 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal, TypedDict
 
 import numpy.typing as npt
@@ -55,6 +55,8 @@ fn written() -> String {
         ("Compare", "compare", Verb::Compare, &["a", "b"]),
         ("Identify", "identify", Verb::Identify, NONE),
         ("Measure", "measure", Verb::Measure, &["geometry"]),
+        ("Calibrate", "calibrate", Verb::Calibrate, NONE),
+        ("Verify", "verify", Verb::Verify, NONE),
         ("Modes", "modes", Verb::Modes, NONE),
         ("Chatter", "chatter", Verb::Chatter, &["process", "feed"]),
         ("Mill", "mill", Verb::Mill, NONE),
@@ -158,6 +160,7 @@ fn write_answers(text: &mut String) {
     class(text, ("IdentificationDict", "TypedDict"), about, &identification, &within);
 
     write_plans(text);
+    write_readings(text);
     write_paths(text);
     write_swings(text);
     let cuts = Fields::of(&samples::cuts());
@@ -193,6 +196,33 @@ fn write_plans(text: &mut String) {
     let within =
         [("runs", "PlannedPosture"), ("by_count", "CalibrationLeaves"), ("at_work", "PlannedAtWork"), with_schema];
     class(text, ("CalibrationPlanDict", "TypedDict"), "`stiffarm.CalibrationPlan.to_dict`.", &plan, &within);
+}
+
+/// What is read of an arm.
+fn write_readings(text: &mut String) {
+    let with_schema = ("schema", "Schema");
+    let found = Fields::of(&samples::calibrations());
+    class(text, ("LevelFit", "TypedDict"), "What a level leaves.", found.under("levels"), &[]);
+    class(text, ("WrongRow", "TypedDict"), "A point that was left out.", found.under("wrong_rows"), &[]);
+    let about = "A joint that moved over less than a third of its range.";
+    class(text, ("NarrowJoint", "TypedDict"), about, found.under("narrow"), &[]);
+    class(text, ("CalibratedAtWork", "TypedDict"), "The error that remains at the work.", found.under("at_work"), &[]);
+    let within = [
+        ("levels", "LevelFit"),
+        ("wrong_rows", "WrongRow"),
+        ("narrow", "NarrowJoint"),
+        ("at_work", "CalibratedAtWork"),
+        with_schema,
+    ];
+    class(text, ("CalibrationDict", "TypedDict"), "`stiffarm.Calibration.to_dict`.", &found, &within);
+    let found = Fields::of(&samples::verifications());
+    class(text, ("WayOfCounting", "TypedDict"), "A way of counting the joints.", found.under("fits"), &[]);
+    class(text, ("WrongReading", "TypedDict"), "The row that does not agree.", found.under("wrong_row"), &[]);
+    let within = [("fits", "WayOfCounting"), ("wrong_row", "WrongReading"), with_schema];
+    class(text, ("VerificationDict", "TypedDict"), "`stiffarm.Verification.to_dict`.", &found, &within);
+    let found = Fields::of(&samples::fitting_robots());
+    let within = [("fits", "WayOfCounting"), with_schema];
+    class(text, ("FittingRobotsDict", "TypedDict"), "`stiffarm.FittingRobots.to_dict`.", &found, &within);
 }
 
 /// How an arm swings.
@@ -303,6 +333,7 @@ fn python_type(setting: &Setting) -> String {
             | Kind::Pin,
             true,
         ) => "str | Iterable[str]".into(),
+        (Kind::Heading, _) => "str | Iterable[str] | Mapping[str, str]".into(),
         (Kind::Range { .. }, _) => "RangeLike".into(),
         (Kind::Block, _) => "str | Iterable[str | Sequence[RangeLike | None]]".into(),
         (Kind::Within, _) => "str | Sequence[RangeLike | None]".into(),

@@ -4,7 +4,9 @@ use std::path::Path;
 
 use serde_json::Value;
 use stiffarm::advice::{advise, advise_best};
+use stiffarm::calibrate::calibrate;
 use stiffarm::catalogue::measurements::{self, Measurements};
+use stiffarm::catalogue::readings::{self, ReadOptions};
 use stiffarm::catalogue::{find, read, read_process};
 use stiffarm::chatter::chatter;
 use stiffarm::compliance::compliance;
@@ -19,11 +21,12 @@ use stiffarm::rank::rank;
 use stiffarm::robot::Robot;
 use stiffarm::study::study;
 use stiffarm::toolpath::{self, Builtin, Format, Move, MoveKind, Survey, ToolPose};
+use stiffarm::verify::{VerifyOptions, rank as verify_rank, verify};
 use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{
-    Beside, ChatterAnswer, CompareAnswer, ComplianceAnswer, CuttingAnswer, GeometryAnswer, IdentifyAnswer,
-    LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer, ModesAnswer, ModesOverAnswer, PathAnswer, PathRankAnswer,
-    PlaceAnswer, RankAnswer, StudyAnswer,
+    Beside, CalibrateAnswer, ChatterAnswer, CompareAnswer, ComplianceAnswer, CuttingAnswer, GeometryAnswer,
+    IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer, ModesAnswer, ModesOverAnswer, PathAnswer,
+    PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer, VerifyAnswer, VerifyRankAnswer,
 };
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
@@ -306,6 +309,52 @@ pub(crate) fn calibration_plans() -> Vec<Value> {
     let (robot, options) = (asked.equipped(kuka()).unwrap(), asked.measurement_plan());
     let plan = geometry_plan(&robot, &options, Watch::nobody()).unwrap();
     vec![GeometryAnswer { robot, options, work: "anywhere".into(), plan }.json()]
+}
+
+fn example(name: &str) -> String {
+    std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/examples").join(name)).unwrap()
+}
+
+pub(crate) fn calibrations() -> Vec<Value> {
+    let of = |typed: Typed, text: &str| {
+        let asked = asked(Verb::Calibrate, &[typed, &[("data", "tracker.csv")]].concat());
+        let (robot, options) = (kuka(), asked.calibration());
+        let table = readings::read(text, "tracker.csv", &asked.reading(&robot.vendor)).unwrap();
+        let found = calibrate(&robot, &table, &options, Watch::nobody()).unwrap();
+        let is_chosen = options.level.is_none();
+        CalibrateAnswer { found, robot, data: "tracker.csv".into(), date: "2026-05-31".into(), is_chosen }
+    };
+    let text = example("tracker.csv");
+    // One point is mistyped; nothing is reached there; rows of one joint's range.
+    let wrong = text.replacen("3014.797", "3044.797", 1);
+    let mut narrow = of(&[("level", "zeros"), ("at", "9,9,9")], &wrong);
+    narrow.found.narrow = vec![(1, 0.2)];
+    narrow.found.levels[0].left_out = None;
+    vec![of(&[], &text).json(), narrow.json()]
+}
+
+pub(crate) fn verifications() -> Vec<Value> {
+    let of = |text: &str| {
+        let asked = asked(Verb::Verify, &[("data", "pendant.csv")]);
+        let table = readings::read(text, "pendant.csv", &asked.reading("KUKA")).unwrap();
+        let found = verify(&kuka(), &table, &asked.verification(), &[], Watch::nobody()).unwrap();
+        VerifyAnswer { found, data: "pendant.csv".into(), date: "2026-05-31".into() }.json()
+    };
+    let text = example("pendant.csv");
+    let lines: Vec<&str> = text.lines().collect();
+    let few = lines[..5].join("\n");
+    let turned: String = lines[1..]
+        .iter()
+        .enumerate()
+        .map(|(i, line)| format!("{line},{}\n", if i == 0 { "a_deg,b_deg,c_deg" } else { "0,90,0" }))
+        .collect();
+    vec![of(&text), of(&text.replacen("1702.03", "1802.03", 1)), of(&few), of(&turned)]
+}
+
+pub(crate) fn fitting_robots() -> Vec<Value> {
+    let table = readings::read(&example("pendant.csv"), "pendant.csv", &ReadOptions::default()).unwrap();
+    let fits = verify_rank(&table, &VerifyOptions::default(), &[kuka()], Watch::nobody()).unwrap();
+    vec![VerifyRankAnswer { fits, rows: table.rows.len(), data: "pendant.csv".into() }.json()]
 }
 
 pub(crate) fn cutting_forces() -> Vec<Value> {

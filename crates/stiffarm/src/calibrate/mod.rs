@@ -110,6 +110,11 @@ pub enum CalibrateError {
     /// Two links have no frames.
     #[error("{0} is known by two links only; expected a robot with [geometry] and [limits]")]
     Planar(String),
+    /// The controller computes with the arm as drawn.
+    #[error(
+        "x_mm, y_mm, z_mm are what a controller computes of its own arm, and tell nothing of how the arm differs; expected measured points x1_mm, y1_mm, z1_mm (--columns x1_mm=x_mm,y1_mm=y_mm,z1_mm=z_mm where these were measured)"
+    )]
+    Computed,
     /// Six unknowns of the tracker and three of each point.
     #[error("{0} rows; expected at least {LEAST_ROWS}, and better forty that move every joint through its range")]
     TooFew(usize),
@@ -185,6 +190,9 @@ pub fn calibrate(
 ) -> Result<Calibrated, CalibrateError> {
     let Arm::SixAxis { limits, .. } = &robot.arm else { return Err(CalibrateError::Planar(robot.full_name())) };
     let arm = Frames::of(robot).ok_or_else(|| CalibrateError::Planar(robot.full_name()))?;
+    if !readings.is_measured {
+        return Err(CalibrateError::Computed);
+    }
     let sights = sights(readings)?;
     let shape = (readings.stands.len(), readings.points);
     let lines: Vec<usize> = readings.rows.iter().map(|row| row.line).collect();

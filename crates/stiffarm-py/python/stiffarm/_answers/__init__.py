@@ -3,7 +3,7 @@
 from .base import Answer
 from .chatter import Chatter
 from .map import Map
-from .measuring import CalibrationPlan, Identification, MeasurementPlan
+from .measuring import Calibration, CalibrationPlan, FittingRobots, Identification, MeasurementPlan, Verification
 from .milling import Force, Ledger, Milled, PathRanking, Toolpath
 from .modes import Modes, ModesOverZone
 from .placing import Comparison, Placement, Ranking, Study
@@ -11,11 +11,13 @@ from .posture import Compliance, Compliances
 
 __all__ = [
     "Answer",
+    "Calibration",
     "CalibrationPlan",
     "Chatter",
     "Comparison",
     "Compliance",
     "Compliances",
+    "FittingRobots",
     "Force",
     "Identification",
     "Ledger",
@@ -29,4 +31,5 @@ __all__ = [
     "Ranking",
     "Study",
     "Toolpath",
+    "Verification",
 ]

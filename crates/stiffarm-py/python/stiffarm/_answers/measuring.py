@@ -5,24 +5,33 @@ from __future__ import annotations
 from typing import Any
 
 from .._given import Array
-from .._stiffarm import Robot
+from .._stiffarm import Robot, StiffarmError
 from ..types import (
+    CalibratedAtWork,
+    CalibrationDict,
     CalibrationLeaves,
     CalibrationPlanDict,
     ComparedTable,
     ExpectedDrive,
+    FittingRobotsDict,
     FoundCompensator,
     FurtherSpring,
     IdentificationDict,
     IdentifiedDrive,
     MeasurementPlanDict,
+    LevelFit,
     MeasurementRun,
+    NarrowJoint,
     PlannedAtWork,
     PlannedPosture,
     ReadingRemainder,
     Schema,
     TriedModel,
     UpdatedDrive,
+    VerificationDict,
+    WayOfCounting,
+    WrongReading,
+    WrongRow,
 )
 from .base import Table
 
@@ -160,3 +169,103 @@ class CalibrationPlan(Table[CalibrationPlanDict]):
 
     def _words(self) -> str:
         return f"{self.robot}: {len(self)} postures leave {self.at_work['expected_mm']:.3f} mm at the work, efficiency {100 * self.efficiency:.1f} % at least"
+
+
+class Calibration(Table[CalibrationDict]):
+    """How an arm differs from its drawing, by measured points."""
+
+    _arrays = ("tracker_in_base", "points_mm", "zero_deg", "frames_mm_mrad", "weight_mrad", "weight_ci95_mrad", "gears_mrad")
+
+    schema: Schema
+    robot: str
+    #: How much was found to differ: ``"zeros"``, ``"geometry"``, ``"weight"``, ``"gears"``.
+    level: str
+    rows: int
+    #: As drawn.
+    nominal_rms_mm: float
+    #: As drawn first, then each level: ``rms_mm``, ``left_out_rms_mm``, ``largest_mm``, ...
+    levels: list[LevelFit]
+    #: Points that were left out: line, point (0: all of the row), distance.
+    wrong_rows: list[WrongRow]
+    #: x, y, z in mm and rx, ry, rz in deg of each stand.
+    tracker_in_base: Array
+    #: In the flange frame.
+    points_mm: Array
+    #: To be added to the joints as reported.
+    zero_deg: Array
+    #: Three shifts and three turns of each joint's frame.
+    frames_mm_mrad: Array
+    weight_mrad: Array
+    weight_ci95_mrad: Array
+    gears_mrad: Array
+    #: Joints that moved over less than a third of their range, with that share.
+    narrow: list[NarrowJoint]
+    #: The error that remains at the work; None where the arm does not reach it.
+    at_work: CalibratedAtWork | None
+
+    def __init__(self, data: dict[str, Any], columns: dict[str, Any], robot: str) -> None:
+        super().__init__(data, columns)
+        self._robot_file = robot
+
+    @property
+    def calibrated_robot(self) -> Robot:
+        """The robot that knows how it differs; ``to_toml()`` of it is its file."""
+        return Robot.from_toml(self._robot_file)
+
+    def _words(self) -> str:
+        taken = next(level for level in self.levels if level["level"] == self.level)
+        return f"{self.robot}: {self.nominal_rms_mm:.3f} mm rms as drawn, {taken['rms_mm']:.3f} mm calibrated ({self.level})"
+
+
+class Verification(Table[VerificationDict]):
+    """Whether a robot file counts the joints as readings do."""
+
+    _arrays = ("base_mm_deg", "points_mm")
+
+    schema: Schema
+    robot: str
+    verified: bool
+    rows: int
+    #: Points were measured; else the controller computed them.
+    measured: bool
+    largest_mm: float
+    rms_mm: float
+    #: None where no orientation was read.
+    largest_deg: float | None
+    base_mm_deg: Array
+    points_mm: Array
+    #: Ways of counting, the best first.
+    fits: list[WayOfCounting]
+    #: What these readings do not tell apart.
+    alike: list[str]
+    #: Postures that would.
+    postures_deg: list[list[float]]
+    #: The one row that does not agree, where all others do.
+    wrong_row: WrongReading | None
+
+    def __init__(self, data: dict[str, Any], columns: dict[str, Any], robot: str | None) -> None:
+        super().__init__(data, columns)
+        self._robot_file = robot
+
+    @property
+    def verified_robot(self) -> Robot:
+        """The robot that counts as the readings do; ``to_toml()`` of it is its file."""
+        if self._robot_file is None:
+            raise StiffarmError(f"{self.robot}: no way of counting the joints fits these readings")
+        return Robot.from_toml(self._robot_file)
+
+    def _words(self) -> str:
+        return f"{self.robot}: {'verified' if self.verified else 'not verified'}, {self.largest_mm:.3f} mm off at most in {self.rows} rows"
+
+
+class FittingRobots(Table[FittingRobotsDict]):
+    """From which robot of the catalogue readings are."""
+
+    schema: Schema
+    verified: bool
+    rows: int
+    #: The best first.
+    fits: list[WayOfCounting]
+
+    def _words(self) -> str:
+        return ", ".join(f"{fit['robot']}: {fit['rms_mm']:.3f} mm rms" for fit in self.fits[:3])
