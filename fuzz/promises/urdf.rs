@@ -28,6 +28,7 @@ pub(crate) fn holds(bytes: &[u8]) {
             ImportError::Xacro { file }
             | ImportError::NoLinks { file, .. }
             | ImportError::NoLimits { file }
+            | ImportError::Bodies { file, .. }
             | ImportError::Inexact { file, .. },
         ) => {
             assert_eq!(file, "fuzz.urdf");

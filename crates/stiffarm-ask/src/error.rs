@@ -333,6 +333,9 @@ fn import_hint(error: &ImportError, ends_are_given: bool) -> &'static str {
             "stiffarm knows arms with six turning axes: 1 upright, 2 and 3 parallel, 4, 5 and 6 through one point; between these \
              links there is another"
         }
+        ImportError::Bodies { .. } => {
+            "meshes are STL in metres (or with the scale that the URDF gives); without --meshes the links are estimated"
+        }
         ImportError::Faults(_) => {
             "mend the lines that are named; docs/guide/own_robot.md and docs/robot_file.md show what is read"
         }

@@ -153,3 +153,62 @@ fn nothing_is_written_where_the_file_is_refused() {
     let (code, _, errors) = run(&["place", "nowhere.urdf", "--task", "A:0.5"]);
     assert!(code == 1 && errors.contains("cannot read nowhere.urdf"), "{errors}");
 }
+
+/// A tetrahedron with edges of half a metre, as text.
+const MESH: &str = "solid body
+facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0.5 0 vertex 0.5 0 0 endloop endfacet
+facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0.5 0 0 vertex 0 0 0.5 endloop endfacet
+facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0.5 vertex 0 0.5 0 endloop endfacet
+facet normal 0 0 0 outer loop vertex 0.5 0 0 vertex 0 0.5 0 vertex 0 0 0.5 endloop endfacet
+endsolid body
+";
+
+#[test]
+fn links_are_enclosed_by_the_meshes_of_packages_that_are_found_or_named() {
+    let folder = TempDir::new().unwrap();
+    let package = folder.path().join("arm_support");
+    for below in ["urdf", "meshes"] {
+        fs::create_dir_all(package.join(below)).unwrap();
+    }
+    let body = "<collision><geometry><mesh filename=\"package://arm_support/meshes/2.stl\"/></geometry></collision>";
+    let links = ["base_link", "link_1", "link_2", "link_3", "link_4", "link_5"];
+    let text = links.iter().fold(fs::read_to_string(EXAMPLE).unwrap(), |text, link| {
+        text.replace(&format!("<link name=\"{link}\"/>"), &format!("<link name=\"{link}\">{body}</link>"))
+    });
+    let lines = [" outer", " vertex", " endloop", " endfacet"];
+    let mesh = lines.iter().fold(MESH.to_owned(), |text, word| text.replace(word, &word.replace(' ', "\n")));
+    fs::write(package.join("meshes/2.stl"), mesh).unwrap();
+    let urdf = package.join("urdf/arm.urdf").to_str().unwrap().to_owned();
+    fs::write(&urdf, text).unwrap();
+    // Nothing makes a package of the folder yet.
+    let (code, _, errors) = run(&["robots", "import", &urdf, "--meshes"]);
+    assert!(code == 1 && errors.contains("--package arm_support=FOLDER"), "{errors}");
+    let named = format!("arm_support={}", package.display());
+    let (code, out, errors) = run(&["robots", "import", &urdf, "--meshes", "--package", &named]);
+    assert!(code == 0 && out.contains("[[body.link]]\nlink = 2\ncapsules_mm = [["), "{errors}{out}");
+    assert!(
+        errors.contains("enclose the collision meshes")
+            && errors.contains("2: ")
+            && errors.contains("about 4 triangles"),
+        "{errors}"
+    );
+    fs::write(package.join("package.xml"), "<package/>").unwrap();
+    let file = folder.path().join("arm.toml").to_str().unwrap().to_owned();
+    let (code, _, errors) = run(&["robots", "import", &urdf, "--meshes", "-o", &file]);
+    assert_eq!(code, 0, "{errors}");
+    let (code, out, _) = run(&["robots", "show", &file]);
+    assert!(code == 0 && out.contains("links 0 to 6 enclosed by "), "{out}");
+    let (code, out, _) = run(&["place", &file, "--task", "circle:0.2", "--model", "spatial"]);
+    assert!(code == 0 && out.contains("links as capsules that enclose them"), "{out}");
+    // What cannot be is refused.
+    let (code, _, errors) = run(&["robots", "import", &urdf, "--package", &named]);
+    assert!(code == 2 && errors.contains("--meshes"), "{errors}");
+    let (code, _, errors) = run(&["robots", "import", &urdf, "--meshes", "--package", "arm_support"]);
+    assert!(code == 2 && errors.contains("NAME=FOLDER"), "{errors}");
+    fs::write(package.join("meshes/2.stl"), "<?xml version=\"1.0\"?><COLLADA/>").unwrap();
+    let (code, _, errors) = run(&["robots", "import", &urdf, "--meshes"]);
+    assert!(
+        code == 1 && errors.contains("link base_link") && errors.contains("COLLADA") && errors.contains("hint: "),
+        "{errors}"
+    );
+}

@@ -1,4 +1,9 @@
-//! How thick is a robot? Radii of the capsules that stand for its links.
+//! How thick is a robot? Radii of capsules along the lines of its links, or capsules that enclose its links.
+
+use nalgebra::{Point3, Vector3};
+
+use crate::geometry::Geometry;
+use crate::limits::Limits;
 
 /// Of the capsules along the links, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +16,84 @@ pub struct Body {
     pub forearm: f64,
     /// Wrist centre to flange.
     pub wrist: f64,
+}
+
+/// All points within a radius of a straight line: a piece of a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkCapsule {
+    /// Of the line, m, from the base, in its axes, at model zero: all model angles zero, upper arm and forearm upright.
+    pub ends: [Vector3<f64>; 2],
+    /// m.
+    pub radius: f64,
+}
+
+/// Capsules that enclose every point of the links. What is fixed to them later (cables, hoses) is in none.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Enclosing {
+    /// Of the base, and of the links that the joints 1 to 6 turn; none of a link without a body.
+    pub links: [Vec<LinkCapsule>; 7],
+    /// Pairs of links, the lower one first, whose bodies touch in every posture, as nested ones do: they are not compared.
+    pub not_compared: Vec<[usize; 2]>,
+}
+
+/// The pair of bodies, the lower one first, may meet: between them others stand. The base is 0, what the joints turn 1 to 6, the tool 7. Neighbours
+/// are joined, and what limits keep apart is not compared.
+pub const fn may_meet([low, high]: [usize; 2]) -> bool {
+    matches!((low, high), (0 | 1, 3..) | (2, 5..))
+}
+
+impl Enclosing {
+    /// Of the pairs that may meet, those whose capsules touch in all of a thousand postures within the limits.
+    pub fn always_touching(&self, geometry: &Geometry, limits: &Limits) -> Vec<[usize; 2]> {
+        const POSTURES: usize = 1000;
+        let mut rng = fastrand::Rng::with_seed(2);
+        let mut pairs: Vec<[usize; 2]> = (0..7).flat_map(|high| (0..high).map(move |low| [low, high])).collect();
+        pairs.retain(|pair| may_meet(*pair));
+        for _ in 0..POSTURES {
+            let q = limits.joints.map(|range| range.min() + rng.f64() * range.width());
+            let moved = geometry.links(&geometry.model_angles(&q, limits.third_axis));
+            let stands = |link: usize, capsule: &LinkCapsule| {
+                let end = |end: Vector3<f64>| match link.checked_sub(1) {
+                    None => end,
+                    Some(i) => (moved[i] * Point3::from(end)).coords,
+                };
+                LinkCapsule { ends: capsule.ends.map(end), ..*capsule }
+            };
+            let of = |link: usize| self.links[link].iter().map(move |capsule| (link, capsule));
+            let touch = |[low, high]: &[usize; 2]| {
+                of(*high).any(|(link, one)| {
+                    let one = stands(link, one);
+                    of(*low).any(|(link, other)| one.touches(&stands(link, other)))
+                })
+            };
+            pairs.retain(touch);
+        }
+        pairs
+    }
+}
+
+impl LinkCapsule {
+    /// They share a point: their lines come nearer than both radii. The nearest points of two lines from end to end, by parts s and t of them, by
+    /// turns: each step can only come nearer, and of two convex sets it ends at the nearest.
+    pub fn touches(&self, other: &Self) -> bool {
+        let reach = self.radius + other.radius;
+        let [along, across] = [self, other].map(|one| one.ends[1] - one.ends[0]);
+        let between = other.ends[0] - self.ends[0];
+        let (aa, bb, ab) = (along.norm_squared(), across.norm_squared(), along.dot(&across));
+        let part = |dot: f64, of: f64| if 0.0 < of { (dot / of).clamp(0.0, 1.0) } else { 0.0 };
+        let apart = aa * bb - ab * ab;
+        // Where both lines go on without ends; parallel ones begin anywhere.
+        let s = part(along.dot(&between) * bb - ab * across.dot(&between), apart.max(0.0));
+        let t = part((along * s - between).dot(&across), bb);
+        let s = part((across * t + between).dot(&along), aa);
+        let t = part((along * s - between).dot(&across), bb);
+        (along * s - across * t - between).norm() < reach
+    }
+
+    /// No point of it is farther from a point, m.
+    pub fn farthest_from(&self, point: &Vector3<f64>) -> f64 {
+        self.ends.iter().map(|end| (end - point).norm()).fold(0.0, f64::max) + self.radius
+    }
 }
 
 impl Body {
@@ -45,6 +128,62 @@ impl From<Body> for [f64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::catalogue::find;
+    use crate::robot::Arm;
+
+    /// Against the least over many points of both.
+    #[test]
+    fn capsules_touch_where_their_lines_come_near() {
+        let mut rng = fastrand::Rng::with_seed(1);
+        let mut any = || Vector3::from_fn(|_, _| 2.0 * rng.f64() - 1.0);
+        let (mut near, mut far) = (0, 0);
+        for i in 0..400 {
+            let [a, b, c, d] = [any(), any(), any(), any()];
+            // Some are parallel, some are points.
+            let d = if i % 5 == 0 {
+                c + (b - a) * 0.7
+            } else if i % 7 == 0 {
+                c
+            } else {
+                d
+            };
+            let at = |from: Vector3<f64>, to: Vector3<f64>, k: usize| from.lerp(&to, k as f64 / 200.0);
+            let distances = (0..=200).flat_map(|j| (0..=200).map(move |k| (j, k)));
+            let least = distances.map(|(j, k)| (at(a, b, j) - at(c, d, k)).norm()).fold(f64::INFINITY, f64::min);
+            let touch = |reach: f64| {
+                let [one, other] =
+                    [(a, b), (c, d)].map(|(from, to)| LinkCapsule { ends: [from, to], radius: reach / 2.0 });
+                one.touches(&other)
+            };
+            // Points lie up to a two-hundredth of 3.5 m apart.
+            assert!(touch(least + 1e-9) && (least < 0.03 || !touch(least - 0.02)), "{i}: {least}");
+            (near, far) = (near + usize::from(least < 0.1), far + usize::from(0.3 < least));
+        }
+        assert!(20 < near && 100 < far, "{near} {far}");
+    }
+
+    #[test]
+    fn links_that_touch_wherever_the_arm_stands_are_found() {
+        let robot = find("KR 210 R2700 extra").unwrap().robot();
+        let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!("it has six axes") };
+        let [foot, shoulder, elbow, wrist, _] = geometry.points(&[0.0; 6]).map(Vector3::from);
+        let ball = |at: Vector3<f64>, radius: f64| vec![LinkCapsule { ends: [at, at], radius }];
+        let touching = |fore: f64| {
+            let links = [
+                ball(foot, 0.1),
+                ball(shoulder, 0.2),
+                ball(elbow, 0.1),
+                ball(elbow, fore),
+                ball(wrist, 0.1),
+                ball(wrist, 0.1),
+                vec![],
+            ];
+            Enclosing { links, not_compared: Vec::new() }.always_touching(geometry, limits)
+        };
+        // Elbow and shoulder stay 1.15 m apart: 1 m about the elbow always touches 0.2 m about the shoulder, 0.9 m never does.
+        assert_eq!(touching(1.0), [[1, 3]]);
+        assert_eq!(touching(0.9), Vec::<[usize; 2]>::new());
+    }
 
     /// Half the width of the base plate, m, by payload, kg, and reach, m, of robots from the smallest to the largest.
     #[test]

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
-use crate::body::Body;
+use crate::body::{Body, Enclosing};
 use crate::calibration::Calibration;
 use crate::drive::{Architecture, Drives, Identified, JointCompliance, Knowledge, Scatter};
 use crate::geometry::Geometry;
@@ -110,6 +110,8 @@ pub struct Robot {
     pub repeatability: Option<f64>,
     /// How thick its links are; estimated where `None`, see [`Self::thickness`].
     pub body: Option<Body>,
+    /// Capsules that enclose its links, where they are known.
+    pub enclosing: Option<Enclosing>,
     /// What its bodies weigh; empty where nobody says it.
     pub masses: Vec<Mass>,
     /// What moves.
@@ -160,6 +162,7 @@ impl Robot {
             mass_kg: None,
             repeatability: None,
             body: None,
+            enclosing: None,
             masses: Vec::new(),
             calibration: None,
             arm: Arm::Planar(arm),

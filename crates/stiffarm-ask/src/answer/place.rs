@@ -207,10 +207,11 @@ impl PlaceAnswer {
     /// What stands below the table.
     pub fn notes(&self) -> String {
         let notes = match self.model {
-            ModelKind::Planar => "",
-            ModelKind::Spatial(_) => {
-                "all six drives compliant, everything else rigid\nclearance: links as capsules, coarse, at the poses of the answer; "
-            }
+            ModelKind::Planar => String::new(),
+            ModelKind::Spatial(_) => format!(
+                "all six drives compliant, everything else rigid\nclearance: {}, at the poses of the answer; ",
+                words::links_are(&self.robot)
+            ),
         };
         let has_boxes = self.options.cell.is_some_and(|cell| cell.keep_out().next().is_some());
         let around = match self.model {

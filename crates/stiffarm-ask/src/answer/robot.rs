@@ -31,7 +31,11 @@ pub fn sheet(robot: &Robot) -> Value {
         let (body, is_estimated) = robot.thickness();
         put(
             "body",
-            json!({ "radius_mm": <[f64; 4]>::from(body).map(|m| rounded(m * 1e3)), "estimated": is_estimated }),
+            json!({
+                "radius_mm": <[f64; 4]>::from(body).map(|m| rounded(m * 1e3)),
+                "estimated": is_estimated,
+                "enclosing": robot.enclosing.as_ref().map(|enclosing| enclosing.links.each_ref().map(Vec::len)),
+            }),
         );
         put("geometry", geometry_json(geometry));
         put("limits", limits_json(limits));

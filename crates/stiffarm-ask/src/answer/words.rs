@@ -193,8 +193,21 @@ pub(crate) fn tool_mm(tool: &Pose) -> [f64; 6] {
 
 /// Which link is nearest to what, such as `forearm (estimated radius) to floor`.
 pub fn clearance_of(clearance: &Clearance) -> String {
-    let estimated = if clearance.is_estimated { " (estimated radius)" } else { "" };
-    format!("{}{estimated} to {}", clearance.link.name(), obstacle(clearance.to))
+    let known = match clearance {
+        Clearance { encloses: true, link, .. } if *link != Link::Tool => " (enclosing capsules)",
+        Clearance { is_estimated: true, .. } => " (estimated radius)",
+        _ => "",
+    };
+    format!("{}{known} to {}", clearance.link.name(), obstacle(clearance.to))
+}
+
+/// As what the links of a robot are compared.
+pub fn links_are(robot: &Robot) -> &'static str {
+    if robot.enclosing.is_some() {
+        "links as capsules that enclose them, without cables and hoses"
+    } else {
+        "links as capsules, coarse"
+    }
 }
 
 /// The same without how well the radius is known.

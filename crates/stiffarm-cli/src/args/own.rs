@@ -95,12 +95,26 @@ pub(crate) struct ImportArgs {
     /// Six ranges [deg] in place of the file's limits: a..b,a..b,...
     #[arg(long, value_name = "RANGES", value_delimiter = ',', value_parser = joint_range, allow_hyphen_values = true)]
     pub(crate) limits_deg: Vec<Interval>,
+    /// Enclose the links by capsules, from the collision meshes that a URDF names (STL; boxes, cylinders, spheres): what the arm may touch is then known
+    #[arg(long)]
+    pub(crate) meshes: bool,
+    /// Where a package lies whose meshes a URDF names: NAME=FOLDER [default: found above the URDF by its package.xml]
+    #[arg(long, value_name = "NAME=FOLDER", value_parser = package, requires = "meshes")]
+    pub(crate) package: Vec<(String, PathBuf)>,
     /// The link whose frame is the base [default: the base of the arm]
     #[arg(long, value_name = "LINK")]
     pub(crate) base: Option<String>,
     /// The link whose frame is the flange [default: flange or tool0, or the link that joint 6 moves]
     #[arg(long, value_name = "LINK")]
     pub(crate) tip: Option<String>,
+}
+
+/// `NAME=FOLDER`.
+fn package(text: &str) -> Result<(String, PathBuf), String> {
+    match text.split_once('=') {
+        Some((name, folder)) if !name.is_empty() && !folder.is_empty() => Ok((name.into(), folder.into())),
+        _ => Err("expected NAME=FOLDER, such as arm_support=../arm_support".into()),
+    }
 }
 
 fn payload(text: &str) -> Result<f64, String> {

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use stiffarm::catalogue::files;
-use stiffarm::catalogue::import::{ImportOptions, Imported, SAMPLES, import};
+use stiffarm::catalogue::import::{ImportOptions, Imported, Packages, SAMPLES, import, import_enclosed};
 use stiffarm::interval::Interval;
 use stiffarm::robot::Arm;
 use stiffarm_ask::answer::words::architecture;
@@ -16,6 +16,7 @@ use stiffarm_ask::forms::{Answer, Forms, Piece};
 use crate::failure::Failure;
 use crate::look::Look;
 use crate::output::{Outputs, say};
+use crate::progress::watched;
 use crate::table::shown;
 
 pub(crate) fn run(args: &ImportArgs, common: &Common) -> Result<(), Failure> {
@@ -23,10 +24,15 @@ pub(crate) fn run(args: &ImportArgs, common: &Common) -> Result<(), Failure> {
     let options = options(args)?;
     common.sources.check_unwritten(&args.file)?;
     let text = files::text(&args.file)?;
-    let answer = Report(
-        import(&text, &files::shown(&args.file), &options)
-            .map_err(|error| AskError::Import { error, ends_are_given: args.base.is_some() && args.tip.is_some() })?,
-    );
+    let shown_file = files::shown(&args.file);
+    let imported = if args.meshes {
+        let packages = Packages::of(&args.file, args.package.clone());
+        watched("enclosing", common, |_| import_enclosed(&text, &shown_file, &options, &|name| packages.bytes(name)))
+    } else {
+        import(&text, &shown_file, &options)
+    };
+    let ends_are_given = args.base.is_some() && args.tip.is_some();
+    let answer = Report(imported.map_err(|error| AskError::Import { error, ends_are_given })?);
     if common.format == Format::Table && !common.quiet {
         say(shown(&answer.report(), Look::of_stderr()).trim_end());
     }

@@ -50,6 +50,13 @@ impl Sheet {
             rows.extend(limit_rows(limits));
             rows.extend(drive_rows(drives, robot.architecture));
             rows.push(("radii of the links".into(), radii(robot)));
+            rows.extend(robot.enclosing.as_ref().map(|enclosing| {
+                let each = enclosing.links.each_ref().map(|capsules| capsules.len().to_string()).join(", ");
+                (
+                    "bodies".into(),
+                    format!("links 0 to 6 enclosed by {each} capsules; the radii are those of column and spindle"),
+                )
+            }));
         }
         rows.push(("stiffness".into(), stiffness(robot)));
         if let Ok(plane) = robot.two_links() {

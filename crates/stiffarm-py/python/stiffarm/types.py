@@ -2936,8 +2936,9 @@ class MilledDict(_Pass):
     """Which link to what."""
 
     clearance_by: list[str] | None
-    """By which bodies that is known: those of the arm are `estimated` or `stated` by the robot file, and what it
-    comes near to may be a `keep-out`."""
+    """By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot
+    file, its tool `estimated` where nothing says how thick it is, and what it comes near to may be a
+    `keep-out`."""
 
     asked_clearance_mm: float
     """What the arm was to keep from everything; null where nobody looked."""

@@ -81,7 +81,7 @@ fn carrier(table: &mut Table) -> Option<Carrier> {
 }
 
 /// How far a point lies from the line along which a body extends at model zero, m.
-fn aside(geometry: &Geometry, carrier: Carrier, point: &Vector3<f64>) -> f64 {
+pub(super) fn aside(geometry: &Geometry, carrier: Carrier, point: &Vector3<f64>) -> f64 {
     let [_, shoulder, elbow, wrist, flange] = geometry.points(&[0.0; 6]).map(Vector3::from);
     let foot = Vector3::zeros();
     let (from, to) = match carrier {

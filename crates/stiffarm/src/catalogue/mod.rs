@@ -1,5 +1,6 @@
 //! Robot files and the robots that come with the program; process files, and the materials that do; meshes of parts.
 
+mod bodies;
 mod cells;
 mod doubts;
 mod fault;

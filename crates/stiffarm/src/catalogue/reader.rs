@@ -306,6 +306,27 @@ impl<'a, 'i> Table<'a, 'i> {
         rows.try_into().ok().map(Some)
     }
 
+    /// Any number of times `N` numbers.
+    pub(super) fn rows<const N: usize>(
+        &mut self,
+        key: &'static str,
+        quantities: &[Quantity; N],
+    ) -> Option<Vec<[f64; N]>> {
+        let value = self.required(key, &format!("lists of {N} numbers"))?;
+        let Some(items) = value.get_ref().as_array() else {
+            let message = format!("{} is not a list; expected lists of {N} numbers", describe(value.get_ref()));
+            self.log.add(value.span().start, &self.name(key), message);
+            return None;
+        };
+        let row = |row| {
+            let items = self.items(key, row, N)?.iter().zip(quantities);
+            let numbers: Option<Vec<f64>> = items.map(|(item, quantity)| self.checked(key, item, *quantity)).collect();
+            numbers?.try_into().ok()
+        };
+        let rows: Vec<Option<[f64; N]>> = items.iter().map(row).collect();
+        rows.into_iter().collect()
+    }
+
     /// Exactly `N` times `true` or `false`.
     pub(super) fn flags<const N: usize>(&mut self, key: &'static str) -> Option<[bool; N]> {
         let value = self.required(key, &format!("{N} times true or false"))?;

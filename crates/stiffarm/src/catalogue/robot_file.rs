@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use nalgebra::Matrix6;
 use toml::de::DeTable;
 
+use super::bodies::bodies;
 use super::reader::{Log, Quantity, Table};
 use super::{Fault, Faults};
-use crate::body::Body;
 use crate::calibration::{Calibration, ControllerModel, Errors, JOINT_AXES, own_turns};
 use crate::drive::{Architecture, Drives, GravityCompensator, Identified, JointCompliance, Transmission};
 use crate::geometry::Geometry;
@@ -44,8 +44,6 @@ const MOVED: Quantity = Quantity { unit: "mm", min: 1e-6, max: 1000.0, suspect: 
 const COUPLING: Quantity = Quantity { unit: "(ratio)", min: -1000.0, max: 1000.0, suspect: None };
 const SPRING: Quantity = Quantity { unit: "N/mm", min: 1e-3, max: 1e6, suspect: None };
 const SPRING_LENGTH: Quantity = Quantity { unit: "mm", min: 0.0, max: 10_000.0, suspect: None };
-/// Of a capsule about a link.
-const RADIUS: Quantity = Quantity { unit: "mm", min: 5.0, max: 1500.0, suspect: Some((3.0, 1e3, "m")) };
 const SPEED: Quantity = Quantity { unit: "deg/s", min: 1.0, max: 10_000.0, suspect: None };
 const MASS: Quantity = Quantity { unit: "kg", min: 1.0, max: 100_000.0, suspect: None };
 const REPEATABILITY: Quantity = Quantity { unit: "mm", min: 1e-4, max: 10.0, suspect: None };
@@ -153,7 +151,11 @@ fn robot(mut root: Table) -> Option<Robot> {
         }
         _ => Some(None),
     };
-    let body = if root.has("body") { body(root.table("body")) } else { Some(None) };
+    let bodies = match &arm {
+        Some((Arm::SixAxis { geometry, .. }, _)) if root.has("body") => bodies(root.table("body"), Some(geometry)),
+        _ if root.has("body") => bodies(root.table("body"), None),
+        _ => Some((None, None)),
+    };
     root.finish(&[
         "geometry",
         "limits",
@@ -168,6 +170,7 @@ fn robot(mut root: Table) -> Option<Robot> {
     ]);
     let vendor = vendor.unwrap_or_default();
     let (arm, stiffness_is_assumed) = arm?;
+    let (body, enclosing) = bodies?;
     Some(Robot {
         name: name?,
         vendor,
@@ -179,7 +182,8 @@ fn robot(mut root: Table) -> Option<Robot> {
         reach,
         mass_kg,
         repeatability,
-        body: body?,
+        body,
+        enclosing,
         masses: masses?,
         calibration: calibration?.map(Box::new),
         arm,
@@ -368,13 +372,6 @@ fn compensator(mut table: Table) -> Option<GravityCompensator> {
         stiffness: stiffness? * 1e3,
         free_length: free_length? / 1e3,
     })
-}
-
-/// The radii of column, upper arm, forearm and wrist; the outer `None` is a fault.
-fn body(mut table: Table) -> Option<Option<Body>> {
-    let radii = table.numbers("radius_mm", RADIUS);
-    table.finish(&[]);
-    radii.map(|mm: [f64; 4]| Some(Body::from(mm.map(|mm| mm / 1e3))))
 }
 
 /// What a length may be in a table that has lengths under these keys: all of them say in which unit they are.

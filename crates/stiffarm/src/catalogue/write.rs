@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::body::{Body, Enclosing, LinkCapsule};
 use crate::calibration::{Calibration, Errors, JOINT_AXES, zeros};
 use crate::drive::{Drives, Identified, JointCompliance, Motors, Transmission};
 use crate::geometry::Geometry;
@@ -48,10 +49,7 @@ pub fn write(robot: &Robot) -> String {
     for mass in &robot.masses {
         file.mass(mass);
     }
-    if let Some(body) = robot.body {
-        file.table("body");
-        file.list("radius_mm", <[f64; 4]>::from(body).map(millimetres));
-    }
+    file.bodies(robot.body, robot.enclosing.as_ref());
     if !robot.source.is_empty() {
         file.table("source");
         for (key, text) in &robot.source {
@@ -163,6 +161,27 @@ impl Text {
             if let Some(numbers) = numbers {
                 self.list(key, numbers.map(plain));
             }
+        }
+    }
+
+    fn bodies(&mut self, body: Option<Body>, enclosing: Option<&Enclosing>) {
+        let not_compared = enclosing.map_or(&[][..], |enclosing| &enclosing.not_compared);
+        if body.is_some() || !not_compared.is_empty() {
+            self.table("body");
+        }
+        if let Some(body) = body {
+            self.list("radius_mm", <[f64; 4]>::from(body).map(millimetres));
+        }
+        if !not_compared.is_empty() {
+            self.list("not_compared", not_compared.iter().map(|pair| list(pair.map(|link| link.to_string()))));
+        }
+        for (link, capsules) in enclosing.iter().flat_map(|enclosing| enclosing.links.iter().enumerate()) {
+            writeln!(self.0, "\n[[body.link]]\nlink = {link}").expect("memory takes everything");
+            let numbers = |capsule: &LinkCapsule| {
+                let ends = capsule.ends.iter().flatten().copied();
+                list(ends.chain([capsule.radius]).map(millimetres))
+            };
+            self.list("capsules_mm", capsules.iter().map(numbers));
         }
     }
 

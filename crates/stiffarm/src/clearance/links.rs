@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::Link;
 use super::solid::Capsule;
-use crate::body::Body;
+use crate::body::{Body, Enclosing, LinkCapsule};
 use crate::geometry::Geometry;
 use crate::spatial::Pose;
 
@@ -13,6 +13,67 @@ use crate::spatial::Pose;
 pub(super) struct Tool {
     pub(super) point: Vector3<f64>,
     pub(super) radius: f64,
+}
+
+/// A piece of the arm in one posture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Piece {
+    /// As answers name it.
+    pub(super) link: Link,
+    /// The base is 0, what joint 1 turns 1, and so on; the tool is 7.
+    pub(super) number: usize,
+    pub(super) capsule: Capsule,
+}
+
+impl Link {
+    /// Of which link of an answer a body is a part, by its number.
+    const fn of(number: usize) -> Self {
+        match number {
+            0 | 1 => Self::Column,
+            2 => Self::UpperArm,
+            3 | 4 => Self::Forearm,
+            5 | 6 => Self::Wrist,
+            _ => Self::Tool,
+        }
+    }
+}
+
+/// What the tool is.
+const TOOL: usize = 7;
+
+fn tool_of(geometry: &Geometry, theta: &[f64; 6], tool: Option<Tool>) -> Option<Piece> {
+    let Tool { point, radius } = tool?;
+    let flange: Pose = geometry.forward(theta);
+    let ends = [flange.translation.vector, flange.transform_point(&point.into()).coords];
+    Some(Piece { link: Link::Tool, number: TOOL, capsule: Capsule { ends, radius } })
+}
+
+/// Capsules that enclose the links at model angles, m from the base, on a pedestal of this height about the joint-1 axis.
+pub(super) fn enclosed(
+    geometry: &Geometry,
+    enclosing: &Enclosing,
+    (pedestal, column): (f64, f64),
+    theta: &[f64; 6],
+    tool: Option<Tool>,
+) -> Vec<Piece> {
+    let moved = geometry.links(theta);
+    let mut pieces = Vec::new();
+    if 0.0 < pedestal {
+        let ends = [Vector3::new(0.0, 0.0, -pedestal), Vector3::zeros()];
+        pieces.push(Piece { link: Link::Column, number: 0, capsule: Capsule { ends, radius: column } });
+    }
+    for (number, capsules) in enclosing.links.iter().enumerate() {
+        pieces.extend(capsules.iter().map(|LinkCapsule { ends, radius }| {
+            let stands = |end: &Vector3<f64>| match number.checked_sub(1) {
+                None => *end,
+                Some(i) => moved[i].transform_point(&(*end).into()).coords,
+            };
+            let capsule = Capsule { ends: ends.each_ref().map(stands), radius: *radius };
+            Piece { link: Link::of(number), number, capsule }
+        }));
+    }
+    pieces.extend(tool_of(geometry, theta, tool));
+    pieces
 }
 
 /// Capsules along the links at model angles, m from the base, the column from so far below it; some links have two.
@@ -25,7 +86,7 @@ pub(super) fn links(
     pedestal: f64,
     theta: &[f64; 6],
     tool: Option<Tool>,
-) -> Vec<(Link, Capsule)> {
+) -> Vec<Piece> {
     let [t1, t2, t3, ..] = *theta;
     let [_, shoulder, elbow, wrist, flange] = geometry.points(theta).map(Vector3::from);
     let (s1, c1) = t1.sin_cos();
@@ -35,18 +96,19 @@ pub(super) fn links(
     let top = Vector3::new(0.0, 0.0, geometry.c1);
     // Its round end does not reach beyond the flange.
     let shown = (1.0 - body.wrist / geometry.c4.abs().max(body.wrist)).max(0.0);
-    let capsule = |link, ends: [Vector3<f64>; 2], radius| (link, Capsule { ends, radius });
-    let mut links = vec![
-        capsule(Link::Column, [foot, top], body.column),
-        capsule(Link::Column, [top, shoulder], body.upper_arm),
-        capsule(Link::UpperArm, [shoulder, elbow], body.upper_arm),
-        capsule(Link::Forearm, [elbow, bend], body.forearm),
-        capsule(Link::Forearm, [bend, wrist], body.forearm),
-        capsule(Link::Wrist, [wrist, wrist + (flange - wrist) * shown], body.wrist),
+    let piece = |number, ends: [Vector3<f64>; 2], radius| Piece {
+        link: Link::of(number),
+        number,
+        capsule: Capsule { ends, radius },
+    };
+    let mut pieces = vec![
+        piece(1, [foot, top], body.column),
+        piece(1, [top, shoulder], body.upper_arm),
+        piece(2, [shoulder, elbow], body.upper_arm),
+        piece(3, [elbow, bend], body.forearm),
+        piece(3, [bend, wrist], body.forearm),
+        piece(5, [wrist, wrist + (flange - wrist) * shown], body.wrist),
     ];
-    links.extend(tool.map(|Tool { point, radius }| {
-        let base_from_flange: Pose = geometry.forward(theta);
-        capsule(Link::Tool, [flange, base_from_flange.transform_point(&point.into()).coords], radius)
-    }));
-    links
+    pieces.extend(tool_of(geometry, theta, tool));
+    pieces
 }

@@ -1,4 +1,5 @@
-//! How near does the arm come to the floor, to what stands about it, to the work and to itself? Coarse: links are capsules.
+//! How near does the arm come to the floor, to what stands about it, to the work and to itself? Links are capsules: those that enclose them, where
+//! the robot file has such, else coarse ones along the lines of the arm.
 
 mod links;
 mod mesh;
@@ -6,13 +7,13 @@ mod solid;
 
 use nalgebra::Vector3;
 
-use crate::body::Body;
+use crate::body::{Body, Enclosing, may_meet};
 use crate::cell::{Cell, MountKind};
 use crate::geometry::Geometry;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 use crate::task::Zone;
-use links::{Tool, links};
+use links::{Piece, Tool, enclosed, links};
 pub use mesh::Mesh;
 pub(crate) use solid::{Capsule, Solid};
 
@@ -77,6 +78,8 @@ pub struct Clearance {
     pub to: Obstacle,
     /// A radius in it is estimated.
     pub is_estimated: bool,
+    /// The capsules enclose the links; the tool is another matter.
+    pub encloses: bool,
     /// The tool is among the links.
     pub knows_tool: bool,
     /// How many poses were looked at.
@@ -114,6 +117,7 @@ pub(crate) struct Part {
 pub(crate) struct ThickArm<'a> {
     geometry: &'a Geometry,
     body: Body,
+    enclosing: Option<&'a Enclosing>,
     is_estimated: bool,
     tool: Option<Tool>,
     /// The wrist centre is the tool point: it touches the work, and what lies beyond is not known.
@@ -158,14 +162,6 @@ impl Link {
             Self::Tool => "tool",
         }
     }
-
-    /// The links between which nothing else stands, or which may never meet, are not compared.
-    fn may_meet(self, other: Self) -> bool {
-        matches!(
-            (self, other),
-            (Self::Forearm | Self::Wrist | Self::Tool, Self::Column) | (Self::Wrist | Self::Tool, Self::UpperArm)
-        )
-    }
 }
 
 impl<'a> ThickArm<'a> {
@@ -176,8 +172,9 @@ impl<'a> ThickArm<'a> {
         let point = flange_from_tool.translation.vector;
         let radius = tool_radius.unwrap_or_else(|| body.spindle());
         let tool = (NO_TOOL < point.norm()).then_some(Tool { point, radius });
-        let is_estimated = is_estimated || tool.is_some() && tool_radius.is_none();
-        Some(Self { geometry, body, is_estimated, tool, ends_at_wrist: false })
+        let enclosing = robot.enclosing.as_ref();
+        let is_estimated = is_estimated && enclosing.is_none() || tool.is_some() && tool_radius.is_none();
+        Some(Self { geometry, body, enclosing, is_estimated, tool, ends_at_wrist: false })
     }
 
     /// Upper arm and forearm of the arm plane, the tool point at the wrist centre.
@@ -189,9 +186,9 @@ impl<'a> ThickArm<'a> {
     pub(crate) fn clearance(&self, postures: &[[f64; 6]], about: &Surroundings) -> Option<Clearance> {
         let (mut nearest, mut before) = (Nearest(None), Vec::new());
         for theta in postures {
-            let links = self.links(theta, about);
-            self.compare(&links, &before, about, &mut nearest);
-            before = links;
+            let pieces = self.pieces(theta, about.pedestal);
+            self.compare(&pieces, &before, about, &mut nearest);
+            before = pieces;
         }
         nearest.0.map(|near| self.told(near, postures.len()))
     }
@@ -199,14 +196,14 @@ impl<'a> ThickArm<'a> {
     /// The nearest to anything in one posture, by its model angles; `None` where there is nothing to meet.
     pub(crate) fn nearest(&self, theta: &[f64; 6], about: &Surroundings) -> Option<Near> {
         let mut nearest = Nearest(None);
-        self.compare(&self.links(theta, about), &[], about, &mut nearest);
+        self.compare(&self.pieces(theta, about.pedestal), &[], about, &mut nearest);
         nearest.0
     }
 
     /// The nearest of so many poses, with how well that is known.
     pub(crate) fn told(&self, Near { distance, link, to }: Near, poses: usize) -> Clearance {
         let (is_estimated, knows_tool) = (self.is_estimated, !self.ends_at_wrist);
-        Clearance { distance, link, to, is_estimated, knows_tool, poses }
+        Clearance { distance, link, to, is_estimated, encloses: self.enclosing.is_some(), knows_tool, poses }
     }
 
     /// No point of what a joint moves is farther from its axis in any posture, m.
@@ -217,16 +214,39 @@ impl<'a> ThickArm<'a> {
         let (Geometry { a1, b, c2, c4, .. }, l3) = (self.geometry, self.geometry.l3());
         let about_wrist = |point: &Vector3<f64>| (point + Vector3::z() * *c4).norm();
         let of_tool = |Tool { point, radius }: Tool| about_wrist(&point).max(c4.abs()) + radius;
-        let wrist = (c4.abs() + self.body.wrist).max(self.tool.map_or(0.0, of_tool));
-        let elbow = l3 + self.body.forearm.max(wrist);
-        let shoulder = c2.abs() + self.body.upper_arm.max(elbow);
-        [a1.hypot(*b) + shoulder, shoulder, elbow, wrist, wrist, wrist]
+        let tool = self.tool.map_or(0.0, of_tool);
+        let Some(enclosing) = self.enclosing else {
+            let wrist = (c4.abs() + self.body.wrist).max(tool);
+            let elbow = l3 + self.body.forearm.max(wrist);
+            let shoulder = c2.abs() + self.body.upper_arm.max(elbow);
+            return [a1.hypot(*b) + shoulder, shoulder, elbow, wrist, wrist, wrist];
+        };
+        // A link stays as far from a point of the axis that turns it as it is at model zero.
+        let [_, shoulder_at, elbow_at, wrist_at, _] = self.geometry.points(&[0.0; 6]).map(Vector3::from);
+        let from = |point: &Vector3<f64>, links: std::ops::Range<usize>| {
+            let capsules = enclosing.links[links].iter().flatten();
+            capsules.map(|capsule| capsule.farthest_from(point)).fold(0.0, f64::max)
+        };
+        let wrist = from(&wrist_at, 4..7).max(tool);
+        let elbow = from(&elbow_at, 3..4).max(l3 + wrist);
+        let shoulder = from(&shoulder_at, 2..3).max(c2.abs() + elbow);
+        let column = from(&Vector3::new(0.0, 0.0, shoulder_at.z), 1..2).max(a1.hypot(*b) + shoulder);
+        [column, shoulder, elbow, wrist, wrist, wrist]
     }
 
-    fn links(&self, theta: &[f64; 6], about: &Surroundings) -> Vec<(Link, Capsule)> {
-        let mut found = links(self.geometry, &self.body, about.pedestal, theta, self.tool);
-        found.retain(|(link, _)| !(self.ends_at_wrist && *link == Link::Wrist));
+    fn pieces(&self, theta: &[f64; 6], pedestal: f64) -> Vec<Piece> {
+        let mut found = match self.enclosing {
+            Some(enclosing) => enclosed(self.geometry, enclosing, (pedestal, self.body.column), theta, self.tool),
+            None => links(self.geometry, &self.body, pedestal, theta, self.tool),
+        };
+        found.retain(|piece| !(self.ends_at_wrist && piece.link == Link::Wrist));
         found
+    }
+
+    /// Links between which others stand may meet, but those of which it is known that they always touch.
+    fn may_meet(&self, one: &Piece, other: &Piece) -> bool {
+        let pair = [other.number, one.number];
+        may_meet(pair) && !self.enclosing.is_some_and(|enclosing| enclosing.not_compared.contains(&pair))
     }
 
     /// A link stands between a point on the wrist and another one, m from the base, at model angles.
@@ -234,32 +254,29 @@ impl<'a> ThickArm<'a> {
     /// Wrist and forearm do not hide a point that lies in them: it sits there, and how thick they are is coarse.
     pub(crate) fn hides(&self, theta: &[f64; 6], marker: &Vector3<f64>, from: &Vector3<f64>) -> bool {
         let [line, point] = [*from, *marker].map(|end| Capsule { ends: [*marker, end], radius: 0.0 });
-        let carries =
-            |link: &Link, capsule| matches!(link, Link::Forearm | Link::Wrist) && point.apart_from(capsule) <= -GRAZED;
-        let links = links(self.geometry, &self.body, 0.0, theta, self.tool);
-        links.iter().any(|(link, capsule)| !carries(link, capsule) && line.apart_from(capsule) < -GRAZED)
+        let carries = |Piece { link, capsule, .. }: &Piece| {
+            matches!(link, Link::Forearm | Link::Wrist) && point.apart_from(capsule) <= -GRAZED
+        };
+        let hides = |piece: &Piece| !carries(piece) && line.apart_from(&piece.capsule) < -GRAZED;
+        self.pieces(theta, 0.0).iter().any(hides)
     }
 
     /// Looks at every pair that may meet in one posture. What stands about the arm does not move, so that of a link that stands where it did
     /// before nothing new is to be said.
-    fn compare(
-        &self,
-        links: &[(Link, Capsule)],
-        before: &[(Link, Capsule)],
-        about: &Surroundings,
-        nearest: &mut Nearest,
-    ) {
-        for (i, &(link, capsule)) in links.iter().enumerate() {
-            let has_moved = before.get(i) != Some(&(link, capsule));
+    fn compare(&self, pieces: &[Piece], before: &[Piece], about: &Surroundings, nearest: &mut Nearest) {
+        let Some(last) = pieces.last().map(|piece| piece.link) else { return };
+        for (i, piece) in pieces.iter().enumerate() {
+            let Piece { link, capsule, .. } = *piece;
+            let has_moved = before.get(i) != Some(piece);
             // The last one is there to touch the work, and the round end of its capsule would reach beyond.
-            let is_last = i + 1 == links.len() && link != Link::Wrist;
+            let is_last = i + 1 == pieces.len() && link != Link::Wrist;
             // In the arm plane the work lies where the links move.
-            let may_touch = if self.ends_at_wrist { link == Link::Column } else { link != links[links.len() - 1].0 };
+            let may_touch = if self.ends_at_wrist { link == Link::Column } else { link != last };
             if let Some(work) = about.work.filter(|_| may_touch && has_moved) {
                 nearest.solid((link, &capsule), Obstacle::Work, &work);
             }
             if let Some(part) = about.part.as_ref().filter(|_| has_moved) {
-                if i + 1 < links.len() {
+                if link != last {
                     nearest.part(link, part, &capsule, Mesh::apart_from);
                 } else if let Some(spindle) = part.cutter.and_then(|cutter| capsule.cut_back(cutter))
                     && link == Link::Tool
@@ -281,8 +298,8 @@ impl<'a> ThickArm<'a> {
                     nearest.solid((link, &capsule), Obstacle::KeepOut(i + 1), solid);
                 }
             }
-            for (other, thick) in links.iter().filter(|(other, _)| link.may_meet(*other)) {
-                nearest.take(capsule.apart_from(thick), link, Obstacle::Link(*other));
+            for other in pieces.iter().filter(|other| self.may_meet(piece, other)) {
+                nearest.piece((link, &capsule), other);
             }
         }
     }
@@ -303,6 +320,14 @@ impl Nearest {
         let at_least = capsule.ball().apart_from_ball(&part.mesh.ball(&part.pose));
         if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
             self.take(apart(&part.mesh, &part.pose, capsule), link, Obstacle::Part);
+        }
+    }
+
+    /// Of two pieces of the arm, where the balls about them come nearer than what is known.
+    fn piece(&mut self, (link, capsule): (Link, &Capsule), other: &Piece) {
+        let at_least = capsule.ball().apart_from_ball(&other.capsule.ball());
+        if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
+            self.take(capsule.apart_from(&other.capsule), link, Obstacle::Link(other.link));
         }
     }
 
@@ -333,6 +358,7 @@ mod tests {
     use std::f64::consts::FRAC_PI_2;
 
     use super::*;
+    use crate::body::LinkCapsule;
     use crate::catalogue::find;
 
     /// A robot with round lengths and radii.
@@ -386,6 +412,71 @@ mod tests {
         let (distance, link, to) = nearest(&robot, None, theta, &Surroundings::default());
         // The flange lies 0.1 m before the joint-1 axis; the lines of both run into each other.
         assert_eq!((distance, link, to), (-0.35, Link::Forearm, Obstacle::Link(Link::Column)));
+    }
+
+    /// Capsules that stand where those along the lines of the arm do are as near to everything, in every posture.
+    #[test]
+    fn enclosing_capsules_move_with_their_links() {
+        let coarse = robot();
+        let Arm::SixAxis { geometry, .. } = &coarse.arm else { unreachable!("it has six axes") };
+        let mut enclosing = Enclosing::default();
+        for piece in links(geometry, &coarse.thickness().0, 0.0, &[0.0; 6], None) {
+            let Capsule { ends, radius } = piece.capsule;
+            enclosing.links[piece.number].push(LinkCapsule { ends, radius });
+        }
+        let enclosed = Robot { enclosing: Some(enclosing), ..coarse.clone() };
+        let post = Solid::Box { pose: Pose::translation(1.1, 0.2, 0.7), half: [0.1, 0.1, 0.7] };
+        let about = Surroundings { keep_out: vec![post], ..Surroundings::above(Some(0.0)) };
+        let mut rng = fastrand::Rng::with_seed(4);
+        let mut met = Vec::new();
+        for _ in 0..300 {
+            let theta: [f64; 6] = std::array::from_fn(|_| 4.0 * (rng.f64() - 0.5));
+            let [a, b] = [&coarse, &enclosed].map(|robot| nearest(robot, Some(0.3), theta, &about));
+            assert!((a.0 - b.0).abs() < 2e-6 && a.1 == b.1 && a.2 == b.2, "{a:?} {b:?}");
+            met.push(a.2);
+        }
+        for to in [Obstacle::Floor, Obstacle::KeepOut(1), Obstacle::Link(Link::Column)] {
+            assert!(met.contains(&to), "{to:?}");
+        }
+        // A pair that is not compared is not.
+        let folded = [0.4, FRAC_PI_2, std::f64::consts::PI, 0.0, 0.0, 0.0];
+        let near = |robot: &Robot| nearest(robot, None, folded, &Surroundings::default());
+        assert_eq!(near(&enclosed).0, -0.35);
+        let mut left_out = enclosed;
+        left_out.enclosing.as_mut().unwrap().not_compared = vec![[1, 3]];
+        assert!(-0.35 < near(&left_out).0);
+    }
+
+    #[test]
+    fn no_point_of_a_capsule_is_farther_from_an_axis_than_it_is_said_to_be() {
+        let mut robot = robot();
+        let mut rng = fastrand::Rng::with_seed(6);
+        let mut any = |at: Vector3<f64>| at + Vector3::from_fn(|_, _| 0.6 * (rng.f64() - 0.5));
+        let Arm::SixAxis { geometry, .. } = &robot.arm else { unreachable!("it has six axes") };
+        let [foot, shoulder, elbow, wrist, flange] = geometry.points(&[0.0; 6]).map(Vector3::from);
+        let links = [foot, shoulder, elbow, elbow, wrist, wrist, flange].map(|at| {
+            vec![
+                LinkCapsule { ends: [any(at), any(at)], radius: 0.1 },
+                LinkCapsule { ends: [any(at), any(at)], radius: 0.2 },
+            ]
+        });
+        robot.enclosing = Some(Enclosing { links, not_compared: Vec::new() });
+        let Arm::SixAxis { geometry, .. } = &robot.arm else { unreachable!("it has six axes") };
+        let thick = ThickArm::new(&robot, &Pose::translation(0.1, 0.0, 0.3), None).unwrap();
+        let (said, mut seen) = (thick.farthest(), [0.0_f64; 6]);
+        for _ in 0..2000 {
+            let theta: [f64; 6] = std::array::from_fn(|_| 6.0 * (rng.f64() - 0.5));
+            let axes = geometry.axes(&theta);
+            for Piece { number, capsule, .. } in thick.pieces(&theta, 0.0) {
+                for (joint, (along, through)) in axes.iter().enumerate().take(number.min(6)) {
+                    let off = |end: &Vector3<f64>| (end - through).cross(along).norm() + capsule.radius;
+                    seen[joint] = seen[joint].max(capsule.ends.iter().map(off).fold(0.0, f64::max));
+                }
+            }
+        }
+        for (seen, said) in seen.iter().zip(said) {
+            assert!(*seen <= said && said < 2.0 * seen, "{seen} {said}");
+        }
     }
 
     #[test]

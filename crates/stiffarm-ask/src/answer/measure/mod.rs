@@ -404,7 +404,11 @@ fn sight(options: &Options) -> String {
 /// What was looked at of every posture.
 fn looked_at(robot: &Robot, options: &Options) -> String {
     let sight = if options.instrument.is_some() { ", sight" } else { "" };
-    let coarse = if robot.thickness().1 { "as capsules of estimated radii" } else { "as capsules" };
+    let coarse = match robot.thickness() {
+        _ if robot.enclosing.is_some() => "as capsules that enclose them",
+        (_, true) => "as capsules of estimated radii",
+        (_, false) => "as capsules",
+    };
     format!(
         "in this order the joints travel little; looked at were joint limits, window{sight}, and the links ({coarse}) towards floor and each other, in these postures and not on the way"
     )

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use serde_json::{Value, json};
 
-use super::super::words::{bodies, clearance_of};
+use super::super::words::{bodies, clearance_of, links_are};
 use super::super::{Line, Record, field, fixed, line};
 use super::MillAnswer;
-use stiffarm::clearance::Obstacle;
+use stiffarm::clearance::{Clearance, Obstacle};
 use stiffarm::mill::{Contact, PathClearance};
 
 /// So many contacts are told to people.
@@ -70,13 +70,19 @@ impl MillAnswer {
         let found = self.clearance();
         let nearest = found.and_then(|found| found.nearest.as_ref());
         let by = nearest.map(|nearest| {
-            let of_arm = if nearest.is_estimated { "estimated" } else { "stated" };
+            let of_arm = match nearest {
+                Clearance { encloses: true, is_estimated: false, .. } => &["enclosing"][..],
+                // The tool.
+                Clearance { encloses: true, .. } => &["enclosing", "estimated"],
+                Clearance { is_estimated: true, .. } => &["estimated"],
+                _ => &["stated"],
+            };
             let other = match nearest.to {
                 Obstacle::KeepOut(_) => Some("keep-out"),
                 Obstacle::Part => Some("mesh"),
                 _ => None,
             };
-            json!([of_arm].into_iter().chain(other).collect::<Vec<_>>())
+            json!(of_arm.iter().copied().chain(other).collect::<Vec<_>>())
         });
         record
             .put(field::CLEARANCE, nearest.map(|nearest| nearest.distance))
@@ -131,7 +137,8 @@ impl MillAnswer {
             }
         };
         format!(
-            "clearance: links as capsules, coarse, at every sample and between them; {unknown}, and the first move of a program, in joints, is checked by nobody"
+            "clearance: {}, at every sample and between them; {unknown}, and the first move of a program, in joints, is checked by nobody",
+            links_are(&self.robot)
         )
     }
 

@@ -69,7 +69,7 @@ impl RankAnswer {
         if in_plane.is_some() {
             notes += &self.proof();
             notes += &self.colliding();
-            notes += "clearance (JSON, CSV): links as capsules, coarse, at the poses of each answer; nothing is known of tables and fixtures\n";
+            notes += "clearance (JSON, CSV): links as capsules, those that enclose them where the robot file has such, at the poses of each answer; nothing is known of tables and fixtures\n";
         }
         notes
     }

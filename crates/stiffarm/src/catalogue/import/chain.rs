@@ -24,8 +24,17 @@ pub(super) struct Chain {
 impl Chain {
     /// The sixth moving link in the base frame at the joint angles `q`, rad: the URDF's own forward kinematics.
     pub(super) fn forward(&self, q: &[f64; 6]) -> Pose {
-        let turn = |joint: &Joint, q: f64| joint.origin * Pose::rotation(joint.axis.into_inner() * q);
-        self.joints.iter().zip(q).fold(Pose::identity(), |pose, (joint, &q)| pose * turn(joint, q))
+        self.frames_at(q)[5]
+    }
+
+    /// What each of the six joints moves, in the base frame at the joint angles `q`, rad.
+    pub(super) fn frames_at(&self, q: &[f64; 6]) -> [Pose; 6] {
+        let mut pose = Pose::identity();
+        std::array::from_fn(|i| {
+            let joint = &self.joints[i];
+            pose *= joint.origin * Pose::rotation(joint.axis.into_inner() * q[i]);
+            pose
+        })
     }
 
     /// The frame of every joint in the base frame, all joints at zero.

@@ -6,9 +6,12 @@
 
 mod axes;
 mod chain;
+mod cover;
 mod flange;
 mod joint_axis;
+mod meshes;
 mod opw_yaml;
+mod packages;
 mod proof;
 mod ranges;
 mod urdf;
@@ -18,6 +21,9 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use chain::{Between, NoChain};
+pub use meshes::Meshes;
+use meshes::{Described, Enclosed};
+pub use packages::Packages;
 use proof::{Errors, compare};
 use ranges::{hundredths, joint_limits, round};
 use urdf::NoUrdf;
@@ -118,6 +124,16 @@ pub enum ImportError {
         /// As the user named it.
         file: String,
     },
+    /// The bodies of a link cannot be read.
+    #[error("{file}: link {link}: {why}")]
+    Bodies {
+        /// As the user named it.
+        file: String,
+        /// Which link.
+        link: String,
+        /// Why.
+        why: String,
+    },
     /// The robot file would move otherwise than the description.
     #[error(
         "{file}: the recovered arm differs from the description by {:.3} mm and {turn_deg:.4} deg; expected at most {} mm and {} deg{}",
@@ -168,6 +184,28 @@ struct Understood {
 /// # Errors
 /// Where the text is faulty (all faults at once), no arm of this class, or where the file would not be exact.
 pub fn import(text: &str, file: &str, options: &ImportOptions) -> Result<Imported, ImportError> {
+    import_with(text, file, options, None)
+}
+
+/// The same with the collision meshes of a URDF, of which capsules are made that enclose the links (`[[body.link]]`).
+///
+/// # Errors
+/// The same, and where a mesh cannot be read.
+pub fn import_enclosed(
+    text: &str,
+    file: &str,
+    options: &ImportOptions,
+    meshes: Meshes,
+) -> Result<Imported, ImportError> {
+    import_with(text, file, options, Some(meshes))
+}
+
+fn import_with(
+    text: &str,
+    file: &str,
+    options: &ImportOptions,
+    meshes: Option<Meshes>,
+) -> Result<Imported, ImportError> {
     let text = text.trim_start_matches('\u{feff}');
     let log = Log::of(text);
     if MOST_BYTES < text.len() {
@@ -175,7 +213,9 @@ pub fn import(text: &str, file: &str, options: &ImportOptions) -> Result<Importe
         return Err(ImportError::Faults(faults(log, file)));
     }
     if text.trim_start().starts_with('<') {
-        from_urdf(text, file, options, &log)
+        from_urdf(text, file, options, (&log, meshes))
+    } else if meshes.is_some() {
+        Err(ImportError::NoLinks { file: file.into(), end: "body" })
     } else {
         from_opw(text, file, options, &log)
     }
@@ -190,7 +230,12 @@ fn base_name(file: &str) -> &str {
     file.rsplit(['/', '\\']).next().unwrap_or(file)
 }
 
-fn from_urdf(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> Result<Imported, ImportError> {
+fn from_urdf(
+    text: &str,
+    file: &str,
+    options: &ImportOptions,
+    (log, meshes): (&Rc<Log>, Option<Meshes>),
+) -> Result<Imported, ImportError> {
     let wrong = || ImportError::Faults(faults(log.clone(), file));
     let urdf = urdf::parse(text, log).map_err(|reason| match reason {
         NoUrdf::Xacro => ImportError::Xacro { file: file.into() },
@@ -240,7 +285,24 @@ fn from_urdf(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> 
     };
     let base_from_root = Pose::from_parts((-recovered.moved).into(), nalgebra::UnitQuaternion::identity());
     let flange_in_link = recovered.flange.in_link;
-    settle(understood, file, options, |q| base_from_root * chain.forward(q) * flange_in_link)
+    let imported = settle(understood, file, options, |q| base_from_root * chain.forward(q) * flange_in_link)?;
+    let Some(meshes) = meshes else { return Ok(imported) };
+    let described = Described { text, file, urdf: &urdf, chain: &chain, moved: recovered.moved };
+    enclose(imported, &described, meshes)
+}
+
+/// The same robot with capsules that enclose its links.
+fn enclose(mut imported: Imported, described: &Described, meshes: Meshes) -> Result<Imported, ImportError> {
+    let Arm::SixAxis { geometry, limits, .. } = &imported.robot.arm else { return Ok(imported) };
+    let Enclosed { enclosing, notes } = described.enclosed((geometry, limits), meshes)?;
+    let mut robot = imported.robot;
+    robot.enclosing = Some(enclosing);
+    let source = format!("capsules that enclose the collision meshes of {}", base_name(described.file));
+    robot.source.insert("body".into(), source);
+    imported.text = write(&robot);
+    imported.robot = read(&imported.text, described.file).map_err(ImportError::Faults)?;
+    imported.notes.extend(notes);
+    Ok(imported)
 }
 
 fn from_opw(text: &str, file: &str, options: &ImportOptions, log: &Rc<Log>) -> Result<Imported, ImportError> {
@@ -341,6 +403,7 @@ fn robot(understood: &Understood, geometry: Geometry, options: &ImportOptions) -
         mass_kg: None,
         repeatability: None,
         body: None,
+        enclosing: None,
         masses: Vec::new(),
         calibration: None,
         arm: Arm::SixAxis {

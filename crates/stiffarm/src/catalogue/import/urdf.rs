@@ -124,11 +124,11 @@ fn place_of(text: &str, line: u32) -> usize {
     if line < 2 { 0 } else { text.match_indices('\n').nth(before).map_or(text.len(), |(i, _)| i + 1) }
 }
 
-fn attribute<'a>(node: &Node<'a, '_>, name: &str) -> &'a str {
+pub(super) fn attribute<'a>(node: &Node<'a, '_>, name: &str) -> &'a str {
     node.attribute(name).unwrap_or_default().trim()
 }
 
-fn child<'a, 'i>(node: &Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
+pub(super) fn child<'a, 'i>(node: &Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
     node.children().find(|child| child.is_element() && child.tag_name().name() == name)
 }
 

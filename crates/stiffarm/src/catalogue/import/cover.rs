@@ -1,0 +1,340 @@
+//! Which few capsules enclose a link? Found from the triangles of its mesh, with the least volume that a search finds.
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::body::LinkCapsule;
+
+type Vec3 = Vector3<f64>;
+/// Its corners, m.
+pub(super) type Triangle = [Vec3; 3];
+
+/// Of the largest extent: no edge of a piece of a triangle is longer, and patches of the surface are as wide.
+const FINENESS: f64 = 1.0 / 30.0;
+/// One more capsule must save this part of the volume.
+const LEAST_GAIN: f64 = 0.04;
+/// Each axis is cut at so many places.
+const CUTS: usize = 7;
+/// So many of the best cuts are followed up.
+const FOLLOWED: usize = 12;
+/// Every capsule is fitted again so often.
+const ROUNDS: usize = 4;
+/// A capsule that falls by less is no better.
+const LEAST_FALL: f64 = 1e-3;
+/// So often a capsule is found again with the points that were left out.
+const MENDED: usize = 3;
+/// About every capsule that is compared, of the largest extent: on a line all of them would have no volume.
+const SKIN: f64 = 1e-6;
+/// Cells of a grid about a union, along each side.
+const CELLS: usize = 20;
+/// Steps of a search that only compares, and of one that is kept.
+const FEW_STEPS: usize = 60;
+const STEPS: usize = 160;
+/// The first step, of the largest extent; and what each next step is of it.
+const FIRST_STEP: f64 = 0.1;
+const FEW_SHRINK: f64 = 0.90;
+const SHRINK: f64 = 0.965;
+/// Rounding, of the largest coordinate.
+const ROUNDING: f64 = 1e-12;
+
+/// At most `most` capsules, at least one where there is a triangle: every triangle lies in their union.
+///
+/// The same triangles give the same bytes on every machine: only sums, products, quotients and roots are taken.
+pub(super) fn cover(triangles: &[Triangle], most: usize) -> Vec<LinkCapsule> {
+    let points: Vec<Vec3> = triangles.iter().flatten().copied().collect();
+    let Some(first) = points.first() else { return Vec::new() };
+    let size = extent(&points);
+    let pieces = pieces(triangles, size * FINENESS);
+    let search = Search { patches: patches(&pieces, first, size * FINENESS), size };
+    let mut lines = vec![search.fit(&search.patches.concat(), None, STEPS)];
+    let (mut found, mut least) = (lines.clone(), volume(&lines));
+    // The first cut may save nothing and the second one much.
+    for _ in 1..most {
+        let Some(more) = search.split(&lines) else { break };
+        lines = more;
+        let price = volume(&lines) * (1.0 + LEAST_GAIN * (lines.len() - 1) as f64);
+        if price < least {
+            (found, least) = (lines.clone(), price);
+        }
+    }
+    let largest = points.iter().map(Vec3::amax).fold(0.0, f64::max);
+    grown(found, &pieces, largest * ROUNDING)
+}
+
+/// Of the box about the points.
+fn corners(points: &[Vec3]) -> (Vec3, Vec3) {
+    let first = points.first().copied().unwrap_or_default();
+    points.iter().fold((first, first), |(low, high), point| (low.inf(point), high.sup(point)))
+}
+
+fn middle(points: &[Vec3]) -> Vec3 {
+    points.iter().sum::<Vec3>() / points.len().max(1) as f64
+}
+
+fn extent(points: &[Vec3]) -> f64 {
+    let (low, high) = corners(points);
+    (high - low).max()
+}
+
+/// The triangles, halved at their longest edges until none is longer than this.
+fn pieces(triangles: &[Triangle], longest: f64) -> Vec<Triangle> {
+    let (mut small, mut large) = (Vec::new(), triangles.to_vec());
+    while let Some([a, b, c]) = large.pop() {
+        let length = |[from, to, _]: &Triangle| (to - from).norm_squared();
+        let turned = [[b, c, a], [c, a, b]].into_iter();
+        let [from, to, tip] = turned.fold([a, b, c], |x, y| if length(&x) < length(&y) { y } else { x });
+        let middle = (from + to) / 2.0;
+        // Between neighbouring numbers there is no middle.
+        if longest * longest < length(&[from, to, tip]) && middle != from && middle != to {
+            large.extend([[from, middle, tip], [middle, to, tip]]);
+        } else {
+            small.push([a, b, c]);
+        }
+    }
+    small
+}
+
+/// Corners of the pieces whose middles lie in one cell of a grid: what lies in one capsule as a whole.
+fn patches(pieces: &[Triangle], origin: &Vec3, width: f64) -> Vec<Vec<Vec3>> {
+    let mut cells: BTreeMap<[i64; 3], Vec<Vec3>> = BTreeMap::new();
+    for piece in pieces {
+        let middle = middle(piece) - origin;
+        let cell = middle.map(|x| if 0.0 < width { (x / width).floor() as i64 } else { 0 });
+        cells.entry(cell.into()).or_default().extend(piece);
+    }
+    cells.into_values().map(|corners| outermost(&corners)).collect()
+}
+
+/// The points that are farthest in one of many directions.
+fn outermost(points: &[Vec3]) -> Vec<Vec3> {
+    let mut kept = Vec::new();
+    for i in 0..125 {
+        let direction = Vec3::new(f64::from(i % 5 - 2), f64::from(i / 5 % 5 - 2), f64::from(i / 25 - 2));
+        if direction.amax() < 2.0 {
+            continue;
+        }
+        let (mut farthest, mut most) = (0, f64::NEG_INFINITY);
+        for (at, along) in points.iter().map(|point| point.dot(&direction)).enumerate() {
+            if most < along {
+                (farthest, most) = (at, along);
+            }
+        }
+        kept.push(farthest);
+    }
+    kept.sort_unstable();
+    kept.dedup();
+    kept.into_iter().filter_map(|at| points.get(at).copied()).collect()
+}
+
+/// Those of the frame, and before them the one along which the points spread most.
+fn axes(points: &[Vec3]) -> [Vec3; 4] {
+    let middle = middle(points);
+    let mut spread: Matrix3<f64> = points.iter().map(|point| (point - middle) * (point - middle).transpose()).sum();
+    // Its square, again and again, leaves the largest of its axes.
+    for _ in 0..12 {
+        spread *= spread / (spread.norm_squared().sqrt() + f64::MIN_POSITIVE);
+    }
+    let columns = (0..3).map(|i| spread.column(i).into_owned());
+    let longest = columns.fold(Vec3::zeros(), |x, y| if x.norm_squared() < y.norm_squared() { y } else { x });
+    [longest.try_normalize(0.0).unwrap_or(Vec3::x()), Vec3::x(), Vec3::y(), Vec3::z()]
+}
+
+impl LinkCapsule {
+    /// The part of the line before the nearest of its points.
+    fn part(&self, point: &Vec3) -> f64 {
+        let along = self.ends[1] - self.ends[0];
+        let length = along.norm_squared();
+        if 0.0 < length { ((point - self.ends[0]).dot(&along) / length).clamp(0.0, 1.0) } else { 0.0 }
+    }
+
+    /// From the nearest point of the line.
+    fn away(&self, point: &Vec3) -> Vec3 {
+        point - self.ends[0] - (self.ends[1] - self.ends[0]) * self.part(point)
+    }
+
+    /// The largest distance of a point from the line.
+    fn reach(&self, points: &[Vec3]) -> f64 {
+        points.iter().map(|point| self.away(point).norm_squared()).fold(0.0, f64::max).sqrt()
+    }
+
+    fn about(ends: [Vec3; 2], points: &[Vec3]) -> Self {
+        let line = Self { ends, radius: 0.0 };
+        Self { radius: line.reach(points), ..line }
+    }
+
+    /// Through the middle of the points along an axis, half as long as they are.
+    fn along(axis: &Vec3, points: &[Vec3]) -> Self {
+        let (low, high) = corners(points);
+        let span = points.iter().map(|point| (point - (low + high) / 2.0).dot(axis).abs()).fold(0.0, f64::max);
+        Self::about([-0.5, 0.5].map(|part| (low + high) / 2.0 + axis * (part * span)), points)
+    }
+}
+
+/// For capsules about patches.
+struct Search {
+    patches: Vec<Vec<Vec3>>,
+    /// The largest extent.
+    size: f64,
+}
+
+impl Search {
+    /// The volume, with a skin.
+    fn cost(&self, line: &LinkCapsule) -> f64 {
+        let radius = line.radius + self.size * SKIN;
+        PI * radius * radius * ((line.ends[1] - line.ends[0]).norm() + radius * 4.0 / 3.0)
+    }
+
+    /// The capsule with the least cost about the points that is found from a line and from the axes.
+    fn fit(&self, points: &[Vec3], from: Option<LinkCapsule>, steps: usize) -> LinkCapsule {
+        let mut near = outermost(points);
+        let axes = axes(&near);
+        let axes = if steps == FEW_STEPS { &axes[..1] } else { &axes };
+        let starts = axes.iter().map(|axis| LinkCapsule::along(axis, &near)).chain(from);
+        let tried = starts.map(|start| self.descend(start, &near, steps));
+        let least = tried.min_by(|x, y| self.cost(x).total_cmp(&self.cost(y)));
+        let mut best = least.unwrap_or(LinkCapsule { ends: [Vec3::zeros(); 2], radius: 0.0 });
+        for _ in 0..if steps == FEW_STEPS { 0 } else { MENDED } {
+            let is_out = |point: &&Vec3| best.radius < best.away(point).norm();
+            let out: Vec<Vec3> = points.iter().filter(is_out).copied().collect();
+            if out.is_empty() {
+                break;
+            }
+            near.extend(outermost(&out));
+            best = self.descend(LinkCapsule::about(best.ends, &near), &near, steps);
+        }
+        LinkCapsule::about(best.ends, points)
+    }
+
+    /// Downhill in ever smaller steps: the ends follow the points that are farthest, and each other.
+    fn descend(&self, start: LinkCapsule, points: &[Vec3], steps: usize) -> LinkCapsule {
+        let size = extent(points);
+        let mut step = size * FIRST_STEP;
+        let shrink = if steps == FEW_STEPS { FEW_SHRINK } else { SHRINK };
+        let (mut line, mut best) = (start, start);
+        for _ in 0..steps {
+            let slopes = self.slopes(&line, points, step);
+            let slope = (slopes[0].norm_squared() + slopes[1].norm_squared()).sqrt();
+            if slope == 0.0 {
+                break;
+            }
+            let ends = [0, 1].map(|i| line.ends[i] - slopes[i] * (step / slope));
+            line = LinkCapsule::about(ends, points);
+            if self.cost(&line) < self.cost(&best) {
+                best = line;
+            }
+            step *= shrink;
+        }
+        best
+    }
+
+    /// Of the cost by the ends, the points within `near` of the farthest all pulling.
+    fn slopes(&self, line: &LinkCapsule, points: &[Vec3], near: f64) -> [Vec3; 2] {
+        let along = line.ends[1] - line.ends[0];
+        let length = along.norm();
+        let (mut pulls, mut weights) = ([Vec3::zeros(); 2], 0.0);
+        for point in points {
+            let part = line.part(point);
+            let away = point - line.ends[0] - along * part;
+            let distance = away.norm();
+            let weight = distance - line.radius + near;
+            if 0.0 < weight && 0.0 < distance {
+                pulls[0] += away * ((1.0 - part) * weight / distance);
+                pulls[1] += away * (part * weight / distance);
+                weights += weight;
+            }
+        }
+        let radius = line.radius + self.size * SKIN;
+        let axis = along.try_normalize(0.0).unwrap_or_default() * (radius / 2.0);
+        let pull = (length + 2.0 * radius) / f64::max(weights, f64::MIN_POSITIVE);
+        [-pulls[0] * pull - axis, -pulls[1] * pull + axis]
+    }
+
+    /// The patches that no other capsule holds as a whole.
+    fn left_to(&self, lines: &[LinkCapsule], own: usize) -> Vec<&[Vec3]> {
+        let holds = |line: &LinkCapsule, patch: &[Vec3]| line.reach(patch) <= line.radius;
+        let held = |patch: &[Vec3]| lines.iter().enumerate().any(|(i, line)| i != own && holds(line, patch));
+        self.patches.iter().map(Vec::as_slice).filter(|patch| !held(patch)).collect()
+    }
+
+    /// With one capsule more, where a cut through one of them is best; `None` where nothing can be cut.
+    fn split(&self, lines: &[LinkCapsule]) -> Option<Vec<LinkCapsule>> {
+        let mut cuts = Vec::new();
+        for own in 0..lines.len() {
+            let mut patches = self.left_to(lines, own);
+            for axis in axes(&patches.concat()) {
+                patches.sort_by(|x, y| middle(x).dot(&axis).total_cmp(&middle(y).dot(&axis)));
+                for cut in 1..=CUTS {
+                    let (low, high) = patches.split_at(patches.len() * cut / (CUTS + 1));
+                    if !low.is_empty() && !high.is_empty() {
+                        let mut more = lines.to_vec();
+                        more[own] = self.fit(&low.concat(), None, FEW_STEPS);
+                        more.push(self.fit(&high.concat(), None, FEW_STEPS));
+                        cuts.push((volume(&more), more));
+                    }
+                }
+            }
+        }
+        cuts.sort_by(|x, y| x.0.total_cmp(&y.0));
+        let followed = cuts.into_iter().take(FOLLOWED).map(|(_, more)| self.refined(more));
+        followed.min_by(|x, y| volume(x).total_cmp(&volume(y)))
+    }
+
+    /// Each fitted again to what the others leave to it, as long as that helps.
+    fn refined(&self, mut lines: Vec<LinkCapsule>) -> Vec<LinkCapsule> {
+        for _ in 0..ROUNDS {
+            let mut has_fallen = false;
+            for own in (0..lines.len()).rev() {
+                let points = self.left_to(&lines, own).concat();
+                if points.is_empty() {
+                    lines.remove(own);
+                    continue;
+                }
+                let again = self.fit(&points, Some(LinkCapsule::about(lines[own].ends, &points)), STEPS);
+                has_fallen |= self.cost(&again) < (1.0 - LEAST_FALL) * self.cost(&lines[own]);
+                if self.cost(&again) < self.cost(&lines[own]) {
+                    lines[own] = again;
+                }
+            }
+            if !has_fallen {
+                break;
+            }
+        }
+        lines
+    }
+}
+
+/// The volume of the union, over a grid: cells that the surface passes through count in part.
+fn volume(lines: &[LinkCapsule]) -> f64 {
+    let reach = |line: &LinkCapsule| line.ends.map(|end| [-1.0, 1.0].map(|side| end.add_scalar(side * line.radius)));
+    let (low, high) = corners(&lines.iter().flat_map(reach).flatten().collect::<Vec<Vec3>>());
+    let cell = (high - low) / CELLS as f64;
+    let width = cell.mean() + f64::MIN_POSITIVE;
+    let mut full = 0.0;
+    for i in 0..CELLS * CELLS * CELLS {
+        let at = Vec3::new((i % CELLS) as f64, (i / CELLS % CELLS) as f64, (i / CELLS / CELLS) as f64);
+        let point = low + at.add_scalar(0.5).component_mul(&cell);
+        let deepest = lines.iter().map(|line| line.radius - line.away(&point).norm()).fold(-width, f64::max);
+        full += (0.5 + deepest / width).clamp(0.0, 1.0);
+    }
+    full * cell.product()
+}
+
+/// With radii so much larger that every piece lies in one of them, and by the rounding.
+fn grown(mut lines: Vec<LinkCapsule>, pieces: &[Triangle], rounding: f64) -> Vec<LinkCapsule> {
+    for piece in pieces {
+        let needs = lines.iter_mut().map(|line| (line.reach(piece), line));
+        let least = needs.min_by(|(x, of_x), (y, of_y)| (x - of_x.radius).total_cmp(&(y - of_y.radius)));
+        if let Some((reach, line)) = least {
+            line.radius = line.radius.max(reach);
+        }
+    }
+    for line in &mut lines {
+        line.radius += rounding;
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests;
