@@ -6,6 +6,7 @@ mod architecture;
 mod bad_input;
 mod bad_masses;
 mod bad_measurements;
+mod bodies;
 mod calibrate;
 mod chain;
 mod chatter;
