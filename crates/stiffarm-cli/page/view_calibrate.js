@@ -77,7 +77,7 @@ async function calibrated(signal) {
     ...(about ? [list(about, /^(error|at the work)$/)] : []),
     words(told.sentences.flat()),
     button("use this robot in the other views", () => useRobot("calibrate", "calibrated.toml"), { class: "main" }),
-    takeaway(() => ({ verb: "calibrate", question: question("calibrate") }), [["robot file", "toml"], ["CSV", "csv"], ["SVG", "svg"], ["PNG", "png"], ["JSON", "json"]]),
+    takeaway(() => ({ verb: "calibrate", question: question("calibrate") }), [["robot file", "toml"], ["CSV", "csv"], ["SVG", "svg"], ["PNG", "png"], ["JSON", "json"], ["report", "report", "html"]]),
   );
   say(label);
   return [el("h2", {}, ["Every row, as drawn and calibrated"]), picture.image, ...(levels ? [sortable(levels, "what each level leaves")] : [])];

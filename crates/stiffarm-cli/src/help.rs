@@ -206,7 +206,7 @@ const ABOUT: [About; 23] = [
     },
     About {
         name: "calibrate",
-        files: "the robot file with its [calibration] as .toml, every row's error as .csv or .parquet, the answer as .json, .md or .txt, both errors along the rows as \
+        files: "a report to hand on as .html or report.pdf, the robot file with its [calibration] as .toml, every row's error as .csv or .parquet, the answer as .json, .md or .txt, both errors along the rows as \
                 .svg, .pdf or .png",
         is_long: false,
         examples: &[

@@ -54,7 +54,10 @@ fn positional(verb: Verb) -> Arg {
     let (name, help) = match rows.as_slice() {
         [] => ("JOB.toml".into(), "A job file with all that is asked".into()),
         [row] => (names[0].to_owned(), format!("{}; or a job file with all that is asked", row.described())),
-        [row, ..] => (names.join(" "), format!("{}; or one job file with all that is asked", row.described())),
+        rows => {
+            let each: Vec<String> = rows.iter().map(|row| format!("{}: {}", row.value, row.described())).collect();
+            (names.join(" "), format!("{}; or one job file with all that is asked", each.join(". ")))
+        }
     };
     Arg::new(POSITIONAL).value_name(name).help(help).num_args(0..=rows.len().max(1))
 }

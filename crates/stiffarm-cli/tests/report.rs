@@ -17,7 +17,7 @@ const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const MOST_BYTES: usize = 2_000_000;
 
 /// What is asked of every verb that makes a report.
-const ASKED: [(&str, &[&str]); 5] = [
+const ASKED: [(&str, &[&str]); 6] = [
     ("rank", &["rank"]),
     (
         "space",
@@ -66,6 +66,7 @@ const ASKED: [(&str, &[&str]); 5] = [
             "6.9,245.3,319.3",
         ],
     ),
+    ("calibrate", &["calibrate", "KR 210 R2700 extra", "docs/examples/tracker.csv", "--at", "1.8,0,0.8"]),
 ];
 
 /// Exit code, standard output and standard error of a run.

@@ -36,7 +36,7 @@ ASKED = {
     "calibrate": (
         lambda files: stiffarm.calibrate(KUKA, EXAMPLES / "tracker.csv", date="2026-05-31", output=files),
         ["calibrate", KUKA, str(EXAMPLES / "tracker.csv"), "--date", "2026-05-31"],
-        ["a.toml", "a.svg", "a.json"],
+        ["a.html", "a.toml", "a.svg", "a.json"],
     ),
     "verify": (
         lambda files: stiffarm.verify(KUKA, EXAMPLES / "pendant.csv", date="2026-05-31", output=files),

@@ -167,6 +167,19 @@ impl CalibrateAnswer {
         table
     }
 
+    /// The points that were left out; `None` where there are none.
+    pub fn wrong_table(&self) -> Option<Table> {
+        if self.found.wrong_rows.is_empty() {
+            return None;
+        }
+        let mut table = Table::new(["line", "point", "off mm"]);
+        for row in &self.found.wrong_rows {
+            let which = if row.point == 0 { "all".into() } else { row.point.to_string() };
+            table.row([row.line.to_string(), which, fixed(Unit::Millimetre.told(row.distance), 2)]);
+        }
+        Some(table)
+    }
+
     /// What must be looked at.
     pub fn notes(&self) -> String {
         let found = &self.found;

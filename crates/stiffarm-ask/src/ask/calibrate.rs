@@ -4,14 +4,16 @@ use serde_json::Value;
 use stiffarm::calibrate::calibrate;
 
 use super::context::{Context, readings_of};
+use super::reports::{self, Inputs};
 use crate::answer::{CalibrateAnswer, Rows};
 use crate::date::today;
 use crate::error::AskError;
 use crate::figures::{Plate, calibrate as figure};
 use crate::forms::{Answer, Forms, Piece, sheet};
+use crate::report::Report;
 use crate::request::Request;
 
-pub(crate) fn answer(asked: &Request, context: Context) -> Result<CalibrateOutput, AskError> {
+pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<CalibrateOutput<'a>, AskError> {
     let robot = super::selection::robot(&asked.robot()?, context)?;
     let (readings, data) = readings_of(&robot.vendor, (asked, context))?;
     if robot.calibration.is_some() {
@@ -27,40 +29,50 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<CalibrateOutpu
     }
     let date = asked.date().unwrap_or_else(today);
     let answer = CalibrateAnswer { found, robot, data, date, is_chosen: options.level.is_none() };
-    Ok(CalibrateOutput(answer, Plate::of(asked)?))
+    Ok(CalibrateOutput { answer, asked, inputs: Inputs::of(asked, context), plate: Plate::of(asked)? })
 }
 
-pub(crate) struct CalibrateOutput(CalibrateAnswer, Plate);
+pub(crate) struct CalibrateOutput<'a> {
+    answer: CalibrateAnswer,
+    asked: &'a Request,
+    inputs: Inputs,
+    plate: Plate,
+}
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["toml", "svg", "png", "pdf"], ..Forms::of("calibrate") };
+pub(crate) const FORMS: Forms =
+    Forms { further: &["toml", "svg", "png", "pdf"], is_reported: true, ..Forms::of("calibrate") };
 
-impl Answer for CalibrateOutput {
+impl Answer for CalibrateOutput<'_> {
     fn forms(&self) -> Forms {
         FORMS
     }
 
     fn text(&self) -> Vec<Piece> {
-        sheet([self.0.summary(), self.0.table()], self.0.notes())
+        sheet([self.answer.summary(), self.answer.table()], self.answer.notes())
     }
 
     fn value(&self) -> Value {
-        self.0.json()
+        self.answer.json()
     }
 
     fn rows(&self) -> Rows<'_> {
-        self.0.rows()
+        self.answer.rows()
     }
 
     fn robot_file(&self) -> Option<Result<String, AskError>> {
-        Some(Ok(self.0.robot_file()))
+        Some(Ok(self.answer.robot_file()))
     }
 
     fn svg(&self) -> Option<Result<String, AskError>> {
-        Some(Ok(figure::svg(&self.0, &self.1)))
+        Some(Ok(figure::svg(&self.answer, &self.plate)))
+    }
+
+    fn report(&self) -> Option<Result<Report, AskError>> {
+        Some(reports::calibrate::of(&self.answer, self.plate, (self.asked, &self.inputs)))
     }
 
     fn plate(&self) -> Plate {
-        self.1
+        self.plate
     }
 }

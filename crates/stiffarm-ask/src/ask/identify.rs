@@ -25,10 +25,10 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<Identif
 }
 
 pub(crate) struct IdentifyOutput<'a> {
-    pub(crate) answer: IdentifyAnswer,
+    answer: IdentifyAnswer,
     asked: &'a Request,
-    pub(crate) inputs: Inputs,
-    pub(crate) plate: Plate,
+    inputs: Inputs,
+    plate: Plate,
 }
 
 /// In which forms it is shown.
@@ -63,7 +63,7 @@ impl Answer for IdentifyOutput<'_> {
     }
 
     fn report(&self) -> Option<Result<Report, AskError>> {
-        Some(reports::identify::of(self, self.asked))
+        Some(reports::identify::of(&self.answer, self.plate, (self.asked, &self.inputs)))
     }
 
     fn plate(&self) -> Plate {

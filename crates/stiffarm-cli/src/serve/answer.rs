@@ -35,7 +35,7 @@ pub(super) fn answered(question: &Question, client: Arc<Client>) -> Result<Vec<u
     let common = question.common(client);
     let told = ask(asked, common.context())?;
     if question.form.is_report() && !told.forms().is_reported {
-        let why = format!("{} makes no report; rank, place, mill and identify do", asked.verb.name());
+        let why = format!("{} makes no report; rank, place, mill, identify and calibrate do", asked.verb.name());
         return Err(Failure::usage(why).into());
     }
     written(&*told, &question.form.file(asked.verb))

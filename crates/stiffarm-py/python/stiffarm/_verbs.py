@@ -409,7 +409,7 @@ def calibrate(
         A table of six joints and one to four points (CSV). Whatever has ``to_csv`` (pandas) or ``write_csv`` (polars) will do.
     {options}
     output : path or list of paths, optional
-        Files to which the answer is written as well; the ending chooses the form: ``.toml`` the robot file, ``.svg``, ``.json``.
+        Files to which the answer is written as well; the ending chooses the form: ``.html`` a report, ``.toml`` the robot file, ``.svg``, ``.json``.
     progress : bool or callable, optional
         True tells on a line of the terminal how far it is, if there is one. Or what is called some times a second with how many
         parts are done, and of how many, or None where nobody knows; an exception that it raises ends the call.

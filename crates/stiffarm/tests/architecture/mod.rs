@@ -13,8 +13,7 @@ use source::{Uses, tokens, uses};
 const BELOW: [(&str, &str, &str); 0] = [];
 
 /// Files of one module that use each other all the same, and why. What is no longer so must go from here.
-const CIRCLES: [(&[&str], &str); 7] = [
-    (&["ask::identify", "ask::reports::identify"], REPORTED),
+const CIRCLES: [(&[&str], &str); 6] = [
     (&["ask::mill", "ask::reports::mill"], REPORTED),
     (&["ask::path_ranking", "ask::reports::path_ranking"], REPORTED),
     (&["ask::place", "ask::reports::place"], REPORTED),

@@ -1,5 +1,6 @@
 //! What is the answer in a word and a few sentences? What stands at the top of a report, and what that rests on.
 
+mod calibrate;
 mod identify;
 mod mill;
 mod path_rank;
@@ -42,6 +43,10 @@ pub enum Outcome {
     PartlyIdentified,
     /// No drive is.
     NotIdentified,
+    /// The error that remains at the work is known.
+    Calibrated,
+    /// It is not, or some joints hardly moved.
+    PartlyCalibrated,
 }
 
 /// What a reader may feel.
@@ -74,15 +79,19 @@ impl Outcome {
             Self::Identified => "identified",
             Self::PartlyIdentified => "identified in part",
             Self::NotIdentified => "not identified",
+            Self::Calibrated => "calibrated",
+            Self::PartlyCalibrated => "calibrated in part",
         }
     }
 
     /// How it sounds.
     pub const fn tone(self) -> Tone {
         match self {
-            Self::Passes | Self::Advised | Self::Identified => Tone::Good,
+            Self::Passes | Self::Advised | Self::Identified | Self::Calibrated => Tone::Good,
             Self::Fails | Self::Collides | Self::NoPlace | Self::NotFollowed | Self::Overloaded => Tone::Bad,
-            Self::PassesPerhaps | Self::Tie | Self::PartlyIdentified | Self::NotIdentified => Tone::Open,
+            Self::PassesPerhaps | Self::Tie | Self::PartlyIdentified | Self::NotIdentified | Self::PartlyCalibrated => {
+                Tone::Open
+            }
             Self::Told => Tone::Plain,
         }
     }

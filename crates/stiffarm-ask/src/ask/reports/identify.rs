@@ -1,22 +1,25 @@
 //! The report of `identify`: which drives are known now, and how well.
 
-use crate::request::Request;
-
+use super::Inputs;
 use super::said::{plate, repeated};
-use crate::ask::identify::IdentifyOutput;
+use crate::answer::IdentifyAnswer;
 use crate::error::AskError;
-use crate::figures::identify as figure;
+use crate::figures::{Plate, identify as figure};
 use crate::report::robots::provenance_of;
 use crate::report::{Block, Report, Section};
+use crate::request::Request;
 
 /// The document.
 ///
 /// # Errors
 /// Where a file is no longer there.
-pub(crate) fn of(found: &IdentifyOutput, asked: &Request) -> Result<Report, AskError> {
-    let answer = &found.answer;
+pub(crate) fn of(
+    answer: &IdentifyAnswer,
+    look: Plate,
+    (asked, inputs): (&Request, &Inputs),
+) -> Result<Report, AskError> {
     let mut decided = Section::new("What decides");
-    let svg = figure::svg(answer, &plate(found.plate));
+    let svg = figure::svg(answer, &plate(look));
     decided.figure(svg, "What was measured, and what the compliances found leave of it.");
     decided.heading("Drives");
     decided.table(answer.table());
@@ -40,6 +43,6 @@ pub(crate) fn of(found: &IdentifyOutput, asked: &Request) -> Result<Report, AskE
         title: format!("Stiffness of the drives of {}", answer.before.full_name()),
         asked: format!("Identified from {}{date}", answer.data),
         headline: answer.headline(),
-        sections: vec![decided, fitting, file, provenance, repeated(asked, &found.inputs)?],
+        sections: vec![decided, fitting, file, provenance, repeated(asked, inputs)?],
     })
 }

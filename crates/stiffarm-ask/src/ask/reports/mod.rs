@@ -1,6 +1,7 @@
 //! Answers as documents, a file a verb. Nothing is computed here: every sentence and every number is what `answer` says, every picture one of
 //! `figures`.
 
+pub(crate) mod calibrate;
 pub(crate) mod identify;
 mod inputs;
 pub(crate) mod mill;
