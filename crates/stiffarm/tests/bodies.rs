@@ -121,6 +121,24 @@ fn what_hangs_on_the_flange_moves_with_link_6_and_what_follows_a_joint_is_named(
     assert!(found.notes.iter().any(|note| note.contains("enclose the collision meshes")), "{:?}", found.notes);
 }
 
+/// An offset of the wrist that is taken for none.
+#[test]
+fn capsules_grow_by_what_the_file_moves_otherwise() {
+    let text = with(&usual());
+    let aside = text.replacen("<origin xyz=\"0.6 0 0\"/>", "<origin xyz=\"0.6 0.0004 0\"/>", 1);
+    assert!(aside != text);
+    let [found, plain] = [aside, text].map(|text| imported(&text).unwrap());
+    let radii = |imported: &Imported| {
+        let links = &imported.robot.enclosing.as_ref().unwrap().links;
+        links.each_ref().map(|capsules| capsules.iter().map(|one| one.radius).fold(0.0, f64::max))
+    };
+    let (grown, as_it_is) = (radii(&found), radii(&plain));
+    // Axis 6 stands 0.4 mm aside of where the file has it, and joint 6 turns link 6 to either side; joint 5 turns about the line along which it is moved.
+    let grown: Vec<f64> = grown.iter().zip(as_it_is).map(|(grown, as_it_is)| grown - as_it_is).collect();
+    assert!((6e-4..1e-3).contains(&grown[6]) && grown[..6].iter().all(|by| by.abs() < 2e-4), "{grown:?}");
+    assert!(found.notes.iter().any(|note| note.contains("radii are up to 0.")), "{:?}", found.notes);
+}
+
 #[test]
 fn bodies_that_cannot_be_read_are_refused_with_the_link_and_what_was_expected() {
     let of = |body: &str, mesh: Result<Vec<u8>, String>| {
