@@ -97,5 +97,8 @@ pub(super) fn readings_of(vendor: &str, (asked, context): (&Request, Context)) -
     for remark in &found.remarks {
         context.listener.remark(&format!("note: {shown}: {remark}"));
     }
+    if let Some(notation) = found.notation {
+        context.listener.remark(&format!("note: {shown}: the orientation is read as {}", notation.about()));
+    }
     Ok((found, shown))
 }

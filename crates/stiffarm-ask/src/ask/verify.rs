@@ -16,9 +16,6 @@ use crate::request::Request;
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<VerifyAnswer, AskError> {
     let robot = super::selection::robot(&asked.robot()?, context)?;
     let (readings, data) = readings_of(&robot.vendor, (asked, context))?;
-    if let Some(notation) = readings.notation {
-        context.listener.remark(&format!("note: {data}: the orientation is read as {}", notation.about()));
-    }
     let others: Vec<Robot> = (catalogue::entries().iter())
         .filter(|entry| entry.name != robot.name && (asked.tries_all() || entry.vendor == robot.vendor))
         .map(catalogue::Entry::robot)
@@ -36,9 +33,6 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<VerifyAnswer, 
 /// Of all robots of the catalogue.
 pub(crate) fn of_any(asked: &Request, context: Context) -> Result<VerifyRankAnswer, AskError> {
     let (readings, data) = readings_of("", (asked, context))?;
-    if let Some(notation) = readings.notation {
-        context.listener.remark(&format!("note: {data}: the orientation is read as {}", notation.about()));
-    }
     let options = asked.verification();
     let fits = context.watched("comparing", |watch| rank(&readings, &options, &catalogue::robots(), watch));
     let fits = fits.map_err(|error| AskError::Verify { data: data.clone(), error })?;
