@@ -78,9 +78,7 @@ impl Described<'_> {
         self.check_widths(geometry, &triangles)?;
         let links = triangles.each_ref().map(|own| cover(own, MOST_CAPSULES));
         let grown = self.off(geometry, limits, &at_zero, &links);
-        let links: Vec<Vec<LinkCapsule>> =
-            links.iter().zip(grown).map(|(own, by)| own.iter().map(|one| rounded(one, by)).collect()).collect();
-        let links: [Vec<LinkCapsule>; 7] = links.try_into().unwrap_or_default();
+        let links = std::array::from_fn(|i| links[i].iter().map(|one| rounded(one, grown[i])).collect());
         let mut enclosing = Enclosing { links, not_compared: Vec::new() };
         enclosing.not_compared = enclosing.always_touching(geometry, limits);
         let mut notes = told(&triangles, &enclosing.links, &grown);
