@@ -1,4 +1,5 @@
-"""Writes docs/examples/pendant.csv and tracker.csv: what a pendant and a laser tracker would show of an arm, computed by Pinocchio.
+"""Writes docs/examples/pendant.csv and tracker.csv: what a pendant and a laser tracker would show of an arm, computed by Pinocchio;
+and tip.csv and tip_modes.csv: what a tap test of a spindle on a rigid table would show, by the sum of its modes.
 
 Nothing of it was measured. The arm of tracker.csv differs from its drawing by drawn errors, and its tracker reads with noise; both stand in
 validation/tracker_truth.csv, so that what `stiffarm calibrate` finds has something to be compared with.
@@ -36,6 +37,11 @@ POINTS = [(110.0, 40.0, 30.0), (-60.0, 95.0, 30.0), (-50.0, -100.0, 80.0)]
 NOISE = 0.02
 #: Position, m, and rotation vector, rad, in the arm's base.
 TRACKER = [3.1, -1.9, 1.4, 0.02, -0.01, 2.2]
+
+#: Hz, share of critical damping, N/m and direction in the tool frame: in the range of small electric spindles.
+MODES = [(612, 0.03, 2.2e7, (1, 0, 0)), (655, 0.025, 2.6e7, (0.1, 1, 0)), (1480, 0.02, 5.5e7, (0.5, 0.5, 0.1))]
+#: Lines of the analyser, Hz.
+LINES = range(4, 2401, 4)
 
 
 def robot() -> dict:
@@ -96,6 +102,30 @@ def tracker(arm: dict) -> None:
     print(f"the arm errs by {1e3 * worst:.2f} mm at most")
 
 
+def tip() -> None:
+    """Axes of the tool; the response is displacement over force."""
+    said = "# Spindle, holder and cutter on a rigid table, made up: computed by scripts/example_tables.py.\n"
+    with (EXAMPLES / "tip_modes.csv").open("w", encoding="utf-8", newline="") as file:
+        file.write(said)
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(["freq_hz", "damping_ratio", "stiffness_n_per_m", "ux", "uy", "uz"])
+        table.writerows([own, ratio, f"{stiffness:g}", *along] for own, ratio, stiffness, along in MODES)
+    with (EXAMPLES / "tip.csv").open("w", encoding="utf-8", newline="") as file:
+        file.write(said)
+        table = csv.writer(file, lineterminator="\n")
+        parts = [(0, 0), (1, 1), (0, 1)]
+        table.writerow(["freq_hz", *(f"g{'xyz'[i]}{'xyz'[j]}_{part}" for i, j in parts for part in ("re", "im"))])
+        for line in LINES:
+            response = np.zeros((3, 3), dtype=complex)
+            for own, ratio, stiffness, along in MODES:
+                unit = np.array(along) / np.linalg.norm(along)
+                share = line / own
+                response += np.outer(unit, unit) / (stiffness * (1 - share**2 + 2j * ratio * share))
+            told = [response[part] for part in parts]
+            table.writerow([line, *(f"{part:.3e}" for one in told for part in (one.real, one.imag))])
+
+
 if __name__ == "__main__":
     pendant(robot())
     tracker(robot())
+    tip()

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use stiffarm::catalogue::files::{LoadError, Unreadable, shown};
 use stiffarm::catalogue::import::ImportError;
 use stiffarm::catalogue::stl::StlFault;
+use stiffarm::chatter::ChatterError;
 use stiffarm::cutting::CuttingError;
 use stiffarm::map::MapError;
 use stiffarm::model::ModelError;
@@ -149,7 +150,7 @@ pub enum AskError {
         /// The process file.
         file: String,
         /// Why.
-        error: stiffarm::chatter::ChatterError,
+        error: ChatterError,
     },
     /// Measurements that tell nothing.
     #[error("{data}: {error}")]
@@ -173,6 +174,9 @@ pub enum AskError {
     /// A table of readings with faults.
     #[error("{0}")]
     Readings(stiffarm::catalogue::Faults),
+    /// A table of what was measured at a tip with faults.
+    #[error("{0}")]
+    Response(stiffarm::catalogue::Faults),
     /// Readings that tell nothing.
     #[error("{data}: {error}")]
     Verify {
@@ -274,7 +278,10 @@ impl AskError {
             Self::Posture { robot, .. } => {
                 return format!("`stiffarm robots show \"{robot}\"` tells what is known of its joints and drives");
             }
-            Self::Chatter { error, .. } if !matches!(error, stiffarm::chatter::ChatterError::Modes(_)) => {
+            Self::Chatter { error: ChatterError::NoModes, .. } => {
+                "--method mean counts teeth by their mean; a modal fit of the analyser makes a table of modes"
+            }
+            Self::Chatter { error, .. } if !matches!(error, ChatterError::Modes(_)) => {
                 "docs/examples/endmill.toml is a process that is covered: a flat end mill with material, engagement and spindle"
             }
             Self::Modes(_) | Self::Chatter { .. } => "`stiffarm robots show ROBOT --format json` tells what is known of a robot's masses and drives",
@@ -299,6 +306,7 @@ impl AskError {
             Self::Measurements(_) => "every fault is named with its row and column; `stiffarm identify --help` lists the columns",
             Self::Measure { .. } => "--help behind the command tells its options: --loads, --window, --load-mm, --marker-mm",
             Self::Readings(_) => "every fault is named with its row and column; --columns NAME=HEADING says what a table calls its columns",
+            Self::Response(_) => "expected is displacement over force in m/N along the tool axes, as analysers export a receptance; or its modes",
             Self::Verify { .. } => "read three to ten postures that move every joint; docs/verify.md tells how",
             Self::Calibrate { .. } => "forty postures that move every joint through its range, three points each, tell most; docs/verify.md tells what to look at",
             Self::NotVerified(_) => "the answer above says what fits and what is missing; programs of a robot that is not verified say so",

@@ -184,14 +184,16 @@ impl Request {
         }
     }
 
-    /// A mass centre is of a mass; the mass needs it by its row.
+    /// A mass centre is of a mass, and what held a tip of its table; these need it by their rows.
     fn check_held(&self) -> Result<(), Refusal> {
-        match (self.find("tool-com-mm"), self.verb.setting("tool-mass-kg")) {
-            (Some(Given { setting, at, .. }), Some(mass)) if !self.is_given("tool-mass-kg") => {
-                Err(Refusal::Needs { at: at.clone(), name: at.name(setting), other: at.name(mass) })
+        [("tool-com-mm", "tool-mass-kg"), ("frf-on", "frf")].into_iter().try_for_each(|(name, other)| {
+            match (self.find(name), self.verb.setting(other)) {
+                (Some(Given { setting, at, .. }), Some(needed)) if !self.is_given(other) => {
+                    Err(Refusal::Needs { at: at.clone(), name: at.name(setting), other: at.name(needed) })
+                }
+                _ => Ok(()),
             }
-            _ => Ok(()),
-        }
+        })
     }
 
     /// Of a path that is only read nothing is milled.

@@ -40,9 +40,11 @@ fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static s
     }
     // A mass centre is of a mass.
     let has = |name: &str| given.iter().any(|(given, _)| *given == name);
-    if has("tool-com-mm") && !has("tool-mass-kg") {
-        given.push(("tool-mass-kg", "60"));
-    }
+    let (has_centre, has_mass) = (has("tool-com-mm"), has("tool-mass-kg"));
+    // What held a tip is of its table.
+    let (has_holder, has_table) = (has("frf-on"), has("frf"));
+    given.extend((has_centre && !has_mass).then_some(("tool-mass-kg", "60")));
+    given.extend((has_holder && !has_table).then_some(("frf", "tip.csv")));
     // A zone swings at a place.
     if verb == Verb::Modes && given.iter().any(|(name, _)| *name == "task") && setting.name != "at" {
         given.push(("at", "1.5,0.8"));
@@ -152,7 +154,11 @@ fn told(request: &Request) -> String {
         }
         Verb::Chatter => {
             let (robot, joints, tool) = (request.robot().ok(), request.joints_deg().ok(), request.held_tool());
-            format!("{robot:?} {joints:?} {tool:?} {:?} {:?}", request.process().ok(), request.chatter().ok())
+            format!(
+                "{robot:?} {joints:?} {tool:?} {:?} {:?}",
+                request.process().ok(),
+                (request.chatter(None).ok(), request.frf())
+            )
         }
         Verb::Study => {
             let robot = paper_robots().swap_remove(3);
@@ -199,7 +205,7 @@ fn told(request: &Request) -> String {
                 request.stiffness_uncertainty(),
                 request.tolerance_mm(),
                 (request.allows_contact(), request.work_frame(), request.part(), request.stick_out(None)),
-                request.path_chatter().ok(),
+                (request.path_chatter(None).ok(), request.frf()),
             );
             let milling = format!("{robot:?} {process:?} {acting:?} {at:?} {stock:?} {window:?} {left:?}");
             format!("{path:?} {format:?} {reading} {milling} {:?} {:?}", request.mill_options(), request.held())
@@ -215,9 +221,10 @@ fn every_option_changes_what_is_told() {
     for verb in Verb::ALL {
         for setting in verb.settings() {
             let with = alone(verb, setting);
-            // A mass and its centre go together, and a zone and its place.
+            // A mass and its centre go together, a zone and its place, a table and what held the tip.
             let go_together = [Verb::Modes, Verb::Chatter].contains(&verb)
-                && ["tool-mass-kg", "tool-com-mm", "task"].contains(&setting.name);
+                && ["tool-mass-kg", "tool-com-mm", "task"].contains(&setting.name)
+                || ["frf", "frf-on"].contains(&setting.name);
             let left = if go_together { &[] } else { &with[1..] };
             let without = asked(verb, left).expect("the same without it");
             let with = asked(verb, &with).expect("an example");

@@ -77,6 +77,65 @@ fn a_figure_has_units_the_band_and_the_cut() {
     }
 }
 
+/// Tables of the examples: a response, and the modes that it is made of.
+const TAPPED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/examples/tip.csv");
+const TAPPED_MODES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/examples/tip_modes.csv");
+
+#[test]
+fn what_was_measured_at_the_tip_is_looked_at_and_named_by_its_table() {
+    let of = |frf: &str, held: &str| {
+        json(&[&["chatter", PROCESS], ARM, FEED, HELD, &["--damping-ratio", "0.04", "--frf", frf, "--frf-on", held]])
+    };
+    let (by_hertz, of_modes) = (of(TAPPED, "rigid"), of(TAPPED_MODES, "rigid"));
+    for told in [&by_hertz, &of_modes] {
+        let verdict = told["verdict"].as_str().expect("words");
+        assert!(verdict.starts_with("robot and measured modes"), "{verdict}");
+        assert!(verdict.ends_with("; modes of the work unknown") && !verdict.contains("stable"), "{verdict}");
+        assert_eq!((&told["spindle_modes"], &told["frf_on"]), (&"measured".into(), &"rigid".into()));
+        assert_eq!(told["modes_looked_at"].as_array().map(Vec::len), Some(6));
+    }
+    assert!(by_hertz["frf"].as_str().expect("a name").ends_with("tip.csv"));
+    assert_eq!(
+        (by_hertz["measured_between"].clone(), &by_hertz["measured_modes"]),
+        (serde_json::json!([4.0, 2400.0]), &Value::Null)
+    );
+    assert_eq!(of_modes["measured_modes"], serde_json::json!([612.0, 655.0, 1480.0]));
+    // The table is rounded, and told 4 Hz apart.
+    for key in ["critical_depth_mm", "any_speed_depth_mm", "other_way_depth_mm"] {
+        let [a, b] = [&by_hertz, &of_modes].map(|told| told[key].as_f64().unwrap_or_else(|| panic!("{key}")));
+        assert!((a / b - 1.0).abs() < 0.01, "{key}: {a} {b}");
+    }
+    // Of a robot that nobody has weighed.
+    let bare: &[&str] = &["--robot", "IRB 6650S-200", "--joints-deg", "0,0,0,0,90,0", "--feed", "0,1,0"];
+    let alone = json(&[&["chatter", PROCESS], bare, &["--frf", TAPPED_MODES, "--frf-on", "robot"]]);
+    assert!(alone["verdict"].as_str().expect("words").starts_with("measured modes"), "{alone}");
+    assert_eq!((&alone["modes_looked_at"], &alone["drawn"]), (&serde_json::json!([]), &serde_json::json!([])));
+    let (ok, out, err) = output(&[&["chatter", PROCESS], ARM, FEED, HELD, &["--frf", TAPPED, "--frf-on", "robot"]]);
+    assert!(ok, "{err}");
+    for words in
+        ["the tip as the robot holds it", "the model of the robot does not count", "above 2400 Hz nothing is known"]
+    {
+        assert!(out.contains(words), "{words}\n{out}");
+    }
+}
+
+#[test]
+fn a_tip_without_the_word_that_says_what_held_it_is_refused_and_its_faults_are_named() {
+    let refused = |arguments: &[&str], words: &str| {
+        let (ok, out, err) = output(&[&["chatter", PROCESS], ARM, FEED, arguments]);
+        assert!(!ok && out.is_empty() && err.contains(words) && !err.contains("panicked"), "{words}: {err}");
+    };
+    refused(&["--frf", TAPPED], "--frf needs --frf-on");
+    refused(&["--frf-on", "rigid"], "--frf-on needs --frf");
+    refused(&["--frf", TAPPED, "--frf-on", "table"], "--frf-on");
+    refused(&["--frf", "nothing.csv", "--frf-on", "rigid"], "nothing.csv");
+    refused(&["--frf", PROCESS, "--frf-on", "rigid"], "expected freq_hz and gxx_re");
+    refused(
+        &["--frf", TAPPED, "--frf-on", "rigid", "--method", "teeth"],
+        "tip.csv: a tip that was measured frequency by frequency",
+    );
+}
+
 #[test]
 fn cuts_that_are_not_covered_and_robots_without_masses_are_refused_with_what_to_do() {
     let refused = |arguments: &[&[&str]], words: &str| {

@@ -153,6 +153,38 @@ fn lobes_and_a_report_show_the_worst_sample() {
     assert!(code != Some(0) && err.contains("lobes are told with --chatter"), "{err}");
 }
 
+const TAPPED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/examples/tip_modes.csv");
+
+#[test]
+fn what_was_measured_of_the_spindle_is_looked_at_along_the_path_and_what_was_on_the_robot_is_not() {
+    let folder = folder();
+    let frf = ["--chatter", "--frf", TAPPED, "--frf-on", "rigid"];
+    let answer = json(folder.path(), &[&MILL, &ROBOT, &TOOL, &HELD, &frf]);
+    let found = &answer["chatter"];
+    let verdict = found["chatter_verdict"].as_str().expect("words");
+    assert!(
+        verdict.contains("robot and measured modes") && verdict.ends_with("modes of the work unknown"),
+        "{verdict}"
+    );
+    assert_eq!(found["measured_modes"].as_array().map(Vec::len), Some(3));
+    // As `chatter` has it of the same posture and feed.
+    let numbers = |key: &str| {
+        let all = found[key].as_array().expect("a list").iter();
+        all.map(ToString::to_string).collect::<Vec<_>>().join(",")
+    };
+    let (joints, feed) = (numbers("joints_deg"), numbers("feed"));
+    let posture = ["chatter", "endmill.toml", "--joints-deg", &joints, "--feed", &feed];
+    let alone = json(folder.path(), &[&posture, &ROBOT, &TOOL, &HELD, &frf[1..]]);
+    let [here, there] = [found, &alone].map(|told| told["critical_depth_mm"].as_f64().expect("a depth"));
+    assert!((here / there - 1.0).abs() < 1e-6, "{here} {there}");
+    let refused = |more: &[&str], words: &str| {
+        let (code, out, err) = run(folder.path(), &[&MILL, &ROBOT, &TOOL, more]);
+        assert!(code != Some(0) && out.is_empty() && err.contains(words), "{words}: {err}");
+    };
+    refused(&["--chatter", "--frf", TAPPED, "--frf-on", "robot"], "--frf-on");
+    refused(&["--frf", TAPPED, "--frf-on", "rigid"], "--frf-on needs --chatter");
+}
+
 #[test]
 fn what_cannot_be_told_is_refused_with_what_to_do() {
     let folder = folder();

@@ -28,7 +28,7 @@ fn process(engagement: [f64; 2]) -> Process {
 }
 
 fn held(tool: &HeldTool) -> MillHeld {
-    MillHeld { body: tool.body, damping: None }
+    MillHeld { body: tool.body, damping: None, measured: None }
 }
 
 /// A place beside the arm plane, turned: no axis of the part is one of the base.
@@ -117,7 +117,7 @@ fn the_worst_sample_has_the_least_depth_in_proportion_and_the_whole_answer_of_it
     let least = told.samples.iter().map(depth).fold(f64::INFINITY, f64::min);
     assert!(least < depth(&told.samples[*worst]), "{least}");
     let feed = stand(&path.tool).base_from_part.rotation * path.stations[*worst].sample.direction.unwrap();
-    let asked = Asked { feed: feed.into(), damping: None, method: Some(Method::Mean) };
+    let asked = Asked { feed: feed.into(), damping: None, method: Some(Method::Mean), measured: None };
     let Law::Milling(milling) = process.law else { unreachable!() };
     let deep = Milling { engagement: Engagement { depth: 20e-3, ..milling.engagement }, ..milling };
     let process = Process { law: Law::Milling(deep), ..process };
@@ -158,7 +158,7 @@ fn reflected_in_the_arm_plane_a_path_has_the_same_depths() {
     let [kt, kr, ka] = CHIP;
     let law = Law::Milling(end_mill(4, 0.016, [PI - 1.9, PI - 0.2], [-kt, kr, ka]));
     let mirrored = Process { law, ..process.clone() };
-    let held = MillHeld { body: path.tool.body.as_ref().map(mirrored_body), damping: None };
+    let held = MillHeld { body: path.tool.body.as_ref().map(mirrored_body), damping: None, measured: None };
     let of = chatter_along(&robot, &stand, (&stations, &samples), (&mirrored, &held), Watch::nobody()).unwrap();
     for (here, there) in path.chatter(&process).samples.iter().zip(&of.samples) {
         close(depth(there), depth(here), 1e-6);
@@ -228,7 +228,7 @@ fn at_posture(rpm: f64, engagement: [f64; 2], (feed, depth): ([f64; 3], f64), me
     let mut milling = end_mill(4, 0.016, engagement, CHIP);
     milling.engagement.depth = depth;
     let process = Process { spindle: Some(rpm * TAU / 60.0), is_clockwise: true, law: Law::Milling(milling) };
-    chatter(&robot, &q, &tool, &process, &Asked { feed, damping: None, method: Some(method) }).unwrap()
+    chatter(&robot, &q, &tool, &process, &Asked { feed, damping: None, method: Some(method), measured: None }).unwrap()
 }
 
 /// Up for down: the answer to the question in which both are turned round by hand.

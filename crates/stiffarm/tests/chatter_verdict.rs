@@ -17,7 +17,7 @@ fn process(milling: Milling, rpm: f64) -> Process {
     Process { spindle: Some(rpm * TAU / 60.0), is_clockwise: true, law: Law::Milling(milling) }
 }
 
-const ALONG_X: Asked = Asked { feed: [1.0, 0.0, 0.0], damping: None, method: None };
+const ALONG_X: Asked = Asked { feed: [1.0, 0.0, 0.0], damping: None, method: None, measured: None };
 
 /// The KR 210 as its size tells it.
 fn by_prior() -> (Robot, HeldTool, [f64; 6]) {

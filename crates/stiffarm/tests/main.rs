@@ -10,6 +10,7 @@ mod bodies;
 mod calibrate;
 mod chain;
 mod chatter;
+mod chatter_measured;
 mod chatter_path;
 mod chatter_verdict;
 mod directional;

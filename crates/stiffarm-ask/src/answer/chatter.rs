@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde_json::{Value, json};
 use stiffarm::catalogue::ProcessFile;
-use stiffarm::chatter::{Chatter, DepthSpread, Edge, LONGEST, Lobe, Method, Verdict};
+use stiffarm::chatter::{Chatter, DepthSpread, Edge, HeldBy, LONGEST, Lobe, Looked, MeasuredTip, Method, Verdict};
 use stiffarm::limits::Pendant;
 use stiffarm::mass::RigidBody;
 use stiffarm::modes::HeldTool;
@@ -28,8 +28,35 @@ pub struct ChatterAnswer {
     pub file: String,
     /// What it says.
     pub process: ProcessFile,
+    /// What was measured at the tip.
+    pub measured: Option<TipFile>,
     /// What was found.
     pub chatter: Chatter,
+}
+
+/// What was measured at a tip.
+#[derive(Clone, Debug)]
+pub struct TipFile {
+    /// How it answers, and what held it.
+    pub tip: MeasuredTip,
+    /// The table as it was named.
+    pub file: String,
+    /// How it was understood, with its name.
+    pub remarks: Vec<String>,
+}
+
+/// Whose modes a verdict is about.
+fn whose(measured: Option<&Looked>) -> &'static str {
+    match measured.map(|measured| measured.held_by) {
+        None => "robot modes",
+        Some(HeldBy::Rigid) => "robot and measured modes",
+        Some(HeldBy::Robot) => "measured modes",
+    }
+}
+
+/// What a verdict is not about.
+pub(super) fn besides(measured: Option<&Looked>) -> &'static str {
+    if measured.is_none() { "spindle modes unknown" } else { "modes of the work unknown" }
 }
 
 fn rpm(spindle: f64) -> f64 {
@@ -70,16 +97,22 @@ impl ChatterAnswer {
 
     /// In words; never that a cut is stable.
     pub fn verdict(&self) -> String {
-        format!("{}; spindle modes unknown", self.of_robot())
+        format!("{}; {}", self.of_robot(), besides(self.chatter.measured.as_ref()))
     }
 
     /// The part of the verdict that is known.
     pub(super) fn of_robot(&self) -> String {
+        let whose = whose(self.chatter.measured.as_ref());
         match self.chatter.verdict() {
-            Verdict::Calm => "robot modes calm".into(),
-            Verdict::Limits(depth) => format!("robot modes limit the depth to {} mm", fixed(depth * 1e3, 3)),
-            Verdict::NotDecided => "robot modes: not decided".to_owned(),
+            Verdict::Calm => format!("{whose} calm"),
+            Verdict::Limits(depth) => format!("{whose} limit the depth to {} mm", fixed(depth * 1e3, 3)),
+            Verdict::NotDecided => format!("{whose}: not decided"),
         }
+    }
+
+    /// Of the process and of what was measured.
+    fn assumed(&self) -> impl Iterator<Item = &String> {
+        self.process.assumed.iter().chain(self.measured.iter().flat_map(|measured| &measured.remarks))
     }
 
     fn method(&self) -> &'static str {
@@ -98,14 +131,14 @@ impl ChatterAnswer {
     /// Every field.
     pub fn record(&self) -> Record {
         let Self { robot, joints_deg, tool, chatter, .. } = self;
-        let (body, swing) = (tool.body.as_ref(), &chatter.swing);
+        let body = tool.body.as_ref();
         let mut record = Record::new();
         stiffness::put_robot(&mut record, robot);
         record
             .put(field::MODEL, "spatial")
             .put(field::JOINTS, *joints_deg)
             .put(field::PENDANT, robot.pendant().map(Pendant::name))
-            .put(field::TCP, swing.tool.translation.vector.as_slice())
+            .put(field::TCP, chatter.tool.translation.vector.as_slice())
             .put(field::TOOL_MASS, body.map(|body| body.mass))
             .put(field::TOOL_COM, body.map(|body| body.centre.as_slice()))
             .put(field::TOOL_INERTIA, body.map(RigidBody::elements))
@@ -113,7 +146,7 @@ impl ChatterAnswer {
         Self::put_cut(Some(self), &mut record);
         record
             .put(field::CHATTER_VERDICT, self.verdict())
-            .put(field::ASSUMED, json!(self.process.assumed))
+            .put(field::ASSUMED, json!(self.assumed().collect::<Vec<_>>()))
             .put(field::LOBES, self.lobes().map(|lobe| lobe.json()).collect::<Value>());
         record
     }
@@ -122,6 +155,7 @@ impl ChatterAnswer {
     pub(super) fn put_cut(found: Option<&Self>, record: &mut Record) {
         let chatter = found.map(|found| &found.chatter);
         let cut = chatter.map(|chatter| chatter.cut.milling.engagement);
+        let measured = chatter.and_then(|chatter| chatter.measured.as_ref());
         let edge = |of: fn(&Chatter) -> Option<Edge>| chatter.and_then(of);
         let [at_speed, any_speed] = [edge(|chatter| chatter.at_speed), edge(|chatter| chatter.any_speed)];
         let [other_way, without_delay] = [edge(|chatter| chatter.other_way), edge(|chatter| chatter.without_delay)];
@@ -146,9 +180,13 @@ impl ChatterAnswer {
             .put(field::PAN_DEPTH, depth(without_delay))
             .put(field::PAN_FREQUENCY, hertz(without_delay))
             .put(field::CHATTER_DRAWN, found.map(|found| json!(found.drawn())))
-            .put(field::MODES_LOOKED_AT, found.map(|found| json!(found.looked_at())))
+            .put(field::MODES_LOOKED_AT, chatter.map(|chatter| json!(chatter.robot_modes)))
             .put(field::ROBOT_MODES, found.map_or("not covered", Self::robot_modes))
-            .put(field::SPINDLE_MODES, "unknown");
+            .put(field::SPINDLE_MODES, if measured.is_some() { "measured" } else { "unknown" })
+            .put(field::FRF, found.and_then(|found| Some(&*found.measured.as_ref()?.file)))
+            .put(field::FRF_ON, measured.map(|measured| held_by(measured.held_by)))
+            .put(field::MEASURED_MODES, measured.filter(|tip| tip.between.is_none()).map(|tip| json!(tip.modes)))
+            .put(field::MEASURED_BETWEEN, measured.and_then(|measured| measured.between).map(|ends| json!(ends)));
     }
 
     /// Speeds at which the cut is calm, turns a minute, from where to where; `None` where they are not known.
@@ -159,11 +197,6 @@ impl ChatterAnswer {
     /// Where the tool feeds, of length one, base axes.
     pub(super) fn feed(&self) -> [f64; 3] {
         self.chatter.axes.column(0).into()
-    }
-
-    /// Hz.
-    fn looked_at(&self) -> Vec<f64> {
-        self.chatter.swing.modes.iter().map(|mode| mode.frequency).collect()
     }
 
     fn lobes(&self) -> impl Iterator<Item = Record> + '_ {
@@ -193,7 +226,7 @@ impl ChatterAnswer {
     pub fn table(&self) -> Table {
         let mut lines = vec![line("verdict", self.verdict())];
         lines.extend(self.lines());
-        lines.extend(self.process.assumed.iter().map(|one| line("assumed", one)));
+        lines.extend(self.assumed().map(|one| line("assumed", one)));
         Table::of_lines(lines)
     }
 
@@ -224,7 +257,10 @@ impl ChatterAnswer {
         }
         lines.push(line("calm speeds", self.calm()));
         lines.push(line("fed the other way, swings from", told(chatter.other_way)));
-        lines.push(line("robot modes looked at", format!("{} Hz", self.frequencies())));
+        if !chatter.robot_modes.is_empty() {
+            lines.push(line("robot modes looked at", format!("{} Hz", frequencies(&chatter.robot_modes))));
+        }
+        lines.extend(self.measured_line());
         lines.push(line("teeth", self.counted()));
         lines
     }
@@ -243,12 +279,25 @@ impl ChatterAnswer {
         }
     }
 
-    fn frequencies(&self) -> String {
-        self.looked_at().iter().map(|hertz| fixed(*hertz, 1)).collect::<Vec<_>>().join(", ")
+    /// What was measured at the tip, and how it was held.
+    fn measured_line(&self) -> Option<Line> {
+        let (looked, TipFile { file, .. }) = self.chatter.measured.as_ref().zip(self.measured.as_ref())?;
+        let told = match looked.between {
+            Some([from, to]) => format!("from {} to {} Hz", fixed(from, 1), fixed(to, 1)),
+            None => format!("modes at {} Hz", frequencies(&looked.modes)),
+        };
+        let held = match looked.held_by {
+            HeldBy::Rigid => "spindle, holder and cutter, held by something rigid",
+            HeldBy::Robot => "the tip as the robot holds it",
+        };
+        Some(line("measured", format!("{held}: {told}; {file}")))
     }
 
     fn counted(&self) -> &'static str {
         match self.chatter.method {
+            Method::Mean if self.chatter.may_mislead => {
+                "by their mean over a revolution, which may mislead: each cuts for half of the time or less, and a table without modes is not counted tooth by tooth"
+            }
             Method::Mean => "by their mean over a revolution",
             Method::Teeth => "one by one (semi-discretisation), as straight ones",
         }
@@ -266,7 +315,7 @@ impl ChatterAnswer {
         let angles = joints_deg.map(|angle| angle.to_string()).join(", ");
         let mut notes = vec![
             format!("{}; {}: {angles} deg", words::robot(robot), words::joints_reported(robot)),
-            format!("stiffness: {}", stiffness(robot)),
+            self.stiffness_told(),
             format!("feed along {} from the base", vector(&self.feed().into(), 3)),
         ];
         notes.extend(self.basis());
@@ -275,23 +324,18 @@ impl ChatterAnswer {
 
     /// What it rests on, and what is not known.
     pub(super) fn basis(&self) -> Vec<String> {
-        let Self { tool, chatter, .. } = self;
-        let last = self.looked_at().last().map_or_else(|| "0".into(), |hertz| fixed(*hertz, 0));
-        let mut notes = vec![
-            tool.body.map_or_else(
-                || "tool: weighs nothing; a real one changes the depths (--tool-mass-kg, --tool-com-mm)".into(),
-                |body| format!("tool: {} kg, centre {} mm from the flange", body.mass, vector(&(body.centre * 1e3), 0)),
-            ),
-            match self.drawn()[..] {
-                [] => "intervals: none; stiffness and damping are taken as given".into(),
-                _ => format!("intervals: over draws of {}", self.drawn().join(" and ")),
-            },
-            format!("spindle, tool holder, cutter and work are rigid here: above {last} Hz nothing is known"),
-        ];
+        let Self { chatter, .. } = self;
+        let mut notes = if self.robot_is_measured() { Vec::new() } else { vec![self.held()] };
+        notes.push(match self.drawn()[..] {
+            [] if self.robot_is_measured() => "intervals: none; the tip is taken as it was measured".into(),
+            [] => "intervals: none; stiffness and damping are taken as given".into(),
+            _ => format!("intervals: over draws of {}", self.drawn().join(" and ")),
+        });
+        notes.push(self.not_known());
         if chatter.drives_are_assumed {
             notes.push("stiffness is nobody's: nothing is decided by it".into());
         }
-        if chatter.verdict() == Verdict::NotDecided {
+        if chatter.verdict() == Verdict::NotDecided && !self.robot_is_measured() {
             notes.push(
                 "to decide: measure the drives (`stiffarm measure`, `stiffarm identify`) and the damping of the first modes at this posture by a tap test (--damping-ratio)"
                     .into(),
@@ -299,4 +343,60 @@ impl ChatterAnswer {
         }
         notes
     }
+
+    /// Is the robot in what was measured at the tip, so that its model does not count?
+    fn robot_is_measured(&self) -> bool {
+        self.chatter.measured.as_ref().is_some_and(|measured| measured.held_by == HeldBy::Robot)
+    }
+
+    fn stiffness_told(&self) -> String {
+        if self.robot_is_measured() {
+            "stiffness, masses and damping: in what was measured; the model of the robot does not count".into()
+        } else {
+            format!("stiffness: {}", stiffness(&self.robot))
+        }
+    }
+
+    fn held(&self) -> String {
+        self.tool.body.map_or_else(
+            || "tool: weighs nothing; a real one changes the depths (--tool-mass-kg, --tool-com-mm)".into(),
+            |body| format!("tool: {} kg, centre {} mm from the flange", body.mass, vector(&(body.centre * 1e3), 0)),
+        )
+    }
+
+    /// Beyond which frequencies nothing is known.
+    fn not_known(&self) -> String {
+        let Chatter { robot_modes, measured, .. } = &self.chatter;
+        let most = |hertz: &[f64]| hertz.iter().copied().fold(0.0, f64::max);
+        let hertz = |hertz: f64| fixed(hertz, 0);
+        match measured {
+            None => format!(
+                "spindle, tool holder, cutter and work are rigid here: above {} Hz nothing is known",
+                hertz(most(robot_modes))
+            ),
+            Some(Looked { between: Some([_, to]), held_by: HeldBy::Rigid, .. }) => {
+                format!("the work is rigid here; above {} Hz nothing is known", hertz(*to))
+            }
+            Some(Looked { between: Some([from, to]), held_by: HeldBy::Robot, .. }) => {
+                format!("the work is rigid here; below {} and above {} Hz nothing is known", hertz(*from), hertz(*to))
+            }
+            Some(Looked { modes, between: None, .. }) => {
+                format!(
+                    "the work is rigid here; above {} Hz nothing is known",
+                    hertz(most(modes).max(most(robot_modes)))
+                )
+            }
+        }
+    }
+}
+
+const fn held_by(held_by: HeldBy) -> &'static str {
+    match held_by {
+        HeldBy::Rigid => "rigid",
+        HeldBy::Robot => "robot",
+    }
+}
+
+fn frequencies(hertz: &[f64]) -> String {
+    hertz.iter().map(|hertz| fixed(*hertz, 1)).collect::<Vec<_>>().join(", ")
 }

@@ -44,7 +44,7 @@ pub mod words;
 use serde_json::{Value, json};
 
 pub use calibrate::CalibrateAnswer;
-pub use chatter::ChatterAnswer;
+pub use chatter::{ChatterAnswer, TipFile};
 pub use compare::CompareAnswer;
 pub use compliance::ComplianceAnswer;
 pub use cutting::CuttingAnswer;

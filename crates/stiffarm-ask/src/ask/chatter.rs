@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use stiffarm::catalogue::files;
-use stiffarm::chatter::chatter;
+use stiffarm::chatter::{ChatterError, chatter};
 
 use super::compliance::remarks;
-use super::context::{Context, process_of};
+use super::context::{Context, process_of, tip_of};
 use super::selection;
-use crate::answer::{ChatterAnswer, Rows};
+use crate::answer::{ChatterAnswer, Rows, TipFile};
 use crate::error::AskError;
 use crate::figures::{Plate, lobes};
 use crate::forms::{Answer, Forms, Piece};
@@ -17,16 +17,27 @@ use serde_json::Value;
 
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ChatterOutput, AskError> {
     let robot = asked.equipped(selection::robot(&asked.robot()?, context)?)?;
-    let (joints_deg, tool, wanted) = (asked.joints_deg()?, asked.held_tool()?, asked.chatter()?);
+    let measured = tip_of(asked, context)?;
+    let wanted = asked.chatter(measured.as_ref().map(|measured| &measured.tip))?;
+    let (joints_deg, tool) = (asked.joints_deg()?, asked.held_tool()?);
     let name = asked.process()?;
     let file = files::shown(Path::new(&name));
     let process = process_of(&name, &file, context)?;
     let radians = joints_deg.map(f64::to_radians);
     let found = chatter(&robot, &radians, &tool, &process.process, &wanted)
-        .map_err(|error| AskError::Chatter { file: file.clone(), error })?;
+        .map_err(|error| refusal(error, &file, measured.as_ref()))?;
     remarks(&robot, [&joints_deg, &radians], context);
-    let answer = ChatterAnswer { robot, joints_deg, tool, file, process, chatter: found };
+    let answer = ChatterAnswer { robot, joints_deg, tool, file, process, measured, chatter: found };
     Ok(ChatterOutput(answer, Plate::of(asked)?))
+}
+
+/// Whose fault it is: that of the process, or of what was measured.
+fn refusal(error: ChatterError, process: &str, measured: Option<&TipFile>) -> AskError {
+    let file = match (&error, measured) {
+        (ChatterError::NoModes, Some(measured)) => &measured.file,
+        _ => process,
+    };
+    AskError::Chatter { file: file.to_owned(), error }
 }
 
 pub(crate) struct ChatterOutput(ChatterAnswer, Plate);

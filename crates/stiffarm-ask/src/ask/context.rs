@@ -6,8 +6,10 @@ use std::path::Path;
 use stiffarm::catalogue::measurements::{Measurements, Points};
 use stiffarm::catalogue::readings::{self, Readings};
 use stiffarm::catalogue::{Faults, ProcessFile, files, read_process_beside};
+use stiffarm::chatter::{MeasuredTip, read_response};
 use stiffarm::watch::{Stopped, Watch};
 
+use crate::answer::TipFile;
 use crate::error::AskError;
 use crate::request::Request;
 use crate::sources::Sources;
@@ -76,6 +78,15 @@ pub(super) fn under_process<'a>(asked: &'a Request, context: Context) -> Result<
         context.listener.remark(&format!("note: {remark}"));
     }
     Ok(Cow::Owned(asked.under(&read.process)?))
+}
+
+/// What was measured at a tip, where that is given.
+pub(super) fn tip_of(asked: &Request, context: Context) -> Result<Option<TipFile>, AskError> {
+    let Some((name, held_by)) = asked.frf() else { return Ok(None) };
+    let (text, file) = (context.sources.text(&name)?, files::shown(Path::new(&name)));
+    let found = read_response(&text, &file).map_err(AskError::Response)?;
+    let remarks = found.remarks.iter().map(|remark| format!("{file}: {remark}")).collect();
+    Ok(Some(TipFile { tip: MeasuredTip { held_by, response: found.response }, file, remarks }))
 }
 
 /// A table of measurements, made or planned, and its name as it is shown.

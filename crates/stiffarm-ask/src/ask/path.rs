@@ -9,7 +9,7 @@ use stiffarm::clearance::Mesh;
 use stiffarm::toolpath::{Move, Survey, Understood};
 use stiffarm::watch::Stopped;
 
-use super::context::{Context, process_of};
+use super::context::{Context, process_of, tip_of};
 use crate::answer::{Beside, PartFile, PathAnswer, Rows};
 use crate::error::AskError;
 use crate::forms::{Answer, Forms, Piece};
@@ -39,9 +39,10 @@ pub(super) fn read_part(asked: &Request, context: Context) -> Result<Option<Part
     Ok(Some(PartFile { mesh: Mesh::of(&surface), notes: surface.notes }))
 }
 
-/// Process and part, where they are given.
+/// Process, part and what was measured at the tip, where they are given.
 pub(super) fn read_beside(asked: &Request, context: Context) -> Result<Beside, AskError> {
-    Ok(Beside { process: read_process_of(asked, context)?, part: read_part(asked, context)? })
+    let (process, part) = (read_process_of(asked, context)?, read_part(asked, context)?);
+    Ok(Beside { process, part, measured: tip_of(asked, context)? })
 }
 
 /// All moves of the path, as long as no more samples come of them, each kept for so many robots, than there may be.

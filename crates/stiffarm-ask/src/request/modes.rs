@@ -1,7 +1,7 @@
 //! What is asked of how an arm swings.
 
 use nalgebra::Vector3;
-use stiffarm::chatter::{Asked, Method};
+use stiffarm::chatter::{Asked, HeldBy, MeasuredTip, Method};
 use stiffarm::mass::RigidBody;
 use stiffarm::mill::MillHeld;
 use stiffarm::modes::{Damping, HeldTool};
@@ -52,25 +52,31 @@ impl Request {
         Ok((task, options))
     }
 
-    /// What is asked of a cut that may swing.
+    /// The table of what was measured at a tip, and what held it.
+    pub fn frf(&self) -> Option<(String, HeldBy)> {
+        let held_by = if self.word("frf-on")? == "robot" { HeldBy::Robot } else { HeldBy::Rigid };
+        Some((self.texts("frf").pop()?, held_by))
+    }
+
+    /// What is asked of a cut that may swing, with what was measured at its tip.
     ///
     /// # Errors
     /// Where the feed is missing.
-    pub fn chatter(&self) -> Result<Asked, Refusal> {
+    pub fn chatter<'a>(&self, measured: Option<&'a MeasuredTip>) -> Result<Asked<'a>, Refusal> {
         let feed: [f64; 3] = self.all("feed", number).try_into().map_err(|_| self.missing("feed"))?;
         let method = self.word("method").map(|word| if word == "teeth" { Method::Teeth } else { Method::Mean });
-        Ok(Asked { feed, damping: self.damping(), method })
+        Ok(Asked { feed, damping: self.damping(), method, measured })
     }
 
-    /// What swings along a path, where it is asked whether its cuts do.
+    /// What swings along a path, where it is asked whether its cuts do, with what was measured at the tip.
     ///
     /// # Errors
     /// A mass without its centre.
-    pub fn path_chatter(&self) -> Result<Option<MillHeld>, Refusal> {
+    pub fn path_chatter(&self, measured: Option<&MeasuredTip>) -> Result<Option<MillHeld>, Refusal> {
         if !self.is_wished("chatter") {
             return Ok(None);
         }
-        Ok(Some(MillHeld { body: self.held_tool()?.body, damping: self.damping() }))
+        Ok(Some(MillHeld { body: self.held_tool()?.body, damping: self.damping(), measured: measured.cloned() }))
     }
 
     /// How many modes are told.

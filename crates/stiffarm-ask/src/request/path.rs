@@ -134,6 +134,7 @@ impl Request {
             ("robots", "ranks robots with one tool; expected only-tool beside processes by tool"),
             ("pin", "pins the rolls of one tool; expected only-tool beside processes by tool"),
             ("stock-mm", "follows one tool; expected only-tool beside processes by tool"),
+            ("frf", "was measured of one tool; expected only-tool beside processes by tool"),
         ] {
             if self.is_given(name) {
                 return Err(self.refused(name, why.into()));

@@ -841,6 +841,14 @@ class ChatterOptions(TypedDict, total=False):
     """How teeth are counted [default: teeth where each cuts for half of the time or less and passes slowly, else
     mean]."""
 
+    frf: str | None
+    """How the tip answered where it was tapped: a table with freq_hz and gxx_re, gxx_im, gyy_re, gyy_im ..
+    gzz_im in m/N along the tool axes, or one of its modes with freq_hz, damping_ratio, stiffness_n_per_m, ux,
+    uy, uz [default: spindle, holder and cutter are rigid]."""
+
+    frf_on: Literal["rigid", "robot"] | None
+    """What held the tip while it was measured."""
+
 
 class MillOptions(TypedDict, total=False):
     """Keywords of `stiffarm.mill`."""
@@ -877,6 +885,15 @@ class MillOptions(TypedDict, total=False):
     damping_ratio: float | None
     """Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08 [default: as the
     robot file has it of the drives, else 0.03]."""
+
+    frf: str | None
+    """How the tip answered where it was tapped: a table with freq_hz and gxx_re, gxx_im, gyy_re, gyy_im ..
+    gzz_im in m/N along the tool axes, or one of its modes with freq_hz, damping_ratio, stiffness_n_per_m, ux,
+    uy, uz [default: spindle, holder and cutter are rigid]."""
+
+    frf_on: Literal["rigid"] | None
+    """What held the tip while it was measured; on the robot it would hold at one posture alone, and not along a
+    path."""
 
     dry: bool
     """Only tell what was understood of the path: lengths, moves, extents, feed rates, what was assumed and
@@ -2808,14 +2825,29 @@ class PathChatter(TypedDict):
     """What the intervals are over: drives, damping, both or neither."""
 
     modes_looked_at: list[float] | None
-    """Frequencies of the robot's modes that were looked at, Hz; nothing is told above the last."""
+    """Frequencies of the robot's modes that were looked at, Hz; none where the robot is in what was measured.
+    Nothing is told above the last of these and of what was measured."""
 
     robot_modes: str
-    """calm where the cut is less deep than 95 of 100 draws allow, limit where it is deeper than 95 of 100 allow,
-    else not decided; not covered of a path without a cut of which anything is known."""
+    """Of the robot with what was measured at its tip: calm where the cut is less deep than 95 of 100 draws
+    allow, limit where it is deeper than 95 of 100 allow, else not decided; not covered of a path without a
+    cut of which anything is known."""
 
     spindle_modes: str
-    """unknown: modes of spindle, tool and work are not looked at."""
+    """unknown where nothing was measured at the tip, else measured; those of the work are never looked at."""
+
+    frf: None
+    """The table of what was measured at the tip; null where there is none."""
+
+    frf_on: None
+    """What held the tip while it was measured: rigid (spindle, holder and cutter alone) or robot (it takes the
+    place of the model); null without a table."""
+
+    measured_modes: None
+    """Frequencies of the modes of the table, Hz; null without a table of modes."""
+
+    measured_between: None
+    """From where to where the table tells frequency by frequency, Hz; null without one."""
 
 
 class MilledDict(_Pass):
@@ -3579,14 +3611,29 @@ class ChatterDict(TypedDict):
     """What the intervals are over: drives, damping, both or neither."""
 
     modes_looked_at: list[float]
-    """Frequencies of the robot's modes that were looked at, Hz; nothing is told above the last."""
+    """Frequencies of the robot's modes that were looked at, Hz; none where the robot is in what was measured.
+    Nothing is told above the last of these and of what was measured."""
 
     robot_modes: str
-    """calm where the cut is less deep than 95 of 100 draws allow, limit where it is deeper than 95 of 100 allow,
-    else not decided; not covered of a path without a cut of which anything is known."""
+    """Of the robot with what was measured at its tip: calm where the cut is less deep than 95 of 100 draws
+    allow, limit where it is deeper than 95 of 100 allow, else not decided; not covered of a path without a
+    cut of which anything is known."""
 
     spindle_modes: str
-    """unknown: modes of spindle, tool and work are not looked at."""
+    """unknown where nothing was measured at the tip, else measured; those of the work are never looked at."""
+
+    frf: str | None
+    """The table of what was measured at the tip; null where there is none."""
+
+    frf_on: str | None
+    """What held the tip while it was measured: rigid (spindle, holder and cutter alone) or robot (it takes the
+    place of the model); null without a table."""
+
+    measured_modes: list[float] | None
+    """Frequencies of the modes of the table, Hz; null without a table of modes."""
+
+    measured_between: list[float] | None
+    """From where to where the table tells frequency by frequency, Hz; null without one."""
 
     verdict: str
     """pass where the tolerance is kept so and with a probability of 0.95 or more, pass, not sure where it is

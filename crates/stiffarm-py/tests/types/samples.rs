@@ -8,7 +8,7 @@ use stiffarm::calibrate::calibrate;
 use stiffarm::catalogue::measurements::{self, Measurements};
 use stiffarm::catalogue::readings::{self, ReadOptions};
 use stiffarm::catalogue::{find, read, read_process};
-use stiffarm::chatter::chatter;
+use stiffarm::chatter::{HeldBy, MeasuredMode, MeasuredTip, Response, chatter, read_response};
 use stiffarm::compliance::compliance;
 use stiffarm::drive::Architecture;
 use stiffarm::identify::{Identification, IdentifyError, identify};
@@ -26,7 +26,7 @@ use stiffarm::watch::Watch;
 use stiffarm_ask::answer::{
     Beside, CalibrateAnswer, ChatterAnswer, CompareAnswer, ComplianceAnswer, CuttingAnswer, GeometryAnswer,
     IdentifyAnswer, LedgerAnswer, MapAnswer, MeasureAnswer, MillAnswer, ModesAnswer, ModesOverAnswer, PathAnswer,
-    PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer, VerifyAnswer, VerifyRankAnswer,
+    PathRankAnswer, PlaceAnswer, RankAnswer, StudyAnswer, TipFile, VerifyAnswer, VerifyRankAnswer,
 };
 use stiffarm_ask::request::{Pair, Request, Spelling, Verb};
 
@@ -220,27 +220,38 @@ pub(crate) fn swings_over_zones() -> Vec<Value> {
 
 pub(crate) fn cuts() -> Vec<Value> {
     let text = include_str!("../../../../docs/examples/endmill.toml");
-    let of = |typed: Typed| {
+    let mode = MeasuredMode { frequency: 610.0, ratio: 0.03, stiffness: 2.2e7, direction: [1.0, 0.0, 0.0] };
+    let of_modes = Response::of_modes(&[mode]);
+    let by_hertz = read_response(include_str!("../../../../docs/examples/tip.csv"), "tip.csv").unwrap().response;
+    let of = |typed: Typed, measured: Option<&Response>| {
         let given = [("process", "endmill.toml"), ("joints-deg", "0,-90,90,0,90,0"), ("feed", "1,0,0")];
+        let measured = measured.map(|response| TipFile {
+            tip: MeasuredTip { held_by: HeldBy::Rigid, response: response.clone() },
+            file: "tip.csv".into(),
+            remarks: Vec::new(),
+        });
         let asked = asked(Verb::Chatter, &[typed, &given].concat());
-        let (joints_deg, tool, wanted) =
-            (asked.joints_deg().unwrap(), asked.held_tool().unwrap(), asked.chatter().unwrap());
+        let (joints_deg, tool, wanted) = (
+            asked.joints_deg().unwrap(),
+            asked.held_tool().unwrap(),
+            asked.chatter(measured.as_ref().map(|measured| &measured.tip)).unwrap(),
+        );
         let robot = asked.equipped(weighed()).unwrap();
         let mut process = read_process(text, "endmill.toml").unwrap();
         process.assumed.push("straight teeth".into());
         let chatter = chatter(&robot, &joints_deg.map(f64::to_radians), &tool, &process.process, &wanted).unwrap();
-        ChatterAnswer { robot, joints_deg, tool, file: "endmill.toml".into(), process, chatter }
+        ChatterAnswer { robot, joints_deg, tool, file: "endmill.toml".into(), process, measured, chatter }
     };
     let tool = [("tool-mass-kg", "60"), ("tool-com-mm", "0,0,200"), ("tool-inertia-kg-m2", "1,0,0,1,0,1")];
     // As of an arm that no cut swings.
-    let mut calm = of(&tool);
+    let mut calm = of(&tool, None);
     let chatter = &mut calm.chatter;
     (chatter.at_speed, chatter.any_speed) = (None, None);
     (chatter.other_way, chatter.without_delay) = (None, None);
     let unbounded = stiffarm::chatter::DepthSpread { p05: None, p95: None };
     (chatter.spread, chatter.any_speed_spread) = (unbounded, unbounded);
     chatter.lobes.iter_mut().for_each(|lobe| (lobe.edge, lobe.spread) = (None, None));
-    vec![of(&[]).json(), calm.json(), of(&tool).json()]
+    vec![of(&[], Some(&by_hertz)).json(), calm.json(), of(&tool, Some(&of_modes)).json()]
 }
 
 pub(crate) fn identifications() -> Vec<Value> {

@@ -1,7 +1,7 @@
 //! Robot files and the robots that come with the program; process files, and the materials that do; meshes of parts.
 
 mod bodies;
-mod cells;
+pub(crate) mod cells;
 mod doubts;
 mod fault;
 pub mod files;
@@ -23,6 +23,7 @@ pub use fault::{Fault, Faults};
 pub use filter::{Filter, NothingLeft};
 pub use index::{Entry, entries, find, matching, names, suggestions};
 pub use process_file::{Material, ProcessFile, materials, read_process, read_process_beside};
+pub(crate) use reader::shown;
 pub use robot_file::is_date;
 pub use robot_file::read;
 pub use write::write;

@@ -427,7 +427,7 @@ fn steering(text: &str) -> Option<String> {
 }
 
 /// A text from a file as it may stand in a message: short, on one line, without control characters.
-pub(super) fn shown(text: &str) -> String {
+pub(crate) fn shown(text: &str) -> String {
     const MOST: usize = 60;
     let escaped: String = text.chars().take(MOST).flat_map(char::escape_debug).collect();
     if text.chars().count() <= MOST { escaped } else { escaped + "..." }

@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 use nalgebra::{Matrix3, Vector3};
 
 use super::Chatter;
-use super::curve::{Curve, Edge};
+use super::curve::Edge;
 use super::cut::Cut;
 use super::teeth::Teeth;
+use super::tip::Tip;
 use crate::cutting::{Engagement, Milling};
-use crate::modes::Motion;
 
 /// Speeds that are looked at, as shares of the spindle's.
 const NEARBY: [f64; 2] = [0.5, 1.5];
@@ -50,11 +50,11 @@ impl Cut {
 }
 
 /// From which depth the cut swings fed the other way; tooth by tooth where there are steps, sought from a depth, m.
-pub(super) fn other_way(motion: &Motion, cut: &Cut, steps: Option<usize>, from: f64) -> Option<Edge> {
+pub(super) fn other_way(tip: &Tip, cut: &Cut, steps: Option<usize>, from: f64) -> Option<Edge> {
     let turned = Matrix3::from_diagonal(&Vector3::new(-1.0, -1.0, 1.0));
-    let (motion, cut) = (motion.clone().seen_along(&turned), cut.other_way());
+    let (tip, cut) = (tip.seen_along(&turned), cut.other_way());
     match steps {
-        Some(steps) => Teeth::of(&motion, &cut).edge_at(cut.spindle, steps, from),
-        None => Curve::of(&motion, &cut.mean()).edge_at(cut.period_at(cut.spindle)),
+        Some(steps) => Teeth::of(&tip.motion, &cut).edge_at(cut.spindle, steps, from),
+        None => tip.curve(&tip.motion, &cut).edge_at(cut.period_at(cut.spindle)),
     }
 }

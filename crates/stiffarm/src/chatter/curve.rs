@@ -5,10 +5,12 @@
 //! two of the three eigenvalues are not zero, those of the first two rows of `G A0`.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 use nalgebra::{Complex, DMatrix, Matrix2, Matrix2xX, Matrix3x2, MatrixXx2};
 
 use super::cut::LONGEST;
+use super::measured::Samples;
 use crate::modes::Motion;
 use crate::root::{minimum, root};
 
@@ -42,6 +44,8 @@ pub struct Curve {
     /// `S` along feed and left, and `S^T A0`.
     left: Matrix2xX<f64>,
     right: MatrixXx2<f64>,
+    mean: Matrix3x2<f64>,
+    samples: Option<Arc<Samples>>,
     is_coupled: bool,
     nodes: Vec<Node>,
 }
@@ -66,30 +70,44 @@ struct Crossing {
 impl Curve {
     /// Of an arm whose every mode is damped, in the axes of the cut, with `A0`, N/m^2.
     pub fn of(motion: &Motion, mean: &Matrix3x2<f64>) -> Self {
+        Self::with(motion, None, mean)
+    }
+
+    /// The same with what was measured of its tip beside it, in the axes of the cut: told between the frequencies that were measured alone.
+    pub fn with(motion: &Motion, samples: Option<Arc<Samples>>, mean: &Matrix3x2<f64>) -> Self {
         let mut curve = Self {
             left: motion.tip.fixed_rows::<2>(0).into_owned(),
             right: motion.tip.transpose() * mean,
+            mean: *mean,
             is_coupled: motion.is_coupled(),
             motion: motion.clone(),
+            samples,
             nodes: Vec::new(),
         };
-        let mu = curve.pair(0.0);
-        curve.nodes.push(Node { w: 0.0, mu, arg: mu.map(Complex::arg) });
-        curve.seeds().into_iter().for_each(|w| curve.follow_to(w));
-        curve.follow_to_the_end();
+        let [start, end] = curve.samples.as_ref().map_or([0.0, f64::INFINITY], |samples| samples.ends());
+        let mu = curve.pair(start);
+        curve.nodes.push(Node { w: start, mu, arg: mu.map(Complex::arg) });
+        let seeds = curve.seeds();
+        seeds.into_iter().filter(|w| start < *w && *w <= end).for_each(|w| curve.follow_to(w));
+        if curve.samples.is_none() {
+            curve.follow_to_the_end();
+        }
         curve
     }
 
     /// The first two rows of `G(w) A0`, 1/m.
     fn loop_gain(&self, w: f64) -> Matrix2<Complex<f64>> {
         let complex = |x: f64| Complex::new(x, 0.0);
+        let mut sum = match &self.samples {
+            Some(samples) => samples.at(w).fixed_rows::<2>(0) * self.mean.map(complex),
+            None => Matrix2::zeros(),
+        };
         if self.is_coupled {
             let n = self.motion.own.len();
             // Damped modes leave no frequency without an inverse; where nothing damps, an arm answers without bound.
             let dynamic = self.motion.dynamic(w).unwrap_or_else(|| DMatrix::identity(n, n) * complex(UNBOUNDED));
-            return self.left.map(complex) * dynamic * self.right.map(complex);
+            return sum + self.left.map(complex) * dynamic * self.right.map(complex);
         }
-        let mut sum = Matrix2::zeros();
         for (i, own) in self.motion.own.iter().enumerate() {
             let answer = Complex::new(own * own - w * w, w * self.motion.friction[(i, i)]).inv();
             sum += (self.left.column(i) * self.right.row(i)).map(|x| answer * x);
@@ -111,7 +129,7 @@ impl Curve {
         if apart(b, a) < apart(a, b) { [b, a] } else { [a, b] }
     }
 
-    /// Frequencies that are not missed: about each mode by its half width, and evenly spread, rad/s.
+    /// Frequencies that are not missed: about each mode by its half width, evenly spread, and those that were measured, rad/s.
     fn seeds(&self) -> Vec<f64> {
         const WIDTHS: [f64; 11] = [-8.0, -4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0, 8.0];
         let own = &self.motion.own;
@@ -119,9 +137,12 @@ impl Curve {
             let half = self.motion.friction[(i, i)] / 2.0;
             WIDTHS.map(|width| own + width * half)
         });
-        let (Some(first), Some(last)) = (own.first(), own.last()) else { return Vec::new() };
-        let even = (1..=40).map(|i| 0.1 * first * (20.0 * last / first).powf(f64::from(i) / 40.0));
-        let mut seeds: Vec<f64> = about.chain(even).filter(|w| 0.0 < *w).collect();
+        let [first, last] = [own.iter().copied().reduce(f64::min), own.iter().copied().reduce(f64::max)];
+        let even = first.zip(last).into_iter().flat_map(|(first, last)| {
+            (1..=40).map(move |i| 0.1 * first * (20.0 * last / first).powf(f64::from(i) / 40.0))
+        });
+        let measured = self.samples.as_ref().map_or(&[][..], |samples| samples.frequencies());
+        let mut seeds: Vec<f64> = about.chain(even).chain(measured.iter().copied()).filter(|w| 0.0 < *w).collect();
         seeds.sort_by(f64::total_cmp);
         seeds
     }
@@ -236,7 +257,9 @@ impl Curve {
     /// `a = 1/mu` where `mu` is real and positive. \[Pan\] `None` beyond [`LONGEST`].
     pub fn without_delay(&self) -> Option<Edge> {
         let edge = |mu: f64, w: f64| (0.0 < mu).then(|| Edge { depth: 1.0 / mu, frequency: w / TAU });
-        let at_rest = self.nodes[0].mu.into_iter().filter(|mu| mu.im == 0.0).filter_map(|mu| edge(mu.re, 0.0));
+        // Of what was measured at the tip of an arm nothing is told at rest.
+        let first = self.nodes.iter().take_while(|node| node.w == 0.0);
+        let at_rest = first.flat_map(|node| node.mu).filter(|mu| mu.im == 0.0).filter_map(|mu| edge(mu.re, 0.0));
         let pairs = self.nodes.windows(2).flat_map(|pair| [0, 1].map(|i| (pair[0], pair[1], i)));
         let crossed =
             pairs.filter(|(low, high, i)| low.mu[*i].im * high.mu[*i].im < 0.0).filter_map(|(low, high, i)| {

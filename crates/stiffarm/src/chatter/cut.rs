@@ -9,6 +9,8 @@ use crate::modes::ModesError;
 
 /// Within which angle of the tool axis a feed is a plunge: 60 deg.
 const PLUNGE: f64 = 0.5;
+/// A tooth that cuts for no larger a share of a pitch hits rather than presses.
+const SHORT: f64 = 0.5 + 1e-9;
 /// The depth beyond which no edge is sought, m: end mills have no longer ones.
 pub const LONGEST: f64 = 0.3;
 
@@ -50,6 +52,16 @@ pub enum ChatterError {
     /// A mode that swings for ever.
     #[error("the mode at {0} Hz has no damping: any cut would swing; expected a damping ratio of more than 0")]
     Undamped(f64),
+    /// Teeth are counted one by one in modes.
+    #[error(
+        "a tip that was measured frequency by frequency is not counted tooth by tooth: that needs modes; expected a table of modes, or the mean"
+    )]
+    NoModes,
+    /// Another posture swings otherwise.
+    #[error(
+        "a tip that was measured on the robot tells of the posture at which it was measured, and nothing of a path; expected spindle, holder and cutter held by something rigid"
+    )]
+    OnePosture,
     /// What it weighs is missing where it springs.
     #[error(
         "{0} % of the tip's compliance is of drives that move no inertia; expected the inertia of the tool, or of link 6"
@@ -97,6 +109,11 @@ impl Cut {
     pub fn duty(&self) -> f64 {
         let engagement = self.milling.engagement;
         (engagement.exit - engagement.entry) * self.milling.teeth as f64 / TAU
+    }
+
+    /// Does each tooth cut for half of the time or less?
+    pub fn is_short(&self) -> bool {
+        self.duty() <= SHORT
     }
 }
 

@@ -1,13 +1,11 @@
 //! Within which depths does a cut begin to swing, as far as drives and damping may be off?
 
-use std::f64::consts::TAU;
-
-use nalgebra::{Matrix3, Matrix3x2};
 use rayon::prelude::*;
 
 use super::curve::{Curve, Edge};
-use super::cut::{ChatterError, Cut};
+use super::cut::Cut;
 use super::teeth::Teeth;
+use super::tip::Tip;
 use crate::modes::{Motion, Swing};
 use crate::prior::factors;
 use crate::robot::Robot;
@@ -39,26 +37,33 @@ impl DepthSpread {
     }
 }
 
-/// The arm as it may be, in the axes of the cut, draw by draw.
+/// The arm as it may be, with what was measured of its tip, in the axes of the cut, draw by draw.
 #[derive(Clone, Debug)]
-pub(super) struct Draws(Vec<Motion>);
+pub(super) struct Draws<'a>(Vec<Motion>, &'a Tip);
 
-impl Draws {
+impl<'a> Draws<'a> {
     /// Drives by what is told of the robot, at their value where nothing is; damping by what is measured of such arms, unless it is given.
-    pub(super) fn of(robot: &Robot, swing: &Swing, axes: &Matrix3<f64>, damping_is_given: bool, count: usize) -> Self {
+    pub(super) fn of(robot: &Robot, swing: &Swing, tip: &'a Tip, damping_is_given: bool, count: usize) -> Self {
+        // Where nothing is drawn all draws are one.
+        let count = if damping_is_given && factors(robot, 1).is_none() { 1 } else { count };
         let drives = factors(robot, count).unwrap_or_else(|| vec![[1.0; 6]; count]);
         let mut rng = fastrand::Rng::with_seed(SEED);
         let [least, most] = RATIOS;
         let drawn = drives.iter().map(|factors| {
             let ratios: [f64; 6] = std::array::from_fn(|_| least * (most / least).powf(rng.f64()));
-            swing.motion(factors, (!damping_is_given).then_some(&ratios)).seen_along(axes)
+            tip.with(swing.motion(factors, (!damping_is_given).then_some(&ratios)).seen_along(&tip.axes))
         });
-        Self(drawn.collect())
+        Self(drawn.collect(), tip)
+    }
+
+    /// A tip that was measured as it swings with the robot: nothing of it is drawn.
+    pub(super) fn one(tip: &'a Tip) -> Self {
+        Self(vec![tip.motion.clone()], tip)
     }
 
     /// The curve of each.
-    pub(super) fn curves(&self, mean: &Matrix3x2<f64>) -> Vec<Curve> {
-        self.0.par_iter().map(|motion| Curve::of(motion, mean)).collect()
+    pub(super) fn curves(&self, cut: &Cut) -> Vec<Curve> {
+        self.0.par_iter().map(|motion| self.1.curve(motion, cut)).collect()
     }
 
     /// Tooth by tooth, at the speed of the cut.
@@ -69,13 +74,4 @@ impl Draws {
         });
         DepthSpread::of(edges.collect::<Vec<_>>().into_iter())
     }
-}
-
-/// Every mode of an arm has some damping.
-///
-/// # Errors
-/// The first that has none.
-pub(super) fn check_damped(motion: &Motion) -> Result<(), ChatterError> {
-    let undamped = (0..motion.own.len()).find(|&i| !(0.0 < motion.friction[(i, i)]));
-    undamped.map_or(Ok(()), |i| Err(ChatterError::Undamped(motion.own[i] / TAU)))
 }

@@ -1,33 +1,39 @@
 //! Verb: does a cut swing, and how deep may it go? The modes of the arm, and a delay from tooth to tooth.
 //!
 //! A tooth cuts what the one before it left: `f = a A (x(t) - x(t - T))`. Told are the least depth that swings at the speed of the spindle, the one
-//! that swings at no speed, and Pan's, which leaves the delay out. Modes of spindle, tool and work are not known here: nothing that this says is
-//! a promise above the highest mode that was looked at (\[theory\], section 13).
+//! that swings at no speed, and Pan's, which leaves the delay out. Modes of spindle and tool are known where they were measured, those of the work
+//! never: nothing that this says is a promise above the highest mode that was looked at (\[theory\], section 13).
 
 mod advice;
 mod curve;
 mod cut;
 mod draws;
+mod measured;
+mod table;
 mod teeth;
+mod tip;
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Matrix3;
 use rayon::prelude::*;
 
+use crate::compliance::compliance;
 use crate::cutting::Process;
-use crate::modes::{Damping, HeldTool, Motion, Swing, modes, nominal_modes};
+use crate::modes::{Damping, HeldTool, ModesError, Swing, modes, nominal_modes};
 use crate::robot::Robot;
+use crate::spatial::Pose;
 
 pub use curve::{Curve, Edge};
 pub use cut::{ChatterError, Cut, LONGEST, axes};
 pub use draws::{DRAWS, DRAWS_BY_TOOTH, DepthSpread};
+pub use measured::{HeldBy, Looked, MeasuredMode, MeasuredTip, Response, Samples};
+pub use table::{ResponseFile, read_response};
 pub use teeth::Teeth;
 
-use draws::{Draws, check_damped};
+use draws::Draws;
+use tip::{Tip, arm_counts};
 
-/// A share of the tip's compliance without mass that is none but for rounding.
-const MASSLESS: f64 = 1e-3;
 /// Speeds of a chart: from a tenth of the spindle's to twice it, hundredths of it.
 const CHART: std::ops::RangeInclusive<usize> = 10..=200;
 /// Tooth by tooth every fifth of them.
@@ -47,13 +53,15 @@ pub enum Method {
 
 /// What is asked of a cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Asked {
+pub struct Asked<'a> {
     /// Of the tool in its material, base axes; made perpendicular to the tool axis.
     pub feed: [f64; 3],
     /// As [`modes`] takes it; it then has no interval.
     pub damping: Option<Damping>,
     /// Chosen by the engagement where `None`.
     pub method: Option<Method>,
+    /// What was measured of spindle, holder and cutter, or of the tip as the robot holds it; nothing is known of them where `None`.
+    pub measured: Option<&'a MeasuredTip>,
 }
 
 /// Does it swing?
@@ -81,14 +89,20 @@ pub struct Lobe {
 /// What is told of a cut.
 #[derive(Clone, Debug)]
 pub struct Chatter {
-    /// The arm.
-    pub swing: Swing,
+    /// The tool frame in the base frame.
+    pub tool: Pose,
+    /// Modes of the robot that were looked at, Hz; empty where it is in what was measured.
+    pub robot_modes: Vec<f64>,
+    /// What of a measured tip was looked at.
+    pub measured: Option<Looked>,
     /// Feed, left and away, as columns, base axes.
     pub axes: Matrix3<f64>,
     /// The cut.
     pub cut: Cut,
-    /// How teeth were counted, and whether that was asked.
+    /// How teeth were counted.
     pub method: Method,
+    /// Each tooth cuts for half of the time or less and nobody knows the modes of what was measured: the mean over a revolution may mislead.
+    pub may_mislead: bool,
     /// At the speed of the cut; `None` where no edge up to [`LONGEST`] swings.
     pub at_speed: Option<Edge>,
     /// Over draws of drives and damping.
@@ -144,14 +158,21 @@ pub fn chatter(
     asked: &Asked,
 ) -> Result<Chatter, ChatterError> {
     let cut = Cut::of(process)?;
-    let swing = modes(robot, q, tool, asked.damping)?;
-    let (axes, motion) = in_axes_of_cut(&swing, asked.feed)?;
-    let damping_is_given = asked.damping.is_some() || matches!(swing.damping, Damping::OfDrives(_));
-    let teeth = Teeth::of(&motion, &cut);
-    let steps = steps(&teeth, &cut, asked.method);
+    let (swing, tool) = swinging(robot, q, tool, asked, modes)?;
+    let tip = Tip::of(swing.as_ref(), &tool, asked.feed, asked.measured)?;
+    if tip.is_sampled() && asked.method == Some(Method::Teeth) {
+        return Err(ChatterError::NoModes);
+    }
+    let teeth = Teeth::of(&tip.motion, &cut);
+    let steps = if tip.is_sampled() { None } else { steps(&teeth, &cut, asked.method) };
     let count = if steps.is_some() { DRAWS_BY_TOOTH } else { DRAWS };
-    let draws = Draws::of(robot, &swing, &axes, damping_is_given, count);
-    let (curve, drawn) = (Curve::of(&motion, &cut.mean()), draws.curves(&cut.mean()));
+    let has_damping = |swing: &Swing| asked.damping.is_some() || matches!(swing.damping, Damping::OfDrives(_));
+    let damping_is_given = swing.as_ref().is_none_or(has_damping);
+    let draws = match &swing {
+        Some(swing) => Draws::of(robot, swing, &tip, damping_is_given, count),
+        None => Draws::one(&tip),
+    };
+    let (curve, drawn) = (tip.curve(&tip.motion, &cut), draws.curves(&cut));
     let any_speed = curve.any_speed();
     let at = |curve: &Curve| curve.edge_at(cut.period_at(cut.spindle));
     let from = any_speed.map_or(LONGEST, |edge| edge.depth) / 2.0;
@@ -159,7 +180,7 @@ pub fn chatter(
         Some(steps) => (teeth.edge_at(cut.spindle, steps, from), draws.by_tooth(&cut, &drawn, steps)),
         None => (at(&curve), DepthSpread::of(drawn.iter().map(at))),
     };
-    let other_way = advice::other_way(&motion, &cut, steps, from);
+    let other_way = advice::other_way(&tip, &cut, steps, from);
     Ok(Chatter {
         at_speed,
         spread,
@@ -167,31 +188,41 @@ pub fn chatter(
         any_speed_spread: DepthSpread::of(drawn.iter().map(Curve::any_speed)),
         other_way,
         without_delay: curve.without_delay(),
-        drives_are_drawn: crate::prior::factors(robot, 1).is_some(),
-        drives_are_assumed: robot.stiffness_is_assumed,
+        drives_are_drawn: swing.is_some() && crate::prior::factors(robot, 1).is_some(),
+        drives_are_assumed: swing.is_some() && robot.stiffness_is_assumed,
         damping_is_drawn: !damping_is_given,
         method: if steps.is_some() { Method::Teeth } else { Method::Mean },
+        may_mislead: tip.is_sampled() && cut.is_short(),
         lobes: match steps {
             Some(_) => lobes_by_tooth(&teeth, &cut, from),
             None => lobes(&curve, &drawn, &cut),
         },
-        swing,
-        axes,
+        tool,
+        robot_modes: swing.iter().flat_map(|swing| &swing.modes).map(|mode| mode.frequency).collect(),
+        measured: asked.measured.map(MeasuredTip::looked),
+        axes: tip.axes,
         cut,
     })
 }
 
-/// Feed, left and away as columns, base axes, and the arm along them.
-fn in_axes_of_cut(swing: &Swing, feed: [f64; 3]) -> Result<(Matrix3<f64>, Motion), ChatterError> {
-    let massless = swing.massless_share();
-    if MASSLESS < massless {
-        return Err(ChatterError::Massless((1000.0 * massless).round() / 10.0));
+/// How modes are sought.
+type Modes = fn(&Robot, &[f64; 6], &HeldTool, Option<Damping>) -> Result<Swing, ModesError>;
+
+/// The arm, where the model of it counts, and the tool frame in the base frame.
+fn swinging(
+    robot: &Robot,
+    q: &[f64; 6],
+    tool: &HeldTool,
+    asked: &Asked,
+    modes: Modes,
+) -> Result<(Option<Swing>, Pose), ChatterError> {
+    if arm_counts(asked.measured) {
+        let swing = modes(robot, q, tool, asked.damping)?;
+        let tool = swing.tool;
+        return Ok((Some(swing), tool));
     }
-    let away = -(swing.tool.rotation * Vector3::z());
-    let axes = axes(feed, &away)?;
-    let motion = swing.motion(&[1.0; 6], None).seen_along(&axes);
-    check_damped(&motion)?;
-    Ok((axes, motion))
+    let posture = compliance(robot, q, &tool.flange_from_tool).map_err(ModesError::from)?;
+    Ok((None, posture.tool))
 }
 
 /// The least depth that swings at one posture, by the mean of the teeth over a revolution.
@@ -208,10 +239,14 @@ pub struct ByMean {
 /// # Errors
 /// As [`chatter`].
 pub fn by_mean(robot: &Robot, q: &[f64; 6], tool: &HeldTool, cut: &Cut, asked: &Asked) -> Result<ByMean, ChatterError> {
-    let swing = nominal_modes(robot, q, tool, asked.damping)?;
-    let (_, motion) = in_axes_of_cut(&swing, asked.feed)?;
-    let edge = Curve::of(&motion, &cut.mean()).edge_at(cut.period_at(cut.spindle));
-    Ok(ByMean { edge, misleads: steps(&Teeth::of(&motion, cut), cut, None).is_some() })
+    let (swing, tool) = swinging(robot, q, tool, asked, nominal_modes)?;
+    let tip = Tip::of(swing.as_ref(), &tool, asked.feed, asked.measured)?;
+    let edge = tip.curve(&tip.motion, cut).edge_at(cut.period_at(cut.spindle));
+    let misleads = match tip.is_sampled() {
+        true => cut.is_short(),
+        false => steps(&Teeth::of(&tip.motion, cut), cut, None).is_some(),
+    };
+    Ok(ByMean { edge, misleads })
 }
 
 /// Steps of a cut tooth by tooth; `None` by the mean.

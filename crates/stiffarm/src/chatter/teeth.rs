@@ -19,8 +19,7 @@ const FEWEST: usize = 16;
 const MOST: usize = 120;
 /// A mode that gives a smaller share of the compliance across the tool does not matter.
 const COUNTS: f64 = 0.01;
-/// A tooth that is as short as this in its cut hits rather than presses: duty, and how often teeth pass over the fastest mode that matters.
-const SHORT: f64 = 0.5 + 1e-9;
+/// Where teeth pass so many times as fast as the fastest mode that matters, they press.
 const FAST: f64 = 4.0;
 
 /// The modes of an arm that matter across the tool, in the axes of a cut.
@@ -62,7 +61,7 @@ impl<'a> Teeth<'a> {
     /// Does the mean over a revolution mislead here? Where a tooth cuts for half of the time or less, and teeth do not pass far above all modes that matter.
     pub fn are_needed(&self) -> bool {
         let passing = TAU / self.cut.period_at(self.cut.spindle);
-        self.cut.duty() <= SHORT && passing < FAST * self.fastest()
+        self.cut.is_short() && passing < FAST * self.fastest()
     }
 
     /// How many steps a cut needs at a speed of the spindle, rad/s; `None` where they are too many to be taken.

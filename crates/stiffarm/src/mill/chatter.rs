@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::fault::MillError;
 use super::follow::{Pushed, Stand};
 use super::stations::{Acting, Station, StationCut};
-use crate::chatter::{Asked, ByMean, Chatter, ChatterError, Cut, axes, by_mean, chatter};
+use crate::chatter::{Asked, ByMean, Chatter, ChatterError, Cut, HeldBy, MeasuredTip, axes, by_mean, chatter};
 use crate::cutting::{Law, Milling, Process};
 use crate::mass::RigidBody;
 use crate::modes::{Damping, HeldTool, check_masses};
@@ -16,12 +16,14 @@ use crate::robot::Robot;
 use crate::watch::Watch;
 
 /// What swings with the arm, and how it dies away.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MillHeld {
     /// Tool and spindle, in flange axes, from the flange; nothing that weighs where `None`.
     pub body: Option<RigidBody>,
     /// As [`chatter`] takes it.
     pub damping: Option<Damping>,
+    /// What was measured of spindle, holder and cutter held by something rigid: with the robot it was measured at one posture, and tells nothing of a path.
+    pub measured: Option<MeasuredTip>,
 }
 
 /// Why nothing is told of a sample at which the tool feeds.
@@ -127,11 +129,14 @@ pub fn chatter_along(
 ) -> Result<PathChatter, MillError> {
     let of_line = |line: usize| move |error| MillError::Chatter { line, error };
     let usual = Cut::of(process).map_err(of_line(0))?;
+    if held.measured.as_ref().is_some_and(|measured| measured.held_by == HeldBy::Robot) {
+        return Err(of_line(0)(ChatterError::OnePosture));
+    }
     let tool = HeldTool { flange_from_tool: stand.flange_from_tool, body: held.body };
     let cut = |at: &StationCut| Cut { milling: Milling { engagement: at.engagement, ..usual.milling }, ..usual };
     let asked = |station: &Station| {
         let feed = station.sample.direction.map_or([0.0; 3], |way| (stand.base_from_part.rotation * way).into());
-        Asked { feed, damping: held.damping, method: None }
+        Asked { feed, damping: held.damping, method: None, measured: held.measured.as_ref() }
     };
     let judged = |(station, pushed): (&Station, &Pushed)| {
         watch.go_on()?;

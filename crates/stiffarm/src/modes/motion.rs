@@ -5,7 +5,7 @@ use nalgebra::{Complex, DMatrix, Matrix3, Matrix3xX};
 /// `z'' + C z' + W^2 z = S^T f`, the tip moves by `S z`; `f` in N.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
-    /// `W`, rad/s, ascending.
+    /// `W`, rad/s; of an arm ascending.
     pub own: Vec<f64>,
     /// `C`, 1/s, symmetric; `2 zeta w` on its diagonal.
     pub friction: DMatrix<f64>,

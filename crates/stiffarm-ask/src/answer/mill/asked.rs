@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::super::path::tools;
-use super::super::{fixed, words};
+use super::super::{TipFile, fixed, words};
 use super::arm;
 use super::chatter::AskedChatter;
 use super::part::PartFile;
@@ -50,13 +50,14 @@ impl MillAnswer {
         asked: &Request,
         robot: &Robot,
         (path, moves): (String, Cow<[Move]>),
-        Tooled { tool, beside: Beside { process, part } }: Tooled,
+        Tooled { tool, beside: Beside { process, part, measured } }: Tooled,
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let robot = asked.equipped(robot.clone())?;
         arm::check_mount(asked, &robot)?;
         let (mut options, flange_from_tool) = (asked.mill_options()?, asked.tip_of(tool)?);
-        let chatter = AskedChatter::of(asked, &robot, (tool, process.as_ref()))?;
+        let of_tip = measured.as_ref().map_or_else(Vec::new, |measured| measured.remarks.clone());
+        let chatter = AskedChatter::of(asked, &robot, (tool, process.as_ref()), measured)?;
         let (forcing, force, mut remarks) = forcing(asked, process)?;
         let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
         let mut stock = match (asked.stock()?, &forcing) {
@@ -83,6 +84,7 @@ impl MillAnswer {
         drop(moves);
         remarks.extend(forced.remarks);
         remarks.extend(words::pendant(&robot));
+        remarks.extend(of_tip);
         let failed =
             |error| MillAnswerError::Mill { robot: robot.name.clone(), path: on_one_line(&path).into_owned(), error };
         let mut stations = forced.stations;
@@ -156,11 +158,13 @@ pub struct Beside {
     pub process: Option<(String, ProcessFile)>,
     /// The part, where its mesh is given.
     pub part: Option<PartFile>,
+    /// What was measured at the tip.
+    pub measured: Option<TipFile>,
 }
 
 impl From<Option<(String, ProcessFile)>> for Beside {
     fn from(process: Option<(String, ProcessFile)>) -> Self {
-        Self { process, part: None }
+        Self { process, part: None, measured: None }
     }
 }
 

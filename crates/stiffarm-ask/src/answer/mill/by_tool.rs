@@ -71,7 +71,7 @@ impl ByToolAnswer {
                 let why = format!("has no file for {}, from line {line}; expected one of each tool", tool_name(tool));
                 return Err(asked.refused("process", why).into());
             };
-            let beside = Beside { process: Some((name.clone(), process.clone())), part: part.cloned() };
+            let beside = Beside { process: Some((name.clone(), process.clone())), part: part.cloned(), measured: None };
             let tooled = Tooled { tool, beside };
             let milled = MillAnswer::with(asked, robot, (path.to_owned(), moves.into()), tooled, watch.of_part())?;
             parts.one_more().map_err(|stopped| MillAnswerError::Mill {

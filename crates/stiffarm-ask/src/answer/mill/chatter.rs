@@ -12,7 +12,7 @@ use stiffarm::modes::HeldTool;
 use stiffarm::robot::Robot;
 use stiffarm::watch::Watch;
 
-use super::super::chatter::ChatterAnswer;
+use super::super::chatter::{ChatterAnswer, TipFile, besides};
 use super::super::{Cell, Column, ColumnKind, Line, Record, Table, field, fixed, line};
 use super::{MillAnswer, MillAnswerError};
 use crate::request::{Request, tool_name};
@@ -25,6 +25,7 @@ pub(super) struct AskedChatter {
     held: MillHeld,
     file: String,
     process: ProcessFile,
+    measured: Option<TipFile>,
 }
 
 /// Whether the cuts of a path swing.
@@ -45,13 +46,15 @@ impl AskedChatter {
         asked: &Request,
         robot: &Robot,
         (tool, process): (Option<u32>, Option<&(String, ProcessFile)>),
+        measured: Option<TipFile>,
     ) -> Result<Option<Self>, MillAnswerError> {
-        let Some((held, (file, process))) = asked.path_chatter()?.zip(process.cloned()) else { return Ok(None) };
+        let held = asked.path_chatter(measured.as_ref().map(|measured| &measured.tip))?;
+        let Some((held, (file, process))) = held.zip(process.cloned()) else { return Ok(None) };
         check_chatter(robot, &process.process).map_err(|error| {
             let of_tool = if asked.mills_by_tool() { format!("{}, ", tool_name(tool)) } else { String::new() };
             MillAnswerError::Chatter { process: format!("{of_tool}{file}"), error }
         })?;
-        Ok(Some(Self { held, file, process }))
+        Ok(Some(Self { held, file, process, measured }))
     }
 
     /// Along a path that is followed.
@@ -62,12 +65,12 @@ impl AskedChatter {
         path: (&[Station], &[Pushed]),
         watch: Watch,
     ) -> Result<ChatterTold, MillError> {
-        let Self { held, file, process } = self;
+        let Self { held, file, process, measured } = self;
         let PathChatter { samples, worst } = chatter_along(robot, stand, path, (&process.process, &held), watch)?;
         let told = |(i, chatter): (usize, Chatter)| {
             let joints_deg = path.1[i].joints.map(f64::to_degrees);
             let tool = HeldTool { flange_from_tool: stand.flange_from_tool, body: held.body };
-            (i, Box::new(ChatterAnswer { robot: robot.clone(), joints_deg, tool, file, process, chatter }))
+            (i, Box::new(ChatterAnswer { robot: robot.clone(), joints_deg, tool, file, process, measured, chatter }))
         };
         Ok(ChatterTold { samples, worst: worst.map(told) })
     }
@@ -135,8 +138,9 @@ impl MillAnswer {
             Some((worst, found)) => format!("{} at the worst sample, {}", found.of_robot(), self.at_sample(*worst)),
         };
         let uncovered: usize = self.uncovered().iter().map(|(_, count, _)| count).sum();
-        let besides = if 0 < uncovered { format!("; {uncovered} samples are not covered") } else { String::new() };
-        Some(format!("{of_robot}{besides}; spindle modes unknown"))
+        let uncovered = if 0 < uncovered { format!("; {uncovered} samples are not covered") } else { String::new() };
+        let measured = told.worst.as_ref().and_then(|(_, found)| found.chatter.measured.as_ref());
+        Some(format!("{of_robot}{uncovered}; {}", besides(measured)))
     }
 
     /// As fields.

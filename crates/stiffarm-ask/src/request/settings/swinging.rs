@@ -4,6 +4,7 @@ use super::{Absent, JOINTS, Kind, Of, ROLL, ROW, Setting, TOOL_DIRECTION, Verb, 
 
 const MODES: &[Verb] = &[Verb::Modes];
 const CHATTER: &[Verb] = &[Verb::Chatter];
+const MILL: &[Verb] = &[Verb::Mill];
 /// At one posture.
 const SWINGING: &[Verb] = &[Verb::Modes, Verb::Chatter];
 /// There, and along a path.
@@ -19,6 +20,31 @@ const DAMPING: Setting = Setting {
     absent: Absent::Means("as the robot file has it of the drives, else 0.03"),
     help: "Damping of every mode, as a share of the critical: measured on such arms: 0.02 to 0.08",
     example: "0.05",
+    ..ROW
+};
+/// What was measured at the tip.
+const FRF: Setting = Setting {
+    name: "frf",
+    verbs: CHATTER,
+    kind: Kind::File,
+    value: "FILE.csv",
+    absent: Absent::Means("spindle, holder and cutter are rigid"),
+    needs: &[(Verb::Chatter, "frf-on"), (Verb::Mill, "frf-on")],
+    help: "How the tip answered where it was tapped: a table with freq_hz and gxx_re, gxx_im, gyy_re, gyy_im .. gzz_im in m/N along the tool axes, or one of its modes with freq_hz, damping_ratio, stiffness_n_per_m, ux, uy, uz",
+    example: "tip.csv",
+    ..ROW
+};
+/// On what the tip was held while it was measured.
+const FRF_ON: Setting = Setting {
+    name: "frf-on",
+    verbs: CHATTER,
+    kind: Kind::Word(&[
+        ("rigid", "On something rigid: spindle, holder and cutter alone; the model's robot comes on top"),
+        ("robot", "On the robot, at the posture of the cut: it takes the place of the model"),
+    ]),
+    value: "HELD",
+    help: "What held the tip while it was measured",
+    example: "rigid",
     ..ROW
 };
 /// Of how a zone is held.
@@ -136,5 +162,18 @@ pub(super) const ROWS: &[Setting] = &[
         help: "How teeth are counted",
         example: "teeth",
         ..ROW
+    },
+    FRF,
+    FRF_ON,
+    Setting { verbs: MILL, ..FRF },
+    Setting {
+        verbs: MILL,
+        kind: Kind::Word(&[(
+            "rigid",
+            "On something rigid: spindle, holder and cutter alone; the model's robot comes on top",
+        )]),
+        needs: &[(Verb::Mill, "chatter")],
+        help: "What held the tip while it was measured; on the robot it would hold at one posture alone, and not along a path",
+        ..FRF_ON
     },
 ];

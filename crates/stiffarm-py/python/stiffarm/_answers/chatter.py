@@ -62,12 +62,18 @@ class Chatter(Table[ChatterDict]):
     pan_hz: float | None
     #: What the intervals are over: ``"drives"``, ``"damping"``.
     drawn: list[str]
-    #: Frequencies of the robot, Hz; nothing is told above the last.
+    #: Frequencies of the robot, Hz; none where it is in what was measured.
     modes_looked_at: list[float]
     #: ``"calm"``, ``"limit"`` or ``"not decided"``.
     robot_modes: str
-    #: ``"unknown"``.
+    #: ``"measured"`` or ``"unknown"``.
     spindle_modes: str
+    #: The table of what was measured at the tip, and what held it: ``"rigid"`` or ``"robot"``; None without one.
+    frf: str | None
+    frf_on: str | None
+    #: Hz: its modes, or from where to where it tells frequency by frequency.
+    measured_modes: list[float] | None
+    measured_between: list[float] | None
     verdict: str
     #: What the process file leaves open.
     assumed: list[str]
