@@ -3,7 +3,7 @@
 import { fields, oneInFlight, watched, written } from "./ask.js";
 import { CellPlan, textOf as standOf } from "./cell.js";
 import { button, el, say } from "./dom.js";
-import { Space, takeaway } from "./figure.js";
+import { Picture, Space, takeaway } from "./figure.js";
 import { Rolls, pinsOf, textOf } from "./rolls.js";
 import { change, question, value } from "./state.js";
 import { list, read, under, verdict, words } from "./told.js";
@@ -14,8 +14,10 @@ import { progress } from "./work.js";
 const rolls = new Rolls({ moving: (pins) => solve(pins), moved: (pins) => change(pinned(pins)) });
 const cell = new CellPlan({ moving: (at) => stand(at), moved: (at) => change({ "mill.at": standOf(at) }) });
 const space = new Space();
+const lobes = new Picture("from which depth the worst cut swings, by the speed of the spindle");
+const asksChatter = () => value("mill.chatter") === "true";
 const says = el("div", { "aria-live": "polite" });
-const shows = /** @type {Record<string, HTMLElement>} */ ({ rolls: rolls.box, cell: cell.box, space: space.box });
+const shows = /** @type {Record<string, HTMLElement>} */ ({ rolls: rolls.box, cell: cell.box, space: space.box, lobes: el("div", {}, [lobes.image]) });
 const tabs = el("div", { class: "tools", role: "toolbar", "aria-label": "what is shown" });
 const best = button("best place", () => change({ "mill.at": "", "mill.pin": "" }), { title: "seeks the best place of the part, with a lower bound" });
 const pinning = button("pin a roll", () => change(pinned([...pinsOf(value("mill.pin")), middle()])), { title: "holds the roll in the middle of the path; a click on the map of rolls pins it there" });
@@ -23,7 +25,7 @@ const unpinning = button("no pins", () => change({ "mill.pin": "" }));
 const programs = el("div");
 /** @type {any} What was answered last. */
 let told = {};
-const shown = () => (value("milled") in shows ? value("milled") : "rolls");
+const shown = () => (value("milled") in shows && (value("milled") !== "lobes" || asksChatter()) ? value("milled") : "rolls");
 const asked = () => ({ verb: "mill", question: question("mill") });
 /** @type {[string, string, string?][]} */
 const PICTURES = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["shop drawing", "shop", "shop.svg"], ["CSV of samples", "csv"], ["JSON", "json"], ["report", "report", "html"]];
@@ -31,7 +33,7 @@ const PICTURES = [["SVG", "svg"], ["PNG", "png"], ["PDF", "pdf"], ["shop drawing
 const PROGRAMS = [["KUKA .src", "src"], ["ABB .mod", "mod"], ["Fanuc .ls", "ls"], ["path .nc", "nc"], ["path .apt", "apt"]];
 
 function draw() {
-  const names = { rolls: "rolls", cell: "in the cell", space: "in space" };
+  const names = { rolls: "rolls", cell: "in the cell", space: "in space", ...(asksChatter() ? { lobes: "chatter" } : {}) };
   tabs.replaceChildren(...Object.entries(names).map(([name, label]) => button(label, () => change({ milled: name === "rolls" ? "" : name }), { "aria-pressed": String(name === shown()) })));
   tabs.append(el("span", { class: "gap" }), pinning, unpinning, best);
   for (const [name, box] of Object.entries(shows)) box.hidden = name !== shown();
@@ -86,7 +88,7 @@ const solve = oneInFlight(async (/** @type {Pin[]} */ pins) => {
 export const mill = {
   verb: "mill",
   parts: () => [
-    { verb: "mill", title: "Does the program hold it?", first: ["path", "robot", "process", "force-n", "at", "part", "stick-out-mm", "tolerance-mm", "roll", "pin", "compensate", "tool"] },
+    { verb: "mill", title: "Does the program hold it?", first: ["path", "robot", "process", "force-n", "at", "part", "stick-out-mm", "tolerance-mm", "roll", "pin", "compensate", "tool", "chatter", "tool-mass-kg", "tool-com-mm"] },
   ],
   mount(look, decide) {
     draw();
@@ -116,6 +118,7 @@ export const mill = {
     unpinning.toggleAttribute("disabled", value("mill.pin") === "");
     if (shown() === "rolls") await showRolls(now, answer.feasible, signal);
     if (shown() === "cell") await cell.show(await (await written("mill", now, "shop", signal)).text().catch(() => ""), standing(), answer.feasible ? answer.pass : false);
+    if (shown() === "lobes") await lobes.show((answer.chatter?.at_sample ?? null) === null ? "" : await (await written("mill", now, "lobes", signal)).text());
     if (shown() === "space") space.show({ verb: "mill", question: now });
     else space.clear();
   },

@@ -221,11 +221,11 @@ fn without_modes_teeth_are_not_counted_one_by_one() {
     let samples = || sampled(2.0, 4000.0, |hertz| receptance(&SPINDLE, hertz));
     assert_eq!(of(samples(), Some(Method::Teeth)).err(), Some(ChatterError::NoModes));
     let told = of(samples(), None).unwrap();
-    assert_eq!((told.method, told.may_mislead), (Method::Mean, true));
+    assert_eq!((told.method, told.may_mislead()), (Method::Mean, true));
     let told = of(Response::of_modes(&SPINDLE), None).unwrap();
-    assert_eq!((told.method, told.may_mislead), (Method::Teeth, false));
+    assert_eq!((told.method, told.may_mislead()), (Method::Teeth, false));
     let wide = found(&arm, slot(), 9000.0, (along_y(), &MeasuredTip { held_by: HeldBy::Rigid, response: samples() }));
-    assert!(!wide.may_mislead);
+    assert!(!wide.may_mislead());
 }
 
 fn table(step: f64, columns: &[&str], of: impl Fn(f64) -> Matrix3<Complex<f64>>) -> String {

@@ -3,12 +3,13 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
-use stiffarm::chatter::{Asked, Chatter, Curve, Method, chatter};
+use stiffarm::chatter::{Asked, Chatter, Curve, Method, by_mean, chatter};
 use stiffarm::cutting::{Edge, Engagement, Law, Milling, Process};
+use stiffarm::inverse::reached;
 use stiffarm::mass::RigidBody;
 use stiffarm::mill::{
     Forcing, Judged, MillHeld, MillOptions, Milled, PartPlacement, PathChatter, Pushed, Stand, Station, Uncovered,
-    chatter_along, forced, mill,
+    chatter_along, forced, mill, part_from_tool,
 };
 use stiffarm::modes::{HeldTool, modes};
 use stiffarm::robot::Robot;
@@ -58,7 +59,8 @@ fn followed(moves: &[Move], process: &Process, stock: Option<&mut Stock>) -> Pat
 impl Path {
     fn chatter(&self, process: &Process) -> PathChatter {
         let path = (&self.stations[..], &self.samples[..]);
-        chatter_along(&self.robot, &stand(&self.tool), path, (process, &held(&self.tool)), Watch::nobody()).unwrap()
+        let (held, options) = (held(&self.tool), MillOptions::usual());
+        chatter_along(&self.robot, &stand(&self.tool), path, (process, &held, &options), Watch::nobody()).unwrap()
     }
 }
 
@@ -159,10 +161,48 @@ fn reflected_in_the_arm_plane_a_path_has_the_same_depths() {
     let law = Law::Milling(end_mill(4, 0.016, [PI - 1.9, PI - 0.2], [-kt, kr, ka]));
     let mirrored = Process { law, ..process.clone() };
     let held = MillHeld { body: path.tool.body.as_ref().map(mirrored_body), damping: None, measured: None };
-    let of = chatter_along(&robot, &stand, (&stations, &samples), (&mirrored, &held), Watch::nobody()).unwrap();
+    let asked = (&mirrored, &held, &MillOptions::usual());
+    let of = chatter_along(&robot, &stand, (&stations, &samples), asked, Watch::nobody()).unwrap();
     for (here, there) in path.chatter(&process).samples.iter().zip(&of.samples) {
         close(depth(there), depth(here), 1e-6);
     }
+}
+
+/// Every posture in the robot's limits at every roll, by the inverse kinematics, each asked by itself.
+#[test]
+fn no_roll_and_no_posture_lets_the_worst_cut_go_deeper_than_the_one_that_is_told() {
+    let process = process([0.2, 1.9]);
+    let path = followed(&rectangle(), &process, None);
+    let options = MillOptions { limit_margin: 0.0, singular_margin: 0.0, ..MillOptions::usual() };
+    let (stand, held) = (stand(&path.tool), held(&path.tool));
+    let asked = (&process, &held, &options);
+    let found = chatter_along(&path.robot, &stand, (&path.stations, &path.samples), asked, Watch::nobody()).unwrap();
+    let (deepest, (worst, told)) = (found.deepest.unwrap(), found.worst.unwrap());
+    let station = &path.stations[worst];
+    let feed = (stand.base_from_part.rotation * station.sample.direction.unwrap()).into();
+    let asked = Asked { feed, damping: None, method: None, measured: None };
+    let depth = |edge: Option<stiffarm::chatter::Edge>| edge.map_or(f64::INFINITY, |edge| edge.depth);
+    let (mut most, mut count) = (0.0_f64, 0);
+    for roll in (0..72).map(|i| f64::from(5 * i).to_radians()) {
+        let tool = stand.base_from_part * part_from_tool(&station.sample.pose, roll).unwrap();
+        let flange = tool * stand.flange_from_tool.inverse();
+        for (configuration, q) in reached(&path.robot, &flange) {
+            let edge = by_mean(&path.robot, &q, &path.tool, &told.cut, &asked).unwrap().edge;
+            most = most.max(depth(edge));
+            count += 1;
+            let there = (configuration, roll) == (deepest.arrangement.configuration, deepest.arrangement.roll);
+            if there {
+                close(depth(deepest.edge), depth(edge), 1e-9);
+                let force = station.acting;
+                assert!(force.is_some() && 0.0 < deepest.error, "{force:?}");
+            }
+        }
+    }
+    assert!(72 < count && (depth(deepest.edge) == most || (depth(deepest.edge) / most - 1.0).abs() < 1e-9), "{count}");
+    assert!(depth(told.at_speed) < 0.95 * most, "{most} {:?}", told.at_speed);
+    // Margins and what stands about take rolls away.
+    let usual = path.chatter(&process).deepest.unwrap();
+    assert!(depth(usual.edge) <= most);
 }
 
 #[test]

@@ -295,7 +295,7 @@ impl ChatterAnswer {
 
     fn counted(&self) -> &'static str {
         match self.chatter.method {
-            Method::Mean if self.chatter.may_mislead => {
+            Method::Mean if self.chatter.may_mislead() => {
                 "by their mean over a revolution, which may mislead: each cuts for half of the time or less, and a table without modes is not counted tooth by tooth"
             }
             Method::Mean => "by their mean over a revolution",

@@ -500,6 +500,10 @@ fields! {
     CHATTER_SAMPLE: "at_sample", Kind::Count, "The sample at which the critical depth is least in proportion to the cut, from 0; null where no sample is covered.";
     CHATTER_LINE: "at_line", Kind::Count, "Its line in the file; 0 of a path built in.";
     FEED_DIRECTION: "feed", numbers(Unit::One, &["feed_x", "feed_y", "feed_z"]), "Where the tool feeds, of length one, base axes.";
+    DEEPEST_ROLL: "deepest_roll_deg", Kind::Number(Unit::Degree), "Of the rolls, in steps of 5 deg, and configurations that keep the margins and touch nothing at the worst sample: the roll with which its cut goes deepest; null where nothing is told.";
+    DEEPEST_CONFIGURATION: "deepest_configuration", Kind::Text, "The configuration with which it does.";
+    DEEPEST_DEPTH: "deepest_depth_mm", Kind::Number(Unit::Millimetre), "From which depth it then swings, by the mean of the teeth over a revolution; null where none up to 300 mm does.";
+    DEEPEST_ERROR: "deepest_error_mm", Kind::Number(Unit::Millimetre), "The error of that sample, so held.";
     COVERED: "covered_samples", Kind::Count, "Samples of which a critical depth is told.";
     NOT_COVERED: "not_covered", Kind::Nested, "Samples that feed, and of which nothing is told: why, how many, and the lines on which they are.";
     UNCOVERED_WHY: "why", Kind::Text, "plunge, turn in place, force of the path (it gives no cut), or air.";

@@ -33,6 +33,27 @@ def test_a_toolpath_and_a_process_are_opened_and_a_program_downloaded(look: Open
     assert b"DEF" in Path(saved.value.path()).read_bytes()
 
 
+def test_whether_the_cuts_swing_is_told_and_drawn_over_the_speed_of_the_spindle(look: Open) -> None:
+    address = "#mill?mill.at=1.7,0,0.8&robot=KR+210+R2700-2&tool=spindle:250@90"
+    page = look(address, refused=True)
+    page.get_by_label("open a file for path").and_(page.locator("input")).set_input_files(PATHS / "contour_ij.nc")
+    page.get_by_label("open a file for process").and_(page.locator("input")).set_input_files(EXAMPLES / "endmill.toml")
+    page.get_by_label("force [N]").fill("")
+    expect(page.get_by_role("button", name="chatter", exact=True)).to_have_count(0)
+    page.get_by_label("chatter", exact=True).check()
+    for words in ["spindle modes unknown", "fed the other way", "rolled otherwise", "chatter not covered"]:
+        expect(page.locator("#decide")).to_contain_text(words)
+    page.get_by_role("button", name="chatter", exact=True).click()
+    lobes = page.get_by_alt_text("from which depth the worst cut swings, by the speed of the spindle")
+    expect(lobes).to_be_visible()
+    settled(page)
+    assert lobes.evaluate("image => image.naturalWidth") > 300
+    # Without the word the tab goes, and the rolls are shown.
+    page.get_by_label("chatter", exact=True).uncheck()
+    expect(lobes).to_be_hidden()
+    expect(page.get_by_role("button", name="rolls", exact=True)).to_have_attribute("aria-pressed", "true")
+
+
 def test_a_process_is_opened_with_the_table_of_forces_that_it_names(look: Open, tmp_path: Path) -> None:
     process, table = tmp_path / "sawn.toml", tmp_path / "forces.csv"
     process.write_text('[measured]\nfile = "forces.csv"\non = "tool"\n')

@@ -2849,6 +2849,20 @@ class PathChatter(TypedDict):
     measured_between: None
     """From where to where the table tells frequency by frequency, Hz; null without one."""
 
+    deepest_roll_deg: float | None
+    """Of the rolls, in steps of 5 deg, and configurations that keep the margins and touch nothing at the worst
+    sample: the roll with which its cut goes deepest; null where nothing is told."""
+
+    deepest_configuration: str | None
+    """The configuration with which it does."""
+
+    deepest_depth_mm: float | None
+    """From which depth it then swings, by the mean of the teeth over a revolution; null where none up to 300 mm
+    does."""
+
+    deepest_error_mm: float | None
+    """The error of that sample, so held."""
+
 
 class MilledDict(_Pass):
     """`stiffarm.Milled.to_dict`."""

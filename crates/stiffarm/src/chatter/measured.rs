@@ -87,7 +87,7 @@ impl Samples {
 
     /// The same, taken below its first frequency as what it is there, without the part that lags: a spring.
     #[must_use]
-    pub(super) fn from_rest(mut self) -> Self {
+    pub(super) fn spring_below(mut self) -> Self {
         self.from_rest = true;
         self
     }
@@ -191,7 +191,7 @@ impl MeasuredTip {
             Response::Modes(motion) => (Some(motion.clone().seen_along(&axes)), None),
             Response::Samples(samples) => {
                 let seen = samples.clone().seen_along(&axes);
-                (None, Some(if self.held_by == HeldBy::Rigid { seen.from_rest() } else { seen }))
+                (None, Some(if self.held_by == HeldBy::Rigid { seen.spring_below() } else { seen }))
             }
         }
     }

@@ -101,8 +101,6 @@ pub struct Chatter {
     pub cut: Cut,
     /// How teeth were counted.
     pub method: Method,
-    /// Each tooth cuts for half of the time or less and nobody knows the modes of what was measured: the mean over a revolution may mislead.
-    pub may_mislead: bool,
     /// At the speed of the cut; `None` where no edge up to [`LONGEST`] swings.
     pub at_speed: Option<Edge>,
     /// Over draws of drives and damping.
@@ -137,6 +135,11 @@ impl Chatter {
             (DepthSpread { p95: Some(p95), .. }, Some(edge)) if p95 < depth => Verdict::Limits(edge.depth),
             _ => Verdict::NotDecided,
         }
+    }
+
+    /// Each tooth cuts for half of the time or less and nobody knows the modes of what was measured: the mean over a revolution may mislead.
+    pub fn may_mislead(&self) -> bool {
+        self.measured.as_ref().is_some_and(|measured| measured.between.is_some()) && self.cut.is_short()
     }
 
     /// By how much a swing at the edge turns from one tooth to the next, `w T`, rad: far below 1 the cut is a damper, for good or ill.
@@ -192,7 +195,6 @@ pub fn chatter(
         drives_are_assumed: swing.is_some() && robot.stiffness_is_assumed,
         damping_is_drawn: !damping_is_given,
         method: if steps.is_some() { Method::Teeth } else { Method::Mean },
-        may_mislead: tip.is_sampled() && cut.is_short(),
         lobes: match steps {
             Some(_) => lobes_by_tooth(&teeth, &cut, from),
             None => lobes(&curve, &drawn, &cut),
@@ -242,10 +244,8 @@ pub fn by_mean(robot: &Robot, q: &[f64; 6], tool: &HeldTool, cut: &Cut, asked: &
     let (swing, tool) = swinging(robot, q, tool, asked, nominal_modes)?;
     let tip = Tip::of(swing.as_ref(), &tool, asked.feed, asked.measured)?;
     let edge = tip.curve(&tip.motion, cut).edge_at(cut.period_at(cut.spindle));
-    let misleads = match tip.is_sampled() {
-        true => cut.is_short(),
-        false => steps(&Teeth::of(&tip.motion, cut), cut, None).is_some(),
-    };
+    let misleads =
+        if tip.is_sampled() { cut.is_short() } else { steps(&Teeth::of(&tip.motion, cut), cut, None).is_some() };
     Ok(ByMean { edge, misleads })
 }
 

@@ -94,7 +94,7 @@ fn beside(a: &Motion, b: &Motion) -> Motion {
     friction.view_mut((0, 0), (n, n)).copy_from(&a.friction);
     friction.view_mut((n, n), (all - n, all - n)).copy_from(&b.friction);
     let columns: Vec<Vector3<f64>> =
-        a.tip.column_iter().chain(b.tip.column_iter()).map(|column| column.into_owned()).collect();
+        a.tip.column_iter().chain(b.tip.column_iter()).map(nalgebra::Matrix::into_owned).collect();
     Motion { own: a.own.iter().chain(&b.own).copied().collect(), friction, tip: Matrix3xX::from_columns(&columns) }
 }
 

@@ -119,7 +119,7 @@ impl MillAnswer {
                 compensated = Some(compensation(asked, &robot, &stand, what, watch).map_err(failed)?);
             }
             let told = |chatter: AskedChatter| {
-                chatter.told(&robot, &stand, (&stations, &found.samples), watch).map_err(failed)
+                chatter.told(&robot, &stand, (&stations, &found.samples), &options, watch).map_err(failed)
             };
             swings = chatter.map(told).transpose()?;
             let options = TrueOptions { work_frame, part: options.part, is_compensated: asked.is_compensated() };

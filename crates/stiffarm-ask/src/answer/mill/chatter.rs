@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 
 use serde_json::{Value, json};
 use stiffarm::catalogue::ProcessFile;
-use stiffarm::chatter::Chatter;
+use stiffarm::chatter::{Chatter, Edge, LONGEST};
 use stiffarm::mill::{
-    Judged, MillError, MillHeld, PathChatter, Pushed, Stand, Station, Uncovered, chatter_along, check_chatter,
+    DeepestRoll, Judged, MillError, MillHeld, MillOptions, PathChatter, Pushed, Stand, Station, Uncovered,
+    chatter_along, check_chatter,
 };
 use stiffarm::modes::HeldTool;
 use stiffarm::robot::Robot;
@@ -35,6 +36,8 @@ pub struct ChatterTold {
     pub samples: Vec<Judged>,
     /// Where the critical depth is least in proportion to that of the cut, with all that is told of it; `None` where no sample is covered.
     pub worst: Option<(usize, Box<ChatterAnswer>)>,
+    /// The roll and the configuration with which the cut of that sample would go deepest.
+    pub deepest: Option<DeepestRoll>,
 }
 
 impl AskedChatter {
@@ -63,16 +66,18 @@ impl AskedChatter {
         robot: &Robot,
         stand: &Stand,
         path: (&[Station], &[Pushed]),
+        options: &MillOptions,
         watch: Watch,
     ) -> Result<ChatterTold, MillError> {
         let Self { held, file, process, measured } = self;
-        let PathChatter { samples, worst } = chatter_along(robot, stand, path, (&process.process, &held), watch)?;
+        let PathChatter { samples, worst, deepest } =
+            chatter_along(robot, stand, path, (&process.process, &held, options), watch)?;
         let told = |(i, chatter): (usize, Chatter)| {
             let joints_deg = path.1[i].joints.map(f64::to_degrees);
             let tool = HeldTool { flange_from_tool: stand.flange_from_tool, body: held.body };
             (i, Box::new(ChatterAnswer { robot: robot.clone(), joints_deg, tool, file, process, measured, chatter }))
         };
-        Ok(ChatterTold { samples, worst: worst.map(told) })
+        Ok(ChatterTold { samples, worst: worst.map(told), deepest })
     }
 }
 
@@ -166,6 +171,12 @@ impl MillAnswer {
             .put(field::JOINTS, found.map(|found| found.joints_deg))
             .put(field::FEED_DIRECTION, found.map(ChatterAnswer::feed));
         ChatterAnswer::put_cut(found, &mut record);
+        let deepest = told.deepest.as_ref();
+        record
+            .put(field::DEEPEST_ROLL, deepest.map(|deepest| deepest.arrangement.roll))
+            .put(field::DEEPEST_CONFIGURATION, deepest.map(|deepest| deepest.arrangement.configuration.to_string()))
+            .put(field::DEEPEST_DEPTH, deepest.and_then(|deepest| deepest.edge).map(|edge| edge.depth))
+            .put(field::DEEPEST_ERROR, deepest.map(|deepest| deepest.error));
         Some(record)
     }
 
@@ -174,6 +185,7 @@ impl MillAnswer {
         let (Some(told), Some(verdict)) = (&self.chatter, self.chatter_verdict()) else { return Vec::new() };
         let mut lines = vec![line("chatter", verdict)];
         lines.extend(told.worst.iter().flat_map(|(_, found)| found.lines()));
+        lines.extend(self.deepest_line());
         lines.extend(self.uncovered().into_iter().map(|(why, count, at)| {
             let named: Vec<String> = at.iter().take(MOST_LINES).map(ToString::to_string).collect();
             let more =
@@ -189,6 +201,31 @@ impl MillAnswer {
             lines.push(line("mean over a revolution misleads", told));
         }
         lines
+    }
+
+    /// What another roll would do at the worst sample.
+    fn deepest_line(&self) -> Option<Line> {
+        let told = self.chatter.as_ref()?;
+        let (deepest, (worst, _)) = told.deepest.as_ref().zip(told.worst.as_ref())?;
+        let (found, Judged::Cut { critical, .. }) = (self.followed()?, &told.samples[*worst]) else { return None };
+        let depth = |edge: Option<Edge>| edge.map_or(f64::INFINITY, |edge| edge.depth);
+        let says = if depth(deepest.edge) <= depth(critical.edge) {
+            "no roll and no configuration that is held there lets it go deeper".to_owned()
+        } else {
+            let from = deepest.edge.map_or_else(
+                || format!("from no depth up to {} mm", fixed(LONGEST * 1e3, 0)),
+                |edge| format!("from {} mm at {} Hz", fixed(edge.depth * 1e3, 4), fixed(edge.frequency, 2)),
+            );
+            let errors = [deepest.error, found.samples[*worst].error].map(|error| fixed(error * 1e3, 4));
+            format!(
+                "{from}: roll {} deg, {}; error {} mm instead of {} (this sample alone, --roll mills all so)",
+                fixed(deepest.arrangement.roll.to_degrees(), 0),
+                deepest.arrangement.configuration,
+                errors[0],
+                errors[1]
+            )
+        };
+        Some(line("rolled otherwise, swings", says))
     }
 
     /// The same as a table.

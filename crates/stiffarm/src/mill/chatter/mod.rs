@@ -3,10 +3,13 @@
 //! At every sample that cuts [`by_mean`] has the critical depth: at the posture that was found there, the engagement and the feed as there. The
 //! full answer, with intervals, lobes and a verdict, is that of the sample at which the critical depth is least in proportion to that of its cut.
 
+mod roll;
+
 use rayon::prelude::*;
 
 use super::fault::MillError;
 use super::follow::{Pushed, Stand};
+use super::solve::MillOptions;
 use super::stations::{Acting, Station, StationCut};
 use crate::chatter::{Asked, ByMean, Chatter, ChatterError, Cut, HeldBy, MeasuredTip, axes, by_mean, chatter};
 use crate::cutting::{Law, Milling, Process};
@@ -14,6 +17,8 @@ use crate::mass::RigidBody;
 use crate::modes::{Damping, HeldTool, check_masses};
 use crate::robot::Robot;
 use crate::watch::Watch;
+
+pub use roll::DeepestRoll;
 
 /// What swings with the arm, and how it dies away.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,6 +82,8 @@ pub struct PathChatter {
     pub samples: Vec<Judged>,
     /// The station at which the critical depth is least in proportion to that of its cut, with all that is told of it; `None` where no sample is covered.
     pub worst: Option<(usize, Chatter)>,
+    /// The roll and the configuration with which its cut would go deepest.
+    pub deepest: Option<DeepestRoll>,
 }
 
 impl Judged {
@@ -124,7 +131,7 @@ pub fn chatter_along(
     robot: &Robot,
     stand: &Stand,
     (stations, followed): (&[Station], &[Pushed]),
-    (process, held): (&Process, &MillHeld),
+    (process, held, options): (&Process, &MillHeld, &MillOptions),
     watch: Watch,
 ) -> Result<PathChatter, MillError> {
     let of_line = |line: usize| move |error| MillError::Chatter { line, error };
@@ -159,5 +166,9 @@ pub fn chatter_along(
         let found = chatter(robot, joints, &tool, &there, &asked(station)).map_err(of_line(station.sample.line))?;
         Ok::<_, MillError>((i, found))
     };
-    Ok(PathChatter { worst: worst.map(full).transpose()?, samples })
+    let deepest = worst.map(|(i, cut)| {
+        let asked = asked(&stations[i]);
+        roll::deepest((robot, &tool), stand, (stations, i), (&cut, &asked), options, watch)
+    });
+    Ok(PathChatter { worst: worst.map(full).transpose()?, samples, deepest: deepest.transpose()?.flatten() })
 }

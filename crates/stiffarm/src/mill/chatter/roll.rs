@@ -1,0 +1,72 @@
+//! Which roll and which configuration let a cut go deepest at one sample, and what error do they cost?
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+
+use super::super::arm_with_margins;
+use super::super::fault::MillError;
+use super::super::follow::{Arrangement, Stand, held, pushed};
+use super::super::solve::{MillOptions, Question};
+use super::super::stations::Station;
+use crate::chatter::{Asked, Cut, Edge, by_mean};
+use crate::inverse::Configuration;
+use crate::modes::HeldTool;
+use crate::robot::Robot;
+use crate::watch::Watch;
+
+/// Rolls that are looked at: steps of 5 deg.
+const ROLLS: usize = 72;
+
+/// How a tool is held at one sample so that its cut goes deepest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DeepestRoll {
+    /// Roll and configuration.
+    pub arrangement: Arrangement,
+    /// From which depth it swings, by the mean of the teeth over a revolution; `None` where no edge does.
+    pub edge: Option<Edge>,
+    /// The error there, m.
+    pub error: f64,
+}
+
+impl DeepestRoll {
+    fn depth(&self) -> f64 {
+        self.edge.map_or(f64::INFINITY, |edge| edge.depth)
+    }
+}
+
+/// Of every roll in steps of 5 deg and every configuration that keeps the margins and touches nothing; `None` where none does.
+pub(super) fn deepest(
+    (robot, tool): (&Robot, &HeldTool),
+    stand: &Stand,
+    (stations, at): (&[Station], usize),
+    (cut, asked): (&Cut, &Asked),
+    options: &MillOptions,
+    watch: Watch,
+) -> Result<Option<DeepestRoll>, MillError> {
+    let arm = arm_with_margins(robot, stand, options)?;
+    let station = &stations[at];
+    let guard = Question { robot, arm: &arm, stations, options }.guard(stand);
+    let looked = |i: usize| {
+        watch.go_on()?;
+        let configuration = Configuration::ALL[i % Configuration::COUNT];
+        let roll = TAU * (i / Configuration::COUNT) as f64 / ROLLS as f64;
+        let arrangement = Arrangement { configuration, roll };
+        let Ok(q) = held(&arm, stand, &station.sample, arrangement)? else { return Ok(None) };
+        if let Some(guard) = &guard {
+            let theta = guard.theta(station.sample.line, &station.sample.pose, arrangement)?;
+            if theta.is_none_or(|theta| guard.touches(&guard.posed(theta))) {
+                return Ok(None);
+            }
+        }
+        let of_line = |error| MillError::Chatter { line: station.sample.line, error };
+        let edge = by_mean(robot, &q, tool, cut, asked).map_err(of_line)?.edge;
+        let error = pushed(robot, stand, station, options.part, (arrangement, &q))?.error;
+        Ok::<_, MillError>(Some(DeepestRoll { arrangement, edge, error }))
+    };
+    let all: Vec<Option<DeepestRoll>> =
+        (0..ROLLS * Configuration::COUNT).into_par_iter().map(looked).collect::<Result<_, _>>()?;
+    // Of those that go equally deep the one that errs least.
+    let by = |a: &DeepestRoll, b: &DeepestRoll| a.depth().total_cmp(&b.depth()).then(b.error.total_cmp(&a.error));
+    Ok(all.into_iter().flatten().max_by(by))
+}
