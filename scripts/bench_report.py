@@ -76,6 +76,9 @@ def main():
     inverse = ("rs-opw-kinematics (inverse alone, neither limits nor compliance)", statistics.mean(runs))
     compare("All postures of poses", "poses", POSTURES, ours, [inverse])
 
+    ours = [("modes_1k/frequencies", "ours")]
+    compare("Frequencies of an arm with six springs and masses", "postures", 1000, ours, [found["Pinocchio and SciPy, frequencies"]])
+
     print("\nVerbs, one thread, ms")
     verbs = [(f"place/{name}", f"place, {name}") for name in ("exact", "within", "within_any_angle")]
     verbs += [("rank_ten_robots_six_tasks", "rank, ten robots, six tasks"), ("table_1/with_boundaries", "Table I with boundaries")]

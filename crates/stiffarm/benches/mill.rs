@@ -1,5 +1,5 @@
 //! A path of 10 000 samples, 180 rolls and 8 configurations, on one thread: every error, both sweeps, smoothing and the exact path; beside the
-//! inverse kinematics alone of the same poses by rs-opw-kinematics.
+//! inverse kinematics alone of the same poses by rs-opw-kinematics. And whether its cuts swing.
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
@@ -11,19 +11,30 @@ use rs_opw_kinematics::kinematic_traits::{Kinematics, Pose as OpwPose};
 use rs_opw_kinematics::kinematics_impl::OPWKinematics;
 use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
 use stiffarm::catalogue::find;
-use stiffarm::mill::{Acting, MillOptions, Milled, PartPlacement, Stand, Station, mill, part_from_tool, stations};
+use stiffarm::chatter::{Asked, chatter};
+use stiffarm::cutting::{Edge, Engagement, Law, Milling, Process};
+use stiffarm::mass::RigidBody;
+use stiffarm::mill::{
+    Acting, Forcing, MillHeld, MillOptions, Milled, PartPlacement, Stand, Station, chatter_along, forced, mill,
+    part_from_tool, stations,
+};
+use stiffarm::modes::HeldTool;
 use stiffarm::robot::Arm;
 use stiffarm::spatial::Pose;
-use stiffarm::toolpath::{Builtin, Steps};
+use stiffarm::toolpath::{Builtin, Move, Steps};
 use stiffarm::watch::Watch;
 
 /// Rolls of the grid that is searched.
 const ROLLS: usize = 180;
 
-fn path() -> (Vec<Station>, Stand) {
+fn moves() -> (Vec<Move>, Steps) {
     let moves = "raster:rect:0.4x0.25@0.0252".parse::<Builtin>().expect("a path").moves(Some(0.05));
-    let length: f64 = moves.iter().map(stiffarm::toolpath::Move::length).sum();
-    let steps = Steps { longest: length / 10_000.0, ..Steps::USUAL };
+    let length: f64 = moves.iter().map(Move::length).sum();
+    (moves, Steps { longest: length / 10_000.0, ..Steps::USUAL })
+}
+
+fn path() -> (Vec<Station>, Stand) {
+    let (moves, steps) = moves();
     let acting = Acting::Known { force: [300.0, -120.0, 80.0], moment: 4.0 };
     let tool = Pose::new(nalgebra::Vector3::new(0.25, 0.0, 0.0), nalgebra::Vector3::y() * TAU / 4.0);
     let placement = PartPlacement::from_base([1.7, 0.0, 0.8], 0.3);
@@ -78,5 +89,39 @@ fn along_a_path(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, along_a_path);
+/// Whether the cuts of the same path swing, beside following it; and one cut, whole: 200 draws at 191 speeds.
+fn chatter_of_cuts(c: &mut Criterion) {
+    let robot = find("KR 210 R2700-2").expect("in the catalogue").robot();
+    let ((moves, steps), (_, stand)) = (moves(), path());
+    let edge = Edge::Linear { chip: [767e6, 169e6, 222e6], rubbing: [0.0; 3] };
+    let engagement = Engagement { depth: 3e-3, entry: 0.2, exit: 1.9, feed_per_tooth: 1e-4 };
+    let milling = Milling { diameter: 0.016, teeth: 4, helix: 0.0, engagement, edge };
+    let process = Process { spindle: Some(1256.0), is_clockwise: true, law: Law::Milling(milling) };
+    let forcing = Forcing::Process(process.clone());
+    let stations = forced(&moves, &steps, &forcing, None, Watch::nobody()).expect("forces").stations;
+    let body = RigidBody::point(60.0, nalgebra::Vector3::new(0.0, 0.0, 0.2));
+    let held = MillHeld { body: Some(body), damping: None, measured: None };
+    let options = MillOptions::usual();
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let found = one.install(|| mill(&robot, &stand, &stations, &options, Watch::nobody()));
+    let Ok(Milled::Followed(found)) = found else { panic!("it is followed") };
+    let mut group = c.benchmark_group("chatter");
+    group.sample_size(10).measurement_time(Duration::from_secs(10));
+    group.throughput(Throughput::Elements(stations.len() as u64));
+    group.bench_function(format!("along_{}_samples", stations.len()), |b| {
+        let path = (&stations[..], &found.samples[..]);
+        let along = || chatter_along(&robot, &stand, path, (&process, &held, &options), Watch::nobody());
+        b.iter(|| black_box(one.install(along)).expect("told").samples.len());
+    });
+    group.throughput(Throughput::Elements(1));
+    group.bench_function("one_cut_with_its_chart", |b| {
+        let tool = HeldTool { flange_from_tool: stand.flange_from_tool, body: Some(body) };
+        let asked = Asked { feed: [0.0, 1.0, 0.0], damping: None, method: None, measured: None };
+        let told = || chatter(&robot, &found.samples[0].joints, &tool, &process, &asked);
+        b.iter(|| black_box(one.install(told)).expect("told").lobes.len());
+    });
+    group.finish();
+}
+
+criterion_group!(benches, along_a_path, chatter_of_cuts);
 criterion_main!(benches);

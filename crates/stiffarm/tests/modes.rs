@@ -115,6 +115,36 @@ fn the_kr_210_of_the_catalogue_swings_as_its_published_masses_say() {
     assert!((weight - 1077.4).abs() < 0.05, "{weight}");
 }
 
+/// 75 postures of 25 robots with tools, as Pinocchio's mass matrix and SciPy's eigenvalues have them (`scripts/swinging.py`).
+#[test]
+fn postures_of_every_serial_robot_with_masses_swing_as_two_other_programs_say() {
+    let text = include_str!("../../../validation/modes_cases.csv");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let columns = reader.headers().unwrap().clone();
+    let mut count = 0;
+    for record in reader.records().map(Result::unwrap) {
+        let cell = |name: &str| &record[columns.iter().position(|column| column == name).unwrap()];
+        let numbers = |name: &str| cell(name).split(' ').map(|x| x.parse().unwrap()).collect::<Vec<f64>>();
+        let three = |name: &str| Vector3::from_vec(numbers(name)) / 1e3;
+        let six = |name: &str| <[f64; 6]>::try_from(numbers(name)).unwrap();
+        let robot = with_compliance(&find(cell("robot")).unwrap().robot(), six("drive_urad_per_nm")).unwrap();
+        let body = RigidBody::new(numbers("tool_mass_kg")[0], three("tool_com_mm"), six("tool_inertia_kg_m2"));
+        let [x, y, z] = three("tip_mm").into();
+        let tool = HeldTool { flange_from_tool: Pose::translation(x, y, z), body: Some(body) };
+        let swing = modes(&robot, &six("joints_deg").map(f64::to_radians), &tool, None).unwrap();
+        // Springs differ by a factor of twenty and masses by thousands: eigenvalues are good to 1e-16 of the largest.
+        close(&frequencies(&swing), &numbers("frequency_hz"), 1e-8);
+        let shapes = numbers("tip_shapes");
+        for (mode, told) in swing.modes.iter().zip(shapes.chunks(3)) {
+            let told = Vector3::from_column_slice(told);
+            let apart = (mode.tip - told).norm().min((mode.tip + told).norm());
+            assert!(apart < 1e-6 * told.norm().max(1e-3), "{}: {} {told}", cell("robot"), mode.tip);
+        }
+        count += 1;
+    }
+    assert_eq!(count, 75);
+}
+
 /// Two links in a plane with a point mass each, worked out by hand: `M = [[m1 l1^2 + m2 r^2, ..], [.., m2 l3^2]]`.
 #[test]
 fn two_links_with_a_mass_at_each_end_swing_as_the_double_pendulum_of_a_textbook() {
