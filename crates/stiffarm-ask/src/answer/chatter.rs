@@ -168,6 +168,7 @@ impl ChatterAnswer {
             .put(field::CRITICAL_DEPTH, depth(at_speed))
             .put(field::CRITICAL_DEPTH_P05, chatter.and_then(|chatter| chatter.spread.p05))
             .put(field::CRITICAL_DEPTH_P95, chatter.and_then(|chatter| chatter.spread.p95))
+            .put(field::DEPTH_RESERVE, found.and_then(|found| found.reserve(depth(at_speed))))
             .put(field::CHATTER_FREQUENCY, hertz(at_speed))
             .put(field::TOOTH_PHASE, chatter.and_then(Chatter::tooth_phase))
             .put(field::ANY_SPEED_DEPTH, depth(any_speed))
@@ -249,6 +250,7 @@ impl ChatterAnswer {
         let mut lines: Vec<Line> = vec![
             line("cut", engagement),
             line(format!("swings at {} rpm from", fixed(self.rpm(), 0)), with(chatter.at_speed, chatter.spread)),
+            line("reserve", self.reserves()),
             line("at no speed below", with(chatter.any_speed, chatter.any_speed_spread)),
             line("without the delay (Pan)", told(chatter.without_delay)),
         ];
@@ -263,6 +265,20 @@ impl ChatterAnswer {
         lines.extend(self.measured_line());
         lines.push(line("teeth", self.counted()));
         lines
+    }
+
+    /// A depth in parts of that of the cut.
+    fn reserve(&self, depth: Option<f64>) -> Option<f64> {
+        Some(depth? / self.chatter.cut.milling.engagement.depth)
+    }
+
+    fn reserves(&self) -> String {
+        let most = LONGEST / self.chatter.cut.milling.engagement.depth;
+        let [at_speed, p05, p95] = [depth(self.chatter.at_speed), self.chatter.spread.p05, self.chatter.spread.p95]
+            .map(|depth| {
+                self.reserve(depth).map_or_else(|| format!("more than {}", fixed(most, 1)), |share| fixed(share, 3))
+            });
+        format!("{at_speed} of the depth of the cut; 90 %: {p05}..{p95}; below 1 it swings")
     }
 
     /// At which speeds the cut would be calm.

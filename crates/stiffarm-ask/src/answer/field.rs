@@ -335,6 +335,7 @@ fields! {
     CHATTER_VERDICT: "verdict", Kind::Text, "What is told of robot modes and of what was measured at the tip, in words.";
     CHATTER_METHOD: "method", Kind::Text, "How teeth are counted: mean (over a revolution) or teeth (one by one).";
     CHATTER_DRAWN: "drawn", Kind::Nested, "What the intervals are over: drives, damping, both or neither.";
+    DEPTH_RESERVE: "depth_reserve", Kind::Number(Unit::One), "The least depth that swings at the speed of the spindle, in parts of that of the cut; null where none up to 300 mm does.";
     LOBES: "lobes", Kind::Nested, "By the speed of the spindle: the least depth that swings.";
     LOBE_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "The least axial depth that swings at a speed; null where none up to 300 mm does.";
     LOBE_DEPTH_P05: "depth_mm_p05", Kind::Number(Unit::Millimetre), "Five of a hundred such robots swing at less; null beyond 300 mm, and where teeth are counted one by one.";

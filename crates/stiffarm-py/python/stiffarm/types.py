@@ -2786,6 +2786,10 @@ class PathChatter(TypedDict):
     critical_depth_mm_p95: float | None
     """Five of a hundred swing at more alone; null beyond 300 mm."""
 
+    depth_reserve: float | None
+    """The least depth that swings at the speed of the spindle, in parts of that of the cut; null where none up
+    to 300 mm does."""
+
     chatter_hz: float | None
     """The frequency of the swing at that depth."""
 
@@ -3585,6 +3589,10 @@ class ChatterDict(TypedDict):
 
     critical_depth_mm_p95: float | None
     """Five of a hundred swing at more alone; null beyond 300 mm."""
+
+    depth_reserve: float | None
+    """The least depth that swings at the speed of the spindle, in parts of that of the cut; null where none up
+    to 300 mm does."""
 
     chatter_hz: float | None
     """The frequency of the swing at that depth."""

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde_json::{Value, json};
 use stiffarm::catalogue::ProcessFile;
-use stiffarm::chatter::{Chatter, Edge, LONGEST};
+use stiffarm::chatter::{Chatter, Edge, LONGEST, Verdict};
 use stiffarm::mill::{
     DeepestRoll, Judged, MillError, MillHeld, MillOptions, PathChatter, Pushed, Stand, Station, Uncovered,
     chatter_along, check_chatter,
@@ -146,6 +146,14 @@ impl MillAnswer {
         let uncovered = if 0 < uncovered { format!("; {uncovered} samples are not covered") } else { String::new() };
         let measured = told.worst.as_ref().and_then(|(_, found)| found.chatter.measured.as_ref());
         Some(format!("{of_robot}{uncovered}; {}", besides(measured)))
+    }
+
+    /// Why the cuts are no answer, where they are asked and surely swing.
+    pub(super) fn chatter_shortfall(&self) -> Option<String> {
+        let (worst, found) = self.chatter.as_ref()?.worst.as_ref()?;
+        let Verdict::Limits(depth) = found.chatter.verdict() else { return None };
+        let [cut, depth] = [found.chatter.cut.milling.engagement.depth, depth].map(|depth| fixed(depth * 1e3, 3));
+        Some(format!("a cut of {cut} mm, {}, swings from {depth} mm", self.at_sample(*worst)))
     }
 
     /// As fields.

@@ -254,6 +254,9 @@ impl MillAnswer {
         if let Some(why) = self.forbidding_contact() {
             return Some(format!("{}: {why}", self.robot.name));
         }
+        if let Some(why) = self.chatter_shortfall() {
+            return Some(format!("{}: {why}", self.robot.name));
+        }
         let (found, tolerance) = (self.followed()?, self.tolerance_mm?);
         let fails = !Verdict::of(found.worst.0, tolerance).passes;
         fails.then(|| {

@@ -44,6 +44,8 @@ class Chatter(Table[ChatterDict]):
     critical_depth_mm: float | None
     critical_depth_mm_p05: float | None
     critical_depth_mm_p95: float | None
+    #: In parts of the depth of the cut; below 1 it swings.
+    depth_reserve: float | None
     chatter_hz: float | None
     #: By how much the swing turns from tooth to tooth.
     tooth_phase_rad: float | None
