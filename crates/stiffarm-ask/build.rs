@@ -1,4 +1,4 @@
-//! Takes plotly.js alone out of the crate that carries it together with what sets formulas, and packs it: views hold it, and few commands make views.
+//! Packs what is large and seldom read: plotly.js, alone out of the crate that carries it together with what sets formulas, and the fonts.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -12,9 +12,15 @@ fn main() {
     let scripts = plotly::Plot::offline_js_sources();
     let (_, rest) = scripts.split_once('>').expect("a script has a tag");
     let (plotly, _) = rest.split_once("</script>").expect("a script ends");
-    let mut packed = GzEncoder::new(Vec::new(), Compression::best());
-    packed.write_all(plotly.as_bytes()).expect("memory is written to");
-    let folder = env::var_os("OUT_DIR").expect("cargo names a folder");
-    fs::write(PathBuf::from(folder).join("plotly.js.gz"), packed.finish().expect("it ends"))
-        .expect("the folder is there");
+    let folder = PathBuf::from(env::var_os("OUT_DIR").expect("cargo names a folder"));
+    for (name, bytes) in [
+        ("plotly.js.gz", plotly.as_bytes()),
+        ("plain.ttf.gz", dejavu::sans::regular()),
+        ("bold.ttf.gz", dejavu::sans::bold()),
+        ("mono.ttf.gz", dejavu::sans_mono::regular()),
+    ] {
+        let mut packed = GzEncoder::new(Vec::new(), Compression::best());
+        packed.write_all(bytes).expect("memory is written to");
+        fs::write(folder.join(name), packed.finish().expect("it ends")).expect("the folder is there");
+    }
 }

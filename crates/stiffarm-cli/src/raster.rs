@@ -8,7 +8,7 @@ use krilla::page::PageSettings;
 use krilla_svg::{SurfaceExt, SvgSettings};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{self, fontdb};
-use stiffarm_ask::figures::FONT;
+use stiffarm_ask::figures::fonts::{self, FONT};
 
 /// A PNG with more pixels than this is refused before memory is taken (400 MB).
 const MOST_PIXELS: f64 = 1e8;
@@ -37,10 +37,10 @@ pub(crate) enum RasterError {
 
 /// Reads an SVG, with the font that comes with the program.
 pub(crate) fn tree(svg: &str) -> Result<usvg::Tree, RasterError> {
-    let mut fonts = fontdb::Database::new();
-    fonts.load_font_data(dejavu::sans::regular().to_vec());
-    fonts.load_font_data(dejavu::sans::bold().to_vec());
-    let options = usvg::Options { fontdb: Arc::new(fonts), font_family: FONT.into(), ..usvg::Options::default() };
+    let mut known = fontdb::Database::new();
+    known.load_font_data(fonts::plain().to_vec());
+    known.load_font_data(fonts::bold().to_vec());
+    let options = usvg::Options { fontdb: Arc::new(known), font_family: FONT.into(), ..usvg::Options::default() };
     Ok(usvg::Tree::from_str(svg, &options)?)
 }
 

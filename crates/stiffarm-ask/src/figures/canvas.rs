@@ -7,10 +7,8 @@ use skrifa::{FontRef, MetadataProvider};
 use stiffarm::palette::{INK, PAPER};
 
 use super::Plate;
+use super::fonts::{self, FONT};
 use crate::markup::escaped;
-
-/// The font that comes with the program, and by which widths are measured.
-pub const FONT: &str = "DejaVu Sans";
 
 /// A point on the sheet, px.
 pub(crate) type Px = [f64; 2];
@@ -73,7 +71,7 @@ impl<'a> Font<'a> {
 
     /// How far each letter moves the next one, px.
     fn advance(&self) -> impl Fn(char) -> f64 {
-        let data = if self.bold { dejavu::sans::bold() } else { dejavu::sans::regular() };
+        let data = if self.bold { fonts::bold() } else { fonts::plain() };
         let size = self.size;
         let measures = FontRef::from_index(data, 0)
             .ok()

@@ -13,6 +13,7 @@ mod canvas;
 pub(crate) mod compare;
 mod contour;
 pub(crate) mod face;
+pub mod fonts;
 pub(crate) mod hodograph;
 pub(crate) mod identify;
 mod labels;
@@ -34,7 +35,6 @@ pub(crate) mod swinging;
 pub mod view3d;
 
 pub use bands::Colours;
-pub use canvas::FONT;
 pub use plate::Plate;
 
 /// A figure that cannot be made.

@@ -5,6 +5,7 @@ use skrifa::charmap::Charmap;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::metrics::GlyphMetrics;
 use skrifa::{FontRef, MetadataProvider};
+use stiffarm_ask::figures::fonts;
 
 /// Which font.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,8 +30,7 @@ pub(super) struct Faces([Face; 3]);
 impl Faces {
     /// Those that come with the program; `None` where they are none, which no program has that was built.
     pub(super) fn new() -> Option<Self> {
-        let [plain, bold, mono] =
-            [dejavu::sans::regular(), dejavu::sans::bold(), dejavu::sans_mono::regular()].map(Face::new);
+        let [plain, bold, mono] = [fonts::plain(), fonts::bold(), fonts::mono()].map(Face::new);
         Some(Self([plain?, bold?, mono?]))
     }
 
