@@ -109,6 +109,7 @@ impl Request {
         request.check_dry()?;
         request.check_silent()?;
         request.check_held()?;
+        request.check_quantity()?;
         request.check_regions()?;
         request.check_runs()?;
         request.check_filters()?;
@@ -182,6 +183,21 @@ impl Request {
                 Err(Refusal::Excludes { at, name, other })
             }
         }
+    }
+
+    /// What the tool weighs and how slow the arm swings are of one question.
+    fn check_quantity(&self) -> Result<(), Refusal> {
+        if self.verb != Verb::Map || self.maps_frequency() {
+            return Ok(());
+        }
+        if self.is_given("tool-com-mm") {
+            let why = "has no meaning where deflections alone are mapped; expected quantity first-frequency beside it";
+            return Err(self.refused("tool-com-mm", why.into()));
+        }
+        if self.layer() == Layer::FirstFrequency {
+            return Err(self.refused("layer", "first-frequency; expected quantity first-frequency beside it".into()));
+        }
+        Ok(())
     }
 
     /// A mass centre is of a mass, and what held a tip of its table; these need it by their rows.

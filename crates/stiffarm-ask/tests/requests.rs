@@ -24,14 +24,14 @@ fn asked(verb: Verb, given: &[(&str, &str)]) -> Result<Request, Refusal> {
 /// An option with its example, and with what it needs: another option, a model.
 fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static str)> {
     let mut given = vec![(setting.name, setting.example)];
-    if setting.of == Of::Spatial {
-        given.push(("model", "spatial"));
-    }
+    let mut is_spatial = setting.of == Of::Spatial;
     let mut last = setting;
     while let Some((_, name)) = last.needs.iter().find(|(of, _)| *of == verb) {
         last = verb.setting(name).expect("a row");
+        is_spatial |= last.of == Of::Spatial && verb != Verb::Modes;
         given.push((name, last.example));
     }
+    given.extend(is_spatial.then_some(("model", "spatial")));
     if setting.name == "faces" {
         given.push(("task", "box:0.3x0.2x0.1"));
     }
@@ -141,7 +141,9 @@ fn told(request: &Request) -> String {
         Verb::Place => format!("{:?} {:?} {:?}", request.robot().ok(), request.task().ok(), request.tolerance_mm()),
         Verb::Map => {
             let (robot, tolerance) = (request.robot().ok(), request.tolerance_mm());
-            format!("{robot:?} {tolerance:?} {:?} {:?} {:?}", request.map_options(), request.layer(), request.zone())
+            let swings = (request.maps_frequency(), request.held_tool().ok());
+            let (options, layer) = (request.map_options(), request.layer());
+            format!("{robot:?} {tolerance:?} {options:?} {layer:?} {:?} {swings:?}", request.zone())
         }
         Verb::Compliance => {
             let (robot, joints) = (request.robot().ok(), request.joints_deg().ok());
@@ -222,7 +224,7 @@ fn every_option_changes_what_is_told() {
         for setting in verb.settings() {
             let with = alone(verb, setting);
             // A mass and its centre go together, a zone and its place, a table and what held the tip.
-            let go_together = [Verb::Modes, Verb::Chatter].contains(&verb)
+            let go_together = [Verb::Modes, Verb::Chatter, Verb::Map].contains(&verb)
                 && ["tool-mass-kg", "tool-com-mm", "task"].contains(&setting.name)
                 || ["frf", "frf-on"].contains(&setting.name);
             let left = if go_together { &[] } else { &with[1..] };

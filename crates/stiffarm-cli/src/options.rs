@@ -38,7 +38,8 @@ pub(crate) fn subcommand(verb: Verb, about: &'static str, with_hidden: bool) -> 
         return command;
     }
     if CHECKED.contains(&verb) {
-        let help = "Exit code 3 where the tolerance is not held, there is no place, or with --chatter a cut surely swings";
+        let help =
+            "Exit code 3 where the tolerance is not held, there is no place, or with --chatter a cut surely swings";
         command = command.arg(Arg::new(CHECK).long(CHECK).action(ArgAction::SetTrue).help(help).display_order(890));
     }
     let save = Arg::new(SAVE_JOB)

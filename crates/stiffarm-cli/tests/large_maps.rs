@@ -35,7 +35,7 @@ fn answer(kind: ModelKind, points: usize) -> MapAnswer {
     let model = kind.of(&robot).expect("a model");
     let options = MapOptions::over(Spacing::Points(points), Load::PAPER);
     let map = map(&model, &options).expect("a map");
-    MapAnswer { model, options, map, zone: None }
+    MapAnswer { model, options, map, zone: None, frequency: None }
 }
 
 #[test]

@@ -133,3 +133,51 @@ fn a_zone_without_a_place_and_what_is_of_one_posture_are_refused() {
         "no masses in the robot file",
     );
 }
+
+#[test]
+fn a_map_tells_how_slow_the_arm_swings_first_at_every_point() {
+    const MAP: &[&str] = &["map", "KR 210 R2700-2", "--model", "spatial", "--size", "12", "--tool-mm", "0,0,200"];
+    const FREQUENCY: &[&str] = &["--quantity", "first-frequency"];
+    let json = |arguments: &[&[&str]]| -> Value {
+        let (ok, out, err) = output(&[arguments, &[&["--format", "json"]]].concat());
+        assert!(ok, "{err}");
+        serde_json::from_str(&out).expect("JSON")
+    };
+    let cells = |told: &Value| -> Vec<Option<f64>> {
+        let rows = told["first_frequency_hz"].as_array().expect("rows").iter();
+        rows.flat_map(|row| row.as_array().expect("cells").iter().map(Value::as_f64)).collect()
+    };
+    let (light, heavy) = (json(&[MAP, FREQUENCY]), json(&[MAP, FREQUENCY, HELD]));
+    let mut count = 0;
+    for (light, heavy) in cells(&light).into_iter().zip(cells(&heavy)) {
+        let (Some(light), Some(heavy)) = (light, heavy) else {
+            assert_eq!(light, heavy);
+            continue;
+        };
+        assert!(1.0 < heavy && heavy < light && light < 60.0, "{light} {heavy}");
+        count += 1;
+    }
+    assert!(20 < count, "{count}");
+    // Deflections are the same, and without the word nothing is told of frequencies.
+    let plain = json(&[MAP]);
+    assert_eq!((&plain["worst_mm"], &plain["first_frequency_hz"]), (&light["worst_mm"], &Value::Null));
+    let (ok, out, err) = output(&[MAP, FREQUENCY, HELD]);
+    assert!(ok && out.contains("slowest") && out.contains("a tool of 60 kg") && out.contains("Hz at x"), "{out}{err}");
+    let (_, table, _) = output(&[MAP, FREQUENCY, &["--format", "csv"]]);
+    assert!(table.lines().next().is_some_and(|heading| heading.ends_with(",first_frequency_hz")), "{table}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("map.svg");
+    let file = file.to_str().expect("a path");
+    let (ok, _, err) = output(&[MAP, FREQUENCY, &["-o", file]]);
+    let svg = std::fs::read_to_string(file).expect("written");
+    assert!(ok && svg.contains("first frequency of the arm, motors held still [Hz]"), "{err}");
+    for (arguments, words) in [
+        ([MAP, HELD], "--tool-com-mm needs --quantity"),
+        ([MAP, &["--layer", "first-frequency"]], "expected quantity first-frequency beside it"),
+        ([&["map", "IRB 6650S-200", "--model", "spatial", "--size", "12"], FREQUENCY], "no masses in the robot file"),
+        ([&["map", "KR 210 R2700-2"], FREQUENCY], "--quantity needs --model spatial"),
+    ] {
+        let (ok, out, err) = output(&arguments);
+        assert!(!ok && out.is_empty() && err.contains(words), "{words}: {err}");
+    }
+}

@@ -227,6 +227,11 @@ impl From<InvalidArm> for MapError {
 }
 
 impl Grid {
+    /// Row by row from the first z; NaN where nothing is known.
+    pub(crate) fn of(x: Axis, z: Axis, cells: Vec<f64>) -> Self {
+        Self { x, z, cells }
+    }
+
     /// The number at column `i` and row `j`.
     pub fn get(&self, i: usize, j: usize) -> Option<f64> {
         Some(self.cells[j * self.x.count + i]).filter(|value| !value.is_nan())
@@ -249,6 +254,12 @@ impl Grid {
 }
 
 impl Map {
+    /// Joint angles as the robot reports them, rad, at column `i` and row `j` of a map in space that `model` made with `options`.
+    pub(crate) fn joints(&self, model: &SpatialModel, options: &MapOptions, i: usize, j: usize) -> Option<[f64; 6]> {
+        let point = [self.deflection.x.at(i), self.deflection.z.at(j)];
+        section::joints(model, (options.load, &options.held()), self.space.as_ref()?.at(i, j)?, point)
+    }
+
     /// The stiffest point: its column, its row, and the posture that holds it there; `None` where nothing is reached. In space joint 1
     /// points straight ahead whatever its limits, and joint 6 turns freely where the roll moves nothing.
     ///
@@ -260,11 +271,7 @@ impl Map {
                 let point = [self.from_axis_2[0].at(i), self.from_axis_2[1].at(j)];
                 ArmPosture::Plane(planar::posture(model, options.elbow, point)?)
             }
-            (Model::Spatial(model), Some(margins)) => {
-                let held = options.held();
-                let point = [self.deflection.x.at(i), self.deflection.z.at(j)];
-                ArmPosture::Joints(section::joints(model, (options.load, &held), margins.at(i, j)?, point)?)
-            }
+            (Model::Spatial(model), Some(_)) => ArmPosture::Joints(self.joints(model, options, i, j)?),
             (Model::Planar(_), Some(_)) | (Model::Spatial(_), None) => return None, // another model's map
         };
         Some((i, j, posture))

@@ -5,6 +5,7 @@
 //! The stiffness is that of [`mod@crate::compliance`]: gravity and springs of base and bearings are left out (\[theory\], section 12).
 
 mod arm;
+mod map;
 mod motion;
 mod zone;
 
@@ -21,6 +22,7 @@ use crate::uncertainty::{DRAWS, Spread};
 
 pub use arm::SwingingArm;
 pub(crate) use arm::check_masses;
+pub use map::first_frequencies;
 pub use motion::Motion;
 pub use zone::{ModeOverZone, SwingOverZone, modes_over};
 

@@ -6,8 +6,12 @@ use nalgebra::{Complex, Matrix3, Vector3};
 use stiffarm::catalogue::{find, read, with_compliance, write};
 use stiffarm::compliance::compliance;
 use stiffarm::drive::Architecture;
+use stiffarm::inverse::postures;
+use stiffarm::load::Load;
+use stiffarm::map::{MapOptions, Spacing, map};
 use stiffarm::mass::{Carrier, Mass, RigidBody, mass_matrix};
-use stiffarm::modes::{Damping, HeldTool, ModesError, Swing, SwingingArm, modes};
+use stiffarm::model::{ArmPosture, Model};
+use stiffarm::modes::{Damping, HeldTool, ModesError, Swing, SwingingArm, first_frequencies, modes};
 use stiffarm::prior::with_prior;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
@@ -359,4 +363,46 @@ fn what_a_tool_cannot_be_is_refused() {
     let damped = |damping| modes(&robot, &q, &tool, Some(damping)).unwrap_err().to_string();
     assert!(damped(Damping::Ratio(-0.1)).contains("damping ratio -0.1; expected"));
     assert!(damped(Damping::OfDrives([f64::NAN; 6])).contains("expected"));
+}
+
+/// The frequency of a tool along the flange axis does not depend on the roll but for the little that link 6 is not round.
+#[test]
+fn a_map_has_at_every_point_the_first_frequency_of_its_posture() {
+    let (robot, tool, _) = kr210();
+    let model = Model::spatial(&robot, &tool.flange_from_tool).unwrap();
+    let options = MapOptions::over(Spacing::Step(0.2), Load::PAPER);
+    let map = map(&model, &options).unwrap();
+    let found = first_frequencies(&model, &map, &options, &tool).unwrap();
+    let mut count = 0;
+    let margins = map.space.as_ref().unwrap();
+    for j in 0..found.z.count {
+        for i in 0..found.x.count {
+            let Some((configuration, _)) = margins.at(i, j) else {
+                assert_eq!(found.get(i, j), None);
+                continue;
+            };
+            // Straight down, at a roll of its own.
+            let down = nalgebra::UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI);
+            let at = Vector3::new(found.x.at(i), 0.0, found.z.at(j));
+            let flange = Pose::from_parts(at.into(), down) * tool.flange_from_tool.inverse();
+            let geometry = match &robot.arm {
+                Arm::SixAxis { geometry, .. } => geometry,
+                Arm::Planar(_) => unreachable!("six axes"),
+            };
+            let all = postures(geometry, &flange);
+            let Some((_, theta)) = all.found.iter().find(|(other, _)| *other == configuration) else {
+                panic!("no posture {configuration} at {at}")
+            };
+            let q = geometry.reported(theta, stiffarm::limits::ThirdAxis::Elbow);
+            let hertz = modes(&robot, &q, &tool, None).unwrap().modes[0].frequency;
+            let told = found.get(i, j).unwrap();
+            assert!((told / hertz - 1.0).abs() < 2e-3, "{at}: {told} {hertz}");
+            count += 1;
+        }
+    }
+    assert!(100 < count, "{count}");
+    let (i, j, posture) = map.stiffest(&model, &options).unwrap();
+    let ArmPosture::Joints(q) = posture else { panic!("six joints") };
+    let hertz = modes(&robot, &q, &tool, None).unwrap().modes[0].frequency;
+    assert!((found.get(i, j).unwrap() / hertz - 1.0).abs() < 1e-12);
 }

@@ -298,6 +298,7 @@ fields! {
     FREQUENCY_P05: "frequency_hz_p05", Kind::Number(Unit::Given("hz")), "Five of a hundred such robots lie below, as far as the drives may be off; null where nothing says how far.";
     FREQUENCY_P95: "frequency_hz_p95", Kind::Number(Unit::Given("hz")), "Five of a hundred lie above.";
     FREQUENCY_FREE: "frequency_motors_free_hz", Kind::Number(Unit::Given("hz")), "Of the same rank with motors that only the inertia of their rotors holds; null where rotors are not known.";
+    FIRST_FREQUENCY: "first_frequency_hz", Kind::Number(Unit::Given("hz")), "The first frequency at every point of a map, in its configuration and at its roll, motors held still; null where it was not asked for (quantity first-frequency).";
     FIRST_AT_LEAST: "first_at_least_hz", Kind::Number(Unit::Given("hz")), "Nowhere in the zone the first frequency is lower, motors held still: proved for the stiffness as it is told, and no promise where that is not measured; null where the proof did not end.";
     FIRST_AT_LEAST_P05: "first_at_least_hz_p05", Kind::Number(Unit::Given("hz")), "The same of five of a hundred such robots, as far as the drives may be off: drawn, not proved; null where nothing says how far.";
     FREQUENCY_LEAST: "least_frequency_hz", Kind::Number(Unit::Given("hz")), "The least frequency of the points of the zone that were looked at, motors held still.";

@@ -8,10 +8,11 @@ use serde_json::{Value, json};
 use super::place::PlaceAnswer;
 use super::stiffness::{self, stiffness};
 use super::words::{self, tool_mm};
-use super::{Cell, Record, Rows, Table, Unit, columns_of, field, force, line, schema};
+use super::{Cell, Line, Record, Rows, Table, Unit, columns_of, field, force, line, schema};
 use stiffarm::load::Direction;
 use stiffarm::map::{Grid, Held, Map, MapOptions, Margins, ROLL_TOLERANCE};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
+use stiffarm::modes::HeldTool;
 
 /// The answer of `map`, with what was asked.
 ///
@@ -26,6 +27,8 @@ pub struct MapAnswer {
     pub map: Map,
     /// The best place of a zone, where one was asked for.
     pub zone: Option<PlaceAnswer>,
+    /// How slow the arm swings first, Hz, and with what it holds, where that was asked for.
+    pub frequency: Option<(Grid, HeldTool)>,
 }
 
 /// One number per cell.
@@ -62,6 +65,7 @@ impl MapAnswer {
             layers.push(Layer { field: field::LIMIT_MARGIN, grid: &margins.limits });
             layers.push(Layer { field: field::SINGULAR_MARGIN, grid: &margins.singular });
         }
+        layers.extend(self.frequency.iter().map(|(grid, _)| Layer { field: field::FIRST_FREQUENCY, grid }));
         layers
     }
 
@@ -69,10 +73,12 @@ impl MapAnswer {
         schema("map", words::origin(self.model.robot()))
     }
 
-    /// Keys of what the model does not know.
-    fn absent(&self) -> &'static [field::Field] {
-        const OF_SPACE: &[field::Field] = &[field::LIMIT_MARGIN, field::SINGULAR_MARGIN, field::POSTURE, field::ROLL];
-        if self.map.space.is_some() { &[] } else { OF_SPACE }
+    /// Keys of what the model does not know, or was not asked.
+    fn absent(&self) -> Vec<field::Field> {
+        const OF_SPACE: [field::Field; 4] = [field::LIMIT_MARGIN, field::SINGULAR_MARGIN, field::POSTURE, field::ROLL];
+        let mut absent = if self.map.space.is_some() { Vec::new() } else { OF_SPACE.to_vec() };
+        absent.extend(self.frequency.is_none().then_some(field::FIRST_FREQUENCY));
+        absent
     }
 
     fn held(&self) -> Held {
@@ -153,6 +159,7 @@ impl MapAnswer {
                 [field::SHOULDER, field::ELBOW, field::WRIST, field::ROLL, field::LIMIT_MARGIN, field::SINGULAR_MARGIN];
             columns.extend(further.map(|field| columns_of(&field)).concat());
         }
+        columns.extend(self.frequency.iter().flat_map(|_| columns_of(&field::FIRST_FREQUENCY)));
         let row = move |cell: usize| {
             let (i, j) = (cell % grid.x.count, cell / grid.x.count);
             let mut cells = vec![Cell::Number(grid.x.at(i)), Cell::Number(grid.z.at(j)), layers[0].at(i, j)];
@@ -198,12 +205,30 @@ impl MapAnswer {
             let says = format!("{floor:.4} mm in the worst direction at the stiffest posture of the links");
             lines.push(line("bound", says));
         }
+        lines.extend(self.frequency_lines());
         if let Some((zone, best)) = self.zone.as_ref().and_then(|zone| Some((zone, zone.placed.feasible()?))) {
             let [x, z] = best.centre;
             let says = format!("{:.4} mm at worst, centre x {x:.3} m, z {z:.3} m", best.deflection * 1e3);
             lines.push(line(format!("zone {}", zone.task.label), says));
         }
         Table::of_lines(lines)
+    }
+
+    /// How slow and how fast the arm swings first, and with what it holds.
+    fn frequency_lines(&self) -> Vec<Line> {
+        let Some((grid, tool)) = &self.frequency else { return Vec::new() };
+        let held = tool.body.map_or_else(
+            || "a tool that weighs nothing; a real one lowers them (--tool-mass-kg, --tool-com-mm)".to_owned(),
+            |body| format!("a tool of {} kg", body.mass),
+        );
+        let mut lines = vec![line("swings", format!("motors held still, with {held}"))];
+        for (name, (hertz, i, j)) in
+            grid.extremes().into_iter().flat_map(|ends| ["slowest", "fastest"].into_iter().zip(ends))
+        {
+            let says = format!("{hertz:.2} Hz at x {:.3} m, z {:.3} m", grid.x.at(i), grid.z.at(j));
+            lines.push(line(name, says));
+        }
+        lines
     }
 
     /// What stands below the table.

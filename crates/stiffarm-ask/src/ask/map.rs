@@ -8,6 +8,7 @@ use crate::request::{Layer, Request};
 use serde_json::Value;
 use stiffarm::map::{Grid, MapError, PointsBetween, map_watched};
 use stiffarm::model::{ArmPosture, Model, ModelKind};
+use stiffarm::modes::first_frequencies;
 use stiffarm::palette::FORCE;
 use stiffarm::place::{Placement, Within, place_task_watched};
 use stiffarm::watch::Watch;
@@ -39,6 +40,12 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<MapOutput, Ask
             }
             error => failure(error),
         })?;
+    let frequency = if asked.maps_frequency() {
+        let tool = asked.held_tool()?;
+        Some((first_frequencies(&model, &map, &options, &tool).map_err(AskError::Modes)?, tool))
+    } else {
+        None
+    };
     let zone = match asked.zone() {
         None => None,
         Some(task) => {
@@ -57,7 +64,12 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<MapOutput, Ask
             Some(PlaceAnswer { robot, model: kind, task, options, placed, tolerance_mm, advice: None })
         }
     };
-    Ok(MapOutput { layer: asked.layer(), answer: MapAnswer { model, options, map, zone }, plate, tolerance_mm })
+    Ok(MapOutput {
+        layer: asked.layer(),
+        answer: MapAnswer { model, options, map, zone, frequency },
+        plate,
+        tolerance_mm,
+    })
 }
 
 /// How long a force is drawn in space, m.
@@ -117,6 +129,7 @@ impl<'a> Drawn<'a> {
             Layer::Deflection => format!("{} [mm]", mapped(self.answer.options.load)),
             Layer::LimitMargin => "nearest joint limit [deg]".into(),
             Layer::SingularMargin => "nearest singular posture [deg]".into(),
+            Layer::FirstFrequency => "first frequency of the arm, motors held still [Hz]".into(),
         }
     }
 
@@ -127,6 +140,9 @@ impl<'a> Drawn<'a> {
     /// The numbers that are shown, their unit, and what their colours stand for.
     fn shown(&self) -> (&'a Grid, Unit, Colours) {
         let map = &self.answer.map;
+        if let (Layer::FirstFrequency, Some((frequency, _))) = (self.layer, &self.answer.frequency) {
+            return (frequency, Unit::Given("hz"), Colours::Frequencies);
+        }
         match (self.layer, &map.space) {
             (Layer::LimitMargin, Some(margins)) => (&margins.limits, Unit::Degree, Colours::Margins),
             (Layer::SingularMargin, Some(margins)) => (&margins.singular, Unit::Degree, Colours::Margins),

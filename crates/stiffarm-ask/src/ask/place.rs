@@ -118,7 +118,7 @@ impl PlaceOutput {
         let Self { model, answer, .. } = self;
         let options = answer.map_options(model, Spacing::Points(points));
         let map = map(model, &options).map_err(|error| AskError::Map { robot: answer.robot.name.clone(), error })?;
-        Ok(MapAnswer { model: model.clone(), options, map, zone: Some(answer.clone()) })
+        Ok(MapAnswer { model: model.clone(), options, map, zone: Some(answer.clone()), frequency: None })
     }
 
     fn subtitle(&self) -> String {

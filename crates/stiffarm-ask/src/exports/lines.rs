@@ -103,7 +103,11 @@ pub(crate) fn lines(view: &View) -> String {
         shapes.line(&[arrow.at, end], Part::Arrow);
     }
     let Shapes { points, values, lines, faces } = shapes;
-    let name = if view.colours == Colours::Margins { "margin_deg" } else { "deflection_mm" };
+    let name = match view.colours {
+        Colours::Deflections => "deflection_mm",
+        Colours::Margins => "margin_deg",
+        Colours::Frequencies => "first_frequency_hz",
+    };
     let parts: Vec<i64> = lines.parts.iter().chain(&faces.parts).copied().collect();
     let inside = format!(
         "<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n\

@@ -15,13 +15,15 @@ pub enum Colours {
     Deflections,
     /// Dark is near.
     Margins,
+    /// Dark is slow.
+    Frequencies,
 }
 
 impl Colours {
     fn on(self, share: f64) -> String {
         match self {
             Self::Deflections => on_scale(share),
-            Self::Margins => on_margin_scale(share),
+            Self::Margins | Self::Frequencies => on_margin_scale(share),
         }
     }
 
@@ -29,7 +31,7 @@ impl Colours {
     fn beyond(self) -> [&'static str; 2] {
         match self {
             Self::Deflections => [UNDER, OVER],
-            Self::Margins => [OVER, UNDER],
+            Self::Margins | Self::Frequencies => [OVER, UNDER],
         }
     }
 
@@ -38,6 +40,7 @@ impl Colours {
         match self {
             Self::Deflections => ["stiff", "soft"],
             Self::Margins => ["near", "far"],
+            Self::Frequencies => ["slow", "fast"],
         }
     }
 }

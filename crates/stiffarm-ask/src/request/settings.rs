@@ -525,6 +525,23 @@ const OF_ZONES: &[Setting] = &[
         ..ROW
     },
     Setting {
+        name: "quantity",
+        verbs: MAP,
+        of: Of::Spatial,
+        kind: Kind::Word(&[
+            ("deflection", "The deflection"),
+            (
+                "first-frequency",
+                "Besides it how slow the arm swings first, which the figure shows; of robots with masses",
+            ),
+        ]),
+        value: "QUANTITY",
+        absent: Absent::Default("deflection"),
+        help: "What is mapped, with --model spatial",
+        example: "first-frequency",
+        ..ROW
+    },
+    Setting {
         name: "layer",
         verbs: MAP,
         of: Of::Spatial,
@@ -532,9 +549,10 @@ const OF_ZONES: &[Setting] = &[
             ("deflection", "The worst deflection"),
             ("limit-margin", "How far the nearest joint limit is"),
             ("singular-margin", "How far the nearest singular posture is"),
+            ("first-frequency", "How slow the arm swings first, with --quantity first-frequency"),
         ]),
         value: "LAYER",
-        absent: Absent::Default("deflection"),
+        absent: Absent::Means("what is mapped"),
         help: "What the figure shows, with --model spatial; the tables have all of it",
         heading: DRAWN,
         example: "limit-margin",

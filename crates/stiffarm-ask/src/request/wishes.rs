@@ -32,6 +32,8 @@ pub enum Layer {
     LimitMargin,
     /// How far the nearest singular posture is.
     SingularMargin,
+    /// How slow the arm swings first.
+    FirstFrequency,
 }
 
 impl Request {
@@ -354,11 +356,18 @@ impl Request {
         self.one("posture", |value| if let Value::Posture(posture) = value { Some(posture) } else { None })
     }
 
+    /// Is it mapped how slow the arm swings first?
+    pub fn maps_frequency(&self) -> bool {
+        self.word("quantity") == Some("first-frequency")
+    }
+
     /// What the figure of a map in space shows.
     pub fn layer(&self) -> Layer {
         match self.word("layer") {
             Some("limit-margin") => Layer::LimitMargin,
             Some("singular-margin") => Layer::SingularMargin,
+            Some("first-frequency") => Layer::FirstFrequency,
+            None if self.maps_frequency() => Layer::FirstFrequency,
             _ => Layer::Deflection,
         }
     }

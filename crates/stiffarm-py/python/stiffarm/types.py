@@ -326,6 +326,9 @@ class MapOptions(TypedDict, total=False):
     posture: str | None
     """Only one posture, with model="spatial": such as front,up,no-flip [default: the stiffest at each point]."""
 
+    quantity: Literal["deflection", "first-frequency"]
+    """What is mapped, with model="spatial"."""
+
     zone: str | None
     """Draw the best placement of this task [planar model only]."""
 
@@ -415,6 +418,17 @@ class MapOptions(TypedDict, total=False):
 
     roll_deg: float | None
     """Rotation about the tool axis [deg]; 0 has the tool's x axis ahead, on a wall upright [default: the best]."""
+
+    tool_mass_kg: float | None
+    """Mass of the tool with its spindle [kg], which swings with the arm; its centre says where [default: a tool
+    that weighs nothing]."""
+
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
+
+    tool_inertia_kg_m2: npt.ArrayLike | None
+    """Inertia of the tool about its own mass centre [kg m2], along flange axes: elements of the matrix as URDF
+    has them [default: none: a point mass]."""
 
 
 class StudyOptions(TypedDict, total=False):
@@ -1883,6 +1897,10 @@ class _MapDict(TypedDict):
 
     roll_deg: list[list[float | None]] | None
     """About the tool axis."""
+
+    first_frequency_hz: list[list[float | None]] | None
+    """The first frequency at every point of a map, in its configuration and at its roll, motors held still; null
+    where it was not asked for (quantity first-frequency)."""
 
 
 class MapDict(_MapDict, total=False):

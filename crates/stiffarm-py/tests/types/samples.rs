@@ -15,7 +15,7 @@ use stiffarm::identify::{Identification, IdentifyError, identify};
 use stiffarm::ledger::{Printed, validate};
 use stiffarm::map::map;
 use stiffarm::measure::{geometry_plan, plan};
-use stiffarm::modes::{modes, modes_over};
+use stiffarm::modes::{first_frequencies, modes, modes_over};
 use stiffarm::place::{Hold, PlaceError, Placed, place, place_task};
 use stiffarm::rank::rank;
 use stiffarm::robot::Robot;
@@ -134,7 +134,11 @@ pub(crate) fn maps() -> Vec<Value> {
         let asked = asked(Verb::Map, &[typed, &[("size", "6")]].concat());
         let (model, options) = (asked.model().of(robot).unwrap(), asked.map_options());
         let map = map(&model, &options).unwrap();
-        serde_json::to_value(MapAnswer { model, options, map, zone }).unwrap()
+        let frequency = asked.maps_frequency().then(|| {
+            let tool = asked.held_tool().unwrap();
+            (first_frequencies(&model, &map, &options, &tool).unwrap(), tool)
+        });
+        serde_json::to_value(MapAnswer { model, options, map, zone, frequency }).unwrap()
     };
     vec![
         mapped(&two_links(), &[], None),
@@ -146,6 +150,7 @@ pub(crate) fn maps() -> Vec<Value> {
             &[("model", "spatial"), ("force-n", "300,100,50"), ("force-cone-deg", "5"), ("feed-deg", "10")],
             None,
         ),
+        mapped(&weighed(), &[("model", "spatial"), ("quantity", "first-frequency")], None),
     ]
 }
 

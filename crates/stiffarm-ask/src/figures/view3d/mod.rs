@@ -125,7 +125,11 @@ impl View {
         let notes: String = self.notes.iter().map(|note| format!("<p>{}</p>", escaped(note))).collect();
         let figure = in_script(&self.figure());
         let script = script();
-        let unit = if self.colours == Colours::Margins { "deg" } else { "mm" };
+        let unit = match self.colours {
+            Colours::Deflections => "mm",
+            Colours::Margins => "deg",
+            Colours::Frequencies => "Hz",
+        };
         format!(
             r#"<!doctype html>
 <html lang="en">

@@ -6,9 +6,9 @@ const MODES: &[Verb] = &[Verb::Modes];
 const CHATTER: &[Verb] = &[Verb::Chatter];
 const MILL: &[Verb] = &[Verb::Mill];
 /// At one posture.
-const SWINGING: &[Verb] = &[Verb::Modes, Verb::Chatter];
+const SWINGING: &[Verb] = &[Verb::Modes, Verb::Chatter, Verb::Map];
 /// There, and along a path.
-const ALL: &[Verb] = &[Verb::Modes, Verb::Chatter, Verb::Mill];
+const ALL: &[Verb] = &[Verb::Modes, Verb::Chatter, Verb::Map, Verb::Mill];
 /// Of what the arm holds.
 const HELD: Setting = Setting { verbs: ALL, heading: "Tool", ..ROW };
 
@@ -89,7 +89,7 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "kg",
         value: "KG",
         absent: Absent::Means("a tool that weighs nothing"),
-        needs: &[(Verb::Modes, "tool-com-mm"), (Verb::Chatter, "tool-com-mm")],
+        needs: &[(Verb::Modes, "tool-com-mm"), (Verb::Chatter, "tool-com-mm"), (Verb::Map, "tool-com-mm")],
         help: "Mass of the tool with its spindle, which swings with the arm; its centre says where",
         example: "60",
         ..HELD
@@ -100,7 +100,7 @@ pub(super) const ROWS: &[Setting] = &[
         count: count(3, "numbers", "three, separated by commas"),
         unit: "mm",
         value: "X,Y,Z",
-        needs: &[(Verb::Mill, "chatter")],
+        needs: &[(Verb::Mill, "chatter"), (Verb::Map, "quantity")],
         help: "Mass centre of the tool in the flange frame: x,y,z; with its mass",
         example: "0,0,200",
         ..HELD
@@ -112,7 +112,12 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "kg m2",
         value: "IXX,IXY,IXZ,IYY,IYZ,IZZ",
         absent: Absent::Means("none: a point mass"),
-        needs: &[(Verb::Modes, "tool-mass-kg"), (Verb::Chatter, "tool-mass-kg"), (Verb::Mill, "tool-com-mm")],
+        needs: &[
+            (Verb::Modes, "tool-mass-kg"),
+            (Verb::Chatter, "tool-mass-kg"),
+            (Verb::Map, "tool-mass-kg"),
+            (Verb::Mill, "tool-com-mm"),
+        ],
         help: "Inertia of the tool about its own mass centre, along flange axes: elements of the matrix as URDF has them",
         example: "1.3,0,0,1.6,0,0.5",
         ..HELD

@@ -61,6 +61,8 @@ class Map(Table[MapDict]):
     limit_margin_deg: Array | None
     #: (nz, nx) to the nearest singular posture; spatial model.
     singular_margin_deg: Array | None
+    #: (nz, nx) of the arm with what it holds, motors held still; with ``quantity="first-frequency"``.
+    first_frequency_hz: Array | None
     #: The best placement of the task that was given.
     zone: Placed | None
 
