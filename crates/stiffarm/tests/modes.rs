@@ -119,7 +119,7 @@ fn the_kr_210_of_the_catalogue_swings_as_its_published_masses_say() {
     assert!((weight - 1077.4).abs() < 0.05, "{weight}");
 }
 
-/// 75 postures of 25 robots with tools, as Pinocchio's mass matrix and SciPy's eigenvalues have them (`scripts/swinging.py`).
+/// 75 postures of 25 robots with tools, as the mass matrix of Pinocchio and the eigenvalues of `SciPy` have them (`scripts/swinging.py`).
 #[test]
 fn postures_of_every_serial_robot_with_masses_swing_as_two_other_programs_say() {
     let text = include_str!("../../../validation/modes_cases.csv");
