@@ -110,6 +110,7 @@ impl Request {
         request.check_silent()?;
         request.check_held()?;
         request.check_quantity()?;
+        request.check_measured()?;
         request.check_regions()?;
         request.check_runs()?;
         request.check_filters()?;
@@ -183,6 +184,25 @@ impl Request {
                 Err(Refusal::Excludes { at, name, other })
             }
         }
+    }
+
+    /// A tip that was measured on the robot has everything in it.
+    fn check_measured(&self) -> Result<(), Refusal> {
+        if self.word("frf-on") != Some("robot") {
+            return Ok(());
+        }
+        const IN_IT: [&str; 7] = [
+            "damping-ratio",
+            "tool-mass-kg",
+            "tool-com-mm",
+            "tool-inertia-kg-m2",
+            "stiffness",
+            "drive-urad-per-nm",
+            "stiffness-nm-per-rad",
+        ];
+        IN_IT.into_iter().find(|name| self.is_given(name)).map_or(Ok(()), |name| {
+            Err(self.refused(name, "has no meaning where the tip was measured on the robot: it is in the table".into()))
+        })
     }
 
     /// What the tool weighs and how slow the arm swings are of one question.

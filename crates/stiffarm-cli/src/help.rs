@@ -10,7 +10,7 @@ Exit codes:
   0  the answer is told
   1  no answer: a file, a robot, a search
   2  wrong usage
-  3  with --check (rank, place, mill): the tolerance is not held, there is no place, or with --chatter a cut swings";
+  3  with --check (rank, place, mill): the tolerance is not held, there is no place, or with --chatter a cut surely swings";
 
 /// Of one command.
 pub(crate) struct About {

@@ -110,11 +110,13 @@ fn what_was_measured_at_the_tip_is_looked_at_and_named_by_its_table() {
     let alone = json(&[&["chatter", PROCESS], bare, &["--frf", TAPPED_MODES, "--frf-on", "robot"]]);
     assert!(alone["verdict"].as_str().expect("words").starts_with("measured modes"), "{alone}");
     assert_eq!((&alone["modes_looked_at"], &alone["drawn"]), (&serde_json::json!([]), &serde_json::json!([])));
-    let (ok, out, err) = output(&[&["chatter", PROCESS], ARM, FEED, HELD, &["--frf", TAPPED, "--frf-on", "robot"]]);
+    let (ok, out, err) = output(&[&["chatter", PROCESS], ARM, FEED, &["--frf", TAPPED, "--frf-on", "robot"]]);
     assert!(ok, "{err}");
-    for words in
-        ["the tip as the robot holds it", "the model of the robot does not count", "above 2400 Hz nothing is known"]
-    {
+    for words in [
+        "the tip as the robot holds it",
+        "the model of the robot does not count",
+        "nothing is known below 4.0 and above 2400 Hz",
+    ] {
         assert!(out.contains(words), "{words}\n{out}");
     }
 }
@@ -125,6 +127,11 @@ fn a_tip_without_the_word_that_says_what_held_it_is_refused_and_its_faults_are_n
         let (ok, out, err) = output(&[&["chatter", PROCESS], ARM, FEED, arguments]);
         assert!(!ok && out.is_empty() && err.contains(words) && !err.contains("panicked"), "{words}: {err}");
     };
+    refused(&["--frf", TAPPED, "--frf-on", "robot", "--damping-ratio", "0.04"], "it is in the table");
+    refused(
+        &["--frf", TAPPED, "--frf-on", "robot", "--tool-mass-kg", "60", "--tool-com-mm", "0,0,200"],
+        "it is in the table",
+    );
     refused(&["--frf", TAPPED], "--frf needs --frf-on");
     refused(&["--frf-on", "rigid"], "--frf-on needs --frf");
     refused(&["--frf", TAPPED, "--frf-on", "table"], "--frf-on");

@@ -22,7 +22,7 @@ use crate::uncertainty::{DRAWS, Spread};
 
 pub use arm::SwingingArm;
 pub(crate) use arm::check_masses;
-pub use map::first_frequencies;
+pub use map::{FirstFrequencies, first_frequencies};
 pub use motion::Motion;
 pub use zone::{ModeOverZone, SwingOverZone, modes_over};
 

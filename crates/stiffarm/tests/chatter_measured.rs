@@ -253,7 +253,8 @@ fn tables_are_read_as_they_are_meant_and_faults_are_named() {
         MeasuredMode { frequency: 420.0, ratio: 0.25, stiffness: 3e7, direction: [-1.0, 2.0, 0.5] },
     ];
     let of = |hertz: f64| receptance(&modes, hertz);
-    let told = read_response(&table(20.0, FIVE, of), "tip.csv").unwrap();
+    let read = |text: &str| read_response(text, "tip.csv", HeldBy::Rigid);
+    let told = read(&table(20.0, FIVE, of)).unwrap();
     let Response::Samples(samples) = &told.response else { panic!("samples") };
     // The one of two that are alike is taken for both; what nobody measured is 0.
     let expected = (1..=60).map(|i| {
@@ -265,7 +266,7 @@ fn tables_are_read_as_they_are_meant_and_faults_are_named() {
     });
     assert_eq!(samples, &Samples::new(expected.collect()).unwrap());
     assert_eq!(told.remarks, ["gxz, gyz are not in the table and taken as 0"]);
-    let coarse = read_response(&table(100.0, TWO, of), "tip.csv").unwrap().remarks;
+    let coarse = read(&table(100.0, TWO, of)).unwrap().remarks;
     assert!(coarse.iter().any(|remark| remark.contains("Hz the response moves by")), "{coarse:?}");
     let noisy = table(20.0, TWO, |hertz| {
         let mut found = of(hertz);
@@ -274,20 +275,29 @@ fn tables_are_read_as_they_are_meant_and_faults_are_named() {
         }
         found
     });
-    let noisy = read_response(&noisy, "tip.csv").unwrap().remarks;
+    let noisy = read(&noisy).unwrap().remarks;
     assert!(noisy.iter().any(|remark| remark.contains("at 1 of 60 frequencies the damping is negative")), "{noisy:?}");
     // A table of modes, in any order.
     let by_hand = "damping_ratio;freq_hz;stiffness_n_per_m;ux;uy;uz;note\n# tapped\n0.25;420;3e7;-1;2;0.5;b\n0.25;300;2e7;2;1;0;a\n";
-    let told = read_response(by_hand, "tip.csv").unwrap();
+    let told = read(by_hand).unwrap();
     assert_eq!(told.response, Response::of_modes(&modes));
     assert_eq!(told.remarks, ["column note is ignored"]);
 
     let good = table(20.0, TWO, of);
     let conjugated = table(20.0, TWO, |hertz| of(hertz).conjugate());
     let unit = table(20.0, TWO, |hertz| of(hertz) * Complex::new(1e6, 0.0));
+    let active = table(20.0, TWO, |hertz| {
+        let mut found = of(hertz);
+        if hertz < 210.0 {
+            found[(0, 0)].im = 0.2 * found[(0, 0)].norm();
+        }
+        found
+    });
+    let late: Vec<&str> = good.lines().enumerate().filter(|(i, _)| *i == 0 || 24 < *i).map(|(_, line)| line).collect();
+    let late = late.join("\n");
     let lines = |text: &str, kept: usize| text.lines().take(kept).collect::<Vec<_>>().join("\n");
     for (text, says) in [
-        (String::new(), "tip.csv:1: the columns are ; expected freq_hz and gxx_re"),
+        (String::new(), "tip.csv:1: no headings; expected freq_hz and gxx_re"),
         (good.replace("gyy_im", "gyy_imag"), "tip.csv:1: gyy_re without gyy_im"),
         (good.replace("gxx", "hxx"), "tip.csv:1: the columns are freq_hz, hxx_re"),
         (good.replace("gyy", "gxx"), "tip.csv:1: the column gxx_re is there twice"),
@@ -296,19 +306,61 @@ fn tables_are_read_as_they_are_meant_and_faults_are_named() {
         (good.replace("\n40,", "\n40,1,"), "tip.csv:3: row 2: 6 cells; expected 5"),
         (lines(&good, 6), "tip.csv:1: 5 rows; expected at least 8 frequencies"),
         (conjugated, "tip.csv:1: gxx_im: more than 0 at the largest answer"),
-        (unit, "expected at most 0.01 m/N in size; mm/N and um/N are other units"),
+        (unit, "expected a number of at most 0.00002 in size, m/N; mm/N and um/N are other units"),
         (
             by_hand.replace("0.25;300", "-0.25;300"),
             "tip.csv:4: damping_ratio: -0.25; expected a share of critical damping",
         ),
         (by_hand.replace("0.25;300", "0;300"), "tip.csv:4: damping_ratio: 0; expected"),
-        (by_hand.replace(";2;1;0;", ";0;0;0;"), "tip.csv:4: ux: 0, 0, 0; expected the direction"),
+        (
+            by_hand.replace(";2;1;0;", ";0;0;0;"),
+            "tip.csv:4: ux: 0.0, 0.0, 0.0; expected the direction in which the tip moves",
+        ),
         (by_hand.replace("2e7", "inf"), "tip.csv:4: stiffness_n_per_m: inf; expected a stiffness"),
         (by_hand.replace("ux", "u"), "tip.csv:1: the columns are damping_ratio, freq_hz"),
         (lines(by_hand, 1), "tip.csv:1: no rows; expected a mode a row"),
+        (by_hand.replace(";2;1;0;", ";1e-200;0;0;"), "tip.csv:4: ux: 1e-200, 0.0, 0.0; expected the direction"),
+        (by_hand.replace("2e7", "2e4"), "stiffness_n_per_m: 2e4; expected a stiffness from 100000 to 1e12 N/m"),
+        (table(20.0, TWO, |_| Matrix3::zeros()), "tip.csv:1: gxx_re: 0 at every frequency"),
+        (active, "frequencies the damping is negative; expected displacement over force"),
+        (lines(&good, 10), "gxx_re: in the last row more than half of the answer in the first"),
+        (late, "gxx_re: not more than 0 in the first row: the table begins above a resonance"),
     ] {
-        let told = read_response(&text, "tip.csv").err().unwrap_or_else(|| panic!("{text} is read")).to_string();
+        let told = read(&text).err().unwrap_or_else(|| panic!("{text} is read")).to_string();
         assert!(told.contains(says), "{told}\n{says}");
     }
     assert_eq!(Samples::new(vec![(1.0, Matrix3::zeros())]), None);
+}
+
+/// Above its last frequency nothing is known of the tip, and all that the model knows of the robot.
+#[test]
+fn a_table_that_ends_below_the_modes_of_the_robot_leaves_them_there() {
+    let arm = kr210();
+    let stiff = |hertz: f64| receptance(&SPINDLE, hertz) * Complex::new(1e-3, 0.0);
+    for rpm in [300.0, 900.0, 12_000.0] {
+        let tip = MeasuredTip { held_by: HeldBy::Rigid, response: sampled(1.0, 30.0, stiff) };
+        let with = found(&arm, slot(), rpm, (along_y(), &tip));
+        let asked = ask(along_y(), None);
+        let without = chatter(&arm.0, &arm.2, &arm.1, &process(slot(), rpm), &asked).unwrap();
+        for (with, without) in [(with.at_speed, without.at_speed), (with.any_speed, without.any_speed)] {
+            close(with.unwrap().depth, without.unwrap().depth, 1e-2);
+            close(with.unwrap().frequency, without.unwrap().frequency, 1e-2);
+        }
+    }
+}
+
+#[test]
+fn a_coarse_table_and_one_that_ends_below_the_teeth_decide_nothing() {
+    let arm = kr210();
+    let mut shallow = slot();
+    shallow.engagement.depth = 1e-6;
+    // Teeth pass at 450 Hz.
+    let verdict = |step: f64, to: f64| {
+        let response = sampled(step, to, |hertz| receptance(&SPINDLE, hertz));
+        let tip = MeasuredTip { held_by: HeldBy::Robot, response };
+        found(&arm, shallow, 9000.0, (along_y(), &tip)).verdict()
+    };
+    assert_eq!(verdict(2.0, 3000.0), Verdict::Calm);
+    assert_eq!(verdict(2.0, 440.0), Verdict::NotDecided);
+    assert_eq!(verdict(300.0, 3000.0), Verdict::NotDecided);
 }

@@ -8,8 +8,8 @@ use stiffarm::cutting::{Edge, Engagement, Law, Milling, Process};
 use stiffarm::inverse::reached;
 use stiffarm::mass::RigidBody;
 use stiffarm::mill::{
-    Forcing, Judged, MillHeld, MillOptions, Milled, PartPlacement, PathChatter, Pushed, Stand, Station, Uncovered,
-    chatter_along, forced, mill, part_from_tool,
+    Forcing, Judged, MillHeld, MillOptions, Milled, PartPlacement, PathChatter, Pushed, RollMode, Stand, Station,
+    Uncovered, chatter_along, forced, mill, part_from_tool,
 };
 use stiffarm::modes::{HeldTool, modes};
 use stiffarm::robot::Robot;
@@ -47,7 +47,12 @@ struct Path {
 
 /// Moves as the KR 210 follows them.
 fn followed(moves: &[Move], process: &Process, stock: Option<&mut Stock>) -> Path {
-    let (robot, tool, _) = kr210();
+    followed_with(kr210().1, (moves, process, stock))
+}
+
+/// The same with another tool.
+fn followed_with(tool: HeldTool, (moves, process, stock): (&[Move], &Process, Option<&mut Stock>)) -> Path {
+    let (robot, ..) = kr210();
     let forcing = Forcing::Process(process.clone());
     let stations = forced(moves, &Steps { longest: 0.05, ..Steps::USUAL }, &forcing, stock, Watch::nobody());
     let (stations, options) = (stations.unwrap().stations, MillOptions::usual());
@@ -168,11 +173,14 @@ fn reflected_in_the_arm_plane_a_path_has_the_same_depths() {
     }
 }
 
-/// Every posture in the robot's limits at every roll, by the inverse kinematics, each asked by itself.
+/// Every posture of its configuration in the robot's limits at every roll, by the inverse kinematics, each asked by itself; and the whole path so.
 #[test]
-fn no_roll_and_no_posture_lets_the_worst_cut_go_deeper_than_the_one_that_is_told() {
+fn no_roll_lets_the_worst_cut_go_deeper_than_the_one_that_is_told() {
     let process = process([0.2, 1.9]);
-    let path = followed(&rectangle(), &process, None);
+    // Across the flange, so that the roll moves the arm.
+    let aside = Pose::new(Vector3::new(0.25, 0.0, 0.0), Vector3::y() * FRAC_PI_2);
+    let tool = HeldTool { flange_from_tool: aside, ..kr210().1 };
+    let path = followed_with(tool, (&rectangle(), &process, None));
     let options = MillOptions { limit_margin: 0.0, singular_margin: 0.0, ..MillOptions::usual() };
     let (stand, held) = (stand(&path.tool), held(&path.tool));
     let asked = (&process, &held, &options);
@@ -182,24 +190,33 @@ fn no_roll_and_no_posture_lets_the_worst_cut_go_deeper_than_the_one_that_is_told
     let feed = (stand.base_from_part.rotation * station.sample.direction.unwrap()).into();
     let asked = Asked { feed, damping: None, method: None, measured: None };
     let depth = |edge: Option<stiffarm::chatter::Edge>| edge.map_or(f64::INFINITY, |edge| edge.depth);
-    let (mut most, mut count) = (0.0_f64, 0);
+    let (mut most, mut count, mut met) = (0.0_f64, 0, 0);
     for roll in (0..72).map(|i| f64::from(5 * i).to_radians()) {
         let tool = stand.base_from_part * part_from_tool(&station.sample.pose, roll).unwrap();
         let flange = tool * stand.flange_from_tool.inverse();
-        for (configuration, q) in reached(&path.robot, &flange) {
+        let here = path.samples[worst].arrangement.configuration;
+        for (_, q) in reached(&path.robot, &flange).into_iter().filter(|(configuration, _)| *configuration == here) {
             let edge = by_mean(&path.robot, &q, &path.tool, &told.cut, &asked).unwrap().edge;
             most = most.max(depth(edge));
             count += 1;
-            let there = (configuration, roll) == (deepest.arrangement.configuration, deepest.arrangement.roll);
-            if there {
+            if (roll - deepest.roll).abs() < 1e-9 {
                 close(depth(deepest.edge), depth(edge), 1e-9);
-                let force = station.acting;
-                assert!(force.is_some() && 0.0 < deepest.error, "{force:?}");
+                met += 1;
             }
         }
     }
-    assert!(72 < count && (depth(deepest.edge) == most || (depth(deepest.edge) / most - 1.0).abs() < 1e-9), "{count}");
+    assert!(met == 1 && 0.0 < deepest.error, "{met}");
+    assert!(20 < count && (depth(deepest.edge) == most || (depth(deepest.edge) / most - 1.0).abs() < 1e-9), "{count}");
     assert!(depth(told.at_speed) < 0.95 * most, "{most} {:?}", told.at_speed);
+    let all = deepest.all_along.expect("it is followed so");
+    let fixed = MillOptions { roll: RollMode::Fixed(deepest.roll), ..options.clone() };
+    let rolled = mill(&path.robot, &stand, &path.stations, &fixed, Watch::nobody()).unwrap();
+    let Milled::Followed(rolled) = rolled else { panic!("{rolled:?}") };
+    let asked = (&process, &held, &options);
+    let again = chatter_along(&path.robot, &stand, (&path.stations, &rolled.samples), asked, Watch::nobody()).unwrap();
+    let (worst, told) = again.worst.unwrap();
+    assert_eq!((all.sample, all.error), (worst, rolled.worst.0));
+    close(all.reserve, depth(told.at_speed) / told.cut.milling.engagement.depth, 1e-9);
     // Margins and what stands about take rolls away.
     let usual = path.chatter(&process).deepest.unwrap();
     assert!(depth(usual.edge) <= most);

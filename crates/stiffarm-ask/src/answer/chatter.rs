@@ -102,7 +102,9 @@ impl ChatterAnswer {
 
     /// The part of the verdict that is known.
     pub(super) fn of_robot(&self) -> String {
-        let whose = whose(self.chatter.measured.as_ref());
+        let measured = self.chatter.measured.as_ref();
+        let upto = measured.map_or_else(String::new, |measured| format!(" up to {} Hz", fixed(measured.highest(), 0)));
+        let whose = format!("{}{upto}", whose(measured));
         match self.chatter.verdict() {
             Verdict::Calm => format!("{whose} calm"),
             Verdict::Limits(depth) => format!("{whose} limit the depth to {} mm", fixed(depth * 1e3, 3)),
@@ -237,7 +239,10 @@ impl ChatterAnswer {
         let at =
             |edge: Option<Edge>| edge.map_or_else(String::new, |edge| format!(" at {} Hz", fixed(edge.frequency, 2)));
         let told = |edge: Option<Edge>| format!("{} mm{}", millimetres(depth(edge)), at(edge));
-        let with = |edge: Option<Edge>, spread: DepthSpread| format!("{}; 90 %: {}", told(edge), between(spread));
+        let is_drawn = !self.drawn().is_empty();
+        let with = |edge: Option<Edge>, spread: DepthSpread| {
+            if is_drawn { format!("{}; 90 %: {}", told(edge), between(spread)) } else { told(edge) }
+        };
         let cut = chatter.cut.milling.engagement;
         let degrees = |angle: f64| fixed(angle.to_degrees(), 1);
         let engagement = format!(
@@ -278,7 +283,8 @@ impl ChatterAnswer {
             .map(|depth| {
                 self.reserve(depth).map_or_else(|| format!("more than {}", fixed(most, 1)), |share| fixed(share, 3))
             });
-        format!("{at_speed} of the depth of the cut; 90 %: {p05}..{p95}; below 1 it swings")
+        let spread = if self.drawn().is_empty() { String::new() } else { format!("; 90 %: {p05}..{p95}") };
+        format!("{at_speed} of the depth of the cut{spread}; below 1 it swings")
     }
 
     /// At which speeds the cut would be calm.
@@ -383,25 +389,31 @@ impl ChatterAnswer {
     /// Beyond which frequencies nothing is known.
     fn not_known(&self) -> String {
         let Chatter { robot_modes, measured, .. } = &self.chatter;
-        let most = |hertz: &[f64]| hertz.iter().copied().fold(0.0, f64::max);
-        let hertz = |hertz: f64| fixed(hertz, 0);
-        match measured {
-            None => format!(
-                "spindle, tool holder, cutter and work are rigid here: above {} Hz nothing is known",
-                hertz(most(robot_modes))
-            ),
-            Some(Looked { between: Some([_, to]), held_by: HeldBy::Rigid, .. }) => {
-                format!("the work is rigid here; above {} Hz nothing is known", hertz(*to))
-            }
-            Some(Looked { between: Some([from, to]), held_by: HeldBy::Robot, .. }) => {
-                format!("the work is rigid here; below {} and above {} Hz nothing is known", hertz(*from), hertz(*to))
-            }
-            Some(Looked { modes, between: None, .. }) => {
+        let robot = fixed(robot_modes.iter().copied().fold(0.0, f64::max), 0);
+        let Some(measured) = measured else {
+            return format!("spindle, tool holder, cutter and work are rigid here: above {robot} Hz nothing is known");
+        };
+        let to = fixed(measured.highest(), 0);
+        let vague = if measured.is_coarse {
+            "; the frequencies of the table lie too far apart to decide by it"
+        } else if measured.between.is_some() && self.chatter.verdict() == Verdict::NotDecided {
+            "; a table that ends below the frequency at which teeth pass decides nothing"
+        } else {
+            ""
+        };
+        match (measured.held_by, measured.between) {
+            (HeldBy::Rigid, between) => {
+                let below = between.map_or_else(String::new, |[from, _]| {
+                    format!(", which is taken as a spring below {} Hz", fixed(from, 1))
+                });
                 format!(
-                    "the work is rigid here; above {} Hz nothing is known",
-                    hertz(most(modes).max(most(robot_modes)))
+                    "the work is rigid here; nothing is known of the tip above {to} Hz{below}, and of the robot above {robot} Hz{vague}"
                 )
             }
+            (HeldBy::Robot, Some([from, _])) => {
+                format!("the work is rigid here; nothing is known below {} and above {to} Hz{vague}", fixed(from, 1))
+            }
+            (HeldBy::Robot, None) => format!("the work is rigid here; nothing is known above {to} Hz"),
         }
     }
 }

@@ -299,6 +299,7 @@ fields! {
     FREQUENCY_P95: "frequency_hz_p95", Kind::Number(Unit::Given("hz")), "Five of a hundred lie above.";
     FREQUENCY_FREE: "frequency_motors_free_hz", Kind::Number(Unit::Given("hz")), "Of the same rank with motors that only the inertia of their rotors holds; null where rotors are not known.";
     FIRST_FREQUENCY: "first_frequency_hz", Kind::Number(Unit::Given("hz")), "The first frequency at every point of a map, in its configuration and at its roll, motors held still; null where it was not asked for (quantity first-frequency).";
+    SLOWEST_P05: "slowest_hz_p05", Kind::Number(Unit::Given("hz")), "Of a hundred such robots five swing slower than this at the slowest point of the map, as far as the drives may be off; null where nothing says how far, and where frequencies are not mapped.";
     FIRST_AT_LEAST: "first_at_least_hz", Kind::Number(Unit::Given("hz")), "Nowhere in the zone the first frequency is lower, motors held still: proved for the stiffness as it is told, and no promise where that is not measured; null where the proof did not end.";
     FIRST_AT_LEAST_P05: "first_at_least_hz_p05", Kind::Number(Unit::Given("hz")), "The same of five of a hundred such robots, as far as the drives may be off: drawn, not proved; null where nothing says how far.";
     FREQUENCY_LEAST: "least_frequency_hz", Kind::Number(Unit::Given("hz")), "The least frequency of the points of the zone that were looked at, motors held still.";
@@ -502,10 +503,12 @@ fields! {
     CHATTER_SAMPLE: "at_sample", Kind::Count, "The sample at which the critical depth is least in proportion to the cut, from 0; null where no sample is covered.";
     CHATTER_LINE: "at_line", Kind::Count, "Its line in the file; 0 of a path built in.";
     FEED_DIRECTION: "feed", numbers(Unit::One, &["feed_x", "feed_y", "feed_z"]), "Where the tool feeds, of length one, base axes.";
-    DEEPEST_ROLL: "deepest_roll_deg", Kind::Number(Unit::Degree), "Of the rolls, in steps of 5 deg, and configurations that keep the margins and touch nothing at the worst sample: the roll with which its cut goes deepest; null where nothing is told.";
-    DEEPEST_CONFIGURATION: "deepest_configuration", Kind::Text, "The configuration with which it does.";
+    DEEPEST_ROLL: "deepest_roll_deg", Kind::Number(Unit::Degree), "Of the rolls, in steps of 5 deg, that keep the margins and touch nothing at the worst sample in its configuration: the one with which its cut goes deepest; null where nothing is told.";
     DEEPEST_DEPTH: "deepest_depth_mm", Kind::Number(Unit::Millimetre), "From which depth it then swings, by the mean of the teeth over a revolution; null where none up to 300 mm does.";
-    DEEPEST_ERROR: "deepest_error_mm", Kind::Number(Unit::Millimetre), "The error of that sample, so held.";
+    DEEPEST_ERROR: "deepest_error_mm", Kind::Number(Unit::Millimetre), "The error of that sample, so rolled.";
+    ROLLED_RESERVE: "rolled_reserve", Kind::Number(Unit::One), "The whole path so rolled: its least critical depth in parts of that of the cut, by the mean; null where it is not followed so, or no edge swings.";
+    ROLLED_LINE: "rolled_at_line", Kind::Count, "The line of the file on which that is; null where the path is not followed so.";
+    ROLLED_ERROR: "rolled_error_mm", Kind::Number(Unit::Millimetre), "The largest error along the path so rolled.";
     COVERED: "covered_samples", Kind::Count, "Samples of which a critical depth is told.";
     NOT_COVERED: "not_covered", Kind::Nested, "Samples that feed, and of which nothing is told: why, how many, and the lines on which they are.";
     UNCOVERED_WHY: "why", Kind::Text, "plunge, turn in place, force of the path (it gives no cut), or air.";

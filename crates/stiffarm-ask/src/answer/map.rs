@@ -11,8 +11,9 @@ use super::words::{self, tool_mm};
 use super::{Cell, Line, Record, Rows, Table, Unit, columns_of, field, force, line, schema};
 use stiffarm::load::Direction;
 use stiffarm::map::{Grid, Held, Map, MapOptions, Margins, ROLL_TOLERANCE};
+use stiffarm::mass::RigidBody;
 use stiffarm::model::{ArmPosture, Model, ModelKind};
-use stiffarm::modes::HeldTool;
+use stiffarm::modes::{FirstFrequencies, HeldTool};
 
 /// The answer of `map`, with what was asked.
 ///
@@ -28,7 +29,7 @@ pub struct MapAnswer {
     /// The best place of a zone, where one was asked for.
     pub zone: Option<PlaceAnswer>,
     /// How slow the arm swings first, Hz, and with what it holds, where that was asked for.
-    pub frequency: Option<(Grid, HeldTool)>,
+    pub frequency: Option<(FirstFrequencies, HeldTool)>,
 }
 
 /// One number per cell.
@@ -65,7 +66,9 @@ impl MapAnswer {
             layers.push(Layer { field: field::LIMIT_MARGIN, grid: &margins.limits });
             layers.push(Layer { field: field::SINGULAR_MARGIN, grid: &margins.singular });
         }
-        layers.extend(self.frequency.iter().map(|(grid, _)| Layer { field: field::FIRST_FREQUENCY, grid }));
+        layers.extend(
+            self.frequency.iter().map(|(found, _)| Layer { field: field::FIRST_FREQUENCY, grid: &found.hertz }),
+        );
         layers
     }
 
@@ -104,6 +107,7 @@ impl MapAnswer {
             ModelKind::Spatial(flange_from_tool) => Some(flange_from_tool),
         };
         let searched = tool.is_some() && self.held().roll.is_none();
+        let body = self.frequency.as_ref().and_then(|(_, tool)| tool.body.as_ref());
         let mut record = Record::new();
         let robot = self.model.robot();
         stiffness::put_robot(&mut record, robot);
@@ -114,6 +118,13 @@ impl MapAnswer {
             .put(field::TOOL, tool.as_ref().map(tool_mm))
             .put(field::TOOL_DIRECTION, tool.map(|_| words::asked_degrees(self.held().elevation)))
             .put(field::ROLL_TOLERANCE, searched.then_some(ROLL_TOLERANCE))
+            .put(field::TOOL_MASS, body.map(|body| body.mass))
+            .put(field::TOOL_COM, body.map(|body| body.centre.as_slice()))
+            .put(field::TOOL_INERTIA, body.map(RigidBody::elements))
+            .put(
+                field::SLOWEST_P05,
+                self.frequency.as_ref().and_then(|(found, _)| found.slowest).map(|spread| spread.p05),
+            )
             .put(field::ZONE, self.zone.as_ref().map(PlaceAnswer::record));
         record
     }
@@ -214,19 +225,31 @@ impl MapAnswer {
         Table::of_lines(lines)
     }
 
+    /// With what the arm swings, where that is mapped.
+    pub(crate) fn swings_with(&self) -> String {
+        match self.frequency.as_ref().map(|(_, tool)| tool.body) {
+            None => String::new(),
+            Some(None) => {
+                "with a tool that weighs nothing; a real one lowers them (--tool-mass-kg, --tool-com-mm)".into()
+            }
+            Some(Some(body)) => format!("with a tool of {} kg", body.mass),
+        }
+    }
+
     /// How slow and how fast the arm swings first, and with what it holds.
     fn frequency_lines(&self) -> Vec<Line> {
-        let Some((grid, tool)) = &self.frequency else { return Vec::new() };
-        let held = tool.body.map_or_else(
-            || "a tool that weighs nothing; a real one lowers them (--tool-mass-kg, --tool-com-mm)".to_owned(),
-            |body| format!("a tool of {} kg", body.mass),
-        );
-        let mut lines = vec![line("swings", format!("motors held still, with {held}"))];
+        let Some((FirstFrequencies { hertz: grid, slowest }, _)) = &self.frequency else { return Vec::new() };
+        let mut lines =
+            vec![line("swings", format!("in the posture of each point, motors held still, {}", self.swings_with()))];
         for (name, (hertz, i, j)) in
             grid.extremes().into_iter().flat_map(|ends| ["slowest", "fastest"].into_iter().zip(ends))
         {
             let says = format!("{hertz:.2} Hz at x {:.3} m, z {:.3} m", grid.x.at(i), grid.z.at(j));
             lines.push(line(name, says));
+        }
+        if let Some(spread) = slowest {
+            let says = format!("{:.2} Hz at the slowest point, as the drives may be off", spread.p05);
+            lines.push(line("5 of 100 such robots lie below", says));
         }
         lines
     }

@@ -24,7 +24,8 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ChatterOutput,
     let file = files::shown(Path::new(&name));
     let process = process_of(&name, &file, context)?;
     let radians = joints_deg.map(f64::to_radians);
-    let found = chatter(&robot, &radians, &tool, &process.process, &wanted)
+    let found = context
+        .watched("looking for the depth", |_| chatter(&robot, &radians, &tool, &process.process, &wanted))
         .map_err(|error| refusal(error, &file, measured.as_ref()))?;
     remarks(&robot, [&joints_deg, &radians], context);
     let answer = ChatterAnswer { robot, joints_deg, tool, file, process, measured, chatter: found };

@@ -84,7 +84,7 @@ pub(super) fn under_process<'a>(asked: &'a Request, context: Context) -> Result<
 pub(super) fn tip_of(asked: &Request, context: Context) -> Result<Option<TipFile>, AskError> {
     let Some((name, held_by)) = asked.frf() else { return Ok(None) };
     let (text, file) = (context.sources.text(&name)?, files::shown(Path::new(&name)));
-    let found = read_response(&text, &file).map_err(AskError::Response)?;
+    let found = read_response(&text, &file, held_by).map_err(AskError::Response)?;
     let remarks = found.remarks.iter().map(|remark| format!("{file}: {remark}")).collect();
     Ok(Some(TipFile { tip: MeasuredTip { held_by, response: found.response }, file, remarks }))
 }

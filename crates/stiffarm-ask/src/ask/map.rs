@@ -141,7 +141,7 @@ impl<'a> Drawn<'a> {
     fn shown(&self) -> (&'a Grid, Unit, Colours) {
         let map = &self.answer.map;
         if let (Layer::FirstFrequency, Some((frequency, _))) = (self.layer, &self.answer.frequency) {
-            return (frequency, Unit::Given("hz"), Colours::Frequencies);
+            return (&frequency.hertz, Unit::Given("hz"), Colours::Frequencies);
         }
         match (self.layer, &map.space) {
             (Layer::LimitMargin, Some(margins)) => (&margins.limits, Unit::Degree, Colours::Margins),
@@ -259,7 +259,9 @@ fn subtitle(answer: &MapAnswer) -> String {
                 || ", at its best roll".into(),
                 |roll| format!(", rolled by {} deg", (Unit::Degree.told(roll) * 1e6).round() / 1e6),
             );
-            format!("{start}; all six drives, {towards}, tool: {tool}; {posture}{roll}")
+            let swings =
+                answer.frequency.as_ref().map_or_else(String::new, |_| format!("; swings {}", answer.swings_with()));
+            format!("{start}; all six drives, {towards}, tool: {tool}; {posture}{roll}{swings}")
         }
     }
 }

@@ -1877,6 +1877,19 @@ class _MapDict(TypedDict):
     roll_tolerance: float | None
     """How much more than at the best roll a point may tell, relative."""
 
+    tool_mass_kg: None
+    """Mass of the tool, where it was told: it is held against the payload and bends nothing."""
+
+    tool_com_mm: None
+    """Mass centre of the tool in the flange frame."""
+
+    tool_inertia_kg_m2: None
+    """Inertia of the tool about its mass centre, along flange axes."""
+
+    slowest_hz_p05: None
+    """Of a hundred such robots five swing slower than this at the slowest point of the map, as far as the drives
+    may be off; null where nothing says how far, and where frequencies are not mapped."""
+
     zone: Placed | None
     """The best placement of the task that was given."""
 
@@ -2872,18 +2885,25 @@ class PathChatter(TypedDict):
     """From where to where the table tells frequency by frequency, Hz; null without one."""
 
     deepest_roll_deg: float | None
-    """Of the rolls, in steps of 5 deg, and configurations that keep the margins and touch nothing at the worst
-    sample: the roll with which its cut goes deepest; null where nothing is told."""
-
-    deepest_configuration: str | None
-    """The configuration with which it does."""
+    """Of the rolls, in steps of 5 deg, that keep the margins and touch nothing at the worst sample in its
+    configuration: the one with which its cut goes deepest; null where nothing is told."""
 
     deepest_depth_mm: float | None
     """From which depth it then swings, by the mean of the teeth over a revolution; null where none up to 300 mm
     does."""
 
     deepest_error_mm: float | None
-    """The error of that sample, so held."""
+    """The error of that sample, so rolled."""
+
+    rolled_reserve: float | None
+    """The whole path so rolled: its least critical depth in parts of that of the cut, by the mean; null where it
+    is not followed so, or no edge swings."""
+
+    rolled_at_line: int | None
+    """The line of the file on which that is; null where the path is not followed so."""
+
+    rolled_error_mm: float | None
+    """The largest error along the path so rolled."""
 
 
 class MilledDict(_Pass):

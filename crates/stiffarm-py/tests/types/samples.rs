@@ -227,7 +227,8 @@ pub(crate) fn cuts() -> Vec<Value> {
     let text = include_str!("../../../../docs/examples/endmill.toml");
     let mode = MeasuredMode { frequency: 610.0, ratio: 0.03, stiffness: 2.2e7, direction: [1.0, 0.0, 0.0] };
     let of_modes = Response::of_modes(&[mode]);
-    let by_hertz = read_response(include_str!("../../../../docs/examples/tip.csv"), "tip.csv").unwrap().response;
+    let by_hertz =
+        read_response(include_str!("../../../../docs/examples/tip.csv"), "tip.csv", HeldBy::Rigid).unwrap().response;
     let of = |typed: Typed, measured: Option<&Response>| {
         let given = [("process", "endmill.toml"), ("joints-deg", "0,-90,90,0,90,0"), ("feed", "1,0,0")];
         let measured = measured.map(|response| TipFile {

@@ -73,7 +73,7 @@ impl Curve {
         Self::with(motion, None, mean)
     }
 
-    /// The same with what was measured of its tip beside it, in the axes of the cut: told between the frequencies that were measured alone.
+    /// The same with what was measured of its tip beside it, in the axes of the cut; what was measured instead of it tells between its own ends alone.
     pub fn with(motion: &Motion, samples: Option<Arc<Samples>>, mean: &Matrix3x2<f64>) -> Self {
         let mut curve = Self {
             left: motion.tip.fixed_rows::<2>(0).into_owned(),
@@ -89,7 +89,7 @@ impl Curve {
         curve.nodes.push(Node { w: start, mu, arg: mu.map(Complex::arg) });
         let seeds = curve.seeds();
         seeds.into_iter().filter(|w| start < *w && *w <= end).for_each(|w| curve.follow_to(w));
-        if curve.samples.is_none() {
+        if end == f64::INFINITY {
             curve.follow_to_the_end();
         }
         curve

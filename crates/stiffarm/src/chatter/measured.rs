@@ -73,7 +73,7 @@ pub struct Samples {
     own: Vec<f64>,
     /// m/N; a row is along which the tip moves, a column along which it is pushed.
     receptance: Vec<Matrix3<Complex<f64>>>,
-    from_rest: bool,
+    goes_on: bool,
 }
 
 impl Samples {
@@ -82,13 +82,14 @@ impl Samples {
         let rises = rows.windows(2).all(|pair| pair[0].0 < pair[1].0);
         let is_sound = 2 <= rows.len() && 0.0 <= rows[0].0 && rises;
         let (own, receptance) = rows.into_iter().map(|(hertz, receptance)| (TAU * hertz, receptance)).unzip();
-        is_sound.then_some(Self { own, receptance, from_rest: false })
+        is_sound.then_some(Self { own, receptance, goes_on: false })
     }
 
-    /// The same, taken below its first frequency as what it is there, without the part that lags: a spring.
+    /// The same of what stands beside a robot, whose modes go on: below its first frequency what it is there without the part that lags, a spring,
+    /// and above its last one a mass, whose answer falls with the square of the frequency.
     #[must_use]
-    pub(super) fn spring_below(mut self) -> Self {
-        self.from_rest = true;
+    pub(super) fn beside_robot(mut self) -> Self {
+        self.goes_on = true;
         self
     }
 
@@ -100,9 +101,9 @@ impl Samples {
         self
     }
 
-    /// Between which frequencies it is told, rad/s.
+    /// Between which frequencies it tells something, rad/s.
     pub(super) fn ends(&self) -> [f64; 2] {
-        [if self.from_rest { 0.0 } else { self.own[0] }, self.own[self.own.len() - 1]]
+        if self.goes_on { [0.0, f64::INFINITY] } else { [self.own[0], self.own[self.own.len() - 1]] }
     }
 
     /// Rad/s.
@@ -110,13 +111,17 @@ impl Samples {
         &self.own
     }
 
-    /// At `w`, rad/s; beyond its ends as at them.
+    /// At `w`, rad/s; beyond its ends as at them unless it goes on.
     pub(super) fn at(&self, w: f64) -> Matrix3<Complex<f64>> {
         let above = self.own.partition_point(|own| *own <= w);
         let last = self.own.len() - 1;
         match above {
-            0 if self.from_rest => self.receptance[0].map(|g| Complex::new(g.re, 0.0)),
+            0 if self.goes_on => self.receptance[0].map(|g| Complex::new(g.re, 0.0)),
             0 => self.receptance[0],
+            _ if last < above && self.goes_on => {
+                let share = (self.own[last] / w).powi(2);
+                self.receptance[last].map(|g| g * share)
+            }
             _ if last < above => self.receptance[last],
             _ => {
                 let share = (w - self.own[above - 1]) / (self.own[above] - self.own[above - 1]);
@@ -150,6 +155,22 @@ impl Samples {
         is_coarse.then(|| ([self.own[worst] / TAU, self.own[worst + 1] / TAU], step(worst)))
     }
 
+    /// The largest answer of a driving point along an axis of the tool, m/N.
+    pub fn largest(&self, axis: usize) -> f64 {
+        (0..self.own.len()).map(|row| self.size(row, axis)).fold(0.0, f64::max)
+    }
+
+    /// Along which axes across the tool it does not give way towards a push where the table begins: it begins above a resonance.
+    pub fn begins_late(&self) -> Option<usize> {
+        (0..2).find(|axis| !(0.0 < self.receptance[0][(*axis, *axis)].re))
+    }
+
+    /// Along which axes across the tool it answers at the end of the table no less than half as much as at its beginning: it ends before its modes.
+    pub fn ends_early(&self) -> Option<usize> {
+        let last = self.own.len() - 1;
+        (0..2).find(|axis| self.size(0, *axis) < 2.0 * self.size(last, *axis))
+    }
+
     fn size(&self, row: usize, axis: usize) -> f64 {
         self.receptance[row][(axis, axis)].norm()
     }
@@ -169,19 +190,29 @@ pub struct Looked {
     pub modes: Vec<f64>,
     /// Between which frequencies it is told, Hz; `None` of modes.
     pub between: Option<[f64; 2]>,
+    /// The frequencies of the table lie too far apart to tell its peaks.
+    pub is_coarse: bool,
+}
+
+impl Looked {
+    /// The highest frequency of which it tells something, Hz.
+    pub fn highest(&self) -> f64 {
+        self.between.map_or_else(|| self.modes.iter().copied().fold(0.0, f64::max), |[_, to]| to)
+    }
 }
 
 impl MeasuredTip {
     /// What of it is looked at.
     pub(super) fn looked(&self) -> Looked {
         let hertz = |own: &f64| own / TAU;
-        let (modes, between) = match &self.response {
-            Response::Modes(motion) => (motion.own.iter().map(hertz).collect(), None),
+        let (modes, between, is_coarse) = match &self.response {
+            Response::Modes(motion) => (motion.own.iter().map(hertz).collect(), None, false),
             Response::Samples(samples) => {
-                (Vec::new(), Some([samples.own[0] / TAU, samples.own[samples.own.len() - 1] / TAU]))
+                let ends = [samples.own[0] / TAU, samples.own[samples.own.len() - 1] / TAU];
+                (Vec::new(), Some(ends), samples.coarsest().is_some())
             }
         };
-        Looked { held_by: self.held_by, modes, between }
+        Looked { held_by: self.held_by, modes, between, is_coarse }
     }
 
     /// The same in the axes of a cut, base axes, of a tool turned by `tool`: modes, and samples.
@@ -191,7 +222,7 @@ impl MeasuredTip {
             Response::Modes(motion) => (Some(motion.clone().seen_along(&axes)), None),
             Response::Samples(samples) => {
                 let seen = samples.clone().seen_along(&axes);
-                (None, Some(if self.held_by == HeldBy::Rigid { seen.spring_below() } else { seen }))
+                (None, Some(if self.held_by == HeldBy::Rigid { seen.beside_robot() } else { seen }))
             }
         }
     }

@@ -124,10 +124,13 @@ pub struct Chatter {
 }
 
 impl Chatter {
-    /// Does the cut swing, as far as robot modes tell?
+    /// Does the cut swing, as far as robot modes and what was measured tell? Nothing is decided by a table that is coarse or ends below the frequency at which
+    /// teeth pass.
     pub fn verdict(&self) -> Verdict {
         let depth = self.cut.milling.engagement.depth;
-        if self.drives_are_assumed {
+        let passing = self.cut.spindle * self.cut.milling.teeth as f64 / TAU;
+        let is_vague = |measured: &Looked| measured.is_coarse || measured.between.is_some_and(|[_, to]| to < passing);
+        if self.drives_are_assumed || self.measured.as_ref().is_some_and(is_vague) {
             return Verdict::NotDecided;
         }
         match (self.spread, self.at_speed) {

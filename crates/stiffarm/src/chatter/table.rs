@@ -1,8 +1,8 @@
 //! Reads a table (CSV) of how a tip answered where it was tapped: frequency by frequency, or its modes; checks every cell.
 
-use nalgebra::{Complex, Matrix3};
+use nalgebra::{Complex, Matrix3, Vector3};
 
-use super::measured::{MeasuredMode, Response, Samples};
+use super::measured::{HeldBy, MeasuredMode, Response, Samples};
 use crate::catalogue::cells::{cells, miscounted};
 use crate::catalogue::{Fault, Faults, shown};
 
@@ -10,8 +10,10 @@ use crate::catalogue::{Fault, Faults, shown};
 const MOST_ROWS: usize = 20_000;
 const FEWEST_ROWS: usize = 8;
 const MOST_MODES: usize = 50;
-/// m/N; softer tips are of another unit.
-const SOFTEST: f64 = 1e-2;
+/// A larger share of frequencies with a negative damping is no noise.
+const NOISY: f64 = 0.1;
+/// A shorter vector is no direction.
+const SHORTEST: f64 = 1e-6;
 const MODES: [&str; 6] = ["freq_hz", "damping_ratio", "stiffness_n_per_m", "ux", "uy", "uz"];
 const AXES: [char; 3] = ['x', 'y', 'z'];
 const EXPECTED: &str = "freq_hz and gxx_re, gxx_im, gyy_re, gyy_im .. gzz_im (m/N, tool axes), or a table of modes: freq_hz, damping_ratio, \
@@ -26,17 +28,28 @@ pub struct ResponseFile {
     pub remarks: Vec<String>,
 }
 
-/// Reads the response of a tip, in tool axes.
+impl HeldBy {
+    /// The largest answer, m/N, and the least stiffness, N/m, that a tip has: what lies beyond is of another unit.
+    const fn bounds(self) -> [f64; 2] {
+        match self {
+            Self::Rigid => [2e-5, 1e5],
+            Self::Robot => [1e-3, 1e4],
+        }
+    }
+}
+
+/// Reads the response of a tip, in tool axes, held by something of which its size is known.
 ///
 /// # Errors
 /// Every fault of the table, with line, column, value and what was expected.
-pub fn read_response(text: &str, file: &str) -> Result<ResponseFile, Faults> {
-    Reader::read(text).map_err(|fault| Faults { file: file.into(), faults: vec![fault] })
+pub fn read_response(text: &str, file: &str, held_by: HeldBy) -> Result<ResponseFile, Faults> {
+    Reader::read(text, held_by).map_err(|fault| Faults { file: file.into(), faults: vec![fault] })
 }
 
 struct Reader<'a> {
     text: &'a str,
     names: Vec<String>,
+    held_by: HeldBy,
 }
 
 fn fault(line: usize, key: &str, message: String) -> Fault {
@@ -48,15 +61,18 @@ fn of_csv(error: &csv::Error) -> Fault {
 }
 
 impl<'a> Reader<'a> {
-    fn read(text: &'a str) -> Result<ResponseFile, Fault> {
+    fn read(text: &'a str, held_by: HeldBy) -> Result<ResponseFile, Fault> {
         let mut reader = cells(text);
         let names: Vec<String> =
             reader.headers().map_err(|error| of_csv(&error))?.iter().map(str::to_ascii_lowercase).collect();
+        if names.iter().all(String::is_empty) {
+            return Err(fault(1, "", format!("no headings; expected {EXPECTED}")));
+        }
         let twice = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name));
         if let Some((_, name)) = twice {
             return Err(fault(1, "", format!("the column {} is there twice; expected it once", shown(name))));
         }
-        let reader = Self { text, names };
+        let reader = Self { text, names, held_by };
         if reader.place("damping_ratio").is_some() { reader.modes() } else { reader.samples() }
     }
 
@@ -107,6 +123,7 @@ impl<'a> Reader<'a> {
         else {
             return Err(self.columns());
         };
+        let [_, softest] = self.held_by.bounds();
         let mut modes = Vec::new();
         let count = self.rows(MOST_MODES, |line, number| {
             let along = |column| number(column, [-1e6, 1e6], "a number from -1e6 to 1e6");
@@ -117,11 +134,13 @@ impl<'a> Reader<'a> {
                     [f64::MIN_POSITIVE, 1.0],
                     "a share of critical damping of more than 0 and at most 1; a negative damping would swing by itself",
                 )?,
-                stiffness: number(stiffness, [1e2, 1e12], "a stiffness from 100 to 1e12 N/m")?,
+                stiffness: number(stiffness, [softest, 1e12], &format!("a stiffness from {softest} to 1e12 N/m"))?,
                 direction: [along(x)?, along(y)?, along(z)?],
             };
-            if mode.direction == [0.0; 3] {
-                return Err(fault(line, "ux", "0, 0, 0; expected the direction in which the tip moves".into()));
+            if !(SHORTEST <= Vector3::from(mode.direction).norm()) {
+                let [x, y, z] = mode.direction;
+                let told = format!("{x:?}, {y:?}, {z:?}; expected the direction in which the tip moves, of length one or so");
+                return Err(fault(line, "ux", told));
             }
             modes.push(mode);
             Ok(())
@@ -140,8 +159,8 @@ impl<'a> Reader<'a> {
             match (self.place(&name("re")), self.place(&name("im"))) {
                 (Some(re), Some(im)) => Ok(Some([re, im])),
                 (None, None) => Ok(None),
-                (Some(_), None) => Err(fault(1, "", format!("{} without {}", name("re"), name("im")))),
-                (None, Some(_)) => Err(fault(1, "", format!("{} without {}", name("im"), name("re")))),
+                (Some(_), None) => Err(fault(1, "", format!("{} without {}; expected both", name("re"), name("im")))),
+                (None, Some(_)) => Err(fault(1, "", format!("{} without {}; expected both", name("im"), name("re")))),
             }
         };
         Ok(of(row, column)?.or(of(column, row)?))
@@ -157,6 +176,8 @@ impl<'a> Reader<'a> {
         let (Some(frequency), Some(_), Some(_)) = (self.place("freq_hz"), parts[0][0], parts[1][1]) else {
             return Err(self.columns());
         };
+        let [most, _] = self.held_by.bounds();
+        let expected = format!("a number of at most {most} in size, m/N; mm/N and um/N are other units");
         let mut rows: Vec<(f64, Matrix3<Complex<f64>>)> = Vec::new();
         let count = self.rows(MOST_ROWS, |line, number| {
             let hertz = number(frequency, [0.0, 1e5], "a frequency from 0 to 100000 Hz")?;
@@ -168,8 +189,7 @@ impl<'a> Reader<'a> {
             for (row, parts) in parts.iter().enumerate() {
                 for (column, part) in parts.iter().enumerate() {
                     let Some([re, im]) = *part else { continue };
-                    let expected = "at most 0.01 m/N in size; mm/N and um/N are other units";
-                    let part = |at| number(at, [-SOFTEST, SOFTEST], expected);
+                    let part = |at| number(at, [-most, most], &expected);
                     receptance[(row, column)] = Complex::new(part(re)?, part(im)?);
                 }
             }
@@ -185,7 +205,32 @@ impl<'a> Reader<'a> {
                     .into();
             return Err(fault(1, &name, told));
         }
+        self.check(&samples)?;
         Ok(ResponseFile { remarks: self.remarks(&samples, &parts), response: Response::Samples(samples) })
+    }
+
+    /// What no tip answers, and what leaves its modes out.
+    fn check(&self, samples: &Samples) -> Result<(), Fault> {
+        let of = |axis: usize, part: &str| format!("g{0}{0}{part}", AXES[axis]);
+        let (negative, count) = (samples.negative_damping(), samples.count());
+        if let Some(axis) = (0..2).find(|axis| samples.largest(*axis) == 0.0) {
+            return Err(fault(1, &of(axis, "_re"), "0 at every frequency; expected how the tip gives way".into()));
+        }
+        if NOISY * (count as f64) < negative as f64 {
+            let told = format!(
+                "at {negative} of {count} frequencies the damping is negative; expected displacement over force, which lags, and neither velocity nor acceleration"
+            );
+            return Err(fault(1, "", told));
+        }
+        if let Some(axis) = samples.begins_late() {
+            let told = "not more than 0 in the first row: the table begins above a resonance; expected it to begin below the first one";
+            return Err(fault(1, &of(axis, "_re"), told.into()));
+        }
+        if let Some(axis) = samples.ends_early() {
+            let told = "in the last row more than half of the answer in the first: the table ends before the modes do; expected it to go on until the answer has fallen";
+            return Err(fault(1, &of(axis, "_re"), told.into()));
+        }
+        Ok(())
     }
 
     fn remarks(&self, samples: &Samples, parts: &[[Option<[usize; 2]>; 3]; 3]) -> Vec<String> {

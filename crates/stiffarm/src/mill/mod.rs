@@ -27,7 +27,7 @@ use nalgebra::Point3;
 
 pub use arm_error::{DrawnError, arm_error};
 use bound::Floor;
-pub use chatter::{DeepestRoll, Judged, MillHeld, PathChatter, Uncovered, chatter_along, check_chatter};
+pub use chatter::{AllAlong, DeepestRoll, Judged, MillHeld, PathChatter, Uncovered, chatter_along, check_chatter};
 pub use compensate::{Compensated, Remaining, compensate, drawn_errors, remaining};
 pub use contact::{ClearOf, Contact, PathClearance};
 pub use fault::{Blocked, MillError, Why};

@@ -2,9 +2,19 @@
 
 use rayon::prelude::*;
 
-use super::{HeldTool, ModesError, SwingingArm};
+use super::{HeldTool, ModesError, SwingingArm, modes};
 use crate::map::{Grid, Map, MapOptions};
 use crate::model::Model;
+use crate::uncertainty::Spread;
+
+/// How slow an arm swings first over a map.
+#[derive(Clone, Debug)]
+pub struct FirstFrequencies {
+    /// Hz.
+    pub hertz: Grid,
+    /// How far the least of them may be off with the stiffness of the drives, Hz; `None` where nothing says how far that may be.
+    pub slowest: Option<Spread>,
+}
 
 /// The first frequency at every point of a map in space, Hz, motors held still: in the configuration and at the roll that the map has there.
 ///
@@ -12,7 +22,12 @@ use crate::model::Model;
 ///
 /// # Errors
 /// A robot without masses, a tool that makes no sense, a map of two links alone.
-pub fn first_frequencies(model: &Model, map: &Map, options: &MapOptions, tool: &HeldTool) -> Result<Grid, ModesError> {
+pub fn first_frequencies(
+    model: &Model,
+    map: &Map,
+    options: &MapOptions,
+    tool: &HeldTool,
+) -> Result<FirstFrequencies, ModesError> {
     let arm = SwingingArm::new(model.robot(), tool)?;
     let Model::Spatial(spatial) = model else { return Err(ModesError::NotInSpace) };
     let (x, z) = (map.deflection.x, map.deflection.z);
@@ -22,5 +37,8 @@ pub fn first_frequencies(model: &Model, map: &Map, options: &MapOptions, tool: &
         arm.frequencies(&q)?.first().copied().ok_or_else(nothing)
     };
     let cells = (0..x.count * z.count).into_par_iter().map(at).collect::<Result<_, ModesError>>()?;
-    Ok(Grid::of(x, z, cells))
+    let hertz = Grid::of(x, z, cells);
+    let slowest = hertz.extremes().and_then(|[(_, i, j), _]| map.joints(spatial, options, i, j));
+    let slowest = slowest.map(|q| modes(model.robot(), &q, tool, None)).transpose()?;
+    Ok(FirstFrequencies { hertz, slowest: slowest.and_then(|swing| swing.modes.first()?.spread) })
 }

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::chatter::{Chatter, Edge, LONGEST, Verdict};
 use stiffarm::mill::{
-    DeepestRoll, Judged, MillError, MillHeld, MillOptions, PathChatter, Pushed, Stand, Station, Uncovered,
+    AllAlong, DeepestRoll, Judged, MillError, MillHeld, MillOptions, PathChatter, Pushed, Stand, Station, Uncovered,
     chatter_along, check_chatter,
 };
 use stiffarm::modes::HeldTool;
@@ -36,7 +36,7 @@ pub struct ChatterTold {
     pub samples: Vec<Judged>,
     /// Where the critical depth is least in proportion to that of the cut, with all that is told of it; `None` where no sample is covered.
     pub worst: Option<(usize, Box<ChatterAnswer>)>,
-    /// The roll and the configuration with which the cut of that sample would go deepest.
+    /// The roll with which the cut of that sample would go deepest.
     pub deepest: Option<DeepestRoll>,
 }
 
@@ -180,11 +180,14 @@ impl MillAnswer {
             .put(field::FEED_DIRECTION, found.map(ChatterAnswer::feed));
         ChatterAnswer::put_cut(found, &mut record);
         let deepest = told.deepest.as_ref();
+        let all_along = deepest.and_then(|deepest| deepest.all_along);
         record
-            .put(field::DEEPEST_ROLL, deepest.map(|deepest| deepest.arrangement.roll))
-            .put(field::DEEPEST_CONFIGURATION, deepest.map(|deepest| deepest.arrangement.configuration.to_string()))
+            .put(field::DEEPEST_ROLL, deepest.map(|deepest| deepest.roll))
             .put(field::DEEPEST_DEPTH, deepest.and_then(|deepest| deepest.edge).map(|edge| edge.depth))
-            .put(field::DEEPEST_ERROR, deepest.map(|deepest| deepest.error));
+            .put(field::DEEPEST_ERROR, deepest.map(|deepest| deepest.error))
+            .put(field::ROLLED_RESERVE, all_along.map(|all| all.reserve).filter(|reserve| reserve.is_finite()))
+            .put(field::ROLLED_LINE, all_along.map(|all| self.stations[all.sample].sample.line))
+            .put(field::ROLLED_ERROR, all_along.map(|all| all.error));
         Some(record)
     }
 
@@ -211,29 +214,36 @@ impl MillAnswer {
         lines
     }
 
-    /// What another roll would do at the worst sample.
+    /// What another roll would do at the worst sample, and all along.
     fn deepest_line(&self) -> Option<Line> {
         let told = self.chatter.as_ref()?;
         let (deepest, (worst, _)) = told.deepest.as_ref().zip(told.worst.as_ref())?;
         let (found, Judged::Cut { critical, .. }) = (self.followed()?, &told.samples[*worst]) else { return None };
         let depth = |edge: Option<Edge>| edge.map_or(f64::INFINITY, |edge| edge.depth);
-        let says = if depth(deepest.edge) <= depth(critical.edge) {
-            "no roll and no configuration that is held there lets it go deeper".to_owned()
-        } else {
-            let from = deepest.edge.map_or_else(
-                || format!("from no depth up to {} mm", fixed(LONGEST * 1e3, 0)),
-                |edge| format!("from {} mm at {} Hz", fixed(edge.depth * 1e3, 4), fixed(edge.frequency, 2)),
-            );
-            let errors = [deepest.error, found.samples[*worst].error].map(|error| fixed(error * 1e3, 4));
-            format!(
-                "{from}: roll {} deg, {}; error {} mm instead of {} (this sample alone, --roll mills all so)",
-                fixed(deepest.arrangement.roll.to_degrees(), 0),
-                deepest.arrangement.configuration,
-                errors[0],
-                errors[1]
-            )
+        if depth(deepest.edge) <= depth(critical.edge) {
+            return Some(line("rolled otherwise", "no other roll lets that cut go deeper"));
+        }
+        let mm = |edge: Option<Edge>| {
+            edge.map_or_else(|| format!("more than {}", fixed(LONGEST * 1e3, 0)), |edge| fixed(edge.depth * 1e3, 4))
         };
-        Some(line("rolled otherwise, swings", says))
+        let roll = fixed(deepest.roll.to_degrees(), 0);
+        let [error, before] = [deepest.error, found.samples[*worst].error].map(|error| fixed(error * 1e3, 4));
+        let whole = match deepest.all_along {
+            None => "the whole path is not followed so".to_owned(),
+            Some(AllAlong { sample, reserve, error }) => format!(
+                "the whole path so (--roll={roll}): reserve {} at {}, largest error {} mm instead of {}",
+                if reserve.is_finite() { fixed(reserve, 3) } else { "without end".into() },
+                self.at_sample(sample),
+                fixed(error * 1e3, 4),
+                fixed(found.worst.0 * 1e3, 4)
+            ),
+        };
+        let says = format!(
+            "by {roll} deg that cut swings from {} mm instead of {} (by the mean of the teeth), its error is {error} mm instead of {before}; {whole}",
+            mm(deepest.edge),
+            mm(critical.edge)
+        );
+        Some(line("rolled otherwise", says))
     }
 
     /// The same as a table.

@@ -61,6 +61,12 @@ class Map(Table[MapDict]):
     limit_margin_deg: Array | None
     #: (nz, nx) to the nearest singular posture; spatial model.
     singular_margin_deg: Array | None
+    #: What the arm holds while it swings; None where it weighs nothing.
+    tool_mass_kg: float | None
+    tool_com_mm: list[float] | None
+    tool_inertia_kg_m2: list[float] | None
+    #: Five of a hundred such robots swing slower at the slowest point.
+    slowest_hz_p05: float | None
     #: (nz, nx) of the arm with what it holds, motors held still; with ``quantity="first-frequency"``.
     first_frequency_hz: Array | None
     #: The best placement of the task that was given.

@@ -7,9 +7,10 @@ mod roll;
 
 use rayon::prelude::*;
 
+use super::Milled;
 use super::fault::MillError;
 use super::follow::{Pushed, Stand};
-use super::solve::MillOptions;
+use super::solve::{MillOptions, RollMode};
 use super::stations::{Acting, Station, StationCut};
 use crate::chatter::{Asked, ByMean, Chatter, ChatterError, Cut, HeldBy, MeasuredTip, axes, by_mean, chatter};
 use crate::cutting::{Law, Milling, Process};
@@ -18,7 +19,7 @@ use crate::modes::{Damping, HeldTool, check_masses};
 use crate::robot::Robot;
 use crate::watch::Watch;
 
-pub use roll::DeepestRoll;
+pub use roll::{AllAlong, DeepestRoll};
 
 /// What swings with the arm, and how it dies away.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +83,7 @@ pub struct PathChatter {
     pub samples: Vec<Judged>,
     /// The station at which the critical depth is least in proportion to that of its cut, with all that is told of it; `None` where no sample is covered.
     pub worst: Option<(usize, Chatter)>,
-    /// The roll and the configuration with which its cut would go deepest.
+    /// The roll with which its cut would go deepest.
     pub deepest: Option<DeepestRoll>,
 }
 
@@ -156,9 +157,11 @@ pub fn chatter_along(
         let critical = critical.map_err(of_line(station.sample.line))?;
         Ok::<_, MillError>(Judged::Cut { critical, depth: at.engagement.depth })
     };
-    let samples: Vec<Judged> = stations.par_iter().zip(followed).map(judged).collect::<Result<_, _>>()?;
-    let reserves = samples.iter().enumerate().filter_map(|(i, judged)| Some((i, judged.reserve()?)));
-    let worst = reserves.min_by(|a, b| a.1.total_cmp(&b.1));
+    let all = |followed: &[Pushed]| -> Result<Vec<Judged>, MillError> {
+        stations.par_iter().zip(followed).map(judged).collect()
+    };
+    let samples = all(followed)?;
+    let worst = least_reserve(&samples);
     let worst = worst.and_then(|(i, _)| Some((i, cut(stations[i].cut.as_ref()?))));
     let full = |(i, cut): (usize, Cut)| {
         let (station, joints) = (&stations[i], &followed[i].joints);
@@ -167,8 +170,23 @@ pub fn chatter_along(
         Ok::<_, MillError>((i, found))
     };
     let deepest = worst.map(|(i, cut)| {
-        let asked = asked(&stations[i]);
-        roll::deepest((robot, &tool), stand, (stations, i), (&cut, &asked), options, watch)
+        let (asked, configuration) = (asked(&stations[i]), followed[i].arrangement.configuration);
+        roll::deepest((robot, &tool), stand, (stations, i, configuration), (&cut, &asked), options, watch)
     });
-    Ok(PathChatter { worst: worst.map(full).transpose()?, samples, deepest: deepest.transpose()?.flatten() })
+    let mut deepest = deepest.transpose()?.flatten();
+    // Pins would hold rolls of their own.
+    if let Some(found) = deepest.as_mut().filter(|_| stations.iter().all(|station| station.pinned.is_none())) {
+        let options = MillOptions { roll: RollMode::Fixed(found.roll), ..options.clone() };
+        if let Milled::Followed(rolled) = super::mill(robot, stand, stations, &options, watch)? {
+            let (sample, reserve) = least_reserve(&all(&rolled.samples)?).unwrap_or((0, f64::INFINITY));
+            found.all_along = (!rolled.touches()).then_some(AllAlong { sample, reserve, error: rolled.worst.0 });
+        }
+    }
+    Ok(PathChatter { worst: worst.map(full).transpose()?, samples, deepest })
+}
+
+/// The sample with the least reserve, and that.
+fn least_reserve(samples: &[Judged]) -> Option<(usize, f64)> {
+    let reserves = samples.iter().enumerate().filter_map(|(i, judged)| Some((i, judged.reserve()?)));
+    reserves.min_by(|a, b| a.1.total_cmp(&b.1))
 }

@@ -1,4 +1,4 @@
-//! Which roll and which configuration let a cut go deepest at one sample, and what error do they cost?
+//! Which roll lets a cut go deepest at one sample, what error does it cost, and what becomes of the whole path so rolled?
 
 use std::f64::consts::TAU;
 
@@ -18,14 +18,27 @@ use crate::watch::Watch;
 /// Rolls that are looked at: steps of 5 deg.
 const ROLLS: usize = 72;
 
-/// How a tool is held at one sample so that its cut goes deepest.
+/// The roll with which the cut of one sample goes deepest, in the configuration in which the path is followed there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeepestRoll {
-    /// Roll and configuration.
-    pub arrangement: Arrangement,
+    /// rad.
+    pub roll: f64,
     /// From which depth it swings, by the mean of the teeth over a revolution; `None` where no edge does.
     pub edge: Option<Edge>,
     /// The error there, m.
+    pub error: f64,
+    /// Every sample held so; `None` where the path is not followed with this roll all along.
+    pub all_along: Option<AllAlong>,
+}
+
+/// A path that is followed with one roll.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AllAlong {
+    /// The sample at which the critical depth is then least in proportion to that of its cut.
+    pub sample: usize,
+    /// That proportion; infinite where no edge swings.
+    pub reserve: f64,
+    /// The largest error along the path, m.
     pub error: f64,
 }
 
@@ -35,11 +48,11 @@ impl DeepestRoll {
     }
 }
 
-/// Of every roll in steps of 5 deg and every configuration that keeps the margins and touches nothing; `None` where none does.
+/// Of every roll in steps of 5 deg that keeps the margins and touches nothing; `None` where none does.
 pub(super) fn deepest(
     (robot, tool): (&Robot, &HeldTool),
     stand: &Stand,
-    (stations, at): (&[Station], usize),
+    (stations, at, configuration): (&[Station], usize, Configuration),
     (cut, asked): (&Cut, &Asked),
     options: &MillOptions,
     watch: Watch,
@@ -49,8 +62,7 @@ pub(super) fn deepest(
     let guard = Question { robot, arm: &arm, stations, options }.guard(stand);
     let looked = |i: usize| {
         watch.go_on()?;
-        let configuration = Configuration::ALL[i % Configuration::COUNT];
-        let roll = TAU * (i / Configuration::COUNT) as f64 / ROLLS as f64;
+        let roll = TAU * i as f64 / ROLLS as f64;
         let arrangement = Arrangement { configuration, roll };
         let Ok(q) = held(&arm, stand, &station.sample, arrangement)? else { return Ok(None) };
         if let Some(guard) = &guard {
@@ -62,10 +74,9 @@ pub(super) fn deepest(
         let of_line = |error| MillError::Chatter { line: station.sample.line, error };
         let edge = by_mean(robot, &q, tool, cut, asked).map_err(of_line)?.edge;
         let error = pushed(robot, stand, station, options.part, (arrangement, &q))?.error;
-        Ok::<_, MillError>(Some(DeepestRoll { arrangement, edge, error }))
+        Ok::<_, MillError>(Some(DeepestRoll { roll, edge, error, all_along: None }))
     };
-    let all: Vec<Option<DeepestRoll>> =
-        (0..ROLLS * Configuration::COUNT).into_par_iter().map(looked).collect::<Result<_, _>>()?;
+    let all: Vec<Option<DeepestRoll>> = (0..ROLLS).into_par_iter().map(looked).collect::<Result<_, _>>()?;
     // Of those that go equally deep the one that errs least.
     let by = |a: &DeepestRoll, b: &DeepestRoll| a.depth().total_cmp(&b.depth()).then(b.error.total_cmp(&a.error));
     Ok(all.into_iter().flatten().max_by(by))
