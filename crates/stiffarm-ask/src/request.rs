@@ -188,9 +188,6 @@ impl Request {
 
     /// A tip that was measured on the robot has everything in it.
     fn check_measured(&self) -> Result<(), Refusal> {
-        if self.word("frf-on") != Some("robot") {
-            return Ok(());
-        }
         const IN_IT: [&str; 7] = [
             "damping-ratio",
             "tool-mass-kg",
@@ -200,6 +197,9 @@ impl Request {
             "drive-urad-per-nm",
             "stiffness-nm-per-rad",
         ];
+        if self.word("frf-on") != Some("robot") {
+            return Ok(());
+        }
         IN_IT.into_iter().find(|name| self.is_given(name)).map_or(Ok(()), |name| {
             Err(self.refused(name, "has no meaning where the tip was measured on the robot: it is in the table".into()))
         })

@@ -205,32 +205,8 @@ impl<'a> Reader<'a> {
                     .into();
             return Err(fault(1, &name, told));
         }
-        self.check(&samples)?;
+        check(&samples)?;
         Ok(ResponseFile { remarks: self.remarks(&samples, &parts), response: Response::Samples(samples) })
-    }
-
-    /// What no tip answers, and what leaves its modes out.
-    fn check(&self, samples: &Samples) -> Result<(), Fault> {
-        let of = |axis: usize, part: &str| format!("g{0}{0}{part}", AXES[axis]);
-        let (negative, count) = (samples.negative_damping(), samples.count());
-        if let Some(axis) = (0..2).find(|axis| samples.largest(*axis) == 0.0) {
-            return Err(fault(1, &of(axis, "_re"), "0 at every frequency; expected how the tip gives way".into()));
-        }
-        if NOISY * (count as f64) < negative as f64 {
-            let told = format!(
-                "at {negative} of {count} frequencies the damping is negative; expected displacement over force, which lags, and neither velocity nor acceleration"
-            );
-            return Err(fault(1, "", told));
-        }
-        if let Some(axis) = samples.begins_late() {
-            let told = "not more than 0 in the first row: the table begins above a resonance; expected it to begin below the first one";
-            return Err(fault(1, &of(axis, "_re"), told.into()));
-        }
-        if let Some(axis) = samples.ends_early() {
-            let told = "in the last row more than half of the answer in the first: the table ends before the modes do; expected it to go on until the answer has fallen";
-            return Err(fault(1, &of(axis, "_re"), told.into()));
-        }
-        Ok(())
     }
 
     fn remarks(&self, samples: &Samples, parts: &[[Option<[usize; 2]>; 3]; 3]) -> Vec<String> {
@@ -256,4 +232,28 @@ impl<'a> Reader<'a> {
         }
         remarks
     }
+}
+
+/// What no tip answers, and what leaves its modes out.
+fn check(samples: &Samples) -> Result<(), Fault> {
+    let of = |axis: usize, part: &str| format!("g{0}{0}{part}", AXES[axis]);
+    let (negative, count) = (samples.negative_damping(), samples.count());
+    if let Some(axis) = (0..2).find(|axis| samples.largest(*axis) == 0.0) {
+        return Err(fault(1, &of(axis, "_re"), "0 at every frequency; expected how the tip gives way".into()));
+    }
+    if NOISY * (count as f64) < negative as f64 {
+        let told = format!(
+            "at {negative} of {count} frequencies the damping is negative; expected displacement over force, which lags, and neither velocity nor acceleration"
+        );
+        return Err(fault(1, "", told));
+    }
+    if let Some(axis) = samples.begins_late() {
+        let told = "not more than 0 in the first row: the table begins above a resonance; expected it to begin below the first one";
+        return Err(fault(1, &of(axis, "_re"), told.into()));
+    }
+    if let Some(axis) = samples.ends_early() {
+        let told = "in the last row more than half of the answer in the first: the table ends before the modes do; expected it to go on until the answer has fallen";
+        return Err(fault(1, &of(axis, "_re"), told.into()));
+    }
+    Ok(())
 }
