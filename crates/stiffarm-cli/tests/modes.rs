@@ -162,7 +162,10 @@ fn a_map_tells_how_slow_the_arm_swings_first_at_every_point() {
     let plain = json(&[MAP]);
     assert_eq!((&plain["worst_mm"], &plain["first_frequency_hz"]), (&light["worst_mm"], &Value::Null));
     let (ok, out, err) = output(&[MAP, FREQUENCY, HELD]);
-    assert!(ok && out.contains("slowest") && out.contains("a tool of 60 kg") && out.contains("Hz at x"), "{out}{err}");
+    assert!(
+        ok && out.contains("slowest") && out.contains("tool: 60 kg, centre 0, 0, 200 mm") && out.contains("Hz at x"),
+        "{out}{err}"
+    );
     let (_, table, _) = output(&[MAP, FREQUENCY, &["--format", "csv"]]);
     assert!(table.lines().next().is_some_and(|heading| heading.ends_with(",first_frequency_hz")), "{table}");
     let folder = tempfile::tempdir().expect("a folder");

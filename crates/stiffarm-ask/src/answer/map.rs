@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 
+use super::modes::{left_out_note, tool_note};
 use super::place::PlaceAnswer;
 use super::stiffness::{self, stiffness};
 use super::words::{self, tool_mm};
@@ -226,21 +227,15 @@ impl MapAnswer {
     }
 
     /// With what the arm swings, where that is mapped.
-    pub(crate) fn swings_with(&self) -> String {
-        match self.frequency.as_ref().map(|(_, tool)| tool.body) {
-            None => String::new(),
-            Some(None) => {
-                "with a tool that weighs nothing; a real one lowers them (--tool-mass-kg, --tool-com-mm)".into()
-            }
-            Some(Some(body)) => format!("with a tool of {} kg", body.mass),
-        }
+    pub(crate) fn swings_with(&self) -> Option<String> {
+        self.frequency.as_ref().map(|(_, tool)| tool_note(tool, "lowers the frequencies"))
     }
 
     /// How slow and how fast the arm swings first, and with what it holds.
     fn frequency_lines(&self) -> Vec<Line> {
         let Some((FirstFrequencies { hertz: grid, slowest }, _)) = &self.frequency else { return Vec::new() };
-        let mut lines =
-            vec![line("swings", format!("in the posture of each point, motors held still, {}", self.swings_with()))];
+        let mut lines: Vec<Line> =
+            self.swings_with().map(|tool| line("swings", format!("motors held still; {tool}"))).into_iter().collect();
         for (name, (hertz, i, j)) in
             grid.extremes().into_iter().flat_map(|ends| ["slowest", "fastest"].into_iter().zip(ends))
         {
@@ -267,7 +262,10 @@ impl MapAnswer {
                  -o map.svg, .pdf, .png, .html, .csv, .parquet or .json writes the map; the tables with posture, roll and the margins to limits and singular postures\n"
             }
         };
-        format!("{}{notes}", words::assumed_architecture([self.model.robot()]))
+        let robot = self.model.robot();
+        let left_out =
+            self.frequency.as_ref().and_then(|_| left_out_note(robot)).map_or_else(String::new, |note| note + "\n");
+        format!("{}{left_out}{notes}", words::assumed_architecture([robot]))
     }
 }
 

@@ -121,7 +121,7 @@ impl ModesAnswer {
             format!("{}; {}: {angles} deg", words::robot(robot), words::joints_reported(robot)),
             format!("stiffness: {}", stiffness(robot)),
             format!("tool point from the base: {} m", vector(&swing.tool.translation.vector, 4)),
-            tool_note(tool),
+            tool_note(tool, "lowers the frequencies"),
             match self.damping_source() {
                 "assumed" => {
                     format!("damping: assumed {DAMPING_RATIO} of every mode; measured on such arms 0.02 to 0.08")
@@ -140,10 +140,10 @@ impl ModesAnswer {
     }
 }
 
-/// What the tool weighs.
-pub(super) fn tool_note(tool: &HeldTool) -> String {
+/// What the tool weighs; of one that weighs nothing what a real one does.
+pub(super) fn tool_note(tool: &HeldTool, does: &str) -> String {
     tool.body.map_or_else(
-        || "tool: weighs nothing; a real one lowers the frequencies (--tool-mass-kg, --tool-com-mm)".into(),
+        || format!("tool: weighs nothing; a real one {does} (--tool-mass-kg, --tool-com-mm)"),
         |body| format!("tool: {} kg, centre {} mm from the flange", body.mass, vector(&(body.centre * 1e3), 0)),
     )
 }

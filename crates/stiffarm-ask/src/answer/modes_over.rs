@@ -179,7 +179,7 @@ impl ModesOverAnswer {
                 }
             )
         }));
-        notes.push(tool_note(tool));
+        notes.push(tool_note(tool, "lowers the frequencies"));
         notes.push(
             "motors held still by the brakes or a stiff servo; a soft servo lowers all frequencies, the proved one too"
                 .into(),

@@ -259,8 +259,7 @@ fn subtitle(answer: &MapAnswer) -> String {
                 || ", at its best roll".into(),
                 |roll| format!(", rolled by {} deg", (Unit::Degree.told(roll) * 1e6).round() / 1e6),
             );
-            let swings =
-                answer.frequency.as_ref().map_or_else(String::new, |_| format!("; swings {}", answer.swings_with()));
+            let swings = answer.swings_with().map_or_else(String::new, |tool| format!("; {tool}"));
             format!("{start}; all six drives, {towards}, tool: {tool}; {posture}{roll}{swings}")
         }
     }

@@ -981,7 +981,7 @@ const OF_ZONES: &[Setting] = &[
     Setting {
         name: "scale",
         kind: Kind::Range { is_bounded: true },
-        unit: "mm, deg of margins",
+        unit: "mm, deg of margins, Hz of frequencies",
         value: "RANGE",
         absent: Absent::Means("what is found"),
         help: "From where to where the figure goes: A..B; the same for figures that are to be compared",
