@@ -105,6 +105,14 @@ fn what_was_measured_at_the_tip_is_looked_at_and_named_by_its_table() {
         let [a, b] = [&by_hertz, &of_modes].map(|told| told[key].as_f64().unwrap_or_else(|| panic!("{key}")));
         assert!((a / b - 1.0).abs() < 0.01, "{key}: {a} {b}");
     }
+    // Not decided by its interval, a cut says nothing of a table that goes on far beyond the teeth.
+    let folder = tempdir().expect("a folder");
+    let deep = folder.path().join("deep.toml");
+    fs::write(&deep, fs::read_to_string(PROCESS).expect("the example").replace("ap_mm = 3", "ap_mm = 9"))
+        .expect("written");
+    let deep = deep.to_str().expect("a path");
+    let (ok, out, err) = output(&[&["chatter", deep], ARM, FEED, HELD, &["--frf", TAPPED, "--frf-on", "rigid"]]);
+    assert!(ok && out.contains("modes up to 2400 Hz: not decided") && !out.contains("decides nothing"), "{out}{err}");
     // Of a robot that nobody has weighed.
     let bare: &[&str] = &["--robot", "IRB 6650S-200", "--joints-deg", "0,0,0,0,90,0", "--feed", "0,1,0"];
     let alone = json(&[&["chatter", PROCESS], bare, &["--frf", TAPPED_MODES, "--frf-on", "robot"]]);

@@ -4,14 +4,16 @@ use std::f64::consts::TAU;
 
 use serde_json::{Value, json};
 use stiffarm::catalogue::ProcessFile;
-use stiffarm::chatter::{Chatter, DepthSpread, Edge, HeldBy, LONGEST, Lobe, Looked, MeasuredTip, Method, Verdict};
+use stiffarm::chatter::{Chatter, DepthSpread, Edge, HeldBy, LONGEST, Lobe, Method, Verdict};
 use stiffarm::limits::Pendant;
 use stiffarm::mass::RigidBody;
 use stiffarm::modes::HeldTool;
 use stiffarm::robot::Robot;
 
 use super::compliance::vector;
+use super::modes::tool_note;
 use super::stiffness::{self, stiffness};
+use super::tip::{self, TipFile};
 use super::words::{self, fixed};
 use super::{Line, Record, Rows, Table, field, line, with_schema};
 
@@ -32,31 +34,6 @@ pub struct ChatterAnswer {
     pub measured: Option<TipFile>,
     /// What was found.
     pub chatter: Chatter,
-}
-
-/// What was measured at a tip.
-#[derive(Clone, Debug)]
-pub struct TipFile {
-    /// How it answers, and what held it.
-    pub tip: MeasuredTip,
-    /// The table as it was named.
-    pub file: String,
-    /// How it was understood, with its name.
-    pub remarks: Vec<String>,
-}
-
-/// Whose modes a verdict is about.
-fn whose(measured: Option<&Looked>) -> &'static str {
-    match measured.map(|measured| measured.held_by) {
-        None => "robot modes",
-        Some(HeldBy::Rigid) => "robot and measured modes",
-        Some(HeldBy::Robot) => "measured modes",
-    }
-}
-
-/// What a verdict is not about.
-pub(super) fn besides(measured: Option<&Looked>) -> &'static str {
-    if measured.is_none() { "spindle modes unknown" } else { "modes of the work unknown" }
 }
 
 fn rpm(spindle: f64) -> f64 {
@@ -97,14 +74,14 @@ impl ChatterAnswer {
 
     /// In words; never that a cut is stable.
     pub fn verdict(&self) -> String {
-        format!("{}; {}", self.of_robot(), besides(self.chatter.measured.as_ref()))
+        format!("{}; {}", self.of_robot(), tip::besides(self.chatter.measured.as_ref()))
     }
 
     /// The part of the verdict that is known.
     pub(super) fn of_robot(&self) -> String {
         let measured = self.chatter.measured.as_ref();
         let upto = measured.map_or_else(String::new, |measured| format!(" up to {} Hz", fixed(measured.highest(), 0)));
-        let whose = format!("{}{upto}", whose(measured));
+        let whose = format!("{}{upto}", tip::whose(measured));
         match self.chatter.verdict() {
             Verdict::Calm => format!("{whose} calm"),
             Verdict::Limits(depth) => format!("{whose} limit the depth to {} mm", fixed(depth * 1e3, 3)),
@@ -187,7 +164,7 @@ impl ChatterAnswer {
             .put(field::ROBOT_MODES, found.map_or("not covered", Self::robot_modes))
             .put(field::SPINDLE_MODES, if measured.is_some() { "measured" } else { "unknown" })
             .put(field::FRF, found.and_then(|found| Some(&*found.measured.as_ref()?.file)))
-            .put(field::FRF_ON, measured.map(|measured| held_by(measured.held_by)))
+            .put(field::FRF_ON, measured.map(|measured| tip::held_by(measured.held_by)))
             .put(field::MEASURED_MODES, measured.filter(|tip| tip.between.is_none()).map(|tip| json!(tip.modes)))
             .put(field::MEASURED_BETWEEN, measured.and_then(|measured| measured.between).map(|ends| json!(ends)));
     }
@@ -265,9 +242,10 @@ impl ChatterAnswer {
         lines.push(line("calm speeds", self.calm()));
         lines.push(line("fed the other way, swings from", told(chatter.other_way)));
         if !chatter.robot_modes.is_empty() {
-            lines.push(line("robot modes looked at", format!("{} Hz", frequencies(&chatter.robot_modes))));
+            lines.push(line("robot modes looked at", format!("{} Hz", tip::frequencies(&chatter.robot_modes))));
         }
-        lines.extend(self.measured_line());
+        let measured = chatter.measured.as_ref().zip(self.measured.as_ref());
+        lines.extend(measured.map(|(looked, tip)| line("measured", tip::told(looked, &tip.file))));
         lines.push(line("teeth", self.counted()));
         lines
     }
@@ -299,20 +277,6 @@ impl ChatterAnswer {
                 format!("{} rpm, of {within} rpm", speeds.iter().map(told).collect::<Vec<_>>().join(", "))
             }
         }
-    }
-
-    /// What was measured at the tip, and how it was held.
-    fn measured_line(&self) -> Option<Line> {
-        let (looked, TipFile { file, .. }) = self.chatter.measured.as_ref().zip(self.measured.as_ref())?;
-        let told = match looked.between {
-            Some([from, to]) => format!("from {} to {} Hz", fixed(from, 1), fixed(to, 1)),
-            None => format!("modes at {} Hz", frequencies(&looked.modes)),
-        };
-        let held = match looked.held_by {
-            HeldBy::Rigid => "spindle, holder and cutter, held by something rigid",
-            HeldBy::Robot => "the tip as the robot holds it",
-        };
-        Some(line("measured", format!("{held}: {told}; {file}")))
     }
 
     fn counted(&self) -> &'static str {
@@ -347,13 +311,14 @@ impl ChatterAnswer {
     /// What it rests on, and what is not known.
     pub(super) fn basis(&self) -> Vec<String> {
         let Self { chatter, .. } = self;
-        let mut notes = if self.robot_is_measured() { Vec::new() } else { vec![self.held()] };
+        let mut notes =
+            if self.robot_is_measured() { Vec::new() } else { vec![tool_note(&self.tool, "changes the depths")] };
         notes.push(match self.drawn()[..] {
             [] if self.robot_is_measured() => "intervals: none; the tip is taken as it was measured".into(),
             [] => "intervals: none; stiffness and damping are taken as given".into(),
             _ => format!("intervals: over draws of {}", self.drawn().join(" and ")),
         });
-        notes.push(self.not_known());
+        notes.push(tip::not_known(chatter));
         if chatter.drives_are_assumed {
             notes.push("stiffness is nobody's: nothing is decided by it".into());
         }
@@ -378,53 +343,4 @@ impl ChatterAnswer {
             format!("stiffness: {}", stiffness(&self.robot))
         }
     }
-
-    fn held(&self) -> String {
-        self.tool.body.map_or_else(
-            || "tool: weighs nothing; a real one changes the depths (--tool-mass-kg, --tool-com-mm)".into(),
-            |body| format!("tool: {} kg, centre {} mm from the flange", body.mass, vector(&(body.centre * 1e3), 0)),
-        )
-    }
-
-    /// Beyond which frequencies nothing is known.
-    fn not_known(&self) -> String {
-        let Chatter { robot_modes, measured, .. } = &self.chatter;
-        let robot = fixed(robot_modes.iter().copied().fold(0.0, f64::max), 0);
-        let Some(measured) = measured else {
-            return format!("spindle, tool holder, cutter and work are rigid here: above {robot} Hz nothing is known");
-        };
-        let to = fixed(measured.highest(), 0);
-        let vague = if measured.is_coarse {
-            "; the frequencies of the table lie too far apart to decide by it"
-        } else if measured.between.is_some() && self.chatter.verdict() == Verdict::NotDecided {
-            "; a table that ends below the frequency at which teeth pass decides nothing"
-        } else {
-            ""
-        };
-        match (measured.held_by, measured.between) {
-            (HeldBy::Rigid, between) => {
-                let below = between.map_or_else(String::new, |[from, _]| {
-                    format!(", which is taken as a spring below {} Hz", fixed(from, 1))
-                });
-                format!(
-                    "the work is rigid here; nothing is known of the tip above {to} Hz{below}, and of the robot above {robot} Hz{vague}"
-                )
-            }
-            (HeldBy::Robot, Some([from, _])) => {
-                format!("the work is rigid here; nothing is known below {} and above {to} Hz{vague}", fixed(from, 1))
-            }
-            (HeldBy::Robot, None) => format!("the work is rigid here; nothing is known above {to} Hz"),
-        }
-    }
-}
-
-const fn held_by(held_by: HeldBy) -> &'static str {
-    match held_by {
-        HeldBy::Rigid => "rigid",
-        HeldBy::Robot => "robot",
-    }
-}
-
-fn frequencies(hertz: &[f64]) -> String {
-    hertz.iter().map(|hertz| fixed(*hertz, 1)).collect::<Vec<_>>().join(", ")
 }

@@ -36,6 +36,7 @@ mod rows;
 mod siting;
 mod stiffness;
 pub mod study;
+mod tip;
 mod uncertainty;
 mod verdict;
 pub mod verify;
@@ -44,7 +45,7 @@ pub mod words;
 use serde_json::{Value, json};
 
 pub use calibrate::CalibrateAnswer;
-pub use chatter::{ChatterAnswer, TipFile};
+pub use chatter::ChatterAnswer;
 pub use compare::CompareAnswer;
 pub use compliance::ComplianceAnswer;
 pub use cutting::CuttingAnswer;
@@ -67,6 +68,7 @@ pub use rows::{Cell, Column, ColumnKind, Rows};
 pub use siting::{Dimension, Siting};
 pub use stiffness::{stiffness, stiffnesses};
 pub use study::StudyAnswer;
+pub use tip::TipFile;
 pub use verdict::{HOLDS, ON_TOP, SURE, Verdict};
 pub use verify::{VerifyAnswer, VerifyRankAnswer};
 

@@ -128,9 +128,8 @@ impl Chatter {
     /// teeth pass.
     pub fn verdict(&self) -> Verdict {
         let depth = self.cut.milling.engagement.depth;
-        let passing = self.cut.spindle * self.cut.milling.teeth as f64 / TAU;
-        let is_vague = |measured: &Looked| measured.is_coarse || measured.between.is_some_and(|[_, to]| to < passing);
-        if self.drives_are_assumed || self.measured.as_ref().is_some_and(is_vague) {
+        let is_vague = self.ends_below_teeth() || self.measured.as_ref().is_some_and(|measured| measured.is_coarse);
+        if self.drives_are_assumed || is_vague {
             return Verdict::NotDecided;
         }
         match (self.spread, self.at_speed) {
@@ -138,6 +137,12 @@ impl Chatter {
             (DepthSpread { p95: Some(p95), .. }, Some(edge)) if p95 < depth => Verdict::Limits(edge.depth),
             _ => Verdict::NotDecided,
         }
+    }
+
+    /// A table that was measured ends below the frequency at which teeth pass.
+    pub fn ends_below_teeth(&self) -> bool {
+        let passing = 1.0 / self.cut.period_at(self.cut.spindle);
+        self.measured.as_ref().and_then(|measured| measured.between).is_some_and(|[_, to]| to < passing)
     }
 
     /// Each tooth cuts for half of the time or less and nobody knows the modes of what was measured: the mean over a revolution may mislead.

@@ -13,7 +13,8 @@ use stiffarm::modes::HeldTool;
 use stiffarm::robot::Robot;
 use stiffarm::watch::Watch;
 
-use super::super::chatter::{ChatterAnswer, TipFile, besides};
+use super::super::chatter::ChatterAnswer;
+use super::super::tip::{TipFile, besides};
 use super::super::{Cell, Column, ColumnKind, Line, Record, Table, field, fixed, line};
 use super::{MillAnswer, MillAnswerError};
 use crate::request::{Request, tool_name};
@@ -229,6 +230,9 @@ impl MillAnswer {
         let roll = fixed(deepest.roll.to_degrees(), 0);
         let [error, before] = [deepest.error, found.samples[*worst].error].map(|error| fixed(error * 1e3, 4));
         let whole = match deepest.all_along {
+            None if self.stations.iter().any(|station| station.pinned.is_some()) => {
+                "pins hold the rolls of the path".into()
+            }
             None => "the whole path is not followed so".to_owned(),
             Some(AllAlong { sample, reserve, error }) => format!(
                 "the whole path so (--roll={roll}): reserve {} at {}, largest error {} mm instead of {}",
