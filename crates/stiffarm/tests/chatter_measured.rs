@@ -13,7 +13,7 @@ use stiffarm::cutting::{Law, Milling, Process};
 use stiffarm::modes::{Damping, HeldTool, modes};
 use stiffarm::robot::Robot;
 
-use crate::chatter::{close, mill};
+use crate::chatter::{close, mill, swings_first_at};
 use crate::modes::kr210;
 
 const SPINDLE: [MeasuredMode; 3] = [
@@ -181,26 +181,7 @@ fn beside_the_robot_the_edge_is_that_of_the_sum_of_both() {
             let both = swing.receptance(hertz).unwrap() + turn * receptance(&SPINDLE, hertz) * turn.transpose();
             cut_axes.transpose() * both * cut_axes * factors
         };
-        let determinant = |w: f64, depth: f64| {
-            let delay = Complex::new(1.0, 0.0) - Complex::from_polar(1.0, -w * 60.0 / (3.0 * rpm));
-            let whole = gain(w) * (delay * depth);
-            (Complex::new(1.0, 0.0) - whole[(0, 0)]) * (Complex::new(1.0, 0.0) - whole[(1, 1)])
-                - whole[(0, 1)] * whole[(1, 0)]
-        };
-        let at_edge = determinant(TAU * edge.frequency, edge.depth).norm();
-        assert!(at_edge < 1e-6, "{rpm}: {at_edge}");
-        // Nothing swings at 0.999 of it: the determinant does not turn about 0.
-        let turns = |depth: f64| {
-            let (mut turned, mut last) = (0.0, determinant(0.0, depth));
-            for i in 1..=60_000 {
-                let now = determinant(TAU * 3000.0 * f64::from(i) / 6e4, depth);
-                turned += (now * last.conj()).arg();
-                last = now;
-            }
-            (turned / PI).round()
-        };
-        assert_eq!(turns(0.999 * edge.depth), 0.0, "{rpm}: {edge:?}");
-        assert_ne!(turns(1.001 * edge.depth), 0.0, "{rpm}: {edge:?}");
+        swings_first_at(edge, gain, 60.0 / (3.0 * rpm), (3000.0, 60_000));
         assert_eq!((told.robot_modes.len(), told.measured.unwrap().modes.len()), (6, 3));
         // Along a path the same is told of each posture.
         let cut = stiffarm::chatter::Cut::of(&process(slot(), rpm)).unwrap();

@@ -227,3 +227,27 @@ impl MeasuredTip {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Linear between its lines; beside a robot a spring below and a mass above, alone as at its ends.
+    #[test]
+    fn a_table_goes_on_as_a_spring_and_as_a_mass() {
+        let spring = |re: f64, im: f64| Matrix3::from_diagonal_element(Complex::new(re, im));
+        let alone = Samples::new(vec![(10.0, spring(4.0, -1.0)), (20.0, spring(8.0, -3.0))]).unwrap();
+        let beside = alone.clone().beside_robot();
+        let at = |samples: &Samples, hertz: f64| samples.at(TAU * hertz)[(1, 1)];
+        let close = |found: Complex<f64>, re: f64, im: f64| assert!((found - Complex::new(re, im)).norm() < 1e-12);
+        for samples in [&alone, &beside] {
+            close(at(samples, 12.5), 5.0, -1.5);
+            close(at(samples, 20.0), 8.0, -3.0);
+        }
+        close(at(&beside, 1.0), 4.0, 0.0);
+        close(at(&beside, 40.0), 2.0, -0.75);
+        close(at(&alone, 1.0), 4.0, -1.0);
+        close(at(&alone, 40.0), 8.0, -3.0);
+        assert_eq!((alone.ends(), beside.ends()), ([TAU * 10.0, TAU * 20.0], [0.0, f64::INFINITY]));
+    }
+}
