@@ -25,7 +25,7 @@ pub(crate) fn holds(bytes: &[u8]) {
             assert!(faults.to_string().starts_with("fuzz.urdf:"));
         }
         Err(
-            ImportError::Xacro { file }
+            ImportError::Xacro { file, .. }
             | ImportError::NoLinks { file, .. }
             | ImportError::NoLimits { file }
             | ImportError::Bodies { file, .. }

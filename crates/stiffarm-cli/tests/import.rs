@@ -95,7 +95,7 @@ fn a_urdf_stands_wherever_a_robot_does() {
 #[test]
 fn a_macro_file_is_answered_with_how_to_expand_it() {
     let folder = TempDir::new().unwrap();
-    let text = "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:macro name=\"a\"/></robot>";
+    let text = "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:arm/></robot>";
     let file = written(&folder, "arm.xacro", text);
     for arguments in [&["robots", "import", &file][..], &["place", &file, "--task", "A:0.5"]] {
         let (code, out, errors) = run(arguments);

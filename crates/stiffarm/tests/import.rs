@@ -462,15 +462,20 @@ fn one_of_several_arms_is_chosen_by_name() {
 }
 
 #[test]
-fn a_macro_file_is_told_from_a_faulty_one() {
-    let declared =
-        "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\" name=\"a\"><xacro:include filename=\"b\"/></robot>";
-    let undeclared = "<robot name=\"a\">\n<xacro:macro name=\"b\"/></robot>";
-    let property = EXAMPLE.replace("<parent link=\"link_3\"/>", "<parent link=\"${prefix}link_3\"/>");
-    for text in [declared, undeclared, &replaced(EXAMPLE, "name=\"joint_3\"", "name=\"${prefix}joint_3\""), &property] {
-        let error = plain(text).unwrap_err();
-        assert_eq!(error, ImportError::Xacro { file: "models/mine.urdf".into() });
-        assert!(error.to_string().contains("xacro macro file; expected the URDF"), "{error}");
+fn a_macro_file_that_is_not_of_the_simple_form_is_refused_with_what_is_not_read() {
+    let head = "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\" name=\"a\">";
+    let called = format!("{head}\n<xacro:arm prefix=\"\"/></robot>");
+    let undeclared = "<robot name=\"a\">\n<xacro:macro name=\"b\"/></robot>".to_owned();
+    let prefixed = replaced(EXAMPLE, "name=\"joint_3\"", "name=\"${prefix}joint_3\"");
+    for (text, expected) in [
+        (called, "line 2: xacro:arm is not read"),
+        (undeclared, "line 2: the namespace xacro is not declared"),
+        (prefixed, "${prefix} is not read"),
+    ] {
+        let error = plain(&text).unwrap_err();
+        let ImportError::Xacro { file, why } = &error else { panic!("{error}") };
+        assert!(file == "models/mine.urdf" && why.contains(expected), "{why}; expected {expected}");
+        assert!(error.to_string().contains("; expected the URDF that it expands to"), "{error}");
     }
     // What xacro leaves behind: the declaration, and comments.
     let expanded = EXAMPLE.replace("<robot ", "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\" ");

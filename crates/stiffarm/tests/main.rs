@@ -21,6 +21,7 @@ mod fuzz_seeds;
 mod identify;
 mod identify_models;
 mod import;
+mod import_masses;
 mod links;
 mod linuxcnc;
 mod made;

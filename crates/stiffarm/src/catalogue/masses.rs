@@ -10,7 +10,7 @@ use crate::mass::{Carrier, LEAST_KG, Mass, RigidBody};
 const MASS: Quantity = Quantity { unit: "kg", min: 0.0, max: 50_000.0, suspect: None };
 const CENTRE: Quantity = Quantity { unit: "mm", min: -10_000.0, max: 10_000.0, suspect: None };
 const INERTIA: Quantity = Quantity { unit: "kg m2", min: -100_000.0, max: 100_000.0, suspect: None };
-const TORQUE: Quantity = Quantity { unit: "N m", min: 0.1, max: 1e6, suspect: None };
+pub(super) const TORQUE: Quantity = Quantity { unit: "N m", min: 0.1, max: 1e6, suspect: None };
 const DAMPING: Quantity = Quantity { unit: "N m s/rad", min: 0.0, max: 1e6, suspect: None };
 /// As the joint feels it: no gear of an arm leaves less.
 const ROTOR: Quantity = Quantity { unit: "kg m2", min: 0.01, max: 1e5, suspect: None };
@@ -19,7 +19,7 @@ const RATIO: Quantity =
     Quantity { unit: "(turns of the motor a turn of the joint)", min: 1.0, max: 2000.0, suspect: None };
 /// A mass centre lies this near to the line of its link, in parts of the reach of the stretched links; of the published arms none is further
 /// than 0.12.
-const ASIDE: f64 = 0.25;
+pub(super) const ASIDE: f64 = 0.25;
 
 /// The bodies of an arm; `None` where one of them is faulty.
 pub(super) fn masses(root: &mut Table, geometry: Option<&Geometry>) -> Option<Vec<Mass>> {

@@ -1,13 +1,12 @@
 //! What of a description's meshes belongs to which link of the arm, and which capsules enclose it?
 
-use std::collections::HashMap;
-
 use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 
-use super::chain::Chain;
 use super::cover::{Triangle, cover};
-use super::urdf::{Kind, Urdf, attribute, child};
+use super::described::Described;
+use super::inertials::Boxes;
+use super::urdf::{attribute, child};
 use super::{ImportError, TOLD_M};
 use crate::body::{Enclosing, LinkCapsule};
 use crate::catalogue::reader::shown;
@@ -37,17 +36,8 @@ pub type Meshes<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
 /// What encloses the links, and what must be said of it.
 pub(super) struct Enclosed {
     pub(super) enclosing: Enclosing,
+    pub(super) boxes: Boxes,
     pub(super) notes: Vec<String>,
-}
-
-/// A description with the arm that was found in it.
-pub(super) struct Described<'a> {
-    pub(super) text: &'a str,
-    pub(super) file: &'a str,
-    pub(super) urdf: &'a Urdf,
-    pub(super) chain: &'a Chain,
-    /// By which the base stands aside of the description's.
-    pub(super) moved: Vector3<f64>,
 }
 
 impl Described<'_> {
@@ -92,39 +82,7 @@ impl Described<'_> {
                 pairs.join(", ")
             ));
         }
-        Ok(Enclosed { enclosing, notes })
-    }
-
-    fn fault(&self, link: &str, why: impl Into<String>) -> ImportError {
-        ImportError::Bodies { file: self.file.into(), link: shown(link), why: why.into() }
-    }
-
-    /// Every link that the arm carries with the number of the arm's link and its frame at these joint angles, from the moved base; and those that
-    /// move in another way.
-    fn carried(&self, q: &[f64; 6]) -> (HashMap<&str, (usize, Pose)>, Vec<&str>) {
-        let base = Pose::from_parts((-self.moved).into(), UnitQuaternion::identity());
-        let mut found = HashMap::from([(self.chain.base.as_str(), (0, base))]);
-        let (mut left_out, mut is_new) = (Vec::new(), true);
-        while is_new {
-            is_new = false;
-            for joint in &self.urdf.joints {
-                let Some(&(number, pose)) = found.get(joint.parent.as_str()) else { continue };
-                if found.contains_key(joint.child.as_str()) || left_out.contains(&joint.child.as_str()) {
-                    continue;
-                }
-                is_new = true;
-                let of_arm = self.chain.joints.iter().position(|own| own.name == joint.name);
-                match (of_arm, &joint.kind) {
-                    (Some(i), _) => {
-                        let turned = joint.origin * Pose::rotation(joint.axis.into_inner() * q[i]);
-                        found.insert(&joint.child, (i + 1, pose * turned));
-                    }
-                    (None, Kind::Fixed) => drop(found.insert(&joint.child, (number, pose * joint.origin))),
-                    (None, _) => left_out.push(&joint.child),
-                }
-            }
-        }
-        (found, left_out)
+        Ok(Enclosed { enclosing, boxes: triangles.each_ref().map(|own| corners(own)), notes })
     }
 
     /// The triangles of every link, m, in its own frame.
@@ -169,7 +127,7 @@ impl Described<'_> {
 
     /// How far a robot file moves any capsule's end from where the description does, of each link, m.
     fn off(&self, geometry: &Geometry, limits: &Limits, at_zero: &[f64; 6], links: &[Vec<LinkCapsule>; 7]) -> [f64; 7] {
-        let base = Pose::from_parts((-self.moved).into(), UnitQuaternion::identity());
+        let base = self.base();
         let home = self.chain.frames_at(at_zero).map(|frame| (base * frame).inverse());
         let mut rng = fastrand::Rng::with_seed(1);
         let mut off = [0.0_f64; 7];
@@ -266,13 +224,15 @@ fn cylinder(radius: f64, half: f64) -> Vec<Triangle> {
         .collect()
 }
 
+/// The least and the largest corner of the box about triangles, m.
+fn corners(triangles: &[Triangle]) -> Option<[Vector3<f64>; 2]> {
+    let each = || triangles.iter().flatten().copied();
+    Some([each().reduce(|a, b| a.inf(&b))?, each().reduce(|a, b| a.sup(&b))?])
+}
+
 /// The largest extent along an axis, m.
 fn width(triangles: &[Triangle]) -> f64 {
-    let along = |i: usize| {
-        let each = || triangles.iter().flatten().map(|corner| corner[i]);
-        each().fold(f64::NEG_INFINITY, f64::max) - each().fold(f64::INFINITY, f64::min)
-    };
-    (0..3).map(along).fold(0.0, f64::max)
+    corners(triangles).map_or(0.0, |[least, largest]| (largest - least).max())
 }
 
 /// Ends to hundredths of a millimetre, and a radius that has all of the capsule still inside, and what moves otherwise.

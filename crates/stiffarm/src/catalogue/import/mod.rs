@@ -7,7 +7,9 @@
 mod axes;
 mod chain;
 mod cover;
+mod described;
 mod flange;
+mod inertials;
 mod joint_axis;
 mod meshes;
 mod opw_yaml;
@@ -15,18 +17,11 @@ mod packages;
 mod proof;
 mod ranges;
 mod urdf;
+mod xacro;
 mod yaml;
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
-
-use chain::{Between, NoChain};
-pub use meshes::Meshes;
-use meshes::{Described, Enclosed};
-pub use packages::Packages;
-use proof::{Errors, compare};
-use ranges::{hundredths, joint_limits, round};
-use urdf::NoUrdf;
 
 use super::reader::{Log, shown, unfit_name};
 use super::{Fault, Faults, read, write};
@@ -36,6 +31,13 @@ use crate::interval::Interval;
 use crate::limits::{Limits, Pendant, ThirdAxis};
 use crate::robot::{Arm, Robot, Status};
 use crate::spatial::Pose;
+use chain::{Between, NoChain};
+use described::Described;
+use meshes::Enclosed;
+pub use meshes::Meshes;
+pub use packages::Packages;
+use proof::{Errors, compare};
+use ranges::{hundredths, joint_limits, round};
 
 /// No longer text is taken: robot files have some kilobytes, the URDFs of whole cells less than this.
 pub const MOST_BYTES: usize = 4 << 20;
@@ -104,11 +106,15 @@ pub enum ImportError {
     /// It is no arm with six axes and a spherical wrist.
     #[error("{0}")]
     Class(Faults),
-    /// A macro file, not yet a URDF.
-    #[error("{file}: a xacro macro file; expected the URDF that it expands to")]
+    /// A macro file of which more than the simple form is asked.
+    #[error(
+        "{file}: a xacro macro file, {why}; expected the URDF that it expands to, or one macro with ${{prefix}}, numbers, pi, + - * / and radians()"
+    )]
     Xacro {
         /// As the user named it.
         file: String,
+        /// What is not read, with its line.
+        why: String,
     },
     /// OPW parameters know no links.
     #[error("{file}: OPW parameters name no links, of which one could be the {end}; expected it left out")]
@@ -236,12 +242,16 @@ fn from_urdf(
     options: &ImportOptions,
     (log, meshes): (&Rc<Log>, Option<Meshes>),
 ) -> Result<Imported, ImportError> {
+    let expanded = xacro::expand(text).map_err(|why| ImportError::Xacro { file: file.into(), why })?;
+    // Lines stay where they are, places in them do not.
+    let (text, macro_name, log) = match &expanded {
+        Some(expanded) => (expanded.text.as_str(), expanded.name.as_deref(), &Log::of(&expanded.text)),
+        None => (text, None, log),
+    };
     let wrong = || ImportError::Faults(faults(log.clone(), file));
-    let urdf = urdf::parse(text, log).map_err(|reason| match reason {
-        NoUrdf::Xacro => ImportError::Xacro { file: file.into() },
-        NoUrdf::Faults => wrong(),
-    })?;
-    let name = options.name.clone().unwrap_or_else(|| urdf.name.clone());
+    let urdf = urdf::parse(text, log).ok_or_else(wrong)?;
+    let own = if urdf.name.is_empty() { macro_name.unwrap_or_default() } else { &urdf.name };
+    let name = options.name.clone().unwrap_or_else(|| own.into());
     if name.trim().is_empty() {
         log.add(0, "robot name", "missing; expected a name in the file or beside it");
     } else if let Some(fault) = unfit_name(&name) {
@@ -286,22 +296,42 @@ fn from_urdf(
     let base_from_root = Pose::from_parts((-recovered.moved).into(), nalgebra::UnitQuaternion::identity());
     let flange_in_link = recovered.flange.in_link;
     let imported = settle(understood, file, options, |q| base_from_root * chain.forward(q) * flange_in_link)?;
-    let Some(meshes) = meshes else { return Ok(imported) };
-    let described = Described { text, file, urdf: &urdf, chain: &chain, moved: recovered.moved };
-    enclose(imported, &described, meshes)
+    complete(imported, &Described { text, file, urdf: &urdf, chain: &chain, moved: recovered.moved }, meshes)
 }
 
-/// The same robot with capsules that enclose its links.
-fn enclose(mut imported: Imported, described: &Described, meshes: Meshes) -> Result<Imported, ImportError> {
-    let Arm::SixAxis { geometry, limits, .. } = &imported.robot.arm else { return Ok(imported) };
-    let Enclosed { enclosing, notes } = described.enclosed((geometry, limits), meshes)?;
-    let mut robot = imported.robot;
-    robot.enclosing = Some(enclosing);
-    let source = format!("capsules that enclose the collision meshes of {}", base_name(described.file));
-    robot.source.insert("body".into(), source);
-    imported.text = write(&robot);
+/// The same robot with what the description says besides: capsules that enclose its links, masses, and torques.
+fn complete(mut imported: Imported, described: &Described, meshes: Option<Meshes>) -> Result<Imported, ImportError> {
+    let Imported { robot, notes, .. } = &mut imported;
+    let Arm::SixAxis { geometry, limits, drives } = &mut robot.arm else { return Ok(imported) };
+    let file = base_name(described.file);
+    let mut boxes = None;
+    if let Some(meshes) = meshes {
+        let enclosed: Enclosed = described.enclosed((geometry, limits), meshes)?;
+        robot.enclosing = Some(enclosed.enclosing);
+        robot.source.insert("body".into(), format!("capsules that enclose the collision meshes of {file}"));
+        notes.extend(enclosed.notes);
+        boxes = Some(enclosed.boxes);
+    }
+    match described.masses(geometry, boxes.as_ref()) {
+        Ok(None) => {}
+        Ok(Some(masses)) => {
+            let compared = if boxes.is_some() { "" } else { ", their centres not compared with the meshes (--meshes)" };
+            notes.push(format!("masses: of {} bodies, from the inertials{compared}", masses.len()));
+            robot.masses = masses;
+            robot.source.insert("masses".into(), format!("inertials of {file}"));
+        }
+        Err(why) => notes.push(format!("masses: none is taken: {why}")),
+    }
+    match inertials::torques(described.chain) {
+        Ok(None) => {}
+        Ok(Some(torques)) => {
+            drives.motors.torque = Some(torques);
+            robot.source.insert("drives".into(), format!("torques: joint limits (effort) of {file}"));
+        }
+        Err(why) => notes.push(format!("torques: none is taken: {why}")),
+    }
+    imported.text = write(&imported.robot);
     imported.robot = read(&imported.text, described.file).map_err(ImportError::Faults)?;
-    imported.notes.extend(notes);
     Ok(imported)
 }
 

@@ -4,12 +4,17 @@ use nalgebra::{Translation3, Unit, UnitQuaternion, Vector3};
 use roxmltree::{Document, Error, Node};
 
 use crate::catalogue::reader::{Log, shown};
+use crate::mass::RigidBody;
 use crate::spatial::Pose;
 
 /// Places further away than this, m, are in another unit.
 const FURTHEST: f64 = 100.0;
 /// Angles and limits larger than this, rad, are in another unit or mean nothing.
 const WIDEST: f64 = 1000.0;
+/// Bodies heavier than this, kg, are in another unit.
+const HEAVIEST: f64 = 50_000.0;
+/// And those harder to turn, kg m^2.
+const HARDEST: f64 = 100_000.0;
 
 /// The links and joints of a URDF, in the order of the file.
 #[derive(Debug)]
@@ -23,6 +28,8 @@ pub(super) struct Urdf {
 #[derive(Debug)]
 pub(super) struct Link {
     pub(super) name: String,
+    /// What it weighs, in its own frame.
+    pub(super) inertial: Option<RigidBody>,
     /// Where it stands in the text.
     pub(super) place: usize,
 }
@@ -63,59 +70,40 @@ pub(super) enum Kind {
     Sliding(&'static str),
 }
 
-/// What the element `limit` says; rad, rad/s.
+/// What the element `limit` says; rad, rad/s, N m.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Limit {
     pub(super) lower: Option<f64>,
     pub(super) upper: Option<f64>,
     pub(super) velocity: Option<f64>,
+    pub(super) effort: Option<f64>,
 }
 
-/// Why a text is no URDF.
-#[derive(Debug)]
-pub(super) enum NoUrdf {
-    /// It is a xacro macro file.
-    Xacro,
-    /// The log says it.
-    Faults,
-}
-
-/// Reads a URDF; faults go to the log, and then what is returned is not to be used.
-pub(super) fn parse(text: &str, log: &Log) -> Result<Urdf, NoUrdf> {
+/// Reads a URDF without macros; faults go to the log, and then what is returned is not to be used.
+pub(super) fn parse(text: &str, log: &Log) -> Option<Urdf> {
     let document = Document::parse(text).map_err(|error| {
-        if matches!(&error, Error::UnknownNamespace(prefix, _) if prefix == "xacro") {
-            return NoUrdf::Xacro;
-        }
         let hint = match error {
             Error::DtdDetected => "; expected a URDF, which has no document type and no entities of its own",
             _ => "",
         };
         log.add(place_of(text, error.pos().row), "", format!("{}{hint}", shown(&error.to_string())));
-        NoUrdf::Faults
-    })?;
-    if document.descendants().any(|node| is_xacro(&node)) {
-        return Err(NoUrdf::Xacro);
-    }
+    });
+    let document = document.ok()?;
     let root = document.root_element();
     if root.tag_name().name() != "robot" {
         let found = shown(root.tag_name().name());
         log.add(root.range().start, "", format!("the outermost element is <{found}>; expected <robot>"));
-        return Err(NoUrdf::Faults);
+        return None;
     }
     let mut urdf = Urdf { name: attribute(&root, "name").into(), links: Vec::new(), joints: Vec::new() };
     for node in root.children().filter(Node::is_element) {
         match node.tag_name().name() {
-            "link" => urdf.links.extend(link(&node, log)),
-            "joint" => urdf.joints.extend(Reader::of(&node, log).and_then(|reader| reader.joint(&node))),
+            "link" => urdf.links.extend(Reader::of("link", &node, log).and_then(|reader| reader.whole_link(&node))),
+            "joint" => urdf.joints.extend(Reader::of("joint", &node, log).and_then(|reader| reader.joint(&node))),
             _ => {} // materials, transmissions, what simulators add
         }
     }
-    Ok(urdf)
-}
-
-fn is_xacro(node: &Node) -> bool {
-    let by_name = node.tag_name().namespace().is_some_and(|name| name.contains("xacro"));
-    by_name || node.attributes().any(|attribute| attribute.value().contains("${"))
+    Some(urdf)
 }
 
 /// The first character of a line, counted from 1.
@@ -132,34 +120,53 @@ pub(super) fn child<'a, 'i>(node: &Node<'a, 'i>, name: &str) -> Option<Node<'a, 
     node.children().find(|child| child.is_element() && child.tag_name().name() == name)
 }
 
-fn link(node: &Node, log: &Log) -> Option<Link> {
-    let (name, place) = (attribute(node, "name"), node.range().start);
-    if name.is_empty() {
-        log.add(place, "link", "has no name");
-        return None;
-    }
-    Some(Link { name: name.into(), place })
-}
-
-/// Reads the parts of one joint.
+/// Reads the parts of one link or joint.
 struct Reader<'l> {
+    what: &'static str,
     name: String,
     log: &'l Log,
 }
 
 impl<'l> Reader<'l> {
-    fn of(node: &Node, log: &'l Log) -> Option<Self> {
+    fn of(what: &'static str, node: &Node, log: &'l Log) -> Option<Self> {
         let name = attribute(node, "name");
         if name.is_empty() {
-            log.add(node.range().start, "joint", "has no name");
+            log.add(node.range().start, what, "has no name");
             return None;
         }
-        Some(Self { name: name.into(), log })
+        Some(Self { what, name: name.into(), log })
     }
 
     fn fault(&self, node: &Node, part: &str, message: impl Into<String>) {
         let comma = if part.is_empty() { "" } else { ", " };
-        self.log.add(node.range().start, &format!("joint {}{comma}{part}", shown(&self.name)), message);
+        self.log.add(node.range().start, &format!("{} {}{comma}{part}", self.what, shown(&self.name)), message);
+    }
+
+    fn whole_link(self, node: &Node) -> Option<Link> {
+        let inertial = self.inertial(node)?;
+        Some(Link { inertial, place: node.range().start, name: self.name })
+    }
+
+    /// The outer `None` is a fault.
+    fn inertial(&self, node: &Node) -> Option<Option<RigidBody>> {
+        let Some(inertial) = child(node, "inertial") else { return Some(None) };
+        let origin = self.origin(&inertial);
+        let number = |part: &str, name: &str, most: f64, unit: &str| {
+            let found = child(&inertial, part).and_then(|node| Some((node, node.attribute(name)?)));
+            let Some((node, text)) = found else {
+                self.fault(&inertial, &format!("inertial {part} {name}"), format!("missing; expected {unit}"));
+                return None;
+            };
+            self.number(&node, &format!("inertial {part} {name}"), text, most, unit)
+        };
+        let mass = number("mass", "value", HEAVIEST, "kg");
+        if let Some(mass) = mass.filter(|mass| *mass < 0.0) {
+            self.fault(&inertial, "inertial mass value", format!("{mass} kg; expected 0 or more"));
+        }
+        let elements = ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"].map(|name| number("inertia", name, HARDEST, "kg m2"));
+        let elements: Vec<f64> = elements.into_iter().flatten().collect();
+        let elements: [f64; 6] = elements.try_into().ok()?;
+        Some(Some(RigidBody::new(mass?, Vector3::zeros(), elements).seen_from(&origin?)))
     }
 
     fn joint(self, node: &Node) -> Option<Joint> {
@@ -232,11 +239,12 @@ impl<'l> Reader<'l> {
 
     fn limit(&self, node: &Node) -> Option<Limit> {
         let Some(limit) = child(node, "limit") else { return Some(Limit::default()) };
-        let [lower, upper, velocity] = ["lower", "upper", "velocity"].map(|name| {
-            let Some(text) = limit.attribute(name) else { return Some(None) };
-            self.number(&limit, &format!("limit {name}"), text, f64::MAX, "rad").map(Some)
-        });
-        Some(Limit { lower: lower?, upper: upper?, velocity: velocity? })
+        let [lower, upper, velocity, effort] =
+            [("lower", "rad"), ("upper", "rad"), ("velocity", "rad"), ("effort", "N m")].map(|(name, unit)| {
+                let Some(text) = limit.attribute(name) else { return Some(None) };
+                self.number(&limit, &format!("limit {name}"), text, f64::MAX, unit).map(Some)
+            });
+        Some(Limit { lower: lower?, upper: upper?, velocity: velocity?, effort: effort? })
     }
 
     fn vector(&self, node: &Node, name: &str, default: [f64; 3], most: f64, unit: &str) -> Option<[f64; 3]> {

@@ -1,0 +1,359 @@
+//! What does a macro file (xacro) of one robot expand to?
+//!
+//! The simple form in which arms are published is read: one macro, or none; numbers, `pi`, `radians()`, `degrees()` and constants
+//! (`xacro:property`) between `${` and `}`; a prefix of names. Whatever else xacro knows is refused by its name. Lines stay where they are.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use roxmltree::{Document, Node};
+
+use super::urdf::attribute;
+use crate::catalogue::reader::shown;
+
+/// Parameters by which names are told apart where several robots stand in one cell: a single arm has none.
+const PREFIXES: [&str; 2] = ["prefix", "tf_prefix"];
+/// Brackets in brackets: no file has more.
+const DEEPEST: usize = 50;
+
+/// A text without macros.
+pub(super) struct Expanded {
+    pub(super) text: String,
+    /// Of the macro, where there was one.
+    pub(super) name: Option<String>,
+}
+
+/// Expands a text; `Ok(None)` where nothing is to be expanded, or where the text is no XML and the reader of URDF says why.
+///
+/// # Errors
+/// What is not read, with its line.
+pub(super) fn expand(text: &str) -> Result<Option<Expanded>, String> {
+    let document = match Document::parse(text) {
+        Ok(document) => document,
+        Err(roxmltree::Error::UnknownNamespace(prefix, at)) if prefix == "xacro" => {
+            return Err(format!("line {}: the namespace xacro is not declared", at.row));
+        }
+        Err(_) => return Ok(None),
+    };
+    let is_read = |node: &Node| node.ancestors().all(|above| above.tag_name().name() != "visual") && !is_paint(node);
+    let read: Vec<Node> = document.descendants().filter(|node| node.is_element() && is_read(node)).collect();
+    let of_xacro: Vec<&Node> = read.iter().filter(|node| is_of_xacro(node)).collect();
+    if of_xacro.is_empty() && !read.iter().any(|node| node.attributes().any(|one| is_open(one.value()))) {
+        return Ok(None);
+    }
+    let line = |node: &Node| document.text_pos_at(node.range().start).row;
+    let mut scope = Scope::default();
+    let mut edits: Vec<(Range<usize>, String)> = Vec::new();
+    let mut name = None;
+    for node in of_xacro {
+        let known = node.tag_name().name();
+        match known {
+            // Of what is included only materials may be used: all else that it defines is refused where it is used.
+            "include" => edits.push(blank(text, node.range())),
+            "property" => {
+                let (key, value) = (attribute(node, "name"), attribute(node, "value"));
+                let value = scope.text(value, false).map_err(|why| format!("line {}: {why}", line(node)))?;
+                scope.constants.insert(key.into(), value);
+                edits.push(blank(text, node.range()));
+            }
+            "macro" if name.is_none() && node.parent() == Some(document.root_element()) => {
+                name = Some(attribute(node, "name").to_owned());
+                scope.add_parameters(attribute(node, "params"));
+                edits.extend(tags(text, node));
+            }
+            "macro" => return Err(format!("line {}: a second macro, {}", line(node), shown(attribute(node, "name")))),
+            _ => return Err(format!("line {}: xacro:{} is not read", line(node), shown(known))),
+        }
+    }
+    for node in read.iter().filter(|node| !is_of_xacro(node)) {
+        for one in node.attributes().filter(|one| is_open(one.value())) {
+            let value = scope.text(one.value(), one.name() == "filename");
+            let value = value.map_err(|why| format!("line {}: {why}", line(node)))?;
+            edits.push((one.range_value(), escaped(&value)));
+        }
+    }
+    Ok(Some(Expanded { text: edited(text, edits), name }))
+}
+
+fn is_of_xacro(node: &Node) -> bool {
+    node.tag_name().namespace().is_some_and(|name| name.contains("xacro"))
+}
+
+/// A macro of some colour, in a body.
+fn is_paint(node: &Node) -> bool {
+    let is_in_body = node.parent().is_some_and(|above| above.tag_name().name() == "collision");
+    is_of_xacro(node) && is_in_body && node.tag_name().name().starts_with("material")
+}
+
+fn is_open(value: &str) -> bool {
+    value.contains("${") || value.contains("$(")
+}
+
+fn escaped(value: &str) -> String {
+    value.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;").replace('\'', "&apos;")
+}
+
+/// The range, with nothing in it but its ends of lines.
+fn blank(text: &str, range: Range<usize>) -> (Range<usize>, String) {
+    let ends = text[range.clone()].chars().filter(|&character| character == '\n').collect();
+    (range, ends)
+}
+
+/// The opening and the closing tag of an element, to be blanked.
+fn tags(text: &str, node: &Node) -> Vec<(Range<usize>, String)> {
+    let whole = node.range();
+    match (node.first_child(), node.last_child()) {
+        (Some(first), Some(last)) => {
+            vec![blank(text, whole.start..first.range().start), blank(text, last.range().end..whole.end)]
+        }
+        _ => vec![blank(text, whole)],
+    }
+}
+
+fn edited(text: &str, mut edits: Vec<(Range<usize>, String)>) -> String {
+    edits.sort_by_key(|(range, _)| range.start);
+    let mut found = String::with_capacity(text.len());
+    let mut at = 0;
+    for (range, with) in edits {
+        // What stands in something that was blanked is gone with it.
+        if at <= range.start {
+            found.push_str(&text[at..range.start]);
+            found.push_str(&with);
+            at = range.end;
+        }
+    }
+    found + &text[at..]
+}
+
+/// What names stand for.
+#[derive(Default)]
+struct Scope {
+    constants: HashMap<String, String>,
+    /// Parameters of the macro to which it gives no value.
+    open: Vec<String>,
+}
+
+impl Scope {
+    /// `name`, `name:=value` or `name:='value'`; blocks (`*name`) are refused where they are used.
+    fn add_parameters(&mut self, parameters: &str) {
+        for parameter in parameters.split_whitespace() {
+            match parameter.split_once(":=") {
+                Some((name, value)) => {
+                    let value = value.trim_matches(['\'', '"']);
+                    self.constants.insert(name.into(), value.into());
+                }
+                None if PREFIXES.contains(&parameter) => drop(self.constants.insert(parameter.into(), String::new())),
+                None => self.open.push(parameter.into()),
+            }
+        }
+    }
+
+    /// A value with all that stands between `${` and `}` worked out.
+    fn text(&self, value: &str, is_file: bool) -> Result<String, String> {
+        let mut found = String::new();
+        let mut rest = value;
+        while let Some(at) = rest.find('$') {
+            found.push_str(&rest[..at]);
+            let inner = rest[at..].strip_prefix("${").and_then(|inner| inner.split_once('}'));
+            let Some((inner, after)) = inner else {
+                return Err(format!("'{}' is not read", shown(value)));
+            };
+            found.push_str(&self.value(inner, is_file)?);
+            rest = after;
+        }
+        Ok(found + rest)
+    }
+
+    fn value(&self, inner: &str, is_file: bool) -> Result<String, String> {
+        let name = inner.trim();
+        if let Some(value) = self.constants.get(name) {
+            return Ok(value.clone());
+        }
+        if self.open.iter().any(|open| open == name) {
+            // The name of a package: who reads the meshes says where it lies.
+            if is_file {
+                return Ok(name.into());
+            }
+            return Err(format!("${{{}}} is a parameter of the macro, which gives it no value", shown(name)));
+        }
+        let number = Expression { scope: self, rest: name }.whole();
+        let number = number.ok_or_else(|| format!("${{{}}} is not read", shown(name)))?;
+        if !number.is_finite() {
+            return Err(format!("${{{}}} is no number", shown(name)));
+        }
+        Ok(format!("{number:?}"))
+    }
+}
+
+/// Numbers, names of constants, `+ - * /`, brackets, `radians()` and `degrees()`, as Python has them.
+struct Expression<'s, 't> {
+    scope: &'s Scope,
+    rest: &'t str,
+}
+
+impl<'t> Expression<'_, 't> {
+    fn whole(mut self) -> Option<f64> {
+        let value = self.sum(0)?;
+        self.rest.trim_start().is_empty().then_some(value)
+    }
+
+    fn takes(&mut self, sign: char) -> bool {
+        match self.rest.trim_start().strip_prefix(sign) {
+            Some(rest) => {
+                self.rest = rest;
+                true
+            }
+            None => false,
+        }
+    }
+
+    fn sum(&mut self, depth: usize) -> Option<f64> {
+        let mut sum = self.product(depth)?;
+        loop {
+            if self.takes('+') {
+                sum += self.product(depth)?;
+            } else if self.takes('-') {
+                sum -= self.product(depth)?;
+            } else {
+                return Some(sum);
+            }
+        }
+    }
+
+    fn product(&mut self, depth: usize) -> Option<f64> {
+        let mut product = self.factor(depth)?;
+        loop {
+            if self.takes('*') {
+                product *= self.factor(depth)?;
+            } else if self.takes('/') {
+                product /= self.factor(depth)?;
+            } else {
+                return Some(product);
+            }
+        }
+    }
+
+    fn factor(&mut self, depth: usize) -> Option<f64> {
+        if depth == DEEPEST {
+            return None;
+        }
+        if self.takes('-') {
+            return self.factor(depth + 1).map(|value| -value);
+        }
+        if self.takes('(') {
+            let value = self.sum(depth + 1)?;
+            return self.takes(')').then_some(value);
+        }
+        let word = self.word();
+        match word {
+            "pi" => Some(std::f64::consts::PI),
+            "radians" | "degrees" => {
+                self.takes('(').then_some(())?;
+                let value = self.sum(depth + 1)?;
+                self.takes(')').then_some(())?;
+                Some(if word == "radians" { value.to_radians() } else { value.to_degrees() })
+            }
+            _ => self.scope.constants.get(word).map_or(word, String::as_str).trim().parse().ok(),
+        }
+    }
+
+    /// A name or a number; the sign of an exponent belongs to it.
+    fn word(&mut self) -> &'t str {
+        let rest = self.rest.trim_start();
+        let is_number = rest.starts_with(|first: char| first.is_ascii_digit() || first == '.');
+        let mut before = ' ';
+        let ends = |character: char| {
+            let is_exponent = is_number && matches!(before, 'e' | 'E') && matches!(character, '+' | '-');
+            before = character;
+            !(character.is_ascii_alphanumeric() || matches!(character, '_' | '.') || is_exponent)
+        };
+        let (word, rest) = rest.split_at(rest.find(ends).unwrap_or(rest.len()));
+        self.rest = rest;
+        word
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEAD: &str = "<robot xmlns:xacro=\"http://wiki.ros.org/xacro\">";
+
+    fn value(inner: &str) -> Result<String, String> {
+        let mut scope = Scope::default();
+        scope.constants.insert("DEG2RAD".into(), "0.5".into());
+        scope.text(&format!("${{{inner}}}"), false)
+    }
+
+    #[test]
+    fn numbers_are_those_of_python() {
+        // By Python's own arithmetic.
+        for (inner, expected) in [
+            ("pi/2", 1.5707963267948966),
+            ("-pi", -3.141592653589793),
+            ("radians(112)", 1.9547687622336491),
+            ("-radians( 90)", -1.5707963267948966),
+            ("180 * DEG2RAD", 90.0),
+            ("-1.5e+2 * DEG2RAD", -75.0),
+            ("2-3-4", -5.0),
+            ("8/4/2", 1.0),
+            ("-(2 + 3) * 2", -10.0),
+            ("degrees(pi)", 180.0),
+            ("1e-3", 0.001),
+        ] {
+            assert_eq!(value(inner).unwrap().parse::<f64>().unwrap(), expected, "{inner}");
+        }
+        for inner in ["cos(1)", "2 ** 3", "pi pi", "(1", "1)", "radians 3", "x", "", "1/", "load_yaml(1)", "nan", "inf"]
+        {
+            assert!(value(inner).unwrap_err().contains(inner), "{inner}");
+        }
+        assert!(value("1/0").unwrap_err().contains("no number"));
+        assert!(value(&"(".repeat(10_000)).is_err() && value(&"-".repeat(10_000)).is_err());
+    }
+
+    #[test]
+    fn a_macro_leaves_its_links_in_their_lines() {
+        let text = format!(
+            "{HEAD}\n<xacro:include filename=\"$(find a)/b\"/>\n<xacro:property name=\"L\" value=\"${{pi}}\"/>\n\
+             <xacro:macro name=\"arm\" params=\"prefix package_name\n  z:='0.25' *block\">\n<link name=\"${{prefix}}base\">\
+             <visual><xacro:colour/><x y=\"${{what}}\"/></visual>\n<collision><xacro:material_blue/></collision>\n<mesh filename=\"package://${{package_name}}/a.stl\"/></link>\n\
+             <joint name=\"${{prefix}}j\" xyz=\"0 ${{L}} ${{z * 2}}\"/>\n</xacro:macro>\n</robot>"
+        );
+        let Expanded { text: found, name } = expand(&text).unwrap().unwrap();
+        assert_eq!(name.as_deref(), Some("arm"));
+        assert_eq!(found.lines().count(), text.lines().count());
+        let line = |part: &str| {
+            (
+                found.lines().position(|line| line.contains(part)),
+                text.lines().position(|line| line.contains("${prefix}j")),
+            )
+        };
+        assert_eq!(line("<joint name=\"j\" xyz=\"0 3.141592653589793 0.5\"/>").0, line("").1, "{found}");
+        assert!(found.contains("<link name=\"base\">") && found.contains("package://package_name/a.stl"), "{found}");
+        // Nothing to be done.
+        assert!(expand("<robot name=\"a\"><link name=\"b\"/></robot>").unwrap().is_none());
+        assert!(expand(&format!("{HEAD}<link name=\"b\"/></robot>")).unwrap().is_none());
+    }
+
+    #[test]
+    fn all_else_is_refused_by_name_and_line() {
+        for (body, expected) in [
+            ("<xacro:if value=\"1\"><link name=\"a\"/></xacro:if>", "line 2: xacro:if is not read"),
+            ("<xacro:macro name=\"a\"/><xacro:macro name=\"b\"/>", "line 2: a second macro, b"),
+            (
+                "<xacro:macro name=\"a\" params=\"x\"><link name=\"${x}\"/></xacro:macro>",
+                "${x} is a parameter of the macro",
+            ),
+            (
+                "<xacro:macro name=\"a\" params=\"*x\"><xacro:insert_block name=\"x\"/></xacro:macro>",
+                "xacro:insert_block",
+            ),
+            ("<link name=\"$(arg prefix)a\"/>", "'$(arg prefix)a' is not read"),
+            ("<link name=\"${a\"/>", "'${a' is not read"),
+            ("<joint xyz=\"${2 ** 3}\"/>", "line 2: ${2 ** 3} is not read"),
+        ] {
+            let why = expand(&format!("{HEAD}\n{body}</robot>")).err().unwrap();
+            assert!(why.contains(expected), "{why}; expected {expected}");
+        }
+    }
+}
