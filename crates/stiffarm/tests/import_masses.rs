@@ -183,6 +183,7 @@ fn what_is_fixed_to_a_link_weighs_with_it() {
     let about = |mass: f64, d: Vector3<f64>| (Matrix3::identity() * d.norm_squared() - d * d.transpose()) * mass;
     let expected = link.inertia + about(6.0, link.centre - whole.centre) + own + about(2.0, second - whole.centre);
     assert!((whole.inertia - expected).norm() < 1e-6, "{} {expected}", whole.inertia);
+    assert_eq!(note(&imported, "masses: counted"), "masses: counted where they hang: 'tool0' of 2 kg with link 6");
     // The base has none, and no link of the arm is without.
     assert_eq!(imported.robot.masses.len(), 6);
 }
@@ -198,6 +199,15 @@ fn without_inertials_nothing_is_taken_and_nothing_said() {
     );
 }
 
+/// The usual masses, and a counterweight that turns against joint 2.
+fn follower() -> String {
+    let body = inertial(400.0, [0.0; 3], [40.0, 0.0, 0.0, 40.0, 0.0, 40.0]);
+    let joint = "<joint name=\"w\" type=\"continuous\"><parent link=\"link_1\"/><child link=\"arm\"/><axis xyz=\"0 1 0\"/>\
+                 <mimic joint=\"joint_2\" multiplier=\"-1\"/></joint><joint name=\"f\" type=\"fixed\"><parent link=\"arm\"/><child link=\"counterweight\"/></joint>";
+    let end = format!("<link name=\"arm\"/><link name=\"counterweight\">{body}</link>{joint}</robot>");
+    replaced(&with(&weights(USUAL)), "</robot>", &end)
+}
+
 #[test]
 fn placeholders_and_centres_where_no_body_is_are_refused_by_the_name_of_the_link() {
     let weight = |link: usize, mass: f64| {
@@ -209,12 +219,17 @@ fn placeholders_and_centres_where_no_body_is_are_refused_by_the_name_of_the_link
     lacking.remove(3);
     let mut flat = weights(USUAL);
     flat[4].1 = inertial(15.0, [0.0; 3], [1.0, 0.0, 0.0, 1.0, 0.0, 5.0]);
+    let mut small = weights(USUAL);
+    small[2].1 = inertial(150.0, [0.0; 3], [1e-6, 0.0, 0.0, 1e-6, 0.0, 1e-6]);
     let mut aside = weights(USUAL);
     aside[2].1 = inertial(150.0, [0.0, 0.9, 0.0], [15.0, 0.0, 0.0, 15.0, 0.0, 15.0]);
     for (text, expected) in [
         (weight(4, 1e-6), "link 'link_4' weighs 0.000001 kg, a placeholder"),
-        (weight(2, 0.0), "link 'link_2' weighs 0 kg, a placeholder"),
-        (with(&weights([1.0; 6])), "all links weigh 1 kg and are as hard to turn, placeholders"),
+        (weight(2, 0.0), "link 'link_2', which joint joint_2 turns, has no mass"),
+        (with(&weights([1.0; 6])), "all moving links weigh 1 kg, a placeholder"),
+        (weight(1, 30_000.0), "together they weigh 30411 kg"),
+        (with(&small), "link 'link_3' weighs 150 kg and has 0.000001 kg m2 at most"),
+        (follower(), "link 'counterweight' weighs 400 kg and follows a joint"),
         (with(&lacking), "link 'link_4', which joint joint_4 turns, has no mass"),
         (with(&flat), "link 'link_5': no body has this inertia"),
         (with(&aside), "the mass centre of link 'link_3' lies 900 mm off the line of the link 3"),
@@ -295,7 +310,8 @@ fn torques_are_taken_where_every_joint_has_its_own() {
     assert_eq!(torque(&imported), Some([5000.0, 6000.0, 4000.0, 900.0, 800.0, 500.0]));
     for (efforts, expected) in [
         (["100"; 6], "all joints have 100 N m, a placeholder"),
-        (["5000", "6000", "4000", "900", "0", "500"], "joint joint_5 has 0 N m"),
+        (["5000", "6000", "4000", "900", "0", "500"], "joint joint_5 has 0e0 N m; expected 0.1 to 1000000 N m"),
+        (["5000", "6000", "4000", "900", "1e300", "500"], "joint joint_5 has 1e300 N m; expected"),
     ] {
         let imported = plain(&text(efforts)).unwrap();
         assert!(torque(&imported).is_none() && note(&imported, "torques: none is taken: ").contains(expected));

@@ -75,7 +75,7 @@ pub(crate) enum RobotsAction {
 
 #[derive(Debug, Args)]
 pub(crate) struct ImportArgs {
-    /// A URDF, or OPW parameters (`opw_parameters_*.yaml`); -o robot.toml writes the robot file
+    /// A URDF, a macro file (xacro) of one arm, or OPW parameters (`opw_parameters_*.yaml`); -o robot.toml writes the robot file
     pub(crate) file: PathBuf,
     /// Name of the robot [default: as in the file]
     #[arg(long, value_name = "NAME")]

@@ -19,7 +19,7 @@ const RATIO: Quantity =
     Quantity { unit: "(turns of the motor a turn of the joint)", min: 1.0, max: 2000.0, suspect: None };
 /// A mass centre lies this near to the line of its link, in parts of the reach of the stretched links; of the published arms none is further
 /// than 0.12.
-pub(super) const ASIDE: f64 = 0.25;
+const ASIDE: f64 = 0.25;
 
 /// The bodies of an arm; `None` where one of them is faulty.
 pub(super) fn masses(root: &mut Table, geometry: Option<&Geometry>) -> Option<Vec<Mass>> {

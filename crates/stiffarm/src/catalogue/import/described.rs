@@ -6,7 +6,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::ImportError;
 use super::chain::Chain;
-use super::urdf::{Kind, Urdf};
+use super::urdf::{Joint, Kind, Urdf};
 use crate::catalogue::reader::shown;
 use crate::spatial::Pose;
 
@@ -29,25 +29,28 @@ impl Described<'_> {
     /// Every link that the arm carries with the number of the arm's link and its frame at these joint angles, from the moved base; and those that
     /// move in another way.
     pub(super) fn carried(&self, q: &[f64; 6]) -> (HashMap<&str, (usize, Pose)>, Vec<&str>) {
-        let mut found = HashMap::from([(self.chain.base.as_str(), (0, self.base()))]);
-        let (mut left_out, mut is_new) = (Vec::new(), true);
-        while is_new {
-            is_new = false;
-            for joint in &self.urdf.joints {
-                let Some(&(number, pose)) = found.get(joint.parent.as_str()) else { continue };
-                if found.contains_key(joint.child.as_str()) || left_out.contains(&joint.child.as_str()) {
-                    continue;
-                }
-                is_new = true;
+        let mut joints: HashMap<&str, Vec<&Joint>> = HashMap::new();
+        for joint in &self.urdf.joints {
+            joints.entry(&joint.parent).or_default().push(joint);
+        }
+        let base = self.chain.base.as_str();
+        let mut found = HashMap::from([(base, (0, self.base()))]);
+        let (mut left_out, mut open) = (Vec::new(), vec![base]);
+        while let Some(link) = open.pop() {
+            for joint in joints.get(link).into_iter().flatten() {
                 let of_arm = self.chain.joints.iter().position(|own| own.name == joint.name);
-                match (of_arm, &joint.kind) {
-                    (Some(i), _) => {
+                let carrier = found.get(link).copied();
+                match (of_arm, &joint.kind, carrier) {
+                    (Some(i), _, Some((_, pose))) => {
                         let turned = joint.origin * Pose::rotation(joint.axis.into_inner() * q[i]);
                         found.insert(&joint.child, (i + 1, pose * turned));
                     }
-                    (None, Kind::Fixed) => drop(found.insert(&joint.child, (number, pose * joint.origin))),
-                    (None, _) => left_out.push(&joint.child),
+                    (None, Kind::Fixed, Some((number, pose))) => {
+                        found.insert(&joint.child, (number, pose * joint.origin));
+                    }
+                    _ => left_out.push(joint.child.as_str()),
                 }
+                open.push(&joint.child);
             }
         }
         (found, left_out)

@@ -108,7 +108,7 @@ pub enum ImportError {
     Class(Faults),
     /// A macro file of which more than the simple form is asked.
     #[error(
-        "{file}: a xacro macro file, {why}; expected the URDF that it expands to, or one macro with ${{prefix}}, numbers, pi, + - * / and radians()"
+        "{file}: a xacro macro file, {why}; expected the URDF that it expands to, or one macro with ${{prefix}}, constants (xacro:property), numbers, pi, + - * /, radians() and degrees()"
     )]
     Xacro {
         /// As the user named it.
@@ -314,9 +314,8 @@ fn complete(mut imported: Imported, described: &Described, meshes: Option<Meshes
     }
     match described.masses(geometry, boxes.as_ref()) {
         Ok(None) => {}
-        Ok(Some(masses)) => {
-            let compared = if boxes.is_some() { "" } else { ", their centres not compared with the meshes (--meshes)" };
-            notes.push(format!("masses: of {} bodies, from the inertials{compared}", masses.len()));
+        Ok(Some((masses, said))) => {
+            notes.extend(said);
             robot.masses = masses;
             robot.source.insert("masses".into(), format!("inertials of {file}"));
         }
@@ -326,6 +325,7 @@ fn complete(mut imported: Imported, described: &Described, meshes: Option<Meshes
         Ok(None) => {}
         Ok(Some(torques)) => {
             drives.motors.torque = Some(torques);
+            notes.push("torques: limits of the six drives, from the efforts".into());
             robot.source.insert("drives".into(), format!("torques: joint limits (effort) of {file}"));
         }
         Err(why) => notes.push(format!("torques: none is taken: {why}")),

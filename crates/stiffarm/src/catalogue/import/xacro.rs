@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use roxmltree::{Document, Node};
 
+use super::MOST_BYTES;
 use super::urdf::attribute;
 use crate::catalogue::reader::shown;
 
@@ -15,6 +16,8 @@ use crate::catalogue::reader::shown;
 const PREFIXES: [&str; 2] = ["prefix", "tf_prefix"];
 /// Brackets in brackets: no file has more.
 const DEEPEST: usize = 50;
+/// What is for the eye, or for simulators and controllers.
+const ASIDE: [&str; 4] = ["visual", "gazebo", "transmission", "ros2_control"];
 
 /// A text without macros.
 pub(super) struct Expanded {
@@ -24,6 +27,8 @@ pub(super) struct Expanded {
 }
 
 /// Expands a text; `Ok(None)` where nothing is to be expanded, or where the text is no XML and the reader of URDF says why.
+///
+/// Nothing is used before it is defined, and nothing is defined twice: where xacro would wait, this refuses.
 ///
 /// # Errors
 /// What is not read, with its line.
@@ -35,44 +40,60 @@ pub(super) fn expand(text: &str) -> Result<Option<Expanded>, String> {
         }
         Err(_) => return Ok(None),
     };
-    let is_read = |node: &Node| node.ancestors().all(|above| above.tag_name().name() != "visual") && !is_paint(node);
-    let read: Vec<Node> = document.descendants().filter(|node| node.is_element() && is_read(node)).collect();
-    let of_xacro: Vec<&Node> = read.iter().filter(|node| is_of_xacro(node)).collect();
-    if of_xacro.is_empty() && !read.iter().any(|node| node.attributes().any(|one| is_open(one.value()))) {
+    let read = read(document.root_element());
+    if !read.iter().any(|node| is_of_xacro(node) || node.attributes().any(|one| is_open(one.value()))) {
         return Ok(None);
     }
-    let line = |node: &Node| document.text_pos_at(node.range().start).row;
     let mut scope = Scope::default();
     let mut edits: Vec<(Range<usize>, String)> = Vec::new();
     let mut name = None;
-    for node in of_xacro {
-        let known = node.tag_name().name();
-        match known {
+    let mut bytes = text.len();
+    for node in read {
+        let at = |place: usize| document.text_pos_at(place).row;
+        let here = |why: String| format!("line {}: {why}", at(node.range().start));
+        if !is_of_xacro(&node) {
+            for one in node.attributes().filter(|one| is_open(one.value())) {
+                let value = scope.text(one.value(), one.name() == "filename");
+                let value = value.map_err(|why| format!("line {}: {why}", at(one.range().start)))?;
+                bytes += value.len();
+                if MOST_BYTES < bytes {
+                    return Err(here(format!("it expands to more than {MOST_BYTES} bytes")));
+                }
+                let (range, ends) = blank(text, one.range_value());
+                edits.push((range, escaped(&value) + &ends));
+            }
+            continue;
+        }
+        match node.tag_name().name() {
             // Of what is included only materials may be used: all else that it defines is refused where it is used.
             "include" => edits.push(blank(text, node.range())),
             "property" => {
-                let (key, value) = (attribute(node, "name"), attribute(node, "value"));
-                let value = scope.text(value, false).map_err(|why| format!("line {}: {why}", line(node)))?;
-                scope.constants.insert(key.into(), value);
+                scope.add_constant(&node).map_err(here)?;
                 edits.push(blank(text, node.range()));
             }
             "macro" if name.is_none() && node.parent() == Some(document.root_element()) => {
-                name = Some(attribute(node, "name").to_owned());
-                scope.add_parameters(attribute(node, "params"));
-                edits.extend(tags(text, node));
+                name = Some(attribute(&node, "name").to_owned());
+                scope.add_parameters(attribute(&node, "params")).map_err(here)?;
+                edits.extend(tags(text, &node));
             }
-            "macro" => return Err(format!("line {}: a second macro, {}", line(node), shown(attribute(node, "name")))),
-            _ => return Err(format!("line {}: xacro:{} is not read", line(node), shown(known))),
-        }
-    }
-    for node in read.iter().filter(|node| !is_of_xacro(node)) {
-        for one in node.attributes().filter(|one| is_open(one.value())) {
-            let value = scope.text(one.value(), one.name() == "filename");
-            let value = value.map_err(|why| format!("line {}: {why}", line(node)))?;
-            edits.push((one.range_value(), escaped(&value)));
+            "macro" => return Err(here(format!("a second macro, {}", shown(attribute(&node, "name"))))),
+            other => return Err(here(format!("xacro:{} is not read", shown(other)))),
         }
     }
     Ok(Some(Expanded { text: edited(text, edits), name }))
+}
+
+/// The elements that say something of an arm, in the order of the text.
+fn read<'a, 'i>(root: Node<'a, 'i>) -> Vec<Node<'a, 'i>> {
+    let mut found = Vec::new();
+    let mut open = vec![root];
+    while let Some(node) = open.pop() {
+        if node.is_element() && !ASIDE.contains(&node.tag_name().name()) && !is_paint(&node) {
+            open.extend(node.children().rev());
+            found.push(node);
+        }
+    }
+    found
 }
 
 fn is_of_xacro(node: &Node) -> bool {
@@ -135,17 +156,41 @@ struct Scope {
 
 impl Scope {
     /// `name`, `name:=value` or `name:='value'`; blocks (`*name`) are refused where they are used.
-    fn add_parameters(&mut self, parameters: &str) {
+    fn add_parameters(&mut self, parameters: &str) -> Result<(), String> {
         for parameter in parameters.split_whitespace() {
-            match parameter.split_once(":=") {
-                Some((name, value)) => {
-                    let value = value.trim_matches(['\'', '"']);
-                    self.constants.insert(name.into(), value.into());
-                }
-                None if PREFIXES.contains(&parameter) => drop(self.constants.insert(parameter.into(), String::new())),
-                None => self.open.push(parameter.into()),
+            let (name, value) = match parameter.split_once(":=") {
+                Some((name, value)) => (name, Some(value)),
+                None if PREFIXES.contains(&parameter) => (parameter, Some("")),
+                None => (parameter, None),
+            };
+            self.check_new(name)?;
+            match value.map(unquoted) {
+                None => self.open.push(name.into()),
+                Some(Some(value)) => drop(self.constants.insert(name.into(), value.into())),
+                Some(None) => return Err(format!("the value of the parameter {} is not read", shown(name))),
             }
         }
+        Ok(())
+    }
+
+    fn add_constant(&mut self, node: &Node) -> Result<(), String> {
+        let name = attribute(node, "name");
+        self.check_new(name)?;
+        let Some(value) = node.attribute("value") else {
+            return Err(format!("the constant {} has no value", shown(name)));
+        };
+        let value = self.text(value, false)?;
+        if MOST_BYTES < value.len() {
+            return Err(format!("the constant {} has more than {MOST_BYTES} bytes", shown(name)));
+        }
+        self.constants.insert(name.into(), value);
+        Ok(())
+    }
+
+    /// What is defined twice means this or that, by where it is used.
+    fn check_new(&self, name: &str) -> Result<(), String> {
+        let is_known = self.constants.contains_key(name) || self.open.iter().any(|open| open == name);
+        if is_known { Err(format!("{} is defined twice", shown(name))) } else { Ok(()) }
     }
 
     /// A value with all that stands between `${` and `}` worked out.
@@ -159,6 +204,9 @@ impl Scope {
                 return Err(format!("'{}' is not read", shown(value)));
             };
             found.push_str(&self.value(inner, is_file)?);
+            if MOST_BYTES < found.len() {
+                return Err(format!("it expands to more than {MOST_BYTES} bytes"));
+            }
             rest = after;
         }
         Ok(found + rest)
@@ -181,8 +229,16 @@ impl Scope {
         if !number.is_finite() {
             return Err(format!("${{{}}} is no number", shown(name)));
         }
-        Ok(format!("{number:?}"))
+        // As Python has it: of whole numbers alone a whole number, as names have them.
+        let is_whole = number.fract() == 0.0 && number.abs() < 1e15 && !name.contains(['.', '/']);
+        Ok(if is_whole { format!("{number:.0}") } else { format!("{number:?}") })
     }
+}
+
+/// Without quotation marks; `None` of what is cut off, or to be worked out.
+fn unquoted(value: &str) -> Option<&str> {
+    let inner = value.strip_prefix(['\'', '"']).map_or(Some(value), |inner| inner.strip_suffix(['\'', '"']));
+    inner.filter(|inner| !inner.contains(['$', '\'', '"']))
 }
 
 /// Numbers, names of constants, `+ - * /`, brackets, `radians()` and `degrees()`, as Python has them.
@@ -245,6 +301,9 @@ impl<'t> Expression<'_, 't> {
             return self.takes(')').then_some(value);
         }
         let word = self.word();
+        if let Some(constant) = self.scope.constants.get(word) {
+            return number(constant);
+        }
         match word {
             "pi" => Some(std::f64::consts::PI),
             "radians" | "degrees" => {
@@ -253,7 +312,7 @@ impl<'t> Expression<'_, 't> {
                 self.takes(')').then_some(())?;
                 Some(if word == "radians" { value.to_radians() } else { value.to_degrees() })
             }
-            _ => self.scope.constants.get(word).map_or(word, String::as_str).trim().parse().ok(),
+            _ => number(word),
         }
     }
 
@@ -271,6 +330,15 @@ impl<'t> Expression<'_, 't> {
         self.rest = rest;
         word
     }
+}
+
+/// A number as Python writes it.
+fn number(word: &str) -> Option<f64> {
+    let word = word.trim();
+    let digits = word.strip_prefix('-').unwrap_or(word);
+    let is_octal = digits.len() > 1 && digits.starts_with('0') && digits.bytes().all(|byte| byte.is_ascii_digit());
+    let begins = digits.starts_with(|first: char| first.is_ascii_digit() || first == '.');
+    (begins && !is_octal).then(|| word.parse().ok()).flatten()
 }
 
 #[cfg(test)]
@@ -303,10 +371,25 @@ mod tests {
         ] {
             assert_eq!(value(inner).unwrap().parse::<f64>().unwrap(), expected, "{inner}");
         }
-        for inner in ["cos(1)", "2 ** 3", "pi pi", "(1", "1)", "radians 3", "x", "", "1/", "load_yaml(1)", "nan", "inf"]
-        {
+        for inner in [
+            "cos(1)",
+            "2 ** 3",
+            "pi pi",
+            "(1",
+            "1)",
+            "radians 3",
+            "x",
+            "",
+            "1/",
+            "load_yaml(1)",
+            "nan",
+            "1/inf",
+            "1 + 1/infinity",
+            "0150",
+        ] {
             assert!(value(inner).unwrap_err().contains(inner), "{inner}");
         }
+        assert_eq!((value("1+1").unwrap().as_str(), value("4/2").unwrap().as_str()), ("2", "2.0"));
         assert!(value("1/0").unwrap_err().contains("no number"));
         assert!(value(&"(".repeat(10_000)).is_err() && value(&"-".repeat(10_000)).is_err());
     }
@@ -330,9 +413,27 @@ mod tests {
         };
         assert_eq!(line("<joint name=\"j\" xyz=\"0 3.141592653589793 0.5\"/>").0, line("").1, "{found}");
         assert!(found.contains("<link name=\"base\">") && found.contains("package://package_name/a.stl"), "{found}");
+        // What is said behind an attribute of several lines keeps its line.
+        let long = format!("{HEAD}\n<joint xyz=\"${{1}}\n2\n3\"/>\n<last/></robot>");
+        let found = expand(&long).unwrap().unwrap().text;
+        assert_eq!(found.lines().position(|line| line.contains("<last/>")), Some(4), "{found}");
+        // What is not of the arm is not read.
+        assert!(expand(&format!("{HEAD}<gazebo><a b=\"$(find c)\"/></gazebo><link name=\"${{1}}\"/></robot>")).is_ok());
         // Nothing to be done.
         assert!(expand("<robot name=\"a\"><link name=\"b\"/></robot>").unwrap().is_none());
         assert!(expand(&format!("{HEAD}<link name=\"b\"/></robot>")).unwrap().is_none());
+    }
+
+    #[test]
+    fn what_grows_or_nests_without_end_is_refused_at_once() {
+        let mut text = format!("{HEAD}<xacro:property name=\"a0\" value=\"0123456789\"/>");
+        for i in 1..10 {
+            let of = format!("${{a{}}}", i - 1).repeat(10);
+            text += &format!("<xacro:property name=\"a{i}\" value=\"{of}\"/>");
+        }
+        assert!(expand(&(text + "</robot>")).err().unwrap().contains("more than 4194304 bytes"));
+        let deep = format!("{HEAD}<a b=\"${{1}}\"/>{}{}</robot>", "<g>".repeat(100_000), "</g>".repeat(100_000));
+        assert!(expand(&deep).is_ok());
     }
 
     #[test]
@@ -351,6 +452,15 @@ mod tests {
             ("<link name=\"$(arg prefix)a\"/>", "'$(arg prefix)a' is not read"),
             ("<link name=\"${a\"/>", "'${a' is not read"),
             ("<joint xyz=\"${2 ** 3}\"/>", "line 2: ${2 ** 3} is not read"),
+            ("<joint\n xyz=\"${x}\"/><xacro:property name=\"x\" value=\"1\"/>", "line 3: ${x} is not read"),
+            (
+                "<xacro:property name=\"x\" value=\"1\"/>\n<xacro:property name=\"x\" value=\"2\"/>",
+                "line 3: x is defined twice",
+            ),
+            ("<xacro:property name=\"x\" value=\"1\"/><xacro:macro name=\"a\" params=\"x\"/>", "x is defined twice"),
+            ("<xacro:property name=\"x\" default=\"1\"/>", "the constant x has no value"),
+            ("<xacro:macro name=\"a\" params=\"x:='1 + 1'\"/>", "the value of the parameter x is not read"),
+            ("<xacro:macro name=\"a\" params=\"x:=${1}\"/>", "the value of the parameter x is not read"),
         ] {
             let why = expand(&format!("{HEAD}\n{body}</robot>")).err().unwrap();
             assert!(why.contains(expected), "{why}; expected {expected}");
