@@ -12,7 +12,33 @@ pub(crate) fn cells(text: &str) -> csv::Reader<&[u8]> {
         .from_reader(text.as_bytes())
 }
 
+/// The line of a row, from 1: the reader's own position is where it began to look for the row, before remarks and empty lines.
+pub(crate) fn line_of(text: &str, position: Option<&csv::Position>) -> usize {
+    let Some(position) = position else { return 1 };
+    let passed = text.get(position.byte() as usize..).unwrap_or_default().lines();
+    let is_none = |line: &&str| line.trim().is_empty() || line.starts_with('#');
+    position.line() as usize + passed.take_while(is_none).count()
+}
+
 /// A row with another number of cells than there are headings.
 pub(crate) fn miscounted(row: usize, found: usize, expected: usize) -> String {
     format!("row {row}: {found} cells; expected {expected}, as many as headings")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_has_the_line_on_which_it_stands() {
+        let text = "# of a tip\n\na,b\n# first\n# second\n1,2\n\n3,4\n5,6\n#last\n";
+        let mut reader = cells(text);
+        assert_eq!(line_of(text, reader.headers().unwrap().clone().position()), 3);
+        let lines: Vec<usize> = reader.records().map(|record| line_of(text, record.unwrap().position())).collect();
+        assert_eq!(lines, [6, 8, 9]);
+        let windows = text.replace('\n', "\r\n");
+        let lines: Vec<usize> =
+            cells(&windows).records().map(|record| line_of(&windows, record.unwrap().position())).collect();
+        assert_eq!(lines, [6, 8, 9]);
+    }
 }

@@ -39,13 +39,13 @@ pub enum Why {
     #[error("it is a pipe, a device or a socket; expected a regular file")]
     Irregular,
     /// More than [`MOST_BYTES`].
-    #[error("it is larger than {} MiB; expected a robot file", MOST_BYTES >> 20)]
+    #[error("it is larger than {} MiB; expected a smaller file", MOST_BYTES >> 20)]
     Large,
     /// Two bytes a letter.
     #[error("it is written in UTF-16; expected UTF-8")]
     Utf16,
     /// No text.
-    #[error("line {line} is no UTF-8 text; expected a robot file")]
+    #[error("line {line} is no UTF-8 text; expected text in UTF-8")]
     NoText {
         /// The first line that is not, from 1.
         line: usize,
@@ -76,7 +76,9 @@ impl Unreadable {
             Why::Circle => "name the file itself; `ls -l` shows where each link leads",
             Why::Folder => "name a file in it",
             Why::Irregular => "save what it gives to a file, and name that",
-            Why::Large => "is it the right file? a robot file has some kilobytes",
+            Why::Large => {
+                "is it the right file? a robot file has some kilobytes, a table of ten thousand rows less than a megabyte"
+            }
             Why::Utf16 => "save it as UTF-8: in most editors under `save as`, encoding",
             Why::NoText { .. } => "is it the right file? if it is, save it as UTF-8",
             Why::Empty => "name a folder of robot files, or a robot file",

@@ -1,7 +1,7 @@
 //! Reads a table (CSV) of forces that were measured along a path; checks every cell.
 
 use super::Fault;
-use super::cells::{cells, miscounted};
+use super::cells::{cells, line_of, miscounted};
 use super::reader::{Quantity, Table, shown};
 use crate::cutting::{Along, Law, Measured, MeasuredAxes, MeasuredForce};
 
@@ -59,8 +59,7 @@ struct Sensor {
 fn measured(text: &str, sensor: Sensor) -> Result<(Measured, Vec<String>), Fault> {
     let fault = |line: usize, key: &str, message: String| Fault { line, key: key.into(), message };
     let mut reader = cells(text);
-    let line_of = |error: &csv::Error| error.position().map_or(1, |at| at.line() as usize);
-    let names = reader.headers().map_err(|error| fault(line_of(&error), "", error.to_string()))?;
+    let names = reader.headers().map_err(|error| fault(line_of(text, error.position()), "", error.to_string()))?;
     let names: Vec<String> = names.iter().map(str::to_ascii_lowercase).collect();
     let place = |name: &str| names.iter().position(|known| known == name);
     let counted = [
@@ -85,8 +84,8 @@ fn measured(text: &str, sensor: Sensor) -> Result<(Measured, Vec<String>), Fault
     let turning = place("moment_nm");
     let mut rows: Vec<MeasuredForce> = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|error| fault(line_of(&error), "", error.to_string()))?;
-        let line = record.position().map_or(0, |position| position.line() as usize);
+        let record = record.map_err(|error| fault(line_of(text, error.position()), "", error.to_string()))?;
+        let line = line_of(text, record.position());
         if record.len() != names.len() {
             return Err(fault(line, "", miscounted(rows.len() + 1, record.len(), names.len())));
         }

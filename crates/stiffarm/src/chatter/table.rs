@@ -3,7 +3,7 @@
 use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::measured::{HeldBy, MeasuredMode, Response, Samples};
-use crate::catalogue::cells::{cells, miscounted};
+use crate::catalogue::cells::{cells, line_of, miscounted};
 use crate::catalogue::{Fault, Faults, shown};
 
 /// Longer tables are refused: an analyser tells some thousand lines.
@@ -56,15 +56,15 @@ fn fault(line: usize, key: &str, message: String) -> Fault {
     Fault { line, key: key.into(), message }
 }
 
-fn of_csv(error: &csv::Error) -> Fault {
-    fault(error.position().map_or(1, |at| at.line() as usize), "", error.to_string())
+fn of_csv(text: &str, error: &csv::Error) -> Fault {
+    fault(line_of(text, error.position()), "", error.to_string())
 }
 
 impl<'a> Reader<'a> {
     fn read(text: &'a str, held_by: HeldBy) -> Result<ResponseFile, Fault> {
         let mut reader = cells(text);
         let names: Vec<String> =
-            reader.headers().map_err(|error| of_csv(&error))?.iter().map(str::to_ascii_lowercase).collect();
+            reader.headers().map_err(|error| of_csv(text, &error))?.iter().map(str::to_ascii_lowercase).collect();
         if names.iter().all(String::is_empty) {
             return Err(fault(1, "", format!("no headings; expected {EXPECTED}")));
         }
@@ -92,8 +92,8 @@ impl<'a> Reader<'a> {
     ) -> Result<usize, Fault> {
         let mut count = 0;
         for record in cells(self.text).records() {
-            let record = record.map_err(|error| of_csv(&error))?;
-            let line = record.position().map_or(0, |position| position.line() as usize);
+            let record = record.map_err(|error| of_csv(self.text, &error))?;
+            let line = line_of(self.text, record.position());
             count += 1;
             if most < count {
                 return Err(fault(line, "", format!("more than {most} rows; expected fewer")));

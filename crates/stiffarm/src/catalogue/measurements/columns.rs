@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::super::Fault;
-use super::super::cells::{cells, miscounted};
+use super::super::cells::{cells, line_of, miscounted};
 use super::super::reader::shown;
 
 /// Columns of tables to be filled in that say nothing of what was measured.
@@ -64,7 +64,7 @@ pub(super) fn table(text: &str, is_planned: bool, faults: &mut Vec<Fault>) -> Op
             return None;
         }
     };
-    let line = headings.position().map_or(1, |position| position.line() as usize);
+    let line = line_of(text, headings.position());
     let names: Vec<String> = headings.iter().map(str::to_ascii_lowercase).collect();
     let columns = Finder { names: &names, line, is_planned, faults }.columns()?;
     let mut rows = Vec::new();
@@ -73,11 +73,11 @@ pub(super) fn table(text: &str, is_planned: bool, faults: &mut Vec<Fault>) -> Op
         let record = match record {
             Ok(record) => record,
             Err(error) => {
-                faults.push(fault(error.position().map_or(1, |at| at.line() as usize), error.to_string()));
+                faults.push(fault(line_of(text, error.position()), error.to_string()));
                 return None;
             }
         };
-        let line = record.position().map_or(0, |position| position.line() as usize);
+        let line = line_of(text, record.position());
         if record.iter().all(str::is_empty) {
             continue;
         }

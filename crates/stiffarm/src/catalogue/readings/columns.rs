@@ -1,7 +1,7 @@
 //! Which columns does a table of readings have?
 
 use super::super::Fault;
-use super::super::cells::{cells, miscounted};
+use super::super::cells::{cells, line_of, miscounted};
 use super::super::reader::shown;
 use super::{Notation, ReadOptions};
 
@@ -48,7 +48,7 @@ pub(super) fn table(text: &str, options: &ReadOptions, faults: &mut Vec<Fault>) 
             return None;
         }
     };
-    let line = headings.position().map_or(1, |position| position.line() as usize);
+    let line = line_of(text, headings.position());
     let names: Vec<String> = headings.iter().map(str::to_ascii_lowercase).collect();
     let columns = Finder { names, line, options, faults }.columns()?;
     let mut rows = Vec::new();
@@ -56,12 +56,12 @@ pub(super) fn table(text: &str, options: &ReadOptions, faults: &mut Vec<Fault>) 
         let record = match record {
             Ok(record) => record,
             Err(error) => {
-                let line = error.position().map_or(1, |at| at.line() as usize);
+                let line = line_of(text, error.position());
                 faults.push(Fault { line, key: String::new(), message: error.to_string() });
                 return None;
             }
         };
-        let line = record.position().map_or(0, |position| position.line() as usize);
+        let line = line_of(text, record.position());
         if record.iter().all(str::is_empty) {
             continue;
         }
