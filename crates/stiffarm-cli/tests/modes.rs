@@ -134,6 +134,39 @@ fn a_zone_without_a_place_and_what_is_of_one_posture_are_refused() {
     );
 }
 
+/// Its numbers are those of the table.
+#[test]
+fn a_posture_and_a_zone_have_a_report() {
+    let folder = tempfile::TempDir::new().expect("a folder");
+    let written = |name: &str, arguments: &[&[&str]]| {
+        let file = folder.path().join(name).to_str().expect("text").to_owned();
+        let (ok, _, err) = output(&[&arguments.concat()[..], &["-o", &file]]);
+        assert!(ok, "{err}");
+        std::fs::read(file).expect("written")
+    };
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+    let (_, table, _) = output(&[ASKED, HELD]);
+    let first =
+        table.lines().nth(1).and_then(|line| line.split_whitespace().nth(1)).expect("the first mode").to_owned();
+    assert!(first.parse::<f64>().is_ok_and(|hertz| 5.0 < hertz && hertz < 20.0), "{table}");
+    let posture = text(written("report.html", &[ASKED, HELD]));
+    for words in [
+        &format!("swings first at {first} Hz in this posture"),
+        "90 % interval (drive stiffness)",
+        "<svg",
+        "Motors held still",
+        "its README calls them verified",
+        "stiffarm modes",
+    ] {
+        assert!(posture.contains(words), "{words}: {first}");
+    }
+    let zone = text(written("zone.html", &[OVER, HELD]));
+    for words in ["swings first at", "proved to be at least", "not proved", "stiffarm modes"] {
+        assert!(zone.contains(words), "{words}");
+    }
+    assert!(written("report.pdf", &[OVER, HELD]).starts_with(b"%PDF"));
+}
+
 #[test]
 fn a_map_tells_how_slow_the_arm_swings_first_at_every_point() {
     const MAP: &[&str] = &["map", "KR 210 R2700-2", "--model", "spatial", "--size", "12", "--tool-mm", "0,0,200"];

@@ -7,47 +7,58 @@ use stiffarm::modes::modes;
 
 use super::compliance::remarks;
 use super::context::Context;
+use super::reports::{self, Inputs};
 use crate::error::AskError;
 use crate::figures::{Plate, swinging};
 use crate::forms::{Answer, Forms, Piece};
+use crate::report::Report;
 
-pub(crate) fn answer(asked: &Request, context: Context) -> Result<ModesOutput, AskError> {
+pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<ModesOutput<'a>, AskError> {
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
     let (joints_deg, tool, damping) = (asked.joints_deg()?, asked.held_tool()?, asked.damping());
     let radians = joints_deg.map(f64::to_radians);
     let swing = modes(&robot, &radians, &tool, damping).map_err(AskError::Modes)?;
     remarks(&robot, [&joints_deg, &radians], context);
     let answer = ModesAnswer { robot, joints_deg, tool, damping, count: asked.mode_count(), swing };
-    Ok(ModesOutput(answer, Plate::of(asked)?))
+    Ok(ModesOutput { answer, asked, inputs: Inputs::of(asked, context), plate: Plate::of(asked)? })
 }
 
-pub(crate) struct ModesOutput(ModesAnswer, Plate);
+pub(crate) struct ModesOutput<'a> {
+    answer: ModesAnswer,
+    asked: &'a Request,
+    inputs: Inputs,
+    plate: Plate,
+}
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], ..Forms::of("modes") };
+pub(crate) const FORMS: Forms = Forms { further: &["svg", "png", "pdf"], is_reported: true, ..Forms::of("modes") };
 
-impl Answer for ModesOutput {
+impl Answer for ModesOutput<'_> {
     fn forms(&self) -> Forms {
         FORMS
     }
 
     fn text(&self) -> Vec<Piece> {
-        vec![Piece::Table(self.0.table()), Piece::Break, Piece::Lines(self.0.notes())]
+        vec![Piece::Table(self.answer.table()), Piece::Break, Piece::Lines(self.answer.notes())]
     }
 
     fn value(&self) -> Value {
-        self.0.json()
+        self.answer.json()
     }
 
     fn rows(&self) -> Rows<'_> {
-        self.0.rows()
+        self.answer.rows()
     }
 
     fn svg(&self) -> Option<Result<String, AskError>> {
-        Some(Ok(swinging::svg(&self.0, &self.1)))
+        Some(Ok(swinging::svg(&self.answer, &self.plate)))
+    }
+
+    fn report(&self) -> Option<Result<Report, AskError>> {
+        Some(reports::modes::of(&self.answer, self.plate, (self.asked, &self.inputs)))
     }
 
     fn plate(&self) -> Plate {
-        self.1
+        self.plate
     }
 }

@@ -5,12 +5,14 @@ use stiffarm::modes::modes_over;
 use stiffarm::place::{Placed, place_task_watched};
 
 use super::context::Context;
+use super::reports::{self, Inputs};
 use crate::answer::{ModesOverAnswer, Rows};
 use crate::error::AskError;
 use crate::forms::{Answer, Forms, Piece};
+use crate::report::Report;
 use crate::request::Request;
 
-pub(crate) fn answer(asked: &Request, context: Context) -> Result<ModesOverOutput, AskError> {
+pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<ModesOverOutput<'a>, AskError> {
     let robot = asked.equipped(super::selection::robot(&asked.robot()?, context)?)?;
     let ((task, options), tool, kind) = (asked.swinging_zone()?, asked.held_tool()?, asked.model());
     stiffarm::modes::SwingingArm::new(&robot, &tool).map_err(AskError::Modes)?;
@@ -24,28 +26,37 @@ pub(crate) fn answer(asked: &Request, context: Context) -> Result<ModesOverOutpu
         }
     };
     let over = modes_over(&model, task.zone, &options, &best, &tool).map_err(AskError::Modes)?;
-    Ok(ModesOverOutput(ModesOverAnswer { robot, task, options, best, tool, count: asked.mode_count(), over }))
+    let answer = ModesOverAnswer { robot, task, options, best, tool, count: asked.mode_count(), over };
+    Ok(ModesOverOutput { answer, asked, inputs: Inputs::of(asked, context) })
 }
 
-pub(crate) struct ModesOverOutput(ModesOverAnswer);
+pub(crate) struct ModesOverOutput<'a> {
+    answer: ModesOverAnswer,
+    asked: &'a Request,
+    inputs: Inputs,
+}
 
 /// In which forms it is shown.
-pub(crate) const FORMS: Forms = Forms::of("modes");
+pub(crate) const FORMS: Forms = Forms { is_reported: true, ..Forms::of("modes") };
 
-impl Answer for ModesOverOutput {
+impl Answer for ModesOverOutput<'_> {
     fn forms(&self) -> Forms {
         FORMS
     }
 
     fn text(&self) -> Vec<Piece> {
-        vec![Piece::Table(self.0.table()), Piece::Break, Piece::Lines(self.0.notes())]
+        vec![Piece::Table(self.answer.table()), Piece::Break, Piece::Lines(self.answer.notes())]
     }
 
     fn value(&self) -> Value {
-        self.0.json()
+        self.answer.json()
     }
 
     fn rows(&self) -> Rows<'_> {
-        self.0.rows()
+        self.answer.rows()
+    }
+
+    fn report(&self) -> Option<Result<Report, AskError>> {
+        Some(reports::modes::over(&self.answer, (self.asked, &self.inputs)))
     }
 }

@@ -3,6 +3,7 @@
 mod calibrate;
 mod identify;
 mod mill;
+mod modes;
 mod path_rank;
 mod place;
 mod rank;

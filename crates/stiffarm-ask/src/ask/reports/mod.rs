@@ -5,6 +5,7 @@ pub(crate) mod calibrate;
 pub(crate) mod identify;
 mod inputs;
 pub(crate) mod mill;
+pub(crate) mod modes;
 pub(crate) mod path_ranking;
 pub(crate) mod place;
 pub(crate) mod rank;
