@@ -357,19 +357,20 @@ mod tests {
     fn numbers_are_those_of_python() {
         // By Python's own arithmetic.
         for (inner, expected) in [
-            ("pi/2", 1.5707963267948966),
-            ("-pi", -3.141592653589793),
-            ("radians(112)", 1.9547687622336491),
-            ("-radians( 90)", -1.5707963267948966),
-            ("180 * DEG2RAD", 90.0),
-            ("-1.5e+2 * DEG2RAD", -75.0),
-            ("2-3-4", -5.0),
-            ("8/4/2", 1.0),
-            ("-(2 + 3) * 2", -10.0),
-            ("degrees(pi)", 180.0),
-            ("1e-3", 0.001),
+            ("pi/2", "1.5707963267948966"),
+            ("-pi", "-3.141592653589793"),
+            ("radians(112)", "1.9547687622336491"),
+            ("-radians( 90)", "-1.5707963267948966"),
+            ("180 * DEG2RAD", "90.0"),
+            ("-1.5e+2 * DEG2RAD", "-75.0"),
+            ("2-3-4", "-5.0"),
+            ("8/4/2", "1.0"),
+            ("-(2 + 3) * 2", "-10.0"),
+            ("degrees(pi)", "180.0"),
+            ("1e-3", "0.001"),
         ] {
-            assert_eq!(value(inner).unwrap().parse::<f64>().unwrap(), expected, "{inner}");
+            let [found, expected] = [&value(inner).unwrap(), expected].map(|text| text.parse::<f64>().unwrap());
+            assert_eq!(found, expected, "{inner}");
         }
         for inner in [
             "cos(1)",
@@ -429,7 +430,7 @@ mod tests {
         let mut text = format!("{HEAD}<xacro:property name=\"a0\" value=\"0123456789\"/>");
         for i in 1..10 {
             let of = format!("${{a{}}}", i - 1).repeat(10);
-            text += &format!("<xacro:property name=\"a{i}\" value=\"{of}\"/>");
+            text.extend([&format!("<xacro:property name=\"a{i}\" value=\""), &of, "\"/>"]);
         }
         assert!(expand(&(text + "</robot>")).err().unwrap().contains("more than 4194304 bytes"));
         let deep = format!("{HEAD}<a b=\"${{1}}\"/>{}{}</robot>", "<g>".repeat(100_000), "</g>".repeat(100_000));
