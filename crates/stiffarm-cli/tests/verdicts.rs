@@ -115,6 +115,32 @@ fn a_tool_is_told_against_the_payload() {
     }
 }
 
+/// By hand: 80 kg 0.9 m beside the flange turn axes 4 to 6 with 784.5 N m times `hypot(0.9, 0.215)` / 0.9 m = 725.9, and 706.1; a drive of
+/// axis 6 that holds 700 N m does not hold them, though the payload allows the mass.
+#[test]
+fn a_tool_is_told_against_what_the_wrist_may_carry() {
+    let folder = TempDir::new().expect("a folder");
+    let file = folder.path().join("mine.toml");
+    let sheet = fs::read_to_string(Path::new(ROOT).join("crates/stiffarm/robots/kuka/kr_210_r2700_2.toml")).unwrap();
+    for (allowed, exceeded) in [("710", false), ("700", true)] {
+        fs::write(&file, sheet.replacen("[drives]", &format!("[drives]\nwrist_moment_nm = [900, 900, {allowed}]"), 1))
+            .unwrap();
+        let robot = file.to_str().unwrap();
+        let held = ["--task", "A:0.3", "--force-n", "10", "--tool-mass-kg", "80", "--tool-com-mm", "900,0,0"];
+        let told = json(&[&["place", robot], &held[..]].concat());
+        let moments: Vec<f64> = told["wrist_moment_nm"].as_array().unwrap().iter().filter_map(Value::as_f64).collect();
+        for (found, by_hand) in moments.iter().zip([725.9, 725.9, 706.1]) {
+            assert!((found - by_hand).abs() < 0.1, "{moments:?}");
+        }
+        assert_eq!((&told["wrist_exceeded"], &told["overloaded"]), (&exceeded.into(), &false.into()));
+        let (_, text, _) = run(&[&["rank", "--robots", robot], &held[..]].concat());
+        assert_eq!(text.contains("EXCEEDED about axis 6"), exceeded, "{text}");
+        assert_eq!(text.contains("no robot is advised"), exceeded, "{text}");
+    }
+    let (code, _, errors) = run(&["place", KUKA, "--task", "A:0.3", "--tool-com-mm", "0,0,200"]);
+    assert!(code == 2 && errors.contains("tool-mass-kg"), "{errors}");
+}
+
 /// Process, date, digests of the files byte by byte by another library's reader, and what "holds" means.
 #[test]
 fn a_report_says_of_which_files_and_which_process_it_is() {

@@ -66,6 +66,8 @@ pub struct Drives {
 pub struct Motors {
     /// Largest torque, N m.
     pub torque: Option<[f64; 6]>,
+    /// What the maker allows weight and force at the flange to turn axes 4, 5 and 6 with, N m.
+    pub wrist_moment: Option<[f64; 3]>,
     /// Inertia of the rotor as the joint feels it, kg m^2: its own times the square of the ratio.
     pub rotor: Option<[f64; 6]>,
     /// Damping beside the spring of the drive, N m s/rad.
@@ -74,7 +76,32 @@ pub struct Motors {
 
 impl Motors {
     /// Nothing is known of them.
-    pub const UNKNOWN: Self = Self { torque: None, rotor: None, damping: None };
+    pub const UNKNOWN: Self = Self { torque: None, wrist_moment: None, rotor: None, damping: None };
+
+    /// The largest moments about axes 4, 5 and 6, N m, and what says so; `None` where nothing does.
+    pub fn wrist_limit(&self) -> Option<([f64; 3], WristLimit)> {
+        let drives = self.torque.map(|[.., fourth, fifth, sixth]| ([fourth, fifth, sixth], WristLimit::Drives));
+        self.wrist_moment.map(|allowed| (allowed, WristLimit::Maker)).or(drives)
+    }
+}
+
+/// What says how large the moments about axes 4, 5 and 6 may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WristLimit {
+    /// The maker, of the load.
+    Maker,
+    /// The torque limits of the drives: above them they do not hold the load even at rest.
+    Drives,
+}
+
+impl WristLimit {
+    /// The name that answers use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Maker => "allowed by the maker",
+            Self::Drives => "torque limits of the drives",
+        }
+    }
 }
 
 /// How far compliances may be off: standard deviations of ln k.

@@ -99,6 +99,15 @@ impl Geometry {
         Matrix6::from_columns(&columns)
     }
 
+    /// How far a point of the flange frame, m, ever comes from axes 4, 5 and 6 as these three joints turn, m.
+    ///
+    /// All three pass through the wrist centre. Axis 6 keeps its distance; joint 6 turns the point square to axis 5, and joint 5 then square
+    /// to axis 4.
+    pub fn wrist_levers(&self, point: &Vector3<f64>) -> [f64; 3] {
+        let from_centre = point + Vector3::new(0.0, 0.0, self.c4);
+        [from_centre.norm(), from_centre.norm(), from_centre.xy().norm()]
+    }
+
     /// The six joint axes at the model angles `theta`, rad: a unit direction and a point that each passes through, m, base frame.
     pub(crate) fn axes(&self, theta: &[f64; 6]) -> [(Vector3<f64>, Vector3<f64>); 6] {
         let [t1, t2, t3, t4, t5, _] = *theta;

@@ -65,6 +65,15 @@ pub struct Mass {
     pub body: RigidBody,
 }
 
+/// What is known of the weight of what the arm holds, where it is held against what the robot may carry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToolWeight {
+    /// kg.
+    pub mass: f64,
+    /// Its centre in the flange frame, m, where that is told.
+    pub centre: Option<Vector3<f64>>,
+}
+
 impl Mass {
     /// What is held at the flange: a body in the axes of the flange, from its centre.
     pub fn held(geometry: &Geometry, body: &RigidBody) -> Self {

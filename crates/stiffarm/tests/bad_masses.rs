@@ -1,6 +1,7 @@
 //! Masses and motors in robot files that cannot be: refused with line, key, value and what was expected.
 
 use stiffarm::catalogue::{find, read, write};
+use stiffarm::drive::WristLimit;
 
 /// The file of an arm that has masses, one line of it replaced; what is said of it.
 fn said(from: &str, to: &str) -> String {
@@ -65,6 +66,24 @@ fn a_rotor_without_a_ratio_and_one_that_is_not_reflected_are_refused() {
     let both = format!("{motor}\nratio = [257, 267, 252, 221, 240, 154]\nrotor_kg_m2 = [600, 600, 600, 80, 80, 80]");
     holds(&said("[drives]", &both), &["drives.rotor_kg_m2", "stands beside motor_kg_m2"]);
     holds(&said("torque_nm = [7290", "torque_nm = [-7290"), &["drives.torque_nm", "-7290 N m; expected"]);
+    let allowed = |moments: &str| said("[drives]", &format!("[drives]\nwrist_moment_nm = {moments}"));
+    holds(&allowed("[1300, -1300, 750]"), &["drives.wrist_moment_nm", "-1300 N m; expected"]);
+    holds(&allowed("[1300, 750]"), &["drives.wrist_moment_nm", "2 values; expected 3"]);
+}
+
+/// What the maker allows of the load comes before the torque limits of the drives, and is written as it is read.
+#[test]
+fn what_the_maker_allows_about_the_wrist_is_kept() {
+    let text = write(&find("KR 210 R2700-2").unwrap().robot());
+    let limit = |text: &str| {
+        let robot = read(text, "mine.toml").unwrap();
+        assert_eq!(read(&write(&robot), "written.toml").unwrap(), robot);
+        let stiffarm::robot::Arm::SixAxis { drives, .. } = robot.arm else { panic!("six axes") };
+        drives.motors.wrist_limit()
+    };
+    assert_eq!(limit(&text), Some(([2274.29, 1398.3, 781.55], WristLimit::Drives)));
+    let allowed = text.replacen("[drives]", "[drives]\nwrist_moment_nm = [1300, 1300, 750]", 1);
+    assert_eq!(limit(&allowed), Some(([1300.0, 1300.0, 750.0], WristLimit::Maker)));
 }
 
 #[test]

@@ -407,3 +407,31 @@ fn a_map_has_at_every_point_the_first_frequency_of_its_posture() {
     let hertz = modes(&robot, &q, &tool, None).unwrap().modes[0].frequency;
     assert!((found.get(i, j).unwrap() / hertz - 1.0).abs() < 1e-12);
 }
+
+/// By the axes of the arm itself, over all angles of its wrist: what turns a joint is the length of its column of the Jacobian.
+#[test]
+fn no_angle_of_the_wrist_gives_a_longer_lever_than_is_told_and_some_angle_gives_it() {
+    let robot = find("KR 210 R2700-2").unwrap().robot();
+    let Arm::SixAxis { geometry, .. } = &robot.arm else { panic!("six axes") };
+    let steps = |count: u32| (0..count).map(move |step| f64::from(step) / f64::from(count) * TAU);
+    for point in [[0.0, 0.0, 0.2], [0.15, -0.1, 0.3], [0.3, 0.2, -0.215], [0.1, 0.0, -0.4]].map(Vector3::from) {
+        let mut longest = [0.0_f64; 3];
+        for fourth in [0.0, 0.7, 2.9] {
+            for (fifth, sixth) in steps(144).flat_map(|fifth| steps(144).map(move |sixth| (fifth, sixth))) {
+                let theta = [0.4, -0.3, 1.2, fourth, fifth, sixth];
+                let at = (geometry.forward(&theta) * Pose::translation(point.x, point.y, point.z)).translation.vector;
+                let jacobian = geometry.jacobian(&theta, &at);
+                for (axis, longest) in longest.iter_mut().enumerate() {
+                    *longest = longest.max(jacobian.fixed_view::<3, 1>(0, 3 + axis).norm());
+                }
+            }
+        }
+        for (longest, told) in longest.into_iter().zip(geometry.wrist_levers(&point)) {
+            // Half a step of 2.5 degrees misses the longest by the square of that, 5e-4.
+            assert!(
+                longest <= told + 1e-12 && told * (1.0 - 1e-3) <= longest + 1e-12,
+                "{point:?}: {longest} of {told}"
+            );
+        }
+    }
+}

@@ -4,12 +4,12 @@ use serde_json::Value;
 
 use super::advice;
 use super::cell as told_cell;
-use super::payload::Payload;
+use super::payload;
 use super::stiffness::{self, stiffness};
 use super::uncertainty::{self, Known};
 use super::verdict::{self, HOLDS, Verdict};
 use super::words::{COLUMN, degrees, direction, fixed, percentages, tool, tool_mm};
-use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, payload, with_schema, words};
+use super::{Datum, Line, Record, Rows, Table, field, force, line, margins, with_schema, words};
 use stiffarm::advice::Advice;
 use stiffarm::cell::{Cell, Window};
 use stiffarm::clearance::Clearance;
@@ -79,7 +79,7 @@ impl PlaceAnswer {
             }
         }
         lines.push(line("force", words::load(options.load, model)));
-        lines.extend(payload::lines(Payload::of(robot, options.tool_mass, options.load.newtons())));
+        lines.extend(payload::Held::of(options.tool_weight, model, options.load.newtons()).by(robot).lines());
         if !words::component(options.load).is_empty() {
             lines.push(line("what counts", format!("the deflection {}", words::component(options.load))));
         }
@@ -420,7 +420,7 @@ pub(super) fn cell(
     stiffness::put_robot(&mut record, robot);
     record.put(field::TASK, &task.label).put(field::MODEL, model.name());
     force::put(&mut record, options.load);
-    payload::put(&mut record, robot, options.tool_mass, options.load.newtons());
+    payload::Held::of(options.tool_weight, model, options.load.newtons()).by(robot).put(&mut record);
     asked(&mut record, robot, model, options);
     outcome(&mut record, placed);
     record

@@ -6,7 +6,7 @@ mod sentences;
 
 use serde_json::{Value, json};
 
-use super::payload::Payload;
+use super::payload::{Carried, Held};
 use super::place::{cell, put_advice};
 use super::uncertainty::{self, Known};
 use super::verdict::Verdict;
@@ -71,8 +71,8 @@ impl RankAnswer {
     }
 
     /// What a robot must hold.
-    pub(super) fn payload(&self, robot: &Robot) -> Option<Payload> {
-        Payload::of(robot, self.options.tool_mass, self.ranking.load.newtons())
+    pub(super) fn carried(&self, robot: &Robot) -> Carried {
+        Held::of(self.options.tool_weight, &self.ranking.model, self.ranking.load.newtons()).by(robot)
     }
 
     /// Where the deflection of a row at a task lies with 90 %, as far as its drives may be off.

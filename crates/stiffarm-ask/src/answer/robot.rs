@@ -40,8 +40,11 @@ pub fn sheet(robot: &Robot) -> Value {
         put("geometry", geometry_json(geometry));
         put("limits", limits_json(limits));
         put("masses", json!(robot.masses.iter().map(mass_json).collect::<Vec<_>>()));
-        let Motors { torque, rotor, damping } = drives.motors;
-        put("drives", json!({ "torque_nm": torque, "rotor_kg_m2": rotor, "damping_nms_per_rad": damping }));
+        let Motors { torque, wrist_moment, rotor, damping } = drives.motors;
+        put(
+            "drives",
+            json!({ "torque_nm": torque, "wrist_moment_nm": wrist_moment, "rotor_kg_m2": rotor, "damping_nms_per_rad": damping }),
+        );
     }
     // The reader of robot files refuses limits that contradict each other, the only ones without links in a plane.
     if let Ok(plane) = robot.two_links() {

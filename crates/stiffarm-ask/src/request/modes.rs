@@ -1,8 +1,7 @@
 //! What is asked of how an arm swings.
 
-use nalgebra::Vector3;
 use stiffarm::chatter::{Asked, HeldBy, MeasuredTip, Method};
-use stiffarm::mass::RigidBody;
+use stiffarm::mass::{RigidBody, ToolWeight};
 use stiffarm::mill::MillHeld;
 use stiffarm::modes::{Damping, HeldTool};
 use stiffarm::place::PlaceOptions;
@@ -15,12 +14,14 @@ impl Request {
     /// What the arm holds: the tool frame, and a body where the tool's mass is told.
     ///
     /// # Errors
-    /// A mass without its centre.
+    /// A mass without its centre, or an inertia without a mass.
     pub fn held_tool(&self) -> Result<HeldTool, Refusal> {
         let mut tool = HeldTool { flange_from_tool: self.held().tool(), body: None };
-        let Some(mass) = self.tool_mass() else { return Ok(tool) };
-        let centre: [f64; 3] = self.all("tool-com-mm", number).try_into().map_err(|_| self.missing("tool-com-mm"))?;
-        let centre = Vector3::from(centre) / 1e3;
+        let Some(ToolWeight { mass, centre }) = self.tool_weight() else {
+            let is_lone = self.is_given("tool-inertia-kg-m2");
+            return if is_lone { Err(self.missing("tool-mass-kg")) } else { Ok(tool) };
+        };
+        let centre = centre.ok_or_else(|| self.missing("tool-com-mm"))?;
         let inertia: Vec<f64> = self.all("tool-inertia-kg-m2", number);
         let body = inertia
             .try_into()

@@ -210,7 +210,7 @@ impl Request {
             limit_margin: radians("limit-margin-deg", usual.limit_margin),
             singular_margin: radians("singular-margin-deg", usual.singular_margin),
             share_of_speed: self.number("speed-share").unwrap_or(usual.share_of_speed),
-            tool_mass: self.tool_mass(),
+            tool_weight: self.tool_weight(),
             clear_of: clearance.map(|clearance| {
                 let floor = margins.floor;
                 ClearOf { clearance, cell, floor, part: None, cutter: None }

@@ -387,6 +387,17 @@ const MASS: Setting = Setting {
     example: "25",
     ..ROW
 };
+/// Where the tool's mass is.
+const MASS_CENTRE: Setting = Setting {
+    name: "tool-com-mm",
+    kind: number_of(-1e4, 1e4, "mm"),
+    count: count(3, "numbers", "three, separated by commas"),
+    unit: "mm",
+    value: "X,Y,Z",
+    help: "Mass centre of the tool in the flange frame: x,y,z; with its mass",
+    example: "0,0,200",
+    ..ROW
+};
 /// Of the place where the robot works.
 const CELL: Setting = Setting { verbs: ONLY_PLACING, of: Of::Spatial, heading: "Cell", ..ROW };
 /// The heading of what matters to the program's figures alone.
@@ -502,6 +513,11 @@ const OF_ZONES: &[Setting] = &[
         ..ROW
     },
     Setting { verbs: ONLY_PLACING, ..MASS },
+    Setting {
+        verbs: ONLY_PLACING,
+        needs: &[(Verb::Rank, "tool-mass-kg"), (Verb::Place, "tool-mass-kg"), (Verb::Compare, "tool-mass-kg")],
+        ..MASS_CENTRE
+    },
     Setting {
         name: "elbow",
         verbs: MAP,

@@ -4,6 +4,7 @@ use super::cell::CellWish;
 use super::kind::Value;
 use super::settings::FILTERS;
 use super::{Angle, Held, Refusal, Request, Spelling, Unasked, Verb, Wanted, default_of};
+use nalgebra::Vector3;
 use stiffarm::catalogue::{Filter, with_compliance};
 use stiffarm::cell::{Mount, Window};
 use stiffarm::drive::Architecture;
@@ -11,6 +12,7 @@ use stiffarm::interval::Interval;
 use stiffarm::inverse::Configuration;
 use stiffarm::load::Load;
 use stiffarm::map::{Extent, Held as HeldTool, MapOptions, Spacing};
+use stiffarm::mass::ToolWeight;
 use stiffarm::model::ModelKind;
 use stiffarm::place::{Column, Margins, Orientation, PlaceOptions, Within};
 use stiffarm::plane::Elbow;
@@ -167,9 +169,11 @@ impl Request {
         self.all("joints-deg", number).try_into().map_err(|_| self.missing("joints-deg"))
     }
 
-    /// Mass of the tool, kg, where it is told.
-    pub(super) fn tool_mass(&self) -> Option<f64> {
-        self.number("tool-mass-kg")
+    /// Weight of the tool, where it is told.
+    pub(super) fn tool_weight(&self) -> Option<ToolWeight> {
+        let centre: Result<[f64; 3], _> = self.all("tool-com-mm", number).try_into();
+        let centre = centre.ok().map(|mm| Vector3::from(mm) / 1e3);
+        self.number("tool-mass-kg").map(|mass| ToolWeight { mass, centre })
     }
 
     /// Largest deflection that is acceptable, mm.
@@ -242,7 +246,7 @@ impl Request {
         self.check_process()?;
         let unanswered = |unasked| self.unanswered(unasked);
         let mut options = self.wanted().options(&self.model(), &self.held(), zone).map_err(unanswered)?;
-        options.tool_mass = self.tool_mass();
+        options.tool_weight = self.tool_weight();
         let windows = match *self.all("at", number).as_slice() {
             [x, z] => vec![self.only_place(&mut options, [x, z], zone).map_err(unanswered)?],
             _ => self.windows(),

@@ -102,6 +102,7 @@ pub(super) fn motors(root: &mut Table) -> Option<Motors> {
     let is_there = root.has("drives");
     let mut table = root.table("drives");
     let torque = table.optional_numbers("torque_nm", TORQUE);
+    let wrist_moment = table.optional_numbers("wrist_moment_nm", TORQUE);
     let damping = table.optional_numbers("damping_nms_per_rad", DAMPING);
     let rotor: Option<Option<[f64; 6]>> = table.optional_numbers("rotor_kg_m2", ROTOR);
     let motor: Option<Option<[f64; 6]>> = table.optional_numbers("motor_kg_m2", MOTOR);
@@ -119,11 +120,13 @@ pub(super) fn motors(root: &mut Table) -> Option<Motors> {
         );
     }
     if is_there
-        && !["torque_nm", "damping_nms_per_rad", "rotor_kg_m2", "motor_kg_m2", "ratio"].iter().any(|key| table.has(key))
+        && !["torque_nm", "wrist_moment_nm", "damping_nms_per_rad", "rotor_kg_m2", "motor_kg_m2", "ratio"]
+            .iter()
+            .any(|key| table.has(key))
     {
-        table.fault("", "says nothing; expected torque_nm, rotor_kg_m2 or damping_nms_per_rad");
+        table.fault("", "says nothing; expected torque_nm, wrist_moment_nm, rotor_kg_m2 or damping_nms_per_rad");
     }
     table.finish(&[]);
     let reflected = motor?.zip(ratio?).map(|(motor, ratio)| std::array::from_fn(|i| ratio[i] * ratio[i] * motor[i]));
-    Some(Motors { torque: torque?, rotor: rotor?.or(reflected), damping: damping? })
+    Some(Motors { torque: torque?, wrist_moment: wrist_moment?, rotor: rotor?.or(reflected), damping: damping? })
 }

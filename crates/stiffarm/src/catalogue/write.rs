@@ -155,8 +155,11 @@ impl Text {
         if *motors == Motors::UNKNOWN {
             return;
         }
-        let Motors { torque, rotor, damping } = motors;
+        let Motors { torque, wrist_moment, rotor, damping } = motors;
         self.table("drives");
+        if let Some(allowed) = wrist_moment {
+            self.list("wrist_moment_nm", allowed.map(plain));
+        }
         for (key, numbers) in [("torque_nm", torque), ("rotor_kg_m2", rotor), ("damping_nms_per_rad", damping)] {
             if let Some(numbers) = numbers {
                 self.list(key, numbers.map(plain));

@@ -105,7 +105,7 @@ impl MillOptions {
             limit_margin: margin,
             singular_margin: margin,
             share_of_speed: 0.8,
-            tool_mass: None,
+            tool_weight: None,
             clear_of: None,
         }
     }

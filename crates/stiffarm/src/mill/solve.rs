@@ -13,6 +13,7 @@ use super::smooth::smoothed;
 use super::stations::{ErrorPart, Station};
 use crate::batch::{RollGrid, SpatialArm};
 use crate::inverse::Configuration;
+use crate::mass::ToolWeight;
 use crate::robot::Robot;
 use crate::watch::Watch;
 
@@ -65,8 +66,8 @@ pub struct MillOptions {
     pub singular_margin: f64,
     /// Of the joints' speeds what is used while cutting, at most.
     pub share_of_speed: f64,
-    /// Mass of the tool, kg, where it is known: it is told against the robot's payload, and changes no posture.
-    pub tool_mass: Option<f64>,
+    /// Weight of the tool, where it is known: it is told against the robot's payload, and changes no posture.
+    pub tool_weight: Option<ToolWeight>,
     /// What the arm keeps clear of; nothing is looked at where `None`.
     pub clear_of: Option<ClearOf>,
 }

@@ -18,6 +18,7 @@ use crate::clearance::Clearance;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
 use crate::load::{Forces, Load};
+use crate::mass::ToolWeight;
 use crate::model::{ArmPosture, Model, ModelKind};
 use crate::part::{Face, Part};
 use crate::plane::Elbow;
@@ -116,8 +117,8 @@ pub struct PlaceOptions {
     /// How the robot stands in its cell, and what else stands there; spatial model only. Its windows replace `within`. Alone on the floor
     /// where `None`.
     pub cell: Option<Cell>,
-    /// Mass of the tool, kg, where it is known: it is told against the robot's payload, and changes no place.
-    pub tool_mass: Option<f64>,
+    /// Weight of the tool, where it is known: it is told against the robot's payload, and changes no place.
+    pub tool_weight: Option<ToolWeight>,
 }
 
 impl PlaceOptions {
@@ -126,7 +127,7 @@ impl PlaceOptions {
     pub const fn under(load: Load) -> Self {
         let margins = Margins::NONE;
         let orientation = Orientation::Axes;
-        Self { load, orientation, within: None, gap: None, stance: None, margins, cell: None, tool_mass: None }
+        Self { load, orientation, within: None, gap: None, stance: None, margins, cell: None, tool_weight: None }
     }
 
     /// What an engineer would ask of a cell: in front of the robot and above the floor, clear of its column, of joint limits and of straight

@@ -32,7 +32,7 @@ impl MillAnswer {
             sentences.into_iter().chain(self.chatter_verdict().map(|told| format!("Chatter: {told}."))).collect();
         let mut rests_on = means(self.tolerance_mm).into_iter().chain(rests_on(&self.robot)).collect::<Vec<_>>();
         rests_on.push(format!("Force on the tool: {}.", self.force));
-        rests_on.extend(self.payload().map(|payload| format!("Payload: {}.", payload.told())));
+        rests_on.extend(self.carried().sentences());
         rests_on.extend(self.notes().lines().filter(|line| *line != HOLDS).map(sentence));
         rests_on.extend(self.remarks.iter().map(|remark| sentence(remark)));
         Headline { outcome, sentences, rests_on }

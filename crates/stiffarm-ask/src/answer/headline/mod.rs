@@ -74,7 +74,7 @@ impl Outcome {
             Self::NoPlace => "no place",
             Self::NotFollowed => "not followed",
             Self::Tie => "tie",
-            Self::Overloaded => "payload exceeded",
+            Self::Overloaded => "load exceeded",
             Self::Advised => "advised",
             Self::Told => "computed",
             Self::Identified => "identified",

@@ -1,6 +1,5 @@
 //! A ranking in a few sentences.
 
-use super::super::payload::Payload;
 use super::super::words::{self, fixed};
 use super::super::{RankAnswer, uncertainty};
 use super::place::sentence;
@@ -44,7 +43,7 @@ impl RankAnswer {
         if winners.len() < ranking.tasks.len() {
             return Outcome::NoPlace;
         }
-        if any(&|_, row| self.payload(&row.robot).is_some_and(Payload::is_exceeded)) {
+        if any(&|_, row| self.carried(&row.robot).is_exceeded()) {
             return Outcome::Overloaded;
         }
         if any(&|task, _| !ranking.rivals(task).is_empty() || 1 < uncertainty::ties(&self.chances, task)) {

@@ -21,7 +21,7 @@ pub use part::PartFile;
 pub use ranking::{PathRankAnswer, PathRow};
 use serde_json::Value;
 
-use super::payload::Payload;
+use super::payload::{Carried, Held};
 use super::uncertainty::Known;
 use super::verdict::Verdict;
 use super::{fixed, with_schema};
@@ -197,8 +197,9 @@ impl MillAnswer {
     }
 
     /// What the robot must hold.
-    pub(super) fn payload(&self) -> Option<Payload> {
-        Payload::of(&self.robot, self.options.tool_mass, self.newtons())
+    pub(super) fn carried(&self) -> Carried {
+        let tip = Some(self.flange_from_tool.translation.vector);
+        Held { tool: self.options.tool_weight, tip, newtons: self.newtons() }.by(&self.robot)
     }
 
     fn blocked(&self) -> Option<&Blocked> {

@@ -7,7 +7,7 @@ use super::super::path::corners;
 use super::super::stiffness::stiffness;
 use super::super::verdict::{self, Verdict};
 use super::super::words::bodies;
-use super::super::{Cell, Column, ColumnKind, Record, Rows, field, payload};
+use super::super::{Cell, Column, ColumnKind, Record, Rows, field};
 use super::{ChatterTold, Compensation, MillAnswer, least};
 use stiffarm::clearance::Near;
 use stiffarm::limits::Pendant;
@@ -27,7 +27,7 @@ impl MillAnswer {
             .put(field::PENDANT, robot.pendant().map(Pendant::name))
             .put(field::PATH, &self.path)
             .put(field::CUTTING_FORCE, &self.force);
-        payload::put(&mut record, robot, options.tool_mass, self.newtons());
+        self.carried().put(&mut record);
         record
             .put(field::PART, self.part())
             .put(field::ROLL_CHOICE, self.roll())

@@ -6,7 +6,7 @@ use super::super::path::within;
 use super::super::stiffness::stiffness;
 use super::super::verdict::HOLDS;
 use super::super::words::{degrees, percentages, robot as named, tool};
-use super::super::{Line, Table, fixed, line, payload, uncertainty};
+use super::super::{Line, Table, fixed, line, uncertainty};
 use super::{Compensation, MillAnswer, least};
 use stiffarm::cell::Cell;
 use stiffarm::mill::{Acting, ErrorPart, Followed, MillOptions, PathGround, PathResolution, Remaining, RollMode};
@@ -31,7 +31,7 @@ impl MillAnswer {
             line("rapid moves", format!("{length} mm, ending within {}", told(extent)))
         }));
         lines.extend([line("force on the tool", &self.force), line("what counts", counted(self.options.part))]);
-        lines.extend(payload::lines(self.payload()));
+        lines.extend(self.carried().lines());
         lines.push(line("keeps", self.kept()));
         lines.extend(self.place_lines());
         match self.followed() {

@@ -76,7 +76,7 @@ impl RankAnswer {
 
     /// Counts the robots of which the force is more than the weight they are sold to carry.
     fn overloaded(&self) -> String {
-        let held = self.options.tool_mass.unwrap_or(0.0) + self.ranking.load.newtons() / 9.81;
+        let held = self.options.tool_weight.map_or(0.0, |tool| tool.mass) + self.ranking.load.newtons() / 9.81;
         let rows = &self.ranking.rows;
         let light = |row: &&Row| row.robot.stiffness_is_assumed && row.robot.payload_kg.is_some_and(|kg| kg < held);
         let count = rows.iter().filter(light).count();

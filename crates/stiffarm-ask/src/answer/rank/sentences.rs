@@ -93,14 +93,13 @@ impl RankAnswer {
                 list(&winners)
             );
         }
-        let exceeded = winners.iter().filter_map(|(row, _)| {
-            let payload = self.payload(&row.robot).filter(|payload| payload.is_exceeded())?;
-            Some(format!("{}: {}", row.robot.name, payload.told()))
-        });
+        let exceeded = winners
+            .iter()
+            .filter_map(|(row, _)| Some(format!("{}: {}", row.robot.name, self.carried(&row.robot).exceeded()?)));
         let exceeded: Vec<String> = exceeded.collect();
         if !exceeded.is_empty() {
             return format!(
-                "{under} the least deflection is that of {}; but a robot is sold for less than tool and force weigh, so no robot is advised (payload of {}). --payload-kg leaves such robots out.",
+                "{under} the least deflection is that of {}; but tool and force are more than a robot may carry, so no robot is advised ({}). --payload-kg leaves robots for less out.",
                 list(&winners),
                 exceeded.join("; ")
             );

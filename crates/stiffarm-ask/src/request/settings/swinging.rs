@@ -1,6 +1,8 @@
 //! What is asked of how an arm swings.
 
-use super::{Absent, JOINTS, Kind, Of, ROLL, ROW, Setting, TOOL_DIRECTION, Verb, YAW, count, count_of, number_of};
+use super::{
+    Absent, JOINTS, Kind, MASS_CENTRE, Of, ROLL, ROW, Setting, TOOL_DIRECTION, Verb, YAW, count, count_of, number_of,
+};
 
 const MODES: &[Verb] = &[Verb::Modes];
 const CHATTER: &[Verb] = &[Verb::Chatter];
@@ -95,15 +97,10 @@ pub(super) const ROWS: &[Setting] = &[
         ..HELD
     },
     Setting {
-        name: "tool-com-mm",
-        kind: number_of(-1e4, 1e4, "mm"),
-        count: count(3, "numbers", "three, separated by commas"),
-        unit: "mm",
-        value: "X,Y,Z",
-        needs: &[(Verb::Mill, "chatter"), (Verb::Map, "quantity")],
-        help: "Mass centre of the tool in the flange frame: x,y,z; with its mass",
-        example: "0,0,200",
-        ..HELD
+        verbs: ALL,
+        heading: "Tool",
+        needs: &[(Verb::Mill, "tool-mass-kg"), (Verb::Map, "quantity")],
+        ..MASS_CENTRE
     },
     Setting {
         name: "tool-inertia-kg-m2",
@@ -116,7 +113,7 @@ pub(super) const ROWS: &[Setting] = &[
             (Verb::Modes, "tool-mass-kg"),
             (Verb::Chatter, "tool-mass-kg"),
             (Verb::Map, "tool-mass-kg"),
-            (Verb::Mill, "tool-com-mm"),
+            (Verb::Mill, "chatter"),
         ],
         help: "Inertia of the tool about its own mass centre, along flange axes: elements of the matrix as URDF has them",
         example: "1.3,0,0,1.6,0,0.5",
