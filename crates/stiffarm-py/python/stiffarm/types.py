@@ -84,6 +84,9 @@ class PlaceOptions(TypedDict, total=False):
     tool_mass_kg: float | None
     """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
 
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
+
     force_n: float | npt.ArrayLike
     """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
     (away from the work), in the planar model ahead,0,up."""
@@ -197,6 +200,9 @@ class RankOptions(TypedDict, total=False):
 
     tool_mass_kg: float | None
     """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
 
     force_n: float | npt.ArrayLike
     """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
@@ -477,6 +483,9 @@ class CompareOptions(TypedDict, total=False):
 
     tool_mass_kg: float | None
     """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
+
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
 
     force_n: float | npt.ArrayLike
     """Cutting force [N]: its size, in its worst direction; or three numbers along the feed, across it and axial
@@ -1080,6 +1089,9 @@ class SweepOptions(TypedDict, total=False):
     tool_mass_kg: float | None
     """Mass of the tool with its spindle [kg]: told against the robot's payload, beside the force."""
 
+    tool_com_mm: npt.ArrayLike | None
+    """Mass centre of the tool in the flange frame [mm]: x,y,z; with its mass."""
+
     process: str | None
     """A process file (TOML) in place of the cutting force: its mean force over a revolution acts along feed,
     across and axial; its moment is left out."""
@@ -1416,6 +1428,20 @@ class _Placed(_Pass):
     overloaded: bool | None
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
     payload is known."""
+
+    wrist_moment_nm: None
+    """Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's
+    weight where its mass centre was told, and in the spatial model of the force at the tool tip."""
+
+    wrist_limit_nm: None
+    """The largest that are allowed; null where the robot file has none."""
+
+    wrist_limit_by: None
+    """What says so: `allowed by the maker`, or `torque limits of the drives`, above which they do not hold the
+    load even at rest."""
+
+    wrist_exceeded: None
+    """A moment about axis 4, 5 or 6 is above its limit; null where no limit is known."""
 
     tool_mm: list[float] | None
     """The tool frame in the flange frame: x, y, z, mm, and the turns about fixed axes, deg."""
@@ -2936,6 +2962,20 @@ class MilledDict(_Pass):
     overloaded: bool
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
     payload is known."""
+
+    wrist_moment_nm: list[float] | None
+    """Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's
+    weight where its mass centre was told, and in the spatial model of the force at the tool tip."""
+
+    wrist_limit_nm: list[float] | None
+    """The largest that are allowed; null where the robot file has none."""
+
+    wrist_limit_by: str | None
+    """What says so: `allowed by the maker`, or `torque limits of the drives`, above which they do not hold the
+    load even at rest."""
+
+    wrist_exceeded: bool | None
+    """A moment about axis 4, 5 or 6 is above its limit; null where no limit is known."""
 
     part: PathLength
     """The path as it was cut: samples, lengths and time."""

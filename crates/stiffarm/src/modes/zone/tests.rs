@@ -19,7 +19,7 @@ fn robot(case: usize) -> Robot {
         let Arm::SixAxis { drives, .. } = &mut robot.arm else { panic!("six axes") };
         drives.transmission = Transmission::of(Architecture::QuasiSerial);
         let (base, arm) = ([-0.5, -0.1], [0.05, 0.4]);
-        drives.compensator = Some(GravityCompensator { base, arm, stiffness: 2e5, free_length: 0.3 });
+        drives.compensator = Some(GravityCompensator { base, arm, stiffness: 4e6, free_length: 0.3 });
         let body = RigidBody::new(60.0, Vector3::new(-0.1, 0.1, 1.2), [3.0, 0.1, 0.2, 3.0, 0.0, 0.5]);
         robot.masses.push(Mass { carrier: Carrier::Rod { crank: [-0.3, -0.1] }, body });
         let body = RigidBody::point(200.0, Vector3::new(-0.3, 0.0, 0.6));
