@@ -1,4 +1,4 @@
-"""Writes validation/modes_cases.csv: frequencies and shapes of arms that swing, by Pinocchio's mass matrix and SciPy's eigenvalues.
+"""Writes validation/modes_cases.csv: frequencies and shapes of arms that swing, by Pinocchio's mass matrix and SciPy's eigenvalues, and how weight turns their joints.
 
 The robots are those whose file says what every link weighs. With the springs `K = diag(1/k)` of the drives and the mass matrix `M(q)` of
 Pinocchio's `crba`, SciPy's `eigh(K, M)` has the squares of the frequencies, and shapes with `v^T M v = 1`; the tip moves by `J v`.
@@ -22,6 +22,8 @@ ROBOTS = ROOT / "crates/stiffarm/robots"
 TARGET = ROOT / "validation/modes_cases.csv"
 LENGTHS = ("a1", "a2", "b", "c1", "c2", "c3", "c4")
 POSTURES = 3
+#: m/s^2.
+GRAVITY = 9.80665
 
 
 def weighed() -> list[dict[str, Any]]:
@@ -42,6 +44,7 @@ def arm(robot: dict[str, Any], tool: dict[str, Any]) -> tuple[pin.Model, int]:
     joints = [about_z, about_y, about_y, about_z, about_y, about_z]
     steps = [here, np.array([a1, b, c1]), np.array([0, 0, c2]), np.array([a2, 0, c3]), here, here]
     model, at, places = pin.Model(), np.zeros(3), []
+    model.gravity = pin.Motion(np.array([0, 0, -GRAVITY]), np.zeros(3))
     for parent, (joint, step) in enumerate(zip(joints, steps, strict=True)):
         model.addJoint(parent, joint, pin.SE3(np.eye(3), step), f"joint {parent + 1}")
         at = at + step
@@ -93,11 +96,12 @@ def main() -> None:
             model, tip = arm(robot, tool)
             hertz, shapes = swings(model, model.createData(), tip, model_angles(robot, joints), np.array(compliance) * 1e-6)
             asked = [joints, [tool["mass_kg"]], tool["com_mm"], tool["inertia_kg_m2"], tool["tip_mm"], compliance]
-            rows.append([robot["name"], *map(numbers, asked), numbers(hertz), numbers(shapes.T)])
+            torques = -pin.computeGeneralizedGravity(model, model.createData(), model_angles(robot, joints))
+            rows.append([robot["name"], *map(numbers, asked), numbers(hertz), numbers(shapes.T), numbers(torques)])
     with TARGET.open("w", encoding="utf-8", newline="") as file:
-        file.write(f"# recorded by scripts/swinging.py: Pinocchio (pin {version('pin')}) and SciPy {version('scipy')}. The tip's shapes mode by mode, m per root of kg m2, base axes, up to their sign.\n")
+        file.write(f"# recorded by scripts/swinging.py: Pinocchio (pin {version('pin')}) and SciPy {version('scipy')}. The tip's shapes mode by mode, m per root of kg m2, base axes, up to their sign; torques of weight about the model angles.\n")
         table = csv.writer(file, lineterminator="\n")
-        table.writerow(["robot", "joints_deg", "tool_mass_kg", "tool_com_mm", "tool_inertia_kg_m2", "tip_mm", "drive_urad_per_nm", "frequency_hz", "tip_shapes"])
+        table.writerow(["robot", "joints_deg", "tool_mass_kg", "tool_com_mm", "tool_inertia_kg_m2", "tip_mm", "drive_urad_per_nm", "frequency_hz", "tip_shapes", "gravity_nm"])
         table.writerows(rows)
     print(f"{len(rows)} cases of {len(rows) // POSTURES} robots")
 

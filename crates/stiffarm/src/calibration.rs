@@ -22,11 +22,14 @@ pub struct Errors {
     pub weight: [f64; WEIGHT],
     /// Once per turn of each joint, rad: times sine and cosine of its model angle.
     pub gears: [[f64; 2]; 6],
+    /// How compliant the drives are under the weight of the arm's masses, rad/(N m), instead of the terms of `weight`; `None` where masses are not
+    /// known, or do not explain what was measured.
+    pub drives: Option<[f64; 6]>,
 }
 
 impl Errors {
     /// As drawn.
-    pub const NONE: Self = Self { frames: [[0.0; 6]; 6], weight: [0.0; WEIGHT], gears: [[0.0; 2]; 6] };
+    pub const NONE: Self = Self { frames: [[0.0; 6]; 6], weight: [0.0; WEIGHT], gears: [[0.0; 2]; 6], drives: None };
 }
 
 /// With which arm the controller of a measured robot computes, while it is measured and later.

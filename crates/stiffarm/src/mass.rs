@@ -3,6 +3,7 @@
 //! Bodies are stated as a robot file states them: at model zero (all model angles zero: upper arm and forearm upright), in the base's
 //! axes, from the base. From there [`Geometry::links`] carries them.
 
+mod gravity;
 mod matrix;
 
 use nalgebra::{Matrix3, Point3, Vector3};
@@ -10,6 +11,7 @@ use nalgebra::{Matrix3, Point3, Vector3};
 use crate::geometry::Geometry;
 use crate::spatial::Pose;
 
+pub use gravity::{GRAVITY, gravity_torques};
 pub use matrix::mass_matrix;
 pub(crate) use matrix::{LinkDirections, inertia_of};
 
@@ -72,6 +74,12 @@ pub struct ToolWeight {
     pub mass: f64,
     /// Its centre in the flange frame, m, where that is told.
     pub centre: Option<Vector3<f64>>,
+}
+
+/// Which links, from 1 to 6, have no mass.
+pub fn links_without(masses: &[Mass]) -> Vec<usize> {
+    let has = |link: &usize| masses.iter().any(|mass| mass.carrier == Carrier::Link(*link));
+    (1..=6).filter(|link| !has(link)).collect()
 }
 
 impl Mass {

@@ -8,6 +8,9 @@ use stiffarm::calibrate::{CalibrateError, CalibrateOptions, Calibrated, Level, c
 use stiffarm::calibration::Errors;
 use stiffarm::catalogue::readings::{ReadOptions, Readings, read};
 use stiffarm::catalogue::{find, read as read_robot, write as write_robot};
+use stiffarm::chain::TrueArm;
+use stiffarm::drive::GravityCompensator;
+use stiffarm::prior::by_size;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::watch::Watch;
 
@@ -234,7 +237,7 @@ fn the_table_of_the_guide_tells_where_its_arm_stands_in_postures_that_it_does_no
     let columns = columns.map(|numbers| numbers.split(' ').map(|x| x.parse().unwrap()).collect::<Vec<f64>>());
     let [frames, weight, gears, noise, points, tracker] = columns.collect::<Vec<_>>().try_into().unwrap();
     let (milli, mut truth) = ([frames, weight, gears].concat(), Errors::NONE);
-    let Errors { frames, weight, gears } = &mut truth;
+    let Errors { frames, weight, gears, .. } = &mut truth;
     let all = frames.iter_mut().flatten().chain(weight).chain(gears.iter_mut().flatten());
     all.zip(&milli).for_each(|(error, milli)| *error = milli / 1e3);
     let point = Point3::new(points[0], points[1], points[2]) / 1e3;
@@ -311,4 +314,90 @@ fn a_calibrated_robot_is_written_and_read_back() {
     assert!(read_robot(&short, "mine.toml").unwrap_err().to_string().contains("did you mean zero_deg"));
     let wild = text.replacen("rows = 40", "rows = 40.5", 1);
     assert!(read_robot(&wild, "mine.toml").unwrap_err().to_string().contains("no whole number"));
+}
+
+/// An arm whose masses its file knows, of which only the drives are unknown: as compliant as drawn from the prior.
+fn weighed(rng: &mut fastrand::Rng) -> (Robot, Errors) {
+    let robot = find("KR 210 R2700-2").unwrap().robot();
+    let (median, scatter) = by_size(&robot).unwrap();
+    let sd = scatter.total();
+    let drives = std::array::from_fn(|i| median[i] * (sd[i] * normal(rng)).exp());
+    let frames = errors(rng, 0.0).frames;
+    (robot, Errors { frames, drives: Some(drives), ..Errors::NONE })
+}
+
+/// The sag of an arm of known masses tells the compliance of the drives that hold it, within the interval that is told, and of the others nothing.
+#[test]
+fn own_weight_tells_the_compliance_of_the_drives_that_hold_it() {
+    const ARMS: u64 = 10;
+    let (mut held, mut off) = (0, 0.0_f64);
+    for seed in 0..ARMS {
+        let mut rng = fastrand::Rng::with_seed(300 + seed);
+        let (robot, truth) = weighed(&mut rng);
+        let found = asked(&robot, &table(&robot, &truth, &mut rng, (50, 0.8))).unwrap();
+        let drives = found.drives.unwrap_or_else(|| panic!("by terms: {:?}", found.levels));
+        let taken = found.taken();
+        assert!(taken.by_masses && found.has_masses && taken.rms < 1.2 * NOISE * 3_f64.sqrt(), "{taken:?}");
+        for (drive, k) in drives.iter().zip(truth.drives.unwrap()) {
+            let [low, high] = drive.interval();
+            held += usize::from((low..=high).contains(&k));
+        }
+        for joint in [1, 2] {
+            assert!(drives[joint].is_shown() && 0.98 < drives[joint].learned(), "{drives:?}");
+            off = off.max((drives[joint].posterior / truth.drives.unwrap()[joint]).ln().abs());
+        }
+        // About a vertical axis nothing weighs.
+        let [first, ..] = drives;
+        assert!((first.posterior - first.prior).abs() < 1e-3 * first.prior && first.learned() < 1e-6, "{first:?}");
+        // One that is not so drawn does not sag so.
+        let elsewhere: Vec<[f64; 6]> = (0..50).map(|_| posture(&robot, &mut rng, 0.8)).collect();
+        assert!(off_elsewhere(&robot, &truth, &found, &elsewhere) < 3.0 * NOISE * 3_f64.sqrt());
+    }
+    // Of 60 that hold with 0.95 each, 52 or more do with 0.99.
+    assert!(52 <= held, "{held} of {}", 6 * ARMS);
+    assert!(off < 0.25, "drives 2 and 3 are off by up to {off}");
+}
+
+/// A counterbalance that the file does not have is no softness of drive 2: terms explain the sag better, and are taken.
+#[test]
+fn masses_that_do_not_explain_the_sag_are_not_taken_for_stiffness() {
+    let mut rng = fastrand::Rng::with_seed(320);
+    let (robot, truth) = weighed(&mut rng);
+    let mut balanced = robot.clone();
+    let Arm::SixAxis { drives, .. } = &mut balanced.arm else { panic!("six axes") };
+    let (base, arm) = ([-0.5, -0.1], [0.05, 0.4]);
+    drives.compensator = Some(GravityCompensator { base, arm, stiffness: 2e5, free_length: 0.4 });
+    let text = table(&balanced, &truth, &mut rng, (50, 0.8));
+    let found = asked(&robot, &text).unwrap();
+    assert!(found.has_masses && found.drives.is_none() && Level::Weight <= found.level, "{:?}", found.levels);
+    // The arm with its counterbalance is what it is.
+    let found = asked(&balanced, &text).unwrap();
+    let drive = found.drives.unwrap()[1];
+    let [low, high] = drive.interval();
+    assert!((low..=high).contains(&truth.drives.unwrap()[1]), "{drive:?}");
+}
+
+#[test]
+fn drives_under_masses_are_written_and_read_back_with_them_alone() {
+    let mut rng = fastrand::Rng::with_seed(321);
+    let (robot, truth) = weighed(&mut rng);
+    let found = asked(&robot, &table(&robot, &truth, &mut rng, (40, 0.8))).unwrap();
+    let mine = found.written(&robot, "2026-05-31", "points.csv");
+    let text = write_robot(&mine);
+    let back = read_robot(&text, "mine.toml").unwrap_or_else(|faults| panic!("{faults}\n{text}"));
+    assert_eq!(back.calibration.as_ref().unwrap().errors.drives, found.errors.drives);
+    let q = [0.2, -1.4, 1.7, 0.3, 0.8, -0.4];
+    let stands = found.errors.flange(&robot, &q).unwrap().translation.vector;
+    let arm = TrueArm::of(&back).unwrap();
+    assert!((arm.flange(&q).translation.vector - stands).norm() < 1e-12);
+    let stiff = Errors { drives: None, ..found.errors.clone() }.flange(&robot, &q).unwrap().translation.vector;
+    assert!(0.2e-3 < (stands - stiff).norm(), "it sags: {}", (stands - stiff).norm());
+    assert!(arm.stands_as_measured(&Isometry3::identity()));
+    assert!(!arm.stands_as_measured(&Isometry3::rotation(Vector3::x() * 3.0)));
+    let weightless = text.split("\n[").filter(|table| !table.starts_with("[mass]]")).collect::<Vec<_>>().join("\n[");
+    let refused = read_robot(&weightless, "mine.toml").unwrap_err().to_string();
+    assert!(refused.contains("weight_urad_per_nm needs [[mass]] of every link"), "{refused}");
+    let both = text.replacen("weight_urad_per_nm", "weight_mrad = [0, 0, 0, 0, 0, 0, 0, 0]\nweight_urad_per_nm", 1);
+    let refused = read_robot(&both, "mine.toml").unwrap_err().to_string();
+    assert!(refused.contains("stands beside weight_urad_per_nm"), "{refused}");
 }

@@ -171,6 +171,7 @@ fn pinocchio_with_shifted_joint_placements_puts_the_flange_at_the_same_place() {
             frames: std::array::from_fn(|i| std::array::from_fn(|j| 1e-3 * frames[6 * i + j])),
             weight: numbers::<8>(weight).map(|x| 1e-3 * x),
             gears: std::array::from_fn(|i| [0, 1].map(|j| 1e-3 * gears[2 * i + j])),
+            drives: None,
         };
         let arm = TrueArm::with(&robot, &errors).unwrap();
         let q = numbers::<6>(joints).map(f64::to_radians);

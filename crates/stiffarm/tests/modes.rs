@@ -9,7 +9,7 @@ use stiffarm::drive::Architecture;
 use stiffarm::inverse::postures;
 use stiffarm::load::Load;
 use stiffarm::map::{MapOptions, Spacing, map};
-use stiffarm::mass::{Carrier, Mass, RigidBody, mass_matrix};
+use stiffarm::mass::{Carrier, GRAVITY, Mass, RigidBody, gravity_torques, mass_matrix};
 use stiffarm::model::{ArmPosture, Model};
 use stiffarm::modes::{Damping, FirstFrequencies, HeldTool, ModesError, Swing, SwingingArm, first_frequencies, modes};
 use stiffarm::prior::with_prior;
@@ -144,6 +144,12 @@ fn postures_of_every_serial_robot_with_masses_swing_as_two_other_programs_say() 
             let apart = (mode.tip - told).norm().min((mode.tip + told).norm());
             assert!(apart < 1e-6 * told.norm().max(1e-3), "{}: {} {told}", cell("robot"), mode.tip);
         }
+        let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { panic!("six axes") };
+        let theta = geometry.model_angles(&six("joints_deg").map(f64::to_radians), limits.third_axis);
+        let masses: Vec<Mass> = robot.masses.iter().copied().chain([Mass::held(geometry, &body)]).collect();
+        let (turned, told) = (gravity_torques(geometry, &theta, &masses), six("gravity_nm"));
+        // Some thousand N m, of a dozen products each.
+        assert!((turned - nalgebra::Vector6::from(told)).norm() < 1e-9, "{}: {turned} {told:?}", cell("robot"));
         count += 1;
     }
     assert_eq!(count, 75);
@@ -432,6 +438,43 @@ fn no_angle_of_the_wrist_gives_a_longer_lever_than_is_told_and_some_angle_gives_
                 longest <= told + 1e-12 && told * (1.0 - 1e-3) <= longest + 1e-12,
                 "{point:?}: {longest} of {told}"
             );
+        }
+    }
+}
+
+/// By the heights of their centres alone, written down from the axes of a parallelogram: `tau = -m g dz/dtheta`.
+#[test]
+fn weight_of_rod_and_counterweight_turns_the_joints_as_their_heights_change() {
+    let robot = find("KR 210 R2700-2").unwrap().robot();
+    let Arm::SixAxis { geometry, .. } = &robot.arm else { panic!("six axes") };
+    let shoulder = Vector3::new(geometry.a1, geometry.b, geometry.c1);
+    let (crank, rod, counterweight) = ([-0.3, -0.1], Vector3::new(-0.1, 0.1, 1.2), Vector3::new(-0.3, 0.05, 0.6));
+    let up = |x: f64, z: f64, angle: f64| z * angle.cos() - x * angle.sin();
+    let height = |mass: &Mass, theta: &[f64; 6]| {
+        let (upper, forearm) = (theta[1], theta[1] + theta[2]);
+        match mass.carrier {
+            Carrier::Counterweight => {
+                let lever = counterweight - shoulder;
+                up(lever.x, lever.z, forearm)
+            }
+            _ => {
+                let own = rod - shoulder - Vector3::new(crank[0], 0.0, crank[1]);
+                up(crank[0], crank[1], forearm) + up(own.x, own.z, upper)
+            }
+        }
+    };
+    let theta = [0.4, -0.3, 1.2, 0.7, -0.5, 0.3];
+    for (carrier, centre) in [(Carrier::Rod { crank }, rod), (Carrier::Counterweight, counterweight)] {
+        let mass = Mass { carrier, body: RigidBody::point(150.0, centre) };
+        let turned = gravity_torques(geometry, &theta, &[mass]);
+        for joint in 0..6 {
+            let moved = |step: f64| {
+                let mut theta = theta;
+                theta[joint] += step;
+                height(&mass, &theta)
+            };
+            let slope = (moved(1e-5) - moved(-1e-5)) / 2e-5;
+            assert!((turned[joint] + 150.0 * GRAVITY * slope).abs() < 1e-5, "joint {}: {turned}", joint + 1);
         }
     }
 }

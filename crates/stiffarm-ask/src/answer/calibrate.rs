@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::verify::numbers;
 use super::words::fixed;
-use super::{Record, Rows, Table, Unit, field, line, with_schema};
+use super::{Record, Rows, Table, Unit, field, line, updated, with_schema};
 use stiffarm::calibrate::{Calibrated, Level, LevelFit};
 use stiffarm::calibration::zeros;
 use stiffarm::catalogue::write;
@@ -37,6 +37,7 @@ impl CalibrateAnswer {
         let mrad = |x: f64| Unit::Milliradian.told(x);
         let weight = errors.weight.iter().zip(&found.deviations.weight);
         let intervals = weight.map(|(x, s)| json!([mrad(x - HALF * s), mrad(x + HALF * s)])).collect::<Value>();
+        let by_terms = found.drives.is_none();
         let wrong = found.wrong_rows.iter();
         let at_work = found.at_work.as_ref().map_or(Value::Null, |work| {
             let mut told = Record::new();
@@ -50,6 +51,7 @@ impl CalibrateAnswer {
         answer
             .put(field::ROBOT, self.robot.name.as_str())
             .put(field::LEVEL, found.level.name())
+            .put(field::OWN_WEIGHT, own_weight(found.taken()))
             .put(field::READ_ROWS, found.rows.len())
             .put(field::NOMINAL_RMS, found.levels[0].rms)
             .put(field::LEVELS, found.levels.iter().map(|fit| level(fit).json()).collect::<Value>())
@@ -72,8 +74,9 @@ impl CalibrateAnswer {
                 field::FRAMES_FOUND,
                 self.frames().iter().map(|frame| json!(frame.map(|x| Unit::Millimetre.told(x)))).collect::<Value>(),
             )
-            .put(field::WEIGHT_FOUND, json!(errors.weight.map(mrad)))
-            .put(field::WEIGHT_INTERVALS, intervals)
+            .put(field::WEIGHT_FOUND, by_terms.then(|| json!(errors.weight.map(mrad))))
+            .put(field::WEIGHT_INTERVALS, by_terms.then_some(intervals))
+            .put(field::DRIVES, found.drives.as_ref().map(updated::json))
             .put(field::GEARS_FOUND, json!(errors.gears.map(|pair| pair.map(mrad))))
             .put(
                 field::NARROW,
@@ -125,7 +128,7 @@ impl CalibrateAnswer {
                     plural(found.points.len())
                 ),
             ),
-            line("level", format!("{}, {by}; the rows show {} parameters", found.level.name(), fixed(taken.shown, 1))),
+            line("level", format!("{}, {by}; the rows show {} parameters", name(taken), fixed(taken.shown, 1))),
             line("error", format!("{} mm rms as drawn, {} mm calibrated", mm(found.levels[0].rms), mm(taken.rms))),
         ];
         let degrees = self.zeros().map(|zero| fixed(Unit::Degree.told(zero), 4)).join(", ");
@@ -154,7 +157,7 @@ impl CalibrateAnswer {
         for fit in &self.found.levels {
             let mm = |m: f64| fixed(Unit::Millimetre.told(m), 3);
             table.row([
-                fit.level.map_or("as drawn", Level::name).into(),
+                name(fit),
                 mm(fit.rms),
                 mm(fit.median),
                 mm(fit.p95),
@@ -165,6 +168,11 @@ impl CalibrateAnswer {
             ]);
         }
         table
+    }
+
+    /// What the own weight tells of each drive; `None` where it has terms.
+    pub fn drives(&self) -> Option<Table> {
+        self.found.drives.as_ref().map(updated::table)
     }
 
     /// The points that were left out; `None` where there are none.
@@ -197,10 +205,24 @@ impl CalibrateAnswer {
             ));
         }
         notes.push("Left out: each third of each joint's range, predicted by the other rows. Own weight is that of a base on a floor.\n".into());
+        notes.extend(self.on_weight().map(str::to_owned));
         notes.push(
             "The angles and positions of this table must be as the controller moves without a calibration of its own; with one in force it corrects twice.\n".into(),
         );
         notes.concat()
+    }
+
+    /// What the own weight rests on.
+    fn on_weight(&self) -> Option<&'static str> {
+        let found = &self.found;
+        if found.drives.is_some() {
+            return Some(
+                "Own weight by the masses of the robot file: what the flange holds counts where the file has it as a mass of link 6, and a counterbalance that the file does not have makes drive 2 look stiffer than it is. The robot file keeps its [compliance]; --drive-urad-per-nm takes what is told here.\n",
+            );
+        }
+        (found.has_masses && Level::Weight <= found.level).then_some(
+            "The masses of the robot file explain the own weight less well than terms do: does it miss a counterbalance, or what the flange held?\n",
+        )
     }
 
     /// The calibrated robot's file.
@@ -213,10 +235,23 @@ fn plural(count: usize) -> &'static str {
     if count == 1 { "" } else { "s" }
 }
 
+/// Of a level, with how its own weight is computed.
+fn name(fit: &LevelFit) -> String {
+    let level = fit.level.map_or("as drawn", Level::name);
+    if fit.by_masses { format!("{level}, by masses") } else { level.into() }
+}
+
+/// How the own weight is computed, where it is.
+fn own_weight(fit: &LevelFit) -> Option<&'static str> {
+    let weighs = fit.level.is_some_and(|level| Level::Weight <= level);
+    weighs.then_some(if fit.by_masses { "masses" } else { "terms" })
+}
+
 fn level(fit: &LevelFit) -> Record {
     let mut record = Record::new();
     record
         .put(field::LEVEL, fit.level.map_or("as drawn", Level::name))
+        .put(field::OWN_WEIGHT, own_weight(fit))
         .put(field::OFF, fit.rms)
         .put(field::MEDIAN_OFF, fit.median)
         .put(field::P95_OFF, fit.p95)

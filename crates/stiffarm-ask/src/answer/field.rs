@@ -556,6 +556,7 @@ fields! {
     POINTS_SEEN: "points_mm", Kind::Nested, "The points that were looked at, in the flange frame, mm.";
     MEASURED_POINTS: "measured", Kind::Truth, "Points were measured by an instrument; else the controller computed them.";
     LEVEL: "level", Kind::Text, "How much of the arm may differ from its drawing: zeros, geometry, weight, gears; of a list also as drawn.";
+    OWN_WEIGHT: "own_weight", Kind::Text, "How the own weight is computed: `terms` of the joint angles, or `masses` of the robot file, with the compliance of each drive (`drives`) as all that is unknown; null of levels without it.";
     LEVELS: "levels", Kind::Nested, "Every level: what it leaves.";
     NOMINAL_RMS: "nominal_rms_mm", Kind::Number(Unit::Millimetre), "Root mean square of the distances of the arm as drawn.";
     MEDIAN_OFF: "median_mm", Kind::Number(Unit::Millimetre), "Half of the distances are less.";
@@ -579,7 +580,7 @@ fields! {
     WORK_POSTURES: "postures", Kind::Count, "Postures over which it is told.";
     ZERO_FOUND: "zero_deg", numbers(Unit::Degree, &["zero_1_deg", "zero_2_deg", "zero_3_deg", "zero_4_deg", "zero_5_deg", "zero_6_deg"]), "What is to be added to each reported angle.";
     FRAMES_FOUND: "frames_mm_mrad", Kind::Nested, "Of each joint's frame three shifts, mm, and three turns, mrad, in the base's axes at model zero; the zeros are left out.";
-    WEIGHT_FOUND: "weight_mrad", Kind::Nested, "How drives yield under the arm's own weight: of drive 2 on sin t2, cos t2, sin t23, cos t23, of drive 3 on sin t23, cos t23, of drive 5 on two arms of the tool.";
+    WEIGHT_FOUND: "weight_mrad", Kind::Nested, "How drives yield under the arm's own weight, null where it is that of masses: of drive 2 on sin t2, cos t2, sin t23, cos t23, of drive 3 on sin t23, cos t23, of drive 5 on two arms of the tool.";
     WEIGHT_INTERVALS: "weight_ci95_mrad", Kind::Nested, "Where each lies with 95 %.";
     GEARS_FOUND: "gears_mrad", Kind::Nested, "Once per turn of each joint: sine, cosine.";
     BEFORE: "before_mm", Kind::Number(Unit::Millimetre), "The largest distance of the row's points as drawn.";

@@ -6,9 +6,9 @@ use serde_json::{Value, json};
 
 use super::numbers::digits;
 use super::words::{self, fixed};
-use super::{Line, Record, Rows, Table, field, line, stiffness, with_schema};
+use super::{Line, Record, Rows, Table, field, line, stiffness, updated, with_schema};
 use stiffarm::catalogue::write;
-use stiffarm::identify::{Estimate, Estimator, Identification, Residual, Spring, Springs, Tried, Unknown, Updated};
+use stiffarm::identify::{Estimate, Estimator, Identification, Residual, Spring, Springs, Tried, Unknown};
 use stiffarm::robot::Robot;
 
 /// So many outliers are named; the JSON has all.
@@ -45,7 +45,7 @@ impl IdentifyAnswer {
             .put(field::DRIVES, self.drives().map(|record| record.json()).collect::<Value>())
             .put(field::FURTHER_SPRINGS, self.further().map(|record| record.json()).collect::<Value>())
             .put(field::COMPENSATOR, self.compensator().map(|record| record.json()).collect::<Value>())
-            .put(field::POSTERIOR_DRIVES, self.posterior())
+            .put(field::POSTERIOR_DRIVES, found.posterior.as_ref().map(|posterior| updated::json(&posterior.drives)))
             .put(field::MODELS, self.tried())
             .put(field::RMS_BEFORE, found.before)
             .put(field::RMS_AFTER, found.after)
@@ -107,26 +107,6 @@ impl IdentifyAnswer {
                 .put(field::FOUND_USED, estimate.used * factor);
             record
         })
-    }
-
-    /// What the measurements make of the prior.
-    fn posterior(&self) -> Option<Value> {
-        let posterior = self.found.posterior.as_ref()?;
-        let of = |(drive, one): (usize, &Updated)| {
-            let mut record = Record::new();
-            record
-                .put(field::SPRING, drive + 1)
-                .put(field::PRIOR, one.prior)
-                .put(field::PRIOR_SD, one.prior_sd)
-                .put(field::POSTERIOR, one.posterior)
-                .put(field::POSTERIOR_SD, one.sd)
-                .put(field::INTERVAL, one.interval())
-                .put(field::MOVED_BY_DATA, one.moved())
-                .put(field::LEARNED, one.learned())
-                .put(field::IS_SHOWN, one.is_shown());
-            record.json()
-        };
-        Some(posterior.drives.iter().enumerate().map(of).collect())
     }
 
     /// The models among which was chosen.
@@ -278,24 +258,7 @@ impl IdentifyAnswer {
 
     /// Prior and posterior of each drive, where the prior was updated.
     pub fn updated(&self) -> Option<Table> {
-        let posterior = self.found.posterior.as_ref()?;
-        let headings =
-            ["drive", "prior urad/(N m)", "posterior urad/(N m)", "95 % interval", "moved", "learned", "shown"];
-        let mut table = Table::new(headings);
-        let urad = |k: f64| digits(k * 1e6, 3).to_string();
-        for (drive, one) in posterior.drives.iter().enumerate() {
-            let [low, high] = one.interval().map(urad);
-            table.row([
-                (drive + 1).to_string(),
-                format!("{} x/: {}", urad(one.prior), fixed((1.645 * one.prior_sd).exp(), 1)),
-                urad(one.posterior),
-                format!("{low} .. {high}"),
-                format!("{} sd", fixed(one.moved(), 1)),
-                format!("{} %", fixed(100.0 * one.learned(), 0)),
-                if one.is_shown() { "yes" } else { "no" }.into(),
-            ]);
-        }
-        Some(table)
+        Some(updated::table(&self.found.posterior.as_ref()?.drives))
     }
 
     /// What stands below the table.

@@ -38,6 +38,7 @@ mod stiffness;
 pub mod study;
 mod tip;
 mod uncertainty;
+mod updated;
 mod verdict;
 pub mod verify;
 pub mod words;

@@ -49,7 +49,8 @@ impl Answer for CalibrateOutput<'_> {
     }
 
     fn text(&self) -> Vec<Piece> {
-        sheet([self.answer.summary(), self.answer.table()], self.answer.notes())
+        let tables = [Some(self.answer.summary()), Some(self.answer.table()), self.answer.drives()];
+        sheet(tables.into_iter().flatten(), self.answer.notes())
     }
 
     fn value(&self) -> Value {

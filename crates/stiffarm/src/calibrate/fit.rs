@@ -14,6 +14,8 @@ const LEAST_NOISE: f64 = 1e-7;
 /// Rows to which an arm is fitted.
 pub(super) struct Rows<'a> {
     pub(super) arm: &'a Frames,
+    /// How far the compliance of each drive may be off, standard deviation of its logarithm, where the arm's masses are known.
+    pub(super) drives: Option<[f64; 6]>,
     pub(super) sights: Vec<Sight>,
     pub(super) stands: usize,
     pub(super) points: usize,
@@ -101,7 +103,8 @@ impl Rows<'_> {
         const SETTLED: f64 = 1e-3;
         let (mut scale, mut noise) = (0.5e-3, noise.max(LEAST_NOISE));
         let mut state = State { parameters: vec![0.0; ALL], ..start.clone() };
-        let prior_of = |scale: f64| level.map_or_else(|| vec![0.0; ALL], |level| level.prior(scale));
+        let prior_of =
+            |scale: f64| level.map_or_else(|| vec![0.0; ALL], |level| level.prior(scale, self.drives.as_ref()));
         let mut round = 0;
         loop {
             let prior = prior_of(scale);

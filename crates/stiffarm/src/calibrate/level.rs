@@ -35,15 +35,17 @@ impl Level {
         }
     }
 
-    /// Standard deviation of the prior of each parameter, m and rad, where frames are off by `scale`; zero holds it.
-    pub(super) fn prior(self, scale: f64) -> Vec<f64> {
+    /// Standard deviation of the prior of each parameter, m and rad, where frames are off by `scale`; zero holds it. Where masses are known, of the
+    /// logarithm of each drive's compliance instead of the terms of weight.
+    pub(super) fn prior(self, scale: f64, drives: Option<&[f64; 6]>) -> Vec<f64> {
         let frame = |i: usize| if Self::Geometry <= self || i % 6 == 3 + JOINT_AXES[i / 6] { scale } else { 0.0 };
         let of = |i: usize| {
             if i < FRAMES {
                 return frame(i);
             }
+            let of_weight = || drives.map_or(WEIGHT_PRIOR, |drives| drives.get(i - FRAMES).copied().unwrap_or(0.0));
             let (level, prior) =
-                if i < FRAMES + WEIGHT { (Self::Weight, WEIGHT_PRIOR) } else { (Self::Gears, GEARS_PRIOR) };
+                if i < FRAMES + WEIGHT { (Self::Weight, of_weight()) } else { (Self::Gears, GEARS_PRIOR) };
             if level <= self { prior } else { 0.0 }
         };
         (0..ALL).map(of).collect()

@@ -2,10 +2,12 @@
 //!
 //! Errors of the joints' frames, of drives under the arm's own weight and of gears have normal priors; their modes are found
 //! by least squares with Student's weights, the scale of the frames' errors and the noise by their evidence. What the postures do not show keeps
-//! its prior. Rows that are wrong are named and left out. Without masses the own weight has terms of its own, for a base that
-//! stands on a floor; nothing of it is a stiffness.
+//! its prior. Rows that are wrong are named and left out. The own weight, of a base that stands on a floor, has terms of its own, of which nothing is
+//! a stiffness; where the arm's masses are known, it is also tried with the compliances of the drives as all that is unknown, and the
+//! evidence decides which of the two explains what was measured.
 
 mod at_work;
+mod drives;
 mod fit;
 mod left_out;
 mod level;
@@ -17,12 +19,14 @@ use nalgebra::Vector3;
 use crate::calibration::{Calibration, ControllerModel, Errors};
 use crate::catalogue::readings::Readings;
 use crate::chain::{self, Frames};
+use crate::identify::Updated;
 use crate::limits::Limits;
 use crate::registration::Sight;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 use crate::watch::{Stopped, Watch};
 pub use at_work::AtWork;
+use drives::DrivesPrior;
 use fit::{Fitted, Rows};
 pub use level::{GEARS_PRIOR, Level, WEIGHT_PRIOR};
 pub use robust::WrongRow;
@@ -48,6 +52,8 @@ pub struct CalibrateOptions {
 pub struct LevelFit {
     /// `None` is the arm as drawn, with only tracker and points fitted.
     pub level: Option<Level>,
+    /// The own weight is that of the arm's masses, rather than by terms.
+    pub by_masses: bool,
     /// Root mean square of the distances, m.
     pub rms: f64,
     /// Half of them are less, m.
@@ -84,7 +90,11 @@ pub struct Calibrated {
     pub levels: Vec<LevelFit>,
     /// How the arm differs.
     pub errors: Errors,
-    /// Standard deviations of the errors' posterior, in the order of [`Errors`], and of their priors; zero of what was not looked for.
+    /// What the own weight tells of the compliance of each drive; `None` where it has terms, or is not looked for.
+    pub drives: Option<[Updated; 6]>,
+    /// The masses of the arm are known, and were tried.
+    pub has_masses: bool,
+    /// Standard deviations of the errors' posterior; zero of what was not looked for, and of drives (`drives`).
     pub deviations: Errors,
     /// What the rows show of each, 0 to 1.
     pub shown: Errors,
@@ -175,7 +185,7 @@ pub(crate) fn scale_of_errors(share: f64) -> f64 {
 
 /// Standard deviations of all errors of an arm that nobody has measured, m and rad, where its frames are off by `scale`.
 pub(crate) fn prior_of_errors(scale: f64) -> Vec<f64> {
-    Level::Gears.prior(scale)
+    Level::Gears.prior(scale, None)
 }
 
 /// Finds how an arm differs from its drawing.
@@ -210,32 +220,54 @@ pub fn calibrate(
         let suspect = suspects::suspect(&arm, &sights, shape, (as_drawn, &lines));
         return Err(CalibrateError::TooManyWrong { wrong: sound.wrong.len(), of, suspect });
     }
-    let rows = Rows { arm: &arm, sights: sound.sights.clone(), stands: shape.0, points: shape.1, lever: sound.lever };
+    let rows_of = |arm, drives| Rows {
+        arm,
+        drives,
+        sights: sound.sights.clone(),
+        stands: shape.0,
+        points: shape.1,
+        lever: sound.lever,
+    };
+    let weighed = DrivesPrior::of(robot).and_then(|prior| prior.weighed(robot, &arm));
+    let by_terms = rows_of(&arm, None);
+    let by_masses = weighed.as_ref().map(|(weighed, prior)| rows_of(weighed, Some(prior.sd)));
+    let levels = std::iter::once(None).chain(Level::ALL.map(Some)).map(|level| (&by_terms, level));
+    let of_masses = by_masses.iter().flat_map(|rows| [Level::Weight, Level::Gears].map(|level| (rows, Some(level))));
     let mut fits = Vec::new();
-    for level in std::iter::once(None).chain(Level::ALL.map(Some)) {
+    for (rows, level) in levels.chain(of_masses) {
         watch.go_on()?;
         let fitted = rows.fitted(level, &sound.state, sound.noise).ok_or(CalibrateError::Undetermined)?;
-        let out = left_out::left_out(&rows, &fitted);
-        fits.push((fitted, out));
+        let out = left_out::left_out(rows, &fitted);
+        fits.push((rows, fitted, out));
     }
-    let by_evidence = |a: &&(Fitted, Option<f64>), b: &&(Fitted, Option<f64>)| a.0.evidence.total_cmp(&b.0.evidence);
-    let is_asked = |fit: &&(Fitted, Option<f64>)| {
-        fit.0.level.is_some() && options.level.is_none_or(|level| fit.0.level == Some(level))
-    };
-    let (best, out) = fits.iter().filter(is_asked).max_by(by_evidence).ok_or(CalibrateError::Undetermined)?;
+    let asked = fits.iter().filter(|(_, fitted, _)| {
+        fitted.level.is_some() && options.level.is_none_or(|level| fitted.level == Some(level))
+    });
+    let best = asked.max_by(|(_, a, _), (_, b, _)| a.evidence.total_cmp(&b.evidence));
+    let (rows, best, out) = best.ok_or(CalibrateError::Undetermined)?;
     let near = options.at.map(|at| (Vector3::from(at), 0.25));
-    let at_work = at_work::at_work(&rows, best, *out, &at_work::postures(&rows, limits, near))?;
-    let deviation = |i: usize| best.prior[i] * (1.0 - best.share[i]).max(0.0).sqrt();
+    let at_work = at_work::at_work(rows, best, *out, &at_work::postures(rows, limits, near))?;
+    let deviation: Vec<f64> = (0..chain::ALL).map(|i| best.prior[i] * (1.0 - best.share[i]).max(0.0).sqrt()).collect();
+    let weighed = weighed.as_ref().filter(|_| rows.drives.is_some());
+    let drives = weighed.map(|(_, prior)| prior.updated(&best.state.parameters, &deviation));
+    let errors_of = |parameters: &[f64]| match drives {
+        // The parameters of weight are those of the drives.
+        Some(_) => Errors { weight: Errors::NONE.weight, ..Errors::of(parameters) },
+        None => Errors::of(parameters),
+    };
+    let compliance = drives.map(|drives| drives.map(|drive| drive.posterior));
     Ok(Calibrated {
         level: best.level.ok_or(CalibrateError::Undetermined)?,
-        levels: fits.iter().map(|(fitted, out)| level_fit(fitted, *out)).collect(),
-        errors: Errors::of(&best.state.parameters),
-        deviations: Errors::of(&(0..chain::ALL).map(deviation).collect::<Vec<_>>()),
-        shown: Errors::of(&best.share),
+        levels: fits.iter().map(|(rows, fitted, out)| level_fit(rows, fitted, *out)).collect(),
+        errors: Errors { drives: compliance, ..errors_of(&best.state.parameters) },
+        drives,
+        has_masses: by_masses.is_some(),
+        deviations: errors_of(&deviation),
+        shown: errors_of(&best.share),
         wrong_rows: wrong_rows(&sound.wrong, &sights, &lines),
         tracker_in_base: best.state.bases.iter().map(Pose::inverse).collect(),
         points: best.state.points.clone(),
-        rows: offs((&fits[0].0, best), &sound.index, &lines),
+        rows: offs((&fits[0].1, best), &sound.index, &lines),
         narrow: narrow(&sights, limits),
         at_work,
         controller: options.controller,
@@ -276,12 +308,13 @@ fn sights(readings: &Readings) -> Result<Vec<Sight>, CalibrateError> {
         .collect())
 }
 
-fn level_fit(fitted: &Fitted, left_out: Option<f64>) -> LevelFit {
+fn level_fit(rows: &Rows, fitted: &Fitted, left_out: Option<f64>) -> LevelFit {
     let mut off: Vec<f64> = robust::distances(&fitted.rows).into_iter().map(|(_, _, off)| off).collect();
     off.sort_by(f64::total_cmp);
     let at = |share: f64| off[((off.len() as f64 * share) as usize).min(off.len() - 1)];
     LevelFit {
         level: fitted.level,
+        by_masses: rows.drives.is_some(),
         rms: (off.iter().map(|x| x * x).sum::<f64>() / off.len() as f64).sqrt(),
         median: at(0.5),
         p95: at(0.95),
@@ -334,7 +367,8 @@ fn narrow(sights: &[Sight], limits: &Limits) -> Vec<(usize, f64)> {
 impl Calibrated {
     /// The fit of the level taken.
     pub fn taken(&self) -> &LevelFit {
-        let taken = self.levels.iter().find(|fit| fit.level == Some(self.level));
+        let by_masses = self.drives.is_some();
+        let taken = self.levels.iter().find(|fit| fit.level == Some(self.level) && fit.by_masses == by_masses);
         taken.unwrap_or(&self.levels[0])
     }
 

@@ -59,7 +59,7 @@ pub(super) fn start(
         (0..stands).map(|stand| (0..sights.len()).filter(|&i| sights[i].stand == stand).collect()).collect();
     let step = sights.len().div_ceil(JUDGES);
     let judges: Vec<Sight> = sights.iter().step_by(step).cloned().collect();
-    let rows = |sights: Vec<Sight>| Rows { arm, sights, stands, points, lever: 0.3 };
+    let rows = |sights: Vec<Sight>| Rows { arm, drives: None, sights, stands, points, lever: 0.3 };
     let judging = rows(judges);
     let mut best: Option<(State, f64)> = None;
     for _ in 0..subsets {
@@ -86,10 +86,10 @@ pub(super) fn start(
 pub(super) fn sound(arm: &Frames, sights: Vec<Sight>, (stands, points): (usize, usize), start: (State, f64)) -> Sound {
     const ROUNDS: usize = 25;
     let all = sights.clone();
-    let mut rows = Rows { arm, sights, stands, points, lever: 0.3 };
+    let mut rows = Rows { arm, drives: None, sights, stands, points, lever: 0.3 };
     let (mut state, off) = start;
     let mut noise = (off / MEDIAN).max(1e-6);
-    let prior = Level::Weight.prior(0.7e-3);
+    let prior = Level::Weight.prior(0.7e-3, None);
     for _ in 0..ROUNDS {
         let off = rows_distances(&rows, &state, &all);
         weigh(&mut rows.sights, &all, &off, noise);
@@ -119,8 +119,14 @@ pub(super) fn sound(arm: &Frames, sights: Vec<Sight>, (stands, points): (usize, 
 
 /// Row, point and distance of every point.
 fn rows_distances(rows: &Rows, state: &State, all: &[Sight]) -> Vec<(usize, usize, f64)> {
-    let of_all =
-        Rows { arm: rows.arm, sights: all.to_vec(), stands: rows.stands, points: rows.points, lever: rows.lever };
+    let of_all = Rows {
+        arm: rows.arm,
+        drives: None,
+        sights: all.to_vec(),
+        stands: rows.stands,
+        points: rows.points,
+        lever: rows.lever,
+    };
     distances(&of_all.linear(state))
 }
 

@@ -13,7 +13,7 @@ use crate::drive::{Architecture, Drives, GravityCompensator, Identified, JointCo
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, PENDANT_SOURCE, Pendant, ThirdAxis, Verified};
-use crate::mass::{Carrier, Mass};
+use crate::mass::{Carrier, Mass, links_without};
 use crate::plain::on_one_line;
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot, Status};
@@ -151,6 +151,9 @@ fn robot(mut root: Table) -> Option<Robot> {
         }
         _ => Some(None),
     };
+    if let (Some(Some(calibration)), Some(masses)) = (&calibration, &masses) {
+        check_weight(&root, calibration, masses);
+    }
     let bodies = match &arm {
         Some((Arm::SixAxis { geometry, .. }, _)) if root.has("body") => bodies(root.table("body"), Some(geometry)),
         _ if root.has("body") => bodies(root.table("body"), None),
@@ -198,6 +201,15 @@ fn check_carriers(root: &Table, masses: &[Mass], architecture: Architecture) {
         let message =
             format!("{} of a serial arm; expected links from 0 to 6, or architecture = \"quasi-serial\"", mass.carrier);
         root.fault("mass", message);
+    }
+}
+
+/// Drives yield under masses that are there.
+fn check_weight(root: &Table, calibration: &Calibration, masses: &[Mass]) {
+    let without: Vec<String> = links_without(masses).iter().map(ToString::to_string).collect();
+    if calibration.errors.drives.is_some() && !without.is_empty() {
+        let links = without.join(", ");
+        root.fault("calibration", format!("weight_urad_per_nm needs [[mass]] of every link; link {links} has none"));
     }
 }
 
@@ -418,6 +430,13 @@ fn calibration(mut table: Table, geometry: &Geometry, third_axis: ThirdAxis) -> 
         table.fault("frames_mm_mrad", "missing; expected six rows of three shifts in mm and three turns in mrad");
     }
     let weight = table.optional_numbers("weight_mrad", ERROR);
+    let drives = table.optional_numbers("weight_urad_per_nm", COMPLIANCE);
+    if table.has("weight_urad_per_nm") && table.has("weight_mrad") {
+        table.fault(
+            "weight_mrad",
+            "stands beside weight_urad_per_nm; expected one: terms, or drives under the masses of the arm",
+        );
+    }
     let gears = table.optional_numbers::<12>("gears_mrad", ERROR);
     let residual = table.number("residual_mm", RESIDUAL);
     let left_out = table.number("left_out_mm", RESIDUAL);
@@ -444,7 +463,7 @@ fn calibration(mut table: Table, geometry: &Geometry, third_axis: ThirdAxis) -> 
     let gears =
         gears?.map_or(Errors::NONE.gears, |mrad| std::array::from_fn(|i| [mrad[2 * i] / 1e3, mrad[2 * i + 1] / 1e3]));
     Some(Calibration {
-        errors: Errors { frames, weight, gears },
+        errors: Errors { frames, weight, gears, drives: drives?.map(|urad| urad.map(|x| x / 1e6)) },
         residual: residual? / 1e3,
         left_out: left_out? / 1e3,
         controller: controller?,

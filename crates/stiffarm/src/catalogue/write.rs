@@ -238,6 +238,9 @@ impl Text {
         if errors.weight != Errors::NONE.weight {
             self.list("weight_mrad", errors.weight.map(millimetres));
         }
+        if let Some(drives) = errors.drives {
+            self.list("weight_urad_per_nm", drives.map(|k| inverse(k, 1e6, |x| x / 1e6)));
+        }
         if errors.gears != Errors::NONE.gears {
             self.list("gears_mrad", errors.gears.iter().flatten().map(|x| millimetres(*x)));
         }

@@ -43,22 +43,22 @@ impl TrueArm {
         Self::with(robot, &robot.calibration.as_ref()?.errors)
     }
 
-    /// A robot with some errors; `None` of two links.
+    /// A robot with some errors; `None` of two links, and where the drives yield under masses that the robot does not have.
     pub fn with(robot: &Robot, errors: &Errors) -> Option<Self> {
-        let frames = Frames::of(robot)?;
+        let frames = Frames::with(robot, errors)?;
         let parameters = errors.parameters();
         let yielding = &parameters[FRAMES..];
-        let is_rigid = yielding.iter().all(|parameter| *parameter == 0.0);
+        let is_rigid = frames.weighing().is_none() && yielding.iter().all(|parameter| *parameter == 0.0);
         let yielding = if is_rigid { Vec::new() } else { yielding.to_vec() };
         Some(Self { frames, displaced: displaced(&parameters), yielding })
     }
 
-    /// The terms of the own weight hold for a base that stands so: upright, or there are none.
+    /// The own weight was found on a base that stands so: upright, or nothing yields under it.
     pub fn stands_as_measured(&self, cell_from_base: &Pose) -> bool {
         /// rad: of a base that leans less, drive 1 has a hundredth of the weight.
         const LEVEL: f64 = 0.01;
-        let weight = self.yielding.iter().take(WEIGHT);
-        weight.clone().all(|parameter| *parameter == 0.0)
+        let has_terms = self.yielding.iter().take(WEIGHT).any(|parameter| *parameter != 0.0);
+        !has_terms && self.frames.weighing().is_none()
             || (cell_from_base.rotation * Vector3::z()).angle(&Vector3::z()) <= LEVEL
     }
 

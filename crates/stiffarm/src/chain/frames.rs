@@ -3,8 +3,9 @@
 //! `F = prod_i [ Tr(p_i) E_i Rot(e_i, theta_i + d_i) Tr(-p_i) ] F_0`, with the joints' points `p_i` and axes `e_i` at model zero, the
 //! frames' errors `E_i = Tr(s) exp(w)` in base axes at model zero, and the angles `d_i` of weight and gears.
 
-use nalgebra::{Matrix3, Matrix6, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Matrix6, SMatrix, Translation3, UnitQuaternion, Vector3};
 
+use super::weighing::Weighing;
 use crate::calibration::{Errors, JOINT_AXES, WEIGHT};
 use crate::geometry::Geometry;
 use crate::limits::ThirdAxis;
@@ -24,6 +25,7 @@ impl Errors {
             frames: std::array::from_fn(|i| std::array::from_fn(|j| parameters[6 * i + j])),
             weight: std::array::from_fn(|i| parameters[FRAMES + i]),
             gears: std::array::from_fn(|i| std::array::from_fn(|j| parameters[FRAMES + WEIGHT + 2 * i + j])),
+            drives: None,
         }
     }
 
@@ -34,7 +36,7 @@ impl Errors {
 
     /// The flange of the true arm in its base at joint angles as reported, rad; `None` of two links.
     pub fn flange(&self, robot: &Robot, q: &[f64; 6]) -> Option<Pose> {
-        Some(Frames::of(robot)?.chain(&self.parameters(), q).flange)
+        Some(Frames::with(robot, self)?.chain(&self.parameters(), q).flange)
     }
 }
 
@@ -72,6 +74,8 @@ pub(crate) struct Frames {
     pub(super) third_axis: ThirdAxis,
     transmission: Matrix6<f64>,
     points: [Vector3<f64>; 6],
+    /// What weighs, where that is known; the parameters of weight are then, of the first six, logarithms of factors on its compliances.
+    pub(super) weighing: Option<Weighing>,
 }
 
 impl Frames {
@@ -86,7 +90,27 @@ impl Frames {
             third_axis: limits.third_axis,
             transmission: drives.transmission.0,
             points: [Vector3::zeros(), shoulder, elbow, wrist, wrist, wrist],
+            weighing: None,
         })
+    }
+
+    /// The joints of an arm that yields under its own weight as these errors say; `None` of two links, and where the masses are missing.
+    pub(crate) fn with(robot: &Robot, errors: &Errors) -> Option<Self> {
+        let frames = Self::of(robot)?;
+        match errors.drives {
+            None => Some(frames),
+            Some(compliance) => Some(frames.weighed(Weighing::of(robot, compliance)?)),
+        }
+    }
+
+    /// The same arm, whose own weight is that of its masses.
+    pub(crate) fn weighed(self, weighing: Weighing) -> Self {
+        Self { weighing: Some(weighing), ..self }
+    }
+
+    /// What weighs, where that is known.
+    pub(crate) fn weighing(&self) -> Option<&Weighing> {
+        self.weighing.as_ref()
     }
 
     /// The flange as drawn.
@@ -94,21 +118,20 @@ impl Frames {
         self.geometry.forward(&self.geometry.model_angles(q, self.third_axis))
     }
 
-    /// How weight and gears turn each joint by a unit of each of their parameters.
-    fn turned(&self, theta: &[f64; 6]) -> [[f64; WEIGHT + GEARS]; 6] {
-        let mut drives = nalgebra::SMatrix::<f64, 6, WEIGHT>::zeros();
-        let (s2, c2) = theta[1].sin_cos();
-        let (s23, c23) = (theta[1] + theta[2]).sin_cos();
-        let (s5, c5) = theta[4].sin_cos();
-        let c4 = theta[3].cos();
-        for (i, part) in [s2, c2, s23, c23].into_iter().enumerate() {
-            drives[(1, i)] = part;
-        }
-        [drives[(2, 4)], drives[(2, 5)]] = [s23, c23];
-        // -(e5 x v) z with v along the tool axis, and along the line that e5 turns it to.
-        [drives[(4, 6)], drives[(4, 7)]] = [c5 * c4 * s23 + s5 * c23, c5 * c23 - s5 * c4 * s23];
-        let joints = self.transmission * drives;
-        std::array::from_fn(|i| {
+    /// How weight and gears turn each joint by a unit of each of their parameters, and by all of them, rad.
+    fn turned(&self, theta: &[f64; 6], yielding: &[f64]) -> ([[f64; WEIGHT + GEARS]; 6], [f64; 6]) {
+        let weighed = self.weighing.as_ref().map(|weighing| weighing.yields(&self.geometry, &self.transmission, theta));
+        let joints = match weighed {
+            None => self.transmission * of_terms(theta),
+            Some(yields) => {
+                let mut drives = SMatrix::<f64, 6, WEIGHT>::zeros();
+                for (i, nominal) in yields.iter().enumerate() {
+                    drives[(i, i)] = nominal * yielding[i].exp();
+                }
+                self.transmission * drives
+            }
+        };
+        let parts = std::array::from_fn(|i| {
             let mut row = [0.0; WEIGHT + GEARS];
             for (j, part) in row.iter_mut().take(WEIGHT).enumerate() {
                 *part = joints[(i, j)];
@@ -116,12 +139,19 @@ impl Frames {
             let (sine, cosine) = theta[i].sin_cos();
             [row[WEIGHT + 2 * i], row[WEIGHT + 2 * i + 1]] = [sine, cosine];
             row
-        })
+        });
+        // `k e^x` is its own derivative; all else is linear.
+        let times = |j: usize| if weighed.is_some() && j < WEIGHT { 1.0 } else { yielding[j] };
+        let all = std::array::from_fn(|i| {
+            let row: &[f64; WEIGHT + GEARS] = &parts[i];
+            row.iter().enumerate().map(|(j, part)| part * times(j)).sum()
+        });
+        (parts, all)
     }
 
-    /// By how much weight and gears turn each joint, rad: a sum over the parameters behind those of the frames.
+    /// By how much weight and gears turn each joint, rad, by the parameters behind those of the frames.
     pub(super) fn yielded(&self, theta: &[f64; 6], yielding: &[f64]) -> [f64; 6] {
-        self.turned(theta).map(|parts| parts.iter().zip(yielding).map(|(part, parameter)| part * parameter).sum())
+        self.turned(theta, yielding).1
     }
 
     /// Goes from joint to joint, each turned by its angle, rad, to the flange.
@@ -142,8 +172,7 @@ impl Frames {
     /// The flange, and how each parameter moves it.
     pub(crate) fn chain(&self, parameters: &[f64], q: &[f64; 6]) -> Chain {
         let theta = self.geometry.model_angles(q, self.third_axis);
-        let turned = self.turned(&theta);
-        let more = self.yielded(&theta, &parameters[FRAMES..]);
+        let (turned, more) = self.turned(&theta, &parameters[FRAMES..]);
         let angles = std::array::from_fn(|i| theta[i] + more[i]);
         let mut twists = vec![[Vector3::zeros(); 2]; ALL];
         let flange = self.walk(&displaced(parameters), &angles, |i, Joint { at, centre, axis }| {
@@ -160,6 +189,22 @@ impl Frames {
         });
         Chain { flange, twists }
     }
+}
+
+/// How a unit of each term of weight turns each drive, of an arm of which nothing is known but its joints.
+fn of_terms(theta: &[f64; 6]) -> SMatrix<f64, 6, WEIGHT> {
+    let mut drives = SMatrix::zeros();
+    let (s2, c2) = theta[1].sin_cos();
+    let (s23, c23) = (theta[1] + theta[2]).sin_cos();
+    let (s5, c5) = theta[4].sin_cos();
+    let c4 = theta[3].cos();
+    for (i, part) in [s2, c2, s23, c23].into_iter().enumerate() {
+        drives[(1, i)] = part;
+    }
+    [drives[(2, 4)], drives[(2, 5)]] = [s23, c23];
+    // -(e5 x v) z with v along the tool axis, and along the line that e5 turns it to.
+    [drives[(4, 6)], drives[(4, 7)]] = [c5 * c4 * s23 + s5 * c23, c5 * c23 - s5 * c4 * s23];
+    drives
 }
 
 /// `d exp(w) = exp(J dw) exp(w)`, to the third power of `w`, which is some mrad.
@@ -228,7 +273,7 @@ mod tests {
         for _ in 0..50 {
             let q: [f64; 6] = std::array::from_fn(|_| 4.0 * (rng.f64() - 0.5));
             let theta = geometry.model_angles(&q, limits.third_axis);
-            let turned = arm.turned(&theta);
+            let (turned, _) = arm.turned(&theta, &[0.0; WEIGHT + GEARS]);
             let axes = geometry.jacobian(&theta, &Vector3::zeros());
             let axis = |i: usize| -> Vector3<f64> { axes.fixed_view::<3, 1>(3, i).into() };
             let [_, shoulder, elbow, _, flange] = geometry.points(&theta).map(Vector3::from);

@@ -7,7 +7,7 @@ use crate::compliance::{PostureError, check_joint, check_tool};
 use crate::drive::Drives;
 use crate::geometry::Geometry;
 use crate::limits::ThirdAxis;
-use crate::mass::{Carrier, Mass, RigidBody, mass_matrix};
+use crate::mass::{Mass, RigidBody, links_without, mass_matrix};
 use crate::robot::{Arm, Robot};
 
 /// An arm with what it holds, ready for many postures.
@@ -87,11 +87,9 @@ impl<'a> SwingingArm<'a> {
     }
 }
 
-/// Every link has a mass, and a parallelogram its rod and counterweight.
+/// Every link has a mass.
 pub(crate) fn check_masses(robot: &Robot) -> Result<(), ModesError> {
-    let has = |carrier: &dyn Fn(&Carrier) -> bool| robot.masses.iter().any(|mass| carrier(&mass.carrier));
-    let links: Vec<String> =
-        (1..=6).filter(|link| !has(&|carrier| *carrier == Carrier::Link(*link))).map(|link| link.to_string()).collect();
+    let links: Vec<String> = links_without(&robot.masses).iter().map(ToString::to_string).collect();
     let missing = match links.len() {
         0 => return Ok(()),
         6 => "no masses".to_owned(),

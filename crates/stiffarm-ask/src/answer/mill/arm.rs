@@ -33,7 +33,7 @@ pub(super) fn check_mount(asked: &Request, robot: &Robot) -> Result<(), Refusal>
         return Ok(());
     }
     let why = format!(
-        "has a base that does not stand upright, and the weight_mrad of {} hold on a floor; expected floor, pedestal:H, or a calibration without them (--level geometry)",
+        "has a base that does not stand upright, and the own weight in the calibration of {} (weight_mrad, weight_urad_per_nm) holds on a floor; expected floor, pedestal:H, or a calibration without it (--level geometry)",
         robot.name
     );
     Err(asked.refused("mount", why))

@@ -24,6 +24,10 @@ pub(crate) fn of(
     decided.table(answer.summary());
     decided.heading("What each level leaves");
     decided.table(answer.table());
+    if let Some(drives) = answer.drives() {
+        decided.heading("Drives, by the arm's own weight");
+        decided.table(drives);
+    }
     let mut wrong = Section::new("What does not fit");
     match answer.wrong_table() {
         Some(rows) => wrong.table(rows),
