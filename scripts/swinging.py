@@ -20,7 +20,7 @@ import scipy.linalg
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROBOTS = ROOT / "crates/stiffarm/robots"
 TARGET = ROOT / "validation/modes_cases.csv"
-LENGTHS = ("a1", "a2", "b", "c1", "c2", "c3", "c4")
+LENGTHS = ("a1", "a2", "b", "c1", "c2", "c3")
 POSTURES = 3
 #: m/s^2.
 GRAVITY = 9.80665
@@ -37,9 +37,9 @@ def inertia(body: dict[str, Any]) -> np.ndarray:
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
-def arm(robot: dict[str, Any], tool: dict[str, Any]) -> tuple[pin.Model, int]:
-    """The arm upright at zero with what its links and the tool weigh, and the frame of the tip."""
-    a1, a2, b, c1, c2, c3, c4 = (robot["geometry"][f"{name}_mm"] / 1000 for name in LENGTHS)
+def of_masses(robot: dict[str, Any]) -> pin.Model:
+    """The arm upright at zero with what its links weigh."""
+    a1, a2, b, c1, c2, c3 = (robot["geometry"][f"{name}_mm"] / 1000 for name in LENGTHS)
     about_y, about_z, here = pin.JointModelRY(), pin.JointModelRZ(), np.zeros(3)
     joints = [about_z, about_y, about_y, about_z, about_y, about_z]
     steps = [here, np.array([a1, b, c1]), np.array([0, 0, c2]), np.array([a2, 0, c3]), here, here]
@@ -53,7 +53,12 @@ def arm(robot: dict[str, Any], tool: dict[str, Any]) -> tuple[pin.Model, int]:
         if body["link"] > 0:
             lever = np.array(body["com_mm"]) / 1000 - places[body["link"] - 1]
             model.appendBodyToJoint(body["link"], pin.Inertia(body["mass_kg"], lever, inertia(body)), pin.SE3.Identity())
-    flange = np.array([0, 0, c4])
+    return model
+
+
+def arm(robot: dict[str, Any], tool: dict[str, Any]) -> tuple[pin.Model, int]:
+    """With what the tool weighs, and the frame of the tip."""
+    model, flange = of_masses(robot), np.array([0, 0, robot["geometry"]["c4_mm"] / 1000])
     lever = flange + np.array(tool["com_mm"]) / 1000
     model.appendBodyToJoint(6, pin.Inertia(tool["mass_kg"], lever, inertia(tool)), pin.SE3.Identity())
     tip = pin.SE3(np.eye(3), flange + np.array(tool["tip_mm"]) / 1000)

@@ -401,3 +401,23 @@ fn drives_under_masses_are_written_and_read_back_with_them_alone() {
     let refused = read_robot(&both, "mine.toml").unwrap_err().to_string();
     assert!(refused.contains("stands beside weight_urad_per_nm"), "{refused}");
 }
+
+/// Pinocchio made the table, with its own gravity of the masses: the sag tells the two drives that hold the arm within their intervals.
+#[test]
+fn the_table_of_an_arm_with_masses_tells_the_drives_with_which_another_program_let_it_sag() {
+    let truth = include_str!("../../../validation/weighed_truth.csv");
+    let drives: Vec<f64> =
+        truth.lines().last().unwrap().split(',').nth(1).unwrap().split(' ').map(|k| k.parse().unwrap()).collect();
+    let robot = find("KR 210 R2700-2").unwrap().robot();
+    let found = asked(&robot, include_str!("../../../docs/examples/tracker_weighed.csv")).unwrap();
+    let told = found.drives.unwrap_or_else(|| panic!("by terms: {:?}", found.levels));
+    for (drive, (told, k)) in told.iter().zip(drives).enumerate() {
+        let [low, high] = told.interval().map(|k| k * 1e6);
+        assert!((low..=high).contains(&k), "drive {}: {k} of {told:?}", drive + 1);
+        if drive == 1 || drive == 2 {
+            assert!((told.posterior * 1e6 / k - 1.0).abs() < 0.1 && told.is_shown(), "{k} of {told:?}");
+        }
+    }
+    // The tracker reads to 0.02 mm.
+    assert!(found.taken().rms < 0.04e-3, "{:?}", found.levels);
+}

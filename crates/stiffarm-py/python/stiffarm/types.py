@@ -2096,7 +2096,7 @@ class UpdatedDrive(TypedDict):
     """Standard deviation of its logarithm."""
 
     posterior_urad_per_nm: float
-    """Median of the posterior, which the robot file has."""
+    """Median of the posterior."""
 
     posterior_sd_ln: float
     """Standard deviation of its logarithm."""
@@ -2401,6 +2401,10 @@ class LevelFit(TypedDict):
     level: str
     """How much of the arm may differ from its drawing: zeros, geometry, weight, gears; of a list also as drawn."""
 
+    own_weight: str | None
+    """How the own weight is computed: `terms` of the joint angles, or `masses` of the robot file, with the
+    compliance of each drive (`drives`) as all that is unknown; null of levels without it."""
+
     rms_mm: float
     """The root mean square of the error over what feeds."""
 
@@ -2470,6 +2474,10 @@ class CalibrationDict(TypedDict):
     level: str
     """How much of the arm may differ from its drawing: zeros, geometry, weight, gears; of a list also as drawn."""
 
+    own_weight: str | None
+    """How the own weight is computed: `terms` of the joint angles, or `masses` of the robot file, with the
+    compliance of each drive (`drives`) as all that is unknown; null of levels without it."""
+
     rows: int
     """Postures that were read."""
 
@@ -2495,12 +2503,15 @@ class CalibrationDict(TypedDict):
     """Of each joint's frame three shifts, mm, and three turns, mrad, in the base's axes at model zero; the zeros
     are left out."""
 
-    weight_mrad: list[float]
-    """How drives yield under the arm's own weight: of drive 2 on sin t2, cos t2, sin t23, cos t23, of drive 3 on
-    sin t23, cos t23, of drive 5 on two arms of the tool."""
+    weight_mrad: list[float] | None
+    """How drives yield under the arm's own weight, null where it is that of masses: of drive 2 on sin t2, cos
+    t2, sin t23, cos t23, of drive 3 on sin t23, cos t23, of drive 5 on two arms of the tool."""
 
-    weight_ci95_mrad: list[list[float]]
+    weight_ci95_mrad: list[list[float]] | None
     """Where each lies with 95 %."""
+
+    drives: list[UpdatedDrive] | None
+    """One entry per drive."""
 
     gears_mrad: list[list[float]]
     """Once per turn of each joint: sine, cosine."""

@@ -209,6 +209,7 @@ fn write_readings(text: &mut String) {
     class(text, ("CalibratedAtWork", "TypedDict"), "The error that remains at the work.", found.under("at_work"), &[]);
     let within = [
         ("levels", "LevelFit"),
+        ("drives", "UpdatedDrive"),
         ("wrong_rows", "WrongRow"),
         ("narrow", "NarrowJoint"),
         ("at_work", "CalibratedAtWork"),

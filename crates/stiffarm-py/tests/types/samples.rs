@@ -333,9 +333,9 @@ fn example(name: &str) -> String {
 }
 
 pub(crate) fn calibrations() -> Vec<Value> {
-    let of = |typed: Typed, text: &str| {
+    let of = |robot: Robot, typed: Typed, text: &str| {
         let asked = asked(Verb::Calibrate, &[typed, &[("data", "tracker.csv")]].concat());
-        let (robot, options) = (kuka(), asked.calibration());
+        let options = asked.calibration();
         let table = readings::read(text, "tracker.csv", &asked.reading(&robot.vendor)).unwrap();
         let found = calibrate(&robot, &table, &options, Watch::nobody()).unwrap();
         let is_chosen = options.level.is_none();
@@ -344,10 +344,11 @@ pub(crate) fn calibrations() -> Vec<Value> {
     let text = example("tracker.csv");
     // One point is mistyped; nothing is reached there; rows of one joint's range.
     let wrong = text.replacen("3014.797", "3044.797", 1);
-    let mut narrow = of(&[("level", "zeros"), ("at", "9,9,9")], &wrong);
+    let mut narrow = of(kuka(), &[("level", "zeros"), ("at", "9,9,9")], &wrong);
     narrow.found.narrow = vec![(1, 0.2)];
     narrow.found.levels[0].left_out = None;
-    vec![of(&[], &text).json(), narrow.json()]
+    let weighed = of(find("KR 210 R2700-2").unwrap().robot(), &[], &example("tracker_weighed.csv"));
+    vec![of(kuka(), &[], &text).json(), narrow.json(), weighed.json()]
 }
 
 pub(crate) fn verifications() -> Vec<Value> {

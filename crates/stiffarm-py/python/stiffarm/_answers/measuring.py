@@ -180,6 +180,8 @@ class Calibration(Table[CalibrationDict]):
     robot: str
     #: How much was found to differ: ``"zeros"``, ``"geometry"``, ``"weight"``, ``"gears"``.
     level: str
+    #: ``"terms"`` of the joint angles, or ``"masses"`` of the robot file; None of levels without it.
+    own_weight: str | None
     rows: int
     #: As drawn.
     nominal_rms_mm: float
@@ -195,9 +197,12 @@ class Calibration(Table[CalibrationDict]):
     zero_deg: Array
     #: Three shifts and three turns of each joint's frame.
     frames_mm_mrad: Array
-    weight_mrad: Array
-    weight_ci95_mrad: Array
+    #: Both None where the own weight is that of masses.
+    weight_mrad: Array | None
+    weight_ci95_mrad: Array | None
     gears_mrad: Array
+    #: What the own weight tells of the compliance of each drive; None where it has terms.
+    drives: list[UpdatedDrive] | None
     #: Joints that moved over less than a third of their range, with that share.
     narrow: list[NarrowJoint]
     #: The error that remains at the work; None where the arm does not reach it.
