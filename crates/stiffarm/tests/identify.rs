@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use stiffarm::catalogue::measurements::{self, Marker, Measurements, Points};
+use stiffarm::calibration::{Calibration, Errors};
+use stiffarm::catalogue::measurements::{self, Marker, Measurements, Points, Reading};
 use stiffarm::catalogue::{find, read, write};
 use stiffarm::compliance::compliance;
 use stiffarm::drive::{Architecture, GravityCompensator, JointCompliance, Transmission};
@@ -12,7 +13,7 @@ use stiffarm::identify::{Axes, Estimator, Identification, IdentifyError, Options
 use stiffarm::load::Load;
 use stiffarm::prior::with_prior;
 use stiffarm::robot::{Arm, Robot, StiffnessSource};
-use stiffarm::spatial::Pose;
+use stiffarm::spatial::{Pose, Wrench};
 use stiffarm::uncertainty::{Spread, of_posture};
 use stiffarm::watch::Watch;
 
@@ -390,4 +391,50 @@ fn a_base_that_tilts_is_found_and_not_asked_for_where_there_is_none() {
         blamed.after > 2.0 * found.after
             && blamed.estimates[1].compliance > found.estimates[1].compliance.map(|k| 1.1 * k)
     );
+}
+
+/// What a turn of each joint moves, by differences of the flange of the true arm, without any Jacobian: `d = sum k tau t` with the
+/// torque `tau = F . t` of a force on the marker itself.
+#[test]
+fn the_drives_of_a_calibrated_arm_are_found_where_its_true_chain_puts_load_and_marker() {
+    let robot = with(&kuka(), TRUTH);
+    let mut rng = fastrand::Rng::with_seed(12);
+    let mut errors = Errors::NONE;
+    // Larger than of real arms, so that the arm as drawn is visibly another.
+    errors.frames.iter_mut().flatten().for_each(|x| *x = 6e-3 * (2.0 * rng.f64() - 1.0));
+    let marker = Vector3::new(0.05, 0.1, 0.3);
+    let at =
+        |errors: &Errors, q: &[f64; 6]| (errors.flange(&robot, q).unwrap() * nalgebra::Point3::from(marker)).coords;
+    let readings = (0..30).map(|posture| {
+        let Arm::SixAxis { limits, .. } = &robot.arm else { unreachable!("six axes") };
+        let q = limits.joints.map(|range| range.middle() + 0.8 * (rng.f64() - 0.5) * range.width().min(5.0));
+        let force = 800.0 * Vector3::new(rng.f64() - 0.5, rng.f64() - 0.5, rng.f64() - 0.5);
+        let moved = (0..6).fold(Vector3::zeros(), |sum, joint| {
+            let turned = |by: f64| {
+                let mut q = q;
+                q[joint] += by;
+                at(&errors, &q)
+            };
+            let moves = (turned(1e-5) - turned(-1e-5)) / 2e-5;
+            sum + moves * (TRUTH[joint] * moves.dot(&force))
+        });
+        let (load_at, marker_at) = (marker, marker);
+        Reading { row: posture + 1, posture, q, load: Wrench::force(force), load_at, marker_at, moved, sigma: None }
+    });
+    let measured = Measurements { readings: readings.collect(), remarks: Vec::new() };
+    let calibration = Calibration {
+        errors: errors.clone(),
+        residual: 0.1e-3,
+        left_out: 0.1e-3,
+        controller: None,
+        rows: 40,
+        date: "2026-05-31".into(),
+        source: "made up".into(),
+    };
+    let calibrated = Robot { calibration: Some(Box::new(calibration)), ..robot.clone() };
+    let of = |robot: &Robot| identify(robot, &measured, &Options::default(), Watch::nobody()).unwrap();
+    // Differences are good to 1e-10 of themselves, times a condition of some hundred.
+    close(&values(&of(&calibrated)), &TRUTH, 1e-7);
+    let drawn = values(&of(&robot)).iter().zip(TRUTH).map(|(k, truth)| (k / truth - 1.0).abs()).fold(0.0, f64::max);
+    assert!(2e-3 < drawn, "as drawn it is off by {drawn}");
 }

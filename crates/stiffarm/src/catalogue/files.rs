@@ -110,7 +110,7 @@ pub struct Loaded {
 }
 
 /// Said of every robot that was calibrated.
-pub const CALIBRATION_USE: &str = "its [calibration] is used by compliance and mill alone, with their programs: all else is computed with the arm as drawn";
+pub const CALIBRATION_USE: &str = "its [calibration] is used by compliance, mill with its programs, measure and identify: all else is computed with the arm as drawn";
 
 /// Reads a robot file, or a URDF as it stands.
 ///

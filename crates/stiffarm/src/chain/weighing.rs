@@ -35,3 +35,43 @@ impl Weighing {
         torques.component_mul(&Vector6::from(self.compliance))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Point3, Vector3};
+
+    use super::*;
+    use crate::catalogue::find;
+    use crate::drive::Transmission;
+    use crate::mass::{GRAVITY, RigidBody};
+
+    /// By how much the height of a body of the forearm changes with each drive of a parallelogram: the forearm keeps its direction where drive 2 turns.
+    #[test]
+    fn drives_of_a_parallelogram_yield_as_the_height_of_the_forearm_changes_with_them() {
+        let mut robot = find("KR 210 R2700-2").unwrap().robot();
+        robot.architecture = Architecture::QuasiSerial;
+        let transmission = Transmission::of(Architecture::QuasiSerial).0;
+        let dust = |carrier| Mass { carrier, body: RigidBody::point(1e-9, Vector3::zeros()) };
+        let links = (1..=6).map(|link| dust(Carrier::Link(link)));
+        let parallelogram = [Carrier::Rod { crank: [-0.3, 0.0] }, Carrier::Counterweight].map(dust);
+        let (mass, centre) = (300.0, Vector3::new(0.6, 0.1, 2.0));
+        let forearm = Mass { carrier: Carrier::Link(3), body: RigidBody::point(mass, centre) };
+        robot.masses = links.chain([forearm]).collect();
+        assert!(Weighing::of(&robot, [1e-6; 6]).is_none(), "rod and counterweight are missing");
+        robot.masses.extend(parallelogram);
+        let k = [1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6];
+        let weighing = Weighing::of(&robot, k).unwrap();
+        let Arm::SixAxis { geometry, .. } = &robot.arm else { panic!("six axes") };
+        let theta = [0.3, 0.4, 0.9, 0.1, 0.5, -0.2];
+        let found = weighing.yields(geometry, &transmission, &theta);
+        for drive in 0..6 {
+            let height = |step: f64| {
+                let moved: [f64; 6] = std::array::from_fn(|joint| theta[joint] + transmission[(joint, drive)] * step);
+                (geometry.links(&moved)[2] * Point3::from(centre)).z
+            };
+            let torque = -mass * GRAVITY * (height(1e-5) - height(-1e-5)) / 2e-5;
+            assert!((found[drive] - k[drive] * torque).abs() < 1e-10, "drive {}: {found}", drive + 1);
+        }
+        assert!(1e-4 < found[1].abs() && 1e-4 < found[2].abs(), "{found}");
+    }
+}

@@ -4,6 +4,7 @@ use nalgebra::{Matrix6, Point3, Vector3, Vector6};
 
 use super::IdentifyError;
 use crate::catalogue::measurements::Reading;
+use crate::chain::TrueArm;
 use crate::geometry::Geometry;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
@@ -58,16 +59,19 @@ pub(super) struct Bent {
 }
 
 impl Bent {
-    /// The arm of a robot at the angles it reports, rad.
+    /// The arm of a robot at the angles it reports, rad: as it was calibrated, where it was.
     pub(super) fn at(robot: &Robot, q: &[f64; 6]) -> Result<Self, IdentifyError> {
         let Arm::SixAxis { geometry, limits, drives } = &robot.arm else {
             return Err(IdentifyError::Planar(robot.name.clone()));
         };
         let geometry: &Geometry = geometry;
         let theta = geometry.model_angles(q, limits.third_axis);
-        // The velocity of the point of the body that is at the base origin.
-        let drives = geometry.jacobian(&theta, &Vector3::zeros()) * drives.transmission.0;
-        Ok(Self { flange: geometry.forward(&theta), drives, theta_2: theta[1] })
+        let (flange, jacobian) = match TrueArm::of(robot) {
+            // The velocity of the point of the body that is at the base origin.
+            None => (geometry.forward(&theta), geometry.jacobian(&theta, &Vector3::zeros())),
+            Some(arm) => (arm.flange(q), arm.jacobian(q, &Vector3::zeros())),
+        };
+        Ok(Self { flange, drives: jacobian * drives.transmission.0, theta_2: theta[1] })
     }
 
     /// A point of the flange frame in the base frame, m.
