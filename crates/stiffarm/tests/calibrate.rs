@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
-use stiffarm::calibrate::{CalibrateError, CalibrateOptions, Calibrated, Level, calibrate};
+use stiffarm::calibrate::{CalibrateError, CalibrateOptions, Calibrated, Level, WrongRow, calibrate};
 use stiffarm::calibration::Errors;
 use stiffarm::catalogue::readings::{ReadOptions, Readings, read};
 use stiffarm::catalogue::{find, read as read_robot, write as write_robot};
@@ -258,14 +258,49 @@ fn the_table_of_the_guide_tells_where_its_arm_stands_in_postures_that_it_does_no
     assert!(10.0 * off < found.levels[0].rms && found.wrong_rows.is_empty(), "{off} {:?}", found.levels[0]);
 }
 
+/// How many tables are drawn: some of them, or as many as whoever measures the whole asks for (CONTRIBUTING.md).
+fn tables(usual: usize) -> usize {
+    std::env::var("STIFFARM_TABLES").map_or(usual, |count| count.parse().expect("a count of tables"))
+}
+
+/// Of so many that hold with this probability each, so many or more do with 0.99.
+fn least_of(count: usize, probability: f64) -> f64 {
+    let count = count as f64;
+    count * probability - 2.33 * (count * probability * (1.0 - probability)).sqrt() - 0.5
+}
+
+/// One coordinate of each table lies ten standard deviations off: it is named, with its line and point, and hardly anything else is.
+#[test]
+fn a_point_that_is_ten_standard_deviations_off_is_named() {
+    let (robot, tables) = (robot(), tables(12));
+    let (mut named, mut others) = (0, 0);
+    for seed in 0..tables {
+        let mut rng = fastrand::Rng::with_seed(5000 + seed as u64);
+        let truth = errors(&mut rng, 0.2e-3);
+        let good = table(&robot, &truth, &mut rng, (30, 0.8));
+        let (row, column) = (1 + rng.usize(0..30), 6 + rng.usize(0..9));
+        let mut lines: Vec<Vec<String>> = good.lines().map(|line| line.split(',').map(Into::into).collect()).collect();
+        let at: f64 = lines[row][column].parse().unwrap();
+        lines[row][column] = format!("{}", at + 10.0 * NOISE * 1e3 * if rng.bool() { 1.0 } else { -1.0 });
+        let text: Vec<String> = lines.iter().map(|cells| cells.join(",")).collect();
+        let found = asked(&robot, &text.join("\n")).unwrap();
+        let is_it = |wrong: &WrongRow| (wrong.line, wrong.point) == (row + 1, 1 + (column - 6) / 3);
+        named += usize::from(found.wrong_rows.iter().any(is_it));
+        others += found.wrong_rows.iter().filter(|wrong| !is_it(wrong)).count();
+    }
+    assert!(least_of(tables, 0.99) <= named as f64, "{named} of {tables}");
+    // A right point lies beyond five standard deviations once in two million.
+    assert!(others <= tables / 20, "{others} right points of {tables} tables are called wrong");
+    println!("named in {named} of {tables}; right points called wrong: {others}");
+}
+
 /// 95 % intervals of the error that remains, over arms and tables that are drawn, against what a tracker with the same noise measures at postures
 /// that it has not seen: both ends hold.
 #[test]
 fn the_interval_at_the_work_holds_the_error_that_is_measured_there() {
-    const TABLES: usize = 24;
-    let robot = robot();
-    let mut held = 0;
-    for seed in 0..TABLES {
+    let (robot, tables) = (robot(), tables(24));
+    let (mut held, mut below) = (0, 0);
+    for seed in 0..tables {
         let mut rng = fastrand::Rng::with_seed(100 + seed as u64);
         let truth = errors(&mut rng, 0.2e-3);
         let found = asked(&robot, &table(&robot, &truth, &mut rng, (30, 0.8))).unwrap();
@@ -275,10 +310,13 @@ fn the_interval_at_the_work_holds_the_error_that_is_measured_there() {
         let measured = off.hypot((noise / work.len() as f64).sqrt());
         let told = found.at_work.unwrap();
         held += usize::from((told.interval[0]..=told.interval[1]).contains(&measured));
-        assert!(off < told.expected, "the noise of the readings is in it: {off} {told:?}");
+        // The noise of the readings is in what is told, and not in where the arm stands.
+        below += usize::from(off < told.expected);
     }
-    // Of 24 that hold with 0.95 each, 20 or more do with 0.99.
-    assert!(20 <= held, "{held} of {TABLES}");
+    let least = least_of(tables, 0.95);
+    assert!(least <= held as f64, "{held} of {tables}; expected {least:.1} or more");
+    assert!(least_of(tables, 0.99) <= below as f64, "{below} of {tables}");
+    println!("the interval holds in {held} of {tables}; the arm stands nearer than expected in {below}");
 }
 
 #[test]

@@ -452,16 +452,12 @@ fn weight_of_rod_and_counterweight_turns_the_joints_as_their_heights_change() {
     let up = |x: f64, z: f64, angle: f64| z * angle.cos() - x * angle.sin();
     let height = |mass: &Mass, theta: &[f64; 6]| {
         let (upper, forearm) = (theta[1], theta[1] + theta[2]);
-        match mass.carrier {
-            Carrier::Counterweight => {
-                let lever = counterweight - shoulder;
-                up(lever.x, lever.z, forearm)
-            }
-            _ => {
-                let own = rod - shoulder - Vector3::new(crank[0], 0.0, crank[1]);
-                up(crank[0], crank[1], forearm) + up(own.x, own.z, upper)
-            }
+        if mass.carrier == Carrier::Counterweight {
+            let lever = counterweight - shoulder;
+            return up(lever.x, lever.z, forearm);
         }
+        let own = rod - shoulder - Vector3::new(crank[0], 0.0, crank[1]);
+        up(crank[0], crank[1], forearm) + up(own.x, own.z, upper)
     };
     let theta = [0.4, -0.3, 1.2, 0.7, -0.5, 0.3];
     for (carrier, centre) in [(Carrier::Rod { crank }, rod), (Carrier::Counterweight, counterweight)] {

@@ -161,3 +161,34 @@ fn evidence(h: &DMatrix<f64>, (state, prior, noise): (&State, &[f64], f64), (squ
     let log_det: f64 = (0..h.nrows()).filter(|&i| !held(i)).map(|i| 2.0 * (root.l_dirty()[(i, i)] / noise).ln()).sum();
     -0.5 * (squares / (noise * noise) + of_prior + 2.0 * count as f64 * noise.ln() + scales + log_det - weights)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::find;
+    use crate::catalogue::readings::{ReadOptions, read};
+
+    /// The same problem, prior and noise given, with Pinocchio's flanges and `SciPy`'s differences (`scripts/calibration_fit.py`).
+    #[test]
+    fn least_squares_of_another_program_finds_the_same_arm() {
+        let recorded = include_str!("../../../../validation/calibration_fit.csv").lines().last().unwrap();
+        let columns = recorded.split(',').map(|cell| cell.split(' ').map(|x| x.parse().unwrap()).collect());
+        let [noise, prior, cost, points, errors]: [Vec<f64>; 5] = columns.collect::<Vec<_>>().try_into().unwrap();
+        let table = include_str!("../../../../docs/examples/tracker.csv");
+        let readings = read(table, "tracker.csv", &ReadOptions::default()).unwrap();
+        let arm = Frames::of(&find("KR 210 R2700 extra").unwrap().robot()).unwrap();
+        let sights = super::super::sights(&readings).unwrap();
+        let rows = Rows { arm: &arm, drives: None, sights, stands: 1, points: 3, lever: 0.3 };
+        let (state, linear) = rows.solved(rows.start(), &prior, noise[0]);
+        let squares: f64 = linear.iter().map(|row| row.residual.norm_squared()).sum::<f64>() / noise[0].powi(2);
+        let of_prior: f64 = state.parameters.iter().zip(&prior).map(|(x, tau)| (x / tau).powi(2)).sum();
+        assert!(((squares + of_prior) / cost[0] - 1.0).abs() < 1e-10, "{squares} and {of_prior}, not {}", cost[0]);
+        // In parts of what each may be, 1e-8 m at most: shifts of the whole arm are held by the prior alone, and SciPy's differences leave
+        // the slope there at some 1e-6 of it.
+        for (i, ((found, told), tau)) in state.parameters.iter().zip(&errors).zip(&prior).enumerate() {
+            assert!((found - told).abs() < 3e-5 * tau, "parameter {i}: {found} {told}");
+        }
+        let found = state.points.iter().flat_map(|point| point.iter());
+        assert!(found.zip(&points).all(|(found, told)| (found - told).abs() < 1e-8), "{:?} {points:?}", state.points);
+    }
+}
