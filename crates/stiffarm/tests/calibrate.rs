@@ -434,7 +434,10 @@ fn drives_under_masses_are_written_and_read_back_with_them_alone() {
     assert!(!arm.stands_as_measured(&Isometry3::rotation(Vector3::x() * 3.0)));
     let weightless = text.split("\n[").filter(|table| !table.starts_with("[mass]]")).collect::<Vec<_>>().join("\n[");
     let refused = read_robot(&weightless, "mine.toml").unwrap_err().to_string();
-    assert!(refused.contains("weight_urad_per_nm needs [[mass]] of every link"), "{refused}");
+    assert!(refused.contains("missing: link 1, link 2, link 3, link 4, link 5, link 6"), "{refused}");
+    let parallelogram = text.replacen("architecture = \"serial\"", "architecture = \"quasi-serial\"", 1);
+    let refused = read_robot(&parallelogram, "mine.toml").unwrap_err().to_string();
+    assert!(refused.contains("missing: the rod, the counterweight"), "{refused}");
     let both = text.replacen("weight_urad_per_nm", "weight_mrad = [0, 0, 0, 0, 0, 0, 0, 0]\nweight_urad_per_nm", 1);
     let refused = read_robot(&both, "mine.toml").unwrap_err().to_string();
     assert!(refused.contains("stands beside weight_urad_per_nm"), "{refused}");

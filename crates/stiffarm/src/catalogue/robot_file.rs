@@ -13,7 +13,7 @@ use crate::drive::{Architecture, Drives, GravityCompensator, Identified, JointCo
 use crate::geometry::Geometry;
 use crate::interval::Interval;
 use crate::limits::{Limits, PENDANT_SOURCE, Pendant, ThirdAxis, Verified};
-use crate::mass::{Carrier, Mass, links_without};
+use crate::mass::{Carrier, Mass, missing_for_weight};
 use crate::plain::on_one_line;
 use crate::plane::PlanarArm;
 use crate::robot::{Arm, Robot, Status};
@@ -151,8 +151,8 @@ fn robot(mut root: Table) -> Option<Robot> {
         }
         _ => Some(None),
     };
-    if let (Some(Some(calibration)), Some(masses)) = (&calibration, &masses) {
-        check_weight(&root, calibration, masses);
+    if let (Some(Some(calibration)), Some(masses), Some(architecture)) = (&calibration, &masses, architecture) {
+        check_weight(&root, calibration, missing_for_weight(architecture, masses));
     }
     let bodies = match &arm {
         Some((Arm::SixAxis { geometry, .. }, _)) if root.has("body") => bodies(root.table("body"), Some(geometry)),
@@ -205,11 +205,12 @@ fn check_carriers(root: &Table, masses: &[Mass], architecture: Architecture) {
 }
 
 /// Drives yield under masses that are there.
-fn check_weight(root: &Table, calibration: &Calibration, masses: &[Mass]) {
-    let without: Vec<String> = links_without(masses).iter().map(ToString::to_string).collect();
-    if calibration.errors.drives.is_some() && !without.is_empty() {
-        let links = without.join(", ");
-        root.fault("calibration", format!("weight_urad_per_nm needs [[mass]] of every link; link {links} has none"));
+fn check_weight(root: &Table, calibration: &Calibration, missing: Option<String>) {
+    if let (Some(missing), true) = (missing, calibration.errors.drives.is_some()) {
+        root.fault(
+            "calibration",
+            format!("weight_urad_per_nm needs a [[mass]] of all that weighs; missing: {missing}"),
+        );
     }
 }
 

@@ -2,9 +2,9 @@
 
 use nalgebra::{Matrix6, Vector6};
 
-use crate::drive::{Architecture, GravityCompensator};
+use crate::drive::GravityCompensator;
 use crate::geometry::Geometry;
-use crate::mass::{Carrier, Mass, gravity_torques, links_without};
+use crate::mass::{Mass, gravity_torques, missing_for_weight};
 use crate::robot::{Arm, Robot};
 
 /// What weighs, and how compliant the drives are that hold it.
@@ -20,12 +20,8 @@ impl Weighing {
     /// Of a robot whose drives are so compliant, rad/(N m); `None` where a link has no mass, or a parallelogram no rod or counterweight.
     pub(crate) fn of(robot: &Robot, compliance: [f64; 6]) -> Option<Self> {
         let Arm::SixAxis { drives, .. } = &robot.arm else { return None };
-        let has = |of: fn(&Carrier) -> bool| robot.masses.iter().any(|mass| of(&mass.carrier));
-        let is_whole = robot.architecture == Architecture::Serial
-            || has(|carrier| matches!(carrier, Carrier::Rod { .. }))
-                && has(|carrier| *carrier == Carrier::Counterweight);
-        let weighs = is_whole && links_without(&robot.masses).is_empty();
-        weighs.then(|| Self { masses: robot.masses.clone(), compensator: drives.compensator, compliance })
+        let is_whole = missing_for_weight(robot.architecture, &robot.masses).is_none();
+        is_whole.then(|| Self { masses: robot.masses.clone(), compensator: drives.compensator, compliance })
     }
 
     /// How far weight turns each drive where its base stands upright, rad, at model angles: `k (A^T tau)`, of the arm as drawn.
@@ -42,8 +38,8 @@ mod tests {
 
     use super::*;
     use crate::catalogue::find;
-    use crate::drive::Transmission;
-    use crate::mass::{GRAVITY, RigidBody};
+    use crate::drive::{Architecture, Transmission};
+    use crate::mass::{Carrier, GRAVITY, RigidBody};
 
     /// By how much the height of a body of the forearm changes with each drive of a parallelogram: the forearm keeps its direction where drive 2 turns.
     #[test]
