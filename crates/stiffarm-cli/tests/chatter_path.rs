@@ -210,7 +210,7 @@ fn what_cannot_be_told_is_refused_with_what_to_do() {
     refused(&[&MILL, &ROBOT, &["--tool-com-mm", "0,0,200"]], "--tool-com-mm needs --tool-mass-kg");
     let inertia = ["--tool-inertia-kg-m2", "1,0,0,1,0,1"];
     refused(&[&MILL, &ROBOT, &HELD, &inertia], "--tool-inertia-kg-m2 needs --chatter");
-    refused(&[&MILL, &ROBOT, &inertia, chatter], "--tool-mass-kg is missing");
+    refused(&[&MILL, &ROBOT, &inertia, chatter], "is missing; expected mass of the tool");
     refused(&[&MILL, &ROBOT, &["--damping-ratio", "0.05"]], "--damping-ratio needs --chatter");
     refused(&[&MILL, &ROBOT, &["--tool-mass-kg", "60"], chatter], "tool-com-mm");
     let at = ["--at", "1.7,0.2,0.8,30"];

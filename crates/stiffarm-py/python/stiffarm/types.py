@@ -1429,18 +1429,18 @@ class _Placed(_Pass):
     """The tool and a mass that weighs as much as the force are more than the payload together; null where no
     payload is known."""
 
-    wrist_moment_nm: None
+    wrist_moment_nm: list[float] | None
     """Moments about axes 4, 5 and 6 at worst over the angles of these joints and the directions: of the tool's
     weight where its mass centre was told, and in the spatial model of the force at the tool tip."""
 
-    wrist_limit_nm: None
+    wrist_limit_nm: list[float] | None
     """The largest that are allowed; null where the robot file has none."""
 
-    wrist_limit_by: None
+    wrist_limit_by: str | None
     """What says so: `allowed by the maker`, or `torque limits of the drives`, above which they do not hold the
     load even at rest."""
 
-    wrist_exceeded: None
+    wrist_exceeded: bool | None
     """A moment about axis 4, 5 or 6 is above its limit; null where no limit is known."""
 
     tool_mm: list[float] | None

@@ -74,8 +74,12 @@ pub(crate) fn placements() -> Vec<Value> {
     let Hold::Space(hold) = &mut best.hold else { panic!("in space") };
     // As in a cell whose coarse search has seen no whole zone.
     hold.resolution.coarse = None;
+    let held = [("task", "circle:0.2"), ("tool-mass-kg", "60"), ("tool-com-mm", "0,0,200")];
+    // The wrist of this one has limits.
+    let limited = placed(&find("KR 210 R2700-2").unwrap().robot(), &[&held[..], &space].concat());
     vec![
         unseen.json(),
+        limited.json(),
         of(&[("task", "B:0.3"), ("tolerance-mm", "2"), ("within", "0.5..,0..2")]),
         of(&[("task", "A:9"), ("floor", "none")]),
         of(&[("task", "B:0.3"), ("tolerance-mm", "0.1")]),

@@ -60,6 +60,13 @@ class Placement(Table[PlacementDict]):
     tool_mass_kg: float | None
     #: Tool and force weigh more than the payload; None where one of them is not known.
     overloaded: bool | None
+    #: About axes 4, 5 and 6 at worst, N m; None where nothing is to be told of it.
+    wrist_moment_nm: list[float] | None
+    wrist_limit_nm: list[float] | None
+    #: ``"allowed by the maker"`` or ``"torque limits of the drives"``.
+    wrist_limit_by: str | None
+    #: None where no limit is known.
+    wrist_exceeded: bool | None
     #: None where it is not known: the search did not end, or the planar model does not hold.
     feasible: bool | None
     #: Why there is no place.
