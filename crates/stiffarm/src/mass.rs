@@ -8,7 +8,6 @@ mod matrix;
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
-use crate::drive::Architecture;
 use crate::geometry::Geometry;
 use crate::spatial::Pose;
 
@@ -84,11 +83,11 @@ pub fn links_without(masses: &[Mass]) -> Vec<usize> {
 }
 
 /// Of what an arm has no mass, so that nobody knows its weight: links, and of a parallelogram rod and counterweight; `None` where all is there.
-pub fn missing_for_weight(architecture: Architecture, masses: &[Mass]) -> Option<String> {
+pub fn missing_for_weight(is_parallelogram: bool, masses: &[Mass]) -> Option<String> {
     let has = |of: fn(&Carrier) -> bool| masses.iter().any(|mass| of(&mass.carrier));
     let links = links_without(masses).into_iter().map(|link| format!("link {link}"));
     let mut missing: Vec<String> = links.collect();
-    if architecture == Architecture::QuasiSerial {
+    if is_parallelogram {
         missing.extend((!has(|carrier| matches!(carrier, Carrier::Rod { .. }))).then(|| "the rod".into()));
         missing.extend((!has(|carrier| *carrier == Carrier::Counterweight)).then(|| "the counterweight".into()));
     }

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::CalibrateError;
 use super::fit::{Fitted, Rows};
-use crate::chain::ALL;
+use crate::chain::{ALL, FRAMES};
 use crate::limits::Limits;
 use crate::prior::normal;
 use crate::registration::{Problem, Sight};
@@ -69,7 +69,6 @@ pub(super) fn at_work(
     // A coordinate's part of the distance.
     let noise = left_out.map_or(fitted.noise, |rms| (rms / 3_f64.sqrt()).max(fitted.noise));
     let (h, _) = rows.normal(fitted.rows.iter(), &fitted.state, (&fitted.prior, noise));
-    let root = h.cholesky().ok_or(CalibrateError::Undetermined)?;
     let sights: Vec<Sight> = (postures.iter())
         .map(|q| Sight {
             q: *q,
@@ -94,13 +93,25 @@ pub(super) fn at_work(
     let moved: Vec<&DMatrix<f64>> = linear.iter().map(|row| &row.jacobian).collect();
     let mut rng = fastrand::Rng::with_seed(96);
     let mut normal = || normal(&mut rng);
-    let n = root.l_dirty().nrows();
+    let n = h.nrows();
     let first = n - ALL;
+    let precision = |i: usize, noise: f64, scale: f64| {
+        let tau = fitted.prior[i] * if i < FRAMES { scale } else { 1.0 };
+        (noise / tau).powi(2)
+    };
     let (mut means, mut all) = (Vec::new(), Vec::new());
     for _ in 0..DRAWS {
+        // Noise and scale are known by what is left over and by what the data show.
+        let [of_noise, scale] = [fitted.spare, fitted.seen].map(|freedom| factor(freedom, normal()));
+        let noise = noise * of_noise;
+        let mut h = h.clone();
+        for i in (0..ALL).filter(|&i| fitted.prior[i] != 0.0) {
+            h[(first + i, first + i)] += precision(i, noise, scale) - precision(i, noise / of_noise, 1.0);
+        }
+        let root = h.cholesky().ok_or(CalibrateError::Undetermined)?;
         let z = DVector::from_fn(n, |_, _| normal());
         // cov = s^2 H^-1 = s^2 L^-T L^-1.
-        let mut step = root.l().tr_solve_lower_triangular(&z).ok_or(CalibrateError::Undetermined)?;
+        let mut step = root.l_dirty().tr_solve_lower_triangular(&z).ok_or(CalibrateError::Undetermined)?;
         step *= noise;
         for i in (0..ALL).filter(|&i| fitted.prior[i] == 0.0) {
             step[first + i] = 0.0;
@@ -109,7 +120,7 @@ pub(super) fn at_work(
             .iter()
             .map(|jacobian| {
                 let off = *jacobian * &step;
-                (0..3).map(|i| (off[i] + fitted.noise * normal()).powi(2)).sum()
+                (0..3).map(|i| (off[i] + fitted.noise * of_noise * normal()).powi(2)).sum()
             })
             .collect();
         means.push((squares.iter().sum::<f64>() / squares.len() as f64).sqrt());
@@ -125,4 +136,13 @@ pub(super) fn at_work(
         p95: at(&all, 0.95),
         postures: postures.len(),
     }))
+}
+
+/// A draw of what a standard deviation may be in parts of its estimate from so many squares, of a normal draw: the root of `v / chi^2_v` by Wilson's
+/// and Hilferty's cube.
+fn factor(freedom: f64, normal: f64) -> f64 {
+    /// Fewer squares tell nothing that a draw could be made of.
+    const LEAST: f64 = 4.0;
+    let part = 2.0 / (9.0 * freedom.max(LEAST));
+    (1.0 - part + normal * part.sqrt()).max(0.1).powf(-1.5)
 }

@@ -31,6 +31,10 @@ pub(super) struct Fitted {
     pub(super) rows: Vec<Linear>,
     /// Standard deviation of a coordinate, m.
     pub(super) noise: f64,
+    /// By how many coordinates more than what was fitted it is known.
+    pub(super) spare: f64,
+    /// By how many errors of frames, of those that the data show, the scale of their prior is known.
+    pub(super) seen: f64,
     /// Of each parameter; zero holds it.
     pub(super) prior: Vec<f64>,
     /// Logarithm of the marginal likelihood, up to what all levels share.
@@ -135,7 +139,7 @@ impl Rows<'_> {
             let is_settled = (next_noise / noise - 1.0).abs() < SETTLED && (next_scale / scale - 1.0).abs() < SETTLED;
             if is_settled || round == ROUNDS {
                 let evidence = evidence(&h, (&state, &prior, noise), (squares, &rows));
-                return Some(Fitted { level, state, rows, noise, prior, evidence, shown, share });
+                return Some(Fitted { level, state, rows, noise, spare, seen, prior, evidence, shown, share });
             }
             (noise, scale) = (next_noise, next_scale);
         }

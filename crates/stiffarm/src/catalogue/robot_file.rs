@@ -152,7 +152,7 @@ fn robot(mut root: Table) -> Option<Robot> {
         _ => Some(None),
     };
     if let (Some(Some(calibration)), Some(masses), Some(architecture)) = (&calibration, &masses, architecture) {
-        check_weight(&root, calibration, missing_for_weight(architecture, masses));
+        check_weight(&root, calibration, missing_for_weight(architecture == Architecture::QuasiSerial, masses));
     }
     let bodies = match &arm {
         Some((Arm::SixAxis { geometry, .. }, _)) if root.has("body") => bodies(root.table("body"), Some(geometry)),

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix6, Vector6};
 
-use crate::drive::GravityCompensator;
+use crate::drive::{Architecture, GravityCompensator};
 use crate::geometry::Geometry;
 use crate::mass::{Mass, gravity_torques, missing_for_weight};
 use crate::robot::{Arm, Robot};
@@ -20,7 +20,7 @@ impl Weighing {
     /// Of a robot whose drives are so compliant, rad/(N m); `None` where a link has no mass, or a parallelogram no rod or counterweight.
     pub(crate) fn of(robot: &Robot, compliance: [f64; 6]) -> Option<Self> {
         let Arm::SixAxis { drives, .. } = &robot.arm else { return None };
-        let is_whole = missing_for_weight(robot.architecture, &robot.masses).is_none();
+        let is_whole = missing_for_weight(robot.architecture == Architecture::QuasiSerial, &robot.masses).is_none();
         is_whole.then(|| Self { masses: robot.masses.clone(), compensator: drives.compensator, compliance })
     }
 
@@ -38,7 +38,7 @@ mod tests {
 
     use super::*;
     use crate::catalogue::find;
-    use crate::drive::{Architecture, Transmission};
+    use crate::drive::Transmission;
     use crate::mass::{Carrier, GRAVITY, RigidBody};
 
     /// By how much the height of a body of the forearm changes with each drive of a parallelogram: the forearm keeps its direction where drive 2 turns.
