@@ -1,12 +1,14 @@
 //! Does the chain of frames of a calibrated arm stand where differences, its inverse and another program say?
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
-use stiffarm::calibration::{Calibration, Errors};
+use stiffarm::calibration::Errors;
 use stiffarm::catalogue::{names, paper_robots};
 use stiffarm::chain::TrueArm;
 use stiffarm::compliance::compliance;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::{Compliance, Pose};
+
+use crate::made::calibrated;
 
 /// Errors as large as those of arms that nobody has calibrated, which err by some millimetre: up to 0.5 mm and 0.5 mrad a frame, 0.5 mrad of weight,
 /// 0.1 mrad of gears.
@@ -17,19 +19,6 @@ fn errors(rng: &mut fastrand::Rng) -> Errors {
     errors.weight.iter_mut().for_each(|x| *x = up_to(0.5e-3));
     errors.gears.iter_mut().flatten().for_each(|x| *x = up_to(0.1e-3));
     errors
-}
-
-fn calibrated(robot: &Robot, errors: &Errors) -> Robot {
-    let found = Calibration {
-        errors: errors.clone(),
-        residual: 0.1e-3,
-        left_out: 0.1e-3,
-        controller: None,
-        rows: 40,
-        date: "2026-05-31".into(),
-        source: "made up".into(),
-    };
-    Robot { calibration: Some(Box::new(found)), ..robot.clone() }
 }
 
 /// Joint angles over a turn, those of a singular posture left out: there a pose says nothing of some joints.
@@ -139,7 +128,7 @@ fn the_tool_point_of_a_calibrated_robot_is_the_true_one_and_its_compliance_nearl
             let q = posture(&robot, &mut rng);
             let arm = TrueArm::with(&robot, &errors).unwrap();
             let (drawn, told) =
-                [&robot, &calibrated(&robot, &errors)].map(|robot| compliance(robot, &q, &tool).unwrap()).into();
+                [&robot, &calibrated(&robot, &errors, None)].map(|robot| compliance(robot, &q, &tool).unwrap()).into();
             assert_eq!(told.tool, arm.flange(&q) * tool);
             assert_eq!(told.compliance.0, drawn.compliance.0);
             let Arm::SixAxis { drives, .. } = &robot.arm else { panic!("six axes") };

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use stiffarm::calibration::{Calibration, Errors};
+use stiffarm::calibration::Errors;
 use stiffarm::catalogue::measurements::{self, Marker, Measurements, Points, Reading};
 use stiffarm::catalogue::{find, read, write};
 use stiffarm::compliance::compliance;
@@ -422,16 +422,7 @@ fn the_drives_of_a_calibrated_arm_are_found_where_its_true_chain_puts_load_and_m
         Reading { row: posture + 1, posture, q, load: Wrench::force(force), load_at, marker_at, moved, sigma: None }
     });
     let measured = Measurements { readings: readings.collect(), remarks: Vec::new() };
-    let calibration = Calibration {
-        errors: errors.clone(),
-        residual: 0.1e-3,
-        left_out: 0.1e-3,
-        controller: None,
-        rows: 40,
-        date: "2026-05-31".into(),
-        source: "made up".into(),
-    };
-    let calibrated = Robot { calibration: Some(Box::new(calibration)), ..robot.clone() };
+    let calibrated = made::calibrated(&robot, &errors, None);
     let of = |robot: &Robot| identify(robot, &measured, &Options::default(), Watch::nobody()).unwrap();
     // Differences are good to 1e-10 of themselves, times a condition of some hundred.
     close(&values(&of(&calibrated)), &TRUTH, 1e-7);

@@ -1,7 +1,7 @@
 //! Does a path on a calibrated arm end where it is asked for, and are errors told that such an arm has?
 
 use nalgebra::{Point3, UnitQuaternion, Vector3, Vector6};
-use stiffarm::calibration::{Calibration, ControllerModel, Errors};
+use stiffarm::calibration::{ControllerModel, Errors};
 use stiffarm::catalogue::find;
 use stiffarm::chain::TrueArm;
 use stiffarm::mill::{
@@ -13,19 +13,12 @@ use stiffarm::spatial::Pose;
 use stiffarm::toolpath::{Builtin, Steps};
 use stiffarm::watch::Watch;
 
+use crate::made::calibrated;
+
 const KNOWN: Acting = Acting::Known { force: [300.0, -120.0, 80.0], moment: 4.0 };
 
 fn robot(errors: &Errors, controller: Option<ControllerModel>) -> Robot {
-    let calibration = Calibration {
-        errors: errors.clone(),
-        residual: 0.1e-3,
-        left_out: 0.1e-3,
-        controller,
-        rows: 40,
-        date: "2026-05-31".into(),
-        source: "made up".into(),
-    };
-    Robot { calibration: Some(Box::new(calibration)), ..find("KR 210 R2700 extra").unwrap().robot() }
+    calibrated(&find("KR 210 R2700 extra").unwrap().robot(), errors, controller)
 }
 
 fn errors(seed: u64, [frames, weight, gears]: [f64; 3]) -> Errors {

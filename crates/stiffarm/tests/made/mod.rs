@@ -4,10 +4,25 @@
 use std::fmt::Write;
 
 use nalgebra::Vector3;
+use stiffarm::calibration::{Calibration, ControllerModel, Errors};
 use stiffarm::catalogue::measurements::{Measurements, Reading};
 use stiffarm::compliance::compliance;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::{Pose, Wrench};
+
+/// A robot that was calibrated, with these errors.
+pub(crate) fn calibrated(robot: &Robot, errors: &Errors, controller: Option<ControllerModel>) -> Robot {
+    let found = Calibration {
+        errors: errors.clone(),
+        residual: 0.1e-3,
+        left_out: 0.1e-3,
+        controller,
+        rows: 40,
+        date: "2026-05-31".into(),
+        source: "made up".into(),
+    };
+    Robot { calibration: Some(Box::new(found)), ..robot.clone() }
+}
 
 /// A marker.
 #[derive(Clone, Copy, Debug)]
