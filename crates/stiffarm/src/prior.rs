@@ -12,10 +12,9 @@ use std::sync::LazyLock;
 use nalgebra::{Matrix6, Vector3, Vector6};
 
 use crate::drive::{Drives, Identified, JointCompliance, Knowledge, Scatter};
+use crate::mass::GRAVITY;
 use crate::robot::{Arm, COMPLIANCE_SOURCE, Robot};
 
-/// m/s^2.
-const GRAVITY: f64 = 9.806_65;
 /// Of an identification that is published: one careful static set, and modal tests; sd of ln K.
 const STATIC: f64 = 0.3;
 const MODAL: f64 = 0.5;

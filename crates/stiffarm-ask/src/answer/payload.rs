@@ -4,12 +4,9 @@ use super::words::fixed;
 use super::{Line, Record, field, line};
 use nalgebra::Vector3;
 use stiffarm::drive::WristLimit;
-use stiffarm::mass::ToolWeight;
+use stiffarm::mass::{GRAVITY, ToolWeight};
 use stiffarm::model::ModelKind;
 use stiffarm::robot::{Arm, Robot};
-
-/// m/s^2.
-const GRAVITY: f64 = 9.806_65;
 
 /// What is at the flange.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,7 +113,7 @@ impl Wrist {
         (0..3).find(|&axis| limits[axis] < self.moments[axis]).map(|axis| axis + 4)
     }
 
-    /// `axes 4, 5, 6: 465, 465, 0 N m at worst, of ..; 2274, 1398, 782 N m are the torque limits of the drives`.
+    /// `axes 4, 5, 6: 465, 465, 0 N m at worst, of ..; limits 2274, 1398, 782 N m (torque limits of the drives)`.
     fn told(self) -> String {
         let list = |moments: [f64; 3]| moments.map(|moment| fixed(moment, 0)).join(", ");
         let limits = match self.limits {

@@ -6,6 +6,7 @@ use super::super::margins;
 use super::super::verdict::HOLDS;
 use super::super::words::{self, COLUMN};
 use super::RankAnswer;
+use stiffarm::mass::GRAVITY;
 use stiffarm::place::{Column, PlaceError, Placement};
 use stiffarm::rank::{Cell, Ranking, Row};
 use stiffarm::robot::Status;
@@ -76,7 +77,7 @@ impl RankAnswer {
 
     /// Counts the robots of which the force is more than the weight they are sold to carry.
     fn overloaded(&self) -> String {
-        let held = self.options.tool_weight.map_or(0.0, |tool| tool.mass) + self.ranking.load.newtons() / 9.81;
+        let held = self.options.tool_weight.map_or(0.0, |tool| tool.mass) + self.ranking.load.newtons() / GRAVITY;
         let rows = &self.ranking.rows;
         let light = |row: &&Row| row.robot.stiffness_is_assumed && row.robot.payload_kg.is_some_and(|kg| kg < held);
         let count = rows.iter().filter(light).count();
