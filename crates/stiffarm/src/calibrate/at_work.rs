@@ -103,16 +103,16 @@ pub(super) fn at_work(
     for _ in 0..DRAWS {
         // Noise and scale are known by what is left over and by what the data show.
         let [of_noise, scale] = [fitted.spare, fitted.seen].map(|freedom| factor(freedom, normal()));
-        let noise = noise * of_noise;
+        let drawn = noise * of_noise;
         let mut h = h.clone();
         for i in (0..ALL).filter(|&i| fitted.prior[i] != 0.0) {
-            h[(first + i, first + i)] += precision(i, noise, scale) - precision(i, noise / of_noise, 1.0);
+            h[(first + i, first + i)] += precision(i, drawn, scale) - precision(i, noise, 1.0);
         }
         let root = h.cholesky().ok_or(CalibrateError::Undetermined)?;
         let z = DVector::from_fn(n, |_, _| normal());
         // cov = s^2 H^-1 = s^2 L^-T L^-1.
         let mut step = root.l_dirty().tr_solve_lower_triangular(&z).ok_or(CalibrateError::Undetermined)?;
-        step *= noise;
+        step *= drawn;
         for i in (0..ALL).filter(|&i| fitted.prior[i] == 0.0) {
             step[first + i] = 0.0;
         }
@@ -145,4 +145,24 @@ fn factor(freedom: f64, normal: f64) -> f64 {
     const LEAST: f64 = 4.0;
     let part = 2.0 / (9.0 * freedom.max(LEAST));
     (1.0 - part + normal * part.sqrt()).max(0.1).powf(-1.5)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `v / f^2` is distributed as `chi^2_v`: its mean is `v` and its variance `2 v`.
+    #[test]
+    fn drawn_standard_deviations_are_those_of_as_many_squares() {
+        const COUNT: usize = 100_000;
+        let mut rng = fastrand::Rng::with_seed(97);
+        for freedom in [5.0, 18.0, 235.0] {
+            let squares: Vec<f64> = (0..COUNT).map(|_| freedom * factor(freedom, normal(&mut rng)).powi(-2)).collect();
+            let mean = squares.iter().sum::<f64>() / COUNT as f64;
+            let variance = squares.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / COUNT as f64;
+            // The cube is good to some thousandths there, and as many draws to 1 % of a variance.
+            assert!((mean / freedom - 1.0).abs() < 0.01, "{freedom}: {mean}");
+            assert!((variance / (2.0 * freedom) - 1.0).abs() < 0.05, "{freedom}: {variance}");
+        }
+    }
 }
