@@ -48,7 +48,7 @@ impl TrueArm {
         let frames = Frames::with(robot, errors)?;
         let parameters = errors.parameters();
         let yielding = &parameters[FRAMES..];
-        let is_rigid = frames.weighing().is_none() && yielding.iter().all(|parameter| *parameter == 0.0);
+        let is_rigid = !frames.is_weighed() && yielding.iter().all(|parameter| *parameter == 0.0);
         let yielding = if is_rigid { Vec::new() } else { yielding.to_vec() };
         Some(Self { frames, displaced: displaced(&parameters), yielding })
     }
@@ -58,7 +58,7 @@ impl TrueArm {
         /// rad: of a base that leans less, drive 1 has a hundredth of the weight.
         const LEVEL: f64 = 0.01;
         let has_terms = self.yielding.iter().take(WEIGHT).any(|parameter| *parameter != 0.0);
-        !has_terms && self.frames.weighing().is_none()
+        !has_terms && !self.frames.is_weighed()
             || (cell_from_base.rotation * Vector3::z()).angle(&Vector3::z()) <= LEVEL
     }
 

@@ -75,7 +75,7 @@ pub(crate) struct Frames {
     transmission: Matrix6<f64>,
     points: [Vector3<f64>; 6],
     /// What weighs, where that is known; the parameters of weight are then, of the first six, logarithms of factors on its compliances.
-    pub(super) weighing: Option<Weighing>,
+    weighing: Option<Weighing>,
 }
 
 impl Frames {
@@ -108,9 +108,9 @@ impl Frames {
         Self { weighing: Some(weighing), ..self }
     }
 
-    /// What weighs, where that is known.
-    pub(crate) fn weighing(&self) -> Option<&Weighing> {
-        self.weighing.as_ref()
+    /// Its own weight is that of its masses.
+    pub(super) fn is_weighed(&self) -> bool {
+        self.weighing.is_some()
     }
 
     /// The flange as drawn.

@@ -13,7 +13,7 @@ pub(crate) struct Weighing {
     masses: Vec<Mass>,
     compensator: Option<GravityCompensator>,
     /// Of each drive, rad/(N m).
-    pub(crate) compliance: [f64; 6],
+    compliance: [f64; 6],
 }
 
 impl Weighing {
