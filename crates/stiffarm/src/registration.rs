@@ -10,9 +10,13 @@
 //! with the lever `h` that makes a turn a length.
 
 use nalgebra::{DMatrix, DVector, Isometry3, Matrix3, Translation3, UnitQuaternion, Vector3};
+use rayon::prelude::*;
 
 use crate::chain::Chain;
 use crate::spatial::Pose;
+
+/// Rows that are taken together, on one thread.
+const TOGETHER: usize = 32;
 
 /// What was seen at one posture.
 #[derive(Clone, Debug)]
@@ -86,7 +90,7 @@ impl Problem<'_> {
 
     /// The rows about a state.
     pub(crate) fn linear(&self, state: &State) -> Vec<Linear> {
-        self.sights.iter().map(|sight| self.row(sight, state)).collect()
+        self.sights.par_iter().with_min_len(TOGETHER).map(|sight| self.row(sight, state)).collect()
     }
 
     fn row(&self, sight: &Sight, state: &State) -> Linear {
@@ -153,15 +157,11 @@ impl Problem<'_> {
         state: &State,
     ) -> (DMatrix<f64>, DVector<f64>) {
         let n = self.unknowns();
-        let (mut h, mut g) = (DMatrix::zeros(n, n), DVector::zeros(n));
-        for row in rows {
-            let mut weighted = row.jacobian.clone();
-            for (mut line, weight) in weighted.row_iter_mut().zip(row.weight.iter()) {
-                line *= *weight;
-            }
-            h.gemm_tr(1.0, &row.jacobian, &weighted, 1.0);
-            g.gemv_tr(1.0, &weighted, &row.residual, 1.0);
-        }
+        let rows: Vec<&Linear> = rows.collect();
+        let parts: Vec<_> = rows.par_chunks(TOGETHER).map(|some| summed(some, n)).collect();
+        // In the order of the rows, whoever has finished first.
+        let nothing = (DMatrix::zeros(n, n), DVector::zeros(n));
+        let (mut h, mut g) = parts.into_iter().fold(nothing, |(h, g), (more_h, more_g)| (h + more_h, g + more_g));
         for i in 0..n {
             if self.is_held(i) {
                 h[(i, i)] = 1.0;
@@ -262,6 +262,24 @@ impl Problem<'_> {
         };
         State { bases, points, turn, parameters }
     }
+}
+
+/// `J' W J` and `J' W r` of some rows with `n` unknowns: as one product of large matrices, which is many times faster than one a row.
+fn summed(rows: &[&Linear], n: usize) -> (DMatrix<f64>, DVector<f64>) {
+    let count = rows.iter().map(|row| row.residual.len()).sum();
+    let mut jacobian = DMatrix::zeros(count, n);
+    let (mut residual, mut weight) = (DVector::zeros(count), DVector::zeros(count));
+    let mut first = 0;
+    for row in rows {
+        let many = row.residual.len();
+        jacobian.rows_mut(first, many).copy_from(&row.jacobian);
+        residual.rows_mut(first, many).copy_from(&row.residual);
+        weight.rows_mut(first, many).copy_from(&row.weight);
+        first += many;
+    }
+    let moved = jacobian.transpose();
+    jacobian.column_iter_mut().for_each(|mut column| column.component_mul_assign(&weight));
+    (&moved * &jacobian, jacobian.tr_mul(&residual))
 }
 
 fn damped(h: &DMatrix<f64>, g: &DVector<f64>, damping: f64) -> Option<DVector<f64>> {
