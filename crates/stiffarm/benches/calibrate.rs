@@ -72,7 +72,7 @@ fn inverted(criterion: &mut Criterion) {
     let robot = find("KR 210 R2700 extra").expect("in the catalogue").robot();
     let mut rng = fastrand::Rng::with_seed(2);
     let errors = errors(&mut rng);
-    let arm = TrueArm::with(&robot, &errors).expect("six axes");
+    let [arm, drawn] = [&errors, &Errors::NONE].map(|errors| TrueArm::with(&robot, errors).expect("six axes"));
     let asked: Vec<([f64; 6], Pose)> =
         std::iter::repeat_with(|| posture(&robot, &mut rng)).map(|q| (q, arm.flange(&q))).take(POSES).collect();
     let mut group = criterion.benchmark_group("inverse of a calibrated arm");

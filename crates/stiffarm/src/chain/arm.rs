@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix6, Vector3, Vector6};
 
-use super::frames::{Displaced, FRAMES, Frames, Joint, displaced};
+use super::frames::{FRAMES, Frames, Joint, Links, Placement, pose};
 use crate::calibration::{Errors, WEIGHT};
 use crate::robot::Robot;
 use crate::spatial::Pose;
@@ -14,7 +14,7 @@ use crate::spatial::Pose;
 #[derive(Clone, Debug)]
 pub struct TrueArm {
     pub(super) frames: Frames,
-    displaced: Displaced,
+    links: Links,
     /// Parameters of weight and gears; empty where all are zero.
     yielding: Vec<f64>,
 }
@@ -22,12 +22,17 @@ pub struct TrueArm {
 /// Flange and joint axes at some link angles, base frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Placed {
-    pub(crate) flange: Pose,
+    pub(super) flange: Placement,
     /// Unit direction of each axis, and a point of it, m.
     axes: [(Vector3<f64>, Vector3<f64>); 6],
 }
 
 impl Placed {
+    /// The flange in the base.
+    pub(crate) fn flange(&self) -> Pose {
+        pose(self.flange)
+    }
+
     /// How angles at the links move a point, m, that the flange carries: 6 x 6, base axes, translation first.
     pub(crate) fn jacobian(&self, tip: &Vector3<f64>) -> Matrix6<f64> {
         Matrix6::from_columns(&self.axes.map(|(axis, through)| {
@@ -50,7 +55,8 @@ impl TrueArm {
         let yielding = &parameters[FRAMES..];
         let is_rigid = !frames.is_weighed() && yielding.iter().all(|parameter| *parameter == 0.0);
         let yielding = if is_rigid { Vec::new() } else { yielding.to_vec() };
-        Some(Self { frames, displaced: displaced(&parameters), yielding })
+        let links = frames.links(&parameters);
+        Some(Self { frames, links, yielding })
     }
 
     /// The own weight was found on a base that stands so: upright, or nothing yields under it.
@@ -65,7 +71,7 @@ impl TrueArm {
     /// The flange in the base frame at the joint angles `q` that the robot reports, rad.
     pub fn flange(&self, q: &[f64; 6]) -> Pose {
         let theta = self.frames.geometry.model_angles(q, self.frames.third_axis);
-        self.frames.walk(&self.displaced, &self.link_angles(&theta), |_, _| ())
+        pose(self.frames.walk(&self.links, &self.link_angles(&theta), |_, _| ()))
     }
 
     /// How turning each link alone moves a point `tip`, m, base frame, at the joint angles `q` that the robot reports, rad: 6 x 6, base axes,
@@ -107,7 +113,7 @@ impl TrueArm {
     pub(crate) fn placed(&self, psi: &[f64; 6]) -> Placed {
         let mut axes = [(Vector3::zeros(), Vector3::zeros()); 6];
         let each = |i: usize, Joint { centre, axis, .. }: Joint| axes[i] = (axis, centre);
-        let flange = self.frames.walk(&self.displaced, psi, each);
+        let flange = self.frames.walk(&self.links, psi, each);
         Placed { flange, axes }
     }
 }

@@ -3,7 +3,7 @@
 //! `F = prod_i [ Tr(p_i) E_i Rot(e_i, theta_i + d_i) Tr(-p_i) ] F_0`, with the joints' points `p_i` and axes `e_i` at model zero, the
 //! frames' errors `E_i = Tr(s) exp(w)` in base axes at model zero, and the angles `d_i` of weight and gears.
 
-use nalgebra::{Matrix3, Matrix6, SMatrix, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Matrix6, Rotation3, SMatrix, SVector, Translation3, UnitQuaternion, Vector3, Vector6};
 
 use super::weighing::Weighing;
 use crate::calibration::{Errors, JOINT_AXES, WEIGHT};
@@ -49,22 +49,36 @@ pub(crate) struct Chain {
 
 /// A joint of an arm that stands somewhere.
 pub(super) struct Joint {
-    /// What carries it.
-    pub(super) at: Pose,
+    /// How the link before it is turned.
+    pub(super) carrier: Matrix3<f64>,
     /// A point of its axis, m, and the axis, base frame.
     pub(super) centre: Vector3<f64>,
     pub(super) axis: Vector3<f64>,
 }
 
-/// Shift, m, and turn of each joint's frame.
-pub(super) type Displaced = [(Vector3<f64>, UnitQuaternion<f64>); 6];
+/// From the point of the joint before to that of each joint, m, and the turn of its frame; in the axes of the link between, as at model zero.
+pub(super) type Links = [(Vector3<f64>, Matrix3<f64>); 6];
 
-/// The shifts and turns that parameters are.
-pub(super) fn displaced(parameters: &[f64]) -> Displaced {
-    std::array::from_fn(|i| {
-        let [shift, turn] = [0, 3].map(|first| Vector3::from_fn(|j, _| parameters[6 * i + first + j]));
-        (shift, UnitQuaternion::new(turn))
-    })
+/// Place, m, and turn of the flange in the base.
+pub(super) type Placement = (Vector3<f64>, Matrix3<f64>);
+
+/// The same as a pose.
+pub(super) fn pose((at, turn): Placement) -> Pose {
+    Pose::from_parts(
+        Translation3::from(at),
+        UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(turn)),
+    )
+}
+
+/// A turn, followed by one by an angle about an axis of the base at model zero.
+#[inline]
+fn turned_about(turn: &Matrix3<f64>, axis: usize, angle: f64) -> Matrix3<f64> {
+    let (s, c) = angle.sin_cos();
+    let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+    let mut turned = *turn;
+    turned.set_column(u, &(turn.column(u) * c + turn.column(v) * s));
+    turned.set_column(v, &(turn.column(v) * c - turn.column(u) * s));
+    turned
 }
 
 /// The joints of an arm as drawn, whose frames may differ.
@@ -149,24 +163,44 @@ impl Frames {
         (parts, all)
     }
 
-    /// By how much weight and gears turn each joint, rad, by the parameters behind those of the frames.
+    /// By how much weight and gears turn each joint, rad, by the parameters behind those of the frames: as [`Self::turned`], without its parts.
     pub(super) fn yielded(&self, theta: &[f64; 6], yielding: &[f64]) -> [f64; 6] {
-        self.turned(theta, yielding).1
+        let (weight, gears) = yielding.split_at(WEIGHT);
+        let drives = match &self.weighing {
+            None => of_terms(theta) * SVector::<f64, WEIGHT>::from_column_slice(weight),
+            Some(weighing) => {
+                let nominal = weighing.yields(&self.geometry, &self.transmission, theta);
+                Vector6::from_fn(|i, _| nominal[i] * weight[i].exp())
+            }
+        };
+        let joints = self.transmission * drives;
+        std::array::from_fn(|i| {
+            let [of_sine, of_cosine] = [gears[2 * i], gears[2 * i + 1]];
+            let is_even = of_sine == 0.0 && of_cosine == 0.0;
+            joints[i] + if is_even { 0.0 } else { of_sine * theta[i].sin() + of_cosine * theta[i].cos() }
+        })
+    }
+
+    /// The links between joints whose frames are shifted and turned by parameters.
+    pub(super) fn links(&self, parameters: &[f64]) -> Links {
+        std::array::from_fn(|i| {
+            let [shift, turn] = [0, 3].map(|first| Vector3::from_fn(|j, _| parameters[6 * i + first + j]));
+            let before = i.checked_sub(1).map_or_else(Vector3::zeros, |before| self.points[before]);
+            (self.points[i] - before + shift, Rotation3::new(turn).into_inner())
+        })
     }
 
     /// Goes from joint to joint, each turned by its angle, rad, to the flange.
-    pub(super) fn walk(&self, displaced: &Displaced, angles: &[f64; 6], mut each: impl FnMut(usize, Joint)) -> Pose {
-        let mut at = Pose::identity();
-        for (i, point) in self.points.iter().enumerate() {
-            let (shift, turn) = displaced[i];
-            let centre = (at * nalgebra::Point3::from(point + shift)).coords;
-            let frame = at.rotation * turn;
-            each(i, Joint { at, centre, axis: frame * Vector3::ith(JOINT_AXES[i], 1.0) });
-            let rotation = frame * UnitQuaternion::new(Vector3::ith(JOINT_AXES[i], angles[i]));
-            at = Pose::from_parts(Translation3::from(centre - rotation * point), rotation);
+    #[inline]
+    pub(super) fn walk(&self, links: &Links, angles: &[f64; 6], mut each: impl FnMut(usize, Joint)) -> Placement {
+        let (mut centre, mut carrier) = (Vector3::zeros(), Matrix3::identity());
+        for (i, (link, turn)) in links.iter().enumerate() {
+            centre += carrier * link;
+            let frame = carrier * turn;
+            each(i, Joint { carrier, centre, axis: frame.column(JOINT_AXES[i]).into() });
+            carrier = turned_about(&frame, JOINT_AXES[i], angles[i]);
         }
-        let Geometry { a1, a2, b, c1, c2, c3, c4, .. } = self.geometry;
-        at * Translation3::new(a1 + a2, b, c1 + c2 + c3 + c4)
+        (centre + carrier.column(2) * self.geometry.c4, carrier)
     }
 
     /// The flange, and how each parameter moves it.
@@ -175,11 +209,11 @@ impl Frames {
         let (turned, more) = self.turned(&theta, &parameters[FRAMES..]);
         let angles = std::array::from_fn(|i| theta[i] + more[i]);
         let mut twists = vec![[Vector3::zeros(); 2]; ALL];
-        let flange = self.walk(&displaced(parameters), &angles, |i, Joint { at, centre, axis }| {
-            let left = left_jacobian(&Vector3::from_fn(|j, _| parameters[6 * i + 3 + j]));
+        let flange = self.walk(&self.links(parameters), &angles, |i, Joint { carrier, centre, axis }| {
+            let left = carrier * left_jacobian(&Vector3::from_fn(|j, _| parameters[6 * i + 3 + j]));
             for j in 0..3 {
-                twists[6 * i + j] = [at.rotation * Vector3::ith(j, 1.0), Vector3::zeros()];
-                let about = at.rotation * left.column(j);
+                twists[6 * i + j] = [carrier.column(j).into(), Vector3::zeros()];
+                let about = left.column(j).into();
                 twists[6 * i + 3 + j] = [centre.cross(&about), about];
             }
             for (part, twist) in turned[i].iter().zip(&mut twists[FRAMES..]) {
@@ -187,7 +221,7 @@ impl Frames {
                 twist[1] += axis * *part;
             }
         });
-        Chain { flange, twists }
+        Chain { flange: pose(flange), twists }
     }
 }
 

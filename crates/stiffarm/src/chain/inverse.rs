@@ -1,8 +1,9 @@
 //! Which joints put the flange of a calibrated arm at a pose? Newton's method, from the closed form of the arm as drawn.
 
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::{Rotation3, UnitQuaternion, Vector3, Vector6};
 
 use super::arm::TrueArm;
+use super::frames::Placement;
 use crate::inverse::{Configuration, postures};
 use crate::spatial::Pose;
 
@@ -10,6 +11,8 @@ use crate::spatial::Pose;
 const REACHED: f64 = 1e-12;
 /// No step turns a joint farther, rad: beyond it the axes are others.
 const LARGEST_STEP: f64 = 0.3;
+/// rad: from what is reached, no last step of Newton's method is larger, unless the axes there are nearly in line.
+const SETTLED: f64 = 1e-9;
 /// Rounds of Newton's method.
 const ROUNDS: usize = 40;
 /// rad: postures that are nearer are one.
@@ -56,29 +59,39 @@ impl TrueArm {
 
     /// The same in link angles.
     pub(crate) fn link_angles_near(&self, flange: &Pose, from: &[f64; 6]) -> Option<[f64; 6]> {
+        let to = (flange.translation.vector, flange.rotation.to_rotation_matrix().into_inner());
         let mut psi = *from;
         for _ in 0..ROUNDS {
-            let (off, jacobian) = self.off(flange, &psi);
-            let step = jacobian.lu().solve(&off)?;
+            let placed = self.placed(&psi);
+            let off = off(&to, &placed.flange);
+            let step = placed.jacobian(&placed.flange.0).lu().solve(&off)?;
             let share = (LARGEST_STEP / step.amax()).min(1.0);
             let next: [f64; 6] = std::array::from_fn(|i| psi[i] + share * step[i]);
             if is_reached(&off) {
                 // Once more: where the pose tells little of a joint, it is told by all that there is.
-                return Some(if is_reached(&self.off(flange, &next).0) { next } else { psi });
+                return Some(if step.amax() <= SETTLED { next } else { psi });
             }
             psi = next;
         }
         None
     }
+}
 
-    /// How far a pose is from the flange, m and rad, and how the links move that.
-    fn off(&self, flange: &Pose, psi: &[f64; 6]) -> (Vector6<f64>, Matrix6<f64>) {
-        let placed = self.placed(psi);
-        let shift = flange.translation.vector - placed.flange.translation.vector;
-        let turn = (flange.rotation * placed.flange.rotation.inverse()).scaled_axis();
-        let off = Vector6::new(shift.x, shift.y, shift.z, turn.x, turn.y, turn.z);
-        (off, placed.jacobian(&placed.flange.translation.vector))
-    }
+/// How far one placement is from another, m and rad, as a shift and a turn in base axes.
+fn off((to, turned): &Placement, (at, turn): &Placement) -> Vector6<f64> {
+    /// Of the sine of the angle: what is nearer to half a turn is told by the quaternion.
+    const NEAR: f64 = 0.5;
+    let shift = to - at;
+    let rest = turned * turn.transpose();
+    // The axis times the sine of the angle.
+    let sines = Vector3::new(rest.m32 - rest.m23, rest.m13 - rest.m31, rest.m21 - rest.m12) / 2.0;
+    let sine = sines.norm();
+    let about = if 1.0 < rest.trace() && sine < NEAR {
+        sines * if sine == 0.0 { 1.0 } else { sine.asin() / sine }
+    } else {
+        UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(rest)).scaled_axis()
+    };
+    Vector6::new(shift.x, shift.y, shift.z, about.x, about.y, about.z)
 }
 
 fn is_reached(off: &Vector6<f64>) -> bool {

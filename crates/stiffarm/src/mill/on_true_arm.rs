@@ -190,7 +190,7 @@ impl Setup<'_> {
             let tool = stand.base_from_part.inverse() * flange * stand.flange_from_tool;
             ToolPose { tip: tool.translation.vector, axis: -(tool.rotation * Vector3::z()) }
         };
-        let truly = self.arm.placed(&self.arm.link_angles(&theta)).flange;
+        let truly = self.arm.placed(&self.arm.link_angles(&theta)).flange();
         let poses = [in_part(self.geometry.forward(&theta), self.stand), in_part(truly, self.truly)];
         Ok(Commanded { joints, poses, errors })
     }
@@ -221,7 +221,7 @@ impl Setup<'_> {
 
     fn off(&self, station: &Station, theta: &[f64; 6], wrench: Option<&Wrench>) -> Result<f64, MillError> {
         let psi = self.loaded(&self.arm.link_angles(theta), wrench, station.sample.line)?;
-        let tip = (self.arm.placed(&psi).flange * self.stand.flange_from_tool).translation.vector;
+        let tip = (self.arm.placed(&psi).flange() * self.stand.flange_from_tool).translation.vector;
         let off = tip - (self.truly.base_from_part * Point3::from(station.sample.pose.tip)).coords;
         let counted = self.options.part.direction(&self.truly.cutting_axes(&station.sample), &station.sample);
         Ok(counted.map_or_else(|| off.norm(), |counted| counted.dot(&off).abs()))
@@ -246,7 +246,7 @@ impl Setup<'_> {
     /// By how much links give way under a wrench at the tip, rad: `A kappa A^T J^T w`.
     fn deflection(&self, psi: &[f64; 6], wrench: &Wrench) -> Result<Vector6<f64>, MillError> {
         let placed = self.arm.placed(psi);
-        let tip = (placed.flange * self.stand.flange_from_tool).translation.vector;
+        let tip = (placed.flange() * self.stand.flange_from_tool).translation.vector;
         let unheld = || PostureError::Unstable(self.robot.name.clone());
         let kappa = self.drives.compliance_at(psi[1]).ok_or_else(unheld)?;
         let a = self.drives.transmission.0;
