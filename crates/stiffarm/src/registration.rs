@@ -67,6 +67,11 @@ impl Problem<'_> {
         self.first_parameter() + self.precision.len()
     }
 
+    /// Behind six of each base.
+    pub(crate) fn first_point(&self) -> usize {
+        6 * self.stands
+    }
+
     /// Six of each base, three of each point, three of the turn, then the parameters.
     pub(crate) fn first_parameter(&self) -> usize {
         6 * self.stands + 3 * self.points + 3

@@ -2,7 +2,7 @@
 
 use super::kind::Value;
 use super::{Request, Verb};
-use stiffarm::calibrate::{CalibrateOptions, Level};
+use stiffarm::calibrate::{CalibrateOptions, Level, Work};
 use stiffarm::calibration::ControllerModel;
 use stiffarm::catalogue::readings::ReadOptions;
 use stiffarm::verify::VerifyOptions;
@@ -20,8 +20,8 @@ impl Request {
         let level = Level::ALL.into_iter().find(|level| self.word("level") == Some(level.name()));
         let model = ControllerModel::ALL.into_iter().find(|model| self.word("controller-model") == Some(model.name()));
         let at = self.all("at", super::wishes::number);
-        let at = if let &[x, y, z] = at.as_slice() { Some([x, y, z]) } else { None };
-        CalibrateOptions { level, at, controller: model }
+        let work = if let &[x, y, z] = at.as_slice() { Work::Near([x, y, z]) } else { Work::Anywhere };
+        CalibrateOptions { level, work, controller: model }
     }
 
     /// What is known of the frames of readings.

@@ -3,12 +3,12 @@
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use super::CalibrateError;
 use super::fit::{Fitted, Rows};
+use super::{CalibrateError, Work};
 use crate::chain::{ALL, FRAMES};
 use crate::limits::Limits;
 use crate::prior::normal;
-use crate::registration::{Problem, Sight};
+use crate::registration::{Linear, Problem, Sight};
 
 /// Draws of the unknowns: the ends of 95 % of so many are known to one per cent of a normal's spread.
 const DRAWS: usize = 400;
@@ -28,8 +28,10 @@ pub struct AtWork {
     pub postures: usize,
 }
 
-/// Postures within limits, of which the flange stands within `radius` m of a point of the base frame where one is given.
-pub(super) fn postures(rows: &Rows, limits: &Limits, near: Option<(Vector3<f64>, f64)>) -> Vec<[f64; 6]> {
+/// Postures within limits, near the work where a point is given.
+fn postures(rows: &Rows, limits: &Limits, near: Option<Vector3<f64>>) -> Vec<[f64; 6]> {
+    /// m.
+    const RADIUS: f64 = 0.25;
     /// Of which those near a point are taken.
     const TRIED: usize = 100_000;
     let mut rng = fastrand::Rng::with_seed(95);
@@ -39,10 +41,7 @@ pub(super) fn postures(rows: &Rows, limits: &Limits, near: Option<(Vector3<f64>,
             let range = limits.joints[i].or_one_turn();
             range.min() + rng.f64() * range.width()
         });
-        let is_near = near.is_none_or(|(at, radius)| {
-            let flange = rows.arm.drawn(&q).translation.vector;
-            (flange - at).norm() <= radius
-        });
+        let is_near = near.is_none_or(|at| (rows.arm.drawn(&q).translation.vector - at).norm() <= RADIUS);
         if is_near {
             found.push(q);
         }
@@ -53,7 +52,7 @@ pub(super) fn postures(rows: &Rows, limits: &Limits, near: Option<(Vector3<f64>,
     found
 }
 
-/// The error at these postures of the first point, seen from the first stand; `None` where there are none.
+/// The error at the work of the first point, seen from the first stand; `None` where the arm does not reach it.
 ///
 /// # Errors
 /// Where the rows do not determine the unknowns.
@@ -61,13 +60,19 @@ pub(super) fn at_work(
     rows: &Rows,
     fitted: &Fitted,
     left_out: Option<f64>,
-    postures: &[[f64; 6]],
+    (limits, work): (&Limits, &Work),
 ) -> Result<Option<AtWork>, CalibrateError> {
+    let postures = match work {
+        Work::Anywhere => postures(rows, limits, None),
+        Work::Near(at) => postures(rows, limits, Some(Vector3::from(*at))),
+        Work::OtherDay(postures) => postures.clone(),
+    };
     if postures.is_empty() {
         return Ok(None);
     }
+    let kept = fitted.unweighted_noise();
     // A coordinate's part of the distance.
-    let noise = left_out.map_or(fitted.noise, |rms| (rms / 3_f64.sqrt()).max(fitted.noise));
+    let noise = left_out.map_or(kept, |rms| (rms / 3_f64.sqrt()).max(kept));
     let (h, _) = rows.normal(fitted.rows.iter(), &fitted.state, (&fitted.prior, noise));
     let sights: Vec<Sight> = (postures.iter())
         .map(|q| Sight {
@@ -90,8 +95,14 @@ pub(super) fn at_work(
         chain: &chain,
     };
     let linear = problem.linear(&fitted.state);
-    let moved: Vec<&DMatrix<f64>> = linear.iter().map(|row| &row.jacobian).collect();
-    let mut rng = fastrand::Rng::with_seed(96);
+    let moved = stacked(&linear);
+    // Where instrument and point are found anew, least squares take the part of the errors that they explain.
+    let anew = matches!(work, Work::OtherDay(_)).then(|| {
+        let point = problem.first_point();
+        let unknown: Vec<usize> = (0..6).chain(point..point + 3).collect();
+        moved.select_columns(&unknown).qr().q()
+    });
+    let [mut rng, mut shares] = [96, 98].map(fastrand::Rng::with_seed);
     let mut normal = || normal(&mut rng);
     let n = h.nrows();
     let first = n - ALL;
@@ -103,7 +114,10 @@ pub(super) fn at_work(
     for _ in 0..DRAWS {
         // Noise and scale are known by what is left over and by what the data show.
         let [of_noise, scale] = [fitted.spare, fitted.seen].map(|freedom| factor(freedom, normal()));
-        let drawn = noise * of_noise;
+        // Thirds that are left out err more than rows that were fitted: in part as the others show less of them, in part as no level explains
+        // what is there. How much of the second comes again in other postures nobody knows: nothing in every other draw, else any share.
+        let again = (2.0 * shares.f64() - 1.0).max(0.0);
+        let drawn = of_noise * (kept + again * (noise - kept));
         let mut h = h.clone();
         for i in (0..ALL).filter(|&i| fitted.prior[i] != 0.0) {
             h[(first + i, first + i)] += precision(i, drawn, scale) - precision(i, noise, 1.0);
@@ -116,13 +130,12 @@ pub(super) fn at_work(
         for i in (0..ALL).filter(|&i| fitted.prior[i] == 0.0) {
             step[first + i] = 0.0;
         }
-        let squares: Vec<f64> = moved
-            .iter()
-            .map(|jacobian| {
-                let off = *jacobian * &step;
-                (0..3).map(|i| (off[i] + fitted.noise * of_noise * normal()).powi(2)).sum()
-            })
-            .collect();
+        let mut off = &moved * &step;
+        off.apply(|x| *x += drawn * normal());
+        if let Some(anew) = &anew {
+            off -= anew * anew.tr_mul(&off);
+        }
+        let squares: Vec<f64> = off.as_slice().chunks_exact(3).map(|off| off.iter().map(|x| x * x).sum()).collect();
         means.push((squares.iter().sum::<f64>() / squares.len() as f64).sqrt());
         all.extend(squares.into_iter().map(f64::sqrt));
     }
@@ -136,6 +149,16 @@ pub(super) fn at_work(
         p95: at(&all, 0.95),
         postures: postures.len(),
     }))
+}
+
+/// The rows of all postures, one below the other.
+fn stacked(rows: &[Linear]) -> DMatrix<f64> {
+    let columns = rows.first().map_or(0, |row| row.jacobian.ncols());
+    let mut all = DMatrix::zeros(3 * rows.len(), columns);
+    for (i, row) in rows.iter().enumerate() {
+        all.rows_mut(3 * i, 3).copy_from(&row.jacobian);
+    }
+    all
 }
 
 /// A draw of what a standard deviation may be in parts of its estimate from so many squares, of a normal draw: the root of `v / chi^2_v` by Wilson's

@@ -45,6 +45,23 @@ pub(super) struct Fitted {
     pub(super) share: Vec<f64>,
 }
 
+impl Fitted {
+    /// Standard deviation of a coordinate of the points where every one counts alike, those far off, too, m.
+    pub(super) fn unweighted_noise(&self) -> f64 {
+        let (mut squares, mut count, mut all) = (0.0, 0, 0);
+        for row in &self.rows {
+            for at in (0..row.of.len()).filter(|&block| row.of[block].is_some()).map(|block| 3 * block) {
+                squares += row.residual.rows(at, 3).norm_squared();
+                count += 3;
+            }
+            all += row.residual.len();
+        }
+        // Of what is left over each residual has the same part.
+        let spare = self.spare * f64::from(count) / all as f64;
+        (squares / spare).sqrt().max(self.noise)
+    }
+}
+
 impl Rows<'_> {
     fn problem<'p>(
         &'p self,

@@ -41,10 +41,22 @@ const MOST_OFF: f64 = 10e-3;
 pub struct CalibrateOptions {
     /// How much may differ; the level with the largest evidence where `None`.
     pub level: Option<Level>,
-    /// Where the work is, m, in the base frame: the error that remains is told within 0.25 m about it; over all the arm reaches where `None`.
-    pub at: Option<[f64; 3]>,
+    /// Where the error that remains is told.
+    pub work: Work,
     /// With which arm the controller computed while it was measured, for the robot file.
     pub controller: Option<ControllerModel>,
+}
+
+/// Where is asked for the error that remains?
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Work {
+    /// Over all the arm reaches.
+    #[default]
+    Anywhere,
+    /// Within 0.25 m of a point of the base frame, m.
+    Near([f64; 3]),
+    /// In these very postures, rad as reported, measured on another day: instrument and point stand elsewhere, and are found anew in them.
+    OtherDay(Vec<[f64; 6]>),
 }
 
 /// One level against the table.
@@ -245,8 +257,7 @@ pub fn calibrate(
     });
     let best = asked.max_by(|(_, a, _), (_, b, _)| a.evidence.total_cmp(&b.evidence));
     let (rows, best, out) = best.ok_or(CalibrateError::Undetermined)?;
-    let near = options.at.map(|at| (Vector3::from(at), 0.25));
-    let at_work = at_work::at_work(rows, best, *out, &at_work::postures(rows, limits, near))?;
+    let at_work = at_work::at_work(rows, best, *out, (limits, &options.work))?;
     let deviation: Vec<f64> = (0..chain::ALL).map(|i| best.prior[i] * (1.0 - best.share[i]).max(0.0).sqrt()).collect();
     let weighed = weighed.as_ref().filter(|_| rows.drives.is_some());
     let drives = weighed.map(|(_, prior)| prior.updated(&best.state.parameters, &deviation));
