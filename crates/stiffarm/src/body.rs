@@ -107,6 +107,15 @@ impl Body {
         Self { column, upper_arm: 0.55 * column, forearm: 0.45 * column, wrist: 0.33 * column }
     }
 
+    /// By how much real links stand out of estimated ones, m, at most in nine arms of ten: column, upper arm, forearm and wrist.
+    ///
+    /// 1, 1.25, 1.5 and 0.35 of the estimated column's radius. Of the 36 KUKA arms whose links capsules enclose, 33, 35, 35 and 36 stay within:
+    /// columns carry motors, upper arms lie to one side of their joints' line, drives stand behind the elbow. The foot is not in it: plugs on
+    /// its back stand out by up to twice that radius.
+    pub fn outside(&self) -> [f64; 4] {
+        [1.0, 1.25, 1.5, 0.35].map(|part| part * self.column)
+    }
+
     /// Of a spindle that fits the wrist: six tenths of its radius, m.
     pub fn spindle(&self) -> f64 {
         0.6 * self.wrist

@@ -51,7 +51,7 @@ const LINES: [(&str, Says); 20] = [
     ("clearance", |side| {
         let clearance = side.clearance()?;
         let loud = if clearance.distance < 0.0 { "COLLISION: " } else { "" };
-        Some(format!("{loud}{} mm, {}", fixed(clearance.distance * 1e3, 0), words::clearance_of(&clearance)))
+        Some(format!("{loud}{} mm, {}", fixed(clearance.distance * 1e3, 0), words::clearance_between(&clearance)))
     }),
     ("tolerance", |side| side.tolerance_mm.map(|tolerance| format!("{tolerance} mm"))),
     ("verdict", |side| {

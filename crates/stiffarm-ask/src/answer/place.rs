@@ -518,6 +518,7 @@ fn held(
         .put(field::CLEARANCE, clearance.map(|clearance| clearance.distance))
         .put(field::CLEARANCE_OF, clearance.map(|clearance| words::clearance_of(&clearance)))
         .put(field::CLEARANCE_ESTIMATED, clearance.map(|clearance| clearance.is_estimated))
+        .put(field::CLEARANCE_OUTSIDE, clearance.map(|clearance| clearance.outside))
         .put(field::CELL_CENTRE, best.zip(cell).map(|(best, cell)| best.in_cell(cell)))
         .put(field::RESOLUTION, hold.map(|hold| resolution(&hold.resolution)))
         .put(field::FACES, faces(best));

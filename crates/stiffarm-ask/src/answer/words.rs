@@ -201,6 +201,17 @@ pub fn clearance_of(clearance: &Clearance) -> String {
     format!("{}{known} to {}", clearance.link.name(), obstacle(clearance.to))
 }
 
+/// The same for people, with how much real links may stand out of estimated ones.
+pub fn clearance_between(clearance: &Clearance) -> String {
+    let of = clearance_of(clearance);
+    if clearance.outside == 0.0 {
+        return of;
+    }
+    let outside = fixed(clearance.outside * 1e3, 0);
+    let may = if (0.0..clearance.outside).contains(&clearance.distance) { ", so that they may touch" } else { "" };
+    format!("{of}; real links stand out of estimated ones by up to {outside} mm{may}")
+}
+
 /// As what the links of a robot are compared.
 pub fn links_are(robot: &Robot) -> &'static str {
     if robot.enclosing.is_some() {
@@ -228,14 +239,16 @@ fn obstacle(to: Obstacle) -> String {
 
 /// How near the arm comes to anything; loud where it is too near.
 pub fn clearance(clearance: &Clearance) -> Line {
-    let (distance, of) = (clearance.distance * 1e3, clearance_of(clearance));
+    let distance = clearance.distance * 1e3;
     let poses = clearance.poses;
     let tool = if clearance.knows_tool { "" } else { "; wrist and tool are not known to this model" };
     if distance < 0.0 {
         let by = fixed(-distance, 0);
+        let of = clearance_of(clearance);
         return line("COLLISION", format!("{of}: they overlap by {by} mm{tool}; a place not to be chosen"));
     }
-    line("clearance", format!("{} mm, {of}, at {poses} poses{tool}", fixed(distance, 0)))
+    let of = clearance_between(clearance);
+    line("clearance", format!("{} mm at {poses} poses, {of}{tool}", fixed(distance, 0)))
 }
 
 /// Where a zone may stand, and what that counts from.

@@ -1558,6 +1558,10 @@ class _Placed(_Pass):
     clearance_estimated: bool | None
     """A radius in it is estimated."""
 
+    clearance_outside_mm: float | None
+    """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
+    none is estimated."""
+
     cell_m: list[float] | None
     """The centre of the zone in the axes of the cell, its floor at 0."""
 
@@ -3078,6 +3082,10 @@ class MilledDict(_Pass):
     """By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot
     file, its tool `estimated` where nothing says how thick it is, and what it comes near to may be a
     `keep-out`."""
+
+    clearance_outside_mm: float | None
+    """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
+    none is estimated."""
 
     asked_clearance_mm: float
     """What the arm was to keep from everything; null where nobody looked."""

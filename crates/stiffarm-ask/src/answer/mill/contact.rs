@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use serde_json::{Value, json};
 
-use super::super::words::{bodies, clearance_of, links_are};
+use super::super::words::{bodies, clearance_between, links_are};
 use super::super::{Line, Record, field, fixed, line};
 use super::MillAnswer;
 use stiffarm::clearance::{Clearance, Obstacle};
@@ -88,6 +88,7 @@ impl MillAnswer {
             .put(field::CLEARANCE, nearest.map(|nearest| nearest.distance))
             .put(field::CLEARANCE_OF, nearest.map(|nearest| bodies(nearest.link, nearest.to)))
             .put(field::CLEARANCE_BY, by)
+            .put(field::CLEARANCE_OUTSIDE, nearest.map(|nearest| nearest.outside))
             .put(field::ASKED_CLEARANCE, self.options.clear_of.as_ref().map(|clear_of| clear_of.clearance))
             .put(
                 field::CONTACTS,
@@ -113,7 +114,7 @@ impl MillAnswer {
             let apart = fixed(nearest.distance * 1e3, 0);
             line(
                 "clearance",
-                format!("{apart} mm, {}, at {} samples and between them", clearance_of(nearest), nearest.poses),
+                format!("{apart} mm at {} samples and between them, {}", nearest.poses, clearance_between(nearest)),
             )
         });
         let contacts = found.contacts.iter().take(TOLD).map(|contact| line(LOUD, self.told(contact)));

@@ -124,6 +124,8 @@ class Placement(Table[PlacementDict]):
     clearance_of: str | None
     #: A radius in it is estimated.
     clearance_estimated: bool | None
+    #: By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most, mm; 0 where none is estimated.
+    clearance_outside_mm: float | None
     resolution: Resolution | None
     #: Every face of a part; None of one flat zone.
     faces: list[FaceDict] | None
