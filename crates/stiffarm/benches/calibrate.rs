@@ -67,22 +67,32 @@ fn calibrated(criterion: &mut Criterion) {
     }
 }
 
+/// The poses are those of the arm as drawn, so that the true joints are some milliradians away.
 fn inverted(criterion: &mut Criterion) {
     const POSES: usize = 1000;
-    let robot = find("KR 210 R2700 extra").expect("in the catalogue").robot();
     let mut rng = fastrand::Rng::with_seed(2);
     let errors = errors(&mut rng);
-    let [arm, drawn] = [&errors, &Errors::NONE].map(|errors| TrueArm::with(&robot, errors).expect("six axes"));
-    let asked: Vec<([f64; 6], Pose)> =
-        std::iter::repeat_with(|| posture(&robot, &mut rng)).map(|q| (q, arm.flange(&q))).take(POSES).collect();
-    let mut group = criterion.benchmark_group("inverse of a calibrated arm");
-    group.throughput(Throughput::Elements(POSES as u64));
-    group.bench_function("one posture near the arm as drawn", |bencher| {
-        bencher.iter(|| asked.iter().filter(|(q, flange)| arm.joints_near(black_box(flange), q).is_some()).count());
-    });
-    group.bench_function("all postures", |bencher| {
-        bencher.iter(|| asked.iter().map(|(_, flange)| arm.postures(black_box(flange)).found.len()).sum::<usize>());
-    });
+    let rigid = Errors { weight: Errors::NONE.weight, ..errors.clone() };
+    let weighed = Errors { drives: Some([1e-6; 6]), ..rigid.clone() };
+    for (name, model, errors) in [
+        ("rigid", "KR 210 R2700 extra", rigid),
+        ("own weight by terms", "KR 210 R2700 extra", errors),
+        ("own weight by masses", "KR 210 R2700-2", weighed),
+    ] {
+        let robot = find(model).expect("in the catalogue").robot();
+        let [arm, drawn] = [&errors, &Errors::NONE].map(|errors| TrueArm::with(&robot, errors).expect("six axes"));
+        let postures = std::iter::repeat_with(|| posture(&robot, &mut rng)).take(POSES);
+        let asked: Vec<([f64; 6], Pose)> = postures.map(|q| (q, drawn.flange(&q))).collect();
+        let mut group = criterion.benchmark_group(format!("inverse of a calibrated arm, {name}"));
+        group.throughput(Throughput::Elements(POSES as u64));
+        group.bench_function("one posture near the arm as drawn", |bencher| {
+            bencher.iter(|| asked.iter().filter(|(q, flange)| arm.joints_near(black_box(flange), q).is_some()).count());
+        });
+        group.bench_function("all postures", |bencher| {
+            bencher.iter(|| asked.iter().map(|(_, flange)| arm.postures(black_box(flange)).found.len()).sum::<usize>());
+        });
+        group.finish();
+    }
 }
 
 criterion_group! {

@@ -116,8 +116,30 @@ pub(super) fn links(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::robots;
+    use crate::catalogue::{find, robots};
+    use crate::clearance::{Surroundings, ThickArm};
     use crate::robot::Arm;
+
+    /// Kinematics and distances of `MuJoCo` (`scripts/distances.py`).
+    #[test]
+    fn links_are_as_near_as_another_program_has_them() {
+        let recorded = include_str!("../../../../validation/link_distances.csv").lines().skip(2);
+        let mut overlaps = 0;
+        for case in recorded.map(|line| line.split(',').collect::<Vec<_>>()) {
+            let &[name, angles, links, floor] = case.as_slice() else { panic!("{case:?}") };
+            let theta: Vec<f64> = angles.split(' ').map(|deg| deg.parse::<f64>().unwrap().to_radians()).collect();
+            let [links, floor] = [links, floor].map(|mm| mm.parse::<f64>().unwrap() / 1e3);
+            let robot = find(name).unwrap().robot();
+            let arm = ThickArm::new(&robot, &Pose::identity(), None).unwrap();
+            let nearest = |about| arm.nearest(&theta.clone().try_into().unwrap(), &about).unwrap().distance;
+            let found = [nearest(Surroundings::default()), nearest(Surroundings::above(Some(-0.25)))];
+            let told = [links, links.min(floor)];
+            // As many digits as are written.
+            assert!(found.iter().zip(told).all(|(a, b)| (a - b).abs() < 1e-9), "{name} {angles}: {found:?} {told:?}");
+            overlaps += usize::from(links < 0.0);
+        }
+        assert_eq!(overlaps, 3);
+    }
 
     /// By the capsules that enclose the meshes of 36 arms, at model zero, against what is estimated of arms of their payload and reach.
     #[test]
