@@ -109,11 +109,11 @@ impl Body {
 
     /// By how much real links stand out of estimated ones, m, at most in nine arms of ten: column, upper arm, forearm and wrist.
     ///
-    /// 1, 1.25, 1.5 and 0.35 of the estimated column's radius. Of the 36 KUKA arms whose links capsules enclose, 33, 35, 35 and 36 stay within:
-    /// columns carry motors, upper arms lie to one side of their joints' line, drives stand behind the elbow. The foot is not in it: plugs on
-    /// its back stand out by up to twice that radius.
+    /// 1.08, 1.34, 1.69 and 0.35 of the estimated column's radius, the largest of the 36 KUKA arms whose links capsules enclose. With each family of
+    /// sister types left out, the largest of the others holds 33 of the 36 at all four. Columns carry motors, upper arms lie to one side of their
+    /// joints' line, drives stand behind the elbow. The foot is not in it: plugs on its back stand out by up to twice that radius.
     pub fn outside(&self) -> [f64; 4] {
-        [1.0, 1.25, 1.5, 0.35].map(|part| part * self.column)
+        [1.08, 1.34, 1.69, 0.35].map(|part| part * self.column)
     }
 
     /// Of a spindle that fits the wrist: six tenths of its radius, m.

@@ -143,9 +143,9 @@ mod tests {
 
     /// By the capsules that enclose the meshes of 36 arms, at model zero, against what is estimated of arms of their payload and reach.
     #[test]
-    fn nine_of_ten_real_arms_stay_within_what_estimated_links_may_stand_out_by() {
+    fn no_known_arm_stands_out_of_its_estimate_by_more_than_is_told() {
         const NAMES: [Link; 4] = [Link::Column, Link::UpperArm, Link::Forearm, Link::Wrist];
-        let (mut all, mut whole, mut within) = (0, 0, [0; 4]);
+        let (mut arms, mut largest) = (0, [0.0_f64; 4]);
         for robot in robots() {
             let Some(enclosing) = &robot.enclosing else { continue };
             let Arm::SixAxis { geometry, .. } = &robot.arm else { continue };
@@ -157,18 +157,17 @@ mod tests {
                     let ball = Capsule { ends: [*end; 2], radius: 0.0 };
                     pieces().map(|piece| ball.apart_from(&piece.capsule)).fold(f64::INFINITY, f64::min) + radius
                 };
-                ends.iter().map(of).fold(0.0, f64::max)
+                (0..=100).map(|k| of(&ends[0].lerp(&ends[1], f64::from(k) / 100.0))).fold(0.0, f64::max)
             };
             let out = NAMES.map(|link| {
                 // Of the column what turns.
                 let capsules = (1..7).filter(|&i| Link::of(i) == link).flat_map(|i| &enclosing.links[i]);
                 capsules.map(|capsule| out_of(link, capsule)).fold(0.0, f64::max)
             });
-            let holds: [bool; 4] = std::array::from_fn(|i| out[i] <= body.outside()[i]);
-            (0..4).for_each(|i| within[i] += usize::from(holds[i]));
-            whole += usize::from(holds == [true; 4]);
-            all += 1;
+            largest = std::array::from_fn(|i| largest[i].max(out[i] / body.outside()[i]));
+            arms += 1;
         }
-        assert_eq!((all, within, whole), (36, [33, 35, 35, 36], 33));
+        // Each factor is the largest, with two digits.
+        assert!(arms == 36 && largest.iter().all(|share| (0.97..=1.0).contains(share)), "{arms} {largest:?}");
     }
 }
