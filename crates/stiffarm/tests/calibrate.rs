@@ -229,6 +229,43 @@ fn a_tracker_that_moved_has_a_frame_of_its_own_and_points_may_be_missing() {
     assert!(found.taken().rms < 2.0 * NOISE * 3_f64.sqrt(), "{:?}", found.levels);
 }
 
+/// By as little as half a millimetre, where the arm errs by some tenths; an instrument that stands still is not suspected.
+#[test]
+fn a_tracker_that_moved_a_little_is_noticed_and_one_that_stood_is_not() {
+    let robot = robot();
+    for seed in 0..6 {
+        let mut rng = fastrand::Rng::with_seed(400 + seed);
+        let truth = errors(&mut rng, 0.2e-3);
+        let good = table(&robot, &truth, &mut rng, (40, 0.8));
+        assert_eq!(asked(&robot, &good).unwrap().moved, None);
+        let from = 10 + 4 * seed as usize;
+        for far in [0.5, 5.0] {
+            let mut text = HEADINGS.to_owned();
+            for (i, line) in good.lines().skip(1).enumerate() {
+                let mut cells: Vec<String> = line.split(',').map(Into::into).collect();
+                let more = if from <= i { far } else { 0.0 };
+                (6..15).step_by(3).for_each(|at| cells[at] = format!("{}", cells[at].parse::<f64>().unwrap() + more));
+                write!(text, "\n{}", cells.join(",")).unwrap();
+            }
+            let found = match asked(&robot, &text) {
+                Ok(found) => found,
+                // More than a third of the rows stand elsewhere.
+                Err(error) => {
+                    assert!(
+                        error.to_string().contains(&format!("the tracker moved near line {}", from + 2)),
+                        "{error}"
+                    );
+                    continue;
+                }
+            };
+            let (line, distance) = found.moved.unwrap_or_else(|| panic!("{seed}: {far} mm"));
+            // The heading is line 1. A row more or less at the break is as likely where the noise says so.
+            assert!(line.abs_diff(from + 2) <= 1, "{line}, not {}", from + 2);
+            assert!((distance * 1e3 / far - 1.0).abs() < 0.3, "{distance} m, not {far} mm");
+        }
+    }
+}
+
 /// The table that the guide calibrates, which Pinocchio computed (`scripts/example_tables.py`), against where its arm truly stands elsewhere.
 #[test]
 fn the_table_of_the_guide_tells_where_its_arm_stands_in_postures_that_it_does_not_have() {

@@ -197,6 +197,7 @@ impl CalibrateAnswer {
             let distance = fixed(Unit::Millimetre.told(row.distance), 2);
             notes.push(format!("Line {}: {which} {distance} mm off, left out.\n", row.line));
         }
+        notes.extend(self.moved().map(|moved| format!("{moved}\n")));
         if !found.narrow.is_empty() {
             let each = found.narrow.iter().map(|(joint, share)| format!("{joint} ({} %)", fixed(100.0 * share, 0)));
             notes.push(format!(
@@ -210,6 +211,15 @@ impl CalibrateAnswer {
             "The angles and positions of this table must be as the controller moves without a calibration of its own; with one in force it corrects twice.\n".into(),
         );
         notes.concat()
+    }
+
+    /// That the instrument seems to have moved, and what to do.
+    pub fn moved(&self) -> Option<String> {
+        let (line, far) = self.found.moved?;
+        let far = fixed(Unit::Millimetre.told(far), 2);
+        Some(format!(
+            "From line {line} on all points stand {far} mm elsewhere, as if the tracker or the base had moved: name a column that tells its stands apart with --frame-by, or measure again."
+        ))
     }
 
     /// What the own weight rests on.

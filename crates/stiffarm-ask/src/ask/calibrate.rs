@@ -29,6 +29,9 @@ pub(crate) fn answer<'a>(asked: &'a Request, context: Context) -> Result<Calibra
     }
     let date = asked.date().unwrap_or_else(today);
     let answer = CalibrateAnswer { found, robot, data, date, is_chosen: options.level.is_none() };
+    if let Some(moved) = answer.moved() {
+        context.listener.warn(&format!("warning: {}: {moved}", answer.data));
+    }
     Ok(CalibrateOutput { answer, asked, inputs: Inputs::of(asked, context), plate: Plate::of(asked)? })
 }
 

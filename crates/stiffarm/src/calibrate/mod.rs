@@ -11,6 +11,7 @@ mod drives;
 mod fit;
 mod left_out;
 mod level;
+mod moved;
 mod robust;
 mod suspects;
 
@@ -112,6 +113,8 @@ pub struct Calibrated {
     pub shown: Errors,
     /// Points and rows that were left out.
     pub wrong_rows: Vec<WrongRow>,
+    /// The line of the file from which on all points stand elsewhere, as where the instrument moved, and how far, m.
+    pub moved: Option<(usize, f64)>,
     /// The tracker in the base, of each of its stands.
     pub tracker_in_base: Vec<Pose>,
     /// The points in the flange, m.
@@ -228,21 +231,26 @@ pub fn calibrate(
     let sound = robust::sound(&arm, sights.clone(), shape, start);
     watch.go_on()?;
     let of: usize = sights.iter().map(|sight| sight.points.iter().flatten().count()).sum();
-    if robust::MOST_WRONG * (of as f64) < sound.wrong.len() as f64 {
-        let suspect = suspects::suspect(&arm, &sights, shape, (as_drawn, &lines));
-        return Err(CalibrateError::TooManyWrong { wrong: sound.wrong.len(), of, suspect });
-    }
-    let rows_of = |arm, drives| Rows {
+    let rows_of = |arm, drives, sights: &[Sight]| Rows {
         arm,
         drives,
-        sights: sound.sights.clone(),
+        sights: sights.to_vec(),
         stands: shape.0,
         points: shape.1,
         lever: sound.lever,
     };
+    // Of all rows: those before it or from it on may be too few to be right.
+    let every = rows_of(&arm, None, &sound.every);
+    let of_every = every.fitted(Some(Level::Weight), &sound.state, sound.noise).ok_or(CalibrateError::Undetermined)?;
+    let moved = moved::moved(&every, &of_every).map(|(row, far)| (lines[row], far));
+    if robust::MOST_WRONG * (of as f64) < sound.wrong.len() as f64 {
+        let suspect = suspects::suspect(&arm, &sights, shape, (as_drawn, &lines));
+        let suspect = suspect.or_else(|| moved.map(|(line, _)| suspects::moved_near(line)));
+        return Err(CalibrateError::TooManyWrong { wrong: sound.wrong.len(), of, suspect });
+    }
     let weighed = DrivesPrior::of(robot).and_then(|prior| prior.weighed(robot, &arm));
-    let by_terms = rows_of(&arm, None);
-    let by_masses = weighed.as_ref().map(|(weighed, prior)| rows_of(weighed, Some(prior.sd)));
+    let by_terms = rows_of(&arm, None, &sound.sights);
+    let by_masses = weighed.as_ref().map(|(weighed, prior)| rows_of(weighed, Some(prior.sd), &sound.sights));
     let levels = std::iter::once(None).chain(Level::ALL.map(Some)).map(|level| (&by_terms, level));
     let of_masses = by_masses.iter().flat_map(|rows| [Level::Weight, Level::Gears].map(|level| (rows, Some(level))));
     let mut fits = Vec::new();
@@ -276,6 +284,7 @@ pub fn calibrate(
         deviations: errors_of(&deviation),
         shown: errors_of(&best.share),
         wrong_rows: wrong_rows(&sound.wrong, &sights, &lines),
+        moved,
         tracker_in_base: best.state.bases.iter().map(Pose::inverse).collect(),
         points: best.state.points.clone(),
         rows: offs((&fits[0].1, best), &sound.index, &lines),

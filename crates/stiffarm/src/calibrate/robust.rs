@@ -35,6 +35,8 @@ pub(super) const SUBSETS: usize = 80;
 /// Rows with their weights, those that are wrong left out.
 pub(super) struct Sound {
     pub(super) sights: Vec<Sight>,
+    /// All rows with their weights, those that are wrong, too.
+    pub(super) every: Vec<Sight>,
     pub(super) state: State,
     pub(super) noise: f64,
     pub(super) lever: f64,
@@ -109,12 +111,13 @@ pub(super) fn sound(arm: &Frames, sights: Vec<Sight>, (stands, points): (usize, 
     let wrong: Vec<(usize, usize, f64)> = off.iter().copied().filter(|(_, _, off)| !(*off <= limit)).collect();
     let mut kept = all.clone();
     weigh(&mut kept, &all, &off, noise);
+    let every = kept.clone();
     for (row, point, _) in &wrong {
         kept[*row].points[*point] = None;
     }
     let index: Vec<usize> = (0..kept.len()).filter(|&i| kept[i].points.iter().any(Option::is_some)).collect();
     let sights = index.iter().map(|&i| kept[i].clone()).collect();
-    Sound { sights, state, noise, lever: rows.lever, index, wrong }
+    Sound { sights, every, state, noise, lever: rows.lever, index, wrong }
 }
 
 /// Row, point and distance of every point.

@@ -71,14 +71,15 @@ pub(super) fn suspect(
             let mut moved = sights.to_vec();
             moved[from..].iter_mut().for_each(|sight| sight.stand = 1);
             let found = tried(&moved, (2, shape.1));
-            consider(
-                found,
-                format!(
-                    "the tracker moved near line {}: a column that tells its stands apart, named by frame-by, gives each a frame of its own",
-                    lines[from]
-                ),
-            );
+            consider(found, moved_near(lines[from]));
         }
     }
     best.map(|(found, what)| format!("{what} (then half of the points are within {:.2} mm)", found * 1e3))
+}
+
+/// That the instrument moved near a line of the table, and what to do.
+pub(super) fn moved_near(line: usize) -> String {
+    format!(
+        "the tracker moved near line {line}: a column that tells its stands apart, named by frame-by, gives each a frame of its own"
+    )
 }

@@ -10,7 +10,7 @@ impl CalibrateAnswer {
     pub fn headline(&self) -> Headline {
         let found = &self.found;
         let mm = |metres: f64| format!("{} mm", fixed(Unit::Millimetre.told(metres), 3));
-        let is_known = found.narrow.is_empty() && found.at_work.is_some();
+        let is_known = found.narrow.is_empty() && found.at_work.is_some() && found.moved.is_none();
         let outcome = if is_known { Outcome::Calibrated } else { Outcome::PartlyCalibrated };
         let by = if self.is_chosen { "the level with the largest evidence" } else { "the level that was asked for" };
         let mut sentences = vec![format!(
@@ -36,6 +36,7 @@ impl CalibrateAnswer {
             1 => "One point is wrong and left out.".into(),
             count => format!("{count} points are wrong and left out."),
         });
+        sentences.extend(self.moved());
         let narrow: Vec<String> = found.narrow.iter().map(|(joint, _)| joint.to_string()).collect();
         if !narrow.is_empty() {
             sentences.push(format!(
@@ -47,7 +48,12 @@ impl CalibrateAnswer {
             format!("Lengths as the robot file has them: {}.", words::class(&self.robot)),
             "The interval at the work is that of this model, with what is predicted of rows that were left out as its noise.".into(),
         ];
-        rests_on.extend(self.notes().lines().filter(|line| !line.starts_with("Line ")).map(sentence));
+        rests_on.extend(
+            self.notes()
+                .lines()
+                .filter(|line| !line.starts_with("Line ") && !line.starts_with("From line "))
+                .map(sentence),
+        );
         Headline { outcome, sentences, rests_on }
     }
 }
