@@ -62,6 +62,13 @@ pub(crate) struct Linear {
     pub of: Vec<Option<usize>>,
 }
 
+impl Linear {
+    /// Which points were seen, each with where its three residuals begin.
+    pub(crate) fn points(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.of.iter().enumerate().filter_map(|(block, point)| Some((3 * block, (*point)?)))
+    }
+}
+
 impl Problem<'_> {
     pub(crate) fn unknowns(&self) -> usize {
         self.first_parameter() + self.precision.len()
@@ -269,19 +276,24 @@ impl Problem<'_> {
     }
 }
 
-/// `J' W J` and `J' W r` of some rows with `n` unknowns: as one product of large matrices, which is many times faster than one a row.
-fn summed(rows: &[&Linear], n: usize) -> (DMatrix<f64>, DVector<f64>) {
-    let count = rows.iter().map(|row| row.residual.len()).sum();
-    let mut jacobian = DMatrix::zeros(count, n);
-    let (mut residual, mut weight) = (DVector::zeros(count), DVector::zeros(count));
+/// How `n` unknowns move what is expected of some rows, one row below the other.
+pub(crate) fn stacked(rows: &[&Linear], n: usize) -> DMatrix<f64> {
+    let mut all = DMatrix::zeros(rows.iter().map(|row| row.residual.len()).sum(), n);
     let mut first = 0;
     for row in rows {
-        let many = row.residual.len();
-        jacobian.rows_mut(first, many).copy_from(&row.jacobian);
-        residual.rows_mut(first, many).copy_from(&row.residual);
-        weight.rows_mut(first, many).copy_from(&row.weight);
-        first += many;
+        all.rows_mut(first, row.residual.len()).copy_from(&row.jacobian);
+        first += row.residual.len();
     }
+    all
+}
+
+/// `J' W J` and `J' W r` of some rows with `n` unknowns: as one product of large matrices, which is many times faster than one a row.
+fn summed(rows: &[&Linear], n: usize) -> (DMatrix<f64>, DVector<f64>) {
+    let mut jacobian = stacked(rows, n);
+    let all = |of: fn(&Linear) -> &DVector<f64>| {
+        DVector::from_iterator(jacobian.nrows(), rows.iter().flat_map(|row| of(row).iter().copied()))
+    };
+    let (residual, weight) = (all(|row| &row.residual), all(|row| &row.weight));
     let moved = jacobian.transpose();
     jacobian.column_iter_mut().for_each(|mut column| column.component_mul_assign(&weight));
     (&moved * &jacobian, jacobian.tr_mul(&residual))

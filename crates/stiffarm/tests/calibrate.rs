@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
-use stiffarm::calibrate::{CalibrateError, CalibrateOptions, Calibrated, Level, WrongRow, calibrate};
+use stiffarm::calibrate::{CalibrateError, CalibrateOptions, Calibrated, Level, Work, WrongRow, calibrate};
 use stiffarm::calibration::Errors;
 use stiffarm::catalogue::readings::{ReadOptions, Readings, read};
 use stiffarm::catalogue::{find, read as read_robot, write as write_robot};
@@ -13,6 +13,8 @@ use stiffarm::drive::GravityCompensator;
 use stiffarm::prior::by_size;
 use stiffarm::robot::{Arm, Robot};
 use stiffarm::watch::Watch;
+
+use crate::made::other_day;
 
 /// m: the noise of a coordinate.
 const NOISE: f64 = 0.03e-3;
@@ -227,6 +229,32 @@ fn a_tracker_that_moved_has_a_frame_of_its_own_and_points_may_be_missing() {
     let [a, b] = [0, 1].map(|i| found.tracker_in_base[i].inverse().translation.vector);
     assert!((b - a - Vector3::new(0.25, 0.0, 0.0)).norm() < 0.3e-3, "{a} {b}");
     assert!(found.taken().rms < 2.0 * NOISE * 3_f64.sqrt(), "{:?}", found.levels);
+}
+
+/// Tracker and target stand elsewhere, so that both take a part of what is left: the interval for those very postures knows that.
+#[test]
+fn an_interval_for_another_day_holds_what_is_left_there() {
+    const ARMS: usize = 24;
+    let robot = robot();
+    let (mut held, mut left) = (0, [0.0; 2]);
+    for seed in 0..ARMS {
+        let mut rng = fastrand::Rng::with_seed(600 + seed as u64);
+        let truth = errors(&mut rng, 0.2e-3);
+        let text = table(&robot, &truth, &mut rng, (30, 0.8));
+        // In other postures; where tracker and target stand is found anew all the same.
+        let later = readings(&table(&robot, &truth, &mut rng, (40, 0.6)));
+        let postures = later.rows.iter().map(|row| row.q).collect();
+        let options = CalibrateOptions { work: Work::OtherDay(postures), ..CalibrateOptions::default() };
+        let found = calibrate(&robot, &readings(&text), &options, Watch::nobody()).unwrap();
+        let told = found.at_work.unwrap();
+        let off = other_day::left(&robot, &found.errors, &later);
+        held += usize::from((told.interval[0]..=told.interval[1]).contains(&off));
+        left = [left[0] + off.powi(2), left[1] + told.expected.powi(2)];
+    }
+    assert!(least_of(ARMS, 0.95) <= held as f64, "{held} of {ARMS}");
+    // What is expected is no smaller, and not much larger: of computed arms nothing is left that no level explains.
+    let ratio = (left[1] / left[0]).sqrt();
+    assert!((1.0..1.25).contains(&ratio), "{ratio}");
 }
 
 /// By as little as half a millimetre, where the arm errs by some tenths; an instrument that stands still is not suspected.

@@ -190,14 +190,19 @@ impl CalibrateAnswer {
 
     /// What must be looked at.
     pub fn notes(&self) -> String {
-        let found = &self.found;
-        let mut notes: Vec<String> = Vec::new();
-        for row in &found.wrong_rows {
+        let wrong = self.found.wrong_rows.iter().map(|row| {
             let which = if row.point == 0 { "all points".into() } else { format!("point {}", row.point) };
             let distance = fixed(Unit::Millimetre.told(row.distance), 2);
-            notes.push(format!("Line {}: {which} {distance} mm off, left out.\n", row.line));
-        }
-        notes.extend(self.moved().map(|moved| format!("{moved}\n")));
+            format!("Line {}: {which} {distance} mm off, left out.\n", row.line)
+        });
+        let moved = self.moved().map(|moved| format!("{moved}\n"));
+        wrong.chain(moved).collect::<String>() + &self.rests()
+    }
+
+    /// What all of it rests on.
+    pub(super) fn rests(&self) -> String {
+        let found = &self.found;
+        let mut notes: Vec<String> = Vec::new();
         if !found.narrow.is_empty() {
             let each = found.narrow.iter().map(|(joint, share)| format!("{joint} ({} %)", fixed(100.0 * share, 0)));
             notes.push(format!(
@@ -218,7 +223,7 @@ impl CalibrateAnswer {
         let (line, far) = self.found.moved?;
         let far = fixed(Unit::Millimetre.told(far), 2);
         Some(format!(
-            "From line {line} on all points stand {far} mm elsewhere, as if the tracker or the base had moved: name a column that tells its stands apart with --frame-by, or measure again."
+            "From line {line} on all points stand {far} mm elsewhere, as if the tracker or the base had moved: a column that tells its stands apart, named by frame-by, gives each a frame of its own; else measure again."
         ))
     }
 

@@ -1,14 +1,14 @@
 //! How far is the calibrated arm still off where the work is? From the posterior of all unknowns, with the noise that left-out
 //! thirds show and what no level explains.
 
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DVector, Vector3};
 
 use super::fit::{Fitted, Rows};
 use super::{CalibrateError, Work};
 use crate::chain::{ALL, FRAMES};
 use crate::limits::Limits;
 use crate::prior::normal;
-use crate::registration::{Linear, Problem, Sight};
+use crate::registration::{Problem, Sight, stacked};
 
 /// Draws of the unknowns: the ends of 95 % of so many are known to one per cent of a normal's spread.
 const DRAWS: usize = 400;
@@ -95,7 +95,7 @@ pub(super) fn at_work(
         chain: &chain,
     };
     let linear = problem.linear(&fitted.state);
-    let moved = stacked(&linear);
+    let moved = stacked(&linear.iter().collect::<Vec<_>>(), problem.unknowns());
     // Where instrument and point are found anew, least squares take the part of the errors that they explain.
     let anew = matches!(work, Work::OtherDay(_)).then(|| {
         let point = problem.first_point();
@@ -149,16 +149,6 @@ pub(super) fn at_work(
         p95: at(&all, 0.95),
         postures: postures.len(),
     }))
-}
-
-/// The rows of all postures, one below the other.
-fn stacked(rows: &[Linear]) -> DMatrix<f64> {
-    let columns = rows.first().map_or(0, |row| row.jacobian.ncols());
-    let mut all = DMatrix::zeros(3 * rows.len(), columns);
-    for (i, row) in rows.iter().enumerate() {
-        all.rows_mut(3 * i, 3).copy_from(&row.jacobian);
-    }
-    all
 }
 
 /// A draw of what a standard deviation may be in parts of its estimate from so many squares, of a normal draw: the root of `v / chi^2_v` by Wilson's

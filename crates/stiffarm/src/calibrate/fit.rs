@@ -48,16 +48,16 @@ pub(super) struct Fitted {
 impl Fitted {
     /// Standard deviation of a coordinate of the points where every one counts alike, those far off, too, m.
     pub(super) fn unweighted_noise(&self) -> f64 {
-        let (mut squares, mut count, mut all) = (0.0, 0, 0);
+        let (mut squares, mut count, mut all) = (0.0, 0_usize, 0);
         for row in &self.rows {
-            for at in (0..row.of.len()).filter(|&block| row.of[block].is_some()).map(|block| 3 * block) {
+            for (at, _) in row.points() {
                 squares += row.residual.rows(at, 3).norm_squared();
                 count += 3;
             }
             all += row.residual.len();
         }
         // Of what is left over each residual has the same part.
-        let spare = self.spare * f64::from(count) / all as f64;
+        let spare = self.spare * count as f64 / all as f64;
         (squares / spare).sqrt().max(self.noise)
     }
 }

@@ -24,21 +24,15 @@ struct Third<'r> {
 pub(super) fn left_out(rows: &Rows, fitted: &Fitted) -> Option<f64> {
     let (mut squares, mut count) = (0.0, 0_usize);
     for Third { rows, step } in thirds(rows, fitted) {
-        for (at, row) in points(&rows) {
-            let off = row.residual.rows(at, 3) - row.jacobian.rows(at, 3) * &step;
-            squares += off.norm_squared();
-            count += 1;
+        for row in rows {
+            for (at, _) in row.points() {
+                let off = row.residual.rows(at, 3) - row.jacobian.rows(at, 3) * &step;
+                squares += off.norm_squared();
+                count += 1;
+            }
         }
     }
     (0 < count).then(|| (squares / count as f64).sqrt())
-}
-
-/// Where the residuals of each point begin, of rows.
-fn points<'r>(rows: &'r [&Linear]) -> impl Iterator<Item = (usize, &'r Linear)> {
-    rows.iter().flat_map(|row| {
-        let blocks = row.of.iter().enumerate().filter(|(_, point)| point.is_some());
-        blocks.map(|(block, _)| (3 * block, *row))
-    })
 }
 
 /// Thirds of each joint's range of which the others show the same stands and points.

@@ -46,10 +46,9 @@ pub(super) fn moved(rows: &Rows, fitted: &Fitted) -> Option<(usize, f64)> {
     if gain < EXPLAINED * squares || gain < SURE * fitted.noise.powi(2) {
         return None;
     }
-    let later = fitted.rows[from..].iter().flat_map(|row| {
-        let points = row.of.iter().enumerate().filter(|(_, point)| point.is_some());
-        points.map(move |(block, _)| (row.jacobian.view((3 * block, 0), (3, 6)) * step).norm_squared())
-    });
+    let later = fitted.rows[from..]
+        .iter()
+        .flat_map(|row| row.points().map(move |(at, _)| (row.jacobian.view((at, 0), (3, 6)) * step).norm_squared()));
     let far: Vec<f64> = later.collect();
     Some((from, (far.iter().sum::<f64>() / far.len() as f64).sqrt()))
 }

@@ -135,14 +135,11 @@ fn rows_distances(rows: &Rows, state: &State, all: &[Sight]) -> Vec<(usize, usiz
 
 /// The same of rows as they stand about a state.
 pub(super) fn distances(rows: &[Linear]) -> Vec<(usize, usize, f64)> {
-    let of_row = |(i, row): (usize, &Linear)| {
-        let each = row.of.iter().enumerate().filter_map(|(block, point)| {
-            let off: Vector3<f64> = row.residual.fixed_rows::<3>(3 * block).into();
-            Some((i, (*point)?, off.norm()))
-        });
-        each.collect::<Vec<_>>()
-    };
-    rows.iter().enumerate().flat_map(of_row).collect()
+    let mut found = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        found.extend(row.points().map(|(at, point)| (i, point, row.residual.rows(at, 3).norm())));
+    }
+    found
 }
 
 /// Student's weights: `(nu + 3) / (nu + |r|^2 / s^2)`.

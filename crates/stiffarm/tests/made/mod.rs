@@ -1,6 +1,8 @@
 //! Measurements that were made up: of a robot whose compliances are known.
 #![allow(dead_code, reason = "each test uses a part")]
 
+pub(crate) mod other_day;
+
 use std::fmt::Write;
 
 use nalgebra::Vector3;

@@ -48,12 +48,7 @@ impl CalibrateAnswer {
             format!("Lengths as the robot file has them: {}.", words::class(&self.robot)),
             "The interval at the work is that of this model, with what is predicted of rows that were left out as its noise.".into(),
         ];
-        rests_on.extend(
-            self.notes()
-                .lines()
-                .filter(|line| !line.starts_with("Line ") && !line.starts_with("From line "))
-                .map(sentence),
-        );
+        rests_on.extend(self.rests().lines().map(sentence));
         Headline { outcome, sentences, rests_on }
     }
 }
