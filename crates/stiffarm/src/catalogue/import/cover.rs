@@ -48,7 +48,7 @@ pub(super) fn cover(triangles: &[Triangle], most: usize) -> Vec<LinkCapsule> {
     let size = extent(&points);
     let pieces = pieces(triangles, size * FINENESS);
     let search = Search { patches: patches(&pieces, first, size * FINENESS), size };
-    let mut lines = vec![search.fit(&search.patches.concat(), None, STEPS)];
+    let mut lines = vec![search.fit(&search.patches.iter().collect::<Vec<_>>(), None, STEPS)];
     let (mut found, mut least) = (lines.clone(), volume(&lines));
     // The first cut may save nothing and the second one much.
     for _ in 1..most {
@@ -96,36 +96,63 @@ fn pieces(triangles: &[Triangle], longest: f64) -> Vec<Triangle> {
     small
 }
 
-/// Corners of the pieces whose middles lie in one cell of a grid: what lies in one capsule as a whole.
-fn patches(pieces: &[Triangle], origin: &Vec3, width: f64) -> Vec<Vec<Vec3>> {
+/// Many, all around.
+fn directions() -> impl Iterator<Item = Vec3> {
+    let grid = (0..125).map(|i| Vec3::new(f64::from(i % 5 - 2), f64::from(i / 5 % 5 - 2), f64::from(i / 25 - 2)));
+    grid.filter(|direction| direction.amax() == 2.0)
+}
+
+/// Points of the surface that lie in one capsule as a whole.
+struct Patch {
+    points: Vec<Vec3>,
+    /// In each of the directions: how far the points reach, and which of them does.
+    farthest: Vec<(f64, usize)>,
+}
+
+impl Patch {
+    fn new(points: Vec<Vec3>) -> Self {
+        let farthest = directions().map(|direction| {
+            let along = points.iter().map(|point| point.dot(&direction)).zip(0..);
+            along.fold((f64::NEG_INFINITY, 0), |most, next| if most.0 < next.0 { next } else { most })
+        });
+        Self { farthest: farthest.collect(), points }
+    }
+
+    fn is_in(&self, line: &LinkCapsule) -> bool {
+        self.points.iter().all(|point| line.away(point).norm() <= line.radius)
+    }
+}
+
+/// One for the pieces whose middles lie in one cell of a grid, of the outermost of their corners.
+fn patches(pieces: &[Triangle], origin: &Vec3, width: f64) -> Vec<Patch> {
     let mut cells: BTreeMap<[i64; 3], Vec<Vec3>> = BTreeMap::new();
     for piece in pieces {
         let middle = middle(piece) - origin;
         let cell = middle.map(|x| if 0.0 < width { (x / width).floor() as i64 } else { 0 });
         cells.entry(cell.into()).or_default().extend(piece);
     }
-    cells.into_values().map(|corners| outermost(&corners)).collect()
+    cells.into_values().map(|corners| Patch::new(outermost(&[&Patch::new(corners)]))).collect()
 }
 
-/// The points that are farthest in one of many directions.
-fn outermost(points: &[Vec3]) -> Vec<Vec3> {
-    let mut kept = Vec::new();
-    for i in 0..125 {
-        let direction = Vec3::new(f64::from(i % 5 - 2), f64::from(i / 5 % 5 - 2), f64::from(i / 25 - 2));
-        if direction.amax() < 2.0 {
-            continue;
-        }
-        let (mut farthest, mut most) = (0, f64::NEG_INFINITY);
-        for (at, along) in points.iter().map(|point| point.dot(&direction)).enumerate() {
-            if most < along {
-                (farthest, most) = (at, along);
+/// The points that are farthest in one of the directions.
+fn outermost(patches: &[&Patch]) -> Vec<Vec3> {
+    let mut most = vec![(f64::NEG_INFINITY, (0, 0)); directions().count()];
+    for (at, patch) in patches.iter().enumerate() {
+        for (most, (along, point)) in most.iter_mut().zip(&patch.farthest) {
+            if most.0 < *along {
+                *most = (*along, (at, *point));
             }
         }
-        kept.push(farthest);
     }
+    let mut kept: Vec<(usize, usize)> = most.into_iter().map(|(_, at)| at).collect();
     kept.sort_unstable();
     kept.dedup();
-    kept.into_iter().filter_map(|at| points.get(at).copied()).collect()
+    kept.into_iter().filter_map(|(at, point)| patches.get(at)?.points.get(point).copied()).collect()
+}
+
+/// Of all patches.
+fn points(patches: &[&Patch]) -> Vec<Vec3> {
+    patches.iter().flat_map(|patch| &patch.points).copied().collect()
 }
 
 /// Those of the frame, and before them the one along which the points spread most.
@@ -174,7 +201,7 @@ impl LinkCapsule {
 
 /// For capsules about patches.
 struct Search {
-    patches: Vec<Vec<Vec3>>,
+    patches: Vec<Patch>,
     /// The largest extent.
     size: f64,
 }
@@ -186,9 +213,9 @@ impl Search {
         PI * radius * radius * ((line.ends[1] - line.ends[0]).norm() + radius * 4.0 / 3.0)
     }
 
-    /// The capsule with the least cost about the points that is found from a line and from the axes.
-    fn fit(&self, points: &[Vec3], from: Option<LinkCapsule>, steps: usize) -> LinkCapsule {
-        let mut near = outermost(points);
+    /// The capsule with the least cost about the patches that is found from a line and from the axes.
+    fn fit(&self, patches: &[&Patch], from: Option<LinkCapsule>, steps: usize) -> LinkCapsule {
+        let (points, mut near) = (points(patches), outermost(patches));
         let axes = axes(&near);
         let axes = if steps == FEW_STEPS { &axes[..1] } else { &axes };
         let starts = axes.iter().map(|axis| LinkCapsule::along(axis, &near)).chain(from);
@@ -201,10 +228,10 @@ impl Search {
             if out.is_empty() {
                 break;
             }
-            near.extend(outermost(&out));
+            near.extend(outermost(&[&Patch::new(out)]));
             best = self.descend(LinkCapsule::about(best.ends, &near), &near, steps);
         }
-        LinkCapsule::about(best.ends, points)
+        LinkCapsule::about(best.ends, &points)
     }
 
     /// Downhill in ever smaller steps: the ends follow the points that are farthest, and each other.
@@ -252,10 +279,9 @@ impl Search {
     }
 
     /// The patches that no other capsule holds as a whole.
-    fn left_to(&self, lines: &[LinkCapsule], own: usize) -> Vec<&[Vec3]> {
-        let holds = |line: &LinkCapsule, patch: &[Vec3]| line.reach(patch) <= line.radius;
-        let held = |patch: &[Vec3]| lines.iter().enumerate().any(|(i, line)| i != own && holds(line, patch));
-        self.patches.iter().map(Vec::as_slice).filter(|patch| !held(patch)).collect()
+    fn left_to(&self, lines: &[LinkCapsule], own: usize) -> Vec<&Patch> {
+        let held = |patch: &&Patch| lines.iter().enumerate().any(|(i, line)| i != own && patch.is_in(line));
+        self.patches.iter().filter(|patch| !held(patch)).collect()
     }
 
     /// With one capsule more, where a cut through one of them is best; `None` where nothing can be cut.
@@ -263,14 +289,14 @@ impl Search {
         let mut cuts = Vec::new();
         for own in 0..lines.len() {
             let mut patches = self.left_to(lines, own);
-            for axis in axes(&patches.concat()) {
-                patches.sort_by(|x, y| middle(x).dot(&axis).total_cmp(&middle(y).dot(&axis)));
+            for axis in axes(&points(&patches)) {
+                patches.sort_by(|x, y| middle(&x.points).dot(&axis).total_cmp(&middle(&y.points).dot(&axis)));
                 for cut in 1..=CUTS {
                     let (low, high) = patches.split_at(patches.len() * cut / (CUTS + 1));
                     if !low.is_empty() && !high.is_empty() {
                         let mut more = lines.to_vec();
-                        more[own] = self.fit(&low.concat(), None, FEW_STEPS);
-                        more.push(self.fit(&high.concat(), None, FEW_STEPS));
+                        more[own] = self.fit(low, None, FEW_STEPS);
+                        more.push(self.fit(high, None, FEW_STEPS));
                         cuts.push((volume(&more), more));
                     }
                 }
@@ -286,12 +312,13 @@ impl Search {
         for _ in 0..ROUNDS {
             let mut has_fallen = false;
             for own in (0..lines.len()).rev() {
-                let points = self.left_to(&lines, own).concat();
-                if points.is_empty() {
+                let left = self.left_to(&lines, own);
+                if left.is_empty() {
                     lines.remove(own);
                     continue;
                 }
-                let again = self.fit(&points, Some(LinkCapsule::about(lines[own].ends, &points)), STEPS);
+                let about = LinkCapsule::about(lines[own].ends, &points(&left));
+                let again = self.fit(&left, Some(about), STEPS);
                 has_fallen |= self.cost(&again) < (1.0 - LEAST_FALL) * self.cost(&lines[own]);
                 if self.cost(&again) < self.cost(&lines[own]) {
                     lines[own] = again;

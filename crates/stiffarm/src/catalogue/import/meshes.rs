@@ -1,6 +1,7 @@
 //! What of a description's meshes belongs to which link of the arm, and which capsules enclose it?
 
 use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
+use rayon::prelude::*;
 use roxmltree::{Document, Node};
 
 use super::cover::{Triangle, cover};
@@ -66,7 +67,7 @@ impl Described<'_> {
             return Err(self.fault(&format!("{bare} of the arm"), why));
         }
         self.check_widths(geometry, &triangles)?;
-        let links = triangles.each_ref().map(|own| cover(own, MOST_CAPSULES));
+        let links: Vec<_> = triangles.par_iter().map(|own| cover(own, MOST_CAPSULES)).collect();
         let grown = self.off(geometry, limits, &at_zero, &links);
         let links = std::array::from_fn(|i| links[i].iter().map(|one| rounded(one, grown[i])).collect());
         let mut enclosing = Enclosing { links, not_compared: Vec::new() };
@@ -126,7 +127,7 @@ impl Described<'_> {
     }
 
     /// How far a robot file moves any capsule's end from where the description does, of each link, m.
-    fn off(&self, geometry: &Geometry, limits: &Limits, at_zero: &[f64; 6], links: &[Vec<LinkCapsule>; 7]) -> [f64; 7] {
+    fn off(&self, geometry: &Geometry, limits: &Limits, at_zero: &[f64; 6], links: &[Vec<LinkCapsule>]) -> [f64; 7] {
         let base = self.base();
         let home = self.chain.frames_at(at_zero).map(|frame| (base * frame).inverse());
         let mut rng = fastrand::Rng::with_seed(1);
