@@ -164,8 +164,7 @@ impl Request {
     }
 
     fn needed(&self, setting: &Setting) -> Option<&'static Setting> {
-        let (_, name) = setting.needs.iter().find(|(verb, _)| *verb == self.verb)?;
-        self.verb.setting(name)
+        self.verb.setting(setting.needed_by(self.verb).next()?)
     }
 
     fn check_others(&self, given: &Given) -> Result<(), Refusal> {
@@ -173,8 +172,9 @@ impl Request {
         let (at, name) = (at.clone(), at.name(setting));
         // A process says what a force would.
         let is_said = |other: &str| self.is_given(other) || other == "force-n" && self.is_given("process");
-        if let Some(other) = self.needed(setting).filter(|other| !is_said(other.name)) {
-            let other = at.name(other);
+        let others: Vec<&Setting> = setting.needed_by(self.verb).filter_map(|other| self.verb.setting(other)).collect();
+        if !others.is_empty() && !others.iter().any(|other| is_said(other.name)) {
+            let other = others.into_iter().map(|other| at.name(other)).collect::<Vec<_>>().join(" or ");
             return Err(Refusal::Needs { at, name, other });
         }
         match setting.excludes.iter().find_map(|other| self.find(other)) {

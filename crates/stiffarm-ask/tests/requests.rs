@@ -26,7 +26,7 @@ fn alone(verb: Verb, setting: &'static Setting) -> Vec<(&'static str, &'static s
     let mut given = vec![(setting.name, setting.example)];
     let mut is_spatial = setting.of == Of::Spatial;
     let mut last = setting;
-    while let Some((_, name)) = last.needs.iter().find(|(of, _)| *of == verb) {
+    while let Some(name) = last.needed_by(verb).next() {
         last = verb.setting(name).expect("a row");
         is_spatial |= last.of == Of::Spatial && verb != Verb::Modes;
         given.push((name, last.example));
@@ -78,8 +78,8 @@ fn every_row_has_a_name_of_its_own_and_refers_to_rows_that_are_there() {
             assert!(!setting.help.is_empty() && !setting.value.is_empty(), "{}", setting.name);
             let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
             assert!(setting.name.chars().all(plain) && !job::PROGRAM.contains(&setting.name), "{}", setting.name);
-            for other in setting.needs.iter().filter(|(of, _)| *of == verb).map(|(_, name)| name) {
-                assert!(names.contains(other), "{verb:?}: {} needs {other}, which is not there", setting.name);
+            for other in setting.needed_by(verb) {
+                assert!(names.contains(&other), "{verb:?}: {} needs {other}, which is not there", setting.name);
             }
             for other in setting.excludes {
                 let back = verb.setting(other).is_some_and(|other| other.excludes.contains(&setting.name));

@@ -1,4 +1,5 @@
-//! How much of the tool is in the work: entry and exit angle along a three-axis path, from what is left of the stock.
+//! How much of the tool is in the work: entry and exit angle along a three-axis path, from what is left of the stock. And what is left there for
+//! an arm to touch.
 //!
 //! The stock is a field of heights: one number for each cell of a grid, above which there is nothing. A flat mill whose axis is z
 //! lowers the cells it passes over. What the front half of its rim finds above the tip is the engagement: air carries no force,
@@ -8,6 +9,8 @@
 //! `w` beside the axis of a tool of radius R an angle is off by up to `1.5 cell w / (R^2 sin(phi))`. Widths of less than 1.5 cells at
 //! either side are not seen: a wall that the tool only touches looks like one.
 
+mod remains;
+
 use std::f64::consts::PI;
 
 use nalgebra::{Vector2, Vector3};
@@ -15,6 +18,9 @@ use nalgebra::{Vector2, Vector3};
 use crate::cutting::Engagement;
 use crate::toolpath::{Move, MoveKind, Sample, Steps, samples};
 use crate::watch::{Stopped, Watch};
+pub use remains::Remains;
+pub(crate) use remains::Square;
+use remains::{Squares, StockCells};
 
 /// More cells need more than 400 MB.
 const MOST_CELLS: f64 = 5e7;
@@ -36,6 +42,11 @@ pub struct Stock {
     cell: f64,
     counts: [usize; 2],
     heights: Vec<f64>,
+    /// How high the block was, m.
+    first: f64,
+    /// So many ways were cut into it.
+    ways: usize,
+    squares: Squares,
 }
 
 /// A stock, or a path through it, of which nothing can be told.
@@ -103,7 +114,8 @@ impl Stock {
         }
         let counts = counts.map(|count| count as usize);
         let heights = vec![high[2]; counts[0] * counts[1]];
-        Ok(Self { low: Vector2::new(low[0], low[1]), bottom: low[2], cell, counts, heights })
+        let (low, bottom) = (Vector2::new(low[0], low[1]), low[2]);
+        Ok(Self { low, bottom, cell, counts, heights, first: high[2], ways: 0, squares: Squares::over(counts) })
     }
 
     /// How high the stock is at a point, m; `None` beside it.
@@ -147,6 +159,12 @@ impl Stock {
                 }
             }
         }
+        if has_cut {
+            let Self { heights, counts, bottom, first, ways, squares, .. } = &mut *self;
+            let cells = StockCells { heights, counts: *counts, bottom: *bottom, first: *first };
+            squares.fall(*ways, [i0..i1, j0..j1], &cells);
+        }
+        self.ways += 1;
         has_cut
     }
 

@@ -232,6 +232,7 @@ fn obstacle(to: Obstacle) -> String {
         Obstacle::Mounting => "wall or ceiling".into(),
         Obstacle::Work => "work".into(),
         Obstacle::Part => "part".into(),
+        Obstacle::Stock => "stock".into(),
         Obstacle::KeepOut(number) => format!("keep-out {number}"),
         Obstacle::Link(link) => link.name().into(),
     }

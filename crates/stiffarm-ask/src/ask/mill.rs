@@ -20,7 +20,7 @@ use super::reports::{self, Inputs};
 use crate::error::AskError;
 use crate::figures::milled::MilledFigure;
 use crate::figures::shop::ShopFigure;
-use crate::figures::view3d::{Cell, Sheet, View, Zone};
+use crate::figures::view3d::{Cell, Point, Sheet, View, Zone};
 use crate::figures::{Plate, lobes};
 use crate::forms::{Answer, Forms, Piece};
 use crate::report::Report;
@@ -127,6 +127,7 @@ impl MillOutput<'_> {
         let shown = answer
             .deepest_told()
             .map_or_else(|| "at the worst sample".into(), |told| format!("where it touches deepest ({told})"));
+        let clear_of = answer.options.clear_of.as_ref();
         Ok(View {
             title: format!("{} along {}", answer.robot.full_name(), answer.path),
             notes: vec![answer.force.clone(), format!("the arm {shown}; the path as a ribbon above its tip")],
@@ -137,14 +138,16 @@ impl MillOutput<'_> {
             scale: self.plate.ends(),
             floor: true,
             cell: answer.ground.cell,
-            part: answer
-                .options
-                .clear_of
-                .as_ref()
-                .and_then(|clear_of| Some((clear_of.part.clone()?, stand.base_from_part))),
+            part: clear_of.and_then(|clear_of| Some((clear_of.part.clone()?, stand.base_from_part))),
+            stock: clear_of.and_then(|clear_of| clear_of.stock.as_ref()).map(|stock| corners_of(stock.block(), &stand)),
             ..View::default()
         })
     }
+}
+
+/// Of a block in the part frame, by its low and high corner: base axes.
+fn corners_of(ends: [[f64; 3]; 2], stand: &Stand) -> [Point; 8] {
+    std::array::from_fn(|k| stand.base_from_part.transform_point(&[0, 1, 2].map(|i| ends[k >> i & 1][i]).into()).into())
 }
 
 /// In which forms it is shown.

@@ -213,7 +213,7 @@ impl Request {
             tool_weight: self.tool_weight(),
             clear_of: clearance.map(|clearance| {
                 let floor = margins.floor;
-                ClearOf { clearance, cell, floor, part: None, cutter: None }
+                ClearOf { clearance, cell, floor, part: None, stock: None, cutter: None }
             }),
         })
     }

@@ -162,7 +162,7 @@ pub struct Setting {
     pub value: &'static str,
     /// Without it.
     pub absent: Absent,
-    /// In a verb, the option without which it has no meaning.
+    /// In a verb, the option without which it has no meaning; of several each will do.
     pub needs: &'static [(Verb, &'static str)],
     /// Options that say the same in another way.
     pub excludes: &'static [&'static str],
@@ -177,6 +177,11 @@ pub struct Setting {
 }
 
 impl Setting {
+    /// Options of which one is needed in a verb; none where it stands alone.
+    pub fn needed_by(&self, verb: Verb) -> impl Iterator<Item = &'static str> {
+        self.needs.iter().filter(move |(of, _)| *of == verb).map(|(_, name)| *name)
+    }
+
     /// Several values may be given.
     pub fn is_list(&self) -> bool {
         1 < self.count.most

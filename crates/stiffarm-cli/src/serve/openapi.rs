@@ -108,9 +108,13 @@ fn go_together(verb: Verb, settings: &[&Setting], options: &mut Value) {
                 pairs.push(pair);
             }
         }
-        let needs: Vec<&str> = row.needs.iter().filter(|(of, _)| *of == verb).map(|(_, name)| *name).collect();
-        if !needs.is_empty() {
-            options["dependentRequired"][row.name] = json!(needs);
+        match row.needed_by(verb).collect::<Vec<_>>().as_slice() {
+            [] => {}
+            needed @ [_] => options["dependentRequired"][row.name] = json!(needed),
+            each => {
+                let each: Value = each.iter().map(|name| json!({ "required": [name] })).collect();
+                options["dependentSchemas"][row.name] = json!({ "anyOf": each });
+            }
         }
     }
     if !pairs.is_empty() {

@@ -31,7 +31,7 @@ fn option(verb: Verb, setting: &Setting) -> Value {
         Of::Spatial => &["spatial"],
     };
     let choices = setting.kind.words().iter().map(|(word, help)| json!({ "word": word, "help": help }));
-    let needs: Vec<&str> = setting.needs.iter().filter(|(of, _)| *of == verb).map(|(_, name)| *name).collect();
+    let needs: Vec<&str> = setting.needed_by(verb).collect();
     let [least, most] = bounds(setting.kind);
     json!({
         "name": setting.name, "keyword": setting.keyword(), "help": setting.help, "heading": setting.heading, "value": setting.value,

@@ -114,8 +114,9 @@ fn meaning(verb: Verb, setting: &Setting) -> String {
         Of::Planar => text.push_str(" Planar model only."),
         Of::Spatial => text.push_str(" Spatial model only."),
     }
-    for (_, other) in setting.needs.iter().filter(|(of, _)| *of == verb) {
-        let _ = write!(text, " Needs `--{other}`.");
+    let needed: Vec<String> = setting.needed_by(verb).map(|other| format!("`--{other}`")).collect();
+    if !needed.is_empty() {
+        let _ = write!(text, " Needs {}.", needed.join(" or "));
     }
     for other in setting.excludes.iter().filter(|other| verb.setting(other).is_some()) {
         let _ = write!(text, " Not with `--{other}`.");

@@ -6,7 +6,7 @@ use super::served::Served;
 
 /// Why a value is not as a schema says; the part of JSON Schema that the description uses, and a panic for any other.
 fn unlike(value: &Value, schema: &Value, whole: &Value) -> Option<String> {
-    const KNOWN: [&str; 17] = [
+    const KNOWN: [&str; 18] = [
         "type",
         "properties",
         "required",
@@ -16,6 +16,7 @@ fn unlike(value: &Value, schema: &Value, whole: &Value) -> Option<String> {
         "not",
         "allOf",
         "dependentRequired",
+        "dependentSchemas",
         "enum",
         "anyOf",
         "minimum",
@@ -92,6 +93,12 @@ fn unlike(value: &Value, schema: &Value, whole: &Value) -> Option<String> {
     if let Some((key, others)) = schema["dependentRequired"].as_object().into_iter().flatten().find(|row| needed(*row))
     {
         return Some(format!("{key} needs {others}"));
+    }
+    let others = schema["dependentSchemas"].as_object().into_iter().flatten();
+    let lacking =
+        others.filter(|(key, _)| fields.contains_key(*key)).find_map(|(_, other)| unlike(value, other, whole));
+    if lacking.is_some() {
+        return lacking;
     }
     fields.iter().find_map(|(key, field)| match (&schema["properties"][key], &schema["additionalProperties"]) {
         (Value::Null, Value::Bool(false)) => Some(format!("{key} is not described")),

@@ -131,7 +131,7 @@ mod tests {
             let [links, floor] = [links, floor].map(|mm| mm.parse::<f64>().unwrap() / 1e3);
             let robot = find(name).unwrap().robot();
             let arm = ThickArm::new(&robot, &Pose::identity(), None).unwrap();
-            let nearest = |about| arm.nearest(&theta.clone().try_into().unwrap(), &about).unwrap().distance;
+            let nearest = |about| arm.nearest(&theta.clone().try_into().unwrap(), &about, 0).unwrap().distance;
             let found = [nearest(Surroundings::default()), nearest(Surroundings::above(Some(-0.25)))];
             let told = [links, links.min(floor)];
             // As many digits as are written.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use parry3d_f64::math::Vector;
 use parry3d_f64::query::{PointQuery, distance};
-use parry3d_f64::shape::{Cylinder, Shape, TriMesh, TriMeshFlags};
+use parry3d_f64::shape::{Shape, TriMesh, TriMeshFlags};
 
 use super::solid::{Ball, Capsule, parry};
 use crate::catalogue::stl::Surface;
@@ -69,20 +69,18 @@ impl Mesh {
         self.apart(pose, &Pose::identity(), &segment, &capsule.ends[0]) - capsule.radius
     }
 
-    /// To a cylinder with flat ends about the line of a capsule, m; negative or zero where they overlap, then by no more than the capsule does.
-    pub(super) fn apart_from_cylinder(&self, pose: &Pose, Capsule { ends: [from, to], radius }: &Capsule) -> f64 {
-        let along = to - from;
-        // A cylinder of parry stands along y.
-        let turn = nalgebra::UnitQuaternion::rotation_between(&Vector3::y(), &along);
-        let turn =
-            turn.unwrap_or_else(|| nalgebra::UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
-        let at = Pose::from_parts(((from + to) / 2.0).into(), turn);
-        let apart = self.apart(pose, &at, &Cylinder::new(along.norm() / 2.0, *radius), from);
+    /// To a cylinder with flat ends about the line of a capsule, m; negative or zero where they overlap: by no more than the capsule does, nor than
+    /// the cylinder and the box about the mesh.
+    pub(super) fn apart_from_cylinder(&self, pose: &Pose, capsule: &Capsule) -> f64 {
+        let (at, cylinder) = capsule.cylinder();
+        let apart = self.apart(pose, &at, &cylinder, &capsule.ends[0]);
         if 0.0 < apart {
             return apart;
         }
-        // How deep is told by its line.
-        apart.min(self.apart_from(pose, &Capsule { ends: [*from, *to], radius: *radius }))
+        let bounds = self.0.mesh.local_aabb();
+        let centre = bounds.center();
+        let about = pose * Pose::translation(centre.x, centre.y, centre.z);
+        self.apart_from(pose, capsule).max(-capsule.depth_of_cylinder(&about, bounds.half_extents())).min(0.0)
     }
 
     /// To a convex shape one of whose points is known; what lies wholly inside is as far from outside as from the surface.
@@ -175,6 +173,9 @@ mod tests {
             radius: 0.1,
         };
         assert!(mesh.apart_from_cylinder(&pose, &rim) < 0.0);
+        // Sunk into the top by 20 mm, its line, too: it is 20 mm deep, not as deep as it is thick.
+        let sunk = Capsule { ends: [Vector3::new(0.1, 0.0, 0.9), Vector3::new(0.1, 0.0, 0.48)], radius: 0.1 };
+        assert!((mesh.apart_from_cylinder(&pose, &sunk) + 0.02).abs() < 1e-6);
         // Upside down, where there is no one turn from up to down.
         let under = Capsule { ends: [Vector3::new(0.0, 0.0, -0.9), Vector3::new(0.0, 0.0, -0.56)], radius: 0.1 };
         assert!((mesh.apart_from_cylinder(&pose, &under) - 0.06).abs() < 1e-6);

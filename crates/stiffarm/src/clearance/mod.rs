@@ -4,6 +4,9 @@
 mod links;
 mod mesh;
 mod solid;
+mod stock;
+
+use std::sync::Arc;
 
 use nalgebra::Vector3;
 
@@ -12,10 +15,12 @@ use crate::cell::{Cell, MountKind};
 use crate::geometry::Geometry;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
+use crate::stock::Remains;
 use crate::task::Zone;
 use links::{Piece, Tool, enclosed, links};
 pub use mesh::Mesh;
 pub(crate) use solid::{Capsule, Solid};
+use stock::Ends;
 
 /// The work is a sheet of this thickness, m, behind its surface.
 const SHEET: f64 = 1e-3;
@@ -50,6 +55,8 @@ pub enum Obstacle {
     Work,
     /// The part as its mesh has it.
     Part,
+    /// What is left of the block from which the part is cut.
+    Stock,
     /// A box that was asked to be kept free, by its number from 1.
     KeepOut(usize),
     /// Another link.
@@ -102,16 +109,19 @@ pub(crate) struct Surroundings {
     pub(crate) work: Option<Solid>,
     /// Boxes that must be kept free.
     pub(crate) keep_out: Vec<Solid>,
-    /// The part whose mesh is known.
-    pub(crate) part: Option<Part>,
+    /// What is machined, where its body is known.
+    pub(crate) machined: Option<Machined>,
 }
 
-/// A part whose mesh is known.
+/// What is machined, and how far from it the spindle ends.
 #[derive(Clone, Debug)]
-pub(crate) struct Part {
-    pub(crate) mesh: Mesh,
+pub(crate) struct Machined {
     pub(crate) pose: Pose,
-    /// So far the cutter stands out of the spindle, m; `None` where that is not known, and the tool is not compared with the part.
+    /// As it is when it is done.
+    pub(crate) part: Option<Mesh>,
+    /// The block from which it is cut.
+    pub(crate) stock: Option<Arc<Remains>>,
+    /// So far the cutter stands out of the spindle, m; `None` where that is not known, and the tool is not compared with it.
     pub(crate) cutter: Option<f64>,
 }
 
@@ -150,7 +160,7 @@ impl Surroundings {
             mounting: carries.then(|| [Vector3::zeros(), Vector3::z()]),
             pedestal: if mount.kind == MountKind::Pedestal { base.z.max(0.0) } else { 0.0 },
             work: None,
-            part: None,
+            machined: None,
             keep_out: cell.keep_out().map(solid).collect(),
         }
     }
@@ -193,16 +203,17 @@ impl<'a> ThickArm<'a> {
         let (mut nearest, mut before) = (Nearest(None), Vec::new());
         for theta in postures {
             let pieces = self.pieces(theta, about.pedestal);
-            self.compare(&pieces, &before, about, &mut nearest);
+            self.compare(&pieces, &before, (about, 0), &mut nearest);
             before = pieces;
         }
         nearest.0.map(|near| self.told(near, postures.len()))
     }
 
-    /// The nearest to anything in one posture, by its model angles; `None` where there is nothing to meet.
-    pub(crate) fn nearest(&self, theta: &[f64; 6], about: &Surroundings) -> Option<Near> {
+    /// The nearest to anything in one posture, by its model angles, before some sample of the path by which a block is cut; `None` where there is
+    /// nothing to meet.
+    pub(crate) fn nearest(&self, theta: &[f64; 6], about: &Surroundings, sample: usize) -> Option<Near> {
         let mut nearest = Nearest(None);
-        self.compare(&self.pieces(theta, about.pedestal), &[], about, &mut nearest);
+        self.compare(&self.pieces(theta, about.pedestal), &[], (about, sample), &mut nearest);
         nearest.0
     }
 
@@ -283,7 +294,13 @@ impl<'a> ThickArm<'a> {
 
     /// Looks at every pair that may meet in one posture. What stands about the arm does not move, so that of a link that stands where it did
     /// before nothing new is to be said.
-    fn compare(&self, pieces: &[Piece], before: &[Piece], about: &Surroundings, nearest: &mut Nearest) {
+    fn compare(
+        &self,
+        pieces: &[Piece],
+        before: &[Piece],
+        (about, sample): (&Surroundings, usize),
+        nearest: &mut Nearest,
+    ) {
         let Some(last) = pieces.last().map(|piece| piece.link) else { return };
         for (i, piece) in pieces.iter().enumerate() {
             let Piece { link, capsule, .. } = *piece;
@@ -295,13 +312,13 @@ impl<'a> ThickArm<'a> {
             if let Some(work) = about.work.filter(|_| may_touch && has_moved) {
                 nearest.solid((link, &capsule), Obstacle::Work, &work);
             }
-            if let Some(part) = about.part.as_ref().filter(|_| has_moved) {
+            if let Some(machined) = about.machined.as_ref().filter(|_| has_moved) {
                 if link != last {
-                    nearest.part(link, part, &capsule, Mesh::apart_from);
-                } else if let Some(spindle) = part.cutter.and_then(|cutter| capsule.cut_back(cutter))
+                    nearest.machined(link, (&capsule, Ends::Round), machined, sample);
+                } else if let Some(spindle) = machined.cutter.and_then(|cutter| capsule.cut_back(cutter))
                     && link == Link::Tool
                 {
-                    nearest.part(link, part, &spindle, Mesh::apart_from_cylinder);
+                    nearest.machined(link, (&spindle, Ends::Flat), machined, sample);
                 }
             }
             let Some(capsule) = (if is_last { capsule.cut_back(capsule.radius) } else { Some(capsule) }) else {
@@ -336,10 +353,23 @@ impl Nearest {
     }
 
     /// As of a solid.
-    fn part(&mut self, link: Link, part: &Part, capsule: &Capsule, apart: fn(&Mesh, &Pose, &Capsule) -> f64) {
-        let at_least = capsule.ball().apart_from_ball(&part.mesh.ball(&part.pose));
-        if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
-            self.take(apart(&part.mesh, &part.pose, capsule), link, Obstacle::Part);
+    fn machined(&mut self, link: Link, (capsule, ends): (&Capsule, Ends), about: &Machined, sample: usize) {
+        let Machined { pose, part, stock, .. } = about;
+        if let Some(mesh) = part {
+            let at_least = capsule.ball().apart_from_ball(&mesh.ball(pose));
+            if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
+                let apart = match ends {
+                    Ends::Round => mesh.apart_from(pose, capsule),
+                    Ends::Flat => mesh.apart_from_cylinder(pose, capsule),
+                };
+                self.take(apart, link, Obstacle::Part);
+            }
+        }
+        if let Some(stock) = stock {
+            let most = self.0.map_or(f64::INFINITY, |nearest| nearest.distance);
+            if let Some(apart) = stock.apart_from((pose, sample), (capsule, ends), most) {
+                self.take(apart, link, Obstacle::Stock);
+            }
         }
     }
 

@@ -1,4 +1,4 @@
-//! How far is a link from a box, a disc or another link? `parry` and its types are used here and in `mesh` alone.
+//! How far is a link from a box, a disc or another link? `parry` and its types are used here, in `mesh` and in `stock` alone.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
@@ -78,6 +78,23 @@ impl Capsule {
         // Convex shapes are supported, so nothing within reach means that it is far.
         let apart = apart.ok().flatten().map_or(FAR, |contact| contact.dist);
         apart - self.radius
+    }
+
+    /// With flat ends in place of its round ones, and where that stands.
+    pub(super) fn cylinder(&self) -> (Pose, Cylinder) {
+        let [from, to] = self.ends;
+        let along = to - from;
+        // A cylinder of parry stands along y.
+        let turn = UnitQuaternion::rotation_between(&Vector3::y(), &along);
+        let turn = turn.unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
+        (Pose::from_parts(((from + to) / 2.0).into(), turn), Cylinder::new(along.norm() / 2.0, self.radius))
+    }
+
+    /// So far it must move, with flat ends, to leave a box about zero by half its sides that stands at `pose`, m; 0 outside.
+    pub(super) fn depth_of_cylinder(&self, pose: &Pose, half: Vector) -> f64 {
+        let (at, cylinder) = self.cylinder();
+        let met = contact(&parry(&at), &cylinder, &parry(pose), &Cuboid::new(half), 0.0);
+        met.expect("parry knows convex shapes").map_or(0.0, |met| -met.dist.min(0.0))
     }
 
     pub(super) fn segment(&self) -> Segment {

@@ -1,6 +1,7 @@
 //! What a request asks of a path: from its options to stations, a place, and what happens there.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use super::super::path::tools;
 use super::super::{TipFile, fixed, words};
@@ -18,7 +19,7 @@ use stiffarm::mill::{
 use stiffarm::plain::on_one_line;
 use stiffarm::prior::Drawn;
 use stiffarm::robot::Robot;
-use stiffarm::stock::Stock;
+use stiffarm::stock::{Remains, Stock};
 use stiffarm::toolpath::{Move, MoveKind, Survey};
 use stiffarm::uncertainty::DRAWS;
 use stiffarm::watch::Watch;
@@ -75,11 +76,16 @@ impl MillAnswer {
             (None, _) => None,
         };
         let survey = surveyed(asked, moves.iter());
-        if let (Some(clear_of), Some(part)) = (&mut options.clear_of, part) {
-            remarks.extend(part.checked(asked, &survey)?);
-            (clear_of.part, clear_of.cutter) = (Some(part.mesh), asked.stick_out(tool));
-        }
         let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
+        if let Some(clear_of) = &mut options.clear_of {
+            clear_of.cutter = asked.stick_out(tool);
+            clear_of.stock = stock.as_ref().map(|stock| Arc::new(Remains::of(stock)));
+            if let Some(part) = part {
+                remarks.extend(part.checked(asked, &survey)?);
+                clear_of.part = Some(part.mesh);
+            }
+        }
+        drop(stock);
         // Long ones need the memory.
         drop(moves);
         remarks.extend(forced.remarks);

@@ -80,6 +80,7 @@ impl MillAnswer {
             let other = match nearest.to {
                 Obstacle::KeepOut(_) => Some("keep-out"),
                 Obstacle::Part => Some("mesh"),
+                Obstacle::Stock => Some("stock"),
                 _ => None,
             };
             json!(of_arm.iter().copied().chain(other).collect::<Vec<_>>())
@@ -128,14 +129,18 @@ impl MillAnswer {
         let Some(clear_of) = &self.options.clear_of else {
             return "between samples nothing is looked at; collisions of the arm with part, floor and cell are not looked for".into();
         };
-        let unknown = match (&clear_of.part, clear_of.cutter) {
-            (None, _) => "part and fixtures are not known",
-            (Some(_), None) => {
-                "how far the cutter stands out of the spindle is not known (stick-out-mm), so that the tool is not compared with the part; the block that is cut away and fixtures are not known"
-            }
-            (Some(_), Some(_)) => {
-                "the cutter may touch the part; the block that is cut away and fixtures are not known"
-            }
+        let known = match (clear_of.part.is_some(), clear_of.stock.is_some()) {
+            (false, false) => None,
+            (true, false) => Some(("part", "the block that is cut away and fixtures are not known")),
+            (false, true) => Some(("stock", "fixtures are not known")),
+            (true, true) => Some(("part and stock", "fixtures are not known")),
+        };
+        let unknown = match (known, clear_of.cutter) {
+            (None, _) => "part and fixtures are not known".into(),
+            (Some((what, unknown)), None) => format!(
+                "how far the cutter stands out of the spindle is not known (stick-out-mm), so that the tool is not compared with the {what}; {unknown}"
+            ),
+            (Some((what, unknown)), Some(_)) => format!("the cutter may touch the {what}; {unknown}"),
         };
         format!(
             "clearance: {}, at every sample and between them; {unknown}, and the first move of a program, in joints, is checked by nobody",

@@ -73,8 +73,15 @@ impl View {
         (low <= high).then(|| Bands::within(self.scale, [low, high], self.colours))
     }
 
-    /// All of its triangles, or where there are very many the box about it.
+    /// All of its triangles, or where there are very many the box about it; and the block about it.
     fn draw_part(&self, traces: &mut Vec<Value>) {
+        if let Some(corners) = self.stock {
+            let mut block = Solid::block(corners).trace("stock, before it is cut", PART);
+            block["opacity"] = json!(0.35);
+            block["flatshading"] = json!(true);
+            block["showlegend"] = json!(true);
+            traces.push(block);
+        }
         let Some((mesh, pose)) = &self.part else { return };
         let (points, triangles) = mesh.placed(pose);
         let solid = if triangles.len() <= MOST_TRIANGLES {

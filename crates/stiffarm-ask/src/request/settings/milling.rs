@@ -105,7 +105,7 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "mm",
         value: "BOX",
         needs: &[(Verb::Mill, "process")],
-        help: "The block from which the part is cut, in the path's frame: x0..x1,y0..y1,z0..z1; entry, exit and depth of the cut are then computed along the path (three axes, flat mills)",
+        help: "The block from which the part is cut, in the path's frame: x0..x1,y0..y1,z0..z1; entry, exit and depth of the cut are then computed along the path, and arm and spindle keep clear of what is left of it (three axes, flat mills)",
         example: "-50..50,-50..50,-20..0",
         ..MILLED
     },
@@ -190,10 +190,10 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "mm",
         value: "MM",
         absent: Absent::Means(
-            "the length of the tool (tool-lengths-mm); else the spindle is not compared with the part",
+            "the length of the tool (tool-lengths-mm); else the spindle is not compared with part and stock",
         ),
-        needs: &[(Verb::Mill, "part")],
-        help: "How far the cutter stands out of the spindle: so near to its tip nothing of the tool can touch the part",
+        needs: &[(Verb::Mill, "part"), (Verb::Mill, "stock-mm")],
+        help: "How far the cutter stands out of the spindle: so near to its tip nothing of the tool can touch part or stock",
         heading: "Cell",
         example: "80",
         ..MILLED

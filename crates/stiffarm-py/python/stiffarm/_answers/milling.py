@@ -142,7 +142,8 @@ class Milled(Table[MilledDict]):
     #: The nearest that the arm comes to anything along the path, and which link to what.
     clearance_mm: float | None
     clearance_of: str | None
-    #: By which bodies: ``"estimated"`` or ``"stated"`` of the arm, and ``"keep-out"`` where it comes near to one.
+    #: By which bodies: ``"enclosing"``, ``"estimated"`` or ``"stated"`` of the arm, and what it comes near to where that is a ``"keep-out"``, the
+    #: ``"mesh"`` of a part or what is left of the ``"stock"``.
     clearance_by: list[str] | None
     #: By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most, mm; 0 where none is estimated.
     clearance_outside_mm: float | None

@@ -67,7 +67,7 @@ pub(super) fn deepest(
         let Ok(q) = held(&arm, stand, &station.sample, arrangement)? else { return Ok(None) };
         if let Some(guard) = &guard {
             let theta = guard.theta(station.sample.line, &station.sample.pose, arrangement)?;
-            if theta.is_none_or(|theta| guard.touches(&guard.posed(theta))) {
+            if theta.is_none_or(|theta| guard.touches(&guard.posed(theta, at))) {
                 return Ok(None);
             }
         }

@@ -165,7 +165,7 @@ impl Guard<'_> {
             let at = of(i);
             let Some(posed) = self.at(i, at)?.filter(|posed| !self.grazes(posed)) else { return Ok(true) };
             if let Some((from, last)) = &before
-                && !matches!(self.between(&self.straight(i, *from, at), [last, &posed])?, Between::Free)
+                && !matches!(self.between((&self.straight(i, *from, at), i), [last, &posed])?, Between::Free)
             {
                 return Ok(true);
             }

@@ -12,6 +12,7 @@ mod touching;
 pub(super) use step::{Between, LEAST, Way};
 pub(super) use touching::Touching;
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::fault::MillError;
@@ -19,9 +20,10 @@ use super::follow::{Arrangement, Stand};
 use super::stations::Station;
 use crate::batch::SpatialArm;
 use crate::cell::Cell;
-use crate::clearance::{Clearance, Link, Mesh, Near, Obstacle, Part, Surroundings, ThickArm};
+use crate::clearance::{Clearance, Link, Machined, Mesh, Near, Obstacle, Surroundings, ThickArm};
 use crate::inverse::posture_of;
 use crate::robot::Robot;
+use crate::stock::Remains;
 use crate::toolpath::ToolPose;
 
 /// The largest clearance that is asked, m.
@@ -40,7 +42,9 @@ pub struct ClearOf {
     pub floor: Option<f64>,
     /// The part in its own frame, as it is when it is done. The cutter may touch it.
     pub part: Option<Mesh>,
-    /// So far the cutter stands out of the spindle, m; where that is not known the tool is not compared with the part.
+    /// What is left of the block from which it is cut, in the same frame, before every station. The cutter may touch it.
+    pub stock: Option<Arc<Remains>>,
+    /// So far the cutter stands out of the spindle, m; where that is not known the tool is not compared with part and stock.
     pub cutter: Option<f64>,
 }
 
@@ -114,14 +118,16 @@ impl<'a> Guard<'a> {
         stand: &Stand,
         clear_of: &ClearOf,
     ) -> Option<Self> {
-        let ClearOf { clearance, cell, floor, part, cutter } = clear_of;
+        let ClearOf { clearance, cell, floor, part, stock, cutter } = clear_of;
+        let (part, stock, pose) = (part.clone(), stock.clone(), stand.base_from_part);
+        let is_known = part.is_some() || stock.is_some();
         let thick = ThickArm::new(robot, &stand.flange_from_tool, None)?;
         Some(Self {
             farthest: thick.farthest(),
             forbade: AtomicBool::new(false),
             thick,
             about: Surroundings {
-                part: part.clone().map(|mesh| Part { mesh, pose: stand.base_from_part, cutter: *cutter }),
+                machined: is_known.then_some(Machined { pose, part, stock, cutter: *cutter }),
                 ..Surroundings::of(cell.as_ref(), *floor)
             },
             arm,
@@ -141,9 +147,9 @@ impl<'a> Guard<'a> {
         self.forbade.load(Ordering::Relaxed)
     }
 
-    /// With what it comes nearest to.
-    pub(super) fn posed(&self, theta: [f64; 6]) -> Posed {
-        Posed { theta, near: self.thick.nearest(&theta, &self.about) }
+    /// With what it comes nearest to, at a station or on the way to it: what is cut on that way is still there.
+    pub(super) fn posed(&self, theta: [f64; 6], station: usize) -> Posed {
+        Posed { theta, near: self.thick.nearest(&theta, &self.about, station) }
     }
 
     /// Nearer to something than was asked.
@@ -164,7 +170,7 @@ impl<'a> Guard<'a> {
     /// Of a station.
     fn at(&self, i: usize, at: Arrangement) -> Result<Option<Posed>, MillError> {
         let sample = &self.stations[i].sample;
-        Ok(self.theta(sample.line, &sample.pose, at)?.map(|theta| self.posed(theta)))
+        Ok(self.theta(sample.line, &sample.pose, at)?.map(|theta| self.posed(theta, i)))
     }
 }
 

@@ -42,7 +42,8 @@ impl Guard<'_> {
         for (chunk, together) in samples.chunks(TOGETHER).enumerate() {
             watch.go_on()?;
             let first = chunk * TOGETHER;
-            let posed: Vec<Posed> = together.par_iter().map(|one| self.posed(self.model_angles(one))).collect();
+            let posed = |(i, one): (usize, &Pushed)| self.posed(self.model_angles(one), first + i);
+            let posed: Vec<Posed> = together.par_iter().enumerate().map(posed).collect();
             let of = |i: usize| {
                 let before = if i == 0 { last } else { Some(posed[i - 1]) };
                 self.at_station(samples, first + i, before.as_ref(), &posed[i])
@@ -109,12 +110,12 @@ impl Guard<'_> {
         let [from, to] = [&samples[i - 1], &samples[i]].map(|one| one.arrangement);
         let is_fresh = self.stations[i].is_fresh;
         if !is_fresh || from.configuration == to.configuration {
-            let found = self.between(&self.straight(i, from, to), ends)?;
+            let found = self.between((&self.straight(i, from, to), i), ends)?;
             if !is_fresh || !matches!(found, Between::Lost) {
                 return Ok(found);
             }
         }
-        self.between(&Way::Joints(ends.map(|end| end.theta)), ends)
+        self.between((&Way::Joints(ends.map(|end| end.theta)), i), ends)
     }
 
     /// From the station before to one, with the rolls of both.

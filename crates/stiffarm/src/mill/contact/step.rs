@@ -57,8 +57,13 @@ impl Way {
 }
 
 impl Guard<'_> {
-    /// Whether the arm touches anything between two postures at the ends of a way that do not, the turns of the second beside those of the first.
-    pub(in crate::mill) fn between(&self, way: &Way, ends: [&Posed; 2]) -> Result<Between, MillError> {
+    /// Whether the arm touches anything between two postures at the ends of a way to a station that do not, the turns of the second beside those of
+    /// the first.
+    pub(in crate::mill) fn between(
+        &self,
+        (way, station): (&Way, usize),
+        ends: [&Posed; 2],
+    ) -> Result<Between, MillError> {
         if ends[0].theta == ends[1].theta {
             return Ok(Between::Free);
         }
@@ -66,10 +71,16 @@ impl Guard<'_> {
             Way::Straight { .. } => Posed { theta: beside(&ends[1].theta, &ends[0].theta), ..*ends[1] },
             Way::Joints(_) => *ends[1],
         };
-        self.halved(way, [0.0, 1.0], [ends[0], &last], MOST_HALVINGS)
+        self.halved((way, station), [0.0, 1.0], [ends[0], &last], MOST_HALVINGS)
     }
 
-    fn halved(&self, way: &Way, parts: [f64; 2], ends: [&Posed; 2], halvings: usize) -> Result<Between, MillError> {
+    fn halved(
+        &self,
+        (way, station): (&Way, usize),
+        parts: [f64; 2],
+        ends: [&Posed; 2],
+        halvings: usize,
+    ) -> Result<Between, MillError> {
         let part = f64::midpoint(parts[0], parts[1]);
         let Some(theta) = way.at(self, part, &ends[0].theta)? else { return Ok(Between::Lost) };
         let moved = self.moved([&ends[0].theta, &theta, &ends[1].theta]);
@@ -77,7 +88,7 @@ impl Guard<'_> {
         if moved + 2.0 * self.clearance < twice {
             return Ok(Between::Free);
         }
-        let middle = self.posed(theta);
+        let middle = self.posed(theta, station);
         // What is so near that no longer step than the least could be free counts as touching at once.
         if self.grazes(&middle) {
             return Ok(Between::Touch(middle.distance(), middle));
@@ -85,8 +96,8 @@ impl Guard<'_> {
         if moved <= LEAST || halvings == 0 {
             return Ok(Between::Touch((twice - moved) / 2.0, middle));
         }
-        match self.halved(way, [parts[0], part], [ends[0], &middle], halvings - 1)? {
-            Between::Free => self.halved(way, [part, parts[1]], [&middle, ends[1]], halvings - 1),
+        match self.halved((way, station), [parts[0], part], [ends[0], &middle], halvings - 1)? {
+            Between::Free => self.halved((way, station), [part, parts[1]], [&middle, ends[1]], halvings - 1),
             found => Ok(found),
         }
     }

@@ -1,11 +1,15 @@
 //! What is said to be clear, against every node, every edge and many places between two samples, looked at one by one.
 
+use std::sync::Arc;
+
 use super::*;
 use crate::catalogue::stl::Surface;
 use crate::cell::{Block, Cell, Mount};
 use crate::clearance::{Link, Mesh, Obstacle, Surroundings, ThickArm};
 use crate::inverse::postures;
 use crate::mill::contact::{Between, LEAST, Posed, Way};
+use crate::stock::{Remains, Stock};
+use crate::toolpath::{Course, Given, MoveKind};
 
 /// Places that are looked at between two samples.
 const FINE: usize = 24;
@@ -18,7 +22,7 @@ fn block(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Block {
 fn clear_of(boxes: &[Block], clearance: f64) -> ClearOf {
     let mut cell = Cell::of(Mount::pedestal(0.0));
     cell.keep_out.iter_mut().zip(boxes).for_each(|(place, block)| *place = Some(*block));
-    ClearOf { clearance, cell: Some(cell), floor: None, part: None, cutter: None }
+    ClearOf { clearance, cell: Some(cell), floor: None, part: None, stock: None, cutter: None }
 }
 
 /// The first box that is kept free as the triangles of a part.
@@ -229,12 +233,13 @@ fn no_touch_between_two_samples_is_missed() {
             // As paths are followed: clear of straight postures, and no joint turns far.
             let is_followed = held.iter().all(|theta| 0.05 < arm.geometry.singular_margin(theta))
                 && (0..6).all(|i| crate::angle::wrapped(held[1][i] - held[0][i]).abs() < 0.5);
-            let [first, last]: [Posed; 2] = held.map(|theta| guard.posed(theta));
+            let [first, last]: [Posed; 2] = held.map(|theta| guard.posed(theta, 0));
             if !is_followed || guard.touches(&first) || guard.touches(&last) {
                 continue;
             }
             steps += 1;
-            let found = guard.between(&Way::Straight { line: 1, configuration, ends }, [&first, &last]).unwrap();
+            let way = Way::Straight { line: 1, configuration, ends };
+            let found = guard.between((&way, 0), [&first, &last]).unwrap();
             let is_free = matches!(found, Between::Free);
             if least < clearance {
                 assert!(!is_free, "{least} of {clearance}: {from:?} {to:?} {rolls:?}");
@@ -337,7 +342,7 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     let (_, told) = tell(as_part, RollMode::Constant);
     assert!(told.contacts.is_empty() && 0.01 <= told.nearest.unwrap().distance, "{told:?}");
     // A floor above the tip: no roll helps, and all of the path touches.
-    let flooded = ClearOf { clearance: 0.0, cell: None, floor: Some(0.65), part: None, cutter: None };
+    let flooded = ClearOf { clearance: 0.0, cell: None, floor: Some(0.65), part: None, stock: None, cutter: None };
     let (found, told) = tell(flooded, RollMode::Free);
     assert!(found.worst.0 <= before.worst.0 * (1.0 + 1e-9) && found.touches());
     // By hand: the upper arm reaches down from the joint-2 axis by its radius, at every sample.
@@ -346,4 +351,70 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     let by_hand = 0.65 - (geometry.c1 - robot.thickness().0.upper_arm);
     assert!((contact.depth - by_hand).abs() < 1e-9, "{} {by_hand}", contact.depth);
     assert!((told.nearest.unwrap().distance + contact.depth).abs() < 1e-12);
+}
+
+/// By hand: the spindle ends 40 mm above the tip. 20 mm deep it runs 20 mm above the block; 45 mm deep it would be 5 mm in it, and runs 15 mm
+/// above what the way before has left of a block that is narrower than the mill. In a wider one the walls of the slot stand.
+#[test]
+fn a_block_stands_in_the_way_until_it_is_cut() {
+    const R: f64 = 0.025;
+    let robot = robot();
+    // The spindle on axis 6: straight down at the block.
+    let stand = Stand {
+        base_from_part: Pose::new(Vector3::new(1.7, 0.0, 0.6), Vector3::zeros()),
+        flange_from_tool: Pose::translation(0.0, 0.0, 0.4),
+    };
+    let shallow = [-0.02, -0.045];
+    let tell = |depths: &[f64], width: f64, cutter: Option<f64>| {
+        let mut tips = Vec::new();
+        for z in depths {
+            tips.extend([[-0.15, 0.0, 0.1], [-0.15, 0.0, *z], [0.15, 0.0, *z], [0.15, 0.0, 0.1]]);
+        }
+        let upright = |tip: [f64; 3]| ToolPose { tip: tip.into(), axis: Vector3::z() };
+        let straight = |ends: &[[f64; 3]]| Move {
+            line: 0,
+            kind: MoveKind::Feed,
+            from: upright(ends[0]),
+            to: upright(ends[1]),
+            course: Course::Line,
+            feed: Some(0.02),
+            normals: None,
+            given: Given::default(),
+        };
+        let moves: Vec<Move> = tips.windows(2).map(straight).collect();
+        let mut stock = Stock::block([-0.1, -width / 2.0, -0.06], [0.1, width / 2.0, 0.0], 1e-3).unwrap();
+        stock.follow(&moves, &Steps::USUAL, R, &mut |_, _| (), Watch::nobody()).unwrap();
+        let stations = stations(&moves, &Steps::USUAL, |_| None);
+        let stock = Some(Arc::new(Remains::of(&stock)));
+        let cell = Some(Cell::of(Mount::pedestal(0.0)));
+        let about = ClearOf { clearance: 0.0, cell, floor: None, part: None, stock, cutter };
+        let options = MillOptions { clear_of: Some(about), ..with(RollMode::Fixed(0.0)) };
+        let Milled::Followed(found) = mill(&robot, &stand, &stations, &options, Watch::nobody()).unwrap() else {
+            panic!("{depths:?}")
+        };
+        (found.clearance.unwrap(), stations)
+    };
+    let (told, stations) = tell(&shallow, 0.04, Some(0.04));
+    assert!(told.contacts.is_empty(), "{:?}", told.contacts);
+    let nearest = told.nearest.unwrap();
+    assert_eq!((nearest.link, nearest.to), (Link::Tool, Obstacle::Stock));
+    // The first way is 20 mm above it, the second one 15; half a cell's diagonal is no matter of heights.
+    assert!((nearest.distance - 0.015).abs() < 1e-6, "{nearest:?}");
+    let first = stations.iter().position(|station| 0.01 < station.sample.pose.tip.x && station.sample.pose.tip.z < 0.0);
+    assert!((told.at[first.unwrap()].unwrap().distance - 0.02).abs() < 1e-6);
+    // At once so deep, and in another order, the spindle runs into it.
+    for depths in [&[-0.045][..], &[-0.045, -0.02]] {
+        let (told, stations) = tell(depths, 0.04, Some(0.04));
+        let contact = told.contacts[0];
+        assert_eq!((contact.link, contact.to), (Link::Tool, Obstacle::Stock));
+        assert!(stations[contact.station].sample.pose.tip.z < -0.04, "{contact:?}");
+        let deepest = told.contacts.iter().map(|contact| contact.depth).fold(0.0, f64::max);
+        assert!((deepest - 0.005).abs() < 1e-5, "{:?}", told.contacts);
+    }
+    // The walls beside a slot.
+    let (told, stations) = tell(&shallow, 0.1, Some(0.04));
+    let contact = told.contacts[0];
+    assert!(contact.to == Obstacle::Stock && stations[contact.station].sample.pose.tip.z < -0.04, "{contact:?}");
+    // A cutter of which it is not known where it ends touches what it likes.
+    assert!(tell(&shallow, 0.1, None).0.contacts.iter().all(|contact| contact.to != Obstacle::Stock));
 }
