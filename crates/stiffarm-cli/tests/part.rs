@@ -11,10 +11,10 @@ const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/examples
 
 /// Exit code, standard output, standard error; never a panic.
 fn run(folder: &Path, more: &[&str]) -> (i32, String, String) {
-    let usual =
-        ["mill", "rib.nc", "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--force-n", "300,100,50"];
+    let usual = ["mill", "rib.nc", "--robot", "KR 210 R2700 extra", "--tool", "spindle:250@90", "--at", "1.7,0,0.8"];
+    let force: &[&str] = if more.contains(&"--process") { &[] } else { &["--force-n", "300,100,50"] };
     let mut program = Command::cargo_bin("stiffarm").unwrap();
-    let output = program.current_dir(folder).args(usual).args(["--at", "1.7,0,0.8"]).args(more).output().expect("runs");
+    let output = program.current_dir(folder).args(usual).args(force).args(more).output().expect("runs");
     let [out, errors] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"));
     assert!(!errors.contains("panicked"), "{errors}");
     (output.status.code().expect("an exit code"), out, errors)
@@ -22,7 +22,7 @@ fn run(folder: &Path, more: &[&str]) -> (i32, String, String) {
 
 fn folder() -> TempDir {
     let folder = TempDir::new().unwrap();
-    for name in ["rib.nc", "rib.stl"] {
+    for name in ["rib.nc", "rib.stl", "endmill.toml"] {
         fs::copy(Path::new(EXAMPLES).join(name), folder.path().join(name)).unwrap();
     }
     folder
@@ -118,6 +118,38 @@ fn no_program_is_written_over_the_touch_of_a_part() {
         view.contains("\"part\"") && view.contains("where it touches deepest (line 7"),
         "the part, and the arm at the touch"
     );
+}
+
+/// By hand: the groove is 5 mm deep, below a block whose top is 10 mm above zero. 12 mm out of the spindle the cutter lets that 3 mm into the
+/// block; 80 mm out it runs 65 mm above it.
+#[test]
+fn a_spindle_that_sinks_into_the_block_is_told_and_one_above_it_is_not() {
+    let folder = folder();
+    let folder = folder.path();
+    let block = ["--process", "endmill.toml", "--stock-mm=-120..120,-30..100,-20..10"];
+    let short = [&block[..], &["--stick-out-mm", "12"]].concat();
+    let told = json(folder, &short);
+    let contacts = told["contacts"].as_array().unwrap();
+    assert!(contacts.iter().any(|contact| contact["bodies"] == "tool to stock"), "{told}");
+    let deepest = contacts.iter().filter_map(|contact| contact["depth_mm"].as_f64()).fold(0.0, f64::max);
+    assert!((deepest - 3.0).abs() < 0.01, "{contacts:?}");
+    assert!(told["clearance_by"].as_array().unwrap().contains(&"stock".into()), "{told}");
+    let long = json(folder, &[&block[..], &["--stick-out-mm", "80"]].concat());
+    assert_eq!((&long["contacts"], &long["clearance_of"]), (&serde_json::json!([]), &"tool to stock".into()), "{long}");
+    assert!((long["clearance_mm"].as_f64().unwrap() - 65.0).abs() < 0.01, "{long}");
+    // The view shows the block, and a program is refused.
+    let (code, _, errors) = run(folder, &[&short[..], &["-o", "rib.view.html", "-o", "rib.src"]].concat());
+    assert!(code == 1 && errors.contains("tool to stock: they overlap by 3.0 mm"), "{errors}");
+    assert!(fs::read_to_string(folder.join("rib.view.html")).unwrap().contains("stock, before it is cut"));
+    assert!(!folder.join("rib.src").exists());
+    // Nothing of the tool is compared where it is not known where the spindle ends, and that is said.
+    let (code, told, _) = run(folder, &block);
+    assert!(
+        code == 0 && told.contains("the tool is not compared with the stock") && !told.contains("COLLISION"),
+        "{told}"
+    );
+    let (code, _, errors) = run(folder, &["--stick-out-mm", "80"]);
+    assert!(code == 2 && errors.contains("--stick-out-mm needs --part or --stock-mm"), "{errors}");
 }
 
 #[test]

@@ -809,7 +809,7 @@ const OF_ZONES: &[Setting] = &[
         unit: "deg",
         value: "DEG",
         absent: Absent::Means("the worst of all directions"),
-        needs: &[(Verb::Compliance, "force-axes"), (Verb::Compliance, "force-n")],
+        needs: &[(Verb::Compliance, "force-axes")],
         help: "Direction of the feed of a force along tool axes, from the tool's x axis, counter-clockwise seen from the spindle",
         example: "30",
         ..ROW

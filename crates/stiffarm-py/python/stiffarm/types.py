@@ -940,7 +940,8 @@ class MillOptions(TypedDict, total=False):
 
     stock_mm: str | Iterable[str | Sequence[RangeLike | None]] | None
     """The block from which the part is cut [mm], in the path's frame: x0..x1,y0..y1,z0..z1; entry, exit and
-    depth of the cut are then computed along the path (three axes, flat mills)."""
+    depth of the cut are then computed along the path, and arm and spindle keep clear of what is left of it
+    (three axes, flat mills)."""
 
     at: npt.ArrayLike | None
     """Where the path's origin stands, m from the robot's base, or with --mount from the cell's origin, and by
@@ -970,8 +971,9 @@ class MillOptions(TypedDict, total=False):
     """Of the lengths in the STL file, which names none."""
 
     stick_out_mm: float | None
-    """How far the cutter stands out of the spindle [mm]: so near to its tip nothing of the tool can touch the
-    part [default: the length of the tool (tool-lengths-mm); else the spindle is not compared with the part]."""
+    """How far the cutter stands out of the spindle [mm]: so near to its tip nothing of the tool can touch part
+    or stock [default: the length of the tool (tool-lengths-mm); else the spindle is not compared with part
+    and stock]."""
 
     allow_contact: bool
     """Write programs of a path along which the arm comes nearer to something than it should."""
@@ -3081,7 +3083,7 @@ class MilledDict(_Pass):
     clearance_by: list[str] | None
     """By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot
     file, its tool `estimated` where nothing says how thick it is, and what it comes near to may be a
-    `keep-out`."""
+    `keep-out`, the `mesh` of a part or what is left of the `stock`."""
 
     clearance_outside_mm: float | None
     """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
