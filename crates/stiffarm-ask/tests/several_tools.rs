@@ -5,7 +5,7 @@ use stiffarm::program::Language;
 use stiffarm::robot::Robot;
 use stiffarm::toolpath::{Format, Move, ReadOptions, read};
 use stiffarm::watch::Watch;
-use stiffarm_ask::answer::{ByToolAnswer, MillAnswer, MillAnswerError};
+use stiffarm_ask::answer::{Bodies, ByToolAnswer, MillAnswer, MillAnswerError};
 use stiffarm_ask::request::{Pair, Refusal, Request, Spelling, Verb};
 
 fn robot() -> Robot {
@@ -34,7 +34,13 @@ fn by_tool(text: &str, options: &[(&str, &str)]) -> Result<ByToolAnswer, MillAns
     let processes = [(1, constant("one.toml", 300.0)), (2, constant("two.toml", 40.0))];
     let processes = processes.map(|(tool, (name, process))| (tool, name, process));
     let asked = request("two.nc", options)?;
-    ByToolAnswer::of(&asked, &robot(), ("two.nc", &moves_of(text, Format::GCode)), (&processes, None), Watch::nobody())
+    ByToolAnswer::of(
+        &asked,
+        &robot(),
+        ("two.nc", &moves_of(text, Format::GCode)),
+        (&processes, &Bodies::default()),
+        Watch::nobody(),
+    )
 }
 
 fn constant(name: &str, newtons: f64) -> (String, ProcessFile) {

@@ -22,7 +22,7 @@ fn run(folder: &Path, more: &[&str]) -> (i32, String, String) {
 
 fn folder() -> TempDir {
     let folder = TempDir::new().unwrap();
-    for name in ["rib.nc", "rib.stl", "endmill.toml"] {
+    for name in ["rib.nc", "rib.stl", "clamps.stl", "endmill.toml"] {
         fs::copy(Path::new(EXAMPLES).join(name), folder.path().join(name)).unwrap();
     }
     folder
@@ -150,6 +150,46 @@ fn a_spindle_that_sinks_into_the_block_is_told_and_one_above_it_is_not() {
     );
     let (code, _, errors) = run(folder, &["--stick-out-mm", "80"]);
     assert!(code == 2 && errors.contains("--stick-out-mm needs --part or --stock-mm"), "{errors}");
+}
+
+/// By hand: the clamps' edge is 15 mm from the middle of the groove, and the mill has a radius of 8 mm. Their tops lie under the spindle, 140 mm above the tip.
+#[test]
+fn a_cutter_keeps_clear_of_clamps_that_hold_the_part() {
+    let folder = folder();
+    let folder = folder.path();
+    let asked = ["--process", "endmill.toml", "--stick-out-mm", "140", "--part", "rib.stl"];
+    let held = |clamps: &str| json(folder, &[&asked[..], &["--fixture", clamps]].concat());
+    let told = held("clamps.stl");
+    assert_eq!(
+        (&told["contacts"], &told["clearance_of"]),
+        (&serde_json::json!([]), &"tool to fixture".into()),
+        "{told}"
+    );
+    assert!((told["clearance_mm"].as_f64().unwrap() - 7.0).abs() < 0.01, "{told}");
+    // 10 mm nearer the mill runs 3 mm into them: no program, and the view shows them.
+    let whole = fs::read_to_string(folder.join("clamps.stl")).unwrap();
+    fs::write(folder.join("nearer.stl"), whole.replace(" -15 ", " -5 ")).unwrap();
+    let told = held("nearer.stl");
+    // The best of all paths touches something else deeper, which another roll avoids.
+    let unavoidable = &told["unavoidable"];
+    assert!((unavoidable["depth_mm"].as_f64().unwrap() - 3.0).abs() < 0.01, "{told}");
+    assert!(unavoidable["bodies"] == "tool to fixture" && told["contacts"][0]["bodies"] != "tool to fixture", "{told}");
+    let more = [&asked[..], &["--fixture", "nearer.stl", "-o", "rib.src", "-o", "rib.view.html"]].concat();
+    let (code, _, errors) = run(folder, &more);
+    assert!(code == 1 && errors.contains("no program: at every roll line 7, "), "{errors}");
+    assert!(errors.contains("tool to fixture: they overlap by 3.0 mm, at best"), "{errors}");
+    assert!(!folder.join("rib.src").exists());
+    assert!(fs::read_to_string(folder.join("rib.view.html")).unwrap().contains("\"fixture\""));
+    // Without a process the cutter has no radius, and its axis is 5 mm away.
+    let (code, told, _) = run(folder, &["--stick-out-mm", "140", "--fixture", "nearer.stl"]);
+    assert!(
+        code == 0 && told.contains("its axis alone keeps clear of the fixture") && !told.contains("COLLISION"),
+        "{told}"
+    );
+    let far = whole.replace("-15 ", "4985 ").replace("-140 ", "4860 ").replace("-105 ", "4895 ");
+    fs::write(folder.join("far.stl"), far).unwrap();
+    let (_, told, _) = run(folder, &["--fixture", "far.stl"]);
+    assert!(told.contains("the fixture lies farther from the feed moves than it is wide"), "{told}");
 }
 
 #[test]

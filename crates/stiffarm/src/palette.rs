@@ -50,6 +50,8 @@ colours! {
     KEEP_OUT, "keep_out" = "#7a1010";
     /// The part, in space.
     PART, "part" = "#b9a878";
+    /// What holds it.
+    FIXTURE, "fixture" = "#6d7f95";
     /// Where the tool is held and nothing pushes.
     AIR, "air" = "#eaf1f5";
     /// The force on the tool.

@@ -182,9 +182,10 @@ fields! {
     SMALLEST_MARGIN_OF: "smallest_margin_of", Kind::Text, "What that is of: a joint, the angle between the links, the forearm's angle, or a straight posture.";
     CLEARANCE: "clearance_mm", Kind::Number(Unit::Millimetre), "The nearest that the arm comes to anything, links as capsules; negative where they overlap.";
     CLEARANCE_OF: "clearance_of", Kind::Text, "Which link to what.";
-    CLEARANCE_BY: "clearance_by", Kind::Nested, "By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot file, its tool `estimated` where nothing says how thick it is, and what it comes near to may be a `keep-out`, the `mesh` of a part or what is left of the `stock`.";
+    CLEARANCE_BY: "clearance_by", Kind::Nested, "By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot file, its tool `estimated` where nothing says how thick it is, and what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the `stock`.";
     ASKED_CLEARANCE: "asked_clearance_mm", Kind::Number(Unit::Millimetre), "What the arm was to keep from everything; null where nobody looked.";
     CONTACTS: "contacts", Kind::Nested, "Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody looked.";
+    UNAVOIDABLE: "unavoidable", Kind::Nested, "Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every configuration, as the one that is farthest from it has it. Null where nothing of that kind is known.";
     CONTACT_WAY: "s_m", Kind::Number(Unit::Metre), "How far along the path it is nearest.";
     BODIES: "bodies", Kind::Text, "Which link to what.";
     CONTACT_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "By how much that is nearer than what was to be kept; where nothing was, how deep they overlap.";

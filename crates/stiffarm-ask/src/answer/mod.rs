@@ -57,7 +57,7 @@ pub use ledger::LedgerAnswer;
 pub use looks::{Look, looks};
 pub use map::MapAnswer;
 pub use measure::{DrawnPosture, GeometryAnswer, MeasureAnswer};
-pub use mill::{Beside, ByToolAnswer, Compensation, MillAnswer, MillAnswerError, PartFile, PathRankAnswer};
+pub use mill::{Beside, Bodies, ByToolAnswer, Compensation, MeshFile, MillAnswer, MillAnswerError, PathRankAnswer};
 pub use modes::ModesAnswer;
 pub use modes_over::ModesOverAnswer;
 pub use numbers::fixed;

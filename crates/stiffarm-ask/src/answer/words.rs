@@ -233,6 +233,7 @@ fn obstacle(to: Obstacle) -> String {
         Obstacle::Work => "work".into(),
         Obstacle::Part => "part".into(),
         Obstacle::Stock => "stock".into(),
+        Obstacle::Fixture => "fixture".into(),
         Obstacle::KeepOut(number) => format!("keep-out {number}"),
         Obstacle::Link(link) => link.name().into(),
     }

@@ -12,7 +12,7 @@ use stiffarm::watch::Watch;
 
 use super::context::Context;
 use super::context::process_of;
-use super::path::{all_moves, read_part};
+use super::path::{all_moves, read_bodies};
 use crate::error::AskError;
 use crate::forms::{Answer, Forms, Piece};
 
@@ -23,9 +23,9 @@ pub(crate) struct ByToolOutput {
 pub(crate) fn answer(asked: &Request, context: Context) -> Result<ByToolOutput, AskError> {
     let path = asked.path()?;
     let robot = super::selection::robot(&asked.robot()?, context)?;
-    let (processes, part) = (processes(asked, context)?, read_part(asked, context)?);
+    let (processes, bodies) = (processes(asked, context)?, read_bodies(asked, context)?);
     let (moves, understood) = all_moves(asked, &path, context, 1)?;
-    let milled = |watch: Watch| ByToolAnswer::of(asked, &robot, (&path, &moves), (&processes, part.as_ref()), watch);
+    let milled = |watch: Watch| ByToolAnswer::of(asked, &robot, (&path, &moves), (&processes, &bodies), watch);
     let mut answer = context.watched("milling with every tool", milled)?;
     answer.remarks.extend(understood.into_iter().flat_map(Understood::remarks));
     Ok(ByToolOutput { answer })

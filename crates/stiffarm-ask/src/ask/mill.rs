@@ -139,6 +139,7 @@ impl MillOutput<'_> {
             floor: true,
             cell: answer.ground.cell,
             part: clear_of.and_then(|clear_of| Some((clear_of.part.clone()?, stand.base_from_part))),
+            fixture: clear_of.and_then(|clear_of| Some((clear_of.fixture.clone()?, stand.base_from_part))),
             stock: clear_of.and_then(|clear_of| clear_of.stock.as_ref()).map(|stock| corners_of(stock.block(), &stand)),
             ..View::default()
         })

@@ -10,7 +10,7 @@ use stiffarm::toolpath::{Move, Survey, Understood};
 use stiffarm::watch::Stopped;
 
 use super::context::{Context, process_of, tip_of};
-use crate::answer::{Beside, PartFile, PathAnswer, Rows};
+use crate::answer::{Beside, Bodies, MeshFile, PathAnswer, Rows};
 use crate::error::AskError;
 use crate::forms::{Answer, Forms, Piece};
 use crate::request::Request;
@@ -31,18 +31,20 @@ pub(super) fn read_process_of(asked: &Request, context: Context) -> Result<Optio
     Ok(Some((named, read)))
 }
 
-/// The part's mesh, where one is given.
-pub(super) fn read_part(asked: &Request, context: Context) -> Result<Option<PartFile>, AskError> {
-    let Some((file, metres)) = asked.part() else { return Ok(None) };
-    let bytes = context.sources.bytes(&file, MOST_STL_BYTES)?;
-    let surface = read_stl(&bytes, &files::shown(Path::new(&file)), metres)?;
-    Ok(Some(PartFile { mesh: Mesh::of(&surface), notes: surface.notes }))
+/// The meshes of part and fixture, where they are given.
+pub(super) fn read_bodies(asked: &Request, context: Context) -> Result<Bodies, AskError> {
+    let read = |file: String| {
+        let bytes = context.sources.bytes(&file, MOST_STL_BYTES)?;
+        let surface = read_stl(&bytes, &files::shown(Path::new(&file)), asked.stl_unit())?;
+        Ok::<_, AskError>(MeshFile { mesh: Mesh::of(&surface), notes: surface.notes })
+    };
+    Ok(Bodies { part: asked.part().map(read).transpose()?, fixture: asked.fixture().map(read).transpose()? })
 }
 
-/// Process, part and what was measured at the tip, where they are given.
+/// Process, part, fixture and what was measured at the tip, where they are given.
 pub(super) fn read_beside(asked: &Request, context: Context) -> Result<Beside, AskError> {
-    let (process, part) = (read_process_of(asked, context)?, read_part(asked, context)?);
-    Ok(Beside { process, part, measured: tip_of(asked, context)? })
+    let (process, bodies) = (read_process_of(asked, context)?, read_bodies(asked, context)?);
+    Ok(Beside { process, bodies, measured: tip_of(asked, context)? })
 }
 
 /// All moves of the path, as long as no more samples come of them, each kept for so many robots, than there may be.

@@ -194,7 +194,7 @@ impl Request {
         let PathGround { margins, cell, .. } = self.path_ground()?;
         let clearance = self.number("clearance-mm").map(|mm| mm / 1e3);
         // Of several robots the bodies are guessed: they are looked at where that is asked.
-        let is_looked_at = !self.ranks_on_path() || self.part().is_some();
+        let is_looked_at = !self.ranks_on_path() || self.part().is_some() || self.fixture().is_some();
         let clearance = clearance.or_else(|| is_looked_at.then_some(0.0));
         let usual = MillOptions::usual();
         let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
@@ -213,19 +213,28 @@ impl Request {
             tool_weight: self.tool_weight(),
             clear_of: clearance.map(|clearance| {
                 let floor = margins.floor;
-                ClearOf { clearance, cell, floor, part: None, stock: None, cutter: None }
+                ClearOf { clearance, cell, floor, part: None, stock: None, fixture: None, cutter: None }
             }),
         })
     }
 
-    /// The STL file of the part, where one is given, and how many metres its unit is.
-    pub fn part(&self) -> Option<(String, f64)> {
-        let metres = match self.word("part-unit") {
+    /// The STL file of the part, where one is given.
+    pub fn part(&self) -> Option<String> {
+        self.texts("part").pop()
+    }
+
+    /// The same of what holds it.
+    pub fn fixture(&self) -> Option<String> {
+        self.texts("fixture").pop()
+    }
+
+    /// The unit of STL files, m.
+    pub fn stl_unit(&self) -> f64 {
+        match self.word("part-unit") {
             Some("inch") => 0.0254,
             Some("m") => 1.0,
             _ => 1e-3,
-        };
-        self.texts("part").pop().map(|name| (name, metres))
+        }
     }
 
     /// How far the cutter of a tool of the path stands out of the spindle, m, where that is said.

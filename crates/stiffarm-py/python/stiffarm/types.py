@@ -967,13 +967,16 @@ class MillOptions(TypedDict, total=False):
     part: str | None
     """The finished part as STL in the path's frame: arm and spindle keep clear of it, the cutter may touch it."""
 
+    fixture: str | None
+    """What holds the part as STL in the path's frame: arm, spindle and cutter keep clear of it."""
+
     part_unit: Literal["mm", "inch", "m"]
-    """Of the lengths in the STL file, which names none."""
+    """Of the lengths in the STL files, which name none."""
 
     stick_out_mm: float | None
     """How far the cutter stands out of the spindle [mm]: so near to its tip nothing of the tool can touch part
-    or stock [default: the length of the tool (tool-lengths-mm); else the spindle is not compared with part
-    and stock]."""
+    or stock [default: the length of the tool (tool-lengths-mm); else the tool is not compared with part,
+    stock and fixture]."""
 
     allow_contact: bool
     """Write programs of a path along which the arm comes nearer to something than it should."""
@@ -3083,7 +3086,7 @@ class MilledDict(_Pass):
     clearance_by: list[str] | None
     """By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot
     file, its tool `estimated` where nothing says how thick it is, and what it comes near to may be a
-    `keep-out`, the `mesh` of a part or what is left of the `stock`."""
+    `keep-out`, the `mesh` of a part or fixture, or what is left of the `stock`."""
 
     clearance_outside_mm: float | None
     """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
@@ -3095,6 +3098,10 @@ class MilledDict(_Pass):
     contacts: list[PathContact] | None
     """Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody
     looked."""
+
+    unavoidable: dict[str, object] | None
+    """Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every
+    configuration, as the one that is farthest from it has it. Null where nothing of that kind is known."""
 
     tolerance_mm: float | None
     """The largest deflection that is acceptable."""

@@ -57,6 +57,8 @@ pub enum Obstacle {
     Part,
     /// What is left of the block from which the part is cut.
     Stock,
+    /// What holds the part.
+    Fixture,
     /// A box that was asked to be kept free, by its number from 1.
     KeepOut(usize),
     /// Another link.
@@ -121,8 +123,19 @@ pub(crate) struct Machined {
     pub(crate) part: Option<Mesh>,
     /// The block from which it is cut.
     pub(crate) stock: Option<Arc<Remains>>,
-    /// So far the cutter stands out of the spindle, m; `None` where that is not known, and the tool is not compared with it.
-    pub(crate) cutter: Option<f64>,
+    /// What holds it: the cutter, too, keeps clear of that.
+    pub(crate) fixture: Option<Mesh>,
+    /// `None` where that is not known, and the tool is not compared with it.
+    pub(crate) cutter: Option<Cutter>,
+}
+
+/// What of a tool stands out of the spindle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cutter {
+    /// Down to the tip, m.
+    pub length: f64,
+    /// m; 0 where it is not known, and its axis alone is compared.
+    pub radius: f64,
 }
 
 /// A robot whose links have a thickness.
@@ -237,14 +250,14 @@ impl<'a> ThickArm<'a> {
         Clearance { distance, link, to, is_estimated, encloses: self.enclosing.is_some(), outside, knows_tool, poses }
     }
 
-    /// No point of what a joint moves is farther from its axis in any posture, m.
+    /// No point of what a joint moves is farther from its axis in any posture, m, with a cutter of this radius, m, in the spindle.
     ///
     /// From the wrist centre, through which the axes of joints 4 to 6 go, backwards: each link adds its length, and what it carries may stretch
     /// out as far as it can.
-    pub(crate) fn farthest(&self) -> [f64; 6] {
+    pub(crate) fn farthest(&self, cutter: f64) -> [f64; 6] {
         let (Geometry { a1, b, c2, c4, .. }, l3) = (self.geometry, self.geometry.l3());
         let about_wrist = |point: &Vector3<f64>| (point + Vector3::z() * *c4).norm();
-        let of_tool = |Tool { point, radius }: Tool| about_wrist(&point).max(c4.abs()) + radius;
+        let of_tool = |Tool { point, radius }: Tool| about_wrist(&point).max(c4.abs()) + radius.max(cutter);
         let tool = self.tool.map_or(0.0, of_tool);
         let Some(enclosing) = self.enclosing else {
             let wrist = (c4.abs() + self.body.wrist).max(tool);
@@ -315,10 +328,14 @@ impl<'a> ThickArm<'a> {
             if let Some(machined) = about.machined.as_ref().filter(|_| has_moved) {
                 if link != last {
                     nearest.machined(link, (&capsule, Ends::Round), machined, sample);
-                } else if let Some(spindle) = machined.cutter.and_then(|cutter| capsule.cut_back(cutter))
-                    && link == Link::Tool
-                {
-                    nearest.machined(link, (&spindle, Ends::Flat), machined, sample);
+                } else if let Some(Cutter { length, radius }) = machined.cutter.filter(|_| link == Link::Tool) {
+                    let spindle = capsule.cut_back(length);
+                    if let Some(spindle) = &spindle {
+                        nearest.machined(link, (spindle, Ends::Flat), machined, sample);
+                    }
+                    let out_of = spindle.map_or(capsule.ends[0], |spindle| spindle.ends[1]);
+                    let cutter = Capsule { ends: [out_of, capsule.ends[1]], radius };
+                    nearest.fixture(link, (&cutter, Ends::Flat), machined);
                 }
             }
             let Some(capsule) = (if is_last { capsule.cut_back(capsule.radius) } else { Some(capsule) }) else {
@@ -355,21 +372,34 @@ impl Nearest {
     /// As of a solid.
     fn machined(&mut self, link: Link, (capsule, ends): (&Capsule, Ends), about: &Machined, sample: usize) {
         let Machined { pose, part, stock, .. } = about;
-        if let Some(mesh) = part {
-            let at_least = capsule.ball().apart_from_ball(&mesh.ball(pose));
-            if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
-                let apart = match ends {
-                    Ends::Round => mesh.apart_from(pose, capsule),
-                    Ends::Flat => mesh.apart_from_cylinder(pose, capsule),
-                };
-                self.take(apart, link, Obstacle::Part);
-            }
+        if let Some(part) = part {
+            self.mesh((link, capsule, ends), (part, pose), Obstacle::Part);
         }
+        self.fixture(link, (capsule, ends), about);
         if let Some(stock) = stock {
             let most = self.0.map_or(f64::INFINITY, |nearest| nearest.distance);
             if let Some(apart) = stock.apart_from((pose, sample), (capsule, ends), most) {
                 self.take(apart, link, Obstacle::Stock);
             }
+        }
+    }
+
+    /// As of a solid.
+    fn fixture(&mut self, link: Link, (capsule, ends): (&Capsule, Ends), about: &Machined) {
+        if let Some(fixture) = &about.fixture {
+            self.mesh((link, capsule, ends), (fixture, &about.pose), Obstacle::Fixture);
+        }
+    }
+
+    /// As of a solid.
+    fn mesh(&mut self, (link, capsule, ends): (Link, &Capsule, Ends), (mesh, pose): (&Mesh, &Pose), to: Obstacle) {
+        let at_least = capsule.ball().apart_from_ball(&mesh.ball(pose));
+        if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
+            let apart = match ends {
+                Ends::Round => mesh.apart_from(pose, capsule),
+                Ends::Flat => mesh.apart_from_cylinder(pose, capsule),
+            };
+            self.take(apart, link, to);
         }
     }
 
@@ -513,7 +543,7 @@ mod tests {
         robot.enclosing = Some(Enclosing { links, not_compared: Vec::new() });
         let Arm::SixAxis { geometry, .. } = &robot.arm else { unreachable!("it has six axes") };
         let thick = ThickArm::new(&robot, &Pose::translation(0.1, 0.0, 0.3), None).unwrap();
-        let (said, mut seen) = (thick.farthest(), [0.0_f64; 6]);
+        let (said, mut seen) = (thick.farthest(0.0), [0.0_f64; 6]);
         for _ in 0..2000 {
             let theta: [f64; 6] = std::array::from_fn(|_| 6.0 * (rng.f64() - 0.5));
             let axes = geometry.axes(&theta);

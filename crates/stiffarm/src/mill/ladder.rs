@@ -11,7 +11,7 @@ use std::ops::Range;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-use super::contact::Touching;
+use super::contact::{Contact, Touching};
 use super::fault::MillError;
 use super::follow::{Arrangement, Stand};
 use super::stations::{ErrorPart, Station};
@@ -60,6 +60,8 @@ pub(super) struct Ladder<'a> {
     pub(super) pace: f64,
     /// What was found to touch something.
     pub(super) touching: Touching,
+    /// What no path over it keeps clear of, where that is known.
+    pub(super) unavoidable: Option<Contact>,
 }
 
 /// The joints of a rung's nodes, rad, as the robot reports them, each turned down to the least that its range allows.
@@ -86,6 +88,7 @@ impl<'a> Ladder<'a> {
             speeds,
             pace: 1.0,
             touching: Touching::default(),
+            unavoidable: None,
         };
         ladder.rungs = ladder.rungs_of_stations();
         let parts = watch.parts(Some(ladder.rungs.len()));
@@ -106,7 +109,7 @@ impl<'a> Ladder<'a> {
     /// Without rungs: for single stations.
     pub(super) fn bare(arm: &'a SpatialArm, stations: &'a [Station], stand: Stand, part: ErrorPart) -> Self {
         let (grid, rungs, touching) = (RollGrid::turn(1), Vec::new(), Touching::default());
-        Self { arm, stations, stand, part, grid, rungs, speeds: None, pace: 1.0, touching }
+        Self { arm, stations, stand, part, grid, rungs, speeds: None, pace: 1.0, touching, unavoidable: None }
     }
 
     /// Groups samples: until the wrist could turn by some steps of the grid, or as far as a rung may reach.

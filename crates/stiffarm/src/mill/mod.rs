@@ -173,7 +173,10 @@ impl Question<'_> {
         let rms = rms(self.stations, &samples);
         let clearance = match self.guard(stand).map(|guard| guard.along(&samples, watch)).transpose()? {
             Some(Err(at)) => return Ok(Milled::Blocked(ladder.blocked_at(at, Why::Jump))),
-            Some(Ok(found)) => Some(found),
+            Some(Ok(found)) => {
+                let unavoidable = ladder.unavoidable.filter(|_| !found.contacts.is_empty());
+                Some(PathClearance { unavoidable, ..found })
+            }
             None => None,
         };
         Ok(Milled::Followed(Followed { samples, worst, lower_bound, rms, clearance }))

@@ -102,7 +102,8 @@ impl Question<'_> {
         let guard = self.guard(stand);
         let mut found = self.over(&mut ladder, stand, guard.as_ref(), watch)?;
         // Where none is clear, the best of all is told, with what it touches.
-        if found.is_err() && guard.is_some_and(|guard| guard.forbade()) {
+        if let Some(guard) = guard.filter(|guard| found.is_err() && guard.forbade()) {
+            ladder.unavoidable = ladder.never_clear(&guard)?;
             ladder.unblock();
             found = self.over(&mut ladder, stand, None, watch)?;
         }

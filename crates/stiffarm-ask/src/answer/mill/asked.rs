@@ -6,11 +6,12 @@ use std::sync::Arc;
 use super::super::path::tools;
 use super::super::{TipFile, fixed, words};
 use super::arm;
+use super::bodies::Bodies;
 use super::chatter::AskedChatter;
-use super::part::PartFile;
 use super::{Compensation, MillAnswer, MillAnswerError};
 use crate::request::{Refusal, Request};
 use stiffarm::catalogue::ProcessFile;
+use stiffarm::clearance::Cutter;
 use stiffarm::cutting::{Law, Process};
 use stiffarm::mill::{
     self, Acting, ErrorPart, ForcedError, Forcing, MillError, Milled, PathPlaced, Pushed, Stand, Station, TrueOptions,
@@ -51,7 +52,7 @@ impl MillAnswer {
         asked: &Request,
         robot: &Robot,
         (path, moves): (String, Cow<[Move]>),
-        Tooled { tool, beside: Beside { process, part, measured } }: Tooled,
+        Tooled { tool, beside: Beside { process, bodies, measured } }: Tooled,
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let robot = asked.equipped(robot.clone())?;
@@ -78,12 +79,11 @@ impl MillAnswer {
         let survey = surveyed(asked, moves.iter());
         let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
         if let Some(clear_of) = &mut options.clear_of {
-            clear_of.cutter = asked.stick_out(tool);
+            clear_of.cutter = asked.stick_out(tool).map(|length| Cutter { length, radius: radius_of(&forcing) });
             clear_of.stock = stock.as_ref().map(|stock| Arc::new(Remains::of(stock)));
-            if let Some(part) = part {
-                remarks.extend(part.checked(asked, &survey)?);
-                clear_of.part = Some(part.mesh);
-            }
+            remarks.extend(bodies.checked(asked, &survey)?);
+            clear_of.part = bodies.part.map(|part| part.mesh);
+            clear_of.fixture = bodies.fixture.map(|fixture| fixture.mesh);
         }
         drop(stock);
         // Long ones need the memory.
@@ -162,15 +162,15 @@ impl MillAnswer {
 pub struct Beside {
     /// The process with the name of its file; `None` where the force is told as such.
     pub process: Option<(String, ProcessFile)>,
-    /// The part, where its mesh is given.
-    pub part: Option<PartFile>,
+    /// Part and fixture, where their meshes are given.
+    pub bodies: Bodies,
     /// What was measured at the tip.
     pub measured: Option<TipFile>,
 }
 
 impl From<Option<(String, ProcessFile)>> for Beside {
     fn from(process: Option<(String, ProcessFile)>) -> Self {
-        Self { process, part: None, measured: None }
+        Self { process, ..Self::default() }
     }
 }
 
@@ -179,6 +179,15 @@ pub(super) struct Tooled {
     /// Its number; `None` where the path has one tool.
     pub(super) tool: Option<u32>,
     pub(super) beside: Beside,
+}
+
+/// Of the cutter, m; 0 where no process tells it.
+fn radius_of(forcing: &Forcing) -> f64 {
+    if let Forcing::Process(Process { law: Law::Milling(milling), .. }) = forcing {
+        milling.diameter / 2.0
+    } else {
+        0.0
+    }
 }
 
 /// Of moves, all of them.

@@ -7,7 +7,7 @@ use super::super::verdict::{self, Verdict};
 use super::super::{Cell, Column, ColumnKind, Record, Rows, Table, field, fixed, stiffness, with_schema};
 use super::asked::Tooled;
 use super::programs::program_of;
-use super::{Beside, MillAnswer, MillAnswerError, PartFile};
+use super::{Beside, Bodies, MillAnswer, MillAnswerError};
 use crate::request::{Request, tool_name};
 use stiffarm::catalogue::ProcessFile;
 use stiffarm::mill::WorkFrame;
@@ -41,7 +41,7 @@ pub struct Section {
 }
 
 impl ByToolAnswer {
-    /// What a request asks of a robot, a path and its moves, of a process (with the name of its file) for each tool, and of the part's mesh.
+    /// What a request asks of a robot, a path and its moves, of a process (with the name of its file) for each tool, and of the meshes of part and fixture.
     ///
     /// # Errors
     /// A tool without process or length, one that never feeds, and as [`MillAnswer::of`].
@@ -49,7 +49,7 @@ impl ByToolAnswer {
         asked: &Request,
         robot: &Robot,
         (path, moves): (&str, &[Move]),
-        (processes, part): (&[(u32, String, ProcessFile)], Option<&PartFile>),
+        (processes, bodies): (&[(u32, String, ProcessFile)], &Bodies),
         watch: Watch,
     ) -> Result<Self, MillAnswerError> {
         let is_touched = asked.work_frame() == WorkFrame::Touched;
@@ -71,7 +71,8 @@ impl ByToolAnswer {
                 let why = format!("has no file for {}, from line {line}; expected one of each tool", tool_name(tool));
                 return Err(asked.refused("process", why).into());
             };
-            let beside = Beside { process: Some((name.clone(), process.clone())), part: part.cloned(), measured: None };
+            let process = Some((name.clone(), process.clone()));
+            let beside = Beside { process, bodies: bodies.clone(), measured: None };
             let tooled = Tooled { tool, beside };
             let milled = MillAnswer::with(asked, robot, (path.to_owned(), moves.into()), tooled, watch.of_part())?;
             parts.one_more().map_err(|stopped| MillAnswerError::Mill {

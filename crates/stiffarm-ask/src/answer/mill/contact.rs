@@ -8,7 +8,7 @@ use super::super::words::{bodies, clearance_between, links_are};
 use super::super::{Line, Record, field, fixed, line};
 use super::MillAnswer;
 use stiffarm::clearance::{Clearance, Obstacle};
-use stiffarm::mill::{Contact, PathClearance};
+use stiffarm::mill::{ClearOf, Contact, PathClearance};
 
 /// So many contacts are told to people.
 const TOLD: usize = 6;
@@ -43,6 +43,9 @@ impl MillAnswer {
     /// Why no program is written, where that is because the arm touches something.
     pub(super) fn forbidding_contact(&self) -> Option<String> {
         let deepest = self.deepest().filter(|_| !self.allows_contact)?;
+        if let Some(unavoidable) = self.unavoidable_told() {
+            return Some(format!("{unavoidable}; another place may keep clear, allow-contact takes it as it is"));
+        }
         Some(format!("{}; another place or roll may keep clear, allow-contact takes it as it is", self.told(deepest)))
     }
 
@@ -65,6 +68,12 @@ impl MillAnswer {
         format!("{at}{} mm along the path, {}: {how}", fixed(sample.way * 1e3, 1), bodies(contact.link, contact.to))
     }
 
+    /// What is touched whatever the roll, in words, where such a thing is known.
+    fn unavoidable_told(&self) -> Option<String> {
+        let unavoidable = self.clearance()?.unavoidable.as_ref()?;
+        Some(format!("at every roll {}, at best", self.told(unavoidable)))
+    }
+
     /// How near the arm comes, and what it touches.
     pub(super) fn put_clearance(&self, record: &mut Record) {
         let found = self.clearance();
@@ -79,7 +88,7 @@ impl MillAnswer {
             };
             let other = match nearest.to {
                 Obstacle::KeepOut(_) => Some("keep-out"),
-                Obstacle::Part => Some("mesh"),
+                Obstacle::Part | Obstacle::Fixture => Some("mesh"),
                 Obstacle::Stock => Some("stock"),
                 _ => None,
             };
@@ -94,6 +103,10 @@ impl MillAnswer {
             .put(
                 field::CONTACTS,
                 found.map(|found| found.contacts.iter().map(|one| self.contact(one)).collect::<Value>()),
+            )
+            .put(
+                field::UNAVOIDABLE,
+                found.and_then(|found| found.unavoidable.as_ref()).map(|unavoidable| self.contact(unavoidable)),
             );
     }
 
@@ -118,10 +131,11 @@ impl MillAnswer {
                 format!("{apart} mm at {} samples and between them, {}", nearest.poses, clearance_between(nearest)),
             )
         });
+        let unavoidable = self.unavoidable_told().map(|told| line(LOUD, told));
         let contacts = found.contacts.iter().take(TOLD).map(|contact| line(LOUD, self.told(contact)));
         let more = found.contacts.len().saturating_sub(TOLD);
         let more = (0 < more).then(|| line("", format!("and {more} more")));
-        nearest.into_iter().chain(contacts).chain(more).collect()
+        nearest.into_iter().chain(unavoidable).chain(contacts).chain(more).collect()
     }
 
     /// Which collisions were looked for, and which were not.
@@ -129,23 +143,38 @@ impl MillAnswer {
         let Some(clear_of) = &self.options.clear_of else {
             return "between samples nothing is looked at; collisions of the arm with part, floor and cell are not looked for".into();
         };
-        let known = match (clear_of.part.is_some(), clear_of.stock.is_some()) {
-            (false, false) => None,
-            (true, false) => Some(("part", "the block that is cut away and fixtures are not known")),
-            (false, true) => Some(("stock", "fixtures are not known")),
-            (true, true) => Some(("part and stock", "fixtures are not known")),
+        let ClearOf { part, stock, fixture, cutter, .. } = clear_of;
+        let named = |all: &[(&'static str, bool)]| {
+            let named: Vec<&str> = all.iter().filter_map(|(name, is_named)| is_named.then_some(*name)).collect();
+            named.join(" and ")
         };
-        let unknown = match (known, clear_of.cutter) {
-            (None, _) => "part and fixtures are not known".into(),
-            (Some((what, unknown)), None) => format!(
-                "how far the cutter stands out of the spindle is not known (stick-out-mm), so that the tool is not compared with the {what}; {unknown}"
-            ),
-            (Some((what, unknown)), Some(_)) => format!("the cutter may touch the {what}; {unknown}"),
+        let (part, stock, fixture) = (part.is_some(), stock.is_some(), fixture.is_some());
+        let is_bare = !part && !stock;
+        let unknown =
+            named(&[("part", is_bare), ("the block that is cut away", part && !stock), ("fixtures", !fixture)]);
+        let mut told = Vec::new();
+        if cutter.is_none() && !(is_bare && !fixture) {
+            told.push(format!(
+                "how far the cutter stands out of the spindle is not known (stick-out-mm), so that the tool is not compared with the {}",
+                named(&[("part", part), ("stock", stock), ("fixture", fixture)])
+            ));
+        } else if !is_bare {
+            told.push(format!("the cutter may touch the {}", named(&[("part", part), ("stock", stock)])));
+        }
+        if fixture && cutter.is_some_and(|cutter| cutter.radius == 0.0) {
+            told.push(
+                "how thick the cutter is is not known (process), so that its axis alone keeps clear of the fixture"
+                    .into(),
+            );
+        }
+        let unknown = match (unknown.is_empty(), fixture) {
+            (true, _) => String::new(),
+            (false, true) => format!("{unknown} is not known, and "),
+            (false, false) => format!("{unknown} are not known, and "),
         };
-        format!(
-            "clearance: {}, at every sample and between them; {unknown}, and the first move of a program, in joints, is checked by nobody",
-            links_are(&self.robot)
-        )
+        told.push(format!("{unknown}the first move of a program, in joints, is checked by nobody"));
+        let told = told.join("; ");
+        format!("clearance: {}, at every sample and between them; {told}", links_are(&self.robot))
     }
 
     /// What a manager would read of it.

@@ -2,10 +2,10 @@
 
 mod arm;
 mod asked;
+mod bodies;
 mod by_tool;
 mod chatter;
 mod contact;
-mod part;
 mod programs;
 mod ranking;
 mod record;
@@ -14,10 +14,10 @@ mod worst;
 
 pub use arm::ArmTold;
 pub use asked::Beside;
+pub use bodies::{Bodies, MeshFile};
 pub use by_tool::{ByToolAnswer, Section};
 pub use chatter::ChatterTold;
 use nalgebra::Vector3;
-pub use part::PartFile;
 pub use ranking::{PathRankAnswer, PathRow};
 use serde_json::Value;
 

@@ -56,6 +56,8 @@ pub struct View {
     pub cell: Option<stiffarm::cell::Cell>,
     /// The finished part, and where it stands.
     pub part: Option<(Mesh, Pose)>,
+    /// What holds it, and where that stands.
+    pub fixture: Option<(Mesh, Pose)>,
     /// The block from which it is cut, before anything is: corners, base axes.
     pub stock: Option<[Point; 8]>,
 }

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use stiffarm::cell::Block;
 use stiffarm::interval::Interval;
 use stiffarm::palette::{
-    ALARM, ARM_IN_SPACE, BASE, FAINT, FLOOR, GREY, INK, JOINT_IN_SPACE, KEEP_OUT, PART, TOOL, ZONE,
+    ALARM, ARM_IN_SPACE, BASE, FAINT, FIXTURE, FLOOR, GREY, INK, JOINT_IN_SPACE, KEEP_OUT, PART, TOOL, ZONE,
 };
 
 use super::super::bands::Bands;
@@ -53,7 +53,7 @@ impl View {
         }
         traces.extend(self.floor_height().map(|height| self.floor(height)));
         self.draw_cell(&mut traces);
-        self.draw_part(&mut traces);
+        self.draw_work(&mut traces);
         self.draw_arm(&mut traces);
         self.draw_zone(&mut traces);
         let (called, touching) = &self.touching;
@@ -73,8 +73,8 @@ impl View {
         (low <= high).then(|| Bands::within(self.scale, [low, high], self.colours))
     }
 
-    /// All of its triangles, or where there are very many the box about it; and the block about it.
-    fn draw_part(&self, traces: &mut Vec<Value>) {
+    /// The block, and all triangles of part and fixture, or where there are very many the box about them.
+    fn draw_work(&self, traces: &mut Vec<Value>) {
         if let Some(corners) = self.stock {
             let mut block = Solid::block(corners).trace("stock, before it is cut", PART);
             block["opacity"] = json!(0.35);
@@ -82,18 +82,20 @@ impl View {
             block["showlegend"] = json!(true);
             traces.push(block);
         }
-        let Some((mesh, pose)) = &self.part else { return };
-        let (points, triangles) = mesh.placed(pose);
-        let solid = if triangles.len() <= MOST_TRIANGLES {
-            Solid::mesh(points, triangles)
-        } else {
-            let ends = mesh.extent();
-            let corner = |k: usize| [0, 1, 2].map(|i| ends[k >> i & 1][i]).into();
-            Solid::block(std::array::from_fn(|k| pose.transform_point(&corner(k)).into()))
-        };
-        let mut trace = solid.trace("part", PART);
-        trace["showlegend"] = json!(true);
-        traces.push(trace);
+        for (name, colour, body) in [("part", PART, &self.part), ("fixture", FIXTURE, &self.fixture)] {
+            let Some((mesh, pose)) = body else { continue };
+            let (points, triangles) = mesh.placed(pose);
+            let solid = if triangles.len() <= MOST_TRIANGLES {
+                Solid::mesh(points, triangles)
+            } else {
+                let ends = mesh.extent();
+                let corner = |k: usize| [0, 1, 2].map(|i| ends[k >> i & 1][i]).into();
+                Solid::block(std::array::from_fn(|k| pose.transform_point(&corner(k)).into()))
+            };
+            let mut trace = solid.trace(name, colour);
+            trace["showlegend"] = json!(true);
+            traces.push(trace);
+        }
     }
 
     fn draw_arm(&self, traces: &mut Vec<Value>) {

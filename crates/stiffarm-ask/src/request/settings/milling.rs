@@ -174,12 +174,21 @@ pub(super) const ROWS: &[Setting] = &[
         ..MILLED
     },
     Setting {
+        name: "fixture",
+        kind: Kind::File,
+        value: "FILE.stl",
+        help: "What holds the part as STL in the path's frame: arm, spindle and cutter keep clear of it",
+        heading: "Cell",
+        example: "fixture.stl",
+        ..MILLED
+    },
+    Setting {
         name: "part-unit",
         kind: Kind::Word(&[("mm", ""), ("inch", ""), ("m", "")]),
         value: "UNIT",
         absent: Absent::Default("mm"),
-        needs: &[(Verb::Mill, "part")],
-        help: "Of the lengths in the STL file, which names none",
+        needs: &[(Verb::Mill, "part"), (Verb::Mill, "fixture")],
+        help: "Of the lengths in the STL files, which name none",
         heading: "Cell",
         example: "m",
         ..MILLED
@@ -190,9 +199,9 @@ pub(super) const ROWS: &[Setting] = &[
         unit: "mm",
         value: "MM",
         absent: Absent::Means(
-            "the length of the tool (tool-lengths-mm); else the spindle is not compared with part and stock",
+            "the length of the tool (tool-lengths-mm); else the tool is not compared with part, stock and fixture",
         ),
-        needs: &[(Verb::Mill, "part"), (Verb::Mill, "stock-mm")],
+        needs: &[(Verb::Mill, "part"), (Verb::Mill, "stock-mm"), (Verb::Mill, "fixture")],
         help: "How far the cutter stands out of the spindle: so near to its tip nothing of the tool can touch part or stock",
         heading: "Cell",
         example: "80",

@@ -143,13 +143,15 @@ class Milled(Table[MilledDict]):
     clearance_mm: float | None
     clearance_of: str | None
     #: By which bodies: ``"enclosing"``, ``"estimated"`` or ``"stated"`` of the arm, and what it comes near to where that is a ``"keep-out"``, the
-    #: ``"mesh"`` of a part or what is left of the ``"stock"``.
+    #: ``"mesh"`` of a part or fixture, or what is left of the ``"stock"``.
     clearance_by: list[str] | None
     #: By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most, mm; 0 where none is estimated.
     clearance_outside_mm: float | None
     asked_clearance_mm: float
     #: Where it is nearer than it was to keep; None where nobody looked.
     contacts: list[PathContact] | None
+    #: Of a path that is not clear: what is nearer than was asked at some place at every roll; ``None`` where nothing of that kind is known.
+    unavoidable: PathContact | None
     tolerance_mm: float | None
     margin_mm: float | None
     search: PlaceSearch | None

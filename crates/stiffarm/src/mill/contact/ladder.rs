@@ -2,15 +2,16 @@
 //! that touch are blocked, and the path is sought anew, until it is clear. What was never the best is never looked at, and the path is
 //! the best of all that are clear.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::hash::Hash;
 use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::Guard;
 use super::step::Between;
 use super::touching::{Edge, OfRung};
+use super::{Contact, Guard};
+use crate::clearance::Near;
 use crate::inverse::Configuration;
 use crate::mill::climb::{Climb, MOST_STEPS, Node, Sought};
 use crate::mill::fault::MillError;
@@ -34,6 +35,33 @@ impl Ladder<'_> {
             }
             guard.has_forbidden();
         }
+    }
+
+    /// What is touched at a station in every arrangement that holds it, where there is such a station: of the arrangement that touches least, at
+    /// the station where that is deepest.
+    pub(in crate::mill) fn never_clear(&self, guard: &Guard) -> Result<Option<Contact>, MillError> {
+        let mut nodes: BTreeMap<usize, Vec<OfRung>> = BTreeMap::new();
+        for (node, _) in &self.touching.nodes {
+            nodes.entry(node.0).or_default().push(*node);
+        }
+        let is_shut = |k: &usize| self.rungs[*k].errors.iter().flatten().all(|error| error.is_infinite());
+        let mut deepest: Option<Contact> = None;
+        for (k, nodes) in nodes.into_iter().filter(|(k, _)| is_shut(k)) {
+            let station = self.rungs[k].at;
+            let near = |node: &OfRung| Ok(guard.at(station, self.arrangement(*node))?.and_then(|posed| posed.near));
+            let all = nodes.par_iter().map(near).collect::<Result<Vec<Option<Near>>, MillError>>()?;
+            // Where one meets nothing, all is clear.
+            let Some(all) = all.into_iter().collect::<Option<Vec<Near>>>() else { continue };
+            let Some(Near { distance, link, to }) = all.into_iter().max_by(|a, b| a.distance.total_cmp(&b.distance))
+            else {
+                continue;
+            };
+            let depth = guard.clearance - distance;
+            if 0.0 < depth && deepest.is_none_or(|deepest| deepest.depth < depth) {
+                deepest = Some(Contact { station, link, to, depth });
+            }
+        }
+        Ok(deepest)
     }
 
     /// Takes back what was blocked.

@@ -20,7 +20,7 @@ use super::follow::{Arrangement, Stand};
 use super::stations::Station;
 use crate::batch::SpatialArm;
 use crate::cell::Cell;
-use crate::clearance::{Clearance, Link, Machined, Mesh, Near, Obstacle, Surroundings, ThickArm};
+use crate::clearance::{Clearance, Cutter, Link, Machined, Mesh, Near, Obstacle, Surroundings, ThickArm};
 use crate::inverse::posture_of;
 use crate::robot::Robot;
 use crate::stock::Remains;
@@ -44,8 +44,10 @@ pub struct ClearOf {
     pub part: Option<Mesh>,
     /// What is left of the block from which it is cut, in the same frame, before every station. The cutter may touch it.
     pub stock: Option<Arc<Remains>>,
-    /// So far the cutter stands out of the spindle, m; where that is not known the tool is not compared with part and stock.
-    pub cutter: Option<f64>,
+    /// What holds the part, in the same frame. Nothing may touch it, the cutter neither.
+    pub fixture: Option<Mesh>,
+    /// What stands out of the spindle; where that is not known the tool is not compared with part, stock and fixture.
+    pub cutter: Option<Cutter>,
 }
 
 /// How near arm and tool come to anything along a path that is followed.
@@ -59,6 +61,9 @@ pub struct PathClearance {
     pub at: Vec<Option<Near>>,
     /// Where it is nearer than was asked, in the order of the path; none where every sample and all between them is clear.
     pub contacts: Vec<Contact>,
+    /// Of a path that is not clear: what is nearer than was asked at some station whatever the roll and the configuration, as the one of them that
+    /// is the farthest from it has it. `None` where nothing of that kind is known.
+    pub unavoidable: Option<Contact>,
 }
 
 /// A stretch of the path along which a link is nearer to something than was asked.
@@ -97,9 +102,11 @@ pub(super) struct Guard<'a> {
 
 impl ClearOf {
     pub(super) fn check(&self) -> Result<(), MillError> {
+        let cutter = self.cutter.unwrap_or(Cutter { length: 0.0, radius: 0.0 });
         for (what, value, least, most, expected) in [
             ("a clearance, m", self.clearance, 0.0, MOST, "0 to 5 m"),
-            ("what stands out of a spindle, m", self.cutter.unwrap_or(0.0), 0.0, MOST, "0 to 5 m"),
+            ("what stands out of a spindle, m", cutter.length, 0.0, MOST, "0 to 5 m"),
+            ("the radius of a cutter, m", cutter.radius, 0.0, MOST, "0 to 5 m"),
             ("the height of a floor, m", self.floor.unwrap_or(0.0), -FARTHEST_FLOOR, FARTHEST_FLOOR, "-100 to 100 m"),
         ] {
             if !(least <= value && value <= most) {
@@ -118,18 +125,21 @@ impl<'a> Guard<'a> {
         stand: &Stand,
         clear_of: &ClearOf,
     ) -> Option<Self> {
-        let ClearOf { clearance, cell, floor, part, stock, cutter } = clear_of;
-        let (part, stock, pose) = (part.clone(), stock.clone(), stand.base_from_part);
-        let is_known = part.is_some() || stock.is_some();
+        let ClearOf { clearance, cell, floor, part, stock, fixture, cutter } = clear_of;
+        let is_known = part.is_some() || stock.is_some() || fixture.is_some();
+        let machined = || Machined {
+            pose: stand.base_from_part,
+            part: part.clone(),
+            stock: stock.clone(),
+            fixture: fixture.clone(),
+            cutter: *cutter,
+        };
         let thick = ThickArm::new(robot, &stand.flange_from_tool, None)?;
         Some(Self {
-            farthest: thick.farthest(),
+            farthest: thick.farthest(cutter.map_or(0.0, |cutter| cutter.radius)),
             forbade: AtomicBool::new(false),
             thick,
-            about: Surroundings {
-                machined: is_known.then_some(Machined { pose, part, stock, cutter: *cutter }),
-                ..Surroundings::of(cell.as_ref(), *floor)
-            },
+            about: Surroundings { machined: is_known.then(machined), ..Surroundings::of(cell.as_ref(), *floor) },
             arm,
             stations,
             stand: *stand,

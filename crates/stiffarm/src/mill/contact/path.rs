@@ -57,7 +57,7 @@ impl Guard<'_> {
         }
         let Found { nearest, at, contacts, .. } = found;
         let nearest = nearest.map(|near| self.thick.told(near, samples.len()));
-        Ok(Ok(PathClearance { asked: self.clearance, nearest, at, contacts }))
+        Ok(Ok(PathClearance { asked: self.clearance, nearest, at, contacts, unavoidable: None }))
     }
 
     /// Nothing is touched along a path that is followed.

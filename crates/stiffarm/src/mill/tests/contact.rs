@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::*;
 use crate::catalogue::stl::Surface;
 use crate::cell::{Block, Cell, Mount};
-use crate::clearance::{Link, Mesh, Obstacle, Surroundings, ThickArm};
+use crate::clearance::{Cutter, Link, Mesh, Obstacle, Surroundings, ThickArm};
 use crate::inverse::postures;
 use crate::mill::contact::{Between, LEAST, Posed, Way};
 use crate::stock::{Remains, Stock};
@@ -22,7 +22,7 @@ fn block(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Block {
 fn clear_of(boxes: &[Block], clearance: f64) -> ClearOf {
     let mut cell = Cell::of(Mount::pedestal(0.0));
     cell.keep_out.iter_mut().zip(boxes).for_each(|(place, block)| *place = Some(*block));
-    ClearOf { clearance, cell: Some(cell), floor: None, part: None, stock: None, cutter: None }
+    ClearOf { clearance, cell: Some(cell), floor: None, part: None, stock: None, fixture: None, cutter: None }
 }
 
 /// The first box that is kept free as the triangles of a part.
@@ -260,7 +260,7 @@ fn no_touch_between_two_samples_is_missed() {
 fn what_hangs_on_a_joint_is_no_farther_from_its_axis_than_is_said() {
     let (robot, one) = (robot(), stand());
     let crate::robot::Arm::SixAxis { geometry, .. } = &robot.arm else { unreachable!() };
-    let farthest = ThickArm::new(&robot, &one.flange_from_tool, None).unwrap().farthest();
+    let farthest = ThickArm::new(&robot, &one.flange_from_tool, None).unwrap().farthest(0.0);
     let mut rng = fastrand::Rng::with_seed(392);
     let mut most = [0.0_f64; 6];
     for _ in 0..2000 {
@@ -334,7 +334,8 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     assert!(0.01 < contact.depth, "{contact:?}");
     assert!((told.nearest.unwrap().distance - (0.01 - contact.depth)).abs() < 1e-12);
     // The same box as the triangles of a part touches as deep, and the same ways are clear of it.
-    let as_part = ClearOf { part: Some(mesh_of(&there, &one)), cell: Some(Cell::of(Mount::pedestal(0.0))), ..there };
+    let as_part =
+        ClearOf { part: Some(mesh_of(&there, &one)), cell: Some(Cell::of(Mount::pedestal(0.0))), ..there.clone() };
     let (_, of_part) = tell(as_part.clone(), RollMode::Fixed(at));
     let of_part = deepest(&of_part);
     assert_eq!((of_part.to, of_part.link, of_part.station), (Obstacle::Part, contact.link, contact.station));
@@ -342,7 +343,8 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     let (_, told) = tell(as_part, RollMode::Constant);
     assert!(told.contacts.is_empty() && 0.01 <= told.nearest.unwrap().distance, "{told:?}");
     // A floor above the tip: no roll helps, and all of the path touches.
-    let flooded = ClearOf { clearance: 0.0, cell: None, floor: Some(0.65), part: None, stock: None, cutter: None };
+    let flooded =
+        ClearOf { clearance: 0.0, cell: None, floor: Some(0.65), part: None, stock: None, fixture: None, cutter: None };
     let (found, told) = tell(flooded, RollMode::Free);
     assert!(found.worst.0 <= before.worst.0 * (1.0 + 1e-9) && found.touches());
     // By hand: the upper arm reaches down from the joint-2 axis by its radius, at every sample.
@@ -351,6 +353,10 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     let by_hand = 0.65 - (geometry.c1 - robot.thickness().0.upper_arm);
     assert!((contact.depth - by_hand).abs() < 1e-9, "{} {by_hand}", contact.depth);
     assert!((told.nearest.unwrap().distance + contact.depth).abs() < 1e-12);
+    // And so it does at whatever roll; where some path is clear nothing is unavoidable.
+    let unavoidable = told.unavoidable.unwrap();
+    assert!((unavoidable.depth - by_hand).abs() < 1e-9 && unavoidable.to == Obstacle::Floor, "{unavoidable:?}");
+    assert!(tell(there, RollMode::Free).1.unavoidable.is_none());
 }
 
 /// By hand: the spindle ends 40 mm above the tip. 20 mm deep it runs 20 mm above the block; 45 mm deep it would be 5 mm in it, and runs 15 mm
@@ -387,7 +393,8 @@ fn a_block_stands_in_the_way_until_it_is_cut() {
         let stations = stations(&moves, &Steps::USUAL, |_| None);
         let stock = Some(Arc::new(Remains::of(&stock)));
         let cell = Some(Cell::of(Mount::pedestal(0.0)));
-        let about = ClearOf { clearance: 0.0, cell, floor: None, part: None, stock, cutter };
+        let cutter = cutter.map(|length| Cutter { length, radius: R });
+        let about = ClearOf { clearance: 0.0, cell, floor: None, part: None, stock, fixture: None, cutter };
         let options = MillOptions { clear_of: Some(about), ..with(RollMode::Fixed(0.0)) };
         let Milled::Followed(found) = mill(&robot, &stand, &stations, &options, Watch::nobody()).unwrap() else {
             panic!("{depths:?}")
@@ -417,4 +424,46 @@ fn a_block_stands_in_the_way_until_it_is_cut() {
     assert!(contact.to == Obstacle::Stock && stations[contact.station].sample.pose.tip.z < -0.04, "{contact:?}");
     // A cutter of which it is not known where it ends touches what it likes.
     assert!(tell(&shallow, 0.1, None).0.contacts.iter().all(|contact| contact.to != Obstacle::Stock));
+}
+
+/// By hand: a cutter of 25 mm radius passes 5 mm beside a clamp, 40 mm below it ends the spindle, and a clamp that is higher than that touches it.
+/// The same triangles as a part may be touched by the cutter.
+#[test]
+fn the_cutter_keeps_clear_of_a_fixture_and_not_of_the_part() {
+    const R: f64 = 0.025;
+    let stand = Stand {
+        base_from_part: Pose::new(Vector3::new(1.7, 0.0, 0.6), Vector3::zeros()),
+        flange_from_tool: Pose::translation(0.0, 0.0, 0.4),
+    };
+    let stations = path("line:0.3", KNOWN);
+    let tell = |high: f64, beside: f64, is_part: bool, radius: f64| {
+        let low = [-0.02, R + beside, -0.1];
+        let high = [0.02, R + beside + 0.05, high];
+        let corner = |i: usize| std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] });
+        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let triangles = faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+        let surface = Surface { corners: (0..8).map(corner).collect(), triangles, is_closed: true, notes: Vec::new() };
+        let mesh = Some(Mesh::of(&surface));
+        let (part, fixture) = if is_part { (mesh, None) } else { (None, mesh) };
+        let cell = Some(Cell::of(Mount::pedestal(0.0)));
+        let cutter = Some(Cutter { length: 0.04, radius });
+        let about = ClearOf { clearance: 0.0, cell, floor: None, part, stock: None, fixture, cutter };
+        let options = MillOptions { clear_of: Some(about), ..with(RollMode::Fixed(0.0)) };
+        followed(&stand, &stations, &options).clearance.unwrap()
+    };
+    // Higher than the tip, lower than the spindle: beside it by 5 mm, and where it is nearer by so much less, 3 mm deep.
+    let beside = tell(0.01, 0.005, false, R);
+    let nearest = beside.nearest.unwrap();
+    assert!(beside.contacts.is_empty() && (nearest.link, nearest.to) == (Link::Tool, Obstacle::Fixture), "{nearest:?}");
+    assert!((nearest.distance - 0.005).abs() < 1e-6, "{nearest:?}");
+    let deep = tell(0.01, -0.003, false, R);
+    assert!(deep.contacts.iter().all(|contact| (contact.link, contact.to) == (Link::Tool, Obstacle::Fixture)));
+    assert!((deep.nearest.unwrap().distance + 0.003).abs() < 1e-6, "{:?}", deep.contacts);
+    // Its axis alone is 22 mm away, and a part may be touched.
+    assert!((tell(0.01, -0.003, false, 0.0).nearest.unwrap().distance - 0.022).abs() < 1e-6);
+    assert!((tell(0.01, -0.003, true, R).nearest.unwrap().distance - 0.03).abs() < 1e-6, "the spindle ends above it");
+    // The spindle is thicker: it ends 10 mm below the top of this one.
+    let high = tell(0.05, 0.005, false, R);
+    assert!((high.nearest.unwrap().distance + 0.01).abs() < 1e-5, "{:?}", high.nearest);
+    assert!(high.contacts.iter().any(|contact| contact.to == Obstacle::Fixture && contact.link == Link::Tool));
 }
