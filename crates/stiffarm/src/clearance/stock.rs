@@ -135,7 +135,9 @@ impl Search<'_> {
         };
         let mut parts: Vec<Held> = parts.filter_map(|part| self.nearer(part)).collect();
         parts.sort_by(|a, b| a.apart.total_cmp(&b.apart));
-        parts.into_iter().for_each(|part| self.descend(part));
+        for part in parts {
+            self.descend(part);
+        }
     }
 }
 
@@ -175,7 +177,7 @@ mod tests {
                     let [a, b] = [from + (to - from) / 3.0, to - (to - from) / 3.0];
                     (from, to) = if nearest(a) < nearest(b) { (from, b) } else { (a, to) };
                 }
-                nearest((from + to) / 2.0)
+                nearest(f64::midpoint(from, to))
             };
             let round = boxes.iter().map(line).fold(f64::INFINITY, f64::min) - capsule.radius;
             match of(Ends::Round) {
