@@ -129,7 +129,7 @@ impl Search<'_> {
         if self.most - AS_NEAR <= apart {
             return;
         }
-        let Some(parts) = self.remains.parts(square) else {
+        let Some(parts) = self.remains.parts(square, self.sample) else {
             self.most = apart;
             return;
         };
@@ -215,7 +215,7 @@ mod tests {
     fn columns(remains: &Remains, sample: usize) -> Vec<[Vector3<f64>; 2]> {
         let (mut found, mut queue) = (Vec::new(), vec![remains.whole()]);
         while let Some(square) = queue.pop() {
-            match remains.parts(square) {
+            match remains.parts(square, usize::MAX) {
                 Some(parts) => queue.extend(parts),
                 None => found.extend(remains.left(square, sample).map(|corners| corners.map(Vector3::from))),
             }

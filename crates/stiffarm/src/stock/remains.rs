@@ -18,6 +18,8 @@ pub(super) struct Squares {
     counts: [usize; 2],
     /// Since before the first sample each is as high as the block was.
     falls: Vec<Falls>,
+    /// The first sample to which the way cuts a square of the finest grid in it; of these themselves their falls tell it.
+    first_cut: Vec<usize>,
 }
 
 /// What was left of a block before every sample of a path that was followed through it, part frame.
@@ -37,7 +39,7 @@ impl Squares {
     pub(super) fn over(cells: [usize; 2]) -> Self {
         let side = cells[0].max(cells[1]).div_ceil(MOST_SQUARES);
         let counts = cells.map(|count| count.div_ceil(side));
-        Self { cells: side, counts, falls: vec![Vec::new(); counts[0] * counts[1]] }
+        Self { cells: side, counts, falls: vec![Vec::new(); counts[0] * counts[1]], first_cut: Vec::new() }
     }
 
     /// Takes notice that cells of some columns and rows may have fallen when a sample was reached.
@@ -71,8 +73,19 @@ impl Squares {
             }
             found
         };
-        let falls = (0..counts[0] * counts[1]).map(|k| of(k % counts[0], k / counts[0])).collect();
-        Self { cells: 2 * self.cells, counts, falls }
+        let first_cut = |at: [usize; 2]| children(at, self.counts).map(|part| self.first_cut(part)).min();
+        let all = || (0..counts[0] * counts[1]).map(|k| [k % counts[0], k / counts[0]]);
+        Self {
+            cells: 2 * self.cells,
+            counts,
+            falls: all().map(|[i, j]| of(i, j)).collect(),
+            first_cut: all().map(|at| first_cut(at).unwrap_or(usize::MAX)).collect(),
+        }
+    }
+
+    fn first_cut(&self, [i, j]: [usize; 2]) -> usize {
+        let of_falls = || self.at([i, j]).first().map_or(usize::MAX, |(sample, _)| *sample);
+        self.first_cut.get(j * self.counts[0] + i).copied().unwrap_or_else(of_falls)
     }
 
     fn at(&self, [i, j]: [usize; 2]) -> &Falls {
@@ -138,9 +151,9 @@ impl Remains {
         Square { level: self.levels.len() - 1, at: [0; 2] }
     }
 
-    /// The squares that make one; `None` of the finest.
-    pub(crate) fn parts(&self, square: Square) -> Option<impl Iterator<Item = Square>> {
-        let level = square.level.checked_sub(1)?;
+    /// The squares that make one; `None` of the finest, and where before a sample nothing of it is cut.
+    pub(crate) fn parts(&self, square: Square, sample: usize) -> Option<impl Iterator<Item = Square>> {
+        let level = square.level.checked_sub(1).filter(|_| self.levels[square.level].first_cut(square.at) < sample)?;
         Some(children(square.at, self.levels[level].counts).map(move |at| Square { level, at }))
     }
 
@@ -185,19 +198,28 @@ mod tests {
         }
         let remains = Remains::of(&whole);
         assert_eq!(remains.block(), [[-0.1, 0.0, -0.05], [0.5, 0.3, 0.0]]);
-        let (mut looked, mut gone, mut fallen) = (0, 0, 0);
+        let (mut looked, mut gone, mut fallen, mut whole) = (0, 0, 0, 0);
         for (sample, state) in states.iter().enumerate().step_by(7) {
             let mut queue = vec![remains.whole()];
             while let Some(square) = queue.pop() {
-                if let Some(parts) = remains.parts(square) {
-                    queue.extend(parts);
-                }
+                let parts = remains.parts(square, sample);
+                let is_whole = parts.is_none() && 0 < square.level;
+                queue.extend(parts.into_iter().flatten());
                 let cells = remains.levels[square.level].cells;
                 let range =
                     |axis: usize| square.at[axis] * cells..((square.at[axis] + 1) * cells).min(remains.cells[axis]);
                 let of = |(i, j): (usize, usize)| state.heights[j * state.counts[0] + i];
                 let most =
                     range(1).flat_map(|j| range(0).map(move |i| (i, j))).map(of).fold(f64::NEG_INFINITY, f64::max);
+                // What is not taken apart is as high all over, but for cells that make no square fall.
+                let highest = |own: &Square| remains.left(*own, sample).map(|[_, high]| high[2]);
+                let finest = (range(0).start..range(0).end).flat_map(|i| range(1).map(move |j| [i, j]));
+                if is_whole {
+                    whole += 1;
+                    for at in finest.map(|at| at.map(|cell| cell / remains.levels[0].cells)) {
+                        assert_eq!(highest(&Square { level: 0, at }), Some(0.0), "{square:?}");
+                    }
+                }
                 let told = remains.left(square, sample);
                 looked += 1;
                 gone += usize::from(told.is_none());
@@ -209,6 +231,6 @@ mod tests {
                 assert!((ends[0] - low[0] - 0.707e-3).abs() < 1e-6 && (high[0] - ends[1] - 0.707e-3).abs() < 1e-6);
             }
         }
-        assert!(100 < gone && 1000 < fallen && 10_000 < looked, "{gone} {fallen} {looked}");
+        assert!(100 < gone && 1000 < fallen && 5000 < looked && 20 < whole, "{gone} {fallen} {looked} {whole}");
     }
 }
