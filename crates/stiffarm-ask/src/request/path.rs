@@ -194,7 +194,8 @@ impl Request {
         let PathGround { margins, cell, .. } = self.path_ground()?;
         let clearance = self.number("clearance-mm").map(|mm| mm / 1e3);
         // Of several robots the bodies are guessed: they are looked at where that is asked.
-        let is_looked_at = !self.ranks_on_path() || self.part().is_some() || self.fixture().is_some();
+        let bodies = ["part", "fixture", "stick-out-mm"];
+        let is_looked_at = !self.ranks_on_path() || bodies.iter().any(|name| self.is_given(name));
         let clearance = clearance.or_else(|| is_looked_at.then_some(0.0));
         let usual = MillOptions::usual();
         let radians = |name: &str, usual: f64| self.number(name).map_or(usual, f64::to_radians);
