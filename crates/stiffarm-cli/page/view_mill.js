@@ -88,7 +88,7 @@ const solve = oneInFlight(async (/** @type {Pin[]} */ pins) => {
 export const mill = {
   verb: "mill",
   parts: () => [
-    { verb: "mill", title: "Does the program hold it?", first: ["path", "robot", "process", "force-n", "at", "part", "stick-out-mm", "tolerance-mm", "roll", "pin", "compensate", "tool", "chatter", "tool-mass-kg", "tool-com-mm"] },
+    { verb: "mill", title: "Does the program hold it?", first: ["path", "robot", "process", "force-n", "at", "part", "fixture", "stick-out-mm", "tolerance-mm", "roll", "pin", "compensate", "tool", "chatter", "tool-mass-kg", "tool-com-mm"] },
   ],
   mount(look, decide) {
     draw();
