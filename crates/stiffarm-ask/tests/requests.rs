@@ -206,7 +206,8 @@ fn told(request: &Request) -> String {
                 request.is_compensated(),
                 request.stiffness_uncertainty(),
                 request.tolerance_mm(),
-                (request.allows_contact(), request.work_frame(), request.part(), request.stick_out(None)),
+                (request.allows_contact(), request.work_frame(), request.stick_out(None)),
+                (request.part(), request.fixture(), request.stl_unit()),
                 (request.path_chatter(None).ok(), request.frf()),
             );
             let milling = format!("{robot:?} {process:?} {acting:?} {at:?} {stock:?} {window:?} {left:?}");
