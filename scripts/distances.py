@@ -1,6 +1,7 @@
 """Writes validation/link_distances.csv: how near links of an arm come to each other and to a floor, by MuJoCo's kinematics and distances.
 
-Half of the robots have capsules that enclose their links, half have radii that are estimated from payload and reach (docs/robot_file.md, body).
+Some robots have capsules that enclose their links, some radii along the lines of the arm, and of some nothing is known (docs/robot_file.md, body): towards
+the floor they are wide, towards each other as slim as the radii say that are estimated from payload and reach.
 Angles are model angles: zero has upper arm and forearm upright. Not compared: links that are joined to each other and what the file names
 (not_compared); base and column with the floor.
 """
@@ -21,7 +22,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROBOTS = ROOT / "crates/stiffarm/robots"
 TARGET = ROOT / "validation/link_distances.csv"
 ENCLOSED = ("KR 4 R600", "KR 16 R2010-2", "KR 210 R2700-2", "KR 240 R3330", "KR 560 R3100-2")
-ESTIMATED = ("KR 210 R2700 extra", "TX2-90L", "IRB 120-3/0.58", "R-2000iC/165F", "BX100N")
+ALONG_LINES = ("KR 210 R2700 extra", "TX2-90L", "IRB 120-3/0.58", "R-2000iC/165F", "BX100N")
+ESTIMATED = ("KR 210 R2700 extra", "R-2000iC/165F", "BT200L", "BX100N")
 POSTURES = 6
 #: m, below the base.
 FLOOR = -0.25
@@ -46,7 +48,7 @@ def points(robot: dict[str, Any]) -> list[np.ndarray]:
     return list(np.cumsum(np.array(steps, dtype=float), axis=0))
 
 
-def estimated(robot: dict[str, Any]) -> list[tuple[int, Capsule]]:
+def along_lines(robot: dict[str, Any]) -> list[tuple[int, Capsule]]:
     """Tubes about the lines of the links, each with the number of what carries it."""
     shoulder, elbow, bend, wrist, flange = points(robot)
     column = 0.085 * (robot["payload_kg"] * robot["reach_m"]) ** 0.25
@@ -60,6 +62,28 @@ def estimated(robot: dict[str, Any]) -> list[tuple[int, Capsule]]:
     return [(link, (one, other, radius)) for link, one, other, radius in lines]
 
 
+def estimated(robot: dict[str, Any]) -> list[tuple[int, Capsule]]:
+    """What stands in for the links towards all but each other."""
+    shoulder, elbow, bend, wrist, _ = points(robot)
+    c1, c4 = shoulder[2], robot["geometry"]["c4_mm"] / 1000
+    eighth = robot["payload_kg"] ** 0.125
+    t, w = eighth * robot["reach_m"] ** 0.5, eighth**2
+    back, side, up = np.eye(3)
+    housing = np.array([(elbow[0] + bend[0]) / 2 - 0.02 * t, elbow[1], elbow[2]])
+    foot, low = 0.06 * t * up, c1 - 0.04 * t
+    arm = min(0.165 * t, 0.9 * c1)
+    return [
+        (0, (foot, foot - 0.16 * t * back, 0.22 * t)),
+        (0, (foot, max(c1 - 0.2 * t, 0.06 * t) * up, 0.24 * t)),
+        (1, (low * up, np.array([shoulder[0], shoulder[1], low]), 0.27 * t)),
+        *[(2, (shoulder + y * t * side, elbow + y * t * side, arm)) for y in (0.1, -0.1)],
+        (3, (housing - 0.05 * t * up, housing + 0.05 * t * up, 0.26 * t)),
+        (3, (bend, wrist, 0.15 * eighth)),
+        (5, (wrist, wrist, 0.08 * w)),
+        (5, (wrist, wrist + max(c4 - 0.035 * w, 0.0) * up, 0.068 * w)),
+    ]
+
+
 def enclosing(robot: dict[str, Any]) -> list[tuple[int, Capsule]]:
     rows = [(link["link"], np.array(row) / 1000) for link in robot["body"]["link"] for row in link["capsules_mm"]]
     return [(link, (row[:3], row[3:6], float(row[6]))) for link, row in rows]
@@ -69,8 +93,8 @@ def geom(name: str, capsule: Capsule, at: np.ndarray) -> str:
     one, other, radius = capsule
     text = lambda place: " ".join(repr(float(x)) for x in place - at)  # noqa: E731
     if np.linalg.norm(one - other) < 1e-9:
-        return f'<geom name="{name}" type="sphere" pos="{text(one)}" size="{radius!r}"/>'
-    return f'<geom name="{name}" type="capsule" fromto="{text(one)} {text(other)}" size="{radius!r}"/>'
+        return f'<geom name="{name}" type="sphere" pos="{text(one)}" size="{float(radius)!r}"/>'
+    return f'<geom name="{name}" type="capsule" fromto="{text(one)} {text(other)}" size="{float(radius)!r}"/>'
 
 
 def model(robot: dict[str, Any], capsules: list[tuple[int, Capsule]]) -> mujoco.MjModel:
@@ -95,28 +119,32 @@ def nearest(arm: mujoco.MjModel, data: mujoco.MjData, pairs: list[tuple[str, str
 
 def main() -> None:
     known, rows = robots(), []
-    for name in (*ENCLOSED, *ESTIMATED):
+    for name, towards_links, towards_floor in [
+        *((name, enclosing, enclosing) for name in ENCLOSED),
+        *((name, along_lines, along_lines) for name in ALONG_LINES),
+        *((name, along_lines, estimated) for name in ESTIMATED),
+    ]:
         robot, rng = known[name], random.Random(f"distances {name}")
-        is_enclosed = name in ENCLOSED
-        capsules = enclosing(robot) if is_enclosed else estimated(robot)
-        arm = model(robot, capsules)
-        data = mujoco.MjData(arm)
         apart = {tuple(pair) for pair in robot.get("body", {}).get("not_compared", [])}
-        names = [(link, f"{link}_{i}") for i, (link, _) in enumerate(capsules)]
-        links = [(one, other) for low, one in names for high, other in names if high in MEET.get(low, ()) and (low, high) not in apart]
-        above = [(one, "floor") for link, one in names if link > 1]
+        arms = []
+        for capsules in (towards_links(robot), towards_floor(robot)):
+            names = [(link, f"{link}_{i}") for i, (link, _) in enumerate(capsules)]
+            links = [(one, other) for low, one in names for high, other in names if high in MEET.get(low, ()) and (low, high) not in apart]
+            arm = model(robot, capsules)
+            arms.append((arm, mujoco.MjData(arm), links, [(one, "floor") for link, one in names if link > 1]))
         for _ in range(POSTURES):
             theta = [round(rng.uniform(-most, most), 4) for most in (180, 80, 140, 180, 120, 180)]
-            data.qpos[:] = np.radians(theta)
-            mujoco.mj_kinematics(arm, data)
-            distances = [nearest(arm, data, pairs) for pairs in (links, above)]
+            for arm, data, _, _ in arms:
+                data.qpos[:] = np.radians(theta)
+                mujoco.mj_kinematics(arm, data)
+            distances = [nearest(*arms[0][:3]), nearest(*arms[1][:2], arms[1][3])]
             rows.append([name, " ".join(map(str, theta)), *(f"{1000 * distance:.9f}" for distance in distances)])
     with TARGET.open("w", newline="", encoding="utf-8") as file:
         file.write(f"# MuJoCo {version('mujoco')}, scripts/distances.py; negative where capsules overlap. A floor {-1000 * FLOOR:.0f} mm below the base.\n")
         table = csv.writer(file, lineterminator="\n")
         table.writerow(["robot", "model_angles_deg", "between_links_mm", "above_floor_mm"])
         table.writerows(rows)
-    print(f"{len(rows)} postures of {len(rows) // POSTURES} robots")
+    print(f"{len(rows)} postures of {len(rows) // POSTURES} bodies")
 
 
 if __name__ == "__main__":

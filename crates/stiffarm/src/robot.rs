@@ -196,8 +196,18 @@ impl Robot {
     pub fn thickness(&self) -> (Body, bool) {
         match self.body {
             Some(body) => (body, false),
-            None => (Body::estimated(self.payload_kg, self.reach.unwrap_or_else(|| self.stretch())), true),
+            None => (Body::estimated(self.payload_kg, self.far()), true),
         }
+    }
+
+    /// What its links are taken to be where nobody says it.
+    pub(crate) fn estimated_bodies(&self, geometry: &Geometry) -> Enclosing {
+        Enclosing::estimated(geometry, self.payload_kg, self.far())
+    }
+
+    /// Its reach, by its lengths where it is not known, m.
+    fn far(&self) -> f64 {
+        self.reach.unwrap_or_else(|| self.stretch())
     }
 
     /// Where the compliance of its drives is from.

@@ -4,7 +4,7 @@ pub(super) use super::angles::asked_degrees;
 pub use super::force::{acting, component, force, loaded, mapped};
 pub use super::numbers::fixed;
 use super::{Line, line};
-use stiffarm::clearance::{Clearance, Link, Obstacle};
+use stiffarm::clearance::{Clearance, Link, LinksBy, Obstacle};
 use stiffarm::interval::Interval;
 use stiffarm::limits::{Pendant, ThirdAxis};
 use stiffarm::load::Load;
@@ -191,25 +191,27 @@ pub(crate) fn tool_mm(tool: &Pose) -> [f64; 6] {
     [x, y, z, rx.to_degrees(), ry.to_degrees(), rz.to_degrees()].map(|part| part + 0.0)
 }
 
-/// Which link is nearest to what, such as `forearm (estimated radius) to floor`.
+/// Which link is nearest to what, such as `forearm (estimated body) to floor`.
 pub fn clearance_of(clearance: &Clearance) -> String {
     let known = match clearance {
-        Clearance { encloses: true, link, .. } if *link != Link::Tool => " (enclosing capsules)",
-        Clearance { is_estimated: true, .. } => " (estimated radius)",
-        _ => "",
+        Clearance { link: Link::Tool, is_estimated: true, .. } => " (estimated radius)",
+        Clearance { link: Link::Tool, .. } | Clearance { links: LinksBy::Stated, .. } => "",
+        Clearance { links: LinksBy::Enclosing, .. } => " (enclosing capsules)",
+        Clearance { links: LinksBy::Estimated, .. } => " (estimated body)",
     };
     format!("{}{known} to {}", clearance.link.name(), obstacle(clearance.to))
 }
 
-/// The same for people, with how much real links may stand out of estimated ones.
+/// The same for people, with how sure an estimate is.
 pub fn clearance_between(clearance: &Clearance) -> String {
     let of = clearance_of(clearance);
     if clearance.outside == 0.0 {
-        return of;
+        let is_estimated = clearance.links == LinksBy::Estimated && clearance.link != Link::Tool;
+        return if is_estimated { format!("{of}; nine arms in ten lie inside of such bodies") } else { of };
     }
     let outside = fixed(clearance.outside * 1e3, 0);
     let may = if (0.0..clearance.outside).contains(&clearance.distance) { ", so that they may touch" } else { "" };
-    format!("{of}; real links stand out of estimated ones by up to {outside} mm{may}")
+    format!("{of}; real links stand out of such slim ones by up to {outside} mm{may}")
 }
 
 /// As what the links of a robot are compared.

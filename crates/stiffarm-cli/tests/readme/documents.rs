@@ -119,7 +119,7 @@ fn the_evidence_counts_what_is_recorded() {
     };
     says(&evidence, &format!("| {} postures of ten robots", rows("spatial_cases.csv")));
     says(&evidence, &format!("| {} postures of calibrated arms", rows("true_chain.csv")));
-    says(&evidence, &format!("| {} links of 36 arms", rows("link_boxes.csv")));
+    says(&evidence, &format!("| {} links of 115 arms", rows("link_boxes.csv")));
     says(&evidence, &format!("| {} numbers |", rows("identification.csv")));
     let programs = document("validation/rs274_cases.txt").text;
     let begin = |words: &[&str]| {

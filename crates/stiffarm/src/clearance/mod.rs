@@ -1,5 +1,6 @@
 //! How near does the arm come to the floor, to what stands about it, to the work and to itself? Links are capsules: those that enclose them, where
-//! the robot file has such, else coarse ones along the lines of the arm.
+//! the robot file has such, or those along the lines of the arm whose radii it states. Of a robot of which nothing is known coarse ones are on the safe
+//! side towards what stands about it; towards each other, where limits keep apart what is thick, its links are slim.
 
 mod links;
 mod mesh;
@@ -76,6 +77,17 @@ pub struct Near {
     pub to: Obstacle,
 }
 
+/// By what it is known where the links are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LinksBy {
+    /// Capsules of the robot file enclose them.
+    Enclosing,
+    /// The robot file states how thick they are.
+    Stated,
+    /// Nobody says it: capsules that enclose nine known arms in ten.
+    Estimated,
+}
+
 /// The nearest that any link comes to anything, over all poses that were looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clearance {
@@ -87,10 +99,10 @@ pub struct Clearance {
     pub to: Obstacle,
     /// A radius in it is estimated.
     pub is_estimated: bool,
-    /// The capsules enclose the links; the tool is another matter.
-    pub encloses: bool,
-    /// By how much the links in it may stand out of their estimates, m, as those of nine arms in ten do at most; 0 where nothing of the arm in it
-    /// is estimated.
+    /// How its links are known; the tool is another matter.
+    pub links: LinksBy,
+    /// By how much two links may stand out of what they are taken for, m, as those of nine arms in ten do at most; 0 towards anything else, as
+    /// the estimate is on the safe side there for so many, and where nothing of the arm is estimated.
     pub outside: f64,
     /// The tool is among the links.
     pub knows_tool: bool,
@@ -144,9 +156,9 @@ pub(crate) struct ThickArm<'a> {
     geometry: &'a Geometry,
     body: Body,
     enclosing: Option<&'a Enclosing>,
+    /// What stands in for both where neither is known.
+    estimated: Option<Enclosing>,
     is_estimated: bool,
-    /// By how much links may stand out of their estimates, m; `None` where they are not estimated.
-    outside: Option<[f64; 4]>,
     tool: Option<Tool>,
     /// The wrist centre is the tool point: it touches the work, and what lies beyond is not known.
     ends_at_wrist: bool,
@@ -201,9 +213,9 @@ impl<'a> ThickArm<'a> {
         let radius = tool_radius.unwrap_or_else(|| body.spindle());
         let tool = (NO_TOOL < point.norm()).then_some(Tool { point, radius });
         let enclosing = robot.enclosing.as_ref();
-        let outside = (is_estimated && enclosing.is_none()).then(|| body.outside());
-        let is_estimated = outside.is_some() || tool.is_some() && tool_radius.is_none();
-        Some(Self { geometry, body, enclosing, is_estimated, outside, tool, ends_at_wrist: false })
+        let estimated = (is_estimated && enclosing.is_none()).then(|| robot.estimated_bodies(geometry));
+        let is_estimated = estimated.is_some() || tool.is_some() && tool_radius.is_none();
+        Some(Self { geometry, body, enclosing, estimated, is_estimated, tool, ends_at_wrist: false })
     }
 
     /// Upper arm and forearm of the arm plane, the tool point at the wrist centre.
@@ -217,6 +229,7 @@ impl<'a> ThickArm<'a> {
         for theta in postures {
             let pieces = self.pieces(theta, about.pedestal);
             self.compare(&pieces, &before, (about, 0), &mut nearest);
+            self.compare_links(theta, &pieces, &mut nearest);
             before = pieces;
         }
         nearest.0.map(|near| self.told(near, postures.len()))
@@ -225,14 +238,18 @@ impl<'a> ThickArm<'a> {
     /// The nearest to anything in one posture, by its model angles, before some sample of the path by which a block is cut; `None` where there is
     /// nothing to meet.
     pub(crate) fn nearest(&self, theta: &[f64; 6], about: &Surroundings, sample: usize) -> Option<Near> {
-        let mut nearest = Nearest(None);
-        self.compare(&self.pieces(theta, about.pedestal), &[], (about, sample), &mut nearest);
+        let (mut nearest, pieces) = (Nearest(None), self.pieces(theta, about.pedestal));
+        self.compare(&pieces, &[], (about, sample), &mut nearest);
+        self.compare_links(theta, &pieces, &mut nearest);
         nearest.0
     }
 
-    /// By how much a link may stand out of what it is taken for, m.
+    /// By how much a link may stand out of what it is taken for beside other links, m.
     fn outside(&self, link: Link) -> f64 {
-        let Some([column, upper_arm, forearm, wrist]) = self.outside else { return 0.0 };
+        if self.estimated.is_none() {
+            return 0.0;
+        }
+        let [column, upper_arm, forearm, wrist] = self.body.outside();
         match link {
             Link::Column => column,
             Link::UpperArm => upper_arm,
@@ -245,9 +262,13 @@ impl<'a> ThickArm<'a> {
     /// The nearest of so many poses, with how well that is known.
     pub(crate) fn told(&self, Near { distance, link, to }: Near, poses: usize) -> Clearance {
         let (is_estimated, knows_tool) = (self.is_estimated, !self.ends_at_wrist);
-        let other = if let Obstacle::Link(other) = to { self.outside(other) } else { 0.0 };
-        let outside = self.outside(link) + other;
-        Clearance { distance, link, to, is_estimated, encloses: self.enclosing.is_some(), outside, knows_tool, poses }
+        let outside = if let Obstacle::Link(other) = to { self.outside(link) + self.outside(other) } else { 0.0 };
+        let links = match (self.enclosing, &self.estimated) {
+            (Some(_), _) => LinksBy::Enclosing,
+            (None, Some(_)) => LinksBy::Estimated,
+            (None, None) => LinksBy::Stated,
+        };
+        Clearance { distance, link, to, is_estimated, links, outside, knows_tool, poses }
     }
 
     /// No point of what a joint moves is farther from its axis in any posture, m, with a cutter of this radius, m, in the spindle.
@@ -259,12 +280,11 @@ impl<'a> ThickArm<'a> {
         let about_wrist = |point: &Vector3<f64>| (point + Vector3::z() * *c4).norm();
         let of_tool = |Tool { point, radius }: Tool| about_wrist(&point).max(c4.abs()) + radius.max(cutter);
         let tool = self.tool.map_or(0.0, of_tool);
-        let Some(enclosing) = self.enclosing else {
-            let wrist = (c4.abs() + self.body.wrist).max(tool);
-            let elbow = l3 + self.body.forearm.max(wrist);
-            let shoulder = c2.abs() + self.body.upper_arm.max(elbow);
-            return [a1.hypot(*b) + shoulder, shoulder, elbow, wrist, wrist, wrist];
-        };
+        let wrist = (c4.abs() + self.body.wrist).max(tool);
+        let elbow = l3 + self.body.forearm.max(wrist);
+        let shoulder = c2.abs() + self.body.upper_arm.max(elbow);
+        let along_lines = [a1.hypot(*b) + shoulder, shoulder, elbow, wrist, wrist, wrist];
+        let Some(enclosing) = self.capsules() else { return along_lines };
         // A link stays as far from a point of the axis that turns it as it is at model zero.
         let [_, shoulder_at, elbow_at, wrist_at, _] = self.geometry.points(&[0.0; 6]).map(Vector3::from);
         let from = |point: &Vector3<f64>, links: std::ops::Range<usize>| {
@@ -275,16 +295,32 @@ impl<'a> ThickArm<'a> {
         let elbow = from(&elbow_at, 3..4).max(l3 + wrist);
         let shoulder = from(&shoulder_at, 2..3).max(c2.abs() + elbow);
         let column = from(&Vector3::new(0.0, 0.0, shoulder_at.z), 1..2).max(a1.hypot(*b) + shoulder);
-        [column, shoulder, elbow, wrist, wrist, wrist]
+        let enclosed = [column, shoulder, elbow, wrist, wrist, wrist];
+        // Of an estimate both are looked at.
+        if self.estimated.is_some() { std::array::from_fn(|i| enclosed[i].max(along_lines[i])) } else { enclosed }
     }
 
+    /// Those that enclose the links, or stand in for such.
+    fn capsules(&self) -> Option<&Enclosing> {
+        self.enclosing.or(self.estimated.as_ref())
+    }
+
+    /// What comes near to what stands about the arm.
     fn pieces(&self, theta: &[f64; 6], pedestal: f64) -> Vec<Piece> {
-        let mut found = match self.enclosing {
+        self.known_of(match self.capsules() {
             Some(enclosing) => enclosed(self.geometry, enclosing, (pedestal, self.body.column), theta, self.tool),
             None => links(self.geometry, &self.body, pedestal, theta, self.tool),
-        };
-        found.retain(|piece| !(self.ends_at_wrist && piece.link == Link::Wrist));
-        found
+        })
+    }
+
+    /// Those along the lines of the arm, where others, too thick for that, stand in for the links.
+    fn slim(&self, theta: &[f64; 6]) -> Option<Vec<Piece>> {
+        self.estimated.is_some().then(|| self.known_of(links(self.geometry, &self.body, 0.0, theta, self.tool)))
+    }
+
+    fn known_of(&self, mut pieces: Vec<Piece>) -> Vec<Piece> {
+        pieces.retain(|piece| !(self.ends_at_wrist && piece.link == Link::Wrist));
+        pieces
     }
 
     /// Links between which others stand may meet, but those of which it is known that they always touch.
@@ -302,11 +338,22 @@ impl<'a> ThickArm<'a> {
             matches!(link, Link::Forearm | Link::Wrist) && point.apart_from(capsule) <= -GRAZED
         };
         let hides = |piece: &Piece| !carries(piece) && line.apart_from(&piece.capsule) < -GRAZED;
-        self.pieces(theta, 0.0).iter().any(hides)
+        self.slim(theta).unwrap_or_else(|| self.pieces(theta, 0.0)).iter().any(hides)
     }
 
-    /// Looks at every pair that may meet in one posture. What stands about the arm does not move, so that of a link that stands where it did
-    /// before nothing new is to be said.
+    /// Looks at every pair of links that may meet in one posture.
+    fn compare_links(&self, theta: &[f64; 6], pieces: &[Piece], nearest: &mut Nearest) {
+        let slim = self.slim(theta);
+        let pieces = slim.as_deref().unwrap_or(pieces);
+        for (i, piece) in pieces.iter().enumerate() {
+            let Some(capsule) = shown(pieces, i) else { continue };
+            for other in pieces.iter().filter(|other| self.may_meet(piece, other)) {
+                nearest.piece((piece.link, &capsule), other);
+            }
+        }
+    }
+
+    /// Looks at all that stands about the arm. It does not move, so that of a link that stands where it did before nothing new is to be said.
     fn compare(
         &self,
         pieces: &[Piece],
@@ -317,15 +364,15 @@ impl<'a> ThickArm<'a> {
         let Some(last) = pieces.last().map(|piece| piece.link) else { return };
         for (i, piece) in pieces.iter().enumerate() {
             let Piece { link, capsule, .. } = *piece;
-            let has_moved = before.get(i) != Some(piece);
-            // The last one is there to touch the work, and the round end of its capsule would reach beyond.
-            let is_last = i + 1 == pieces.len() && link != Link::Wrist;
+            if before.get(i) == Some(piece) {
+                continue;
+            }
             // In the arm plane the work lies where the links move.
             let may_touch = if self.ends_at_wrist { link == Link::Column } else { link != last };
-            if let Some(work) = about.work.filter(|_| may_touch && has_moved) {
+            if let Some(work) = about.work.filter(|_| may_touch) {
                 nearest.solid((link, &capsule), Obstacle::Work, &work);
             }
-            if let Some(machined) = about.machined.as_ref().filter(|_| has_moved) {
+            if let Some(machined) = &about.machined {
                 if link != last {
                     nearest.machined(link, (&capsule, Ends::Round), machined, sample);
                 } else if let Some(Cutter { length, radius }) = machined.cutter.filter(|_| link == Link::Tool) {
@@ -338,25 +385,26 @@ impl<'a> ThickArm<'a> {
                     nearest.fixture(link, (&cutter, Ends::Flat), machined);
                 }
             }
-            let Some(capsule) = (if is_last { capsule.cut_back(capsule.radius) } else { Some(capsule) }) else {
-                continue;
-            };
-            if has_moved {
-                if let Some([through, up]) = about.floor.filter(|_| link != Link::Column) {
-                    nearest.take(capsule.above(&through, &up), link, Obstacle::Floor);
-                }
-                if let Some([through, up]) = about.mounting.filter(|_| link != Link::Column) {
-                    nearest.take(capsule.above(&through, &up), link, Obstacle::Mounting);
-                }
-                for (i, solid) in about.keep_out.iter().enumerate() {
-                    nearest.solid((link, &capsule), Obstacle::KeepOut(i + 1), solid);
-                }
+            let Some(capsule) = shown(pieces, i) else { continue };
+            if let Some([through, up]) = about.floor.filter(|_| link != Link::Column) {
+                nearest.take(capsule.above(&through, &up), link, Obstacle::Floor);
             }
-            for other in pieces.iter().filter(|other| self.may_meet(piece, other)) {
-                nearest.piece((link, &capsule), other);
+            if let Some([through, up]) = about.mounting.filter(|_| link != Link::Column) {
+                nearest.take(capsule.above(&through, &up), link, Obstacle::Mounting);
+            }
+            for (i, solid) in about.keep_out.iter().enumerate() {
+                nearest.solid((link, &capsule), Obstacle::KeepOut(i + 1), solid);
             }
         }
     }
+}
+
+/// What of a piece is compared: the last one is there to touch the work, and the round end of its capsule would reach beyond. `None` where nothing
+/// is left of it.
+fn shown(pieces: &[Piece], i: usize) -> Option<Capsule> {
+    let Piece { link, capsule, .. } = pieces[i];
+    let is_last = i + 1 == pieces.len() && link != Link::Wrist;
+    if is_last { capsule.cut_back(capsule.radius) } else { Some(capsule) }
 }
 
 /// The nearest so far.

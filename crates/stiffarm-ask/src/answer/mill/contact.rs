@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::super::words::{bodies, clearance_between, links_are};
 use super::super::{Line, Record, field, fixed, line};
 use super::MillAnswer;
-use stiffarm::clearance::{Clearance, Obstacle};
+use stiffarm::clearance::{Clearance, LinksBy, Obstacle};
 use stiffarm::mill::{ClearOf, Contact, PathClearance};
 
 /// So many contacts are told to people.
@@ -80,9 +80,9 @@ impl MillAnswer {
         let nearest = found.and_then(|found| found.nearest.as_ref());
         let by = nearest.map(|nearest| {
             let of_arm = match nearest {
-                Clearance { encloses: true, is_estimated: false, .. } => &["enclosing"][..],
+                Clearance { links: LinksBy::Enclosing, is_estimated: false, .. } => &["enclosing"][..],
                 // The tool.
-                Clearance { encloses: true, .. } => &["enclosing", "estimated"],
+                Clearance { links: LinksBy::Enclosing, .. } => &["enclosing", "estimated"],
                 Clearance { is_estimated: true, .. } => &["estimated"],
                 _ => &["stated"],
             };
