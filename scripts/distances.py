@@ -1,7 +1,7 @@
 """Writes validation/link_distances.csv: how near links of an arm come to each other and to a floor, by MuJoCo's kinematics and distances.
 
-Some robots have capsules that enclose their links, some radii along the lines of the arm, and of some nothing is known (docs/robot_file.md, body): towards
-the floor they are wide, towards each other as slim as the radii say that are estimated from payload and reach.
+Some robots have capsules that enclose their links, some radii along the lines of the arm, and of some nothing is known (docs/robot_file.md, body): the
+floor is that of the wide bodies in which nine known arms in ten lie, links are as slim as the radii that are estimated from payload and reach.
 Angles are model angles: zero has upper arm and forearm upright. Not compared: links that are joined to each other and what the file names
 (not_compared); base and column with the floor.
 """

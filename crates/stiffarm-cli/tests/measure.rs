@@ -94,7 +94,7 @@ fn an_instrument_is_told_with_what_it_sees_and_half_of_one_is_refused() {
     let told = String::from_utf8(program(&sighted).success().get_output().stdout.clone()).unwrap();
     assert!(told.contains("up to 40.0 deg from 0, 0, 1 of the flange, from (3.5, -2, 1.5) m"), "{told}");
     assert!(
-        told.contains("looked at were joint limits, window, sight, and the links (as estimated capsules)"),
+        told.contains("looked at were joint limits, window, sight, and the links (as capsules of estimated radii)"),
         "{told}"
     );
     for (more, why) in [

@@ -43,12 +43,12 @@ pub const fn may_meet([low, high]: [usize; 2]) -> bool {
 }
 
 impl Enclosing {
-    /// A guess where nobody says what encloses the links: about a foot that is longer behind, a shoulder, an upper arm that may lie to either side of
+    /// Bodies inside of which nine arms in ten lie, where nobody says what encloses the links: about a foot that is longer behind, a shoulder, an upper arm that may lie to either side of
     /// its joints' line, an elbow with the drives about it, a forearm and a wrist. Thick by `t = m^(1/8) L^(1/2)`, with the payload `m` in kg and the
     /// reach `L` in m; the forearm by `m^(1/8)`, the wrist by `m^(1/4)`, as wrists are of one size at any reach.
     ///
-    /// On the safe side for nine in ten of the arms whose meshes are published (115 of five makers), of which the others stand out by up to 0.04 `t`.
-    /// Not for links against each other: the limits keep column and elbow apart, which are so thick that they would touch in a third of all postures.
+    /// Nine in ten of those whose meshes are published (115 of five makers); the others stand out by up to 0.04 `t`. Not for links against each other:
+    /// the limits keep column and elbow apart, which are so thick that they would touch in a third of all postures.
     pub fn estimated(geometry: &Geometry, payload_kg: Option<f64>, reach: f64) -> Self {
         // As `Body::estimated` has it, both guesses of the column are equal there.
         let kg = payload_kg.unwrap_or_else(|| (0.15_f64 / 0.085).powi(4) * reach.powi(3));

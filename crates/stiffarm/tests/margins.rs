@@ -198,8 +198,6 @@ fn the_floor_that_is_asked_for_is_the_one_that_the_arm_comes_near_to() {
 fn clearance_in_the_plane_is_that_of_the_lowest_wrist_centre() {
     let mut held = 0;
     for robot in paper_robots().into_iter().filter(Robot::knows_base) {
-        // Estimated columns are so wide that the work touches them.
-        let robot = Robot { body: Some(robot.thickness().0), ..robot };
         let model = Model::planar(&robot).unwrap();
         let zone = Zone::Circle { diameter: 0.2 };
         let radius = |floor: f64| {

@@ -190,7 +190,9 @@ fields! {
     BODIES: "bodies", Kind::Text, "Which link to what.";
     CONTACT_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "By how much that is nearer than what was to be kept; where nothing was, how deep they overlap.";
     CLEARANCE_ESTIMATED: "clearance_estimated", Kind::Truth, "A radius in it is estimated.";
-    CLEARANCE_OUTSIDE: "clearance_outside_mm", Kind::Number(Unit::Millimetre), "By how much two links may stand out of the slim ones that they are estimated to be, as in nine arms of ten at most; 0 towards all else, where nine arms in ten lie inside of what is estimated, and where nothing is.";
+    CLEARANCE_OUTSIDE: "clearance_outside_mm", Kind::Number(Unit::Millimetre), "By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where none is estimated.";
+    CLEARANCE_WIDE: "clearance_wide_mm", Kind::Number(Unit::Millimetre), "The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm, of a path at its samples; negative where they overlap, so that the arm may touch; null where its bodies are known.";
+    CLEARANCE_WIDE_OF: "clearance_wide_of", Kind::Text, "Which of those to what.";
     ROBOT_CELL: "cell", Kind::Nested, "The cell as it was asked for: mount, windows, what is kept free; null where there is none.";
     CELL_CENTRE: "cell_m", numbers(Unit::Metre, &["cell_x_m", "cell_y_m", "cell_z_m"]), "The centre of the zone in the axes of the cell, its floor at 0.";
     FACES: "faces", Kind::Nested, "Every face of a part; null of one flat zone.";

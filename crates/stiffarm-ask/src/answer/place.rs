@@ -495,6 +495,7 @@ fn held(
     let hold = best.and_then(Placement::space);
     let of = |value: fn(&SpaceHold) -> f64| hold.map(value);
     let margin = best.and_then(Placement::smallest_margin);
+    let wide = clearance.and_then(|clearance| clearance.wide);
     record
         .put(field::BEARING, of(|hold| hold.bearing))
         .put(field::YAW, of(|hold| hold.yaw))
@@ -519,6 +520,8 @@ fn held(
         .put(field::CLEARANCE_OF, clearance.map(|clearance| words::clearance_of(&clearance)))
         .put(field::CLEARANCE_ESTIMATED, clearance.map(|clearance| clearance.is_estimated))
         .put(field::CLEARANCE_OUTSIDE, clearance.map(|clearance| clearance.outside))
+        .put(field::CLEARANCE_WIDE, wide.map(|wide| wide.distance))
+        .put(field::CLEARANCE_WIDE_OF, wide.map(|wide| words::bodies(wide.link, wide.to)))
         .put(field::CELL_CENTRE, best.zip(cell).map(|(best, cell)| best.in_cell(cell)))
         .put(field::RESOLUTION, hold.map(|hold| resolution(&hold.resolution)))
         .put(field::FACES, faces(best));

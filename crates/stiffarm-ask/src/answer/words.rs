@@ -191,27 +191,27 @@ pub(crate) fn tool_mm(tool: &Pose) -> [f64; 6] {
     [x, y, z, rx.to_degrees(), ry.to_degrees(), rz.to_degrees()].map(|part| part + 0.0)
 }
 
-/// Which link is nearest to what, such as `forearm (estimated body) to floor`.
+/// Which link is nearest to what, such as `forearm (estimated radius) to floor`.
 pub fn clearance_of(clearance: &Clearance) -> String {
     let known = match clearance {
         Clearance { link: Link::Tool, is_estimated: true, .. } => " (estimated radius)",
         Clearance { link: Link::Tool, .. } | Clearance { links: LinksBy::Stated, .. } => "",
         Clearance { links: LinksBy::Enclosing, .. } => " (enclosing capsules)",
-        Clearance { links: LinksBy::Estimated, .. } => " (estimated body)",
+        Clearance { links: LinksBy::Estimated, .. } => " (estimated radius)",
     };
     format!("{}{known} to {}", clearance.link.name(), obstacle(clearance.to))
 }
 
-/// The same for people, with how sure an estimate is.
+/// The same for people, with what is known of an arm whose links are estimated.
 pub fn clearance_between(clearance: &Clearance) -> String {
     let of = clearance_of(clearance);
-    if clearance.outside == 0.0 {
-        let is_estimated = clearance.links == LinksBy::Estimated && clearance.link != Link::Tool;
-        return if is_estimated { format!("{of}; nine arms in ten lie inside of such bodies") } else { of };
+    let Some(wide) = clearance.wide else { return of };
+    let (bodies, distance) = (bodies(wide.link, wide.to), wide.distance * 1e3);
+    if distance < 0.0 {
+        let by = fixed(-distance, 0);
+        return format!("{of}; but {bodies} may touch: bodies that hold nine arms in ten overlap there by {by} mm");
     }
-    let outside = fixed(clearance.outside * 1e3, 0);
-    let may = if (0.0..clearance.outside).contains(&clearance.distance) { ", so that they may touch" } else { "" };
-    format!("{of}; real links stand out of such slim ones by up to {outside} mm{may}")
+    format!("{of}; bodies that hold nine arms in ten keep {} mm ({bodies})", fixed(distance, 0))
 }
 
 /// As what the links of a robot are compared.

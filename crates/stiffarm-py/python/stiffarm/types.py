@@ -1567,6 +1567,14 @@ class _Placed(_Pass):
     """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
     none is estimated."""
 
+    clearance_wide_mm: float | None
+    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm, of a
+    path at its samples; negative where they overlap, so that the arm may touch; null where its bodies are
+    known."""
+
+    clearance_wide_of: str | None
+    """Which of those to what."""
+
     cell_m: list[float] | None
     """The centre of the zone in the axes of the cell, its floor at 0."""
 
@@ -3091,6 +3099,14 @@ class MilledDict(_Pass):
     clearance_outside_mm: float | None
     """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
     none is estimated."""
+
+    clearance_wide_mm: float | None
+    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm, of a
+    path at its samples; negative where they overlap, so that the arm may touch; null where its bodies are
+    known."""
+
+    clearance_wide_of: str | None
+    """Which of those to what."""
 
     asked_clearance_mm: float
     """What the arm was to keep from everything; null where nobody looked."""

@@ -1,6 +1,6 @@
 //! How near does the arm come to the floor, to what stands about it, to the work and to itself? Links are capsules: those that enclose them, where
-//! the robot file has such, or those along the lines of the arm whose radii it states. Of a robot of which nothing is known coarse ones are on the safe
-//! side towards what stands about it; towards each other, where limits keep apart what is thick, its links are slim.
+//! the robot file has such, else those along the lines of the arm with the radii that it states. Where it states none these are slim: what they touch
+//! is touched. Beside them stand wide ones, inside of which nine known arms in ten lie: what those keep clear of is clear.
 
 mod links;
 mod mesh;
@@ -84,7 +84,7 @@ pub enum LinksBy {
     Enclosing,
     /// The robot file states how thick they are.
     Stated,
-    /// Nobody says it: capsules that enclose nine known arms in ten.
+    /// Nobody says it.
     Estimated,
 }
 
@@ -101,9 +101,11 @@ pub struct Clearance {
     pub is_estimated: bool,
     /// How its links are known; the tool is another matter.
     pub links: LinksBy,
-    /// By how much two links may stand out of what they are taken for, m, as those of nine arms in ten do at most; 0 towards anything else, as
-    /// the estimate is on the safe side there for so many, and where nothing of the arm is estimated.
+    /// By how much the links in it may stand out of their estimates, m, as those of nine arms in ten do at most; 0 where nothing of the arm in it
+    /// is estimated.
     pub outside: f64,
+    /// The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm; `None` where the bodies are known.
+    pub wide: Option<Near>,
     /// The tool is among the links.
     pub knows_tool: bool,
     /// How many poses were looked at.
@@ -156,8 +158,8 @@ pub(crate) struct ThickArm<'a> {
     geometry: &'a Geometry,
     body: Body,
     enclosing: Option<&'a Enclosing>,
-    /// What stands in for both where neither is known.
-    estimated: Option<Enclosing>,
+    /// Where neither is known: what nine known arms in ten lie inside of.
+    wide: Option<Enclosing>,
     is_estimated: bool,
     tool: Option<Tool>,
     /// The wrist centre is the tool point: it touches the work, and what lies beyond is not known.
@@ -191,6 +193,14 @@ impl Surroundings {
     }
 }
 
+impl Clearance {
+    /// The nearer one of two, and of both the nearest that is wide.
+    pub(crate) fn and(self, other: Self) -> Self {
+        let wide = [self.wide, other.wide].into_iter().flatten().min_by(|a, b| a.distance.total_cmp(&b.distance));
+        Self { wide, ..if other.distance < self.distance { other } else { self } }
+    }
+}
+
 impl Link {
     /// As answers tell it.
     pub const fn name(self) -> &'static str {
@@ -213,9 +223,9 @@ impl<'a> ThickArm<'a> {
         let radius = tool_radius.unwrap_or_else(|| body.spindle());
         let tool = (NO_TOOL < point.norm()).then_some(Tool { point, radius });
         let enclosing = robot.enclosing.as_ref();
-        let estimated = (is_estimated && enclosing.is_none()).then(|| robot.estimated_bodies(geometry));
-        let is_estimated = estimated.is_some() || tool.is_some() && tool_radius.is_none();
-        Some(Self { geometry, body, enclosing, estimated, is_estimated, tool, ends_at_wrist: false })
+        let wide = (is_estimated && enclosing.is_none()).then(|| robot.estimated_bodies(geometry));
+        let is_estimated = wide.is_some() || tool.is_some() && tool_radius.is_none();
+        Some(Self { geometry, body, enclosing, wide, is_estimated, tool, ends_at_wrist: false })
     }
 
     /// Upper arm and forearm of the arm plane, the tool point at the wrist centre.
@@ -226,13 +236,18 @@ impl<'a> ThickArm<'a> {
     /// The nearest to anything over postures given by their model angles; `None` where there are none, or nothing to meet.
     pub(crate) fn clearance(&self, postures: &[[f64; 6]], about: &Surroundings) -> Option<Clearance> {
         let (mut nearest, mut before) = (Nearest(None), Vec::new());
+        let (mut widest, mut wide_before) = (Nearest(None), Vec::new());
         for theta in postures {
             let pieces = self.pieces(theta, about.pedestal);
             self.compare(&pieces, &before, (about, 0), &mut nearest);
-            self.compare_links(theta, &pieces, &mut nearest);
+            self.compare_links(&pieces, &mut nearest);
             before = pieces;
+            if let Some(pieces) = self.wide_pieces(theta, about.pedestal) {
+                self.compare(&pieces, &wide_before, (about, 0), &mut widest);
+                wide_before = pieces;
+            }
         }
-        nearest.0.map(|near| self.told(near, postures.len()))
+        nearest.0.map(|near| self.told(near, widest.0, postures.len()))
     }
 
     /// The nearest to anything in one posture, by its model angles, before some sample of the path by which a block is cut; `None` where there is
@@ -240,13 +255,21 @@ impl<'a> ThickArm<'a> {
     pub(crate) fn nearest(&self, theta: &[f64; 6], about: &Surroundings, sample: usize) -> Option<Near> {
         let (mut nearest, pieces) = (Nearest(None), self.pieces(theta, about.pedestal));
         self.compare(&pieces, &[], (about, sample), &mut nearest);
-        self.compare_links(theta, &pieces, &mut nearest);
+        self.compare_links(&pieces, &mut nearest);
         nearest.0
     }
 
-    /// By how much a link may stand out of what it is taken for beside other links, m.
+    /// The nearest that bodies, inside of which nine known arms in ten lie, come to what stands about the arm in one posture; `None` where the bodies
+    /// are known, or there is nothing to meet.
+    pub(crate) fn nearest_wide(&self, theta: &[f64; 6], about: &Surroundings, sample: usize) -> Option<Near> {
+        let mut nearest = Nearest(None);
+        self.compare(&self.wide_pieces(theta, about.pedestal)?, &[], (about, sample), &mut nearest);
+        nearest.0
+    }
+
+    /// By how much a link may stand out of what it is taken for, m.
     fn outside(&self, link: Link) -> f64 {
-        if self.estimated.is_none() {
+        if self.wide.is_none() {
             return 0.0;
         }
         let [column, upper_arm, forearm, wrist] = self.body.outside();
@@ -260,15 +283,16 @@ impl<'a> ThickArm<'a> {
     }
 
     /// The nearest of so many poses, with how well that is known.
-    pub(crate) fn told(&self, Near { distance, link, to }: Near, poses: usize) -> Clearance {
+    pub(crate) fn told(&self, Near { distance, link, to }: Near, wide: Option<Near>, poses: usize) -> Clearance {
         let (is_estimated, knows_tool) = (self.is_estimated, !self.ends_at_wrist);
-        let outside = if let Obstacle::Link(other) = to { self.outside(link) + self.outside(other) } else { 0.0 };
-        let links = match (self.enclosing, &self.estimated) {
+        let other = if let Obstacle::Link(other) = to { self.outside(other) } else { 0.0 };
+        let outside = self.outside(link) + other;
+        let links = match (self.enclosing, &self.wide) {
             (Some(_), _) => LinksBy::Enclosing,
             (None, Some(_)) => LinksBy::Estimated,
             (None, None) => LinksBy::Stated,
         };
-        Clearance { distance, link, to, is_estimated, links, outside, knows_tool, poses }
+        Clearance { distance, link, to, is_estimated, links, outside, wide, knows_tool, poses }
     }
 
     /// No point of what a joint moves is farther from its axis in any posture, m, with a cutter of this radius, m, in the spindle.
@@ -280,11 +304,12 @@ impl<'a> ThickArm<'a> {
         let about_wrist = |point: &Vector3<f64>| (point + Vector3::z() * *c4).norm();
         let of_tool = |Tool { point, radius }: Tool| about_wrist(&point).max(c4.abs()) + radius.max(cutter);
         let tool = self.tool.map_or(0.0, of_tool);
-        let wrist = (c4.abs() + self.body.wrist).max(tool);
-        let elbow = l3 + self.body.forearm.max(wrist);
-        let shoulder = c2.abs() + self.body.upper_arm.max(elbow);
-        let along_lines = [a1.hypot(*b) + shoulder, shoulder, elbow, wrist, wrist, wrist];
-        let Some(enclosing) = self.capsules() else { return along_lines };
+        let Some(enclosing) = self.enclosing else {
+            let wrist = (c4.abs() + self.body.wrist).max(tool);
+            let elbow = l3 + self.body.forearm.max(wrist);
+            let shoulder = c2.abs() + self.body.upper_arm.max(elbow);
+            return [a1.hypot(*b) + shoulder, shoulder, elbow, wrist, wrist, wrist];
+        };
         // A link stays as far from a point of the axis that turns it as it is at model zero.
         let [_, shoulder_at, elbow_at, wrist_at, _] = self.geometry.points(&[0.0; 6]).map(Vector3::from);
         let from = |point: &Vector3<f64>, links: std::ops::Range<usize>| {
@@ -295,27 +320,19 @@ impl<'a> ThickArm<'a> {
         let elbow = from(&elbow_at, 3..4).max(l3 + wrist);
         let shoulder = from(&shoulder_at, 2..3).max(c2.abs() + elbow);
         let column = from(&Vector3::new(0.0, 0.0, shoulder_at.z), 1..2).max(a1.hypot(*b) + shoulder);
-        let enclosed = [column, shoulder, elbow, wrist, wrist, wrist];
-        // Of an estimate both are looked at.
-        if self.estimated.is_some() { std::array::from_fn(|i| enclosed[i].max(along_lines[i])) } else { enclosed }
+        [column, shoulder, elbow, wrist, wrist, wrist]
     }
 
-    /// Those that enclose the links, or stand in for such.
-    fn capsules(&self) -> Option<&Enclosing> {
-        self.enclosing.or(self.estimated.as_ref())
-    }
-
-    /// What comes near to what stands about the arm.
     fn pieces(&self, theta: &[f64; 6], pedestal: f64) -> Vec<Piece> {
-        self.known_of(match self.capsules() {
+        self.known_of(match self.enclosing {
             Some(enclosing) => enclosed(self.geometry, enclosing, (pedestal, self.body.column), theta, self.tool),
             None => links(self.geometry, &self.body, pedestal, theta, self.tool),
         })
     }
 
-    /// Those along the lines of the arm, where others, too thick for that, stand in for the links.
-    fn slim(&self, theta: &[f64; 6]) -> Option<Vec<Piece>> {
-        self.estimated.is_some().then(|| self.known_of(links(self.geometry, &self.body, 0.0, theta, self.tool)))
+    fn wide_pieces(&self, theta: &[f64; 6], pedestal: f64) -> Option<Vec<Piece>> {
+        let wide = self.wide.as_ref()?;
+        Some(self.known_of(enclosed(self.geometry, wide, (pedestal, self.body.column), theta, self.tool)))
     }
 
     fn known_of(&self, mut pieces: Vec<Piece>) -> Vec<Piece> {
@@ -338,13 +355,11 @@ impl<'a> ThickArm<'a> {
             matches!(link, Link::Forearm | Link::Wrist) && point.apart_from(capsule) <= -GRAZED
         };
         let hides = |piece: &Piece| !carries(piece) && line.apart_from(&piece.capsule) < -GRAZED;
-        self.slim(theta).unwrap_or_else(|| self.pieces(theta, 0.0)).iter().any(hides)
+        self.pieces(theta, 0.0).iter().any(hides)
     }
 
     /// Looks at every pair of links that may meet in one posture.
-    fn compare_links(&self, theta: &[f64; 6], pieces: &[Piece], nearest: &mut Nearest) {
-        let slim = self.slim(theta);
-        let pieces = slim.as_deref().unwrap_or(pieces);
+    fn compare_links(&self, pieces: &[Piece], nearest: &mut Nearest) {
         for (i, piece) in pieces.iter().enumerate() {
             let Some(capsule) = shown(pieces, i) else { continue };
             for other in pieces.iter().filter(|other| self.may_meet(piece, other)) {

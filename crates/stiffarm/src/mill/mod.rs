@@ -171,12 +171,14 @@ impl Question<'_> {
         let worst = worst.fold((0.0, 0), |worst, (i, error)| if worst.0 < error { (error, i) } else { worst });
         let lower_bound = Floor::new(self, stand).lower_bound(&ladder, worst.0)?;
         let rms = rms(self.stations, &samples);
-        let clearance = match self.guard(stand).map(|guard| guard.along(&samples, watch)).transpose()? {
-            Some(Err(at)) => return Ok(Milled::Blocked(ladder.blocked_at(at, Why::Jump))),
-            Some(Ok(found)) => {
-                let unavoidable = ladder.unavoidable.filter(|_| !found.contacts.is_empty());
-                Some(PathClearance { unavoidable, ..found })
-            }
+        let clearance = match self.guard(stand) {
+            Some(guard) => match guard.along(&samples, watch)? {
+                Err(at) => return Ok(Milled::Blocked(ladder.blocked_at(at, Why::Jump))),
+                Ok(found) => {
+                    let unavoidable = ladder.unavoidable.filter(|_| !found.contacts.is_empty());
+                    Some(guard.with_wide(PathClearance { unavoidable, ..found }, &samples))
+                }
+            },
             None => None,
         };
         Ok(Milled::Followed(Followed { samples, worst, lower_bound, rms, clearance }))

@@ -406,7 +406,7 @@ fn looked_at(robot: &Robot, options: &Options) -> String {
     let sight = if options.instrument.is_some() { ", sight" } else { "" };
     let coarse = match robot.thickness() {
         _ if robot.enclosing.is_some() => "as capsules that enclose them",
-        (_, true) => "as estimated capsules",
+        (_, true) => "as capsules of estimated radii",
         (_, false) => "as capsules",
     };
     format!(

@@ -78,6 +78,7 @@ impl MillAnswer {
     pub(super) fn put_clearance(&self, record: &mut Record) {
         let found = self.clearance();
         let nearest = found.and_then(|found| found.nearest.as_ref());
+        let wide = nearest.and_then(|nearest| nearest.wide);
         let by = nearest.map(|nearest| {
             let of_arm = match nearest {
                 Clearance { links: LinksBy::Enclosing, is_estimated: false, .. } => &["enclosing"][..],
@@ -99,6 +100,8 @@ impl MillAnswer {
             .put(field::CLEARANCE_OF, nearest.map(|nearest| bodies(nearest.link, nearest.to)))
             .put(field::CLEARANCE_BY, by)
             .put(field::CLEARANCE_OUTSIDE, nearest.map(|nearest| nearest.outside))
+            .put(field::CLEARANCE_WIDE, wide.map(|wide| wide.distance))
+            .put(field::CLEARANCE_WIDE_OF, wide.map(|wide| bodies(wide.link, wide.to)))
             .put(field::ASKED_CLEARANCE, self.options.clear_of.as_ref().map(|clear_of| clear_of.clearance))
             .put(
                 field::CONTACTS,

@@ -147,6 +147,11 @@ class Milled(Table[MilledDict]):
     clearance_by: list[str] | None
     #: By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most, mm; 0 where none is estimated.
     clearance_outside_mm: float | None
+    #: The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm, mm; negative where they overlap, so that the
+    #: arm may touch; None where its bodies are known.
+    clearance_wide_mm: float | None
+    #: Which of those to what.
+    clearance_wide_of: str | None
     asked_clearance_mm: float
     #: Where it is nearer than it was to keep; None where nobody looked.
     contacts: list[PathContact] | None

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::step::{Between, Way};
 use super::{Contact, Guard, PathClearance, Posed};
-use crate::clearance::Near;
+use crate::clearance::{Clearance, Near};
 use crate::mill::fault::MillError;
 use crate::mill::follow::{Arrangement, Pushed};
 use crate::watch::Watch;
@@ -56,8 +56,15 @@ impl Guard<'_> {
             last = posed.last().copied();
         }
         let Found { nearest, at, contacts, .. } = found;
-        let nearest = nearest.map(|near| self.thick.told(near, samples.len()));
+        let nearest = nearest.map(|near| self.thick.told(near, None, samples.len()));
         Ok(Ok(PathClearance { asked: self.clearance, nearest, at, contacts, unavoidable: None }))
+    }
+
+    /// With what bodies come near to, inside of which nine known arms in ten lie, at the stations.
+    pub(in crate::mill) fn with_wide(&self, found: PathClearance, samples: &[Pushed]) -> PathClearance {
+        let near = |(i, one)| self.thick.nearest_wide(&self.model_angles(one), &self.about, i);
+        let wide = samples.par_iter().enumerate().filter_map(near).min_by(|a, b| a.distance.total_cmp(&b.distance));
+        PathClearance { nearest: found.nearest.map(|nearest| Clearance { wide, ..nearest }), ..found }
     }
 
     /// Nothing is touched along a path that is followed.

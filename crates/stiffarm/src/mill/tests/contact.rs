@@ -190,8 +190,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
 /// finds a touch, the rule finds one, and where all is far from one, it finds none.
 #[test]
 fn no_touch_between_two_samples_is_missed() {
-    // Its bodies are estimated, and wide.
-    let (robot, mut one) = (Robot { body: None, ..robot() }, stand());
+    let (robot, mut one) = (robot(), stand());
     one.base_from_part = Pose::identity();
     let mut rng = fastrand::Rng::with_seed(391);
     let arm = arm_with_margins(&robot, &one, &with(RollMode::Free)).unwrap();

@@ -19,11 +19,8 @@ use crate::prior::Drawn;
 use crate::spatial::Pose;
 use crate::toolpath::{Builtin, Move, Steps};
 
-/// With the radii along its lines that a robot file may state.
 fn robot() -> Robot {
-    let robot =
-        paper_robots().into_iter().find(|robot| robot.name == "KR 210 R2700 extra").expect("a robot of the paper");
-    Robot { body: Some(robot.thickness().0), ..robot }
+    paper_robots().into_iter().find(|robot| robot.name == "KR 210 R2700 extra").expect("a robot of the paper")
 }
 
 /// A spindle across axis 6, so that the roll matters.

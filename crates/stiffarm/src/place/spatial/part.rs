@@ -9,6 +9,7 @@ use super::descent::{Score, descend};
 use super::search::{CELLS, FINALISTS, STARTS, Search, region};
 use super::{Outside, Question, Resolution, Solution};
 use crate::batch::{SameBranch, SpatialArm};
+use crate::clearance::Clearance;
 use crate::follow::NotFollowed;
 use crate::interval::Interval;
 use crate::inverse::Configuration;
@@ -434,7 +435,7 @@ impl<'a> PartSearch<'a> {
             below: found.iter().any(|face| face.outside.below),
             behind: found.iter().any(|face| face.outside.behind),
         };
-        let clearance = found.iter().filter_map(|face| face.clearance).min_by(|a, b| a.distance.total_cmp(&b.distance));
+        let clearance = found.iter().filter_map(|face| face.clearance).reduce(Clearance::and);
         let from_axis_1 = found.iter().map(|face| face.from_axis_1).fold(f64::INFINITY, f64::min);
         let told = |((mut found, face), (lower, _)): ((Solution, &Face), &(f64, usize))| {
             let work = placed(face, &stand, found.roll);
