@@ -217,7 +217,7 @@ pub fn clearance_between(clearance: &Clearance) -> String {
 /// As what the links of a robot are compared.
 pub fn links_are(robot: &Robot) -> &'static str {
     if robot.enclosing.is_some() {
-        "links as capsules that enclose them, without cables and hoses"
+        "links as capsules that enclose them, without cables, hoses and gravity compensators"
     } else {
         "links as capsules, coarse"
     }
