@@ -204,7 +204,11 @@ pub fn clearance_of(clearance: &Clearance) -> String {
 
 /// The same for people, with what is known of an arm whose links are estimated.
 pub fn clearance_between(clearance: &Clearance) -> String {
-    let of = clearance_of(clearance);
+    let mut of = clearance_of(clearance);
+    // Two links are compared as slim ones alone.
+    if matches!(clearance.to, Obstacle::Link(_)) && 0.0 < clearance.outside {
+        of = format!("{of}, of which real links stand out by up to {} mm", fixed(clearance.outside * 1e3, 0));
+    }
     let Some(wide) = clearance.wide else { return of };
     let (bodies, distance) = (bodies(wide.link, wide.to), wide.distance * 1e3);
     if distance < 0.0 {
