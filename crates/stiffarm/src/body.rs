@@ -5,6 +5,11 @@ use nalgebra::{Point3, Vector3};
 use crate::geometry::Geometry;
 use crate::limits::Limits;
 
+/// An estimated column is so many times the fourth root of payload, kg, times reach, m.
+const COLUMN_BY_BOTH: f64 = 0.085;
+/// Or so many times the reach, where no payload is known.
+const COLUMN_BY_REACH: f64 = 0.15;
+
 /// Of the capsules along the links, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
@@ -43,15 +48,15 @@ pub const fn may_meet([low, high]: [usize; 2]) -> bool {
 }
 
 impl Enclosing {
-    /// Bodies inside of which nine arms in ten lie, where nobody says what encloses the links: about a foot that is longer behind, a shoulder, an upper arm that may lie to either side of
-    /// its joints' line, an elbow with the drives about it, a forearm and a wrist. Thick by `t = m^(1/8) L^(1/2)`, with the payload `m` in kg and the
+    /// Bodies inside of which nine arms in ten lie, where nobody says what encloses the links: about a foot that is longer behind, a shoulder, an upper
+    /// arm that may lie to either side of its joints' line, an elbow with the drives about it, a forearm and a wrist. Thick by `t = m^(1/8) L^(1/2)`, with the payload `m` in kg and the
     /// reach `L` in m; the forearm by `m^(1/8)`, the wrist by `m^(1/4)`, as wrists are of one size at any reach.
     ///
     /// Nine in ten of those whose meshes are published (115 of five makers); the others stand out by up to 0.04 `t`. Not for links against each other:
     /// the limits keep column and elbow apart, which are so thick that they would touch in a third of all postures.
     pub fn estimated(geometry: &Geometry, payload_kg: Option<f64>, reach: f64) -> Self {
-        // As `Body::estimated` has it, both guesses of the column are equal there.
-        let kg = payload_kg.unwrap_or_else(|| (0.15_f64 / 0.085).powi(4) * reach.powi(3));
+        // Where both guesses of the column are equal.
+        let kg = payload_kg.unwrap_or_else(|| (COLUMN_BY_REACH / COLUMN_BY_BOTH).powi(4) * reach.powi(3));
         let by_payload = kg.sqrt().sqrt().sqrt();
         let (t, w) = (by_payload * reach.sqrt(), by_payload * by_payload);
         let Geometry { a1, b, c1, c4, .. } = *geometry;
@@ -138,7 +143,7 @@ impl Body {
     /// Coarse: half the width of the base plates of common robots lies within a third of it, from 90 mm (3 kg, 0.6 m) to 400 mm (500 kg,
     /// 2.6 m).
     pub fn estimated(payload_kg: Option<f64>, reach: f64) -> Self {
-        let column = payload_kg.map_or(0.15 * reach, |kg| 0.085 * (kg * reach).sqrt().sqrt());
+        let column = payload_kg.map_or(COLUMN_BY_REACH * reach, |kg| COLUMN_BY_BOTH * (kg * reach).sqrt().sqrt());
         Self { column, upper_arm: 0.55 * column, forearm: 0.45 * column, wrist: 0.33 * column }
     }
 

@@ -1,6 +1,6 @@
 //! How near does the arm come to the floor, to what stands about it, to the work and to itself? Links are capsules: those that enclose them, where
 //! the robot file has such, else those along the lines of the arm with the radii that it states. Where it states none these are slim: what they touch
-//! is touched. Beside them stand wide ones, inside of which nine known arms in ten lie: what those keep clear of is clear.
+//! counts as touched. Beside them stand wide ones, inside of which nine known arms in ten lie: what those keep clear of, nine arms in ten do.
 
 mod links;
 mod mesh;
