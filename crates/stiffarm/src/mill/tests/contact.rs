@@ -353,6 +353,11 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     let by_hand = 0.65 - (geometry.c1 - robot.thickness().0.upper_arm);
     assert!((contact.depth - by_hand).abs() < 1e-9, "{} {by_hand}", contact.depth);
     assert!((told.nearest.unwrap().distance + contact.depth).abs() < 1e-12);
+    // One inside of which nine arms in ten lie by its own.
+    let wide = told.nearest.unwrap().wide.unwrap();
+    let t = robot.payload_kg.unwrap().powf(0.125) * robot.reach.unwrap().sqrt();
+    let wide_by_hand = geometry.c1 - 0.165 * t - 0.65;
+    assert!((wide.distance - wide_by_hand).abs() < 1e-9 && wide.link == Link::UpperArm, "{wide:?} {wide_by_hand}");
     // And so it does at whatever roll; where some path is clear nothing is unavoidable.
     let unavoidable = told.unavoidable.unwrap();
     assert!((unavoidable.depth - by_hand).abs() < 1e-9 && unavoidable.to == Obstacle::Floor, "{unavoidable:?}");
