@@ -162,7 +162,7 @@ fn a_cutter_keeps_clear_of_clamps_that_hold_the_part() {
     let told = held("clamps.stl");
     assert_eq!(
         (&told["contacts"], &told["clearance_of"]),
-        (&serde_json::json!([]), &"tool to fixture".into()),
+        (&serde_json::json!([]), &"cutter to fixture".into()),
         "{told}"
     );
     assert!((told["clearance_mm"].as_f64().unwrap() - 7.0).abs() < 0.01, "{told}");
@@ -173,11 +173,14 @@ fn a_cutter_keeps_clear_of_clamps_that_hold_the_part() {
     // The best of all paths touches something else deeper, which another roll avoids.
     let unavoidable = &told["unavoidable"];
     assert!((unavoidable["depth_mm"].as_f64().unwrap() - 3.0).abs() < 0.01, "{told}");
-    assert!(unavoidable["bodies"] == "tool to fixture" && told["contacts"][0]["bodies"] != "tool to fixture", "{told}");
+    assert!(
+        unavoidable["bodies"] == "cutter to fixture" && told["contacts"][0]["bodies"] != "cutter to fixture",
+        "{told}"
+    );
     let more = [&asked[..], &["--fixture", "nearer.stl", "-o", "rib.src", "-o", "rib.view.html"]].concat();
     let (code, _, errors) = run(folder, &more);
     assert!(code == 1 && errors.contains("no program: at every roll line 7, "), "{errors}");
-    assert!(errors.contains("tool to fixture: they overlap by 3.0 mm, at best"), "{errors}");
+    assert!(errors.contains("cutter to fixture: they overlap by 3.0 mm, at best"), "{errors}");
     assert!(!folder.join("rib.src").exists());
     assert!(fs::read_to_string(folder.join("rib.view.html")).unwrap().contains("\"fixture\""));
     // Without a process the cutter has no radius, and its axis is 5 mm away.

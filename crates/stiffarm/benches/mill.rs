@@ -11,15 +11,17 @@ use rs_opw_kinematics::kinematic_traits::{Kinematics, Pose as OpwPose};
 use rs_opw_kinematics::kinematics_impl::OPWKinematics;
 use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
 use stiffarm::catalogue::find;
+use stiffarm::cell::{Block, Cell, Mount};
 use stiffarm::chatter::{Asked, chatter};
 use stiffarm::cutting::{Edge, Engagement, Law, Milling, Process};
+use stiffarm::interval::Interval;
 use stiffarm::mass::RigidBody;
 use stiffarm::mill::{
-    Acting, Forcing, MillHeld, MillOptions, Milled, PartPlacement, Stand, Station, chatter_along, forced, mill,
-    part_from_tool, stations,
+    Acting, ClearOf, Forcing, MillHeld, MillOptions, Milled, PartPlacement, Stand, Station, chatter_along, forced,
+    mill, part_from_tool, stations,
 };
 use stiffarm::modes::HeldTool;
-use stiffarm::robot::Arm;
+use stiffarm::robot::{Arm, Robot};
 use stiffarm::spatial::Pose;
 use stiffarm::toolpath::{Builtin, Move, Steps};
 use stiffarm::watch::Watch;
@@ -89,6 +91,57 @@ fn along_a_path(c: &mut Criterion) {
     group.finish();
 }
 
+/// The same path kept clear of a floor, of posts about the wrist, and of posts that no path passes, beside the path that looks at nothing; the links
+/// enclosed, and estimated.
+fn kept_clear(c: &mut Criterion) {
+    let known = find("KR 210 R2700-2").expect("in the catalogue").robot();
+    let estimated = Robot { enclosing: None, body: None, ..known.clone() };
+    let (stations, stand) = path();
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let followed = |robot: &Robot, clear_of: Option<ClearOf>| {
+        let options = MillOptions { clear_of, ..MillOptions::usual() };
+        let found = one.install(|| mill(robot, &stand, &stations, &options, Watch::nobody()));
+        let Ok(Milled::Followed(found)) = found else { panic!("it is followed") };
+        found
+    };
+    let cell = |posts: &[Block]| {
+        let mut cell = Cell::of(Mount::pedestal(0.0));
+        cell.keep_out.iter_mut().zip(posts).for_each(|(place, post)| *place = Some(*post));
+        Some(ClearOf {
+            clearance: 0.0,
+            cell: Some(cell),
+            floor: None,
+            part: None,
+            stock: None,
+            fixture: None,
+            cutter: None,
+        })
+    };
+    let Arm::SixAxis { geometry, limits, .. } = &known.arm else { unreachable!("six axes") };
+    let free = followed(&known, None);
+    let post = |part: usize, aside: [f64; 3]| {
+        let joints = &free.samples[free.samples.len() * part / 8].joints;
+        let flange = geometry.forward(&geometry.model_angles(joints, limits.third_axis)).translation.vector;
+        let side = |i: usize| Interval::spanning(flange[i] - 0.02 + aside[i], flange[i] + 0.02 + aside[i]);
+        Block { x: side(0), y: side(1), z: side(2) }
+    };
+    let posts = |aside: [f64; 3]| cell(&[1, 4, 7].map(|part| post(part, aside)));
+    let mut group = c.benchmark_group("kept_clear");
+    group.sample_size(10).measurement_time(Duration::from_secs(10));
+    for (robot, links) in [(&known, "enclosed"), (&estimated, "estimated")] {
+        let worlds = [
+            ("of_nothing", None),
+            ("of_a_floor", cell(&[])),
+            ("of_posts", posts([0.3, 0.3, 0.0])),
+            ("of_posts_that_all_paths_touch", posts([0.0, 0.2, 0.0])),
+        ];
+        for (about, clear_of) in worlds {
+            group.bench_function(format!("{links}_{about}"), |b| b.iter(|| followed(robot, clear_of.clone()).worst.0));
+        }
+    }
+    group.finish();
+}
+
 /// Whether the cuts of the same path swing, beside following it; and one cut, whole: 200 draws at 191 speeds.
 fn chatter_of_cuts(c: &mut Criterion) {
     let robot = find("KR 210 R2700-2").expect("in the catalogue").robot();
@@ -123,5 +176,5 @@ fn chatter_of_cuts(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, along_a_path, chatter_of_cuts);
+criterion_group!(benches, along_a_path, kept_clear, chatter_of_cuts);
 criterion_main!(benches);

@@ -182,7 +182,7 @@ fields! {
     SMALLEST_MARGIN_OF: "smallest_margin_of", Kind::Text, "What that is of: a joint, the angle between the links, the forearm's angle, or a straight posture.";
     CLEARANCE: "clearance_mm", Kind::Number(Unit::Millimetre), "The nearest that the arm comes to anything, links as capsules; negative where they overlap.";
     CLEARANCE_OF: "clearance_of", Kind::Text, "Which link to what.";
-    CLEARANCE_BY: "clearance_by", Kind::Nested, "By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot file, its tool `estimated` where nothing says how thick it is, and what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the `stock`.";
+    CLEARANCE_BY: "clearance_by", Kind::Nested, "By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot file, its tool `estimated` where nothing says how thick it is, its cutter `stated` by the process, and what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the `stock`.";
     ASKED_CLEARANCE: "asked_clearance_mm", Kind::Number(Unit::Millimetre), "What the arm was to keep from everything; null where nobody looked.";
     CONTACTS: "contacts", Kind::Nested, "Stretches of the path along which the arm is nearer to something than it was to keep; null where nobody looked.";
     UNAVOIDABLE: "unavoidable", Kind::Nested, "Of a path that is not clear: what is nearer than was asked at some place of it at every roll and in every configuration, as the one that is farthest from it has it. Null where nothing of that kind is known.";
@@ -191,7 +191,7 @@ fields! {
     CONTACT_DEPTH: "depth_mm", Kind::Number(Unit::Millimetre), "By how much that is nearer than what was to be kept; where nothing was, how deep they overlap.";
     CLEARANCE_ESTIMATED: "clearance_estimated", Kind::Truth, "A radius in it is estimated.";
     CLEARANCE_OUTSIDE: "clearance_outside_mm", Kind::Number(Unit::Millimetre), "By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where none is estimated.";
-    CLEARANCE_WIDE: "clearance_wide_mm", Kind::Number(Unit::Millimetre), "The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm, of a path at its samples; negative where they overlap, so that the arm may touch; null where its bodies are known.";
+    CLEARANCE_WIDE: "clearance_wide_mm", Kind::Number(Unit::Millimetre), "The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm; negative where they overlap, so that the arm may touch; null where its bodies are known.";
     CLEARANCE_WIDE_OF: "clearance_wide_of", Kind::Text, "Which of those to what.";
     ROBOT_CELL: "cell", Kind::Nested, "The cell as it was asked for: mount, windows, what is kept free; null where there is none.";
     CELL_CENTRE: "cell_m", numbers(Unit::Metre, &["cell_x_m", "cell_y_m", "cell_z_m"]), "The centre of the zone in the axes of the cell, its floor at 0.";

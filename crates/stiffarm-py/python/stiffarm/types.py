@@ -1568,9 +1568,8 @@ class _Placed(_Pass):
     none is estimated."""
 
     clearance_wide_mm: float | None
-    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm, of a
-    path at its samples; negative where they overlap, so that the arm may touch; null where its bodies are
-    known."""
+    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm;
+    negative where they overlap, so that the arm may touch; null where its bodies are known."""
 
     clearance_wide_of: str | None
     """Which of those to what."""
@@ -3093,17 +3092,17 @@ class MilledDict(_Pass):
 
     clearance_by: list[str] | None
     """By which bodies that is known: those of the arm are `enclosing`, `estimated` or `stated` by the robot
-    file, its tool `estimated` where nothing says how thick it is, and what it comes near to may be a
-    `keep-out`, the `mesh` of a part or fixture, or what is left of the `stock`."""
+    file, its tool `estimated` where nothing says how thick it is, its cutter `stated` by the process, and
+    what it comes near to may be a `keep-out`, the `mesh` of a part or fixture, or what is left of the
+    `stock`."""
 
     clearance_outside_mm: float | None
     """By how much real links may stand out of the estimated ones in it, as in nine arms of ten at most; 0 where
     none is estimated."""
 
     clearance_wide_mm: float | None
-    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm, of a
-    path at its samples; negative where they overlap, so that the arm may touch; null where its bodies are
-    known."""
+    """The nearest that bodies, inside of which nine known arms in ten lie, come to anything but the arm;
+    negative where they overlap, so that the arm may touch; null where its bodies are known."""
 
     clearance_wide_of: str | None
     """Which of those to what."""

@@ -40,6 +40,8 @@ impl Link {
 
 /// What the tool is.
 const TOOL: usize = 7;
+/// The base, six links and the tool.
+pub(super) const LINKS: usize = 8;
 
 fn tool_of(geometry: &Geometry, theta: &[f64; 6], tool: Option<Tool>) -> Option<Piece> {
     let Tool { point, radius } = tool?;
@@ -57,7 +59,7 @@ pub(super) fn enclosed(
     tool: Option<Tool>,
 ) -> Vec<Piece> {
     let moved = geometry.links(theta);
-    let mut pieces = Vec::new();
+    let mut pieces = Vec::with_capacity(2 + enclosing.links.iter().map(Vec::len).sum::<usize>());
     if 0.0 < pedestal {
         let ends = [Vector3::new(0.0, 0.0, -pedestal), Vector3::zeros()];
         pieces.push(Piece { link: Link::Column, number: 0, capsule: Capsule { ends, radius: column } });
@@ -117,7 +119,7 @@ pub(super) fn links(
 mod tests {
     use super::*;
     use crate::catalogue::{find, robots};
-    use crate::clearance::{Surroundings, ThickArm};
+    use crate::clearance::{Looked, Surroundings, ThickArm};
     use crate::robot::{Arm, Robot};
 
     /// Kinematics and distances of `MuJoCo` (`scripts/distances.py`).
@@ -138,8 +140,8 @@ mod tests {
             let arm = ThickArm::new(&robot, &Pose::identity(), None).unwrap();
             let theta: [f64; 6] = theta.try_into().unwrap();
             let floored = Surroundings::above(Some(-0.25));
-            let nearest = |about| arm.nearest(&theta, about, 0).unwrap().distance;
-            let wide = arm.nearest_wide(&theta, &floored, 0).map(|near| near.distance);
+            let nearest = |about| arm.nearest(&theta, (about, 0), Looked::ALL).unwrap().distance;
+            let wide = arm.nearest_wide(&theta, (&floored, 0), Looked::ALL).map(|near| near.distance);
             let found = [nearest(&Surroundings::default()), wide.unwrap_or_else(|| nearest(&floored))];
             let told = [links, if wide.is_some() { floor } else { links.min(floor) }];
             assert_eq!(wide.is_some(), 2 * ENCLOSED <= i);

@@ -18,8 +18,9 @@ use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
 use crate::stock::Remains;
 use crate::task::Zone;
-use links::{Piece, Tool, enclosed, links};
+use links::{LINKS, Piece, Tool, enclosed, links};
 pub use mesh::Mesh;
+use solid::Ball;
 pub(crate) use solid::{Capsule, Solid};
 use stock::Ends;
 
@@ -43,6 +44,8 @@ pub enum Link {
     Wrist,
     /// Flange to tool point.
     Tool,
+    /// What of the tool stands out of its spindle.
+    Cutter,
 }
 
 /// What a link may touch.
@@ -160,6 +163,9 @@ pub(crate) struct ThickArm<'a> {
     enclosing: Option<&'a Enclosing>,
     /// Where neither is known: what nine known arms in ten lie inside of.
     wide: Option<Enclosing>,
+    /// Which links may meet, by their numbers, the lower one first: those between which others stand, but those of which it is known that they always
+    /// touch.
+    meets: [[bool; LINKS]; LINKS],
     is_estimated: bool,
     tool: Option<Tool>,
     /// The wrist centre is the tool point: it touches the work, and what lies beyond is not known.
@@ -194,6 +200,11 @@ impl Surroundings {
 }
 
 impl Clearance {
+    /// Without how well that is known.
+    pub(crate) fn near(&self) -> Near {
+        Near { distance: self.distance, link: self.link, to: self.to }
+    }
+
     /// The nearer one of two, and of both the nearest that is wide.
     pub(crate) fn and(self, other: Self) -> Self {
         let wide = [self.wide, other.wide].into_iter().flatten().min_by(|a, b| a.distance.total_cmp(&b.distance));
@@ -210,6 +221,7 @@ impl Link {
             Self::Forearm => "forearm",
             Self::Wrist => "wrist",
             Self::Tool => "tool",
+            Self::Cutter => "cutter",
         }
     }
 }
@@ -225,7 +237,10 @@ impl<'a> ThickArm<'a> {
         let enclosing = robot.enclosing.as_ref();
         let wide = (is_estimated && enclosing.is_none()).then(|| robot.estimated_bodies(geometry));
         let is_estimated = wide.is_some() || tool.is_some() && tool_radius.is_none();
-        Some(Self { geometry, body, enclosing, wide, is_estimated, tool, ends_at_wrist: false })
+        let not_compared = enclosing.map_or(&[][..], |enclosing| &enclosing.not_compared);
+        let meets = |pair: [usize; 2]| may_meet(pair) && !not_compared.contains(&pair);
+        let meets = std::array::from_fn(|low| std::array::from_fn(|high| meets([low, high])));
+        Some(Self { geometry, body, enclosing, wide, meets, is_estimated, tool, ends_at_wrist: false })
     }
 
     /// Upper arm and forearm of the arm plane, the tool point at the wrist centre.
@@ -235,8 +250,8 @@ impl<'a> ThickArm<'a> {
 
     /// The nearest to anything over postures given by their model angles; `None` where there are none, or nothing to meet.
     pub(crate) fn clearance(&self, postures: &[[f64; 6]], about: &Surroundings) -> Option<Clearance> {
-        let (mut nearest, mut before) = (Nearest(None), Vec::new());
-        let (mut widest, mut wide_before) = (Nearest(None), Vec::new());
+        let (mut nearest, mut before) = (Nearest::looked(Looked::ALL), Vec::new());
+        let (mut widest, mut wide_before) = (Nearest::looked(Looked::ALL), Vec::new());
         for theta in postures {
             let pieces = self.pieces(theta, about.pedestal);
             self.compare(&pieces, &before, (about, 0), &mut nearest);
@@ -247,24 +262,23 @@ impl<'a> ThickArm<'a> {
                 wide_before = pieces;
             }
         }
-        nearest.0.map(|near| self.told(near, widest.0, postures.len()))
+        nearest.near.map(|near| self.told(near, widest.near, postures.len()))
     }
 
     /// The nearest to anything in one posture, by its model angles, before some sample of the path by which a block is cut; `None` where there is
-    /// nothing to meet.
-    pub(crate) fn nearest(&self, theta: &[f64; 6], about: &Surroundings, sample: usize) -> Option<Near> {
-        let (mut nearest, pieces) = (Nearest(None), self.pieces(theta, about.pedestal));
-        self.compare(&pieces, &[], (about, sample), &mut nearest);
+    /// nothing to meet, or not as near as is looked.
+    pub(crate) fn nearest(&self, theta: &[f64; 6], about: (&Surroundings, usize), looked: Looked) -> Option<Near> {
+        let (mut nearest, pieces) = (Nearest::looked(looked), self.pieces(theta, about.0.pedestal));
+        self.compare(&pieces, &[], about, &mut nearest);
         self.compare_links(&pieces, &mut nearest);
-        nearest.0
+        nearest.near
     }
 
-    /// The nearest that bodies, inside of which nine known arms in ten lie, come to what stands about the arm in one posture; `None` where the bodies
-    /// are known, or there is nothing to meet.
-    pub(crate) fn nearest_wide(&self, theta: &[f64; 6], about: &Surroundings, sample: usize) -> Option<Near> {
-        let mut nearest = Nearest(None);
-        self.compare(&self.wide_pieces(theta, about.pedestal)?, &[], (about, sample), &mut nearest);
-        nearest.0
+    /// The same of bodies inside of which nine known arms in ten lie, and what stands about the arm; `None`, too, where the bodies are known.
+    pub(crate) fn nearest_wide(&self, theta: &[f64; 6], about: (&Surroundings, usize), looked: Looked) -> Option<Near> {
+        let mut nearest = Nearest::looked(looked);
+        self.compare(&self.wide_pieces(theta, about.0.pedestal)?, &[], about, &mut nearest);
+        nearest.near
     }
 
     /// By how much a link may stand out of what it is taken for, m.
@@ -278,7 +292,7 @@ impl<'a> ThickArm<'a> {
             Link::UpperArm => upper_arm,
             Link::Forearm => forearm,
             Link::Wrist => wrist,
-            Link::Tool => 0.0,
+            Link::Tool | Link::Cutter => 0.0,
         }
     }
 
@@ -300,23 +314,42 @@ impl<'a> ThickArm<'a> {
     /// From the wrist centre, through which the axes of joints 4 to 6 go, backwards: each link adds its length, and what it carries may stretch
     /// out as far as it can.
     pub(crate) fn farthest(&self, cutter: f64) -> [f64; 6] {
-        let (Geometry { a1, b, c2, c4, .. }, l3) = (self.geometry, self.geometry.l3());
-        let about_wrist = |point: &Vector3<f64>| (point + Vector3::z() * *c4).norm();
+        match self.enclosing {
+            Some(enclosing) => self.farthest_of(enclosing, cutter),
+            None => self.farthest_along_links(cutter),
+        }
+    }
+
+    /// The same of the bodies inside of which nine known arms in ten lie; `None` where the bodies are known.
+    pub(crate) fn farthest_wide(&self, cutter: f64) -> Option<[f64; 6]> {
+        Some(self.farthest_of(self.wide.as_ref()?, cutter))
+    }
+
+    /// From the wrist centre.
+    fn farthest_of_tool(&self, cutter: f64) -> f64 {
+        let c4 = self.geometry.c4;
+        let about_wrist = |point: &Vector3<f64>| (point + Vector3::z() * c4).norm();
         let of_tool = |Tool { point, radius }: Tool| about_wrist(&point).max(c4.abs()) + radius.max(cutter);
-        let tool = self.tool.map_or(0.0, of_tool);
-        let Some(enclosing) = self.enclosing else {
-            let wrist = (c4.abs() + self.body.wrist).max(tool);
-            let elbow = l3 + self.body.forearm.max(wrist);
-            let shoulder = c2.abs() + self.body.upper_arm.max(elbow);
-            return [a1.hypot(*b) + shoulder, shoulder, elbow, wrist, wrist, wrist];
-        };
+        self.tool.map_or(0.0, of_tool)
+    }
+
+    fn farthest_along_links(&self, cutter: f64) -> [f64; 6] {
+        let Geometry { a1, b, c2, c4, .. } = self.geometry;
+        let wrist = (c4.abs() + self.body.wrist).max(self.farthest_of_tool(cutter));
+        let elbow = self.geometry.l3() + self.body.forearm.max(wrist);
+        let shoulder = c2.abs() + self.body.upper_arm.max(elbow);
+        [a1.hypot(*b) + shoulder, shoulder, elbow, wrist, wrist, wrist]
+    }
+
+    fn farthest_of(&self, enclosing: &Enclosing, cutter: f64) -> [f64; 6] {
+        let (Geometry { a1, b, c2, .. }, l3) = (self.geometry, self.geometry.l3());
         // A link stays as far from a point of the axis that turns it as it is at model zero.
         let [_, shoulder_at, elbow_at, wrist_at, _] = self.geometry.points(&[0.0; 6]).map(Vector3::from);
         let from = |point: &Vector3<f64>, links: std::ops::Range<usize>| {
             let capsules = enclosing.links[links].iter().flatten();
             capsules.map(|capsule| capsule.farthest_from(point)).fold(0.0, f64::max)
         };
-        let wrist = from(&wrist_at, 4..7).max(tool);
+        let wrist = from(&wrist_at, 4..7).max(self.farthest_of_tool(cutter));
         let elbow = from(&elbow_at, 3..4).max(l3 + wrist);
         let shoulder = from(&shoulder_at, 2..3).max(c2.abs() + elbow);
         let column = from(&Vector3::new(0.0, 0.0, shoulder_at.z), 1..2).max(a1.hypot(*b) + shoulder);
@@ -336,14 +369,10 @@ impl<'a> ThickArm<'a> {
     }
 
     fn known_of(&self, mut pieces: Vec<Piece>) -> Vec<Piece> {
-        pieces.retain(|piece| !(self.ends_at_wrist && piece.link == Link::Wrist));
+        if self.ends_at_wrist {
+            pieces.retain(|piece| piece.link != Link::Wrist);
+        }
         pieces
-    }
-
-    /// Links between which others stand may meet, but those of which it is known that they always touch.
-    fn may_meet(&self, one: &Piece, other: &Piece) -> bool {
-        let pair = [other.number, one.number];
-        may_meet(pair) && !self.enclosing.is_some_and(|enclosing| enclosing.not_compared.contains(&pair))
     }
 
     /// A link stands between a point on the wrist and another one, m from the base, at model angles.
@@ -360,10 +389,16 @@ impl<'a> ThickArm<'a> {
 
     /// Looks at every pair of links that may meet in one posture.
     fn compare_links(&self, pieces: &[Piece], nearest: &mut Nearest) {
+        if nearest.is_enough() {
+            return;
+        }
+        let balls: Vec<Ball> = pieces.iter().map(|piece| piece.capsule.ball()).collect();
         for (i, piece) in pieces.iter().enumerate() {
             let Some(capsule) = shown(pieces, i) else { continue };
-            for other in pieces.iter().filter(|other| self.may_meet(piece, other)) {
-                nearest.piece((piece.link, &capsule), other);
+            for (other, ball) in pieces.iter().zip(&balls) {
+                if self.meets[other.number][piece.number] && balls[i].is_within(nearest.within, ball) {
+                    nearest.take(capsule.apart_from(&other.capsule), piece.link, Obstacle::Link(other.link));
+                }
             }
         }
     }
@@ -378,6 +413,9 @@ impl<'a> ThickArm<'a> {
     ) {
         let Some(last) = pieces.last().map(|piece| piece.link) else { return };
         for (i, piece) in pieces.iter().enumerate() {
+            if nearest.is_enough() {
+                return;
+            }
             let Piece { link, capsule, .. } = *piece;
             if before.get(i) == Some(piece) {
                 continue;
@@ -397,7 +435,7 @@ impl<'a> ThickArm<'a> {
                     }
                     let out_of = spindle.map_or(capsule.ends[0], |spindle| spindle.ends[1]);
                     let cutter = Capsule { ends: [out_of, capsule.ends[1]], radius };
-                    nearest.fixture(link, (&cutter, Ends::Flat), machined);
+                    nearest.fixture(Link::Cutter, (&cutter, Ends::Flat), machined);
                 }
             }
             let Some(capsule) = shown(pieces, i) else { continue };
@@ -422,14 +460,46 @@ fn shown(pieces: &[Piece], i: usize) -> Option<Capsule> {
     if is_last { capsule.cut_back(capsule.radius) } else { Some(capsule) }
 }
 
+/// How far it is looked for what is nearest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Looked {
+    /// Of what is nearer than this, m, anything does: nothing else is looked at.
+    pub(crate) enough: f64,
+    /// Nothing that is farther, m, is looked at.
+    pub(crate) within: f64,
+}
+
+impl Looked {
+    pub(crate) const ALL: Self = Self { enough: f64::NEG_INFINITY, within: f64::INFINITY };
+}
+
 /// The nearest so far.
-struct Nearest(Option<Near>);
+struct Nearest {
+    near: Option<Near>,
+    /// Nothing farther is looked at, m.
+    within: f64,
+    /// What is nearer than this, m, is near enough: nothing else is looked at.
+    enough: f64,
+}
 
 impl Nearest {
+    fn looked(Looked { enough, within }: Looked) -> Self {
+        Self { near: None, within, enough }
+    }
+
+    fn is_enough(&self) -> bool {
+        self.within < self.enough
+    }
+
     fn take(&mut self, distance: f64, link: Link, to: Obstacle) {
-        if self.0.is_none_or(|nearest| distance < nearest.distance) {
-            self.0 = Some(Near { distance, link, to });
+        if distance < self.within {
+            (self.near, self.within) = (Some(Near { distance, link, to }), distance);
         }
+    }
+
+    /// What is so far at least may be nearer than what is known.
+    fn may_be(&self, at_least: f64) -> bool {
+        !(self.within <= at_least)
     }
 
     /// As of a solid.
@@ -439,11 +509,10 @@ impl Nearest {
             self.mesh((link, capsule, ends), (part, pose), Obstacle::Part);
         }
         self.fixture(link, (capsule, ends), about);
-        if let Some(stock) = stock {
-            let most = self.0.map_or(f64::INFINITY, |nearest| nearest.distance);
-            if let Some(apart) = stock.apart_from((pose, sample), (capsule, ends), most) {
-                self.take(apart, link, Obstacle::Stock);
-            }
+        if let Some(stock) = stock
+            && let Some(apart) = stock.apart_from((pose, sample), (capsule, ends), self.within)
+        {
+            self.take(apart, link, Obstacle::Stock);
         }
     }
 
@@ -456,8 +525,7 @@ impl Nearest {
 
     /// As of a solid.
     fn mesh(&mut self, (link, capsule, ends): (Link, &Capsule, Ends), (mesh, pose): (&Mesh, &Pose), to: Obstacle) {
-        let at_least = capsule.ball().apart_from_ball(&mesh.ball(pose));
-        if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
+        if self.may_be(capsule.apart_from_ball(&mesh.ball(pose))) {
             let apart = match ends {
                 Ends::Round => mesh.apart_from(pose, capsule),
                 Ends::Flat => mesh.apart_from_cylinder(pose, capsule),
@@ -466,18 +534,9 @@ impl Nearest {
         }
     }
 
-    /// Of two pieces of the arm, where the balls about them come nearer than what is known.
-    fn piece(&mut self, (link, capsule): (Link, &Capsule), other: &Piece) {
-        let at_least = capsule.ball().apart_from_ball(&other.capsule.ball());
-        if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
-            self.take(capsule.apart_from(&other.capsule), link, Obstacle::Link(other.link));
-        }
-    }
-
-    /// Asks `parry` only where the balls about both come nearer than what is known.
+    /// Asks `parry` only where the ball and the box about it come nearer than what is known.
     fn solid(&mut self, (link, capsule): (Link, &Capsule), to: Obstacle, solid: &Solid) {
-        let at_least = capsule.ball().apart_from_ball(&solid.ball());
-        if self.0.is_none_or(|nearest| !(nearest.distance <= at_least)) {
+        if self.may_be(capsule.apart_from_ball(&solid.ball())) && self.may_be(capsule.at_least_from(solid)) {
             self.take(capsule.apart_from_solid(solid), link, to);
         }
     }

@@ -40,9 +40,10 @@ impl Ball {
         Self { centre, radius }
     }
 
-    /// To another one, m; negative where they overlap.
-    pub(super) fn apart_from_ball(&self, other: &Self) -> f64 {
-        (self.centre - other.centre).norm() - self.radius - other.radius
+    /// Another one is not farther, m.
+    pub(super) fn is_within(&self, farthest: f64, other: &Self) -> bool {
+        let most = farthest + self.radius + other.radius;
+        0.0 <= most && (self.centre - other.centre).norm_squared() <= most * most
     }
 }
 
@@ -51,6 +52,15 @@ impl Capsule {
     pub(super) fn ball(&self) -> Ball {
         let [from, to] = self.ends;
         Ball { centre: (from + to) / 2.0, radius: (to - from).norm() / 2.0 + self.radius }
+    }
+
+    /// To a ball, m; negative where they overlap.
+    pub(super) fn apart_from_ball(&self, Ball { centre, radius }: &Ball) -> f64 {
+        let [from, to] = self.ends;
+        let along = to - from;
+        // Of a line without length any point is the nearest.
+        let part = (centre - from).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE);
+        (centre - from - along * part.clamp(0.0, 1.0)).norm() - radius - self.radius
     }
 
     /// The same without the last `length`, m, before its second end; `None` where nothing remains.
@@ -69,6 +79,15 @@ impl Capsule {
     pub(crate) fn apart_from(&self, other: &Self) -> f64 {
         let apart = distance_segment_segment(&ParryPose::identity(), &self.segment(), &other.segment());
         apart - self.radius - other.radius
+    }
+
+    /// No solid is nearer, m: by the box about both in the axes of the solid; nothing is known of boxes that overlap.
+    pub(super) fn at_least_from(&self, solid: &Solid) -> f64 {
+        let (pose, half) = solid.bounds();
+        let [from, to] = self.ends.map(|end| pose.inverse_transform_point(&end.into()).coords);
+        let gap = (from.inf(&to) - half).sup(&(-from.sup(&to) - half)).add_scalar(-self.radius).sup(&Vector3::zeros());
+        let gap = gap.norm();
+        if 0.0 < gap { gap } else { f64::NEG_INFINITY }
     }
 
     /// To a solid, m; negative where they overlap: so far one would have to move.
@@ -115,6 +134,14 @@ impl Solid {
             Self::Disc { pose, radius, half_thickness } => {
                 Ball { centre: pose.translation.vector, radius: radius.hypot(*half_thickness) }
             }
+        }
+    }
+
+    /// The box about it, by half its sides, m.
+    fn bounds(&self) -> (&Pose, Vector3<f64>) {
+        match self {
+            Self::Box { pose, half } => (pose, Vector3::from(*half)),
+            Self::Disc { pose, radius, half_thickness } => (pose, Vector3::new(*radius, *radius, *half_thickness)),
         }
     }
 

@@ -29,6 +29,7 @@ pub use arm_error::{DrawnError, arm_error};
 use bound::Floor;
 pub use chatter::{AllAlong, DeepestRoll, Judged, MillHeld, PathChatter, Uncovered, chatter_along, check_chatter};
 pub use compensate::{Compensated, Remaining, compensate, drawn_errors, remaining};
+use contact::Bodies;
 pub use contact::{ClearOf, Contact, PathClearance};
 pub use fault::{Blocked, MillError, Why};
 pub use fed_back::{FedBack, fed_back};
@@ -156,7 +157,10 @@ pub fn mill(
     }
     let question = Question { robot, arm, stations, options };
     let found = question.milled(stand, ROLLS[0], watch)?;
-    question.without_doubt(found, stand, watch)
+    match question.without_doubt(found, stand, watch)? {
+        Milled::Followed(found) => question.clear_by_wide_bodies(found, stand, watch),
+        blocked @ Milled::Blocked(_) => Ok(blocked),
+    }
 }
 
 impl Question<'_> {
@@ -167,21 +171,23 @@ impl Question<'_> {
             Ok(samples) => samples,
             Err(blocked) => return Ok(Milled::Blocked(blocked)),
         };
-        let worst = samples.iter().map(|sample| sample.error).enumerate();
-        let worst = worst.fold((0.0, 0), |worst, (i, error)| if worst.0 < error { (error, i) } else { worst });
-        let lower_bound = Floor::new(self, stand).lower_bound(&ladder, worst.0)?;
-        let rms = rms(self.stations, &samples);
-        let clearance = match self.guard(stand) {
-            Some(guard) => match guard.along(&samples, watch)? {
-                Err(at) => return Ok(Milled::Blocked(ladder.blocked_at(at, Why::Jump))),
-                Ok(found) => {
-                    let unavoidable = ladder.unavoidable.filter(|_| !found.contacts.is_empty());
-                    Some(guard.with_wide(PathClearance { unavoidable, ..found }, &samples))
-                }
-            },
-            None => None,
+        let lower_bound = Floor::new(self, stand).lower_bound(&ladder, worst(&samples).0)?;
+        let Some(guard) = self.guard(stand, Bodies::Known) else {
+            return Ok(Milled::Followed(self.followed(samples, lower_bound, None)));
         };
-        Ok(Milled::Followed(Followed { samples, worst, lower_bound, rms, clearance }))
+        Ok(match guard.along(&samples, watch)? {
+            Err(at) => Milled::Blocked(ladder.blocked_at(at, Why::Jump)),
+            Ok(found) => {
+                let unavoidable = ladder.unavoidable.filter(|_| !found.contacts.is_empty());
+                let clearance = Some(PathClearance { unavoidable, ..found });
+                Milled::Followed(self.followed(samples, lower_bound, clearance))
+            }
+        })
+    }
+
+    fn followed(&self, samples: Vec<Pushed>, lower_bound: f64, clearance: Option<PathClearance>) -> Followed {
+        let (worst, rms) = (worst(&samples), rms(self.stations, &samples));
+        Followed { samples, worst, lower_bound, rms, clearance }
     }
 
     /// What was found, or what finer rolls give where that leaves a doubt: the bound lies far below, something is touched, or nothing was found.
@@ -235,7 +241,7 @@ pub fn approach(
     )?;
     let Ok(samples) = followed else { return Ok(None) };
     let question = Question { robot, arm: &arm, stations: &stations, options };
-    if let Some(guard) = question.guard(stand)
+    if let Some(guard) = question.guard(stand, Bodies::Known)
         && !guard.is_clear(&samples, Watch::nobody())?
     {
         return Ok(None);
@@ -250,6 +256,12 @@ pub fn approach(
 /// Some roll is pinned.
 fn is_pinned(stations: &[Station]) -> bool {
     stations.iter().any(|station| station.pinned.is_some())
+}
+
+/// The largest error of a path, m, and the station at which it is.
+fn worst(samples: &[Pushed]) -> (f64, usize) {
+    let errors = samples.iter().map(|sample| sample.error).enumerate();
+    errors.fold((0.0, 0), |worst, (i, error)| if worst.0 < error { (error, i) } else { worst })
 }
 
 /// The root of the mean square of the error over the way that feeds, m: each piece counts by its length and the mean of its ends.

@@ -189,16 +189,16 @@ pub fn place_path(
     }
     let samples = search.keys.len();
     let Some((_, place, followed)) = best else { return Ok(Err(nearest)) };
-    let followed = match question.without_doubt(Milled::Followed(followed), &search.stand(&place), watch)? {
-        Milled::Followed(followed) => followed,
-        Milled::Blocked(_) => unreachable!("what is followed stays so"),
+    let stand = search.stand(&place);
+    let Milled::Followed(followed) = question.without_doubt(Milled::Followed(followed), &stand, watch)? else {
+        unreachable!("what is followed stays so")
     };
-    let value = followed.worst.0;
     search.put_binding_first(&place)?;
-    let (lower_bound, nodes) = search.lower_bound(value, watch)?;
+    let (lower_bound, nodes) = search.lower_bound(followed.worst.0, watch)?;
+    let milled = question.clear_by_wide_bodies(followed, &stand, watch)?;
     let placement = search.placement(&place);
     let resolution = PathResolution { coarse, step, samples, nodes };
-    Ok(Ok(PathPlaced { placement, milled: Milled::Followed(followed), lower_bound, resolution }))
+    Ok(Ok(PathPlaced { placement, milled, lower_bound, resolution }))
 }
 
 /// Of every station, how often the arm may have been arranged anew before it.

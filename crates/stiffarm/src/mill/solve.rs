@@ -4,13 +4,13 @@ use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
 use super::climb::{Node, Sought};
-use super::contact::{ClearOf, Guard};
+use super::contact::{Bodies, ClearOf, Guard};
 use super::fault::{Blocked, MillError, Why};
 use super::follow::{Arrangement, Pushed, Stand, follow};
-use super::is_pinned;
 use super::ladder::Ladder;
 use super::smooth::smoothed;
 use super::stations::{ErrorPart, Station};
+use super::{is_pinned, worst};
 use crate::batch::{RollGrid, SpatialArm};
 use crate::inverse::Configuration;
 use crate::mass::ToolWeight;
@@ -86,20 +86,34 @@ pub(super) struct Question<'a> {
 }
 
 impl<'a> Question<'a> {
-    /// The bodies of the arm before a part that stands somewhere; `None` where nobody asked what they touch.
-    pub(super) fn guard(&self, stand: &Stand) -> Option<Guard<'a>> {
+    /// The bodies of the arm before a part that stands somewhere; `None` where nobody asked what they touch, or it has no such bodies.
+    pub(super) fn guard(&self, stand: &Stand, bodies: Bodies) -> Option<Guard<'a>> {
         let clear_of = self.options.clear_of.as_ref()?;
-        Guard::of((self.robot, self.arm), self.stations, stand, clear_of)
+        Guard::of((self.robot, self.arm), self.stations, stand, (clear_of, bodies))
     }
 }
 
 impl Question<'_> {
-    /// The best of so many rolls for a part that stands somewhere; inner: where and why there are none.
-    pub(super) fn solve(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<(Ladder<'_>, Outcome), MillError> {
+    fn ladder(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<Ladder<'_>, MillError> {
         let MillOptions { roll, part, share_of_speed, .. } = *self.options;
         let grid = if let RollMode::Fixed(roll) = roll { RollGrid::at([roll]) } else { RollGrid::turn(rolls) };
-        let mut ladder = Ladder::new(self.arm, self.stations, *stand, (part, grid), share_of_speed, watch)?;
-        let guard = self.guard(stand);
+        Ladder::new(self.arm, self.stations, *stand, (part, grid), share_of_speed, watch)
+    }
+
+    /// The best of so many rolls of what is clear by these bodies; inner: where and why there is none.
+    pub(super) fn clear_by(
+        &self,
+        (stand, guard): (&Stand, &Guard),
+        rolls: usize,
+        watch: Watch,
+    ) -> Result<Outcome, MillError> {
+        self.over(&mut self.ladder(stand, rolls, watch)?, stand, Some(guard), watch)
+    }
+
+    /// The best of so many rolls for a part that stands somewhere; inner: where and why there are none.
+    pub(super) fn solve(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<(Ladder<'_>, Outcome), MillError> {
+        let mut ladder = self.ladder(stand, rolls, watch)?;
+        let guard = self.guard(stand, Bodies::Known);
         let mut found = self.over(&mut ladder, stand, guard.as_ref(), watch)?;
         // Where none is clear, the best of all is told, with what it touches.
         if let Some(guard) = guard.filter(|guard| found.is_err() && guard.forbade()) {
@@ -179,7 +193,7 @@ impl Question<'_> {
             None
         } else {
             let found = self.best_of(ladder, &ladder.constant_rolls(), (stand, guard), watch)?.ok();
-            found.map(|(course, found)| (worst(&found), Way::Course(course)))
+            found.map(|(course, found)| (worst(&found).0, Way::Course(course)))
         };
         let most = constant.as_ref().map_or(f32::MAX, |(worst, _)| (worst * (1.0 + 1e-6)) as f32);
         let mut blocked = None;
@@ -241,7 +255,7 @@ impl Question<'_> {
                                 ways.push(smoothed(ladder, rough.clone(), f64::from(most), guard, watch)?);
                             }
                         }
-                        None => kept.push((worst(&found), way)),
+                        None => kept.push((worst(&found).0, way)),
                         Some((i, times)) => {
                             blocked = Some(ladder.blocked_at(i, Why::Fast));
                             least = least.min(times);
@@ -281,11 +295,6 @@ fn best_way(found: Vec<(f64, Way)>) -> Way {
 /// A path that is followed touches nothing, or nobody asked.
 fn is_clear(guard: Option<&Guard>, found: &[Pushed], watch: Watch) -> Result<bool, MillError> {
     guard.map_or(Ok(true), |guard| guard.is_clear(found, watch))
-}
-
-/// The largest error of a path, m.
-pub(super) fn worst(found: &[Pushed]) -> f64 {
-    found.iter().map(|pushed| pushed.error).fold(0.0, f64::max)
 }
 
 /// A configuration for every run of the path, and a roll that changes evenly along the way.

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::super::words::{bodies, clearance_between, links_are};
 use super::super::{Line, Record, field, fixed, line};
 use super::MillAnswer;
-use stiffarm::clearance::{Clearance, LinksBy, Obstacle};
+use stiffarm::clearance::{Clearance, Link, LinksBy, Obstacle};
 use stiffarm::mill::{ClearOf, Contact, PathClearance};
 
 /// So many contacts are told to people.
@@ -81,7 +81,8 @@ impl MillAnswer {
         let wide = nearest.and_then(|nearest| nearest.wide);
         let by = nearest.map(|nearest| {
             let of_arm = match nearest {
-                Clearance { links: LinksBy::Enclosing, is_estimated: false, .. } => &["enclosing"][..],
+                Clearance { link: Link::Cutter, .. } => &["stated"][..],
+                Clearance { links: LinksBy::Enclosing, is_estimated: false, .. } => &["enclosing"],
                 // The tool.
                 Clearance { links: LinksBy::Enclosing, .. } => &["enclosing", "estimated"],
                 Clearance { is_estimated: true, .. } => &["estimated"],

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use super::super::arm_with_margins;
+use super::super::contact::Bodies;
 use super::super::fault::MillError;
 use super::super::follow::{Arrangement, Stand, held, pushed};
 use super::super::solve::{MillOptions, Question};
@@ -59,7 +60,7 @@ pub(super) fn deepest(
 ) -> Result<Option<DeepestRoll>, MillError> {
     let arm = arm_with_margins(robot, stand, options)?;
     let station = &stations[at];
-    let guard = Question { robot, arm: &arm, stations, options }.guard(stand);
+    let guard = Question { robot, arm: &arm, stations, options }.guard(stand, Bodies::Known);
     let looked = |i: usize| {
         watch.go_on()?;
         let roll = TAU * i as f64 / ROLLS as f64;

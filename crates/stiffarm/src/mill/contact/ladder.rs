@@ -48,7 +48,10 @@ impl Ladder<'_> {
         let mut deepest: Option<Contact> = None;
         for (k, nodes) in nodes.into_iter().filter(|(k, _)| is_shut(k)) {
             let station = self.rungs[k].at;
-            let near = |node: &OfRung| Ok(guard.at(station, self.arrangement(*node))?.and_then(|posed| posed.near));
+            let near = |node: &OfRung| {
+                let posed = guard.at(station, self.arrangement(*node))?;
+                Ok(posed.and_then(|posed| guard.posed(posed.theta, station).near))
+            };
             let all = nodes.par_iter().map(near).collect::<Result<Vec<Option<Near>>, MillError>>()?;
             // Where one meets nothing, all is clear.
             let Some(all) = all.into_iter().collect::<Option<Vec<Near>>>() else { continue };

@@ -1,13 +1,16 @@
 //! What does the arm touch along a path, at its samples and between them?
 //!
 //! `step` decides between two samples, `ladder` takes the nodes and edges that touch out of a ladder, `path` tells of a path that is followed
-//! where it touches, and how near it comes elsewhere. Bodies are those of [`crate::clearance`].
+//! where it touches, and how near it comes elsewhere; `wide` seeks one that is clear of more
+//! than is known. Bodies are those of [`crate::clearance`].
 
 mod ladder;
 mod path;
 mod step;
 mod touching;
+mod wide;
 
+use step::GRAZED;
 #[cfg(test)]
 pub(super) use step::{Between, LEAST, Way};
 pub(super) use touching::Touching;
@@ -20,7 +23,7 @@ use super::follow::{Arrangement, Stand};
 use super::stations::Station;
 use crate::batch::SpatialArm;
 use crate::cell::Cell;
-use crate::clearance::{Clearance, Cutter, Link, Machined, Mesh, Near, Obstacle, Surroundings, ThickArm};
+use crate::clearance::{Clearance, Cutter, Link, Looked, Machined, Mesh, Near, Obstacle, Surroundings, ThickArm};
 use crate::inverse::posture_of;
 use crate::robot::Robot;
 use crate::stock::Remains;
@@ -30,6 +33,9 @@ use crate::toolpath::ToolPose;
 const MOST: f64 = 5.0;
 /// No floor is farther above or below the base, m.
 const FARTHEST_FLOOR: f64 = 100.0;
+/// Of what is farther than was asked by this, m, nothing more is known where it is asked alone what touches: no step from sample to sample moves the
+/// arm so far, but for few.
+const NEAR: f64 = 0.2;
 
 /// What arm and tool keep clear of along a path: of themselves, and of what stands about them.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,16 +85,29 @@ pub struct Contact {
     pub depth: f64,
 }
 
-/// A posture by its model angles, rad, with what it comes nearest to; `None` where there is nothing to meet.
+/// A posture by its model angles, rad, with what it comes nearest to; `None` where nothing is nearer than `within`, m.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Posed {
     theta: [f64; 6],
     near: Option<Near>,
+    within: f64,
+}
+
+/// Which bodies of an arm are looked at, where nobody knows how thick its links are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bodies {
+    /// Those that are known, or slim ones.
+    Known,
+    /// Those inside of which nine known arms in ten lie, towards all but the arm itself.
+    Wide,
+    /// Both.
+    All,
 }
 
 /// The bodies of an arm that stands before a part, made ready.
 pub(super) struct Guard<'a> {
     thick: ThickArm<'a>,
+    bodies: Bodies,
     about: Surroundings,
     arm: &'a SpatialArm,
     stations: &'a [Station],
@@ -118,12 +137,12 @@ impl ClearOf {
 }
 
 impl<'a> Guard<'a> {
-    /// `None` of an arm of which two links alone are known.
+    /// `None` of an arm of which two links alone are known, and of one whose bodies are known where wide ones are asked for.
     pub(super) fn of(
         (robot, arm): (&'a Robot, &'a SpatialArm),
         stations: &'a [Station],
         stand: &Stand,
-        clear_of: &ClearOf,
+        (clear_of, bodies): (&ClearOf, Bodies),
     ) -> Option<Self> {
         let ClearOf { clearance, cell, floor, part, stock, fixture, cutter } = clear_of;
         let is_known = part.is_some() || stock.is_some() || fixture.is_some();
@@ -135,8 +154,19 @@ impl<'a> Guard<'a> {
             cutter: *cutter,
         };
         let thick = ThickArm::new(robot, &stand.flange_from_tool, None)?;
+        let cutter_radius = cutter.map_or(0.0, |cutter| cutter.radius);
+        let farthest = thick.farthest(cutter_radius);
+        let farthest = match bodies {
+            Bodies::Known => farthest,
+            Bodies::Wide => thick.farthest_wide(cutter_radius)?,
+            Bodies::All => {
+                let wide = thick.farthest_wide(cutter_radius)?;
+                std::array::from_fn(|i| farthest[i].max(wide[i]))
+            }
+        };
         Some(Self {
-            farthest: thick.farthest(cutter.map_or(0.0, |cutter| cutter.radius)),
+            farthest,
+            bodies,
             forbade: AtomicBool::new(false),
             thick,
             about: Surroundings { machined: is_known.then(machined), ..Surroundings::of(cell.as_ref(), *floor) },
@@ -159,7 +189,28 @@ impl<'a> Guard<'a> {
 
     /// With what it comes nearest to, at a station or on the way to it: what is cut on that way is still there.
     pub(super) fn posed(&self, theta: [f64; 6], station: usize) -> Posed {
-        Posed { theta, near: self.thick.nearest(&theta, &self.about, station) }
+        self.posed_as_looked(theta, station, Looked::ALL)
+    }
+
+    /// The same where it is asked alone what touches: of what does something is known, and of the rest no more than that it is far.
+    fn posed_to_touch(&self, theta: [f64; 6], station: usize) -> Posed {
+        let looked = Looked { enough: self.clearance + GRAZED, within: self.clearance + NEAR };
+        self.posed_as_looked(theta, station, looked)
+    }
+
+    fn posed_as_looked(&self, theta: [f64; 6], station: usize, looked: Looked) -> Posed {
+        let about = (&self.about, station);
+        let known = || self.thick.nearest(&theta, about, looked);
+        let wide = |within| self.thick.nearest_wide(&theta, about, Looked { within, ..looked });
+        let near = match self.bodies {
+            Bodies::Known => known(),
+            Bodies::Wide => wide(looked.within),
+            Bodies::All => {
+                let known = known();
+                wide(known.map_or(looked.within, |near| near.distance)).or(known)
+            }
+        };
+        Posed { theta, near, within: looked.within }
     }
 
     /// Nearer to something than was asked.
@@ -180,13 +231,13 @@ impl<'a> Guard<'a> {
     /// Of a station.
     fn at(&self, i: usize, at: Arrangement) -> Result<Option<Posed>, MillError> {
         let sample = &self.stations[i].sample;
-        Ok(self.theta(sample.line, &sample.pose, at)?.map(|theta| self.posed(theta, i)))
+        Ok(self.theta(sample.line, &sample.pose, at)?.map(|theta| self.posed_to_touch(theta, i)))
     }
 }
 
 impl Posed {
-    /// To the nearest, m.
+    /// To the nearest, m; so far at least where that is not known.
     fn distance(&self) -> f64 {
-        self.near.map_or(f64::INFINITY, |near| near.distance)
+        self.near.map_or(self.within, |near| near.distance)
     }
 }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::step::{Between, Way};
 use super::{Contact, Guard, PathClearance, Posed};
-use crate::clearance::{Clearance, Near};
+use crate::clearance::Near;
 use crate::mill::fault::MillError;
 use crate::mill::follow::{Arrangement, Pushed};
 use crate::watch::Watch;
@@ -60,13 +60,6 @@ impl Guard<'_> {
         Ok(Ok(PathClearance { asked: self.clearance, nearest, at, contacts, unavoidable: None }))
     }
 
-    /// With what bodies come near to, inside of which nine known arms in ten lie, at the stations.
-    pub(in crate::mill) fn with_wide(&self, found: PathClearance, samples: &[Pushed]) -> PathClearance {
-        let near = |(i, one)| self.thick.nearest_wide(&self.model_angles(one), &self.about, i);
-        let wide = samples.par_iter().enumerate().filter_map(near).min_by(|a, b| a.distance.total_cmp(&b.distance));
-        PathClearance { nearest: found.nearest.map(|nearest| Clearance { wide, ..nearest }), ..found }
-    }
-
     /// Nothing is touched along a path that is followed.
     pub(in crate::mill) fn is_clear(&self, samples: &[Pushed], watch: Watch) -> Result<bool, MillError> {
         let is_clear = self.along(samples, watch)?.is_ok_and(|found| found.contacts.is_empty());
@@ -107,7 +100,10 @@ impl Guard<'_> {
         };
         Ok(match self.led(samples, i, [before, posed])? {
             Between::Free => Some((posed.near, false)),
-            Between::Touch(distance, middle) => Some((middle.near.map(|near| Near { distance, ..near }), true)),
+            Between::Touch(distance, theta) => {
+                let near = |near: Near| Near { distance: distance.min(near.distance), ..near };
+                Some((self.posed(theta, i).near.map(near), true))
+            }
             Between::Lost => None,
         })
     }

@@ -19,6 +19,8 @@ use crate::toolpath::ToolPose;
 
 /// A step along which nothing moves farther, m, is not halved any more: by no more than half of this a clearance may be denied that is kept.
 pub(in crate::mill) const LEAST: f64 = 1e-3;
+/// What is farther by less than this, m, than was asked is as if it touched.
+pub(super) const GRAZED: f64 = LEAST / 2.0;
 /// However fast joints turn, a step is halved no more often.
 const MOST_HALVINGS: usize = 40;
 
@@ -34,8 +36,8 @@ pub(in crate::mill) enum Way {
 #[derive(Clone, Copy, Debug)]
 pub(in crate::mill) enum Between {
     Free,
-    /// With the distance that is known at least, m, and the posture that is nearest.
-    Touch(f64, Posed),
+    /// With a distance that is known at least, m, and the posture at which something is so near.
+    Touch(f64, [f64; 6]),
     /// Some place of it is held by no posture.
     Lost,
 }
@@ -88,13 +90,13 @@ impl Guard<'_> {
         if moved + 2.0 * self.clearance < twice {
             return Ok(Between::Free);
         }
-        let middle = self.posed(theta, station);
+        let middle = self.posed_to_touch(theta, station);
         // What is so near that no longer step than the least could be free counts as touching at once.
         if self.grazes(&middle) {
-            return Ok(Between::Touch(middle.distance(), middle));
+            return Ok(Between::Touch(middle.distance(), middle.theta));
         }
         if moved <= LEAST || halvings == 0 {
-            return Ok(Between::Touch((twice - moved) / 2.0, middle));
+            return Ok(Between::Touch((twice - moved) / 2.0, middle.theta));
         }
         match self.halved((way, station), [parts[0], part], [ends[0], &middle], halvings - 1)? {
             Between::Free => self.halved((way, station), [part, parts[1]], [&middle, ends[1]], halvings - 1),
@@ -102,9 +104,9 @@ impl Guard<'_> {
         }
     }
 
-    /// Nearer to something than was asked, or by less than half of the least step farther.
+    /// Nearer to something than was asked, or hardly farther.
     pub(super) fn grazes(&self, posed: &Posed) -> bool {
-        posed.distance() < self.clearance + LEAST / 2.0
+        posed.distance() < self.clearance + GRAZED
     }
 
     /// No point moves farther, m, over a step with this middle. A joint turns by the sum of both halves, and by as much more as it may turn back in

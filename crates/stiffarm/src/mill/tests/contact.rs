@@ -7,7 +7,7 @@ use crate::catalogue::stl::Surface;
 use crate::cell::{Block, Cell, Mount};
 use crate::clearance::{Cutter, Link, Mesh, Obstacle, Surroundings, ThickArm};
 use crate::inverse::postures;
-use crate::mill::contact::{Between, LEAST, Posed, Way};
+use crate::mill::contact::{Between, Bodies, LEAST, Posed, Way};
 use crate::stock::{Remains, Stock};
 use crate::toolpath::{Course, Given, MoveKind};
 
@@ -54,22 +54,44 @@ impl<'a> Witness<'a> {
 
     /// `None` where it is not reached.
     fn distance(&self, pose: &ToolPose, at: Arrangement) -> Option<f64> {
+        Some(self.thick.clearance(&[self.theta(pose, at)?], &self.about).unwrap().distance)
+    }
+
+    /// `None` where it is not reached.
+    fn theta(&self, pose: &ToolPose, at: Arrangement) -> Option<[f64; 6]> {
         let crate::robot::Arm::SixAxis { geometry, .. } = &self.robot.arm else { unreachable!() };
         let tool = self.stand.base_from_part * part_from_tool(pose, at.roll).unwrap();
         let found = postures(geometry, &(tool * self.stand.flange_from_tool.inverse())).found;
-        let theta = found.into_iter().find_map(|(known, theta)| (known == at.configuration).then_some(theta))?;
-        Some(self.thick.clearance(&[theta], &self.about).unwrap().distance)
+        found.into_iter().find_map(|(known, theta)| (known == at.configuration).then_some(theta))
+    }
+
+    /// The same of wide bodies, by model angles.
+    fn wide(&self, theta: &[f64; 6]) -> f64 {
+        self.thick.clearance(&[*theta], &self.about).unwrap().wide.unwrap().distance
     }
 
     /// The least over a step, its ends and all between; `None` where something of it is not reached.
     fn least(&self, ends: [(&ToolPose, Arrangement); 2]) -> Option<f64> {
+        self.least_of(ends, |pose, at| self.distance(pose, at))
+    }
+
+    /// The same of wide bodies.
+    fn least_wide(&self, ends: [(&ToolPose, Arrangement); 2]) -> Option<f64> {
+        self.least_of(ends, |pose, at| Some(self.wide(&self.theta(pose, at)?)))
+    }
+
+    fn least_of(
+        &self,
+        ends: [(&ToolPose, Arrangement); 2],
+        distance: impl Fn(&ToolPose, Arrangement) -> Option<f64>,
+    ) -> Option<f64> {
         let [(from, first), (to, last)] = ends;
         let at = |i: usize| {
             let part = i as f64 / FINE as f64;
             let axis = (from.axis * (1.0 - part) + to.axis * part).normalize();
             let roll = first.roll + part * (last.roll - first.roll);
             let pose = ToolPose { tip: from.tip * (1.0 - part) + to.tip * part, axis };
-            self.distance(&pose, Arrangement { roll, ..first })
+            distance(&pose, Arrangement { roll, ..first })
         };
         (0..=FINE).map(at).try_fold(f64::INFINITY, |least, distance| Some(distance?.min(least)))
     }
@@ -116,7 +138,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
     for clear_of in worlds().into_iter().chain([beside(0.08), beside(-0.08)]) {
         let options = MillOptions { clear_of: Some(clear_of.clone()), ..options.clone() };
         let question = Question { robot: &robot, arm: &arm, stations: &stations, options: &options };
-        let guard = question.guard(&one).unwrap();
+        let guard = question.guard(&one, Bodies::Known).unwrap();
         let witness = Witness::new(&robot, &one, &clear_of);
         let mut ladder = every.clone();
         let at = |held: usize| Arrangement {
@@ -228,7 +250,7 @@ fn no_touch_between_two_samples_is_missed() {
             let options =
                 MillOptions { clear_of: Some(ClearOf { clearance, ..about.clone() }), ..with(RollMode::Free) };
             let question = Question { robot: &robot, arm: &arm, stations: &stations, options: &options };
-            let guard = question.guard(&one).unwrap();
+            let guard = question.guard(&one, Bodies::Known).unwrap();
             let held = ends.map(|(pose, roll)| guard.theta(1, &pose, at(roll)).unwrap().expect("it is reached"));
             // As paths are followed: clear of straight postures, and no joint turns far.
             let is_followed = held.iter().all(|theta| 0.05 < arm.geometry.singular_margin(theta))
@@ -364,6 +386,56 @@ fn a_path_is_led_clear_where_it_can_be_and_tells_what_it_touches_where_not() {
     assert!(tell(there, RollMode::Free).1.unavoidable.is_none());
 }
 
+/// Boxes about the flange of a path that looks at nothing, which wide bodies touch: where a path is told to be clear of them, many places between its
+/// samples are; where not, the path is the one that the slim links alone have.
+#[test]
+fn a_path_is_sought_that_wide_bodies_keep_clear_of() {
+    let (robot, one) = (robot(), stand());
+    let stations = path("line:0.3", KNOWN);
+    let before = followed(&one, &stations, &with(RollMode::Free));
+    let crate::robot::Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!() };
+    let theta = |joints: &[f64; 6]| geometry.model_angles(joints, limits.third_axis);
+    let flange = geometry.forward(&theta(&before.samples[stations.len() / 2].joints)).translation.vector;
+    let asked = 0.01;
+    let (mut led_aside, mut given_up) = (0, 0);
+    let about_flange = [[0.0, 0.0, 0.35], [0.35, 0.0, 0.0], [0.0, 0.35, 0.0], [-0.3, 0.0, 0.2]];
+    let about_flange = about_flange.map(|aside| flange + Vector3::from(aside));
+    // Beside the shoulder, whatever the roll.
+    let beside_shoulder = Vector3::new(geometry.a1, 0.45, geometry.c1 + 0.2);
+    for at in about_flange.into_iter().chain([beside_shoulder]) {
+        let side = |i: usize| [at[i] - 0.01, at[i] + 0.01];
+        let about = clear_of(&[block(side(0), side(1), side(2))], asked);
+        let options = MillOptions { clear_of: Some(about.clone()), ..with(RollMode::Free) };
+        let found = followed(&one, &stations, &options);
+        let told = found.clearance.as_ref().unwrap();
+        let wide = told.nearest.unwrap().wide.unwrap();
+        let witness = Witness::new(&robot, &one, &about);
+        let ends = |i: usize| [i - 1, i].map(|i| (&stations[i].sample.pose, found.samples[i].arrangement));
+        let least = (1..stations.len()).map(|i| witness.least_wide(ends(i)).unwrap()).fold(f64::INFINITY, f64::min);
+        let before_is =
+            before.samples.iter().map(|one| witness.wide(&theta(&one.joints))).fold(f64::INFINITY, f64::min);
+        assert!(before_is < asked, "{before_is}");
+        // Nothing between the samples is nearer than is told, but for what the rule of steps may deny.
+        assert!((wide.distance - least).abs() < LEAST, "{} {least}", wide.distance);
+        assert!(found.lower_bound <= found.worst.0 && told.contacts.is_empty());
+        if asked <= wide.distance {
+            assert!(asked - 1e-9 <= least, "{least}");
+            led_aside += 1;
+        } else {
+            let question = Question {
+                robot: &robot,
+                arm: &arm_with_margins(&robot, &one, &options).unwrap(),
+                stations: &stations,
+                options: &options,
+            };
+            let Milled::Followed(slim) = question.milled(&one, ROLLS[0], Watch::nobody()).unwrap() else { panic!() };
+            assert_eq!(slim.samples, found.samples);
+            given_up += 1;
+        }
+    }
+    assert!(0 < led_aside && 0 < given_up, "{led_aside} {given_up}");
+}
+
 /// By hand: the spindle ends 40 mm above the tip. 20 mm deep it runs 20 mm above the block; 45 mm deep it would be 5 mm in it, and runs 15 mm
 /// above what the way before has left of a block that is narrower than the mill. In a wider one the walls of the slot stand.
 #[test]
@@ -459,10 +531,13 @@ fn the_cutter_keeps_clear_of_a_fixture_and_not_of_the_part() {
     // Higher than the tip, lower than the spindle: beside it by 5 mm, and where it is nearer by so much less, 3 mm deep.
     let beside = tell(0.01, 0.005, false, R);
     let nearest = beside.nearest.unwrap();
-    assert!(beside.contacts.is_empty() && (nearest.link, nearest.to) == (Link::Tool, Obstacle::Fixture), "{nearest:?}");
+    assert!(
+        beside.contacts.is_empty() && (nearest.link, nearest.to) == (Link::Cutter, Obstacle::Fixture),
+        "{nearest:?}"
+    );
     assert!((nearest.distance - 0.005).abs() < 1e-6, "{nearest:?}");
     let deep = tell(0.01, -0.003, false, R);
-    assert!(deep.contacts.iter().all(|contact| (contact.link, contact.to) == (Link::Tool, Obstacle::Fixture)));
+    assert!(deep.contacts.iter().all(|contact| (contact.link, contact.to) == (Link::Cutter, Obstacle::Fixture)));
     assert!((deep.nearest.unwrap().distance + 0.003).abs() < 1e-6, "{:?}", deep.contacts);
     // Its axis alone is 22 mm away, and a part may be touched.
     assert!((tell(0.01, -0.003, false, 0.0).nearest.unwrap().distance - 0.022).abs() < 1e-6);
