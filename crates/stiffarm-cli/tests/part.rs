@@ -166,6 +166,13 @@ fn a_cutter_keeps_clear_of_clamps_that_hold_the_part() {
         "{told}"
     );
     assert!((told["clearance_mm"].as_f64().unwrap() - 7.0).abs() < 0.01, "{told}");
+    // A shank of 20 mm radius that begins 20 mm above the tip would run 5 mm into them, as they are 40 mm high.
+    let mill = fs::read_to_string(folder.join("endmill.toml")).unwrap();
+    fs::write(folder.join("thick.toml"), mill.replace("teeth = ", "flute_mm = 20\nshank_mm = 40\nteeth = ")).unwrap();
+    let thick = json(folder, &[&["--process", "thick.toml", "--fixture", "clamps.stl"], &asked[2..]].concat());
+    let unavoidable = &thick["unavoidable"];
+    assert!((unavoidable["depth_mm"].as_f64().unwrap() - 5.0).abs() < 0.01, "{thick}");
+    assert!(unavoidable["bodies"] == "shank to fixture", "{thick}");
     // 10 mm nearer the mill runs 3 mm into them: no program, and the view shows them.
     let whole = fs::read_to_string(folder.join("clamps.stl")).unwrap();
     fs::write(folder.join("nearer.stl"), whole.replace(" -15 ", " -5 ")).unwrap();

@@ -23,10 +23,10 @@ pub struct Body {
     pub wrist: f64,
 }
 
-/// All points within a radius of a straight line: a piece of a link.
+/// All points within a radius of a straight line from end to end: a piece of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LinkCapsule {
-    /// Of the line, m, from the base, in its axes, at model zero: all model angles zero, upper arm and forearm upright.
+pub struct Capsule {
+    /// Of the line, m, in the axes of the base.
     pub ends: [Vector3<f64>; 2],
     /// m.
     pub radius: f64,
@@ -35,8 +35,9 @@ pub struct LinkCapsule {
 /// Capsules that enclose every point of the links. What is fixed to them later (cables, hoses) is in none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Enclosing {
-    /// Of the base, and of the links that the joints 1 to 6 turn; none of a link without a body.
-    pub links: [Vec<LinkCapsule>; 7],
+    /// Of the base, and of the links that the joints 1 to 6 turn, at model zero: all model angles zero, upper arm and forearm upright; none of a link
+    /// without a body.
+    pub links: [Vec<Capsule>; 7],
     /// Pairs of links, the lower one first, whose bodies touch in every posture, as nested ones do: they are not compared.
     pub not_compared: Vec<[usize; 2]>,
 }
@@ -62,7 +63,7 @@ impl Enclosing {
         let Geometry { a1, b, c1, c4, .. } = *geometry;
         let [_, shoulder, elbow, wrist, _] = geometry.points(&[0.0; 6]).map(Vector3::from);
         let (up, aside) = (Vector3::z(), Vector3::y());
-        let capsule = |from: Vector3<f64>, to: Vector3<f64>, radius: f64| LinkCapsule { ends: [from, to], radius };
+        let capsule = |from: Vector3<f64>, to: Vector3<f64>, radius: f64| Capsule { ends: [from, to], radius };
         let foot = up * 0.06 * t;
         let (lower, shoulder_height) = (up * (c1 - 0.2 * t).max(0.06 * t), up * (c1 - 0.04 * t));
         // An arm that stands on its foot swings over the floor.
@@ -92,12 +93,12 @@ impl Enclosing {
         for _ in 0..POSTURES {
             let q = limits.joints.map(|range| range.min() + rng.f64() * range.width());
             let moved = geometry.links(&geometry.model_angles(&q, limits.third_axis));
-            let stands = |link: usize, capsule: &LinkCapsule| {
+            let stands = |link: usize, capsule: &Capsule| {
                 let end = |end: Vector3<f64>| match link.checked_sub(1) {
                     None => end,
                     Some(i) => (moved[i] * Point3::from(end)).coords,
                 };
-                LinkCapsule { ends: capsule.ends.map(end), ..*capsule }
+                Capsule { ends: capsule.ends.map(end), ..*capsule }
             };
             let of = |link: usize| self.links[link].iter().map(move |capsule| (link, capsule));
             let touch = |[low, high]: &[usize; 2]| {
@@ -112,7 +113,7 @@ impl Enclosing {
     }
 }
 
-impl LinkCapsule {
+impl Capsule {
     /// They share a point: their lines come nearer than both radii. The nearest points of two lines from end to end, by parts s and t of them, by
     /// turns: each step can only come nearer, and of two convex sets it ends at the nearest.
     pub fn touches(&self, other: &Self) -> bool {
@@ -199,8 +200,7 @@ mod tests {
             let distances = (0..=200).flat_map(|j| (0..=200).map(move |k| (j, k)));
             let least = distances.map(|(j, k)| (at(a, b, j) - at(c, d, k)).norm()).fold(f64::INFINITY, f64::min);
             let touch = |reach: f64| {
-                let [one, other] =
-                    [(a, b), (c, d)].map(|(from, to)| LinkCapsule { ends: [from, to], radius: reach / 2.0 });
+                let [one, other] = [(a, b), (c, d)].map(|(from, to)| Capsule { ends: [from, to], radius: reach / 2.0 });
                 one.touches(&other)
             };
             // Points lie up to a two-hundredth of 3.5 m apart.
@@ -215,7 +215,7 @@ mod tests {
         let robot = find("KR 210 R2700 extra").unwrap().robot();
         let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { unreachable!("it has six axes") };
         let [foot, shoulder, elbow, wrist, _] = geometry.points(&[0.0; 6]).map(Vector3::from);
-        let ball = |at: Vector3<f64>, radius: f64| vec![LinkCapsule { ends: [at, at], radius }];
+        let ball = |at: Vector3<f64>, radius: f64| vec![Capsule { ends: [at, at], radius }];
         let touching = |fore: f64| {
             let links = [
                 ball(foot, 0.1),

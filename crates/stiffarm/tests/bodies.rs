@@ -1,7 +1,7 @@
 //! Do capsules enclose what a description says of the links, wherever the arm stands, and is what no file can say refused?
 
 use nalgebra::{Point3, Rotation3, Vector3};
-use stiffarm::body::{Enclosing, LinkCapsule};
+use stiffarm::body::{Capsule, Enclosing};
 use stiffarm::catalogue::import::{ImportError, ImportOptions, Imported, import_enclosed};
 use stiffarm::catalogue::{find, read, write};
 use stiffarm::robot::{Arm, Robot};
@@ -63,7 +63,7 @@ fn imported(text: &str) -> Result<Imported, ImportError> {
 fn depth(robot: &Robot, link: usize, q: &[f64; 6], point: &Vector3<f64>) -> f64 {
     let Arm::SixAxis { geometry, limits, .. } = &robot.arm else { panic!("six axes") };
     let moved = geometry.links(&geometry.model_angles(q, limits.third_axis))[link - 1];
-    let depth = |capsule: &LinkCapsule| {
+    let depth = |capsule: &Capsule| {
         let [from, to] = capsule.ends.map(|end| (moved * Point3::from(end)).coords);
         let along = to - from;
         let share = ((point - from).dot(&along) / along.norm_squared().max(1e-30)).clamp(0.0, 1.0);
@@ -182,7 +182,7 @@ fn enclosed() -> Robot {
     let mut robot = find("KR 210 R2700 extra").unwrap().robot();
     let Arm::SixAxis { geometry, .. } = &robot.arm else { panic!("six axes") };
     let [_, shoulder, elbow, wrist, flange] = geometry.points(&[0.0; 6]).map(Vector3::from);
-    let ball = |at: Vector3<f64>| vec![LinkCapsule { ends: [at, at + Vector3::new(0.0, 0.0, 0.012_345)], radius: 0.2 }];
+    let ball = |at: Vector3<f64>| vec![Capsule { ends: [at, at + Vector3::new(0.0, 0.0, 0.012_345)], radius: 0.2 }];
     let links = [Vector3::new(0.0, 0.0, 0.2), shoulder, elbow, elbow, wrist, wrist, flange].map(ball);
     robot.enclosing = Some(Enclosing { links, not_compared: vec![[0, 2], [1, 3]] });
     robot

@@ -195,7 +195,9 @@ pub(crate) fn tool_mm(tool: &Pose) -> [f64; 6] {
 pub fn clearance_of(clearance: &Clearance) -> String {
     let known = match clearance {
         Clearance { link: Link::Tool, is_estimated: true, .. } => " (estimated radius)",
-        Clearance { link: Link::Tool | Link::Cutter, .. } | Clearance { links: LinksBy::Stated, .. } => "",
+        Clearance { link: Link::Tool | Link::Cutter | Link::Shank, .. } | Clearance { links: LinksBy::Stated, .. } => {
+            ""
+        }
         Clearance { links: LinksBy::Enclosing, .. } => " (enclosing capsules)",
         Clearance { links: LinksBy::Estimated, .. } => " (estimated radius)",
     };

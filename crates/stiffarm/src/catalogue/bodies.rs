@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::masses::aside;
 use super::reader::{Quantity, Table};
-use crate::body::{Body, Enclosing, LinkCapsule};
+use crate::body::{Body, Capsule, Enclosing};
 use crate::geometry::Geometry;
 use crate::mass::Carrier;
 
@@ -51,8 +51,8 @@ fn not_compared(table: &mut Table) -> Option<Vec<[usize; 2]>> {
     Some(pairs.iter().map(|pair| pair.map(|link| link as usize)).collect())
 }
 
-fn enclosing(table: &Table, links: Vec<Table>, geometry: Option<&Geometry>) -> Option<[Vec<LinkCapsule>; LINKS]> {
-    let mut found: [Option<Vec<LinkCapsule>>; LINKS] = Default::default();
+fn enclosing(table: &Table, links: Vec<Table>, geometry: Option<&Geometry>) -> Option<[Vec<Capsule>; LINKS]> {
+    let mut found: [Option<Vec<Capsule>>; LINKS] = Default::default();
     let mut are_sound = true;
     for mut link in links {
         let number = link.number("link", LINK).filter(|number| {
@@ -67,7 +67,7 @@ fn enclosing(table: &Table, links: Vec<Table>, geometry: Option<&Geometry>) -> O
             link.finish(&[]);
             continue;
         };
-        let capsules: Vec<LinkCapsule> = capsules.iter().map(capsule).collect();
+        let capsules: Vec<Capsule> = capsules.iter().map(capsule).collect();
         if found[number].is_some() {
             link.fault("link", format!("{number} is there twice; expected all its capsules in one table"));
         }
@@ -85,16 +85,16 @@ fn enclosing(table: &Table, links: Vec<Table>, geometry: Option<&Geometry>) -> O
         );
         table.fault("link", message);
     }
-    let found: Option<Vec<Vec<LinkCapsule>>> = found.into_iter().collect();
+    let found: Option<Vec<Vec<Capsule>>> = found.into_iter().collect();
     found?.try_into().ok()
 }
 
-fn capsule([x1, y1, z1, x2, y2, z2, radius]: &[f64; 7]) -> LinkCapsule {
-    LinkCapsule { ends: [Vector3::new(*x1, *y1, *z1) / 1e3, Vector3::new(*x2, *y2, *z2) / 1e3], radius: radius / 1e3 }
+fn capsule([x1, y1, z1, x2, y2, z2, radius]: &[f64; 7]) -> Capsule {
+    Capsule { ends: [Vector3::new(*x1, *y1, *z1) / 1e3, Vector3::new(*x2, *y2, *z2) / 1e3], radius: radius / 1e3 }
 }
 
 /// Why these are no capsules of a link: they lie elsewhere, as where they count from the link's own frame.
-fn misplaced(geometry: &Geometry, link: usize, capsules: &[LinkCapsule]) -> Option<String> {
+fn misplaced(geometry: &Geometry, link: usize, capsules: &[Capsule]) -> Option<String> {
     let ends: Vec<Vector3<f64>> = capsules.iter().flat_map(|capsule| capsule.ends).collect();
     if ends.is_empty() {
         return None;

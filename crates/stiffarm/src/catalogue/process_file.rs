@@ -6,7 +6,7 @@ use toml::de::DeTable;
 use super::measured_force::measured_law;
 use super::reader::{Log, Quantity, Table, shown};
 use super::{Fault, Faults};
-use crate::cutting::{Edge, Engagement, Law, Milling, Process, Side};
+use crate::cutting::{Edge, Engagement, Law, Milling, Process, Shank, Side};
 use crate::plain::on_one_line;
 
 static MATERIALS: Dir = include_dir!("$CARGO_MANIFEST_DIR/materials");
@@ -14,6 +14,7 @@ static MATERIALS: Dir = include_dir!("$CARGO_MANIFEST_DIR/materials");
 const SPEED: Quantity = Quantity { unit: "rpm", min: 1.0, max: 200_000.0, suspect: None };
 const DIAMETER: Quantity = Quantity { unit: "mm", min: 0.05, max: 500.0, suspect: None };
 const TEETH: Quantity = Quantity { unit: "(number)", min: 1.0, max: 1000.0, suspect: None };
+const FLUTE: Quantity = Quantity { unit: "mm", min: 0.05, max: 500.0, suspect: None };
 const HELIX: Quantity = Quantity { unit: "deg", min: 0.0, max: 75.0, suspect: None };
 const DEPTH: Quantity = Quantity { unit: "mm", min: 1e-3, max: 500.0, suspect: None };
 const FEED: Quantity = Quantity { unit: "mm", min: 1e-5, max: 20.0, suspect: None };
@@ -52,6 +53,8 @@ pub struct ProcessFile {
     pub process: Process,
     /// The material, where it is one of those that come with the program.
     pub material: Option<Material>,
+    /// What holds the teeth, where the file says it.
+    pub shank: Option<Shank>,
     /// What was assumed.
     pub assumed: Vec<String>,
 }
@@ -132,7 +135,7 @@ fn process(mut root: Table, beside: &mut dyn FnMut(&str) -> Result<String, Strin
         return None;
     };
     let mut assumed = Vec::new();
-    let mut known = None;
+    let (mut known, mut shank) = (None, None);
     let law = match *law {
         "material" => {
             let mut table = root.table("material");
@@ -143,13 +146,13 @@ fn process(mut root: Table, beside: &mut dyn FnMut(&str) -> Result<String, Strin
                 linear(&mut table)
             };
             table.finish(&["preset"]);
-            milling(&mut root, edge, &mut assumed)
+            milling(&mut root, edge, (&mut shank, &mut assumed))
         }
         "kienzle" => {
             let mut table = root.table("kienzle");
             let edge = kienzle(&mut table);
             table.finish(&[]);
-            milling(&mut root, edge, &mut assumed)
+            milling(&mut root, edge, (&mut shank, &mut assumed))
         }
         "constant" => {
             let mut table = root.table("constant");
@@ -192,7 +195,7 @@ fn process(mut root: Table, beside: &mut dyn FnMut(&str) -> Result<String, Strin
         }
     };
     root.finish(&LAWS);
-    Some(ProcessFile { process: Process { spindle, is_clockwise, law: law? }, material: known, assumed })
+    Some(ProcessFile { process: Process { spindle, is_clockwise, law: law? }, material: known, shank, assumed })
 }
 
 /// A material by its name.
@@ -237,7 +240,11 @@ fn kienzle(table: &mut Table) -> Option<Edge> {
 }
 
 /// Tool and engagement, of which a mill needs both.
-fn milling(root: &mut Table, edge: Option<Edge>, assumed: &mut Vec<String>) -> Option<Law> {
+fn milling(
+    root: &mut Table,
+    edge: Option<Edge>,
+    (shank, assumed): (&mut Option<Shank>, &mut Vec<String>),
+) -> Option<Law> {
     for (name, keys) in
         [("tool", "diameter_mm, teeth, helix_deg"), ("engagement", "ap_mm, ae_mm, side, feed_per_tooth_mm")]
     {
@@ -254,9 +261,24 @@ fn milling(root: &mut Table, edge: Option<Edge>, assumed: &mut Vec<String>) -> O
         assumed.push("straight teeth: the helix is not given".into());
     }
     let helix = tool.optional_number("helix_deg", HELIX).unwrap_or(0.0);
+    let above = [tool.optional_number("flute_mm", FLUTE), tool.optional_number("shank_mm", DIAMETER)];
+    *shank = match above {
+        [Some(flute), Some(diameter)] => Some(Shank { flute: flute * 1e-3, diameter: diameter * 1e-3 }),
+        _ => None,
+    };
+    for (key, other) in [("flute_mm", "shank_mm"), ("shank_mm", "flute_mm")] {
+        if tool.has(key) && !tool.has(other) {
+            tool.fault(key, format!("expected {other} beside it: the shank stands above the flutes"));
+        }
+    }
     tool.finish(&[]);
     let mut cut = root.table("engagement");
     let depth = cut.number("ap_mm", DEPTH);
+    if let ([Some(flute), _], Some(depth)) = (above, depth)
+        && flute < depth
+    {
+        cut.fault("ap_mm", format!("{depth} mm is deeper than the flutes reach, {flute} mm"));
+    }
     let sides = [Side::Up, Side::Down, Side::Slot].map(|side| (side.name(), side));
     let side = cut.choice("side", &sides, None);
     let width = if side == Some(Side::Slot) && !cut.has("ae_mm") { diameter } else { cut.number("ae_mm", DEPTH) };
@@ -303,6 +325,9 @@ mod tests {
         let Law::Milling(milling) = found.law else { panic!("a mill") };
         assert_eq!((milling.diameter, milling.teeth, milling.engagement.depth), (0.016, 4, 0.002));
         assert_eq!(milling.engagement.exit, std::f64::consts::PI);
+        assert_eq!(read_process(GOOD, "p").unwrap().shank, None);
+        let with_shank = GOOD.replace("teeth = 4", "teeth = 4\nflute_mm = 30\nshank_mm = 20");
+        assert_eq!(read_process(&with_shank, "p").unwrap().shank, Some(Shank { flute: 0.03, diameter: 0.02 }));
         let force = |text: &str| read_process(text, "p").unwrap().process.force().unwrap();
         assert_eq!(force("[constant]\nfeed_n = 3\nacross_n = 4\naxial_n = 0").largest, 5.0);
         let drilled = force("spindle_rpm = 60\n[drilling]\nthrust_n = 500\ntorque_nm = 2");
@@ -325,6 +350,10 @@ mod tests {
             (GOOD.replace("al7075-t6", "cheese"), "expected 42crmo4, al6061-t6"),
             (GOOD.replace("teeth = 4", "teeth = 4.5"), "p:4: tool.teeth: expected a whole number"),
             (GOOD.replace("teeth = 4", "teeth = nan"), "tool.teeth: NaN (number); expected 1"),
+            (GOOD.replace("teeth = 4", "teeth = 4\nflute_mm = 30"), "tool.flute_mm: expected shank_mm beside it"),
+            (GOOD.replace("teeth = 4", "teeth = 4\nshank_mm = 20"), "tool.shank_mm: expected flute_mm beside it"),
+            (GOOD.replace("teeth = 4", "teeth = 4\nshank_mm = 20\nflute_mm = 1.5"), "engagement.ap_mm: 2 mm is deeper than the flutes reach, 1.5 mm"),
+            (GOOD.replace("teeth = 4", "teeth = 4\nshank_mm = 20\nflute_mm = -3"), "tool.flute_mm: -3 mm; expected"),
             (GOOD.replace("ap_mm = 2", "ap_mm = -2"), "engagement.ap_mm: -2 mm; expected"),
             (GOOD.replace("ap_mm = 2", "ap_mm = 2\nae_mm = 20"), "engagement.ae_mm: 20 mm is wider than the tool"),
             (GOOD.replace("ap_mm = 2", "ap_mm = 2\nae_mm = 3"), "3 mm is no slot"),

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::body::{Body, Enclosing, LinkCapsule};
+use crate::body::{Body, Capsule, Enclosing};
 use crate::calibration::{Calibration, Errors, JOINT_AXES, zeros};
 use crate::drive::{Drives, Identified, JointCompliance, Motors, Transmission};
 use crate::geometry::Geometry;
@@ -180,7 +180,7 @@ impl Text {
         }
         for (link, capsules) in enclosing.iter().flat_map(|enclosing| enclosing.links.iter().enumerate()) {
             writeln!(self.0, "\n[[body.link]]\nlink = {link}").expect("memory takes everything");
-            let numbers = |capsule: &LinkCapsule| {
+            let numbers = |capsule: &Capsule| {
                 let ends = capsule.ends.iter().flatten().copied();
                 list(ends.chain([capsule.radius]).map(millimetres))
             };

@@ -3,8 +3,7 @@
 use nalgebra::Vector3;
 
 use super::Link;
-use super::solid::Capsule;
-use crate::body::{Body, Enclosing, LinkCapsule};
+use crate::body::{Body, Capsule, Enclosing};
 use crate::geometry::Geometry;
 use crate::spatial::Pose;
 
@@ -65,7 +64,7 @@ pub(super) fn enclosed(
         pieces.push(Piece { link: Link::Column, number: 0, capsule: Capsule { ends, radius: column } });
     }
     for (number, capsules) in enclosing.links.iter().enumerate() {
-        pieces.extend(capsules.iter().map(|LinkCapsule { ends, radius }| {
+        pieces.extend(capsules.iter().map(|Capsule { ends, radius }| {
             let stands = |end: &Vector3<f64>| match number.checked_sub(1) {
                 None => *end,
                 Some(i) => moved[i].transform_point(&(*end).into()).coords,
@@ -212,7 +211,7 @@ mod tests {
             let Arm::SixAxis { geometry, .. } = &robot.arm else { unreachable!("it has six axes") };
             let body = Body::estimated(robot.payload_kg, robot.reach.unwrap());
             let slim = links(geometry, &body, 0.0, &[0.0; 6], None);
-            let out_of = |link: Link, LinkCapsule { ends, radius }: &LinkCapsule| {
+            let out_of = |link: Link, Capsule { ends, radius }: &Capsule| {
                 let pieces = || slim.iter().filter(move |piece| piece.link == link);
                 let of = |end: &Vector3<f64>| {
                     let ball = Capsule { ends: [*end; 2], radius: 0.0 };

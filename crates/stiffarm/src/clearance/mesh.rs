@@ -7,7 +7,8 @@ use parry3d_f64::math::Vector;
 use parry3d_f64::query::{PointQuery, distance};
 use parry3d_f64::shape::{Shape, TriMesh, TriMeshFlags};
 
-use super::solid::{Ball, Capsule, parry};
+use super::solid::{Ball, parry};
+use crate::body::Capsule;
 use crate::catalogue::stl::Surface;
 use crate::spatial::Pose;
 

@@ -11,8 +11,9 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::body::{Body, Enclosing, may_meet};
+use crate::body::{Body, Capsule, Enclosing, may_meet};
 use crate::cell::{Cell, MountKind};
+use crate::cutting::Shank;
 use crate::geometry::Geometry;
 use crate::robot::{Arm, Robot};
 use crate::spatial::Pose;
@@ -21,7 +22,7 @@ use crate::task::Zone;
 use links::{LINKS, Piece, Tool, enclosed, links};
 pub use mesh::Mesh;
 use solid::Ball;
-pub(crate) use solid::{Capsule, Solid};
+pub(crate) use solid::Solid;
 use stock::Ends;
 
 /// The work is a sheet of this thickness, m, behind its surface.
@@ -46,6 +47,8 @@ pub enum Link {
     Tool,
     /// What of the tool stands out of its spindle.
     Cutter,
+    /// What of that holds the teeth.
+    Shank,
 }
 
 /// What a link may touch.
@@ -153,6 +156,20 @@ pub struct Cutter {
     pub length: f64,
     /// m; 0 where it is not known, and its axis alone is compared.
     pub radius: f64,
+    /// What holds the teeth, where that is known. One that is thicker than the cutter touches what the spindle may not.
+    pub shank: Option<Shank>,
+}
+
+impl Cutter {
+    /// The largest, m.
+    pub(crate) fn widest(&self) -> f64 {
+        self.thick_shank().map_or(self.radius, |shank| shank.diameter / 2.0)
+    }
+
+    /// Where it is thicker than the cutter, whose slot it would not pass.
+    fn thick_shank(&self) -> Option<Shank> {
+        self.shank.filter(|shank| self.radius < shank.diameter / 2.0 && shank.flute < self.length)
+    }
 }
 
 /// A robot whose links have a thickness.
@@ -222,6 +239,7 @@ impl Link {
             Self::Wrist => "wrist",
             Self::Tool => "tool",
             Self::Cutter => "cutter",
+            Self::Shank => "shank",
         }
     }
 }
@@ -292,7 +310,7 @@ impl<'a> ThickArm<'a> {
             Link::UpperArm => upper_arm,
             Link::Forearm => forearm,
             Link::Wrist => wrist,
-            Link::Tool | Link::Cutter => 0.0,
+            Link::Tool | Link::Cutter | Link::Shank => 0.0,
         }
     }
 
@@ -428,14 +446,8 @@ impl<'a> ThickArm<'a> {
             if let Some(machined) = &about.machined {
                 if link != last {
                     nearest.machined(link, (&capsule, Ends::Round), machined, sample);
-                } else if let Some(Cutter { length, radius }) = machined.cutter.filter(|_| link == Link::Tool) {
-                    let spindle = capsule.cut_back(length);
-                    if let Some(spindle) = &spindle {
-                        nearest.machined(link, (spindle, Ends::Flat), machined, sample);
-                    }
-                    let out_of = spindle.map_or(capsule.ends[0], |spindle| spindle.ends[1]);
-                    let cutter = Capsule { ends: [out_of, capsule.ends[1]], radius };
-                    nearest.fixture(Link::Cutter, (&cutter, Ends::Flat), machined);
+                } else if let Some(cutter) = machined.cutter.filter(|_| link == Link::Tool) {
+                    nearest.tool(&capsule, &cutter, machined, sample);
                 }
             }
             let Some(capsule) = shown(pieces, i) else { continue };
@@ -502,6 +514,23 @@ impl Nearest {
         !(self.within <= at_least)
     }
 
+    /// Spindle and shank keep clear of all that is machined, the cutter of what holds it.
+    fn tool(&mut self, tool: &Capsule, cutter: &Cutter, about: &Machined, sample: usize) {
+        let spindle = tool.cut_back(cutter.length);
+        if let Some(spindle) = &spindle {
+            self.machined(Link::Tool, (spindle, Ends::Flat), about, sample);
+        }
+        let out_of = spindle.map_or(tool.ends[0], |spindle| spindle.ends[1]);
+        let cylinder = Capsule { ends: [out_of, tool.ends[1]], radius: cutter.radius };
+        if let Some(shank) = cutter.thick_shank()
+            && let Some(above) = cylinder.cut_back(shank.flute)
+        {
+            let shank = Capsule { radius: shank.diameter / 2.0, ..above };
+            self.machined(Link::Shank, (&shank, Ends::Flat), about, sample);
+        }
+        self.fixture(Link::Cutter, (&cylinder, Ends::Flat), about);
+    }
+
     /// As of a solid.
     fn machined(&mut self, link: Link, (capsule, ends): (&Capsule, Ends), about: &Machined, sample: usize) {
         let Machined { pose, part, stock, .. } = about;
@@ -560,7 +589,6 @@ mod tests {
     use std::f64::consts::FRAC_PI_2;
 
     use super::*;
-    use crate::body::LinkCapsule;
     use crate::catalogue::find;
 
     /// A robot with round lengths and radii.
@@ -623,8 +651,7 @@ mod tests {
         let Arm::SixAxis { geometry, .. } = &coarse.arm else { unreachable!("it has six axes") };
         let mut enclosing = Enclosing::default();
         for piece in links(geometry, &coarse.thickness().0, 0.0, &[0.0; 6], None) {
-            let Capsule { ends, radius } = piece.capsule;
-            enclosing.links[piece.number].push(LinkCapsule { ends, radius });
+            enclosing.links[piece.number].push(piece.capsule);
         }
         let enclosed = Robot { enclosing: Some(enclosing), ..coarse.clone() };
         let post = Solid::Box { pose: Pose::translation(1.1, 0.2, 0.7), half: [0.1, 0.1, 0.7] };
@@ -657,10 +684,7 @@ mod tests {
         let Arm::SixAxis { geometry, .. } = &robot.arm else { unreachable!("it has six axes") };
         let [foot, shoulder, elbow, wrist, flange] = geometry.points(&[0.0; 6]).map(Vector3::from);
         let links = [foot, shoulder, elbow, elbow, wrist, wrist, flange].map(|at| {
-            vec![
-                LinkCapsule { ends: [any(at), any(at)], radius: 0.1 },
-                LinkCapsule { ends: [any(at), any(at)], radius: 0.2 },
-            ]
+            vec![Capsule { ends: [any(at), any(at)], radius: 0.1 }, Capsule { ends: [any(at), any(at)], radius: 0.2 }]
         });
         robot.enclosing = Some(Enclosing { links, not_compared: Vec::new() });
         let Arm::SixAxis { geometry, .. } = &robot.arm else { unreachable!("it has six axes") };

@@ -5,19 +5,13 @@ use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
 use parry3d_f64::query::{contact, details::distance_segment_segment, intersection_test};
 use parry3d_f64::shape::{Cuboid, Cylinder, Segment, Shape};
 
+use crate::body::Capsule;
 use crate::spatial::Pose;
 
 /// Solids farther apart than this, m, are told to be so far apart.
 const FAR: f64 = 1e3;
 /// A link shorter than this, m, is a ball: a segment needs two ends.
 const SHORT: f64 = 1e-9;
-
-/// All points within a radius of a straight line from end to end; m.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Capsule {
-    pub(crate) ends: [Vector3<f64>; 2],
-    pub(crate) radius: f64,
-}
 
 /// What stands about a robot; the pose is that of its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]

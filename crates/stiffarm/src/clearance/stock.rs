@@ -5,7 +5,8 @@ use parry3d_f64::math::Vector;
 use parry3d_f64::query::distance;
 use parry3d_f64::shape::{Cuboid, Shape};
 
-use super::solid::{Capsule, parry};
+use super::solid::parry;
+use crate::body::Capsule;
 use crate::spatial::Pose;
 use crate::stock::{Remains, Square};
 

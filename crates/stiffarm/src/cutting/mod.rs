@@ -30,6 +30,15 @@ pub struct Process {
     pub law: Law,
 }
 
+/// What of a mill holds its teeth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shank {
+    /// It begins so far above the tip, where the flutes end, m.
+    pub flute: f64,
+    /// m.
+    pub diameter: f64,
+}
+
 /// Where a force comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Law {

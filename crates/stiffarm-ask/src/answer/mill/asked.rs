@@ -60,6 +60,7 @@ impl MillAnswer {
         let (mut options, flange_from_tool) = (asked.mill_options()?, asked.tip_of(tool)?);
         let of_tip = measured.as_ref().map_or_else(Vec::new, |measured| measured.remarks.clone());
         let chatter = AskedChatter::of(asked, &robot, (tool, process.as_ref()), measured)?;
+        let shank = process.as_ref().and_then(|(_, process)| process.shank);
         let (forcing, force, mut remarks) = forcing(asked, process)?;
         let of_force = |error| MillAnswerError::Force { path: on_one_line(&path).into_owned(), error };
         let mut stock = match (asked.stock()?, &forcing) {
@@ -79,7 +80,7 @@ impl MillAnswer {
         let survey = surveyed(asked, moves.iter());
         let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
         if let Some(clear_of) = &mut options.clear_of {
-            clear_of.cutter = asked.stick_out(tool).map(|length| Cutter { length, radius: radius_of(&forcing) });
+            clear_of.cutter = asked.stick_out(tool).map(|length| Cutter { length, radius: radius_of(&forcing), shank });
             clear_of.stock = stock.as_ref().map(|stock| Arc::new(Remains::of(stock)));
             remarks.extend(bodies.checked(asked, &survey)?);
             clear_of.part = bodies.part.map(|part| part.mesh);

@@ -81,7 +81,7 @@ impl MillAnswer {
         let wide = nearest.and_then(|nearest| nearest.wide);
         let by = nearest.map(|nearest| {
             let of_arm = match nearest {
-                Clearance { link: Link::Cutter, .. } => &["stated"][..],
+                Clearance { link: Link::Cutter | Link::Shank, .. } => &["stated"][..],
                 Clearance { links: LinksBy::Enclosing, is_estimated: false, .. } => &["enclosing"],
                 // The tool.
                 Clearance { links: LinksBy::Enclosing, .. } => &["enclosing", "estimated"],

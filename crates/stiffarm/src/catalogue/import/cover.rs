@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::body::LinkCapsule;
+use crate::body::Capsule;
 
 type Vec3 = Vector3<f64>;
 /// Its corners, m.
@@ -42,7 +42,7 @@ const ROUNDING: f64 = 1e-12;
 /// At most `most` capsules, at least one where there is a triangle: every triangle lies in their union.
 ///
 /// The same triangles give the same bytes on every machine: only sums, products, quotients and roots are taken.
-pub(super) fn cover(triangles: &[Triangle], most: usize) -> Vec<LinkCapsule> {
+pub(super) fn cover(triangles: &[Triangle], most: usize) -> Vec<Capsule> {
     let points: Vec<Vec3> = triangles.iter().flatten().copied().collect();
     let Some(first) = points.first() else { return Vec::new() };
     let size = extent(&points);
@@ -118,7 +118,7 @@ impl Patch {
         Self { farthest: farthest.collect(), points }
     }
 
-    fn is_in(&self, line: &LinkCapsule) -> bool {
+    fn is_in(&self, line: &Capsule) -> bool {
         self.points.iter().all(|point| line.away(point).norm() <= line.radius)
     }
 }
@@ -168,7 +168,7 @@ fn axes(points: &[Vec3]) -> [Vec3; 4] {
     [longest.try_normalize(0.0).unwrap_or(Vec3::x()), Vec3::x(), Vec3::y(), Vec3::z()]
 }
 
-impl LinkCapsule {
+impl Capsule {
     /// The part of the line before the nearest of its points.
     fn part(&self, point: &Vec3) -> f64 {
         let along = self.ends[1] - self.ends[0];
@@ -208,20 +208,20 @@ struct Search {
 
 impl Search {
     /// The volume, with a skin.
-    fn cost(&self, line: &LinkCapsule) -> f64 {
+    fn cost(&self, line: &Capsule) -> f64 {
         let radius = line.radius + self.size * SKIN;
         PI * radius * radius * ((line.ends[1] - line.ends[0]).norm() + radius * 4.0 / 3.0)
     }
 
     /// The capsule with the least cost about the patches that is found from a line and from the axes.
-    fn fit(&self, patches: &[&Patch], from: Option<LinkCapsule>, steps: usize) -> LinkCapsule {
+    fn fit(&self, patches: &[&Patch], from: Option<Capsule>, steps: usize) -> Capsule {
         let (points, mut near) = (points(patches), outermost(patches));
         let axes = axes(&near);
         let axes = if steps == FEW_STEPS { &axes[..1] } else { &axes };
-        let starts = axes.iter().map(|axis| LinkCapsule::along(axis, &near)).chain(from);
+        let starts = axes.iter().map(|axis| Capsule::along(axis, &near)).chain(from);
         let tried = starts.map(|start| self.descend(start, &near, steps));
         let least = tried.min_by(|x, y| self.cost(x).total_cmp(&self.cost(y)));
-        let mut best = least.unwrap_or(LinkCapsule { ends: [Vec3::zeros(); 2], radius: 0.0 });
+        let mut best = least.unwrap_or(Capsule { ends: [Vec3::zeros(); 2], radius: 0.0 });
         for _ in 0..if steps == FEW_STEPS { 0 } else { MENDED } {
             let is_out = |point: &&Vec3| best.radius < best.away(point).norm();
             let out: Vec<Vec3> = points.iter().filter(is_out).copied().collect();
@@ -229,13 +229,13 @@ impl Search {
                 break;
             }
             near.extend(outermost(&[&Patch::new(out)]));
-            best = self.descend(LinkCapsule::about(best.ends, &near), &near, steps);
+            best = self.descend(Capsule::about(best.ends, &near), &near, steps);
         }
-        LinkCapsule::about(best.ends, &points)
+        Capsule::about(best.ends, &points)
     }
 
     /// Downhill in ever smaller steps: the ends follow the points that are farthest, and each other.
-    fn descend(&self, start: LinkCapsule, points: &[Vec3], steps: usize) -> LinkCapsule {
+    fn descend(&self, start: Capsule, points: &[Vec3], steps: usize) -> Capsule {
         let size = extent(points);
         let mut step = size * FIRST_STEP;
         let shrink = if steps == FEW_STEPS { FEW_SHRINK } else { SHRINK };
@@ -247,7 +247,7 @@ impl Search {
                 break;
             }
             let ends = [0, 1].map(|i| line.ends[i] - slopes[i] * (step / slope));
-            line = LinkCapsule::about(ends, points);
+            line = Capsule::about(ends, points);
             if self.cost(&line) < self.cost(&best) {
                 best = line;
             }
@@ -257,7 +257,7 @@ impl Search {
     }
 
     /// Of the cost by the ends, the points within `near` of the farthest all pulling.
-    fn slopes(&self, line: &LinkCapsule, points: &[Vec3], near: f64) -> [Vec3; 2] {
+    fn slopes(&self, line: &Capsule, points: &[Vec3], near: f64) -> [Vec3; 2] {
         let along = line.ends[1] - line.ends[0];
         let length = along.norm();
         let (mut pulls, mut weights) = ([Vec3::zeros(); 2], 0.0);
@@ -279,13 +279,13 @@ impl Search {
     }
 
     /// The patches that no other capsule holds as a whole.
-    fn left_to(&self, lines: &[LinkCapsule], own: usize) -> Vec<&Patch> {
+    fn left_to(&self, lines: &[Capsule], own: usize) -> Vec<&Patch> {
         let held = |patch: &&Patch| lines.iter().enumerate().any(|(i, line)| i != own && patch.is_in(line));
         self.patches.iter().filter(|patch| !held(patch)).collect()
     }
 
     /// With one capsule more, where a cut through one of them is best; `None` where nothing can be cut.
-    fn split(&self, lines: &[LinkCapsule]) -> Option<Vec<LinkCapsule>> {
+    fn split(&self, lines: &[Capsule]) -> Option<Vec<Capsule>> {
         let mut cuts = Vec::new();
         for own in 0..lines.len() {
             let mut patches = self.left_to(lines, own);
@@ -308,7 +308,7 @@ impl Search {
     }
 
     /// Each fitted again to what the others leave to it, as long as that helps.
-    fn refined(&self, mut lines: Vec<LinkCapsule>) -> Vec<LinkCapsule> {
+    fn refined(&self, mut lines: Vec<Capsule>) -> Vec<Capsule> {
         for _ in 0..ROUNDS {
             let mut has_fallen = false;
             for own in (0..lines.len()).rev() {
@@ -317,7 +317,7 @@ impl Search {
                     lines.remove(own);
                     continue;
                 }
-                let about = LinkCapsule::about(lines[own].ends, &points(&left));
+                let about = Capsule::about(lines[own].ends, &points(&left));
                 let again = self.fit(&left, Some(about), STEPS);
                 has_fallen |= self.cost(&again) < (1.0 - LEAST_FALL) * self.cost(&lines[own]);
                 if self.cost(&again) < self.cost(&lines[own]) {
@@ -333,8 +333,8 @@ impl Search {
 }
 
 /// The volume of the union, over a grid: cells that the surface passes through count in part.
-fn volume(lines: &[LinkCapsule]) -> f64 {
-    let reach = |line: &LinkCapsule| line.ends.map(|end| [-1.0, 1.0].map(|side| end.add_scalar(side * line.radius)));
+fn volume(lines: &[Capsule]) -> f64 {
+    let reach = |line: &Capsule| line.ends.map(|end| [-1.0, 1.0].map(|side| end.add_scalar(side * line.radius)));
     let (low, high) = corners(&lines.iter().flat_map(reach).flatten().collect::<Vec<Vec3>>());
     let cell = (high - low) / CELLS as f64;
     let width = cell.mean() + f64::MIN_POSITIVE;
@@ -349,7 +349,7 @@ fn volume(lines: &[LinkCapsule]) -> f64 {
 }
 
 /// With radii so much larger that every piece lies in one of them, and by the rounding.
-fn grown(mut lines: Vec<LinkCapsule>, pieces: &[Triangle], rounding: f64) -> Vec<LinkCapsule> {
+fn grown(mut lines: Vec<Capsule>, pieces: &[Triangle], rounding: f64) -> Vec<Capsule> {
     for piece in pieces {
         let needs = lines.iter_mut().map(|line| (line.reach(piece), line));
         let least = needs.min_by(|(x, of_x), (y, of_y)| (x - of_x.radius).total_cmp(&(y - of_y.radius)));

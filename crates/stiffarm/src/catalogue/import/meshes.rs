@@ -9,7 +9,7 @@ use super::described::Described;
 use super::inertials::Boxes;
 use super::urdf::{attribute, child};
 use super::{ImportError, TOLD_M};
-use crate::body::{Enclosing, LinkCapsule};
+use crate::body::{Capsule, Enclosing};
 use crate::catalogue::reader::shown;
 use crate::catalogue::stl::read_stl;
 use crate::geometry::Geometry;
@@ -127,7 +127,7 @@ impl Described<'_> {
     }
 
     /// How far a robot file moves any capsule's end from where the description does, of each link, m.
-    fn off(&self, geometry: &Geometry, limits: &Limits, at_zero: &[f64; 6], links: &[Vec<LinkCapsule>]) -> [f64; 7] {
+    fn off(&self, geometry: &Geometry, limits: &Limits, at_zero: &[f64; 6], links: &[Vec<Capsule>]) -> [f64; 7] {
         let base = self.base();
         let home = self.chain.frames_at(at_zero).map(|frame| (base * frame).inverse());
         let mut rng = fastrand::Rng::with_seed(1);
@@ -237,16 +237,16 @@ fn width(triangles: &[Triangle]) -> f64 {
 }
 
 /// Ends to hundredths of a millimetre, and a radius that has all of the capsule still inside, and what moves otherwise.
-fn rounded(LinkCapsule { ends, radius }: &LinkCapsule, grown: f64) -> LinkCapsule {
+fn rounded(Capsule { ends, radius }: &Capsule, grown: f64) -> Capsule {
     // As the file has it, so that nothing is added in its last digits.
     let metres = |steps: f64| steps / STEPS / 1e3;
     let near = |x: f64| metres((x * 1e3 * STEPS).round());
     let ends_moved = metres(0.5) * 3_f64.sqrt();
     let radius = metres(((radius + ends_moved + grown) * 1e3 * STEPS).ceil());
-    LinkCapsule { ends: ends.map(|end| end.map(near)), radius }
+    Capsule { ends: ends.map(|end| end.map(near)), radius }
 }
 
-fn told(triangles: &[Vec<Triangle>; 7], links: &[Vec<LinkCapsule>; 7], grown: &[f64; 7]) -> Vec<String> {
+fn told(triangles: &[Vec<Triangle>; 7], links: &[Vec<Capsule>; 7], grown: &[f64; 7]) -> Vec<String> {
     let each = triangles.iter().zip(links).enumerate().map(|(link, (own, capsules))| {
         if own.is_empty() {
             format!("{link}: none")

@@ -24,6 +24,7 @@ use super::stations::Station;
 use crate::batch::SpatialArm;
 use crate::cell::Cell;
 use crate::clearance::{Clearance, Cutter, Link, Looked, Machined, Mesh, Near, Obstacle, Surroundings, ThickArm};
+use crate::cutting::Shank;
 use crate::inverse::posture_of;
 use crate::robot::Robot;
 use crate::stock::Remains;
@@ -121,11 +122,14 @@ pub(super) struct Guard<'a> {
 
 impl ClearOf {
     pub(super) fn check(&self) -> Result<(), MillError> {
-        let cutter = self.cutter.unwrap_or(Cutter { length: 0.0, radius: 0.0 });
+        let cutter = self.cutter.unwrap_or(Cutter { length: 0.0, radius: 0.0, shank: None });
+        let [flute, shank] = cutter.shank.map_or([0.0; 2], |Shank { flute, diameter }| [flute, diameter]);
         for (what, value, least, most, expected) in [
             ("a clearance, m", self.clearance, 0.0, MOST, "0 to 5 m"),
             ("what stands out of a spindle, m", cutter.length, 0.0, MOST, "0 to 5 m"),
             ("the radius of a cutter, m", cutter.radius, 0.0, MOST, "0 to 5 m"),
+            ("the flutes of a cutter, m", flute, 0.0, MOST, "0 to 5 m"),
+            ("the diameter of a shank, m", shank, 0.0, MOST, "0 to 5 m"),
             ("the height of a floor, m", self.floor.unwrap_or(0.0), -FARTHEST_FLOOR, FARTHEST_FLOOR, "-100 to 100 m"),
         ] {
             if !(least <= value && value <= most) {
@@ -154,7 +158,7 @@ impl<'a> Guard<'a> {
             cutter: *cutter,
         };
         let thick = ThickArm::new(robot, &stand.flange_from_tool, None)?;
-        let cutter_radius = cutter.map_or(0.0, |cutter| cutter.radius);
+        let cutter_radius = cutter.as_ref().map_or(0.0, Cutter::widest);
         let farthest = thick.farthest(cutter_radius);
         let farthest = match bodies {
             Bodies::Known => farthest,

@@ -6,6 +6,7 @@ use super::*;
 use crate::catalogue::stl::Surface;
 use crate::cell::{Block, Cell, Mount};
 use crate::clearance::{Cutter, Link, Mesh, Obstacle, Surroundings, ThickArm};
+use crate::cutting::Shank;
 use crate::inverse::postures;
 use crate::mill::contact::{Between, Bodies, LEAST, Posed, Way};
 use crate::stock::{Remains, Stock};
@@ -70,31 +71,31 @@ impl<'a> Witness<'a> {
         self.thick.clearance(&[*theta], &self.about).unwrap().wide.unwrap().distance
     }
 
-    /// The least over a step, its ends and all between; `None` where something of it is not reached.
+    /// The least over a step.
     fn least(&self, ends: [(&ToolPose, Arrangement); 2]) -> Option<f64> {
-        self.least_of(ends, |pose, at| self.distance(pose, at))
+        least_of(ends, |pose, at| self.distance(pose, at))
     }
 
     /// The same of wide bodies.
     fn least_wide(&self, ends: [(&ToolPose, Arrangement); 2]) -> Option<f64> {
-        self.least_of(ends, |pose, at| Some(self.wide(&self.theta(pose, at)?)))
+        least_of(ends, |pose, at| Some(self.wide(&self.theta(pose, at)?)))
     }
+}
 
-    fn least_of(
-        &self,
-        ends: [(&ToolPose, Arrangement); 2],
-        distance: impl Fn(&ToolPose, Arrangement) -> Option<f64>,
-    ) -> Option<f64> {
-        let [(from, first), (to, last)] = ends;
-        let at = |i: usize| {
-            let part = i as f64 / FINE as f64;
-            let axis = (from.axis * (1.0 - part) + to.axis * part).normalize();
-            let roll = first.roll + part * (last.roll - first.roll);
-            let pose = ToolPose { tip: from.tip * (1.0 - part) + to.tip * part, axis };
-            distance(&pose, Arrangement { roll, ..first })
-        };
-        (0..=FINE).map(at).try_fold(f64::INFINITY, |least, distance| Some(distance?.min(least)))
-    }
+/// The least of a distance over a step, its ends and all between; `None` where something of it is not reached.
+fn least_of(
+    ends: [(&ToolPose, Arrangement); 2],
+    distance: impl Fn(&ToolPose, Arrangement) -> Option<f64>,
+) -> Option<f64> {
+    let [(from, first), (to, last)] = ends;
+    let at = |i: usize| {
+        let part = i as f64 / FINE as f64;
+        let axis = (from.axis * (1.0 - part) + to.axis * part).normalize();
+        let roll = first.roll + part * (last.roll - first.roll);
+        let pose = ToolPose { tip: from.tip * (1.0 - part) + to.tip * part, axis };
+        distance(&pose, Arrangement { roll, ..first })
+    };
+    (0..=FINE).map(at).try_fold(f64::INFINITY, |least, distance| Some(distance?.min(least)))
 }
 
 /// Boxes beside a line along which the rolls differ in what they touch.
@@ -470,7 +471,7 @@ fn a_block_stands_in_the_way_until_it_is_cut() {
         let stations = stations(&moves, &Steps::USUAL, |_| None);
         let stock = Some(Arc::new(Remains::of(&stock)));
         let cell = Some(Cell::of(Mount::pedestal(0.0)));
-        let cutter = cutter.map(|length| Cutter { length, radius: R });
+        let cutter = cutter.map(|length| Cutter { length, radius: R, shank: None });
         let about = ClearOf { clearance: 0.0, cell, floor: None, part: None, stock, fixture: None, cutter };
         let options = MillOptions { clear_of: Some(about), ..with(RollMode::Fixed(0.0)) };
         let Milled::Followed(found) = mill(&robot, &stand, &stations, &options, Watch::nobody()).unwrap() else {
@@ -513,7 +514,7 @@ fn the_cutter_keeps_clear_of_a_fixture_and_not_of_the_part() {
         flange_from_tool: Pose::translation(0.0, 0.0, 0.4),
     };
     let stations = path("line:0.3", KNOWN);
-    let tell = |high: f64, beside: f64, is_part: bool, radius: f64| {
+    let tell_with = |high: f64, beside: f64, is_part: bool, (radius, shank): (f64, Option<Shank>)| {
         let low = [-0.02, R + beside, -0.1];
         let high = [0.02, R + beside + 0.05, high];
         let corner = |i: usize| std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] });
@@ -523,11 +524,12 @@ fn the_cutter_keeps_clear_of_a_fixture_and_not_of_the_part() {
         let mesh = Some(Mesh::of(&surface));
         let (part, fixture) = if is_part { (mesh, None) } else { (None, mesh) };
         let cell = Some(Cell::of(Mount::pedestal(0.0)));
-        let cutter = Some(Cutter { length: 0.04, radius });
+        let cutter = Some(Cutter { length: 0.04, radius, shank });
         let about = ClearOf { clearance: 0.0, cell, floor: None, part, stock: None, fixture, cutter };
         let options = MillOptions { clear_of: Some(about), ..with(RollMode::Fixed(0.0)) };
         followed(&stand, &stations, &options).clearance.unwrap()
     };
+    let tell = |high: f64, beside: f64, is_part: bool, radius: f64| tell_with(high, beside, is_part, (radius, None));
     // Higher than the tip, lower than the spindle: beside it by 5 mm, and where it is nearer by so much less, 3 mm deep.
     let beside = tell(0.01, 0.005, false, R);
     let nearest = beside.nearest.unwrap();
@@ -546,4 +548,16 @@ fn the_cutter_keeps_clear_of_a_fixture_and_not_of_the_part() {
     let high = tell(0.05, 0.005, false, R);
     assert!((high.nearest.unwrap().distance + 0.01).abs() < 1e-5, "{:?}", high.nearest);
     assert!(high.contacts.iter().any(|contact| contact.to == Obstacle::Fixture && contact.link == Link::Tool));
+    // A shank 10 mm thicker than the cutter, 20 mm above the tip: 10 mm above what reaches up 10 mm, and 5 mm in what reaches up 30 mm, be it clamp or
+    // part.
+    let thick = Some(Shank { flute: 0.02, diameter: 2.0 * R + 0.02 });
+    let low = tell_with(0.01, 0.005, true, (R, thick));
+    assert!((low.nearest.unwrap().distance - 0.01).abs() < 1e-6, "{:?}", low.nearest);
+    for is_part in [false, true] {
+        let nearest = tell_with(0.03, 0.005, is_part, (R, thick)).nearest.unwrap();
+        assert!((nearest.distance + 0.005).abs() < 1e-5 && nearest.link == Link::Shank, "{nearest:?}");
+    }
+    // One as thick as the cutter passes where that does.
+    let slim = Some(Shank { flute: 0.02, diameter: 2.0 * R });
+    assert_eq!(tell_with(0.03, 0.005, true, (R, slim)).nearest, tell(0.03, 0.005, true, R).nearest);
 }

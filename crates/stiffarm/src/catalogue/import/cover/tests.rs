@@ -13,19 +13,19 @@ fn block(half: [f64; 3]) -> Vec<Triangle> {
     faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).map(|face| face.map(corner)).collect()
 }
 
-fn holds(capsule: &LinkCapsule, point: &Vec3) -> bool {
+fn holds(capsule: &Capsule, point: &Vec3) -> bool {
     capsule.reach(&[*point; 3]) <= capsule.radius
 }
 
 /// Points of every triangle lie in one of the capsules, by a calculation of its own.
-fn assert_encloses(capsules: &[LinkCapsule], triangles: &[Triangle]) {
+fn assert_encloses(capsules: &[Capsule], triangles: &[Triangle]) {
     let mut rng = fastrand::Rng::with_seed(3);
     for [a, b, c] in triangles {
         for i in 0..2000 {
             let (x, y) = if i < 3 { ([0.0, 0.0, 1.0][i], [0.0, 1.0, 0.0][i]) } else { (rng.f64(), rng.f64()) };
             let (x, y) = if 1.0 < x + y { (1.0 - x, 1.0 - y) } else { (x, y) };
             let point = a + (b - a) * x + (c - a) * y;
-            let is_in = |capsule: &LinkCapsule| {
+            let is_in = |capsule: &Capsule| {
                 let [from, to] = capsule.ends;
                 let along = (point - from).dot(&(to - from)) / (to - from).norm_squared().max(f64::MIN_POSITIVE);
                 (point - from.lerp(&to, along.clamp(0.0, 1.0))).norm() <= capsule.radius
@@ -36,7 +36,7 @@ fn assert_encloses(capsules: &[LinkCapsule], triangles: &[Triangle]) {
 }
 
 /// By random points of a cube about zero, of half this side.
-fn union(capsules: &[LinkCapsule], half: f64) -> f64 {
+fn union(capsules: &[Capsule], half: f64) -> f64 {
     let mut rng = fastrand::Rng::with_seed(5);
     let inside = (0..200_000).filter(|_| {
         let point = Vec3::from_fn(|_, _| half * number(&mut rng));
