@@ -35,6 +35,7 @@ pub use fault::{Blocked, MillError, Why};
 pub use fed_back::{FedBack, fed_back};
 pub use follow::{Arrangement, Pushed, Stand, part_from_tool};
 pub use forces::{Forced, ForcedError, Forcing, forced};
+use ladder::Ladder;
 pub use map::{RollCell, RollMap, roll_map};
 pub use on_true_arm::{ArmErrors, OnTrueArm, TrueOptions, WorkFrame, on_true_arm};
 pub use place::{PartPlacement, PathGround, PathPlaced, PathResolution, place_path};
@@ -156,33 +157,34 @@ pub fn mill(
         return Err(MillError::PinnedElse);
     }
     let question = Question { robot, arm, stations, options };
-    let found = question.milled(stand, ROLLS[0], watch)?;
+    let (ladder, found) = question.milled(stand, ROLLS[0], watch)?;
     match question.without_doubt(found, stand, watch)? {
-        Milled::Followed(found) => question.clear_by_wide_bodies(found, stand, watch),
+        Milled::Followed(found) => question.clear_by_wide_bodies(found, (stand, Some(ladder)), watch),
         blocked @ Milled::Blocked(_) => Ok(blocked),
     }
 }
 
 impl Question<'_> {
-    /// The best of so many rolls, with what is proved of all.
-    fn milled(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<Milled, MillError> {
-        let (ladder, solved) = self.solve(stand, rolls, watch)?;
-        let samples = match solved {
+    /// The best of so many rolls, with what is proved of all, and over what it was sought.
+    fn milled(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<(Ladder<'_>, Milled), MillError> {
+        let mut ladder = self.ladder(stand, rolls, watch)?;
+        let samples = match self.solve(&mut ladder, stand, watch)? {
             Ok(samples) => samples,
-            Err(blocked) => return Ok(Milled::Blocked(blocked)),
+            Err(blocked) => return Ok((ladder, Milled::Blocked(blocked))),
         };
         let lower_bound = Floor::new(self, stand).lower_bound(&ladder, worst(&samples).0)?;
         let Some(guard) = self.guard(stand, Bodies::Known) else {
-            return Ok(Milled::Followed(self.followed(samples, lower_bound, None)));
+            return Ok((ladder, Milled::Followed(self.followed(samples, lower_bound, None))));
         };
-        Ok(match guard.along(&samples, watch)? {
+        let found = match guard.along(&samples, watch)? {
             Err(at) => Milled::Blocked(ladder.blocked_at(at, Why::Jump)),
             Ok(found) => {
                 let unavoidable = ladder.unavoidable.filter(|_| !found.contacts.is_empty());
                 let clearance = Some(PathClearance { unavoidable, ..found });
                 Milled::Followed(self.followed(samples, lower_bound, clearance))
             }
-        })
+        };
+        Ok((ladder, found))
     }
 
     fn followed(&self, samples: Vec<Pushed>, lower_bound: f64, clearance: Option<PathClearance>) -> Followed {
@@ -199,7 +201,7 @@ impl Question<'_> {
         if self.options.roll != RollMode::Free || !is_doubtful || MOST_FINER < self.stations.len() {
             return Ok(found);
         }
-        Ok(match (found, self.milled(stand, ROLLS[1], watch)?) {
+        Ok(match (found, self.milled(stand, ROLLS[1], watch)?.1) {
             (Milled::Followed(found), Milled::Followed(fine)) => {
                 // Both bounds hold for every path.
                 let lower_bound = found.lower_bound.max(fine.lower_bound);

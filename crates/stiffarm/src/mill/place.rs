@@ -158,7 +158,7 @@ pub fn place_path(
             if best.as_ref().is_some_and(|best| best.0 <= *value && !best.2.touches()) {
                 break;
             }
-            let key = match question.milled(&search.stand(place), solve::ROLLS[0], watch)? {
+            let key = match question.milled(&search.stand(place), solve::ROLLS[0], watch)?.1 {
                 Milled::Followed(found) => {
                     let key = found.worst.1;
                     if best.as_ref().is_none_or(|best| found.is_better_than(&best.2, 0.0)) {
@@ -195,7 +195,7 @@ pub fn place_path(
     };
     search.put_binding_first(&place)?;
     let (lower_bound, nodes) = search.lower_bound(followed.worst.0, watch)?;
-    let milled = question.clear_by_wide_bodies(followed, &stand, watch)?;
+    let milled = question.clear_by_wide_bodies(followed, (&stand, None), watch)?;
     let placement = search.placement(&place);
     let resolution = PathResolution { coarse, step, samples, nodes };
     Ok(Ok(PathPlaced { placement, milled, lower_bound, resolution }))
@@ -364,7 +364,7 @@ impl Search<'_> {
         (starts, is_clear): (impl Iterator<Item = &'s Start>, bool),
         watch: Watch,
     ) -> Result<Option<(f64, Place, Followed)>, MillError> {
-        let milled = |place: &Place| match question.milled(&self.stand(place), ROLLS[0], watch)? {
+        let milled = |place: &Place| match question.milled(&self.stand(place), ROLLS[0], watch)?.1 {
             Milled::Followed(found) if is_clear && found.touches() => Ok(None),
             Milled::Followed(found) => Ok::<_, MillError>(Some(found)),
             Milled::Blocked(_) => Ok(None),

@@ -94,38 +94,28 @@ impl<'a> Question<'a> {
 }
 
 impl Question<'_> {
-    fn ladder(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<Ladder<'_>, MillError> {
+    /// Over so many rolls.
+    pub(super) fn ladder(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<Ladder<'_>, MillError> {
         let MillOptions { roll, part, share_of_speed, .. } = *self.options;
         let grid = if let RollMode::Fixed(roll) = roll { RollGrid::at([roll]) } else { RollGrid::turn(rolls) };
         Ladder::new(self.arm, self.stations, *stand, (part, grid), share_of_speed, watch)
     }
 
-    /// The best of so many rolls of what is clear by these bodies; inner: where and why there is none.
-    pub(super) fn clear_by(
-        &self,
-        (stand, guard): (&Stand, &Guard),
-        rolls: usize,
-        watch: Watch,
-    ) -> Result<Outcome, MillError> {
-        self.over(&mut self.ladder(stand, rolls, watch)?, stand, Some(guard), watch)
-    }
-
-    /// The best of so many rolls for a part that stands somewhere; inner: where and why there are none.
-    pub(super) fn solve(&self, stand: &Stand, rolls: usize, watch: Watch) -> Result<(Ladder<'_>, Outcome), MillError> {
-        let mut ladder = self.ladder(stand, rolls, watch)?;
+    /// The best over a ladder for a part that stands somewhere; inner: where and why there is none.
+    pub(super) fn solve(&self, ladder: &mut Ladder, stand: &Stand, watch: Watch) -> Result<Outcome, MillError> {
         let guard = self.guard(stand, Bodies::Known);
-        let mut found = self.over(&mut ladder, stand, guard.as_ref(), watch)?;
+        let mut found = self.over(ladder, stand, guard.as_ref(), watch)?;
         // Where none is clear, the best of all is told, with what it touches.
         if let Some(guard) = guard.filter(|guard| found.is_err() && guard.forbade()) {
             ladder.unavoidable = ladder.never_clear(&guard)?;
             ladder.unblock();
-            found = self.over(&mut ladder, stand, None, watch)?;
+            found = self.over(ladder, stand, None, watch)?;
         }
-        Ok((ladder, found))
+        Ok(found)
     }
 
     /// The best over a ladder of what touches nothing, where that is asked.
-    fn over(
+    pub(super) fn over(
         &self,
         ladder: &mut Ladder,
         stand: &Stand,

@@ -5,17 +5,18 @@ use super::{Bodies, Guard};
 use crate::clearance::Clearance;
 use crate::mill::fault::{Blocked, MillError, Why};
 use crate::mill::follow::Stand;
+use crate::mill::ladder::Ladder;
 use crate::mill::solve::{Question, ROLLS};
 use crate::mill::{Followed, Milled, PathClearance};
 use crate::watch::Watch;
 
 impl Question<'_> {
-    /// With how near wide bodies come; where these touch something, the best path on which they touch nothing, if there is one. What is proved of all
-    /// paths holds for that one, too.
+    /// With how near wide bodies come; where these touch something, the best path over a ladder, or one that is made, on which they touch nothing, if
+    /// there is one. What is proved of all paths holds for that one, too.
     pub(in crate::mill) fn clear_by_wide_bodies(
         &self,
         found: Followed,
-        stand: &Stand,
+        (stand, ladder): (&Stand, Option<Ladder>),
         watch: Watch,
     ) -> Result<Milled, MillError> {
         let (Some(wide), Some(all)) = (self.guard(stand, Bodies::Wide), self.guard(stand, Bodies::All)) else {
@@ -25,7 +26,9 @@ impl Question<'_> {
             Ok((found, may_touch)) if may_touch && !found.touches() => found,
             found => return Ok(found.map_or_else(Milled::Blocked, |(found, _)| Milled::Followed(found))),
         };
-        let Ok(samples) = self.clear_by((stand, &all), ROLLS[0], watch)? else { return Ok(Milled::Followed(found)) };
+        let mut ladder = ladder.map_or_else(|| self.ladder(stand, ROLLS[0], watch), Ok)?;
+        ladder.unblock();
+        let Ok(samples) = self.over(&mut ladder, stand, Some(&all), watch)? else { return Ok(Milled::Followed(found)) };
         let Some(known) = self.guard(stand, Bodies::Known) else { return Ok(Milled::Followed(found)) };
         match known.along(&samples, watch)? {
             Ok(along) => {

@@ -429,7 +429,7 @@ fn a_path_is_sought_that_wide_bodies_keep_clear_of() {
                 stations: &stations,
                 options: &options,
             };
-            let Milled::Followed(slim) = question.milled(&one, ROLLS[0], Watch::nobody()).unwrap() else { panic!() };
+            let Milled::Followed(slim) = question.milled(&one, ROLLS[0], Watch::nobody()).unwrap().1 else { panic!() };
             assert_eq!(slim.samples, found.samples);
             given_up += 1;
         }
