@@ -7,7 +7,10 @@ use parry3d_f64::shape::{Cuboid, Cylinder, Segment, Shape};
 
 use crate::body::Capsule;
 use crate::spatial::Pose;
+use crate::task::Zone;
 
+/// The work is a sheet of this thickness, m, behind its surface.
+const SHEET: f64 = 1e-3;
 /// Solids farther apart than this, m, are told to be so far apart.
 const FAR: f64 = 1e3;
 /// A link shorter than this, m, is a ball: a segment needs two ends.
@@ -136,6 +139,17 @@ impl Solid {
         match self {
             Self::Box { pose, half } => (pose, Vector3::from(*half)),
             Self::Disc { pose, radius, half_thickness } => (pose, Vector3::new(*radius, *radius, *half_thickness)),
+        }
+    }
+
+    /// The sheet behind a flat zone, from its middle point, the directions of its sides and the one in which the tool points.
+    pub(crate) fn sheet(zone: Zone, centre: Vector3<f64>, first: Vector3<f64>, along_tool: Vector3<f64>) -> Self {
+        let axes = nalgebra::Matrix3::from_columns(&[first, along_tool.cross(&first), along_tool]);
+        let rotation = nalgebra::Rotation3::from_matrix_unchecked(axes);
+        let pose = Pose::from_parts((centre + along_tool * (SHEET / 2.0)).into(), rotation.into());
+        match zone {
+            Zone::Circle { diameter } => Self::Disc { pose, radius: diameter / 2.0, half_thickness: SHEET / 2.0 },
+            Zone::Rectangle { width, height } => Self::Box { pose, half: [width / 2.0, height / 2.0, SHEET / 2.0] },
         }
     }
 

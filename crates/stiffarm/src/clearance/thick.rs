@@ -1,0 +1,263 @@
+//! A robot whose links have a thickness: what of it is compared with what, in one posture and in many.
+
+use nalgebra::Vector3;
+
+use super::links::{LINKS, Piece, Tool, enclosed, links};
+use super::nearest::{Looked, Nearest};
+use super::solid::Ball;
+use super::stock::Ends;
+use super::{Clearance, Link, LinksBy, Near, Obstacle, Surroundings};
+use crate::body::{Body, Capsule, Enclosing, may_meet};
+use crate::geometry::Geometry;
+use crate::robot::{Arm, Robot};
+use crate::spatial::Pose;
+
+/// A line that runs so deep into a link, m, only grazes it.
+const GRAZED: f64 = 1e-9;
+/// A tool shorter than this, m, is no link.
+const NO_TOOL: f64 = 1e-6;
+
+/// A robot whose links have a thickness.
+#[derive(Clone, Debug)]
+pub(crate) struct ThickArm<'a> {
+    geometry: &'a Geometry,
+    body: Body,
+    enclosing: Option<&'a Enclosing>,
+    /// Where neither is known: what nine known arms in ten lie inside of.
+    wide: Option<Enclosing>,
+    /// Which links may meet, by their numbers, the lower one first: those between which others stand, but those of which it is known that they always
+    /// touch.
+    meets: [[bool; LINKS]; LINKS],
+    is_estimated: bool,
+    tool: Option<Tool>,
+    /// The wrist centre is the tool point: it touches the work, and what lies beyond is not known.
+    ends_at_wrist: bool,
+}
+
+impl<'a> ThickArm<'a> {
+    /// With its tool, whose radius is estimated where `None`; nothing where only two links of the robot are known.
+    pub(crate) fn new(robot: &'a Robot, flange_from_tool: &Pose, tool_radius: Option<f64>) -> Option<Self> {
+        let Arm::SixAxis { geometry, .. } = &robot.arm else { return None };
+        let (body, is_estimated) = robot.thickness();
+        let point = flange_from_tool.translation.vector;
+        let radius = tool_radius.unwrap_or_else(|| body.spindle());
+        let tool = (NO_TOOL < point.norm()).then_some(Tool { point, radius });
+        let enclosing = robot.enclosing.as_ref();
+        let wide = (is_estimated && enclosing.is_none()).then(|| robot.estimated_bodies(geometry));
+        let is_estimated = wide.is_some() || tool.is_some() && tool_radius.is_none();
+        let not_compared = enclosing.map_or(&[][..], |enclosing| &enclosing.not_compared);
+        let meets = |pair: [usize; 2]| may_meet(pair) && !not_compared.contains(&pair);
+        let meets = std::array::from_fn(|low| std::array::from_fn(|high| meets([low, high])));
+        Some(Self { geometry, body, enclosing, wide, meets, is_estimated, tool, ends_at_wrist: false })
+    }
+
+    /// Upper arm and forearm of the arm plane, the tool point at the wrist centre.
+    pub(crate) fn to_wrist(robot: &'a Robot) -> Option<Self> {
+        Some(Self { ends_at_wrist: true, ..Self::new(robot, &Pose::identity(), None)? })
+    }
+
+    /// The nearest to anything over postures given by their model angles; `None` where there are none, or nothing to meet.
+    pub(crate) fn clearance(&self, postures: &[[f64; 6]], about: &Surroundings) -> Option<Clearance> {
+        let (mut nearest, mut before) = (Nearest::looked(Looked::ALL), Vec::new());
+        let (mut widest, mut wide_before) = (Nearest::looked(Looked::ALL), Vec::new());
+        for theta in postures {
+            let pieces = self.pieces(theta, about.pedestal);
+            self.compare(&pieces, &before, (about, 0), &mut nearest);
+            self.compare_links(&pieces, &mut nearest);
+            before = pieces;
+            if let Some(pieces) = self.wide_pieces(theta, about.pedestal) {
+                self.compare(&pieces, &wide_before, (about, 0), &mut widest);
+                wide_before = pieces;
+            }
+        }
+        nearest.near.map(|near| self.told(near, widest.near, postures.len()))
+    }
+
+    /// The nearest to anything in one posture, by its model angles, before some sample of the path by which a block is cut; `None` where there is
+    /// nothing to meet, or not as near as is looked.
+    pub(crate) fn nearest(&self, theta: &[f64; 6], about: (&Surroundings, usize), looked: Looked) -> Option<Near> {
+        let (mut nearest, pieces) = (Nearest::looked(looked), self.pieces(theta, about.0.pedestal));
+        self.compare(&pieces, &[], about, &mut nearest);
+        self.compare_links(&pieces, &mut nearest);
+        nearest.near
+    }
+
+    /// The same of bodies inside of which nine known arms in ten lie, and what stands about the arm; `None`, too, where the bodies are known.
+    pub(crate) fn nearest_wide(&self, theta: &[f64; 6], about: (&Surroundings, usize), looked: Looked) -> Option<Near> {
+        let mut nearest = Nearest::looked(looked);
+        self.compare(&self.wide_pieces(theta, about.0.pedestal)?, &[], about, &mut nearest);
+        nearest.near
+    }
+
+    /// By how much a link may stand out of what it is taken for, m.
+    fn outside(&self, link: Link) -> f64 {
+        if self.wide.is_none() {
+            return 0.0;
+        }
+        let [column, upper_arm, forearm, wrist] = self.body.outside();
+        match link {
+            Link::Column => column,
+            Link::UpperArm => upper_arm,
+            Link::Forearm => forearm,
+            Link::Wrist => wrist,
+            Link::Tool | Link::Cutter | Link::Shank => 0.0,
+        }
+    }
+
+    /// The nearest of so many poses, with how well that is known.
+    pub(crate) fn told(&self, Near { distance, link, to }: Near, wide: Option<Near>, poses: usize) -> Clearance {
+        let (is_estimated, knows_tool) = (self.is_estimated, !self.ends_at_wrist);
+        let other = if let Obstacle::Link(other) = to { self.outside(other) } else { 0.0 };
+        let outside = self.outside(link) + other;
+        let links = match (self.enclosing, &self.wide) {
+            (Some(_), _) => LinksBy::Enclosing,
+            (None, Some(_)) => LinksBy::Estimated,
+            (None, None) => LinksBy::Stated,
+        };
+        Clearance { distance, link, to, is_estimated, links, outside, wide, knows_tool, poses }
+    }
+
+    /// No point of what a joint moves is farther from its axis in any posture, m, with a cutter of this radius, m, in the spindle.
+    ///
+    /// From the wrist centre, through which the axes of joints 4 to 6 go, backwards: each link adds its length, and what it carries may stretch
+    /// out as far as it can.
+    pub(crate) fn farthest(&self, cutter: f64) -> [f64; 6] {
+        match self.enclosing {
+            Some(enclosing) => self.farthest_of(enclosing, cutter),
+            None => self.farthest_along_links(cutter),
+        }
+    }
+
+    /// The same of the bodies inside of which nine known arms in ten lie; `None` where the bodies are known.
+    pub(crate) fn farthest_wide(&self, cutter: f64) -> Option<[f64; 6]> {
+        Some(self.farthest_of(self.wide.as_ref()?, cutter))
+    }
+
+    /// From the wrist centre.
+    fn farthest_of_tool(&self, cutter: f64) -> f64 {
+        let c4 = self.geometry.c4;
+        let about_wrist = |point: &Vector3<f64>| (point + Vector3::z() * c4).norm();
+        let of_tool = |Tool { point, radius }: Tool| about_wrist(&point).max(c4.abs()) + radius.max(cutter);
+        self.tool.map_or(0.0, of_tool)
+    }
+
+    fn farthest_along_links(&self, cutter: f64) -> [f64; 6] {
+        let Geometry { a1, b, c2, c4, .. } = self.geometry;
+        let wrist = (c4.abs() + self.body.wrist).max(self.farthest_of_tool(cutter));
+        let elbow = self.geometry.l3() + self.body.forearm.max(wrist);
+        let shoulder = c2.abs() + self.body.upper_arm.max(elbow);
+        [a1.hypot(*b) + shoulder, shoulder, elbow, wrist, wrist, wrist]
+    }
+
+    fn farthest_of(&self, enclosing: &Enclosing, cutter: f64) -> [f64; 6] {
+        let (Geometry { a1, b, c2, .. }, l3) = (self.geometry, self.geometry.l3());
+        // A link stays as far from a point of the axis that turns it as it is at model zero.
+        let [_, shoulder_at, elbow_at, wrist_at, _] = self.geometry.points(&[0.0; 6]).map(Vector3::from);
+        let from = |point: &Vector3<f64>, links: std::ops::Range<usize>| {
+            let capsules = enclosing.links[links].iter().flatten();
+            capsules.map(|capsule| capsule.farthest_from(point)).fold(0.0, f64::max)
+        };
+        let wrist = from(&wrist_at, 4..7).max(self.farthest_of_tool(cutter));
+        let elbow = from(&elbow_at, 3..4).max(l3 + wrist);
+        let shoulder = from(&shoulder_at, 2..3).max(c2.abs() + elbow);
+        let column = from(&Vector3::new(0.0, 0.0, shoulder_at.z), 1..2).max(a1.hypot(*b) + shoulder);
+        [column, shoulder, elbow, wrist, wrist, wrist]
+    }
+
+    pub(super) fn pieces(&self, theta: &[f64; 6], pedestal: f64) -> Vec<Piece> {
+        self.known_of(match self.enclosing {
+            Some(enclosing) => enclosed(self.geometry, enclosing, (pedestal, self.body.column), theta, self.tool),
+            None => links(self.geometry, &self.body, pedestal, theta, self.tool),
+        })
+    }
+
+    fn wide_pieces(&self, theta: &[f64; 6], pedestal: f64) -> Option<Vec<Piece>> {
+        let wide = self.wide.as_ref()?;
+        Some(self.known_of(enclosed(self.geometry, wide, (pedestal, self.body.column), theta, self.tool)))
+    }
+
+    fn known_of(&self, mut pieces: Vec<Piece>) -> Vec<Piece> {
+        if self.ends_at_wrist {
+            pieces.retain(|piece| piece.link != Link::Wrist);
+        }
+        pieces
+    }
+
+    /// A link stands between a point on the wrist and another one, m from the base, at model angles.
+    ///
+    /// Wrist and forearm do not hide a point that lies in them: it sits there, and how thick they are is coarse.
+    pub(crate) fn hides(&self, theta: &[f64; 6], marker: &Vector3<f64>, from: &Vector3<f64>) -> bool {
+        let [line, point] = [*from, *marker].map(|end| Capsule { ends: [*marker, end], radius: 0.0 });
+        let carries = |Piece { link, capsule, .. }: &Piece| {
+            matches!(link, Link::Forearm | Link::Wrist) && point.apart_from(capsule) <= -GRAZED
+        };
+        let hides = |piece: &Piece| !carries(piece) && line.apart_from(&piece.capsule) < -GRAZED;
+        self.pieces(theta, 0.0).iter().any(hides)
+    }
+
+    /// Looks at every pair of links that may meet in one posture.
+    fn compare_links(&self, pieces: &[Piece], nearest: &mut Nearest) {
+        if nearest.is_enough() {
+            return;
+        }
+        let balls: Vec<Ball> = pieces.iter().map(|piece| piece.capsule.ball()).collect();
+        for (i, piece) in pieces.iter().enumerate() {
+            let Some(capsule) = shown(pieces, i) else { continue };
+            for (other, ball) in pieces.iter().zip(&balls) {
+                if self.meets[other.number][piece.number] && balls[i].is_within(nearest.within, ball) {
+                    nearest.take(capsule.apart_from(&other.capsule), piece.link, Obstacle::Link(other.link));
+                }
+            }
+        }
+    }
+
+    /// Looks at all that stands about the arm. It does not move, so that of a link that stands where it did before nothing new is to be said.
+    fn compare(
+        &self,
+        pieces: &[Piece],
+        before: &[Piece],
+        (about, sample): (&Surroundings, usize),
+        nearest: &mut Nearest,
+    ) {
+        let Some(last) = pieces.last().map(|piece| piece.link) else { return };
+        for (i, piece) in pieces.iter().enumerate() {
+            if nearest.is_enough() {
+                return;
+            }
+            let Piece { link, capsule, .. } = *piece;
+            if before.get(i) == Some(piece) {
+                continue;
+            }
+            // In the arm plane the work lies where the links move.
+            let may_touch = if self.ends_at_wrist { link == Link::Column } else { link != last };
+            if let Some(work) = about.work.filter(|_| may_touch) {
+                nearest.solid((link, &capsule), Obstacle::Work, &work);
+            }
+            if let Some(machined) = &about.machined {
+                if link != last {
+                    nearest.machined(link, (&capsule, Ends::Round), machined, sample);
+                } else if let Some(cutter) = machined.cutter.filter(|_| link == Link::Tool) {
+                    nearest.tool(&capsule, &cutter, machined, sample);
+                }
+            }
+            let Some(capsule) = shown(pieces, i) else { continue };
+            if let Some([through, up]) = about.floor.filter(|_| link != Link::Column) {
+                nearest.take(capsule.above(&through, &up), link, Obstacle::Floor);
+            }
+            if let Some([through, up]) = about.mounting.filter(|_| link != Link::Column) {
+                nearest.take(capsule.above(&through, &up), link, Obstacle::Mounting);
+            }
+            for (i, solid) in about.keep_out.iter().enumerate() {
+                nearest.solid((link, &capsule), Obstacle::KeepOut(i + 1), solid);
+            }
+        }
+    }
+}
+
+/// What of a piece is compared: the last one is there to touch the work, and the round end of its capsule would reach beyond. `None` where nothing
+/// is left of it.
+fn shown(pieces: &[Piece], i: usize) -> Option<Capsule> {
+    let Piece { link, capsule, .. } = pieces[i];
+    let is_last = i + 1 == pieces.len() && link != Link::Wrist;
+    if is_last { capsule.cut_back(capsule.radius) } else { Some(capsule) }
+}
