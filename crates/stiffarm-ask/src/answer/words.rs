@@ -214,10 +214,19 @@ pub fn clearance_between(clearance: &Clearance) -> String {
     let Some(wide) = clearance.wide else { return of };
     let (bodies, distance) = (bodies(wide.link, wide.to), wide.distance * 1e3);
     if distance < 0.0 {
+        // What the tool touches it touches, however thick the arm is.
+        if !is_of_arm(wide.link) {
+            return of;
+        }
         let by = fixed(-distance, 0);
         return format!("{of}; but {bodies} may touch: bodies that hold nine arms in ten overlap there by {by} mm");
     }
     format!("{of}; bodies that hold nine arms in ten keep {} mm ({bodies})", fixed(distance, 0))
+}
+
+/// It is no part of the tool.
+pub fn is_of_arm(link: Link) -> bool {
+    !matches!(link, Link::Tool | Link::Cutter | Link::Shank)
 }
 
 /// As what the links of a robot are compared.

@@ -1,7 +1,7 @@
 //! Rolls between the lines of the grid: smoother than a path of nodes, and never worse.
 
 use super::climb::{Climb, Sought};
-use super::contact::Guard;
+use super::contact::{Guard, Touched};
 use super::fault::MillError;
 use super::follow::Arrangement;
 use super::ladder::Ladder;
@@ -24,7 +24,7 @@ pub(super) fn smoothed(
     let climb = Climb::new(ladder, Sought::LeastMotion, f32::MAX, false);
     let error_of = |k: usize, arrangement: Arrangement| Ok(ladder.errors_of(k, arrangement, &[arrangement.roll])?[0]);
     let is_clear = |k: usize, from: Arrangement, to: Arrangement| {
-        guard.map_or(Ok(true), |guard| Ok::<_, MillError>(!ladder.touches_from(guard, k, from, to)?))
+        guard.map_or(Ok(true), |guard| Ok::<_, MillError>(ladder.touched_from(guard, k, from, to)? == Touched::Nothing))
     };
     let mut errors =
         rungs.iter().enumerate().map(|(k, rung)| error_of(k, *rung)).collect::<Result<Vec<f64>, MillError>>()?;

@@ -105,9 +105,15 @@ impl Question<'_> {
     pub(super) fn solve(&self, ladder: &mut Ladder, stand: &Stand, watch: Watch) -> Result<Outcome, MillError> {
         let guard = self.guard(stand, Bodies::Known);
         let mut found = self.over(ladder, stand, guard.as_ref(), watch)?;
-        // Where none is clear, the best of all is told, with what it touches.
-        if let Some(guard) = guard.filter(|guard| found.is_err() && guard.forbade()) {
-            ladder.unavoidable = ladder.never_clear(&guard)?;
+        let Some(guard) = guard.filter(|guard| found.is_err() && guard.forbade()) else { return Ok(found) };
+        ladder.unavoidable = ladder.never_clear(&guard)?;
+        // Where none is clear, the best that touches nothing although it is nearer than was asked.
+        if let Some(guard) = guard.that_only_touches_nothing() {
+            ladder.unblock();
+            found = self.over(ladder, stand, Some(&guard), watch)?;
+        }
+        // Where there is none either, the best of all is told, with what it touches.
+        if found.is_err() {
             ladder.unblock();
             found = self.over(ladder, stand, None, watch)?;
         }

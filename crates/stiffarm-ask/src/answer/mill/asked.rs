@@ -20,6 +20,7 @@ use stiffarm::mill::{
 use stiffarm::plain::on_one_line;
 use stiffarm::prior::Drawn;
 use stiffarm::robot::Robot;
+use stiffarm::spatial::Pose;
 use stiffarm::stock::{Remains, Stock};
 use stiffarm::toolpath::{Move, MoveKind, Survey};
 use stiffarm::uncertainty::DRAWS;
@@ -81,6 +82,7 @@ impl MillAnswer {
         let forced = forced(&moves, &asked.steps(), &forcing, stock.as_mut(), watch).map_err(of_force)?;
         if let Some(clear_of) = &mut options.clear_of {
             clear_of.cutter = asked.stick_out(tool).map(|length| Cutter { length, radius: radius_of(&forcing), shank });
+            remarks.extend(clear_of.cutter.and_then(|cutter| no_spindle(&cutter, &flange_from_tool)));
             clear_of.stock = stock.as_ref().map(|stock| Arc::new(Remains::of(stock)));
             remarks.extend(bodies.checked(asked, &survey)?);
             clear_of.part = bodies.part.map(|part| part.mesh);
@@ -189,6 +191,15 @@ fn radius_of(forcing: &Forcing) -> f64 {
     } else {
         0.0
     }
+}
+
+/// What is said of a cutter that is longer than its tool.
+fn no_spindle(cutter: &Cutter, flange_from_tool: &Pose) -> Option<String> {
+    let (length, reach) = (cutter.length, flange_from_tool.translation.vector.norm());
+    let [length_mm, reach_mm] = [length, reach].map(|metres| fixed(metres * 1e3, 1));
+    (reach < length).then(|| {
+        format!("the cutter stands out of the spindle by {length_mm} mm, the tool reaches {reach_mm} mm from the flange: no spindle is compared with part, stock and fixture")
+    })
 }
 
 /// Of moves, all of them.

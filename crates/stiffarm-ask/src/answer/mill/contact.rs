@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use serde_json::{Value, json};
 
-use super::super::words::{bodies, clearance_between, links_are};
+use super::super::words::{bodies, clearance_between, is_of_arm, links_are};
 use super::super::{Line, Record, field, fixed, line};
 use super::MillAnswer;
 use stiffarm::clearance::{Clearance, Link, LinksBy, Obstacle};
@@ -49,10 +49,15 @@ impl MillAnswer {
         Some(format!("{}; another place or roll may keep clear, allow-contact takes it as it is", self.told(deepest)))
     }
 
-    /// What a program says of contacts that are allowed.
-    pub(super) fn allowed_contact(&self) -> Option<String> {
-        let deepest = self.deepest().filter(|_| self.allows_contact)?;
-        Some(format!("WARNING: written although {}.", self.told(deepest)))
+    /// What a program says of contacts that are allowed, or that may be where bodies are estimated.
+    pub(super) fn contact_remark(&self) -> Option<String> {
+        let found = self.clearance()?;
+        if let Some(deepest) = self.deepest() {
+            return self.allows_contact.then(|| format!("WARNING: written although {}.", self.told(deepest)));
+        }
+        let wide = found.nearest?.wide.filter(|wide| wide.distance < found.asked && is_of_arm(wide.link))?;
+        let bodies = bodies(wide.link, wide.to);
+        Some(format!("WARNING: links are estimated, and {bodies} may touch or come nearer than was asked."))
     }
 
     /// One contact in words.
@@ -62,8 +67,11 @@ impl MillAnswer {
         let asked = self.clearance().map_or(0.0, |found| found.asked);
         let how = if asked < contact.depth {
             format!("they overlap by {} mm", fixed((contact.depth - asked) * 1e3, 1))
-        } else {
+        } else if 0.0 < contact.depth {
             format!("{} mm apart, {} mm asked", fixed((asked - contact.depth) * 1e3, 1), fixed(asked * 1e3, 1))
+        } else {
+            let of = if asked == 0.0 { "a touch".into() } else { format!("less than {} mm", fixed(asked * 1e3, 1)) };
+            format!("{} mm apart, which is not told from {of}", fixed((asked - contact.depth) * 1e3, 1))
         };
         format!("{at}{} mm along the path, {}: {how}", fixed(sample.way * 1e3, 1), bodies(contact.link, contact.to))
     }

@@ -139,7 +139,7 @@ impl MillAnswer {
         remarks.push(format!("compensated by stiffarm for {}, {}", self.robot.name, stiffness(&self.robot)));
         remarks.push(controller.corrections().to_owned());
         remarks.extend(self.arm_remarks());
-        remarks.extend(self.allowed_contact());
+        remarks.extend(self.contact_remark());
         let how = Rewriting { steps: *steps, straight: STRAIGHT, remarks: &remarks };
         let mut next = 0;
         let mut corrected = |sample: &Sample| {
@@ -177,7 +177,7 @@ pub(super) fn program_of(
         let (found, remark) = section.stations(tool)?;
         stations.extend(found);
         remarks.push(number.map_or_else(|| remark.clone(), |number| format!("T{number}: {remark}")));
-        remarks.extend(section.allowed_contact());
+        remarks.extend(section.contact_remark());
         let only = section.only_tool.filter(|_| number.is_none());
         remarks.extend(only.map(|tool| format!("Only what tool {tool} of the path cuts.")));
     }

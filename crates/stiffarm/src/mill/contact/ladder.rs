@@ -9,9 +9,9 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::step::Between;
-use super::touching::{Edge, OfRung};
+use super::touching::{Edge, OfRung, Touched};
 use super::{Contact, Guard};
-use crate::clearance::Near;
+use crate::clearance::{Link, Near, Obstacle};
 use crate::inverse::Configuration;
 use crate::mill::climb::{Climb, MOST_STEPS, Node, Sought};
 use crate::mill::fault::MillError;
@@ -59,12 +59,9 @@ impl Ladder<'_> {
             else {
                 continue;
             };
-            let depth = guard.clearance - distance;
-            if 0.0 < depth && deepest.is_none_or(|deepest| deepest.depth < depth) {
-                deepest = Some(Contact { station, link, to, depth });
-            }
+            deepest = deeper(deepest, guard.contact(station, &Near { distance, link, to }));
         }
-        Ok(deepest)
+        Ok(self.touching.shut.values().fold(deepest, |deepest, contact| deeper(deepest, *contact)))
     }
 
     /// Takes back what was blocked.
@@ -81,12 +78,15 @@ impl Ladder<'_> {
             path.iter().enumerate().map(|(k, node)| (k, node.configuration * rolls + node.roll)).collect();
         let mut known = std::mem::take(&mut self.touching.known_nodes);
         let about = |node: &OfRung| self.about_node(*node, most);
-        let touched = flood(nodes.clone(), &mut known, about, |node| self.node_touches(guard, *node))?;
+        let touched = flood(nodes.clone(), &mut known, about, |node| self.node_touched(guard, *node))?;
         self.touching.known_nodes = known;
         if !touched.is_empty() {
-            for node in touched {
-                let error = std::mem::replace(self.error_mut(node), f32::INFINITY);
-                self.touching.nodes.push((node, error));
+            for (node, touched) in touched {
+                self.block(node);
+                if let Touched::AtEveryRoll(_) = touched {
+                    let held = 0..Configuration::COUNT * rolls;
+                    held.for_each(|held| self.block((node.0, held)));
+                }
             }
             return Ok(false);
         }
@@ -94,11 +94,25 @@ impl Ladder<'_> {
         let edges: Vec<Edge> = edges.map(|k| (k, nodes[k - 1].1, nodes[k].1)).collect();
         let mut known = std::mem::take(&mut self.touching.known_edges);
         let about = |edge: &Edge| self.about_edge(*edge, most);
-        let touched = flood(edges, &mut known, about, |edge| self.edge_touches(guard, *edge))?;
+        let touched = flood(edges, &mut known, about, |edge| self.edge_touched(guard, *edge))?;
         self.touching.known_edges = known;
         let is_clear = touched.is_empty();
-        self.touching.edges.extend(touched);
+        for (edge, touched) in touched {
+            if let Touched::AtEveryRoll(contact) = touched {
+                self.touching.shut.insert(edge.0, contact);
+            } else {
+                self.touching.edges.insert(edge);
+            }
+        }
         Ok(is_clear)
+    }
+
+    /// No path may take it any more.
+    fn block(&mut self, node: OfRung) {
+        let error = std::mem::replace(self.error_mut(node), f32::INFINITY);
+        if error < f32::INFINITY {
+            self.touching.nodes.push((node, error));
+        }
     }
 
     fn error_mut(&mut self, (k, held): OfRung) -> &mut f32 {
@@ -139,6 +153,7 @@ impl Ladder<'_> {
         let apart = (from % rolls).abs_diff(to % rolls);
         0 < k
             && self.rungs.get(k).is_some_and(|rung| !rung.is_fresh)
+            && !self.touching.shut.contains_key(&k)
             && apart.min(rolls - apart) <= MOST_STEPS
             && self.may_be_taken((k - 1, from), most)
             && self.may_be_taken((k, to), most)
@@ -159,50 +174,83 @@ impl Ladder<'_> {
         from..if goes_on { rung.at + 1 } else { rung.samples.end }
     }
 
-    pub(in crate::mill) fn node_touches(&self, guard: &Guard, node: OfRung) -> Result<bool, MillError> {
-        Ok(!self.stands_clear(guard, node.0, self.arrangement(node))?)
+    pub(in crate::mill) fn node_touched(&self, guard: &Guard, node: OfRung) -> Result<Touched, MillError> {
+        let at = self.arrangement(node);
+        guard.touched_over(self.stations_of(node.0), |_| at)
     }
 
-    pub(in crate::mill) fn edge_touches(&self, guard: &Guard, (k, from, to): Edge) -> Result<bool, MillError> {
-        self.touches_from(guard, k, self.arrangement((k - 1, from)), self.arrangement((k, to)))
+    pub(in crate::mill) fn edge_touched(&self, guard: &Guard, (k, from, to): Edge) -> Result<Touched, MillError> {
+        self.touched_from(guard, k, self.arrangement((k - 1, from)), self.arrangement((k, to)))
     }
 
     /// Nothing is touched at the stations of a rung that are arranged as it is, nor between these.
     pub(in crate::mill) fn stands_clear(&self, guard: &Guard, k: usize, at: Arrangement) -> Result<bool, MillError> {
-        Ok(!guard.touches_over(self.stations_of(k), |_| at)?)
+        Ok(guard.touched_over(self.stations_of(k), |_| at)? == Touched::Nothing)
     }
 
-    /// Whether anything is touched from the station that stands for the rung before to the one that stands for a rung.
-    pub(in crate::mill) fn touches_from(
+    /// What is touched from the station that stands for the rung before to the one that stands for a rung.
+    pub(in crate::mill) fn touched_from(
         &self,
         guard: &Guard,
         k: usize,
         from: Arrangement,
         mut to: Arrangement,
-    ) -> Result<bool, MillError> {
+    ) -> Result<Touched, MillError> {
         to.roll += std::f64::consts::TAU * ((from.roll - to.roll) / std::f64::consts::TAU).round();
         let of_rung = |rung: usize| if rung < k { from } else { to };
         let stations = self.rungs[k - 1].at..self.rungs[k].at + 1;
         let rung_of = |i: usize| if i < self.rungs[k].samples.start { k - 1 } else { k };
-        guard.touches_over(stations, |i| self.of_station(&of_rung, rung_of(i), i))
+        guard.touched_over(stations, |i| self.of_station(&of_rung, rung_of(i), i))
     }
 }
 
 impl Guard<'_> {
     /// Whether anything is touched at some stations in a row, or between them, or no posture holds one of them.
-    fn touches_over(&self, stations: Range<usize>, of: impl Fn(usize) -> Arrangement) -> Result<bool, MillError> {
+    fn touched_over(&self, stations: Range<usize>, of: impl Fn(usize) -> Arrangement) -> Result<Touched, MillError> {
         let mut before = None;
         for i in stations {
             let at = of(i);
-            let Some(posed) = self.at(i, at)?.filter(|posed| !self.grazes(posed)) else { return Ok(true) };
-            if let Some((from, last)) = &before
-                && !matches!(self.between((&self.straight(i, *from, at), i), [last, &posed])?, Between::Free)
-            {
-                return Ok(true);
+            let Some(posed) = self.at(i, at)? else { return Ok(Touched::Something) };
+            if self.grazes(&posed) {
+                return Ok(self.touched(posed.near, i));
+            }
+            if let Some((from, last)) = &before {
+                let way = self.straight(i, *from, at);
+                match self.between((&way, i), [last, &posed])? {
+                    Between::Free => {}
+                    Between::Touch(_, theta) => {
+                        return Ok(match self.touched(self.posed_to_touch(theta, i).near, i) {
+                            // Where it is so at every roll it is told how deep.
+                            Touched::AtEveryRoll(_) => self.touched(self.nearest_on((&way, i), theta)?, i),
+                            touched => touched,
+                        });
+                    }
+                    Between::Lost => return Ok(Touched::Something),
+                }
             }
             before = Some((at, posed));
         }
-        Ok(false)
+        Ok(Touched::Nothing)
+    }
+
+    fn touched(&self, near: Option<Near>, station: usize) -> Touched {
+        let of_tool = |near: &Near| {
+            self.is_tool_round
+                && matches!(near.link, Link::Tool | Link::Cutter | Link::Shank)
+                && !matches!(near.to, Obstacle::Link(_))
+        };
+        match near.filter(of_tool) {
+            Some(near) => Touched::AtEveryRoll(self.contact(station, &near)),
+            None => Touched::Something,
+        }
+    }
+}
+
+fn deeper(deepest: Option<Contact>, contact: Contact) -> Option<Contact> {
+    if 0.0 < contact.depth && deepest.is_none_or(|deepest| deepest.depth < contact.depth) {
+        Some(contact)
+    } else {
+        deepest
     }
 }
 
@@ -211,16 +259,18 @@ fn flood<T: Copy + Eq + Hash + Send + Sync>(
     from: Vec<T>,
     known: &mut HashSet<T>,
     about: impl Fn(&T) -> Vec<T>,
-    touches: impl Fn(&T) -> Result<bool, MillError> + Sync,
-) -> Result<Vec<T>, MillError> {
+    touched: impl Fn(&T) -> Result<Touched, MillError> + Sync,
+) -> Result<Vec<(T, Touched)>, MillError> {
     let (mut found, mut front) = (Vec::new(), from);
     while !front.is_empty() {
         front.retain(|place| known.insert(*place));
-        let touching = |place: &T| Ok(touches(place)?.then_some(*place));
-        let touched = front.par_iter().map(touching).collect::<Result<Vec<_>, MillError>>()?;
-        let touched: Vec<T> = touched.into_iter().flatten().collect();
-        front = touched.iter().flat_map(&about).collect();
-        found.extend(touched);
+        let of = |place: &T| Ok((*place, touched(place)?));
+        let mut all = front.par_iter().map(of).collect::<Result<Vec<_>, MillError>>()?;
+        all.retain(|(_, touched)| *touched != Touched::Nothing);
+        // What is so at every roll needs no look at others.
+        let by_roll = all.iter().filter(|(_, touched)| *touched == Touched::Something);
+        front = by_roll.flat_map(|(place, _)| about(place)).collect();
+        found.extend(all);
     }
     Ok(found)
 }

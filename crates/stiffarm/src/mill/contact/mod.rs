@@ -13,10 +13,12 @@ mod wide;
 use step::GRAZED;
 #[cfg(test)]
 pub(super) use step::{Between, LEAST, Way};
-pub(super) use touching::Touching;
+pub(super) use touching::{Touched, Touching};
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+use nalgebra::Vector3;
 
 use super::fault::MillError;
 use super::follow::{Arrangement, Stand};
@@ -37,6 +39,8 @@ const FARTHEST_FLOOR: f64 = 100.0;
 /// Of what is farther than was asked by this, m, nothing more is known where it is asked alone what touches: no step from sample to sample moves the
 /// arm so far, but for few.
 const NEAR: f64 = 0.2;
+/// A tool whose flange stands no farther from its axis, m, is round.
+const ROUND: f64 = 1e-6;
 
 /// What arm and tool keep clear of along a path: of themselves, and of what stands about them.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,6 +120,8 @@ pub(super) struct Guard<'a> {
     clearance: f64,
     /// No point of what a joint moves is farther from its axis, m.
     farthest: [f64; 6],
+    /// The tool stands on its own axis: what it touches does not depend on the roll.
+    is_tool_round: bool,
     /// Some node, edge or path was not taken because it touches.
     forbade: AtomicBool,
 }
@@ -168,7 +174,9 @@ impl<'a> Guard<'a> {
                 std::array::from_fn(|i| farthest[i].max(wide[i]))
             }
         };
+        let (point, axis) = (stand.flange_from_tool.translation.vector, stand.flange_from_tool.rotation * Vector3::z());
         Some(Self {
+            is_tool_round: point.cross(&axis).norm() < ROUND,
             farthest,
             bodies,
             forbade: AtomicBool::new(false),
@@ -215,6 +223,15 @@ impl<'a> Guard<'a> {
             }
         };
         Posed { theta, near, within: looked.within }
+    }
+
+    /// The same path where nothing is asked but that nothing touches; `None` where no more was asked.
+    pub(super) fn that_only_touches_nothing(self) -> Option<Self> {
+        (0.0 < self.clearance).then(|| Self { clearance: 0.0, forbade: AtomicBool::new(false), ..self })
+    }
+
+    fn contact(&self, station: usize, Near { distance, link, to }: &Near) -> Contact {
+        Contact { station, link: *link, to: *to, depth: self.clearance - distance }
     }
 
     /// Nearer to something than was asked.

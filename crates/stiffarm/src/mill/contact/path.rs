@@ -15,6 +15,9 @@ const TOGETHER: usize = 4096;
 /// Stations at which a path is looked at before it is followed.
 const SOON: usize = 64;
 
+/// Places between two stations at which it is looked how deep something is touched there.
+const PLACES: usize = 32;
+
 /// What is nearest at a station and on the way to it, and whether that is nearer than was asked.
 type AtStation = (Option<Near>, bool);
 
@@ -99,26 +102,40 @@ impl Guard<'_> {
             return Ok(Some((posed.near, touches)));
         };
         Ok(match self.led(samples, i, [before, posed])? {
-            Between::Free => Some((posed.near, false)),
-            Between::Touch(distance, theta) => {
+            (_, Between::Free) => Some((posed.near, false)),
+            (way, Between::Touch(distance, theta)) => {
                 let near = |near: Near| Near { distance: distance.min(near.distance), ..near };
-                Some((self.posed(theta, i).near.map(near), true))
+                Some((self.nearest_on((&way, i), theta)?.map(near), true))
             }
-            Between::Lost => None,
+            (_, Between::Lost) => None,
         })
     }
 
+    /// The nearest of many places of a way to a station and of one that is known, which is nearer than was asked, or hardly farther.
+    pub(super) fn nearest_on(&self, (way, i): (&Way, usize), known: [f64; 6]) -> Result<Option<Near>, MillError> {
+        let mut nearest = self.posed(known, i).near;
+        for place in 1..PLACES {
+            let Some(theta) = way.at(self, place as f64 / PLACES as f64, &known)? else { continue };
+            let near = self.posed(theta, i).near;
+            nearest = [nearest, near].into_iter().flatten().min_by(|a, b| a.distance.total_cmp(&b.distance));
+        }
+        Ok(nearest)
+    }
+
     /// The way to a station: straight as programs have it, and in joints where the arm is arranged anew and no straight one leads there.
-    fn led(&self, samples: &[Pushed], i: usize, ends: [&Posed; 2]) -> Result<Between, MillError> {
+    fn led(&self, samples: &[Pushed], i: usize, ends: [&Posed; 2]) -> Result<(Way, Between), MillError> {
         let [from, to] = [&samples[i - 1], &samples[i]].map(|one| one.arrangement);
         let is_fresh = self.stations[i].is_fresh;
         if !is_fresh || from.configuration == to.configuration {
-            let found = self.between((&self.straight(i, from, to), i), ends)?;
+            let way = self.straight(i, from, to);
+            let found = self.between((&way, i), ends)?;
             if !is_fresh || !matches!(found, Between::Lost) {
-                return Ok(found);
+                return Ok((way, found));
             }
         }
-        self.between((&Way::Joints(ends.map(|end| end.theta)), i), ends)
+        let way = Way::Joints(ends.map(|end| end.theta));
+        let found = self.between((&way, i), ends)?;
+        Ok((way, found))
     }
 
     /// From the station before to one, with the rolls of both.

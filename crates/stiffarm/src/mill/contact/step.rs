@@ -44,7 +44,7 @@ pub(in crate::mill) enum Between {
 
 impl Way {
     /// The angles so far along it, 0 to 1, with the turns that lie nearest to others.
-    fn at(&self, guard: &Guard, part: f64, near: &[f64; 6]) -> Result<Option<[f64; 6]>, MillError> {
+    pub(super) fn at(&self, guard: &Guard, part: f64, near: &[f64; 6]) -> Result<Option<[f64; 6]>, MillError> {
         match self {
             Self::Straight { line, configuration, ends: [(from, roll), (to, last)] } => {
                 let axis = from.axis.lerp(&to.axis, part).normalize();

@@ -8,7 +8,7 @@ use crate::cell::{Block, Cell, Mount};
 use crate::clearance::{Cutter, Link, Mesh, Obstacle, Surroundings, ThickArm};
 use crate::cutting::Shank;
 use crate::inverse::postures;
-use crate::mill::contact::{Between, Bodies, LEAST, Posed, Way};
+use crate::mill::contact::{Between, Bodies, LEAST, Posed, Touched, Way};
 use crate::stock::{Remains, Stock};
 use crate::toolpath::{Course, Given, MoveKind};
 
@@ -164,7 +164,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
         for k in 0..ladder.rungs.len() {
             let mut next = Vec::new();
             for node in held(k) {
-                let touches = ladder.node_touches(&guard, (k, node)).unwrap();
+                let touches = ladder.node_touched(&guard, (k, node)).unwrap() != Touched::Nothing;
                 if !agreed(witness.distance(pose(k), at(node)), touches) {
                     blocked_nodes += 1;
                     continue;
@@ -179,7 +179,7 @@ fn the_best_clear_path_over_a_ladder_is_that_of_every_node_and_edge() {
                     }
                     let mut to = at(node);
                     to.roll += std::f64::consts::TAU * ((at(*from).roll - to.roll) / std::f64::consts::TAU).round();
-                    let touches = ladder.edge_touches(&guard, (k, *from, node)).unwrap();
+                    let touches = ladder.edge_touched(&guard, (k, *from, node)).unwrap() != Touched::Nothing;
                     if agreed(witness.least([(pose(k - 1), at(*from)), (pose(k), to)]), touches) {
                         best = best.min(value.max(error));
                     } else {
