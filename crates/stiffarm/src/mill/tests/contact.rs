@@ -561,3 +561,50 @@ fn the_cutter_keeps_clear_of_a_fixture_and_not_of_the_part() {
     let slim = Some(Shank { flute: 0.02, diameter: 2.0 * R });
     assert_eq!(tell_with(0.03, 0.005, true, (R, slim)).nearest, tell(0.03, 0.005, true, R).nearest);
 }
+
+/// Nothing keeps a metre from the floor: the path that touches nothing is told, with what is nearer than was asked.
+#[test]
+fn where_too_much_is_asked_the_best_that_touches_nothing_is_told() {
+    let (one, stations) = (stand(), path("line:0.3", KNOWN));
+    let tell = |clearance: f64| {
+        let about = clear_of(&[block([1.3, 1.36], [0.2, 0.26], [1.0, 1.06])], clearance);
+        followed(&one, &stations, &MillOptions { clear_of: Some(about), ..with(RollMode::Constant) })
+    };
+    let (free, asked) = (tell(0.0), tell(1.0));
+    assert_eq!(free.samples, asked.samples);
+    let [free, asked] = [free, asked].map(|found| found.clearance.unwrap());
+    assert!(free.contacts.is_empty(), "{:?}", free.contacts);
+    assert!(!asked.contacts.is_empty());
+    let least = asked.contacts.iter().map(|contact| asked.asked - contact.depth).fold(f64::INFINITY, f64::min);
+    assert!(0.0 <= least && (least - free.nearest.unwrap().distance).abs() < 1e-12, "{least}");
+}
+
+/// By hand: the axis of a cutter of 25 mm radius runs through a post of 2 mm between two samples, whatever the roll.
+#[test]
+fn what_a_round_tool_touches_between_samples_is_touched_at_every_roll() {
+    const R: f64 = 0.025;
+    let stand = Stand {
+        base_from_part: Pose::new(Vector3::new(1.7, 0.0, 0.6), Vector3::zeros()),
+        flange_from_tool: Pose::translation(0.0, 0.0, 0.4),
+    };
+    let steps = Steps { longest: 0.1, ..Steps::USUAL };
+    let stations = stations(&moves("line:0.4"), &steps, |_| Some(KNOWN));
+    let middle = f64::midpoint(stations[1].sample.pose.tip.x, stations[2].sample.pose.tip.x);
+    let ends = [[middle - 0.001, middle + 0.001], [-0.001, 0.001], [-0.01, 0.038]];
+    let corner = |i: usize| std::array::from_fn(|k| ends[k][i >> k & 1]);
+    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles = faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+    let surface = Surface { corners: (0..8).map(corner).collect(), triangles, is_closed: true, notes: Vec::new() };
+    let about = ClearOf {
+        fixture: Some(Mesh::of(&surface)),
+        cutter: Some(Cutter { length: 0.04, radius: R, shank: None }),
+        ..clear_of(&[], 0.0)
+    };
+    let told = followed(&stand, &stations, &MillOptions { clear_of: Some(about), ..with(RollMode::Free) });
+    let told = told.clearance.unwrap();
+    let unavoidable = told.unavoidable.expect("no roll avoids it");
+    // Of 32 places between two samples 0.1 m apart one is nearer to the middle than 3.2 mm.
+    assert!(unavoidable.station == 2 && unavoidable.link == Link::Cutter, "{unavoidable:?}");
+    assert!((R - 0.0033..=R + 1e-6).contains(&unavoidable.depth), "{unavoidable:?}");
+    assert!((told.nearest.unwrap().distance + unavoidable.depth).abs() < 1e-3, "{:?}", told.nearest);
+}
