@@ -63,13 +63,34 @@ impl Guard<'_> {
         Ok(Ok(PathClearance { asked: self.clearance, nearest, at, contacts, unavoidable: None }))
     }
 
-    /// Nothing is touched along a path that is followed.
+    /// Nothing is touched along a path that is followed: nothing is asked of what touches, as [`Self::along`] tells it.
     pub(in crate::mill) fn is_clear(&self, samples: &[Pushed], watch: Watch) -> Result<bool, MillError> {
-        let is_clear = self.along(samples, watch)?.is_ok_and(|found| found.contacts.is_empty());
-        if !is_clear {
-            self.has_forbidden();
+        let mut last = None;
+        for (chunk, together) in samples.chunks(TOGETHER).enumerate() {
+            watch.go_on()?;
+            let first = chunk * TOGETHER;
+            let posed = |(i, one): (usize, &Pushed)| self.posed_to_touch(self.model_angles(one), first + i);
+            let posed: Vec<Posed> = together.par_iter().enumerate().map(posed).collect();
+            let touches = |i: usize| {
+                let before = if i == 0 { last.as_ref() } else { Some(&posed[i - 1]) };
+                let Some(before) = before else { return None };
+                let led = self.led(samples, first + i, [before, &posed[i]]);
+                led.map_or_else(
+                    |error| Some(Err(error)),
+                    |(_, found)| (!matches!(found, Between::Free)).then_some(Ok(())),
+                )
+            };
+            if posed.iter().any(|posed| self.grazes(posed)) {
+                self.has_forbidden();
+                return Ok(false);
+            }
+            if let Some(touched) = (0..posed.len()).into_par_iter().find_map_any(touches) {
+                self.has_forbidden();
+                return touched.map(|()| false);
+            }
+            last = posed.last().copied();
         }
-        Ok(is_clear)
+        Ok(true)
     }
 
     /// Something is touched at one of some stations all over the path: a whole path need not be followed to know that.
