@@ -23,6 +23,8 @@ mod smooth;
 mod solve;
 mod stations;
 
+use std::cmp::Ordering;
+
 use nalgebra::Point3;
 
 pub use arm_error::{DrawnError, arm_error};
@@ -90,9 +92,19 @@ impl Followed {
         self.clearance.as_ref().is_some_and(|found| !found.contacts.is_empty())
     }
 
-    /// A path that touches nothing is better than one that does, else that with the smaller error, by more than a part of it.
+    /// It is nearer to something than was asked, and it touches something.
+    fn contact(&self) -> (bool, bool) {
+        let nearest = self.clearance.as_ref().and_then(|found| found.nearest);
+        (self.touches(), nearest.is_some_and(|nearest| nearest.distance < 0.0))
+    }
+
+    /// A path that keeps what was asked is better than one that does not, one that touches nothing than one that does, else that with the smaller
+    /// error, by more than a part of it.
     fn is_better_than(&self, other: &Self, part: f64) -> bool {
-        if self.touches() == other.touches() { self.worst.0 < other.worst.0 * (1.0 - part) } else { other.touches() }
+        match self.contact().cmp(&other.contact()) {
+            Ordering::Equal => self.worst.0 < other.worst.0 * (1.0 - part),
+            order => order.is_lt(),
+        }
     }
 }
 
