@@ -19,9 +19,8 @@ impl Question<'_> {
         (stand, ladder): (&Stand, Option<Ladder>),
         watch: Watch,
     ) -> Result<Milled, MillError> {
-        let (Some(wide), Some(all)) = (self.guard(stand, Bodies::Wide), self.guard(stand, Bodies::All)) else {
-            return Ok(Milled::Followed(found));
-        };
+        let [known, wide, all] = [Bodies::Known, Bodies::Wide, Bodies::All].map(|bodies| self.guard(stand, bodies));
+        let (Some(known), Some(wide), Some(all)) = (known, wide, all) else { return Ok(Milled::Followed(found)) };
         let found = match self.with_wide(found, &wide, watch)? {
             Ok((found, may_touch)) if may_touch && !found.touches() => found,
             found => return Ok(found.map_or_else(Milled::Blocked, |(found, _)| Milled::Followed(found))),
@@ -29,16 +28,11 @@ impl Question<'_> {
         let mut ladder = ladder.map_or_else(|| self.ladder(stand, ROLLS[0], watch), Ok)?;
         ladder.unblock();
         let Ok(samples) = self.over(&mut ladder, stand, Some(&all), watch)? else { return Ok(Milled::Followed(found)) };
-        let Some(known) = self.guard(stand, Bodies::Known) else { return Ok(Milled::Followed(found)) };
-        match known.along(&samples, watch)? {
-            Ok(along) => {
-                let clear = self.followed(samples, found.lower_bound, Some(along));
-                Ok(self
-                    .with_wide(clear, &wide, watch)?
-                    .map_or_else(Milled::Blocked, |(clear, _)| Milled::Followed(clear)))
-            }
-            Err(_) => Ok(Milled::Followed(found)),
-        }
+        // What is followed clear of all bodies is so clear of some of them.
+        let Ok(along) = known.along(&samples, watch)? else { return Ok(Milled::Followed(found)) };
+        let clear = self.followed(samples, found.lower_bound, Some(along));
+        let clear = self.with_wide(clear, &wide, watch)?;
+        Ok(clear.map_or_else(Milled::Blocked, |(clear, _)| Milled::Followed(clear)))
     }
 
     /// Inner: whether they come nearer to something than was asked; where no straight way leads on.
