@@ -60,6 +60,12 @@ impl MillAnswer {
         Some(format!("WARNING: links are estimated, and {bodies} may touch or come nearer than was asked."))
     }
 
+    /// Loud, as places tell it: what overlaps, and what is nearer than was asked.
+    fn called(&self, contact: Option<&Contact>) -> &'static str {
+        let asked = self.clearance().map_or(0.0, |found| found.asked);
+        if contact.is_some_and(|contact| asked < contact.depth) { "COLLISION" } else { "TOO NEAR" }
+    }
+
     /// One contact in words.
     fn told(&self, contact: &Contact) -> String {
         let sample = &self.stations[contact.station].sample;
@@ -143,8 +149,9 @@ impl MillAnswer {
                 format!("{apart} mm at {} samples and between them, {}", nearest.poses, clearance_between(nearest)),
             )
         });
-        let unavoidable = self.unavoidable_told().map(|told| line(LOUD, told));
-        let contacts = found.contacts.iter().take(TOLD).map(|contact| line(LOUD, self.told(contact)));
+        let unavoidable = self.unavoidable_told().map(|told| line(self.called(found.unavoidable.as_ref()), told));
+        let contacts =
+            found.contacts.iter().take(TOLD).map(|contact| line(self.called(Some(contact)), self.told(contact)));
         let more = found.contacts.len().saturating_sub(TOLD);
         let more = (0 < more).then(|| line("", format!("and {more} more")));
         nearest.into_iter().chain(unavoidable).chain(contacts).chain(more).collect()
@@ -191,7 +198,7 @@ impl MillAnswer {
 
     /// What a manager would read of it.
     pub(in crate::answer) fn contact_sentence(&self) -> Option<String> {
-        Some(format!("{LOUD} of {}: {}.", self.robot.full_name(), self.deepest_told()?))
+        Some(format!("{} of {}: {}.", self.called(self.deepest()), self.robot.full_name(), self.deepest_told()?))
     }
 
     /// The deepest contact in words, where there is one.
@@ -199,6 +206,3 @@ impl MillAnswer {
         self.deepest().map(|deepest| self.told(deepest))
     }
 }
-
-/// As places tell it.
-const LOUD: &str = "COLLISION";
