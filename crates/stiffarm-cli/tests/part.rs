@@ -166,6 +166,13 @@ fn a_cutter_keeps_clear_of_clamps_that_hold_the_part() {
         "{told}"
     );
     assert!((told["clearance_mm"].as_f64().unwrap() - 7.0).abs() < 0.01, "{told}");
+    // The program says what estimated links may touch, and the answer that no spindle is compared where the tool is shorter.
+    let kept = ["--fixture", "clamps.stl", "-o", "kept.src"];
+    assert_eq!(run(folder, &[&asked[..], &kept].concat()).0, 0);
+    let program = fs::read_to_string(folder.join("kept.src")).unwrap();
+    assert!(program.contains("WARNING: links are estimated, and wrist to fixture may touch"), "{program}");
+    let (_, long, _) = run(folder, &["--part", "rib.stl", "--stick-out-mm", "251"]);
+    assert!(long.contains("by 251.0 mm, the tool reaches 250.0 mm from the flange: no spindle is compared"), "{long}");
     // A shank of 20 mm radius that begins 20 mm above the tip would run 5 mm into them, as they are 40 mm high.
     let mill = fs::read_to_string(folder.join("endmill.toml")).unwrap();
     fs::write(folder.join("thick.toml"), mill.replace("teeth = ", "flute_mm = 20\nshank_mm = 40\nteeth = ")).unwrap();

@@ -30,10 +30,12 @@ fn clear_of(boxes: &[Block], clearance: f64) -> ClearOf {
 fn mesh_of(clear_of: &ClearOf, stand: &Stand) -> Mesh {
     let block = clear_of.cell.unwrap().keep_out[0].unwrap();
     let ends = [block.x, block.y, block.z].map(|side| [side.min(), side.max()]);
-    let corner = |i: usize| {
-        let at = Point3::new(ends[0][i & 1], ends[1][i >> 1 & 1], ends[2][i >> 2]);
-        stand.base_from_part.inverse_transform_point(&at).into()
-    };
+    box_mesh(ends, |at| stand.base_from_part.inverse_transform_point(&at))
+}
+
+/// The triangles of a box from end to end along every axis, its corners moved.
+fn box_mesh(ends: [[f64; 2]; 3], moved: impl Fn(Point3<f64>) -> Point3<f64>) -> Mesh {
+    let corner = |i: usize| moved(std::array::from_fn(|k| ends[k][i >> k & 1]).into()).into();
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let triangles = faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
     Mesh::of(&Surface { corners: (0..8).map(corner).collect(), triangles, is_closed: true, notes: Vec::new() })
@@ -515,13 +517,7 @@ fn the_cutter_keeps_clear_of_a_fixture_and_not_of_the_part() {
     };
     let stations = path("line:0.3", KNOWN);
     let tell_with = |high: f64, beside: f64, is_part: bool, (radius, shank): (f64, Option<Shank>)| {
-        let low = [-0.02, R + beside, -0.1];
-        let high = [0.02, R + beside + 0.05, high];
-        let corner = |i: usize| std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] });
-        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-        let triangles = faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
-        let surface = Surface { corners: (0..8).map(corner).collect(), triangles, is_closed: true, notes: Vec::new() };
-        let mesh = Some(Mesh::of(&surface));
+        let mesh = Some(box_mesh([[-0.02, 0.02], [R + beside, R + beside + 0.05], [-0.1, high]], |at| at));
         let (part, fixture) = if is_part { (mesh, None) } else { (None, mesh) };
         let cell = Some(Cell::of(Mount::pedestal(0.0)));
         let cutter = Some(Cutter { length: 0.04, radius, shank });
@@ -591,12 +587,8 @@ fn what_a_round_tool_touches_between_samples_is_touched_at_every_roll() {
     let stations = stations(&moves("line:0.4"), &steps, |_| Some(KNOWN));
     let middle = f64::midpoint(stations[1].sample.pose.tip.x, stations[2].sample.pose.tip.x);
     let ends = [[middle - 0.001, middle + 0.001], [-0.001, 0.001], [-0.01, 0.038]];
-    let corner = |i: usize| std::array::from_fn(|k| ends[k][i >> k & 1]);
-    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    let triangles = faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
-    let surface = Surface { corners: (0..8).map(corner).collect(), triangles, is_closed: true, notes: Vec::new() };
     let about = ClearOf {
-        fixture: Some(Mesh::of(&surface)),
+        fixture: Some(box_mesh(ends, |at| at)),
         cutter: Some(Cutter { length: 0.04, radius: R, shank: None }),
         ..clear_of(&[], 0.0)
     };
