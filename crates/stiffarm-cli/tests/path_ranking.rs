@@ -138,7 +138,7 @@ fn a_robot_that_touches_something_has_no_rank_and_says_what() {
             (&false.into(), &Value::Null, &Value::Null),
             "{row}"
         );
-        assert!(row["reason"].as_str().unwrap().starts_with("COLLISION of "), "{row}");
+        assert!(row["reason"].as_str().unwrap().starts_with("TOO NEAR of "), "{row}");
     }
     let told = String::from_utf8(stiffarm(&words).stdout).unwrap();
     assert!(told.contains("follows line:0.05 and keeps clear") && told.contains("mm apart, 3000.0 mm asked"), "{told}");

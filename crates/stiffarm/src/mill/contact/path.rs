@@ -72,8 +72,7 @@ impl Guard<'_> {
             let posed = |(i, one): (usize, &Pushed)| self.posed_to_touch(self.model_angles(one), first + i);
             let posed: Vec<Posed> = together.par_iter().enumerate().map(posed).collect();
             let touches = |i: usize| {
-                let before = if i == 0 { last.as_ref() } else { Some(&posed[i - 1]) };
-                let Some(before) = before else { return None };
+                let before = if i == 0 { last.as_ref() } else { Some(&posed[i - 1]) }?;
                 let led = self.led(samples, first + i, [before, &posed[i]]);
                 led.map_or_else(
                     |error| Some(Err(error)),
