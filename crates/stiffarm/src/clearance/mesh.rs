@@ -70,18 +70,23 @@ impl Mesh {
         self.apart(pose, &Pose::identity(), &segment, &capsule.ends[0]) - capsule.radius
     }
 
-    /// To a cylinder with flat ends about the line of a capsule, m; negative or zero where they overlap: by no more than the capsule does, nor than
-    /// the cylinder and the box about the mesh.
+    /// To a cylinder with flat ends about the line of a capsule, m; negative or zero where they overlap: by no more than the capsule does, than the
+    /// cylinder and the box about the mesh, and than the way back along its line.
     pub(super) fn apart_from_cylinder(&self, pose: &Pose, capsule: &Capsule) -> f64 {
-        let (at, cylinder) = capsule.cylinder();
-        let apart = self.apart(pose, &at, &cylinder, &capsule.ends[0]);
+        let apart_from = |capsule: &Capsule| {
+            let (at, cylinder) = capsule.cylinder();
+            self.apart(pose, &at, &cylinder, &capsule.ends[0])
+        };
+        let apart = apart_from(capsule);
         if 0.0 < apart {
             return apart;
         }
         let bounds = self.0.mesh.local_aabb();
         let centre = bounds.center();
         let about = pose * Pose::translation(centre.x, centre.y, centre.z);
-        self.apart_from(pose, capsule).max(-capsule.depth_of_cylinder(&about, bounds.half_extents())).min(0.0)
+        let most =
+            self.apart_from(pose, capsule).max(-capsule.depth_of_cylinder(&about, bounds.half_extents())).min(0.0);
+        -capsule.way_back(-most, |drawn| 0.0 < apart_from(drawn))
     }
 
     /// To a convex shape one of whose points is known; what lies wholly inside is as far from outside as from the surface.
@@ -147,6 +152,20 @@ mod tests {
         assert!((Mesh::of(&open).apart_from(&pose, &capsule) - 0.35).abs() < 1e-9, "without an inside");
     }
 
+    /// A step 0.1 m high about zero, and one of 0.5 m beside it from x = 0.1 m on.
+    fn stair() -> Mesh {
+        let parts = [([-0.2, 0.1], 0.1), ([0.1, 0.3], 0.5)].map(|(x, high)| {
+            let corner = move |i: usize| [x[i & 1], [-0.2, 0.2][i >> 1 & 1], [0.0, high][i >> 2]];
+            (0..8).map(corner).collect::<Vec<[f64; 3]>>()
+        });
+        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let of = |first: u32| {
+            faces.iter().flat_map(move |[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]].map(|face| face.map(|i| i + first)))
+        };
+        let triangles = of(0).chain(of(8)).collect();
+        Mesh::of(&Surface { corners: parts.concat(), triangles, is_closed: true, notes: Vec::new() })
+    }
+
     fn surface(mesh: &Mesh) -> Surface {
         let corners = mesh.0.mesh.vertices().iter().map(|v| [v.x, v.y, v.z]).collect();
         Surface { corners, triangles: mesh.0.mesh.indices().to_vec(), is_closed: true, notes: Vec::new() }
@@ -174,6 +193,10 @@ mod tests {
             radius: 0.1,
         };
         assert!(mesh.apart_from_cylinder(&pose, &rim) < 0.0);
+        // Half a millimetre in the lower step of a stair whose upper one is far higher: drawn back by that it is free.
+        let stair = stair();
+        let sunk = Capsule { ends: [Vector3::new(0.0, 0.0, 0.6), Vector3::new(0.0, 0.0, 0.0995)], radius: 0.05 };
+        assert!((stair.apart_from_cylinder(&pose, &sunk) + 0.0005).abs() < 2e-5);
         // Sunk into the top by 20 mm, its line, too: it is 20 mm deep, not as deep as it is thick.
         let sunk = Capsule { ends: [Vector3::new(0.1, 0.0, 0.9), Vector3::new(0.1, 0.0, 0.48)], radius: 0.1 };
         assert!((mesh.apart_from_cylinder(&pose, &sunk) + 0.02).abs() < 1e-6);

@@ -13,6 +13,8 @@ use crate::task::Zone;
 const SHEET: f64 = 1e-3;
 /// Solids farther apart than this, m, are told to be so far apart.
 const FAR: f64 = 1e3;
+/// How far something is drawn back is known to this, m.
+const DRAWN: f64 = 1e-5;
 /// A link shorter than this, m, is a ball: a segment needs two ends.
 const SHORT: f64 = 1e-9;
 
@@ -111,6 +113,22 @@ impl Capsule {
         let (at, cylinder) = self.cylinder();
         let met = contact(&parry(&at), &cylinder, &parry(pose), &Cuboid::new(half), 0.0);
         met.expect("parry knows convex shapes").map_or(0.0, |met| -met.dist.min(0.0))
+    }
+
+    /// So far it must be drawn back along its line until it is free, m; `most` where that is farther.
+    pub(super) fn way_back(&self, most: f64, is_free: impl Fn(&Self) -> bool) -> f64 {
+        let [from, to] = self.ends;
+        let back = (from - to).normalize();
+        let drawn = |way: f64| Self { ends: self.ends.map(|end| end + back * way), ..*self };
+        if !is_free(&drawn(most)) {
+            return most;
+        }
+        let (mut held, mut free) = (0.0, most);
+        while DRAWN < free - held {
+            let middle = f64::midpoint(held, free);
+            if is_free(&drawn(middle)) { free = middle } else { held = middle }
+        }
+        free
     }
 
     pub(super) fn segment(&self) -> Segment {

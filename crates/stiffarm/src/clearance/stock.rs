@@ -22,7 +22,8 @@ pub(super) enum Ends {
 
 impl Remains {
     /// To a capsule, or to the cylinder about its line, before a sample, m, where that is less than `most`; negative or zero where they overlap: a
-    /// capsule by no more than its radius, a cylinder by no more than the capsule, nor than it and the box about all that is left.
+    /// capsule by no more than its radius, a cylinder by no more than the capsule, than it and the box about all that is left, and than the way
+    /// back along its line.
     pub(super) fn apart_from(
         &self,
         (pose, sample): (&Pose, usize),
@@ -31,16 +32,22 @@ impl Remains {
     ) -> Option<f64> {
         let here = pose.inverse();
         let capsule = Capsule { ends: capsule.ends.map(|end| here.transform_point(&end.into()).coords), ..*capsule };
-        let mut search = Search { remains: self, sample, link: Link::of(capsule, ends), most };
+        let found = self.nearest(sample, (&capsule, ends), most)?;
+        if ends == Ends::Round || 0.0 <= found {
+            return Some(found);
+        }
+        let left = self.left(self.whole(), sample)?.map(Vector3::from);
+        let depth = capsule.depth_of_cylinder(&middle(&left), half(&left)).min(-found);
+        let found = -capsule.way_back(depth, |drawn| self.nearest(sample, (drawn, ends), 0.0).is_none());
+        (found < most).then_some(found)
+    }
+
+    /// The same of a link in the frame of the part, by its line where a flat one overlaps.
+    fn nearest(&self, sample: usize, (capsule, ends): (&Capsule, Ends), most: f64) -> Option<f64> {
+        let mut search = Search { remains: self, sample, link: Link::of(*capsule, ends), most };
         let whole = search.nearer(self.whole())?;
         search.descend(whole);
-        let Search { link, most: found, .. } = search;
-        let depth = |corners| link.capsule.depth_of_cylinder(&middle(&corners), half(&corners));
-        let is_deep = ends == Ends::Flat && found < 0.0;
-        let depth =
-            self.left(self.whole(), sample).filter(|_| is_deep).map(|corners| depth(corners.map(Vector3::from)));
-        let found = depth.map_or(found, |depth| found.max(-depth));
-        (found < most).then_some(found)
+        (search.most < most).then_some(search.most)
     }
 }
 
